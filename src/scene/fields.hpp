@@ -75,7 +75,8 @@ class Fields {
                            const std::function<void(Fields&, std::size_t)>& describe) = 0;
   /// What the field declared next was called before: still read, with a warning that says the name.
   virtual void formerly(const char* /*old*/, const char* /*name*/) {}
-  /// The group declared next may be given as one word, which is the value of its field `field` then.
+  /// The group declared next may be given as one word, which is the value of its field `field` then. Of
+  /// groups under names each may be given as that value: a word, a number, keyframes.
   virtual void shorthand(const char* /*group*/, const char* /*field*/) {}
   /// The optional group declared next may be given as true, which is the group without fields, or false.
   virtual void switchable(const char* /*group*/) {}
@@ -85,6 +86,10 @@ class Fields {
   /// Reports a mistake that involves several values, at the place of field `name`. Nothing happens
   /// unless a scene is being read.
   virtual void error(const char* /*name*/, const std::string& /*message*/) {}
+  /// The same at bytes begin to end of a text, which the members of `path` lead to from here. Where the
+  /// scene does not give that text: at this group.
+  virtual void errorIn(const std::vector<std::string>& /*path*/, std::size_t /*begin*/, std::size_t /*end*/,
+                       const std::string& /*message*/) {}
   /// Whether the scene gives this field itself (false while writing schema or help).
   [[nodiscard]] virtual bool given(const char* /*name*/) const { return false; }
 
@@ -226,6 +231,8 @@ struct Kind {
   /// The text of a scene around a file of this kind's own format (a pattern of cells), which may be
   /// rendered like a scene; empty for other files. Throws UserError for one that cannot be read.
   std::function<std::string(const std::filesystem::path& file)> sceneAround = {};
+  /// What follows the table of its parameters on its page of `simreel list`; empty: nothing.
+  std::function<std::string()> appendix = {};
 };
 
 }  // namespace simreel::scene

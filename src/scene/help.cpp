@@ -108,7 +108,10 @@ void HelpWriter::namedGroups(const char* name, const char* doc, const char* one,
                              const std::vector<std::string>& names,
                              const std::function<void(const std::vector<std::string>&)>& rename,
                              const std::function<void(Fields&, std::size_t)>& describe) {
-  add(name, "{}", fmt::format("up to {}", maxItems), "", doc);
+  const auto value = shorthands_.find(name);
+  add(name, "{}", fmt::format("up to {}", maxItems), "",
+      value == shorthands_.end() ? doc
+                                 : fmt::format("{} A value alone is its \"{}\".", doc, value->second));
   if (!expandGroups_) return;
   const std::string outer = prefix_;
   prefix_ += fmt::format("{}.{}.", name, one);

@@ -38,9 +38,10 @@ void Area::describe(Fields& fields) {
 
 void Light::describe(Fields& fields) {
   constexpr const char* typeNames[] = {"point", "spot", "area"};
-  fields.choice("type", type, {typeNames[0], typeNames[1], typeNames[2]},
-                "point: the same light in all directions. spot: within a cone, as \"spot\" says. area: from "
-                "the front of a rectangle, as \"area\" says.");
+  fields.choice(
+      "type", type, {typeNames[0], typeNames[1], typeNames[2]},
+      "point: the same light in all directions. spot: within a cone, as \"spot\" says. area: from "
+      "the front of a rectangle, as \"area\" says.");
   bool given = false, isRectangle = false;
   fields.optionalGroup("spot", given, "The cone of a light of type spot.",
                        [&](Fields& inner) { spot.describe(inner); });
@@ -48,11 +49,13 @@ void Light::describe(Fields& fields) {
                        [&](Fields& inner) { area.describe(inner); });
   const char* const own = typeNames[static_cast<std::size_t>(type)];
   if (given && type != Type::spot)
-    fields.error("spot",
-                 fmt::format("\"spot\" is for lights of \"type\": \"spot\", and this one is of type \"{}\"", own));
+    fields.error(
+        "spot",
+        fmt::format("\"spot\" is for lights of \"type\": \"spot\", and this one is of type \"{}\"", own));
   if (isRectangle && type != Type::area)
-    fields.error("area",
-                 fmt::format("\"area\" is for lights of \"type\": \"area\", and this one is of type \"{}\"", own));
+    fields.error(
+        "area",
+        fmt::format("\"area\" is for lights of \"type\": \"area\", and this one is of type \"{}\"", own));
   if (type == Type::area && fields.given("glow"))
     fields.error("glow", "a light of type \"area\" is not seen by the camera; leave out \"glow\"");
   fields.vector("position", position, anyNumber, "m", "Where it is.");
@@ -72,7 +75,8 @@ void Light::describe(Fields& fields) {
   fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
   describeTemperature(fields, temperature);
   fields.choice("unit", unit, {"cd", "lm", "W"},
-                "Of the intensity. cd: luminous intensity, in front of a rectangle; 1 cd gives 1 lx at 1 m. lm: luminous flux, of "
+                "Of the intensity. cd: luminous intensity, in front of a rectangle; 1 cd gives 1 lx at 1 "
+                "m. lm: luminous flux, of "
                 "all that it sends. W: watts of light (not of electricity), 179 lm each.");
   fields.number("intensity", intensity, notNegative, "",
                 "How bright it is, in its unit, for the colour 1; the sun's intensity is in lx.");

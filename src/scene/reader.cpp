@@ -5,6 +5,7 @@
 #include "scene/words.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -158,13 +159,36 @@ Node emptyGroup(const Node& word) {
   return group;
 }
 
-/// The group that a word stands for: {field: word}, with every place that of the word.
+/// The group that a value stands for: {field: value}, with every place that of the value.
 Node spelledOut(const Node& word, const std::string& field) {
   Node group = emptyGroup(word);
   group.children.push_back(word);
   group.children.front().key = field;
   group.children.front().keyBegin = group.children.front().keyEnd = 0;
   return group;
+}
+
+/// Whether what stands for a named group is the value of one of its fields.
+bool isValue(const Node& node) {
+  return node.kind != Node::Kind::object || node.find("keys") != nullptr;
+}
+
+/// Where byte `at` of a text that was read is written: `written` has its quotes and escapes.
+std::size_t byteWritten(std::string_view written, std::size_t at) {
+  std::size_t i = 1, read = 0;
+  while (i + 1 < written.size() && read < at) {
+    if (written[i] != '\\') {
+      ++i, ++read;
+    } else if (written[i + 1] != 'u') {
+      i += 2, ++read;
+    } else {
+      const long code = std::strtol(std::string(written.substr(i + 2, 4)).c_str(), nullptr, 16);
+      const bool pair = code >= 0xd800 && code < 0xdc00;
+      i += pair ? 12 : 6;
+      read += pair ? 4 : code < 0x80 ? 1 : code < 0x800 ? 2 : 3;
+    }
+  }
+  return std::min(i, written.size());
 }
 
 }  // namespace
@@ -278,8 +302,13 @@ void Reader::namedGroups(const char* name, const char* /*doc*/, const char* one,
                       fmt::format("{} name {} {}", one, inQuotes(child.key), plainNameText));
   }
   rename(names);
-  for (std::size_t i = 0; i < names.size(); ++i)
-    readObject(node->children[i], context_, [&](Reader& fields) { describe(fields, i); });
+  const auto value = shorthands_.find(name);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Node& child = node->children[i];
+    const bool isShort = value != shorthands_.end() && isValue(child);
+    readObject(isShort ? spelledOut(child, value->second) : child, context_,
+               [&](Reader& fields) { describe(fields, i); });
+  }
 }
 
 void Reader::error(const char* name, const std::string& message) {
@@ -287,6 +316,22 @@ void Reader::error(const char* name, const std::string& message) {
   if (context_.diagnostics.count() != errorsBefore_) return;
   const Node* node = find(name);
   context_.diagnostics.add(node == nullptr ? place_ : node->place(), message);
+}
+
+void Reader::errorIn(const std::vector<std::string>& path, std::size_t begin, std::size_t end,
+                     const std::string& message) {
+  if (context_.diagnostics.count() != errorsBefore_) return;
+  const Node* node = object_;
+  for (const std::string& member : path)
+    if (node != nullptr && node->kind == Node::Kind::object) node = node->find(member);
+  if (node == object_ || node == nullptr) return context_.diagnostics.add(place_, message);
+  Place place = node->place();
+  if (node->kind == Node::Kind::text) {
+    const std::string_view written = context_.diagnostics.textAt(place);
+    place.end = node->begin + byteWritten(written, std::max(end, begin + 1));
+    place.begin = node->begin + byteWritten(written, begin);
+  }
+  context_.diagnostics.add(place, message);
 }
 
 bool Reader::given(const char* name) const {

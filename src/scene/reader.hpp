@@ -51,6 +51,8 @@ class Reader final : public Fields {
   void shorthand(const char* group, const char* field) override { shorthands_[group] = field; }
   void switchable(const char* group) override { switchable_.insert(group); }
   void error(const char* name, const std::string& message) override;
+  void errorIn(const std::vector<std::string>& path, std::size_t begin, std::size_t end,
+               const std::string& message) override;
   [[nodiscard]] bool given(const char* name) const override;
 
  private:

@@ -112,8 +112,10 @@ std::string helpText(std::string_view name, std::span<const Kind> kinds) {
     const auto parameters = kind.makeParameters();
     parameters->describe(table);
     return fmt::format(
-        "{}: {}\nIn a scene: \"objects\": {{\"name\": {{\"{}\": {{...}}, \"material\": {{...}}}}}}\n\n{}{}",
-        kind.name, kind.doc, kind.name, table.table(), quantitiesText(parameters->quantities()));
+        "{}: {}\nIn a scene: \"objects\": {{\"name\": {{\"{}\": {{...}}, \"material\": "
+        "{{...}}}}}}\n\n{}{}{}",
+        kind.name, kind.doc, kind.name, table.table(), quantitiesText(parameters->quantities()),
+        kind.appendix ? "\n" + kind.appendix() : "");
   }
   fail(ExitCode::usage, "no simulation or scene section is named {}; {}", inQuotes(printable(name)),
        suggestion(name, known));

@@ -148,10 +148,16 @@ void SchemaWriter::namedGroups(const char* name, const char* doc, const char* /*
   SchemaWriter inner;
   describe(inner, 0);
   rename(names);
+  Json group = inner.object();
+  if (const auto value = shorthands_.find(name); value != shorthands_.end()) {
+    Json shortly = inner.properties_[value->second];
+    shortly["description"] = fmt::format("Short for {{\"{}\": ...}}.", value->second);
+    group = {{"anyOf", Json::array({std::move(shortly), std::move(group)})}};
+  }
   add(name, {{"type", "object"},
              {"propertyNames", {{"pattern", plainNamePattern}}},
              {"maxProperties", maxItems},
-             {"additionalProperties", inner.object()},
+             {"additionalProperties", std::move(group)},
              {"description", doc}});
 }
 

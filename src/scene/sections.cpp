@@ -174,11 +174,13 @@ void Lens::describe(Fields& fields) {
 }
 
 void Shutter::describe(Fields& fields) {
-  fields.number("angle", angle, {1, 360}, "degrees",
-                "How long it is open: 360 is from the frame before to this one, 180 the second half of that.");
-  fields.integer("samples", samples, {2, 256}, "",
-                 "Moments meanwhile: so many times each picture is drawn, or as often as the lens asks for. "
-                 "Too few show as copies beside each other where things are fast.");
+  fields.number(
+      "angle", angle, {1, 360}, "degrees",
+      "How long it is open: 360 is from the frame before to this one, 180 the second half of that.");
+  fields.integer(
+      "samples", samples, {2, 256}, "",
+      "Moments meanwhile: so many times each picture is drawn, or as often as the lens asks for. "
+      "Too few show as copies beside each other where things are fast.");
 }
 
 void Orbit::describe(Fields& fields) {
@@ -229,7 +231,8 @@ void Camera::describe(Fields& fields) {
                        "frame. The driver's rasterizer has none.",
                        [&](Fields& f) { shutter.describe(f); });
   hasAngle = fields.given("fieldOfView");
-  placed = follows || tracks || fields.given("position") || fields.given("target") || (orbits && orbit.distanced);
+  placed = follows || tracks || fields.given("position") || fields.given("target") ||
+           (orbits && orbit.distanced);
   for (const char* name : {"position", "target"})
     if (follows && fields.given(name))
       fields.error(name, fmt::format("\"follow\" says where the camera is; leave out \"{}\"", name));

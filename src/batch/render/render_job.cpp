@@ -43,8 +43,8 @@ void RenderJob::chooseLayers() {
     if (!request_.layers.empty())
       fail(ExitCode::usage, "--layers: OpenEXR pictures have them; write --output NAME_####.exr");
     if (bits == 8) return;
-    const bool picture = output_.kind != frame::OutputName::Kind::video &&
-                         output_.kind != frame::OutputName::Kind::stream;
+    const bool picture =
+        output_.kind != frame::OutputName::Kind::video && output_.kind != frame::OutputName::Kind::stream;
     if (bits != 16 || !picture)
       fail(ExitCode::usage, "--bits {}: {}", bits,
            picture ? "PNG has 8 or 16; write OpenEXR for 32" : "videos and streams have 8");

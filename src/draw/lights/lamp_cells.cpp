@@ -30,15 +30,16 @@ std::vector<std::uint32_t> lampCells(const std::vector<shader::Lamp>& lamps, int
     const glm::vec3 middle(lamps[i].place);
     // A hair more, for what rounds into the next cell is not to miss it.
     const float far = 1.001F * reach(lamps[i]);
-    const glm::ivec3 from = glm::clamp(glm::ivec3(glm::floor((middle - far - low) * perMetre)) - 1, glm::ivec3(0),
-                                       count - 1);
-    const glm::ivec3 to = glm::clamp(glm::ivec3(glm::floor((middle + far - low) * perMetre)) + 1, glm::ivec3(0),
-                                     count - 1);
+    const glm::ivec3 from =
+        glm::clamp(glm::ivec3(glm::floor((middle - far - low) * perMetre)) - 1, glm::ivec3(0), count - 1);
+    const glm::ivec3 to =
+        glm::clamp(glm::ivec3(glm::floor((middle + far - low) * perMetre)) + 1, glm::ivec3(0), count - 1);
     for (int y = from.y; y <= to.y; ++y)
       for (int z = from.z; z <= to.z; ++z)
         for (int x = from.x; x <= to.x; ++x) {
           const glm::vec3 corner = low + glm::vec3(x, y, z) / perMetre;
-          const glm::vec3 nearest = glm::clamp(middle, corner - 0.001F / perMetre, corner + 1.001F / perMetre);
+          const glm::vec3 nearest =
+              glm::clamp(middle, corner - 0.001F / perMetre, corner + 1.001F / perMetre);
           if (glm::length(nearest - middle) > far) continue;
           const std::size_t cell = static_cast<std::size_t>((y * count.z + z) * count.x + x);
           cells[static_cast<std::size_t>(shader::lampCellHead) + cell * words + (i - first) / 32] |=

@@ -78,7 +78,8 @@ void setRectangle(shader::Lamp& lamp, const scene::Area& area, double seconds) {
   const glm::vec3 along = area.target.at(seconds) - glm::vec3(lamp.place);
   const glm::vec3 front = glm::length(along) > 1e-6F ? glm::normalize(along) : glm::vec3(0, -1, 0);
   const bool steep = std::abs(front.y) > 0.9999F;
-  const glm::vec3 across = glm::normalize(glm::cross(steep ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0), front));
+  const glm::vec3 across =
+      glm::normalize(glm::cross(steep ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0), front));
   const float width = area.width.at(seconds), height = area.height.at(seconds);
   lamp.across = glm::vec4(0.5F * width * across, lamp.across.w);
   lamp.up = glm::vec4(0.5F * height * glm::cross(front, across), 1.0F / (width * height));

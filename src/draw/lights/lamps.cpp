@@ -51,7 +51,8 @@ Lamps::Lamps(const scene::Scene& scene, Rasterizer rasterizer)
   glows_.additive = true;
   // Those that never glow cost a pass of their own for nothing.
   glow_ = std::ranges::any_of(order_.lights, [](const scene::Light* light) {
-    return light->type != scene::Light::Type::area && std::ranges::any_of(light->glow.keys(), [](const auto& key) { return key.value > 0; });
+    return light->type != scene::Light::Type::area &&
+           std::ranges::any_of(light->glow.keys(), [](const auto& key) { return key.value > 0; });
   });
   glows_.discs = true;  // at a border, round ones would reach less far in
   glows_.material = &glowMaterial_;

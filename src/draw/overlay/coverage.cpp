@@ -45,7 +45,8 @@ class Areas {
 
  private:
   [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x + 1) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x + 1) +
+           static_cast<std::size_t>(x);
   }
 
   /// Of a side within a row, column by column.

@@ -31,7 +31,8 @@ void refuseOverlays(const sim::Drawables& drawables) {
   if (!drawables.writings.empty()) found = "text";
   if (found != nullptr)
     fail(ExitCode::usage,
-         "--bits 16: {} lies over the picture, and what does has 8 bits; leave it out of the scene, or write "
+         "--bits 16: {} lies over the picture, and what does has 8 bits; leave it out of the scene, or "
+         "write "
          "OpenEXR",
          found);
 }

@@ -49,9 +49,11 @@ std::optional<Checkpoint> CheckpointKeeper::given(const std::vector<int>& frames
     if (const auto difference = checkpoint.mismatch(how_.run))
       fail(ExitCode::usage, "cannot begin at checkpoint {}: {}", how_.from.string(), *difference);
     if (needsBefore_ && !frames.empty() && !mayDraw(frames.front(), checkpoint)) {
-      info("motion blur of frame {} needs the frame before it, and the checkpoint is of frame {}: simulating "
-           "from the start",
-           frames.front(), checkpoint.frame());
+      info(
+          "motion blur of frame {} needs the frame before it, and the checkpoint is of frame {}: "
+          "simulating "
+          "from the start",
+          frames.front(), checkpoint.frame());
       return std::nullopt;
     }
     return checkpoint;

@@ -148,11 +148,11 @@ struct Writing {
   const std::string* object = nullptr;  ///< its name in the scene, where the world published it
   /// Closed polygons, y up, in heights of a capital from the anchor; filled is what they go round.
   const std::vector<std::vector<glm::vec2>>* outlines = nullptr;
-  glm::vec2 place{0};      ///< of the anchor, as fractions of the picture from its top left
-  float height = 0.03F;    ///< of a capital, as a fraction of the picture's height
-  glm::vec3 color{1};      ///< linear RGB
-  float opacity = 1.0F;    ///< 0 to 1
-  float backdrop = 0.0F;   ///< opacity of a dark panel behind it
+  glm::vec2 place{0};     ///< of the anchor, as fractions of the picture from its top left
+  float height = 0.03F;   ///< of a capital, as a fraction of the picture's height
+  glm::vec3 color{1};     ///< linear RGB
+  float opacity = 1.0F;   ///< 0 to 1
+  float backdrop = 0.0F;  ///< opacity of a dark panel behind it
 };
 
 /// A way through a scene, from its beginning to its end: cameras go along it, and what a scene places by it

@@ -142,8 +142,8 @@ class Simulation {
   [[nodiscard]] virtual std::string elementName(long element) const {
     return "element " + std::to_string(element);
   }
-  /// The middle of it at `time`: here that of its points, or of its surface's vertices, which are read back,
-  /// in double and in their order. Nothing for things that have none.
+  /// The middle of it at `time`: here that of its points, or of its surface's vertices, which are read
+  /// back, in double and in their order. Nothing for things that have none.
   [[nodiscard]] virtual std::optional<glm::vec3> middle(double time) const;
   /// Appends what is to be drawn of the state at `time`.
   virtual void publish(double time, Drawables& drawables) const = 0;

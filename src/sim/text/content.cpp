@@ -33,10 +33,10 @@ TextContent::Part numberOf(std::string_view inner) {
   }
   const std::size_t point = inner.rfind('.');
   if (point == std::string_view::npos || point == 0 || point + 1 == inner.size())
-    throw std::invalid_argument(
-        fmt::format("\"{{{}}}\" is none of {{frame}}, {{time}} and {{OBJECT.QUANTITY}}; write \"{{{{\" for a "
-                    "brace",
-                    shown));
+    throw std::invalid_argument(fmt::format(
+        "\"{{{}}}\" is none of {{frame}}, {{time}} and {{OBJECT.QUANTITY}}; write \"{{{{\" for a "
+        "brace",
+        shown));
   part.number = Number::quantity;
   part.object = inner.substr(0, point);
   part.quantity = inner.substr(point + 1);

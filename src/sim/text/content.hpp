@@ -7,8 +7,9 @@
 
 namespace simreel::sim {
 
-/// What a scene's text says, with places for numbers that change: {frame}, {time} (s) and {OBJECT.QUANTITY},
-/// each with a number of digits after the point if it has one: {time:2}. "{{" is a brace.
+/// What a scene's text says, with places for numbers that change: {frame}, {time} (s) and
+/// {OBJECT.QUANTITY}, each with a number of digits after the point if it has one: {time:2}. "{{" is a
+/// brace.
 class TextContent {
  public:
   struct Part {

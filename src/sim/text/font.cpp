@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ft2build.h>
 #include <string>
 
-#include <ft2build.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include FT_FREETYPE_H

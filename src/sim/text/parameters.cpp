@@ -35,9 +35,10 @@ void ScreenText::describe(scene::Fields& f) {
 }
 
 void TextParameters::describe(scene::Fields& f) {
-  f.text("text", text,
-         "What it says, in UTF-8; \"\\n\" begins a line. {frame}, {time} (s) and {OBJECT.QUANTITY} stand for "
-         "numbers, {time:1} for one with one digit after the point; \"{{\" is a brace.");
+  f.text(
+      "text", text,
+      "What it says, in UTF-8; \"\\n\" begins a line. {frame}, {time} (s) and {OBJECT.QUANTITY} stand for "
+      "numbers, {time:1} for one with one digit after the point; \"{{\" is a brace.");
   f.asset("font", font, "A TrueType or OpenType file.");
   f.leftOut("font", "Open Sans, which ships with simreel");
   f.choice("weight", weight, {"regular", "bold"}, "Of the font that ships.");
@@ -46,9 +47,10 @@ void TextParameters::describe(scene::Fields& f) {
   f.choice("align", anchor.across, {"left", "center", "right"},
            "Which point of each line lies at its place.");
   f.leftOut("align", "\"center\", or \"left\" on the screen");
-  f.choice("vertical", anchor.down, {"baseline", "top", "middle", "bottom"},
-           "Which height lies at its place: the first baseline, the top of its capitals, the middle, or the "
-           "last baseline.");
+  f.choice(
+      "vertical", anchor.down, {"baseline", "top", "middle", "bottom"},
+      "Which height lies at its place: the first baseline, the top of its capitals, the middle, or the "
+      "last baseline.");
   f.leftOut("vertical", "\"baseline\", or \"top\" on the screen");
   f.number("spacing", spacing, {0, 100}, "", "Of lines, times the font's own.");
   f.number("height", height, {1e-4, 1e4}, "m", "Of its capitals.");
@@ -86,8 +88,7 @@ std::vector<ObjectParameters::Named> TextParameters::namesQuantities() const {
 
 std::filesystem::path TextParameters::fontFile() const {
   if (!font.empty()) return font;
-  return assetFolder() / "fonts" /
-         (weight == Weight::bold ? "OpenSans-Bold.ttf" : "OpenSans-Regular.ttf");
+  return assetFolder() / "fonts" / (weight == Weight::bold ? "OpenSans-Bold.ttf" : "OpenSans-Regular.ttf");
 }
 
 glm::mat4 TextParameters::model(double seconds) const {

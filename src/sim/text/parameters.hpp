@@ -16,8 +16,8 @@ namespace simreel::sim {
 
 /// Text that lies over the picture instead of standing in the world.
 struct ScreenText {
-  scene::Animated<float> x = 0.04F;  ///< of the anchor, fraction of the picture's width, from the left
-  scene::Animated<float> y = 0.06F;  ///< fraction of its height, from the top
+  scene::Animated<float> x = 0.04F;       ///< of the anchor, fraction of the picture's width, from the left
+  scene::Animated<float> y = 0.06F;       ///< fraction of its height, from the top
   scene::Animated<float> height = 0.03F;  ///< of capitals, fraction of the picture's height
   scene::Animated<glm::vec3> color = glm::vec3(1);  ///< linear RGB
   scene::Animated<float> opacity = 1.0F;
@@ -32,9 +32,9 @@ struct TextParameters : ObjectParameters {
   std::filesystem::path font;  ///< empty: the shipped one
   Weight weight = Weight::bold;
   TextAnchor anchor;
-  float spacing = 1.0F;  ///< of lines
-  float height = 0.5F;   ///< m, of capitals
-  float depth = 0.1F;    ///< m
+  float spacing = 1.0F;                                ///< of lines
+  float height = 0.5F;                                 ///< m, of capitals
+  float depth = 0.1F;                                  ///< m
   scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
   scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
   scene::Animated<float> scale = 1.0F;

@@ -79,8 +79,8 @@ std::vector<Trapezoid> trapezoids(const Outlines& outlines) {
       const auto below = open.find({left, i});
       if (below == open.end()) {
         next[{left, i}] = found.size();
-        found.push_back({low, high, sides[left].at(low), sides[i].at(low), sides[left].at(high),
-                         sides[i].at(high)});
+        found.push_back(
+            {low, high, sides[left].at(low), sides[i].at(low), sides[left].at(high), sides[i].at(high)});
       } else {
         Trapezoid& same = found[below->second];
         same.top = high;
@@ -164,9 +164,8 @@ class Solid {
         put(around[0], around[1], around[2]);
         continue;
       }
-      const glm::dvec2 middle(
-          0.25 * (part.bottomLeft + part.bottomRight + part.topLeft + part.topRight),
-          0.5 * (part.bottom + part.top));
+      const glm::dvec2 middle(0.25 * (part.bottomLeft + part.bottomRight + part.topLeft + part.topRight),
+                              0.5 * (part.bottom + part.top));
       const unsigned hub = vertex(middle, z, {0, 0, side});
       for (std::size_t i = 0; i < around.size(); ++i) put(hub, around[i], around[(i + 1) % around.size()]);
     }

@@ -10,6 +10,7 @@
 #include "sim/life/life.hpp"
 #include "sim/mesh/mesh.hpp"
 #include "sim/particles/particles.hpp"
+#include "sim/reaction/reaction.hpp"
 #include "sim/shape/shape.hpp"
 #include "sim/spread/epidemic.hpp"
 #include "sim/spread/wildfire.hpp"
@@ -24,9 +25,9 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(),    particlesKind(), lifeKind(),   grayScottKind(), epidemicKind(),
-      wildfireKind(), fluidKind(),     waterKind(),  caveKind(),      contourKind(),
-      meshKind(),     bodyKind(),      sphereKind(), capsuleKind(),   planeKind(), textKind(),
+      clothKind(),    particlesKind(), lifeKind(),    grayScottKind(), reactionKind(), epidemicKind(),
+      wildfireKind(), fluidKind(),     waterKind(),   caveKind(),      contourKind(),  meshKind(),
+      bodyKind(),     sphereKind(),    capsuleKind(), planeKind(),     textKind(),
   };
   return list;
 }

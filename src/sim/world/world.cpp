@@ -33,7 +33,7 @@ struct World::State {
   std::vector<std::size_t> order;  ///< in which objects are made and stepped
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> quantities;  ///< that each object measures
-  std::optional<std::size_t> tracked;  ///< the object that the camera looks at
+  std::optional<std::size_t> tracked;                ///< the object that the camera looks at
   std::unique_ptr<SummaryQueue> summaries;
   std::function<void(const Drawables& before)> hearBefore;
   bool passed = false;  ///< whether nobody may look at the present frame

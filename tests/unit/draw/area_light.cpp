@@ -1,4 +1,5 @@
-// Rectangles that shine, against integrals over them in double; lights that end, and the cells that know of them.
+// Rectangles that shine, against integrals over them in double; lights that end, and the cells that know of
+// them.
 #include "draw/lights/lamp_values.hpp"
 #include "draw/picture_code.hpp"
 
@@ -73,7 +74,8 @@ TEST_CASE("area light: a plate above a plate has the form factor of the tables")
                         (2 * std::numbers::pi);
   // Its front is down.
   CHECK(glm::cross(plate.across, plate.up).y < 0);
-  CHECK(shareOf(plate, {0, 0, 0}, {0, 1, 0}) == doctest::Approx(4 * std::numbers::pi * corner).epsilon(1e-5));
+  CHECK(shareOf(plate, {0, 0, 0}, {0, 1, 0}) ==
+        doctest::Approx(4 * std::numbers::pi * corner).epsilon(1e-5));
   CHECK(shareOf(plate, {0, 2, 0}, {0, -1, 0}) == 0);  // behind it
 }
 
@@ -93,7 +95,8 @@ TEST_CASE("area light: what a surface receives is the integral, the horizon incl
     const glm::dvec3 normal = glm::normalize(vector());
     int below = 0;
     for (const double s : {-1.0, 1.0})
-      for (const double t : {-1.0, 1.0}) below += glm::dot(normal, r.middle + s * across + t * up - p) < 0 ? 1 : 0;
+      for (const double t : {-1.0, 1.0})
+        below += glm::dot(normal, r.middle + s * across + t * up - p) < 0 ? 1 : 0;
     cut += below > 0 && below < 4 ? 1 : 0;
     CHECK(shareOf(r, p, normal) == doctest::Approx(integral(r, p, normal)).epsilon(2e-3).scale(0.02));
   }
@@ -111,7 +114,8 @@ TEST_CASE("area light: the lobe looks at the mirrored place, or the nearest on t
   const glm::vec3 middle(0, 2, 0), across(0.5F, 0, 0), up(0, 0, 0.25F);
   const glm::vec3 straight = towardsRectangle({0.1F, 0, 0.1F}, {0, 1, 0}, middle, across, up);
   CHECK(glm::length(straight - glm::vec3(0, 1, 0)) < 1e-6F);
-  const glm::vec3 aside = towardsRectangle({0, 0, 0}, glm::normalize(glm::vec3(1, 1, 0)), middle, across, up);
+  const glm::vec3 aside =
+      towardsRectangle({0, 0, 0}, glm::normalize(glm::vec3(1, 1, 0)), middle, across, up);
   CHECK(glm::length(aside - glm::normalize(glm::vec3(0.5F, 2, 0))) < 1e-5F);
 }
 

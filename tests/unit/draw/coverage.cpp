@@ -68,7 +68,8 @@ TEST_CASE("coverage: what lies beyond the picture is cut off, and what lies outs
   const std::vector<Polygon> disc = {circle({0, 33}, 20, 400)};
   CHECK(areaOf(draw::coverageOf(disc, {91, 67})) == doctest::Approx(std::numbers::pi * 200).epsilon(2e-3));
   const std::vector<Polygon> corner = {circle({91, 67}, 20, 400)};
-  CHECK(areaOf(draw::coverageOf(corner, {91, 67})) == doctest::Approx(std::numbers::pi * 100).epsilon(3e-3));
+  CHECK(areaOf(draw::coverageOf(corner, {91, 67})) ==
+        doctest::Approx(std::numbers::pi * 100).epsilon(3e-3));
   CHECK(draw::coverageOf(std::vector<Polygon>{circle({-30, 33}, 20, 40)}, {91, 67}).share.empty());
   CHECK(draw::coverageOf({}, {91, 67}).share.empty());
 }

@@ -117,7 +117,8 @@ TEST_CASE("text: lengths are in heights of a capital, and lines lie where they a
   const auto box = [&](const TextAnchor& anchor) {
     std::pair<glm::dvec2, glm::dvec2> found{glm::dvec2(1e9), glm::dvec2(-1e9)};
     for (const auto& polygon : written(font, "HIH\nH", anchor, 1))
-      for (const glm::dvec2& point : polygon) found = {glm::min(found.first, point), glm::max(found.second, point)};
+      for (const glm::dvec2& point : polygon)
+        found = {glm::min(found.first, point), glm::max(found.second, point)};
     return found;
   };
   using Across = TextAnchor::Across;

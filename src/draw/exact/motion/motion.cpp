@@ -98,8 +98,7 @@ void Motion::begin(const sim::Drawables& now, double seconds) {
     const bool same = moving.count > 0 && moving.object == objectName(surface) &&
                       surface.arguments == nullptr && moving.count == verticesOf(surface) &&
                       moving.indices == surface.indexCount;
-    const bool stays =
-        surface.still != 0 && surface.still == moving.still && surface.model == moving.model;
+    const bool stays = surface.still != 0 && surface.still == moving.still && surface.model == moving.model;
     moving.moves = same && !stays;
     if (!moving.moves) continue;
     moving.now.makeRoom(moving.count);

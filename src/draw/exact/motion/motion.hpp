@@ -58,7 +58,7 @@ class Motion {
   double seconds_ = 0;
   std::map<std::string, gl::Program> programs_;
   std::vector<Moving> surfaces_, instances_;
-  std::vector<sim::Place> places_;  ///< of the frame before
+  std::vector<sim::Place> places_;             ///< of the frame before
   const sim::Drawables* drawables_ = nullptr;  ///< of the frame
   sim::Drawables shown_;
 };

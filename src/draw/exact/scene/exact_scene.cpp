@@ -177,14 +177,14 @@ struct ExactScene::State {
   std::optional<RayLight> rays;
   Bloom bloom;
   gl::Program litGround, shadedGround, lensSum, picture;
-  PassPicture* passes = nullptr;  ///< where they are kept
+  PassPicture* passes = nullptr;       ///< where they are kept
   std::optional<LightRequest> wanted;  ///< besides pictures
   PictureLayers layers;
   std::optional<LayerKeeper> layerKeeper;  ///< while the layers' view is drawn
   gl::Program linear;                      ///< of those alone
   gl::Texture light;
-  gl::Texture sums;   ///< light of each pixel, and in alpha how much of it is covered
-  gl::Texture total;  ///< of moments and points of the lens so far, if there are several
+  gl::Texture sums;          ///< light of each pixel, and in alpha how much of it is covered
+  gl::Texture total;         ///< of moments and points of the lens so far, if there are several
   shader::ExactView middle;  ///< of the first moment, where there are several of them
 };
 
@@ -509,7 +509,8 @@ View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables,
   return seen;
 }
 
-/// The mean of all moments, and of all points of the lens, into `sums`. Whether it has light that is only added.
+/// The mean of all moments, and of all points of the lens, into `sums`. Whether it has light that is only
+/// added.
 bool ExactScene::State::expose(const Exposure& exposure, const Watch& watch) {
   // Passes and layers are kept of the first one, and of the mean.
   PassPicture* const kept = passes;

@@ -55,8 +55,8 @@ class ExactScene {
             const gl::Texture& picture, const Watch& watch);
   /// From now on a picture's passes are kept there, in place of those before; null: nowhere.
   void keepPasses(PassPicture* passes);
-  /// From now on the light of a picture is kept as it is drawn, with layers; the CPU waits for it. Where a camera has a lens or a shutter layers are those
-  /// of the first point at the first moment.
+  /// From now on the light of a picture is kept as it is drawn, with layers; the CPU waits for it. Where a
+  /// camera has a lens or a shutter layers are those of the first point at the first moment.
   void keepLayers(const LightRequest& wanted);
   /// That of the last picture.
   [[nodiscard]] PictureLayers takeLayers();

@@ -39,7 +39,7 @@ struct PictureLayers {
   static constexpr int mostRanks = 6;
 
   glm::ivec2 size{0};
-  bool filmed = false;          ///< as LightRequest has it, and the next
+  bool filmed = false;  ///< as LightRequest has it, and the next
   int bits = 16;
   std::vector<float> light;     ///< RGBA; alpha is how much is covered, times which linear light already is
   bool alpha = false;           ///< whether it has one; else it is 1

@@ -1,4 +1,5 @@
-// Motion blur: what a shutter makes of a sheet before a sky, by how much of each pixel it covers; and what moves between frames.
+// Motion blur: what a shutter makes of a sheet before a sky, by how much of each pixel it covers; and what
+// moves between frames.
 #include "draw/exact/motion/motion.hpp"
 
 #include "gpu/draw/draw_stage.hpp"
@@ -114,8 +115,10 @@ TEST_CASE("exact: a shutter sees the camera move, and a frame before which nothi
   const double metre = pixelsPerMetre(scene);
   scene.time.fps = 10;
   using Keys = scene::Animated<glm::vec3>;
-  scene.camera.position = Keys({{0, glm::vec3(-0.4F, 0, 3)}, {1, glm::vec3(0.4F, 0, 3)}}, scene::Ease::linear);
-  scene.camera.target = Keys({{0, glm::vec3(-0.4F, 0, -1)}, {1, glm::vec3(0.4F, 0, -1)}}, scene::Ease::linear);
+  scene.camera.position =
+      Keys({{0, glm::vec3(-0.4F, 0, 3)}, {1, glm::vec3(0.4F, 0, 3)}}, scene::Ease::linear);
+  scene.camera.target =
+      Keys({{0, glm::vec3(-0.4F, 0, -1)}, {1, glm::vec3(0.4F, 0, -1)}}, scene::Ease::linear);
   draw::PassPicture kept;
   draw::Renderer renderer(scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
   renderer.keepPasses(&kept);
@@ -127,7 +130,8 @@ TEST_CASE("exact: a shutter sees the camera move, and a frame before which nothi
   // 0.08 m to the right in the tenth of a second before: the sheet goes to the left.
   CHECK(seen.middle.x - rest.middle.x == doctest::Approx(metre * (0.4 + 0.04)).epsilon(0.01));
   const double spread = metre * 0.08;
-  CHECK(seen.spread.x - rest.spread.x == doctest::Approx(spread * spread / 12 * (1 - 1.0 / 81)).epsilon(0.05));
+  CHECK(seen.spread.x - rest.spread.x ==
+        doctest::Approx(spread * spread / 12 * (1 - 1.0 / 81)).epsilon(0.05));
   CHECK(std::abs(seen.spread.y - rest.spread.y) < 0.02);
 }
 
@@ -161,7 +165,8 @@ TEST_CASE("exact: with a lens each moment is seen through other points of it, al
 
 TEST_CASE("motion: instances go straight, and newborn ones along their velocities") {
   testContext();
-  // Number 1 died and another was born in its place, 2 was not there, 3 dies, 4 jumps farther than it is fast.
+  // Number 1 died and another was born in its place, 2 was not there, 3 dies, 4 jumps farther than it is
+  // fast.
   const std::vector<glm::vec4> placesBefore = {
       {0, 0, 0, 2}, {1, 0, 0, 2}, {5, 5, 5, 2}, {0, 1, 0, 2}, {0, 0, 1, 2}};
   const std::vector<glm::vec4> placesNow = {
@@ -176,7 +181,8 @@ TEST_CASE("motion: instances go straight, and newborn ones along their velocitie
   const gl::Buffer buffers[] = {bufferOf(placesBefore), bufferOf(motionBefore), bufferOf(placesNow),
                                 bufferOf(motionNow)};
   std::vector<gl::Texture> views;
-  for (const gl::Buffer& buffer : buffers) views.push_back(gl::Texture::view("elements", GL_RGBA32F, buffer));
+  for (const gl::Buffer& buffer : buffers)
+    views.push_back(gl::Texture::view("elements", GL_RGBA32F, buffer));
   const scene::Material material;
   sim::Instances before;
   before.positions = views.data();
@@ -193,7 +199,8 @@ TEST_CASE("motion: instances go straight, and newborn ones along their velocitie
   const sim::Drawables& seen = motion.between(0.75F);
   const auto places = read(*seen.instances.front().positions, 5);
   const auto motions = read(*seen.instances.front().velocities, 5);
-  const glm::vec3 wanted[] = {{0.075F, 0.15F, 0}, {1, 0.125F, 0}, {-0.025F, 0, 0}, {0, 1, 0.075F}, {8.95F, 0, 1}};
+  const glm::vec3 wanted[] = {
+      {0.075F, 0.15F, 0}, {1, 0.125F, 0}, {-0.025F, 0, 0}, {0, 1, 0.075F}, {8.95F, 0, 1}};
   for (std::size_t i = 0; i < 5; ++i) {
     CAPTURE(i);
     CHECK(motions[i].w == motionNow[i].w);

@@ -1,0 +1,183 @@
+#include "sim/reaction/kernels.hpp"
+
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+#include "sim/reaction/model.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace simreel::sim {
+
+namespace {
+
+namespace bindings = shader::reaction;
+
+/// Before anything is filled.
+void checkRuleLimits(const std::string& name, glm::ivec2 size, std::int64_t planes) {
+  const std::int64_t elements = std::int64_t{(size.x + 3) / 4} * size.y * planes;
+  const auto refuse = [&](std::int64_t need, const char* what, std::int64_t max, const char* limit) {
+    if (need > max)
+      fail(ExitCode::device,
+           "reaction \"{}\" of {}x{} cells needs {} {} in one buffer, this device allows {} ({}); make it "
+           "smaller",
+           name, size.x, size.y, need, what, max, limit);
+  };
+  refuse(elements * 16, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
+  refuse(elements, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
+}
+
+std::vector<glm::uvec4> stampElements(const std::vector<std::uint32_t>& words) {
+  std::vector<glm::uvec4> elements;
+  for (std::size_t i = 0; i + 3 < words.size(); i += 4)
+    elements.emplace_back(words[i], words[i + 1], words[i + 2], words[i + 3]);
+  return elements;
+}
+
+}  // namespace
+
+RuleCut ReactionKernels::bestCut() {
+  RuleCut cut;
+  cut.rows = gl::memoryPath() == gl::MemoryPath::texel ? 2 : 1;
+  return cut;
+}
+
+ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& plan, bool fast,
+                                 const RuleCut& cut)
+    : plan_(plan), size_(plan.parameters().size), columns_((size_.x + 3) / 4), cut_(cut) {
+  const RuleProgram& program = plan.program();
+  checkRuleLimits(
+      name, size_,
+      std::max({static_cast<std::int64_t>(plan.parameters().species.size()), std::int64_t{program.lets},
+                static_cast<std::int64_t>(plan.parameters().parameters.size())}));
+  const RuleField field = plan.firstField();
+  const std::vector<glm::vec4> first = packed(field.stage);
+  cells_[0] = gl::Vec4Array(name + " cells", first);
+  cells_[1] = gl::Vec4Array(name + " next cells", first);
+  for (int i = 0; i < 2; ++i)
+    words_[i] = gl::Texture::view(name + " words", GL_RGBA32UI, cells_[i].buffer());
+  const auto elements = static_cast<int>(first.size());
+  if (program.stages.size() > 1) {
+    stages_[0] = gl::Vec4Array(name + " stage", elements);
+    stages_[1] = gl::Vec4Array(name + " other stage", elements);
+    sums_ = gl::Vec4Array(name + " sums", elements);
+  }
+  if (program.lets > 0) {
+    lets_ = gl::Vec4Array(name + " lets", columns_ * size_.y * program.lets);
+    letWords_ = gl::Texture::view(name + " let words", GL_RGBA32UI, lets_.buffer());
+  }
+  if (!field.weights.empty()) weights_ = gl::Vec4Array(name + " maps", packed(field.weights));
+  constexpr unsigned fine[] = {0xffffffffU, 0xffffffffU, 0, 0};
+  status_ = gl::Buffer::of<unsigned>(name + " status", fine);
+
+  gl::Defines defines = gl::kernelDefines(fast);
+  if (!plan.strokes().empty()) {
+    stamps_ = gl::WordsArray(name + " brush images", stampElements(plan.strokes().imageBits()));
+    paint_ = gl::Program::compute("reaction/paint.comp", defines);
+    paint_.set("size", size_);
+    paint_.set("columns", columns_);
+  }
+  defines.emplace_back("BOUNDARY", std::to_string(static_cast<int>(plan.parameters().boundary)));
+  defines.emplace_back("TAIL", std::to_string((size_.x - 1) % 4));
+  for (std::size_t i = 0; i < program.passes.size(); ++i) {
+    const RulePass& pass = program.passes[i];
+    Kernel kernel;
+    kernel.program = gl::Program::computeText(
+        "reaction/rule", kernelText(plan.rule(), pass, plan.parameters().boundary, plan.noiseSeed(), cut_),
+        defines);
+    kernel.program.set("size", size_);
+    kernel.program.set("columns", columns_);
+    kernel.told = gl::Buffer(name + " told", toldVectors(pass) * sizeof(glm::vec4));
+    kernels_.push_back(std::move(kernel));
+  }
+}
+
+std::vector<glm::vec4> ReactionKernels::packed(const RulePlanes& planes) const {
+  std::vector<glm::vec4> elements;
+  const auto width = static_cast<std::size_t>(size_.x);
+  for (const std::vector<float>& plane : planes)
+    for (std::size_t y = 0; y < static_cast<std::size_t>(size_.y); ++y)
+      for (std::size_t x = 0; x < width; x += 4) {
+        glm::vec4& element = elements.emplace_back(0.0F);
+        for (std::size_t i = 0; i < 4 && x + i < width; ++i)
+          element[static_cast<int>(i)] = plane[y * width + x + i];
+      }
+  return elements;
+}
+
+void ReactionKernels::setValues(const std::vector<float>& values) {
+  values_ = values;
+  for (std::size_t i = 0; i < kernels_.size(); ++i)
+    if (!plan_.program().passes[i].usesTime) tell(static_cast<int>(i));
+}
+
+// What is told, then a grain each for what is stored and flushed, then values beyond fixed edges.
+void ReactionKernels::tell(int pass) {
+  Kernel& kernel = kernels_[static_cast<std::size_t>(pass)];
+  std::vector<float> told =
+      toldOf(plan_.rule().graph, plan_.program().passes[static_cast<std::size_t>(pass)], values_);
+  told.resize((told.size() + 4) / 4 * 4);
+  told.insert(told.end(), {storedGrain, flushedGrain, 0, 0});
+  const std::vector<float> edges = plan_.edges();
+  told.insert(told.end(), edges.begin(), edges.end());
+  if (told == kernel.written) return;
+  kernel.written = told;
+  kernel.told.write(0, std::as_bytes(std::span(told)));
+}
+
+void ReactionKernels::run(int pass, const gl::Vec4Array& stage, const gl::Vec4Array& next, long number) {
+  const RulePass& what = plan_.program().passes[static_cast<std::size_t>(pass)];
+  Kernel& kernel = kernels_[static_cast<std::size_t>(pass)];
+  if (what.usesTime) tell(pass);
+  const bool toLets = what.outputs.front().plane.array == RuleArray::lets;
+  kernel.told.bindUniform(shader::stepBinding, 0, kernel.told.bytes());
+  stage.bindInput(bindings::stageBinding);
+  cells_[0].bindInput(bindings::baseBinding);
+  if (plan_.program().sums) sums_.bindState(bindings::sumBinding);
+  if (plan_.program().lets > 0) lets_.bindInput(bindings::letsBinding);
+  if (weights_.buffer().bytes() > 0) weights_.bindInput(bindings::weightsBinding);
+  (toLets ? lets_ : next).bindState(bindings::nextBinding);
+  status_.bindStorage(shader::statusBinding);
+  kernel.program.set("stepNumber", static_cast<int>(number));
+  gl::barrier();
+  kernel.program.dispatch(columns_, (size_.y - 1) / cut_.rows + 1);
+}
+
+void ReactionKernels::advance(long number, int steps, long first) {
+  for (int i = 0; i < steps; ++i) step(number + i, first);
+}
+
+void ReactionKernels::step(long number, long first) {
+  const RuleProgram& program = plan_.program();
+  const gl::Vec4Array* from = &cells_[0];
+  for (std::size_t i = 0; i < program.stages.size(); ++i) {
+    const RuleProgram::Stage& stage = program.stages[i];
+    const gl::Vec4Array* to = stage.last ? &cells_[1] : &stages_[i % 2];
+    values_[ToldPlaces::time] = plan_.modelTime(number, first, stage.time);
+    for (const int pass : stage.passes) run(pass, *from, *to, number);
+    from = to;
+  }
+  std::swap(cells_[0], cells_[1]);
+  std::swap(words_[0], words_[1]);
+}
+
+void ReactionKernels::show(long number, long first) {
+  values_[ToldPlaces::time] = plan_.modelTime(number, first, 0);
+  for (const int pass : plan_.program().showing) run(pass, cells_[0], cells_[1], 0);
+  gl::barrier();
+}
+
+void ReactionKernels::paint(const shader::Stroke& stroke, int species) {
+  const glm::ivec4 box = Strokes::box(stroke, size_);
+  if (box.z == 0) return;
+  setStroke(paint_, stroke, box);
+  paint_.set("plane", species);
+  cells_[0].bindState(bindings::nextBinding);
+  stamps_.bindInput(bindings::stampsBinding);
+  gl::barrier();
+  paint_.dispatch(columns_, box.w);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,68 @@
+#pragma once
+#include "gl/element_array.hpp"
+#include "gl/program.hpp"
+#include "sim/reaction/kernel_text.hpp"
+#include "sim/reaction/plan.hpp"
+
+#include <string>
+#include <vector>
+
+namespace simreel::sim {
+
+/// The planes of a rule on the GPU and the kernels that step them.
+class ReactionKernels {
+ public:
+  /// What is fastest on this device's memory path (tools/bench/README.md).
+  [[nodiscard]] static RuleCut bestCut();
+  /// Throws UserError(device) when the grid is beyond a limit of the device.
+  ReactionKernels(const std::string& name, const ReactionPlan& plan, bool fast,
+                  const RuleCut& cut = bestCut());
+
+  /// What the following steps use, from ReactionPlan::valuesAt.
+  void setValues(const std::vector<float>& values);
+  /// Steps from that number on; `first`: that of the first state, where the model's time is 0.
+  void advance(long number, int steps, long first);
+  void paint(const shader::Stroke& stroke, int species);
+  /// Computes what is shown of the state at a step, where that is no species.
+  void show(long number, long first);
+
+  [[nodiscard]] const gl::Buffer& status() const { return status_; }
+  /// Planes of species.
+  [[nodiscard]] const gl::Vec4Array& cells() const { return cells_[0]; }
+  [[nodiscard]] gl::Vec4Array& cells() { return cells_[0]; }
+  /// The same as words, for Field.
+  [[nodiscard]] const gl::Texture& words() const { return words_[0]; }
+  /// What is shown, as words: plane `shown` of the program.
+  [[nodiscard]] const gl::Texture& shownWords() const {
+    return plan_.program().showing.empty() ? words_[0] : letWords_;
+  }
+  [[nodiscard]] int columns() const { return columns_; }
+
+ private:
+  struct Kernel {
+    gl::Program program;
+    gl::Buffer told;
+    std::vector<float> written;
+  };
+  void step(long number, long first);
+  void run(int pass, const gl::Vec4Array& stage, const gl::Vec4Array& next, long number);
+  void tell(int pass);
+  [[nodiscard]] std::vector<glm::vec4> packed(const RulePlanes& planes) const;
+
+  const ReactionPlan& plan_;
+  glm::ivec2 size_;
+  int columns_;
+  RuleCut cut_;
+  gl::Vec4Array cells_[2];  ///< now, and where the next step writes
+  gl::Texture words_[2];
+  gl::Vec4Array stages_[2];  ///< between the stages of a step
+  gl::Vec4Array sums_, lets_, weights_;
+  gl::Texture letWords_;
+  gl::WordsArray stamps_;
+  gl::Buffer status_;
+  gl::Program paint_;
+  std::vector<Kernel> kernels_;  ///< one a pass
+  std::vector<float> values_;
+};
+
+}  // namespace simreel::sim

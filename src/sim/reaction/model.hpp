@@ -1,0 +1,18 @@
+#pragma once
+#include "sim/core/shader_code.hpp"
+
+#define FUNCTION inline
+#define precise
+namespace simreel::shader::reaction {
+#include "glsl/reaction/bindings.glsl"
+#include "glsl/reaction/functions.glsl"
+}  // namespace simreel::shader::reaction
+#undef precise
+#undef FUNCTION
+
+namespace simreel::sim {
+
+/// Grains of glsl/reaction/functions.glsl: what is stored is a multiple of 2^-60, what is flushed of 2^-96.
+inline constexpr float storedGrain = 0x1.8p-37F, flushedGrain = 0x1.8p-73F;
+
+}  // namespace simreel::sim

@@ -1,0 +1,62 @@
+#pragma once
+#include "sim/reaction/parameters.hpp"
+
+#include <string>
+#include <vector>
+
+namespace simreel::sim {
+
+/// Everything of a rule that is decided on the CPU: its program, the first state, maps, and what steps are
+/// told. Shared by the GPU simulation and its CPU twin.
+class ReactionPlan {
+ public:
+  /// Warns of steps that are too long for the diffusion. Throws UserError for an image that cannot be read.
+  ReactionPlan(ReactionParameters parameters, const std::string& object, int seed, double frameSeconds);
+  /// Reads the pictures that the parameters name. Throws UserError: what loadPicture says.
+  void checkPictures() const;
+
+  [[nodiscard]] const ReactionParameters& parameters() const { return parameters_; }
+  [[nodiscard]] const Rule& rule() const { return rule_; }
+  [[nodiscard]] const RuleProgram& program() const { return program_; }
+  [[nodiscard]] const Strokes& strokes() const { return strokes_; }
+  [[nodiscard]] unsigned noiseSeed() const { return static_cast<unsigned>(seed_) * 2246822519U; }
+  /// Of each species beyond fixed edges.
+  [[nodiscard]] std::vector<float> edges() const;
+
+  /// A field with the first state in `stage`, room in all others, and the maps.
+  [[nodiscard]] RuleField firstField() const;
+  /// What ToldPlaces names, in the frame that starts at `time` (s); the model's own time is 0.
+  [[nodiscard]] std::vector<float> valuesAt(double time) const;
+  /// Steps of time up to `time` (s) of the scene, from its second 0.
+  [[nodiscard]] long stepAt(double time) const;
+  /// The model's time (units of time) at a step and `later`, a share of one; `first`: the number of the
+  /// first state, before the presteps.
+  [[nodiscard]] float modelTime(long step, long first, double later) const;
+  struct Painted {
+    shader::Stroke stroke;
+    int species;
+  };
+  /// Strokes that paint into the state after `step` steps of the frame that starts at `time` (s).
+  [[nodiscard]] std::vector<Painted> strokesAt(double time, int step) const;
+
+ private:
+  void warnOfSteps(const std::string& object) const;
+  [[nodiscard]] std::vector<float> weightsOf(const ReactionParameter& parameter) const;
+
+  ReactionParameters parameters_;
+  int seed_;
+  double frameSeconds_;
+  Rule rule_;
+  RuleProgram program_;
+  Strokes strokes_;
+};
+
+/// A step of the CPU twin: `number` of the step, `first`: that of the first state; `values` from
+/// ReactionPlan::valuesAt.
+void evaluateStep(const ReactionPlan& plan, std::vector<float> values, long number, long first,
+                  RuleField& field);
+/// What is shown of the state in field.stage, which step `number` begins with.
+[[nodiscard]] std::vector<float> evaluateShown(const ReactionPlan& plan, std::vector<float> values,
+                                               long number, long first, RuleField& field);
+
+}  // namespace simreel::sim

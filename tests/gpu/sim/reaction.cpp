@@ -1,0 +1,166 @@
+// Rules on the GPU: the same bits as their evaluator on the CPU, whatever the boundary, the method and the
+// width.
+#include "sim/reaction/reaction.hpp"
+
+#include "base/error.hpp"
+#include "gpu/context.hpp"
+#include "scene/scene.hpp"
+#include "sim/reaction/kernels.hpp"
+#include "sim/reaction/presets.hpp"
+#include "sim/world/list.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+using namespace simreel;
+
+namespace {
+
+constexpr double plateFrame = 1.0 / 30;
+
+sim::ReactionParameters rule(const std::string& members) {
+  const std::string text = "{\"version\": 1, \"objects\": {\"r\": {\"reaction\": {" + members + "}}}}";
+  const auto scene = scene::parseScene(text, "s.json", {}, sim::kinds());
+  return dynamic_cast<const sim::ReactionParameters&>(*scene.objects.at(0).parameters);
+}
+
+std::unique_ptr<sim::Simulation> made(const sim::ReactionParameters& parameters) {
+  testContext();
+  scene::Object object;
+  object.name = "r";
+  object.kind = "reaction";
+  object.parameters = std::make_unique<sim::ReactionParameters>(parameters);
+  const std::vector<sim::ColliderShape> none;
+  return sim::reactionKind().make(object, {false, 5, plateFrame, &none});
+}
+
+/// Planes of a state as the GPU holds it, without what lies behind the last cell.
+std::vector<float> planesOf(const sim::Simulation& simulation, glm::ivec2 size) {
+  const auto elements = simulation.state()[0].buffer->readAll<glm::vec4>();
+  const int columns = (size.x + 3) / 4;
+  std::vector<float> cells;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    for (int c = 0; c < 4; ++c) {
+      const int x = static_cast<int>(i) % columns * 4 + c;
+      if (x < size.x)
+        cells.push_back(elements[i][c]);
+      else
+        CHECK(std::bit_cast<std::uint32_t>(elements[i][c]) == 0);
+    }
+  return cells;
+}
+
+void comparePlanes(const std::vector<float>& got, const std::vector<float>& want) {
+  REQUIRE(got.size() == want.size());
+  std::size_t different = 0, first = 0;
+  float least = want[0], most = want[0];
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    if (std::bit_cast<std::uint32_t>(got[i]) != std::bit_cast<std::uint32_t>(want[i]) && different++ == 0)
+      first = i;
+    least = std::min(least, want[i]);
+    most = std::max(most, want[i]);
+  }
+  CHECK_MESSAGE(different == 0, different, " of ", got.size(), " cells differ, first ", first, ": ",
+                got[first], " for ", want[first]);
+  CHECK(std::isfinite(most - least));
+  CHECK(most - least > 1e-3F);  // something happens
+}
+
+/// Steps both sides and compares every bit of the state and of what is shown.
+void compareWithTwin(const sim::ReactionParameters& p, int frames) {
+  const auto gpu = made(p);
+  const sim::ReactionPlan plan(p, "r", 5, plateFrame);
+  sim::RuleField field = plan.firstField();
+  for (int frame = 0; frame < frames; ++frame) {
+    const double time = frame * plateFrame;
+    gpu->step(time, {});
+    for (int i = 0; i < p.steps; ++i) {
+      const long step = plan.stepAt(time) + i;
+      sim::evaluateStep(plan, plan.valuesAt(time), step, 0, field);
+    }
+  }
+  std::vector<float> want;
+  for (const auto& plane : field.stage) want.insert(want.end(), plane.begin(), plane.end());
+  comparePlanes(planesOf(*gpu, p.size), want);
+}
+
+/// Every function and operator, numbers of all magnitudes, lets of lets.
+const std::string everything = R"X("dt": 0.01, "steps": 3,
+  "parameters": {"p": 0.3, "q": {"keys": [[0, 1.5], [1, -2]]}, "m": {"value": 0.2, "across": 0.9}, "k": {"value": 1, "down": 2}},
+  "lets": {"mu": "u^3 - u - 0.5*laplacian(u) + m", "nu": "laplacian(mu) + ddx(mu)*p", "tiny": "u*1e-20*v*1e-15"},
+  "species": {
+    "u": {"diffusion": 0.4, "start": "random(1) + sin(x*0.3)*0.5",
+          "rate": "nu*0.01 + min(u, v, w) - max(p, u*v) + clamp(u, -0.5, 0.5) + step(p, u) + if(u < v and not w >= 1 or u == 3, 0.2, q*0.1) + tiny*1e30"},
+    "v": {"diffusion": {"keys": [[0, 0.1], [1, 0.6]]}, "start": "0.5 + 0.2*random(2)", "edge": 0.25,
+          "rate": "abs(u) + floor(3*v) - sqrt(abs(w)) + exp(-u*u) - log(v*v + 0.1) + sin(4*u) - cos(v) + tanh(3*u) + tanh(0.1*v) - 5*v"},
+    "w": {"start": "0.3*cos(y) + x*0.01", "rate": "abs(v)^1.3 - w^3 + w^5/(1 + u^2) + v^-2*0.001 + u^q*0.01 + 0.2*noise(3) + 0.1*random(1) + t*0.1 + x*0.001 - y*0.002 + neighbours(w)*0.1 - corners(v)*0.1 - 0.2*ddy(u*v) + diffuse(k, w)*0.1 + diffuse(m, u) + pi*0.01 + width*0.001 - 2*w"}},
+  )X";
+
+}  // namespace
+
+TEST_CASE("reaction: every function equals the evaluator, on every boundary, by every method") {
+  for (const char* boundary : {"torus", "no-flux", "fixed"})
+    for (const char* method : {"euler", "heun", "rk4"}) {
+      CAPTURE(boundary);
+      CAPTURE(method);
+      auto p = rule(everything + fmt::format("\"boundary\": \"{}\", \"method\": \"{}\"", boundary, method));
+      p.size = {67, 45};
+      p.show = "mu*laplacian(nu)";
+      compareWithTwin(p, 4);
+    }
+}
+
+TEST_CASE("reaction equals its evaluator on widths down to four") {
+  for (const glm::ivec2 size :
+       {glm::ivec2(4, 5), glm::ivec2(5, 4), glm::ivec2(6, 9), glm::ivec2(7, 6), glm::ivec2(131, 13)})
+    for (const char* boundary : {"torus", "no-flux", "fixed"}) {
+      CAPTURE(size.x);
+      CAPTURE(size.y);
+      auto p = rule(everything + fmt::format("\"boundary\": \"{}\"", boundary));
+      p.size = size;
+      compareWithTwin(p, 3);
+    }
+}
+
+TEST_CASE("reaction: every preset equals the evaluator") {
+  for (const sim::ReactionPreset& preset : sim::reactionPresets()) {
+    CAPTURE(preset.name);
+    auto p = rule(fmt::format("\"preset\": \"{}\"", preset.name));
+    p.size = {43, 37};
+    compareWithTwin(p, 4);
+  }
+}
+
+TEST_CASE("reaction: a state that is lost is told by species, cell and step") {
+  auto p = rule(R"X("dt": 1, "steps": 10, "species": {"quiet": {},
+                    "loud": {"rate": "if(x > 20 and x < 21 and y > 7 and y < 8, 3/max(6 - t, 0), 0)"}})X");
+  p.size = {37, 21};
+  const auto gpu = made(p);
+  gpu->step(0, {});
+  const auto status = gpu->status()->readAll<unsigned>();
+  REQUIRE(status[0] != 0xffffffffU);
+  CHECK(gpu->explainLoss(status[0], status[1]).find("\"loud\" of cell (20, 7)") != std::string::npos);
+  CHECK(gpu->explainLoss(status[0], status[1]).find("after step 7;") != std::string::npos);
+}
+
+TEST_CASE("reaction: every cut of the work gives the same bits") {
+  testContext();
+  auto p = rule(everything + "\"boundary\": \"torus\"");
+  p.size = {147, 83};
+  const sim::ReactionPlan plan(p, "r", 5, plateFrame);
+  std::vector<glm::vec4> first;
+  for (const sim::RuleCut& cut : {sim::RuleCut{}, sim::RuleCut{1, 8, 8}, sim::RuleCut{7, 32, 1}}) {
+    sim::ReactionKernels kernels("r", plan, false, cut);
+    kernels.setValues(plan.valuesAt(0));
+    kernels.advance(0, 9, 0);
+    gl::barrier();
+    const auto cells = kernels.cells().buffer().readAll<glm::vec4>();
+    if (first.empty()) first = cells;
+    CHECK(std::equal(first.begin(), first.end(), cells.begin(), cells.end()));
+  }
+}

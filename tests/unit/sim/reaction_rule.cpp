@@ -1,0 +1,120 @@
+// Rules: what of a scene's equations is refused, and where the mistake is shown.
+#include "base/error.hpp"
+#include "scene/scene.hpp"
+#include "sim/reaction/parameters.hpp"
+#include "sim/reaction/plan.hpp"
+#include "sim/reaction/presets.hpp"
+#include "sim/world/list.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+using namespace simreel;
+
+namespace {
+
+std::string refusal(const std::string& members) {
+  const std::string text = "{\"version\": 1, \"objects\": {\"r\": {\"reaction\": {" + members + "}}}}";
+  try {
+    static_cast<void>(scene::parseScene(text, "s.json", {}, sim::kinds()));
+    return "none";
+  } catch (const UserError& error) {
+    return error.what();
+  }
+}
+
+/// A rule of one species u with that rate.
+std::string rate(const std::string& expression, const std::string& more = "") {
+  return refusal(more + R"X("species": {"u": {"rate": ")X" + expression + "\"}}");
+}
+
+bool shows(const std::string& refused, const std::string& message, const std::string& marked) {
+  // The caret line has as many marks as what is marked, which stands right above it.
+  const std::size_t caret = refused.rfind('\n') + 1;
+  const std::size_t line = refused.rfind('\n', caret - 2) + 1;
+  const std::size_t at = refused.find_first_of('^', caret) - caret;
+  const std::size_t length = refused.size() - caret - at;
+  const bool right =
+      refused.find(message) != std::string::npos && refused.substr(line + at, length) == marked;
+  if (!right) MESSAGE(refused);
+  return right;
+}
+
+}  // namespace
+
+TEST_CASE("reaction: what is wrong in a rate is marked inside its text") {
+  CHECK(shows(rate("1 - v"), "unknown name \"v\"", "v"));
+  CHECK(shows(rate("u - feeed*u", R"X("parameters": {"feed": 1}, )X"), "did you mean \"feed\"?", "feeed"));
+  CHECK(shows(rate("u +* 2"), "expected a number", "*"));
+  CHECK(shows(rate("sin(u, u)"), "takes 1 argument, found 2", "sin"));
+  CHECK(shows(rate("u/(2 - 2)"), "division by zero", "u/(2 - 2"));
+  CHECK(shows(rate("0^-1"), "division by zero", "-1"));
+  CHECK(shows(rate("a", R"X("lets": {"a": "1 + b", "b": "2*c", "c": "a - u"}, )X"),
+              "lets go round in a circle: a needs b needs c needs a", "a"));
+  CHECK(shows(rate("a", R"X("lets": {"a": "1 + a"}, )X"), "lets go round in a circle: a needs a", "a"));
+  CHECK(shows(rate("u", R"X("parameters": {"unused": 2}, )X"), "no expression has the parameter \"unused\"",
+              "2"));
+  CHECK(shows(refusal(R"X("species": {"u": {"rate": "u", "start": "0.5*u"}})X"),
+              "\"start\" knows parameters", "u"));
+  CHECK(shows(refusal(R"X("species": {"u": {"start": "noise(1)"}})X"), "no neighbours and no noise",
+              "noise(1)"));
+  CHECK(shows(refusal(R"X("show": "u + w", "species": {"u": {}})X"), "unknown name \"w\"", "w"));
+  CHECK(rate("u").find("none") == 0);
+}
+
+TEST_CASE("reaction: a place in a text is found behind escapes, too") {
+  CHECK(shows(rate(R"X(u\t\u002b w)X"), "unknown name \"w\"", "w"));
+}
+
+TEST_CASE("reaction: what is wrong with a rule as a whole") {
+  CHECK(refusal("").find("there are no equations: give a \"preset\" or \"species\"") != std::string::npos);
+  CHECK(refusal(R"X("species": {"2u": {}})X").find("\"2u\" cannot be a name in expressions") !=
+        std::string::npos);
+  CHECK(refusal(R"X("species": {"sin": {}})X").find("\"sin\" cannot be a name") != std::string::npos);
+  CHECK(refusal(R"X("parameters": {"u": 1}, "species": {"u": {}})X")
+            .find("is a name in \"species\" already") != std::string::npos);
+  CHECK(refusal(R"X("preset": "barkely")X").find("did you mean \"barkley\"?") != std::string::npos);
+  CHECK(
+      refusal(R"X("preset": "barkley", "parameters": {"epsilom": 1})X").find("did you mean \"epsilon\"?") !=
+      std::string::npos);
+  std::string nine;
+  for (int i = 0; i < 9; ++i) nine += fmt::format("{}\"s{}\": {{}}", i > 0 ? ", " : "", i);
+  CHECK(refusal("\"species\": {" + nine + "}").find("at most 8 species, found 9") != std::string::npos);
+  std::string dear = "u";
+  for (int i = 0; i < 100; ++i) dear += fmt::format("+tanh(u+{})", i);
+  CHECK(rate(dear).find("the rates cost") != std::string::npos);
+  // Lets that double each other: 2^30 operations written out, 30 as a graph.
+  std::string lets = "\"l0\": \"u\"";
+  for (int i = 1; i < 31; ++i) lets += fmt::format(", \"l{0}\": \"l{1}*l{1} + l{1}\"", i, i - 1);
+  CHECK(rate("l30", "\"lets\": {" + lets + "}, ") == "none");
+}
+
+TEST_CASE("reaction: a preset is what its page shows, and a scene changes parts of it") {
+  const auto read = [](const std::string& members) {
+    const auto scene =
+        scene::parseScene("{\"version\": 1, \"objects\": {\"r\": {\"reaction\": {" + members + "}}}}",
+                          "s.json", {}, sim::kinds());
+    return dynamic_cast<const sim::ReactionParameters&>(*scene.objects.at(0).parameters);
+  };
+  for (const sim::ReactionPreset& preset : sim::reactionPresets()) {
+    const auto p = read(fmt::format("\"preset\": \"{}\"", preset.name));
+    CHECK(p.dt == preset.dt);
+    CHECK(p.species.size() == preset.species.size());
+    const std::string text = sim::understandRule(p.ruleText()).text;
+    CHECK(sim::reactionPresetsText().find(text.substr(0, text.find('\n'))) != std::string::npos);
+  }
+  const auto p =
+      read(R"X("preset": "barkley", "parameters": {"a": 0.9, "b": {"keys": [[0, 0.01], [1, 0.05]]}},
+                         "species": {"v": {"diffusion": 0.5}, "w": {"rate": "u - w"}}, "dt": 0.002)X");
+  CHECK(p.species.size() == 3);
+  CHECK(p.species[0].rate == "u*(1 - u)*(u - (v + b)/a)/epsilon");
+  CHECK(p.species[1].diffusion.at(0) == 0.5F);
+  CHECK(p.species[1].rate == "u - v");
+  CHECK(p.parameters[0].value.at(0) == 0.9F);
+  CHECK(p.parameters[1].value.at(0.5) == doctest::Approx(0.03));
+  CHECK(p.parameters[2].value.at(0) == 0.02F);
+  CHECK(p.dt == 0.002);
+}

@@ -1,0 +1,169 @@
+// Steps of a rule that a scene wrote (Gray-Scott's equations as expressions) beside the hand-written
+// kernels of the same stencil, its evaluator on the CPU, a plain loop and what memory alone would allow.
+// Items are cell-steps; a pass reads and writes two numbers a cell, 16 bytes.
+//
+//   bench_reaction [SIDE]     8192 on a GPU, 512 on a software driver
+//
+// Before that: what the kernel of each preset takes to compile, the driver's cache left out where
+// MESA_SHADER_CACHE_DISABLE=1.
+#include "gl/context.hpp"
+#include "plain/plain.hpp"
+#include "sim/gray_scott/kernels.hpp"
+#include "sim/reaction/kernels.hpp"
+#include "sim/reaction/presets.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+using namespace simreel;
+
+namespace {
+
+constexpr double frameSeconds = 1.0 / 30;
+
+sim::GrayScottPlan byHand(int side) {
+  sim::GrayScottParameters p;
+  p.size = {side, side};
+  p.preset = sim::GrayScottPreset::stripes;
+  p.seedCount = side;
+  return {p, "dish", 1, frameSeconds};
+}
+
+/// The same equations; 0.3 of their diffusion is the Laplacian that expressions have.
+sim::ReactionPlan asRule(int side) {
+  sim::ReactionParameters p;
+  p.size = {side, side};
+  p.dt = 1;
+  p.species.resize(2);
+  p.species[0].name = "u";
+  p.species[0].diffusion = 0.063F;
+  p.species[0].rate = "feed*(1 - u) - u*v^2";
+  p.species[0].start = "1 - 0.4*abs(random(1))";
+  p.species[1].name = "v";
+  p.species[1].diffusion = 0.0315F;
+  p.species[1].rate = "u*v^2 - (feed + kill)*v";
+  p.species[1].start = "0.4*abs(random(1))";
+  p.parameters.resize(2);
+  p.parameters[0].name = "feed";
+  p.parameters[0].value = 0.04F;
+  p.parameters[1].name = "kill";
+  p.parameters[1].value = 0.06F;
+  return {p, "dish", 1, frameSeconds};
+}
+
+void report(benchmark::State& state, int side, int steps) {
+  const double cells = static_cast<double>(state.iterations()) * steps * side * side;
+  state.counters["cell-steps/s"] = benchmark::Counter(cells, benchmark::Counter::kIsRate);
+}
+
+void handWritten(benchmark::State& state, sim::GrayScottKernels::Cut cut, int steps) {
+  const int side = static_cast<int>(state.range(0));
+  const sim::GrayScottPlan plan = byHand(side);
+  sim::GrayScottKernels kernels("bench", plan, false, cut);
+  kernels.setRates(plan.ratesAt(0));
+  kernels.advance(steps);
+  glFinish();
+  for (auto _ : state) {
+    kernels.advance(steps);
+    glFinish();
+  }
+  report(state, side, steps);
+}
+
+void rule(benchmark::State& state, sim::RuleCut cut, int steps) {
+  const int side = static_cast<int>(state.range(0));
+  const sim::ReactionPlan plan = asRule(side);
+  sim::ReactionKernels kernels("bench", plan, false, cut);
+  kernels.setValues(plan.valuesAt(0));
+  kernels.advance(0, steps, 0);
+  glFinish();
+  for (auto _ : state) {
+    kernels.advance(0, steps, 0);
+    glFinish();
+  }
+  report(state, side, steps);
+}
+
+void evaluator(benchmark::State& state) {
+  const int side = static_cast<int>(state.range(0));
+  const sim::ReactionPlan plan = asRule(side);
+  sim::RuleField field = plan.firstField();
+  const auto values = plan.valuesAt(0);
+  for (auto _ : state) sim::evaluateStep(plan, values, 0, 0, field);
+  report(state, side, 1);
+}
+
+void plainLoop(benchmark::State& state) {
+  const int side = static_cast<int>(state.range(0));
+  plain::GrayScott field(side, side);
+  for (int i = 0; i < side; ++i)
+    field.v[static_cast<std::size_t>(i) * static_cast<std::size_t>(side) / 2] = 0.5F;
+  for (auto _ : state) field.step(0.21F, 0.105F, 0.04F, 0.06F, 1);
+  report(state, side, 1);
+}
+
+/// Four planes copied by the processor: the bytes of a step and nothing else.
+void bytesAlone(benchmark::State& state) {
+  const int side = static_cast<int>(state.range(0));
+  const std::size_t cells = 2 * static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+  std::vector<float> from(cells, 1.0F), to(cells);
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < cells; ++i) to[i] = from[i];
+    benchmark::DoNotOptimize(to.data());
+    benchmark::ClobberMemory();
+    std::swap(from, to);
+  }
+  report(state, side, 1);
+}
+
+void compileTimes() {
+  for (const sim::ReactionPreset& preset : sim::reactionPresets()) {
+    sim::ReactionParameters p;
+    preset.apply(p);
+    p.size = {64, 64};
+    const sim::ReactionPlan plan(p, preset.name, 1, frameSeconds);
+    const auto begin = std::chrono::steady_clock::now();
+    sim::ReactionKernels kernels(preset.name, plan, false);
+    kernels.setValues(plan.valuesAt(0));
+    kernels.advance(0, 8, 0);
+    glFinish();
+    const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - begin;
+    fmt::print("{:20} {:7.1f} ms to its first steps, {} programs\n", preset.name, ms.count(),
+               plan.program().passes.size());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  const gl::Context context;
+  fmt::print("device: {}\n", context.device().name);
+  compileTimes();
+  const bool software = context.device().software;
+  const auto add = [&](const std::string& name, int side, auto function, auto... args) {
+    benchmark::RegisterBenchmark(("reaction/" + name).c_str(), function, args...)
+        ->Arg(side)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  const int side = argc > 1 ? std::atoi(argv[1]) : software ? 512 : 8192;
+  const int steps = software ? 8 : 96;
+  using Cut = sim::GrayScottKernels::Cut;
+  const Cut single = software ? Cut{1, 4, 32, 4, 0} : Cut{1, 1, 32, 4};
+  add("by hand, one step a pass", side, handWritten, single, steps);
+  add("by hand, several steps a pass", side, handWritten, sim::GrayScottKernels::bestCut({side, side}),
+      steps);
+  for (const int rows : {1, 2, 4, 8})
+    add(fmt::format("rule, one step a pass, {} rows", rows), side, rule, sim::RuleCut{rows}, steps);
+  add("evaluator, one thread", side, evaluator);
+  add("plain loop, one thread", side, plainLoop);
+  add("bytes alone, one thread", side, bytesAlone);
+  benchmark::RunSpecifiedBenchmarks();
+}
