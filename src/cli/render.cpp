@@ -145,9 +145,10 @@ void addRender(CLI::App& app) {
                    "Also the raw values of every field, beside each picture: npy or pfm")
       ->check(CLI::IsMember({"npy", "pfm"}));
   command
-      ->add_option("--layers", o->layers,
-                   "Of OpenEXR pictures (-o NAME_####.exr), besides light before lens and film: depth (Z), "
-                   "position (P.X, P.Y, P.Z), object (Cryptomatte)")
+      ->add_option(
+          "--layers", o->layers,
+          "Of OpenEXR pictures (-o NAME_####.exr), besides light before lens and film: depth (Z), position "
+          "(P.X, P.Y, P.Z), normal (N.X, N.Y, N.Z), albedo (albedo.R, .G, .B), object (Cryptomatte)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(draw::layerNames.begin(), draw::layerNames.end())));
   command

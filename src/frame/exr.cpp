@@ -140,6 +140,12 @@ std::vector<std::byte> encodeExr(const PictureLayers& picture, const ImageText& 
   if (!picture.position.empty())
     for (std::size_t c = 0; c < 3; ++c)
       channels.add(header, fmt::format("P.{}", "XYZ"[c]), picture.position.data() + c, 3, Imf::FLOAT);
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!picture.normal.empty())
+      channels.add(header, fmt::format("N.{}", "XYZ"[c]), picture.normal.data() + c, 3, Imf::FLOAT);
+    if (!picture.albedo.empty())
+      channels.add(header, fmt::format("albedo.{}", "RGB"[c]), picture.albedo.data() + c, 3, Imf::HALF);
+  }
   if (!picture.shares.empty()) addMatte(header, channels, picture);
   MemoryStream stream;
   try {
@@ -175,6 +181,8 @@ std::string pixelHash(const PictureLayers& picture) {
   addTo(all, "light", picture.light);
   addTo(all, "depth", picture.depth);
   addTo(all, "position", picture.position);
+  addTo(all, "normal", picture.normal);
+  addTo(all, "albedo", picture.albedo);
   for (const std::string& object : picture.objects) all += " " + object;
   std::vector<float> shares;
   for (const PictureLayers::Share& share : picture.shares) {

@@ -1,6 +1,6 @@
 // Light that a metal/rough surface under sun, sky and lamps sends to the eye. Variants: TRANSLUCENT, REFLECTIVE, LAMPS.
 // SHEEN: fibres stand up from it, of the colour sheen_ and the roughness sheenRoughness_. JOINED: of surfaces of which some are such; `mirrors` says whether this one is REFLECTIVE.
-// Compiles as GLSL and as C++.
+// SHOWN: instead of light the normal (1) or the base colour (2). Compiles as GLSL and as C++.
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
 #ifdef SHEEN
@@ -68,6 +68,9 @@ FUNCTION vec3 surfaceLight(Look look, vec3 normal, vec3 view, float fraction) {
 
 // The same with the scene's lamps; p: where they are looked up from.
 FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction) {
+#ifdef SHOWN
+  return SHOWN == 1 ? normal : look.base;
+#endif
   vec3 light = surfaceLight(look, normal, view, fraction);
 #ifdef LAMPS
   LampLight lamps = lampLight(p, normal, view, look.roughness, look.translucency);

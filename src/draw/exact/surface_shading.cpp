@@ -1,6 +1,7 @@
 #include "draw/exact/surface_shading.hpp"
 
 #include "draw/draw_state.hpp"
+#include "draw/exact/shown.hpp"
 #include "draw/surface/skin_look.hpp"
 #include "draw/surface/surface_pass.hpp"
 #include "gl/context.hpp"
@@ -96,9 +97,9 @@ SurfaceShading::SurfaceShading(const scene::Scene& scene, gl::Defines defines)
 }
 
 const gl::Program& SurfaceShading::program(unsigned features, int look) {
-  const auto found = programs_.find({features, look});
+  const auto found = programs_.find({features, look, shown_});
   if (found != programs_.end()) return found->second;
-  gl::Defines defines = defines_;
+  gl::Defines defines = showing(defines_, shown_);
   if ((features & blendedLayer) != 0)  // they are before what keeps light out, and nothing is behind them
     std::erase_if(defines, [](const auto& define) {
       return define.first == "OCCLUSION" || define.first == "BEHIND";
@@ -111,7 +112,7 @@ const gl::Program& SurfaceShading::program(unsigned features, int look) {
     defines.emplace_back(lookOf(skin).define, "1");
   }
   return programs_
-      .emplace(std::pair(features, look),
+      .emplace(std::tuple(features, look, shown_),
                gl::Program::compute("draw/exact/surface/shade_surface.comp", defines))
       .first->second;
 }

@@ -10,6 +10,7 @@
 
 #include <map>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace simreel::draw {
@@ -42,6 +43,8 @@ class SurfaceShading {
     defines_ = std::move(defines);
     programs_.clear();
   }
+  /// From now on one of `shownLayers` is shaded instead of light, counted from 1; 0: light.
+  void show(int layer) { shown_ = layer; }
 
  private:
   /// A look's number is -1 without a skin.
@@ -55,7 +58,8 @@ class SurfaceShading {
 
   const scene::Scene& scene_;
   gl::Defines defines_;
-  std::map<std::pair<unsigned, int>, gl::Program> programs_;
+  int shown_ = 0;
+  std::map<std::tuple<unsigned, int, int>, gl::Program> programs_;  ///< the last: shown_
   TexelLists textures_;
   SkinTexels skinTexels_;
   MapTexels maps_;

@@ -81,16 +81,16 @@ class Film(Case):
 
     def test_light(self):
         self.write("scene.json", SCENE)
-        see = ("render", "scene.json", "-q", "--layers", "depth,object,position")
+        see = ("render", "scene.json", "-q", "--layers", "depth,object,position,normal,albedo")
         self.good(*see, "--frames", "0,3", "-o", "a/####.exr")
         self.good(*see, "--frames", "0", "-o", "b.exr")
         first = (self.folder / "a/0000.exr").read_bytes()
         self.assertEqual(first, (self.folder / "b.exr").read_bytes())
-        for channel in (b"CryptoObject00.R", b"P.X", b"Z\0", b"MurmurHash3_32", b"ball", b"simreel:scene"):
+        for channel in (b"CryptoObject00.R", b"N.X", b"P.X", b"Z\0", b"albedo.B", b"MurmurHash3_32", b"ball", b"simreel:scene"):
             self.assertIn(channel, first[:4096])
         frames = json.loads((self.folder / "a/manifest.json").read_text())["frames"]
         self.assertEqual([frame["file"] for frame in frames], ["0000.exr", "0003.exr"])
-        self.good("render", "scene.json", "--layers", "depth,object,position", "--frames", "0,3", "-o", "a/####.exr", "--resume")
+        self.good("render", "scene.json", "--layers", "depth,object,position,normal,albedo", "--frames", "0,3", "-o", "a/####.exr", "--resume")
         self.assertEqual(first, (self.folder / "a/0000.exr").read_bytes())
         # The film is not in it.
         self.good(*see, "--frames", "0", "-o", "c.exr", "-D", "render.tone=plain", "-D", "render.exposure=3")

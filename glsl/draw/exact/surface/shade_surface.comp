@@ -146,8 +146,11 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
 #ifdef RAYS
   keepSurfaceSpot(spot, look, normal, firstSample(pixel) + sampleAt);
 #else
+#ifdef SHOWN
+  light = vec3(0);  // its own
+#endif
   light = light + allLight(look, spot.place, normal, spot.view, fraction);
-#ifdef COAT
+#if defined COAT && !defined SHOWN
 #ifdef SHEEN
   vec3 fibres = sheen_;
   sheen_ = vec3(0);  // those are under it

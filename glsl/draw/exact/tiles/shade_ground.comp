@@ -41,6 +41,12 @@ void lightGround(ivec2 pixel) {
   return;
 #endif
   precise vec3 towards = -ray;
+#ifdef SHOWN
+  float there = groundLight(p, unitOf(towards), fraction, 1.0f).a;
+  precise vec3 value = (SHOWN == 1 ? vec3(0, 1, 0) : frame.groundColor.rgb) * there;
+  addLight(pixel, vec4(value, there), samples);
+  return;
+#endif
   addLight(pixel, groundLight(p, unitOf(towards), fraction, opennessOn(pixel, p)), samples);
 }
 

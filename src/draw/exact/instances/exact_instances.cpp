@@ -1,6 +1,7 @@
 #include "draw/exact/instances/exact_instances.hpp"
 
 #include "base/error.hpp"
+#include "draw/exact/shown.hpp"
 #include "draw/surface/surface_pass.hpp"
 
 #include <algorithm>
@@ -102,10 +103,11 @@ void ExactInstances::describe(std::vector<DrawnThing>& things) const {
 const gl::Program& ExactInstances::shading(const char* path, const sim::Instances& instances) {
   const bool reflective = isReflective(*instances.material);
   const bool translucent = instances.material->translucency > 0;
-  const std::string key = std::string(path) + (reflective ? " r" : "") + (translucent ? " t" : "");
+  const std::string key = std::string(path) + (reflective ? " r" : "") + (translucent ? " t" : "") +
+                          (shown_ > 0 ? std::to_string(shown_) : "");
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
-  gl::Defines defines = lighting_;
+  gl::Defines defines = showing(lighting_, shown_);
   if (reflective) defines.emplace_back("REFLECTIVE", "1");
   if (translucent) defines.emplace_back("TRANSLUCENT", "1");
   return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;

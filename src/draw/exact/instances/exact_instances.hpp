@@ -25,6 +25,8 @@ class ExactInstances {
     lighting_ = std::move(lighting);
     programs_.clear();
   }
+  /// As SurfaceShading::show.
+  void show(int layer) { shown_ = layer; }
   /// Grows the sun's bounds; see ShadowPass::fit.
   void growBounds(const sim::Drawables& drawables) { bounds_.grow(drawables, shapes_); }
   /// Into the sun's map, where other things may be drawn already. The light's place is bound.
@@ -59,6 +61,7 @@ class ExactInstances {
 
   int samples_;
   gl::Defines lighting_;
+  int shown_ = 0;
   InstanceShapes shapes_{false};
   InstanceBounds bounds_;
   std::vector<const sim::Instances*> balls_;

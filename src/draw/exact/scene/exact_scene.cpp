@@ -14,6 +14,7 @@
 #include "draw/exact/scene/apart.hpp"
 #include "draw/exact/scene/lamp_maps.hpp"
 #include "draw/exact/shaded_tiles.hpp"
+#include "draw/exact/shown.hpp"
 #include "draw/exact/surface_shading.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "draw/frame_values.hpp"
@@ -146,6 +147,10 @@ struct ExactScene::State {
   void keepVisibility(glm::ivec2 rows) const;
   void keepLayers(const shader::ExactView& values);
   void keepLight();
+  void shadeThings();
+  void shadeShown();
+  void clearShown() const;
+  void keepShown();
 
   const scene::Scene& scene;
   const Environment* environment;  ///< null: the sky is a gradient
@@ -177,8 +182,10 @@ struct ExactScene::State {
   std::optional<RayLight> rays;
   Bloom bloom;
   gl::Program litGround, shadedGround, lensSum, picture;
-  PassPicture* passes = nullptr;       ///< where they are kept
-  std::optional<LightRequest> wanted;  ///< besides pictures
+  std::array<gl::Program, shownLayers.size()> shownGround;
+  std::array<gl::Texture, shownLayers.size()> shown;  ///< those of its layers that are wanted
+  PassPicture* passes = nullptr;                      ///< where they are kept
+  std::optional<LightRequest> wanted;                 ///< besides pictures
   PictureLayers layers;
   std::optional<LayerKeeper> layerKeeper;  ///< while the layers' view is drawn
   gl::Program linear;                      ///< of those alone
@@ -297,9 +304,7 @@ void ExactScene::State::bindShadows() const {
   if (lampMaps) lampMaps->bind();
 }
 
-void ExactScene::State::shadeAll() {
-  bindShadows();
-  if (occlusion.on()) occlusion.bind();
+void ExactScene::State::shadeThings() {
   for (std::size_t i = 0; i < gathered.size(); ++i)
     if (gathered[i].size() == 1)
       surfaces.shade(triangles, gathered[i].front(), skins, tiles, static_cast<int>(i));
@@ -307,9 +312,49 @@ void ExactScene::State::shadeAll() {
       surfaces.shadeJoined(joined, triangles, gathered[i], tiles, static_cast<int>(i));
   apart.shade(skins, tiles, static_cast<int>(gathered.size()));
   instances.shade(tiles, static_cast<int>(gathered.size()) + apart.things());
+}
+
+void ExactScene::State::shadeAll() {
+  bindShadows();
+  if (occlusion.on()) occlusion.bind();
+  shadeThings();
   if (!ground) return;
   tiles.shade(tiles.things(), litGround);
   if (shadow.on()) tiles.shade(tiles.things() + 1, shadedGround);
+}
+
+/// Layers that are shaded as light is, of what is opaque in the band.
+void ExactScene::State::shadeShown() {
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (!shown[i]) continue;
+    shown[i].bindImage(sumImage, GL_READ_WRITE);
+    surfaces.show(static_cast<int>(i) + 1);
+    instances.show(static_cast<int>(i) + 1);
+    shadeThings();
+    if (!ground) continue;
+    tiles.shade(tiles.things(), shownGround[i]);
+    if (shadow.on()) tiles.shade(tiles.things() + 1, shownGround[i]);
+  }
+  surfaces.show(0);
+  instances.show(0);
+  sums.bindImage(sumImage, GL_READ_WRITE);
+}
+
+void ExactScene::State::clearShown() const {
+  constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
+  for (const gl::Texture& layer : shown)
+    if (layer) glClearTexImage(layer.name(), 0, GL_RGBA, GL_FLOAT, none.data());
+}
+
+void ExactScene::State::keepShown() {
+  std::vector<float> sum(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (!shown[i]) continue;
+    glGetTextureImage(shown[i].name(), 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(sum.size() * sizeof(float)), sum.data());
+    layers.keepShown(shownLayers[i], sum);
+  }
 }
 
 /// What the band's samples show; with its first, shadow maps and what has numbers.
@@ -338,6 +383,14 @@ void ExactScene::keepLayers(const LightRequest& wanted) {
   defines.emplace_back(wanted.filmed ? "DEEP" : "LINEAR", "1");
   s.linear = gl::Program::compute("draw/exact/screen/picture.comp", defines);
   s.light = gl::Texture::image("light before the film", GL_RGBA32F, s.size.x, s.size.y);
+  for (std::size_t i = 0; i < shownLayers.size(); ++i) {
+    if (std::find(wanted.layers.begin(), wanted.layers.end(), shownLayers[i]) == wanted.layers.end())
+      continue;
+    s.shown[i] = gl::Texture::image("a layer of the picture", GL_RGBA32F, s.size.x, s.size.y);
+    if (s.ground)
+      s.shownGround[i] = gl::Program::compute("draw/exact/tiles/shade_ground.comp",
+                                              showing(s.lighting(s.samples), static_cast<int>(i) + 1));
+  }
 }
 
 PictureLayers ExactScene::takeLayers() {
@@ -425,6 +478,7 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
   }
   shadeAll();
   if (rays) rays->add(visibility, sums, rows.y - rows.x, white);
+  if (layerKeeper) shadeShown();
   if (passes != nullptr) passes->keepLight("light", "", sums, rows);
   if (watch) watch("surfaces");
   instances.addLight(drawables, visibility);
@@ -514,7 +568,10 @@ View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables,
 bool ExactScene::State::expose(const Exposure& exposure, const Watch& watch) {
   // Passes and layers are kept of the first one, and of the mean.
   PassPicture* const kept = passes;
-  if (wanted) layerKeeper.emplace(layers, wanted->layers, size, samples);
+  if (wanted) {
+    layerKeeper.emplace(layers, wanted->layers, size, samples);
+    clearShown();
+  }
   const int moments = exposure.moments;
   const int points = scene.camera.hasLens ? scene.camera.lens.samples : 1;
   const int pictures = std::max(moments, points);
@@ -532,6 +589,7 @@ bool ExactScene::State::expose(const Exposure& exposure, const Watch& watch) {
       if (rays) rays->seeThrough(drawn, pictures);
       drawThrough(drawables, exactView(seen, scene.camera, size, point), watch);
       passes = nullptr;
+      if (layerKeeper) keepShown();
       layerKeeper.reset();
       if (pictures > 1) addThrough(drawn, pictures);
     }

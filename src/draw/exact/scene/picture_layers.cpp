@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -17,6 +18,18 @@ constexpr unsigned groundNumber = 0xfffffffeU, noNumber = 0xffffffffU;  // tile_
 constexpr unsigned farthestKey = 0x7fffffffU;                           // nearKey of triangle.glsl
 
 }  // namespace
+
+void PictureLayers::keepShown(Layer layer, std::span<const float> sums) {
+  std::vector<float>& into = layer == Layer::normal ? normal : albedo;
+  into.assign(sums.size() / 4 * 3, 0.0F);
+  for (std::size_t pixel = 0; 4 * pixel < sums.size(); ++pixel) {
+    const glm::vec3 sum(sums[4 * pixel], sums[4 * pixel + 1], sums[4 * pixel + 2]);
+    const float there = layer == Layer::normal ? std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z)
+                                               : sums[4 * pixel + 3];
+    for (int i = 0; i < 3 && there > 1e-4F; ++i)
+      into[3 * pixel + static_cast<std::size_t>(i)] = sum[i] / there;
+  }
+}
 
 LayerKeeper::LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm::ivec2 size, int samples)
     : layers_(into), wanted_(wanted.begin(), wanted.end()), samples_(samples) {

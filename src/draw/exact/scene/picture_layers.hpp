@@ -18,8 +18,12 @@ struct ExactView;
 namespace simreel::draw {
 
 /// What may be known of a picture besides its colour, and what it is called.
-enum class Layer { depth, position, object };
-inline constexpr std::array<const char*, 3> layerNames = {"depth", "position", "object"};
+enum class Layer { depth, position, object, normal, albedo };
+inline constexpr std::array<const char*, 5> layerNames = {"depth", "position", "object", "normal",
+                                                          "albedo"};
+/// Of those that are shaded instead of light, as shaders know them (SHOWN of
+/// glsl/draw/surface/lighting.glsl).
+inline constexpr std::array<Layer, 2> shownLayers = {Layer::normal, Layer::albedo};
 
 /// What is kept of pictures besides their bytes.
 struct LightRequest {
@@ -45,9 +49,15 @@ struct PictureLayers {
   bool alpha = false;           ///< whether it has one; else it is 1
   std::vector<float> depth;     ///< m along the line of sight, of the nearest; infinite where nothing is
   std::vector<float> position;  ///< three a pixel: where that is (m)
+  std::vector<float>
+      normal;  ///< three a pixel: unit, as shading sees it, the mean of what is opaque; else 0
+  std::vector<float> albedo;  ///< three a pixel: linear RGB of what is opaque, the mean of what is there
   std::vector<std::string> objects;
   int ranks = 0;  ///< shares of a pixel in `shares`, the largest first; what is left over covers nothing
   std::vector<Share> shares;
+
+  /// Takes normal or albedo from sums over a pixel's samples, RGBA, alpha being how much is there.
+  void keepShown(Layer layer, std::span<const float> sums);
 };
 
 /// Makes layers of what is visible, band by band, on the CPU.
