@@ -23,11 +23,9 @@ namespace finish {
 using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
 #define FUNCTION inline
 #define precise
-#define ROUNDED
 #include "glsl/draw/surface/coat.glsl"
 #include "glsl/draw/surface/normal_map.glsl"
 #include "glsl/draw/surface/sheen.glsl"
-#undef ROUNDED
 #undef precise
 #undef FUNCTION
 }  // namespace finish

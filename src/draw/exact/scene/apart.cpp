@@ -97,6 +97,10 @@ void ApartSurfaces::shade(const SkinTextures& skins, const ShadedTiles& tiles, i
     shading_.shade(cut_, drawn, skins, tiles, firstThing++);
 }
 
+void ApartSurfaces::bind() const {
+  throughView_.bind(throughUnit);
+}
+
 void ApartSurfaces::makeRoom() {
   if (through_.name() != 0) return;
   for (auto& layer : layers_) layer.emplace("a layer", band_, samples_, true);

@@ -52,7 +52,7 @@ class ApartSurfaces {
   /// `firstId`.
   void addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins);
   /// Makes readable what they let through.
-  void bind() const { throughView_.bind(throughUnit); }
+  void bind() const;
 
  private:
   void makeRoom();
