@@ -13,8 +13,8 @@ layout(binding = rayHitUnit) uniform usamplerBuffer rayHits;
 layout(binding = rayLightUnit) uniform samplerBuffer onwardLight;
 
 // Sky beyond, `share` of it: with the sun if the ray is the lobe's and meets it.
-vec3 beyond(vec3 direction, float factor, float density, float share) {
-  precise vec3 light = skyLight(direction, factor);
+vec3 beyond(vec3 direction, float roughness, float lobeShare, float density, float share) {
+  precise vec3 light = skyLight(direction, skyFactor(roughness, lobeShare), roughness, lobeShare);
   float angle = sunAngle();
   precise float likely = density * angle;
   bool sun = likely > 0.0f && isOnSun(direction);
@@ -83,7 +83,7 @@ void main() {
   share = at == groundHit ? groundAlpha(p) : share;
 #endif
   precise float open = 1.0f - share;
-  precise vec3 sure = weight.rgb * beyond(towards.xyz, skyFactor(roughness, from.w), weight.w, open);
+  precise vec3 sure = weight.rgb * beyond(towards.xyz, roughness, from.w, weight.w, open);
   if (!there || share <= 0.0f) {
     putNone(nextLightKind, path);
     putNone(nextOnwardKind, path);
@@ -96,7 +96,7 @@ void main() {
   precise vec3 through = weight.rgb * share;
   vec3 certain = towardsLight(path, f, through, samplePoint(start.number, sampleMask, start.seed, 3u));
   Onward onward = onwardFrom(f, samplePoint(start.number, sampleMask, start.seed, 4u));
-  precise vec3 brings = through * onward.weight * skyLight(onward.direction, skyFactor(f.roughness, onward.share));
+  precise vec3 brings = through * onward.weight * skyLight(onward.direction, skyFactor(f.roughness, onward.share), f.roughness, onward.share);
   putRay(nextOnwardKind, path, beginning(f, onward.direction), 0.0f, onward.direction, farAway, vec4(brings, 0.0f));
   sure = sure + certain + through * openLamps(f);
   rayLight[nextSure * paths + path] = vec4(sure, 0.0f);

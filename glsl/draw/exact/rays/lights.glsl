@@ -38,15 +38,17 @@ bool isOnSun(vec3 direction) {
 }
 
 // The sky's light on a surface, from one direction: what falls onto matt ones has the factor `ambient`, mirrors show the sky as it is.
-vec3 skyLight(vec3 direction, float factor) {
+// `share`: of the lobe in what counts. A picture is blurred where each of some rays stands for much of it (about as Colbert and
+// Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007): as roughness 0.5 mirrors it for matt surfaces.
+vec3 skyLight(vec3 direction, float factor, float roughness, float share) {
 #ifdef ENVIRONMENT
-  precise vec3 light = environmentAt(direction, 0) * factor;
+  precise float blur = 0.5f * (1.0f + (roughness - 1.0f) * share);
+  precise vec3 light = environmentMirrored(direction, blur) * factor;
 #else
   precise vec3 light = skyRadiance(direction.y) * factor;
 #endif
   return light;
 }
-// `share`: of the lobe in what counts.
 float skyFactor(float roughness, float share) {
 #ifdef ENVIRONMENT
   precise float factor = frame.ambient + (1.0f - frame.ambient) * share;
