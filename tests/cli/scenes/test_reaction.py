@@ -1,0 +1,101 @@
+"""Rules of a scene's own by the program: overrides, what time and noise leave to a resumed run, lost states, mistakes."""
+import struct
+
+from common import SCENE, Case, main, with_values
+
+# Everything that depends on the step's number, the model's time and the scene's time.
+RULE = {"size": [37, 21], "steps": 5, "dt": 0.01, "presteps": 3, "method": "rk4",
+        "parameters": {"p": 0.3, "q": {"keys": [[0, 1], [0.3, -1]]}}, "lets": {"w": "u - laplacian(u)"},
+        "species": {"u": {"diffusion": 1, "start": "random(1)", "rate": "p*sin(t) + q*u - u^3 + noise(2)"},
+                    "v": {"start": "x*0.01", "rate": "0.1*laplacian(w) - v"}},
+        "strokes": [{"at": 0.1, "from": [5, 5, 0], "radius": 4, "value": 0.5, "species": "v"}]}
+
+
+def values_of(data):
+    (length,) = struct.unpack("<H", data[8:10])
+    return struct.unpack(f"<{(len(data) - 10 - length) // 4}f", data[10 + length:])
+
+
+class Reaction(Case):
+    def setUp(self):
+        super().setUp()
+        self.write_rule(RULE)
+
+    def write_rule(self, rule):
+        self.write("scene.json", with_values({"objects": {"r": {"reaction": rule}}, "time.duration": 10 / 30}, SCENE))
+
+    def render(self, *more):
+        return ["render", "scene.json", "-o", "out/", "--fields", "npy", *more]
+
+    def test_fields_of_each_species_on_both_memory_paths_in_pieces_too(self):
+        self.good(*self.render())
+        whole = self.content("out")
+        names = {name.split(".", 1)[1] for name in whole if name.startswith("000004")}
+        self.assertEqual(names, {"png", "r.npy", "r.u.npy", "r.v.npy"})
+        self.assertEqual(whole["000004.r.npy"], whole["000004.r.u.npy"])
+        self.assertEqual(len(values_of(whole["000004.r.v.npy"])), 37 * 21)
+        # The stroke, of v alone.
+        self.assertEqual(values_of(whole["000003.r.v.npy"])[5 * 37 + 5], 0.5)
+        for path in ("texel", "storage"):
+            self.good(*self.render("--overwrite", "--memory-path", path))
+            self.assertEqual({k: v for k, v in self.content("out").items() if k.endswith("npy")},
+                             {k: v for k, v in whole.items() if k.endswith("npy")}, path)
+        # From a checkpoint, whose numbers of steps and times go on.
+        self.good("render", "scene.json", "-o", "kept/", "--checkpoint-at", "4", "--frames", "0-4")
+        self.good("render", "scene.json", "-o", "more/", "--from", "kept/checkpoint.000004", "--fields", "npy", "--frames", "5-9")
+        for name, data in self.content("more").items():
+            if name.endswith("npy"):
+                self.assertEqual(data, whole[name], name)
+
+    def test_overrides_reach_parameters(self):
+        self.good(*self.render("--frames", "5"))
+        before = self.content("out")["000005.r.npy"]
+        self.good(*self.render("--frames", "5", "--overwrite", "-D", "objects.r.reaction.parameters.p=0.31"))
+        self.assertNotEqual(self.content("out")["000005.r.npy"], before)
+        self.good(*self.render("--frames", "5", "--overwrite", "-D", 'objects.r.reaction.species.u.rate="p*sin(t) + q*u - u^3 + noise(2)"'))
+        self.assertEqual(self.content("out")["000005.r.npy"], before)
+        self.bad_scene(["-D", "unknown name \"pp\"; did you mean"], *self.render("-D", 'objects.r.reaction.species.u.rate="p + q + pp"'))
+
+    def test_what_is_shown_is_an_expression(self):
+        self.write_rule({**RULE, "show": "2*u + v"})
+        self.good(*self.render("--frames", "7"))
+        files = self.content("out")
+        u, v, shown = (values_of(files[f"000007.r{name}.npy"]) for name in (".u", ".v", ""))
+        for a, b, c in zip(u, v, shown):
+            self.assertAlmostEqual(c, 2 * a + b, delta=1e-5)
+
+    def test_a_lost_state_names_species_cell_and_step(self):
+        # With 15 steps before the first frame, the one at t = 0.2 is of frame 2.
+        rule = {"size": [13, 9], "steps": 3, "dt": 0.1, "method": "euler", "species": {
+            "calm": {}, "loud": {"rate": "if(x > 4 and x < 5 and y > 6 and y < 7, 1/step(t, 0.75), 0)"}}}
+        self.write_rule(rule)
+        for path in ("texel", "storage"):
+            self.bad(4, ["reaction \"r\"", "\"loud\" of cell (4, 6)", "after step 9;"], *self.render("--overwrite", "--memory-path", path))
+
+    def test_mistakes(self):
+        species = {"u": {"rate": "u"}}
+        for words, rule in ((["unknown name \"w\"", "^"], {"species": {"u": {"rate": "u + w"}}}),
+                            (["no equations", "preset"], {}),
+                            (["division by zero"], {"species": {"u": {"rate": "u/0"}}}),
+                            (["nested deeper"], {"species": {"u": {"rate": "(" * 5000}}}),
+                            (["at most 16384 bytes"], {"species": {"u": {"rate": "+".join(["u"] * 1000000)}}}),
+                            (["go round in a circle"], {"species": species, "lets": {"a": "b", "b": "a"}}),
+                            (["the rates cost"], {"species": {"u": {"rate": "+".join(f"tanh(u+{i})" for i in range(99))}}}),
+                            (["takes 2 arguments, found 1"], {"species": {"u": {"rate": "step(u)"}}}),
+                            (["exclude each other"], {"species": species, "parameters": {"p": {"across": 1, "down": 2}}}),
+                            (["a stroke paints the species \"x\""], {"species": species, "strokes": [{"species": "x"}]})):
+            self.write_rule({"size": [8, 8], **rule})
+            self.bad_scene(words, *self.render())
+        # Stable no longer, which is no mistake but said.
+        self.write_rule({"size": [8, 8], "steps": 1, "dt": 1, "species": {"u": {"diffusion": 0.5}}})
+        done = self.good(*self.render())
+        self.assertIn("stable up to 0.375; lower dt to 0.75", done.err)
+
+    def test_the_page_has_presets_and_functions(self):
+        page = self.good("list", "reaction").stdout.decode()
+        for words in ("kuramotoSivashinsky: Kuramoto 1978", "mu = pow(c, 3.0) - c - gamma * laplacian(c);", "diffuse(D, u): div(D grad u)"):
+            self.assertIn(words, page)
+
+
+if __name__ == "__main__":
+    main()
