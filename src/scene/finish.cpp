@@ -18,12 +18,14 @@ void Finish::describe(Fields& fields) {
                 "Light of its own, linear RGB; it lights nothing else.");
   fields.number("emissionStrength", emissionStrength, notNegative, "", "Factor on \"emission\".");
   fields.asset("emissionMap", emissionMap.file, "sRGB picture, a factor on \"emission\".");
-  fields.choice("alpha", alpha, {"opaque", "cut", "blend"},
-                "What becomes of the opacity, which is that of the texture's alpha channel times \"opacity\". "
-                "opaque: nothing; cut: below \"alphaCutoff\" there is a hole; blend: so much of what lies "
-                "behind is hidden.");
+  fields.choice(
+      "alpha", alpha, {"opaque", "cut", "blend"},
+      "What becomes of the opacity, which is that of the texture's alpha channel times \"opacity\". "
+      "opaque: nothing; cut: below \"alphaCutoff\" there is a hole; blend: so much of what lies "
+      "behind is hidden.");
   fields.number("opacity", opacity, fraction, "", "0 is not to be seen, 1 hides what lies behind.");
-  fields.number("alphaCutoff", cutoff, fraction, "", "Least opacity that is drawn with \"alpha\": \"cut\".");
+  fields.number("alphaCutoff", cutoff, fraction, "",
+                "Least opacity that is drawn with \"alpha\": \"cut\".");
   fields.boolean("doubleSided", doubleSided,
                  "Whether backs are drawn, too; false: as the object has it by itself.");
   fields.number("clearCoat", coat, fraction, "", "Strength of a clear coat over it, such as lacquer.");

@@ -32,25 +32,25 @@ struct Map {
 /// behind shines through.
 enum class Alpha { opaque, cut, blend };
 
-/// What a material has beyond colour, roughness and metal, as glTF 2.0 has it: maps, light of its own, holes,
-/// and what lies over it. What has none of it is drawn without its costs.
+/// What a material has beyond colour, roughness and metal, as glTF 2.0 has it: maps, light of its own,
+/// holes, and what lies over it. What has none of it is drawn without its costs.
 struct Finish {
-  Map color;               ///< sRGB and opacity, instead of the material's texture
-  Map normals;             ///< tangent space, x along u, y against v (the picture's up)
+  Map color;    ///< sRGB and opacity, instead of the material's texture
+  Map normals;  ///< tangent space, x along u, y against v (the picture's up)
   float normalStrength = 1.0F;
-  Map metalRough;          ///< factors: green of roughness, blue of metallic
-  Map occlusion;           ///< red: fraction of the surroundings' light that gets there
+  Map metalRough;  ///< factors: green of roughness, blue of metallic
+  Map occlusion;   ///< red: fraction of the surroundings' light that gets there
   float occlusionStrength = 1.0F;
-  glm::vec3 emission{0};   ///< linear RGB: radiance, times the strength
+  glm::vec3 emission{0};  ///< linear RGB: radiance, times the strength
   float emissionStrength = 1.0F;
-  Map emissionMap;         ///< sRGB, a factor
+  Map emissionMap;  ///< sRGB, a factor
   Alpha alpha = Alpha::opaque;
-  float opacity = 1.0F;    ///< times that of the colour's map
-  float cutoff = 0.5F;     ///< of Alpha::cut
+  float opacity = 1.0F;  ///< times that of the colour's map
+  float cutoff = 0.5F;   ///< of Alpha::cut
   bool doubleSided = false;
-  float coat = 0.0F;       ///< strength of a clear coat
+  float coat = 0.0F;  ///< strength of a clear coat
   float coatRoughness = 0.03F;
-  glm::vec3 sheen{0};      ///< linear RGB, of fibres that stand up
+  glm::vec3 sheen{0};  ///< linear RGB, of fibres that stand up
   float sheenRoughness = 0.3F;
 
   [[nodiscard]] bool emits() const { return emission != glm::vec3(0) && emissionStrength > 0; }

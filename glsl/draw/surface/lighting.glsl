@@ -80,7 +80,8 @@ FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction
 #ifdef LAMPS
   fibres = fibres + lamps.sheen;
 #endif
-  light = underFibres(light, fibres, ambientOn(normal) * look.openness, sheen_, sheenRoughness_, abs(dotted(normal, view)));
+  ROUNDED vec3 around = ambientOn(normal) * look.openness;
+  light = underFibres(light, fibres, around, sheen_, sheenRoughness_, abs(dotted(normal, view)));
 #endif
   return light;
 }

@@ -36,8 +36,7 @@ NumberLevel below(const NumberLevel& above) {
       for (std::int64_t row = y * high / height; row < high && row * height < (y + 1) * high; ++row)
         for (std::int64_t column = x * wide / width; column < wide && column * width < (x + 1) * wide;
              ++column) {
-          const std::int64_t weight =
-              overlap(row, height, y, high) * overlap(column, width, x, wide);
+          const std::int64_t weight = overlap(row, height, y, high) * overlap(column, width, x, wide);
           const auto at = static_cast<std::size_t>(4 * (row * wide + column));
           for (std::size_t k = 0; k < 4; ++k) sum[k] += weight * above.rgba[at + k];
         }
@@ -99,8 +98,8 @@ glm::ivec4 MapTexels::add(glm::ivec2 size, const std::vector<std::uint8_t>& rgba
 
 glm::ivec4 MapTexels::place(const scene::Map& map, Holds holds) {
   if (map.empty()) return glm::ivec4(0);
-  const std::string name = map.image ? fmt::format("image {}", static_cast<const void*>(map.image.get()))
-                                     : map.file.string();
+  const std::string name =
+      map.image ? fmt::format("image {}", static_cast<const void*>(map.image.get())) : map.file.string();
   auto found = places_.find({name, holds});
   if (found == places_.end()) {
     glm::ivec4 place(0);

@@ -19,11 +19,10 @@ namespace {
 constexpr unsigned triplanar = 1U << 7U;
 constexpr unsigned skinned = 1U << 9U;
 constexpr unsigned joinedOnes = 1U << 10U;
-constexpr const char* featureNames[] = {"DOUBLE_SIDED", "TRANSLUCENT", "REFLECTIVE", "PALETTE",
-                                        "COUNTED",      "TEXTURED",    "GRID",       "TRIPLANAR",
-                                        "BUMPED",       "SKIN",        "JOINED",     "BASE_MAP",
-                                        "NORMAL_MAP",   "METAL_ROUGH_MAP", "OCCLUSION_MAP", "EMISSION",
-                                        "EMISSION_MAP", "COAT",        "SHEEN",      "BLENDED"};
+constexpr const char* featureNames[] = {
+    "DOUBLE_SIDED",  "TRANSLUCENT", "REFLECTIVE",   "PALETTE", "COUNTED",  "TEXTURED",   "GRID",
+    "TRIPLANAR",     "BUMPED",      "SKIN",         "JOINED",  "BASE_MAP", "NORMAL_MAP", "METAL_ROUGH_MAP",
+    "OCCLUSION_MAP", "EMISSION",    "EMISSION_MAP", "COAT",    "SHEEN",    "BLENDED"};
 constexpr unsigned blendedLayer = 1U << 19U;
 
 /// The map of a material's colour: its finish's own, or its texture.
@@ -48,26 +47,27 @@ unsigned featuresOf(const sim::Surface& surface, bool skin) {
   const bool byUv = (grid || surface.uvs != nullptr) &&
                     !(skin && material.skin.projection != scene::Skin::Projection::uv);
   const bool laidOn = skin || textured || mapped;
-  const bool wanted[] = {surface.doubleSided,
-                         material.translucency > 0,
-                         isReflective(shown) || (finished && (finish.coat > 0 || !finish.metalRough.empty())),
-                         !skin && surface.palette != nullptr,
-                         surface.arguments != nullptr,
-                         textured,
-                         laidOn && byUv && grid,
-                         laidOn && !byUv,
-                         textured && material.bump != 0,
-                         skin,
-                         false,
-                         colored,
-                         finished && !finish.normals.empty(),
-                         finished && !finish.metalRough.empty(),
-                         finished && !finish.occlusion.empty(),
-                         emits,
-                         glowMap,
-                         finished && finish.coat > 0,
-                         finished && finish.sheen != glm::vec3(0),
-                         finished && finish.alpha == scene::Alpha::blend};
+  const bool wanted[] = {
+      surface.doubleSided,
+      material.translucency > 0,
+      isReflective(shown) || (finished && (finish.coat > 0 || !finish.metalRough.empty())),
+      !skin && surface.palette != nullptr,
+      surface.arguments != nullptr,
+      textured,
+      laidOn && byUv && grid,
+      laidOn && !byUv,
+      textured && material.bump != 0,
+      skin,
+      false,
+      colored,
+      finished && !finish.normals.empty(),
+      finished && !finish.metalRough.empty(),
+      finished && !finish.occlusion.empty(),
+      emits,
+      glowMap,
+      finished && finish.coat > 0,
+      finished && finish.sheen != glm::vec3(0),
+      finished && finish.alpha == scene::Alpha::blend};
   unsigned features = 0;
   for (std::size_t i = 0; i < std::size(wanted); ++i) features |= wanted[i] ? 1U << i : 0U;
   return features;
@@ -100,7 +100,9 @@ const gl::Program& SurfaceShading::program(unsigned features, int look) {
   if (found != programs_.end()) return found->second;
   gl::Defines defines = defines_;
   if ((features & blendedLayer) != 0)  // they are before what keeps light out, and nothing is behind them
-    std::erase_if(defines, [](const auto& define) { return define.first == "OCCLUSION" || define.first == "BEHIND"; });
+    std::erase_if(defines, [](const auto& define) {
+      return define.first == "OCCLUSION" || define.first == "BEHIND";
+    });
   for (std::size_t i = 0; i < std::size(featureNames); ++i)
     if ((features >> i & 1U) != 0) defines.emplace_back(featureNames[i], "1");
   if (look >= 0) {

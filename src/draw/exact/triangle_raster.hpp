@@ -84,12 +84,11 @@ class TriangleRaster {
   };
   /// One that draws each sample by itself, whole triangles by groups: for surfaces that Fragments tells
   /// about.
-  static TriangleRaster ofFragments(Into into, int samples) {
-    return {into, samples, 0, 0, 0, 0};
-  }
+  static TriangleRaster ofFragments(Into into, int samples) { return {into, samples, 0, 0, 0, 0}; }
   void tellFragments(Fragments fragments) { fragments_ = std::move(fragments); }
 
-  /// Numbers the triangles, from `firstId` on: see drawn(). Throws UserError(device) where there are more than numbers.
+  /// Numbers the triangles, from `firstId` on: see drawn(). Throws UserError(device) where there are more
+  /// than numbers.
   void number(const std::vector<const sim::Surface*>& surfaces, unsigned firstId = 0);
   /// For lamps' maps instead: face i shows the triangles of list i. All of it holds until they are drawn.
   void number(const TriangleLists& lists, const std::vector<MapFace>& faces);

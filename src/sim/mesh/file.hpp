@@ -50,7 +50,7 @@ struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;
-  std::vector<unsigned> indices;  ///< three a triangle, counter-clockwise seen from outside
+  std::vector<unsigned> indices;        ///< three a triangle, counter-clockwise seen from outside
   std::vector<MeshMaterial> materials;  ///< empty where the file has none
   std::vector<int> materialOf;          ///< of each triangle, -1: none; empty where there are no materials
   std::vector<MeshImage> images;

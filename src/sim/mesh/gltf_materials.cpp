@@ -34,7 +34,9 @@ class MaterialReader {
   }
 
  private:
-  void ignore(const std::string& key) { all_.ignored.push_back(fmt::format("{} of material {}", key, name_)); }
+  void ignore(const std::string& key) {
+    all_.ignored.push_back(fmt::format("{} of material {}", key, name_));
+  }
 
   static float number(const JsonValue& object, const char* key, float otherwise) {
     const auto found = object.find(key);
@@ -113,9 +115,8 @@ class MaterialReader {
       return {};
     }
     if (const auto extensions = found->find("extensions"))
-      extensions->eachMember([&](const std::string& name, const JsonValue&) {
-        ignore(fmt::format("{} of {}", name, key));
-      });
+      extensions->eachMember(
+          [&](const std::string& name, const JsonValue&) { ignore(fmt::format("{} of {}", name, key)); });
     const JsonValue texture = document_.item("textures", GltfDocument::number(*found, "index"));
     const auto source = texture.find("source");
     if (!source) {

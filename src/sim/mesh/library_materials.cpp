@@ -47,8 +47,9 @@ std::array<float, 3> numbersIn(std::string_view text, float most) {
   for (std::size_t i = 0; i < 3; ++i) {
     char* end = nullptr;
     const double value = std::strtod(at, &end);
-    numbers[i] = end == at ? (i == 0 ? 0.0F : numbers[i - 1])
-                           : static_cast<float>(std::isfinite(value) ? std::clamp(value, 0.0, double{most}) : 0);
+    numbers[i] = end == at
+                     ? (i == 0 ? 0.0F : numbers[i - 1])
+                     : static_cast<float>(std::isfinite(value) ? std::clamp(value, 0.0, double{most}) : 0);
     at = end;
   }
   return numbers;
@@ -135,7 +136,8 @@ class LibraryReader {
   /// The picture that a line names, behind its options.
   MeshMap map(std::string_view rest) {
     const std::size_t last = rest.find_last_of(betweenWords);
-    const std::string name(rest.starts_with('-') && last != std::string_view::npos ? rest.substr(last + 1) : rest);
+    const std::string name(rest.starts_with('-') && last != std::string_view::npos ? rest.substr(last + 1)
+                                                                                   : rest);
     const auto known = numbers_.find(name);
     if (known != numbers_.end()) return {known->second, true};
     const int number = static_cast<int>(mesh_.images.size());

@@ -35,9 +35,9 @@ scene::Map mapOf(const MeshMap& map, const Images& images) {
 
 /// The colour's map with the opacity of another, which has that or is brighter where there is more of it.
 scene::Map withOpacity(const scene::Map& color, const scene::Image& from) {
-  const bool itsOwn = std::any_of(from.rgba.begin(), from.rgba.end(), [&, at = 0](std::uint8_t byte) mutable {
-    return at++ % 4 == 3 && byte < 255;
-  });
+  const bool itsOwn =
+      std::any_of(from.rgba.begin(), from.rgba.end(),
+                  [&, at = 0](std::uint8_t byte) mutable { return at++ % 4 == 3 && byte < 255; });
   scene::Image image = color.image ? *color.image : scene::Image{from.name, from.size, {}};
   if (!color.image) image.rgba.assign(from.rgba.size(), 255);
   const Picture opacity{from.size, from.rgba};
@@ -45,8 +45,9 @@ scene::Map withOpacity(const scene::Map& color, const scene::Image& from) {
     for (int x = 0; x < image.size.x; ++x) {
       const int fromX = static_cast<int>(std::int64_t{x} * from.size.x / image.size.x);
       const int fromY = static_cast<int>(std::int64_t{y} * from.size.y / image.size.y);
-      const std::size_t there = 4 * (static_cast<std::size_t>(fromY) * static_cast<std::size_t>(from.size.x) +
-                                     static_cast<std::size_t>(fromX));
+      const std::size_t there =
+          4 * (static_cast<std::size_t>(fromY) * static_cast<std::size_t>(from.size.x) +
+               static_cast<std::size_t>(fromX));
       const std::size_t here = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) +
                                     static_cast<std::size_t>(x));
       image.rgba[here + 3] =
@@ -128,9 +129,9 @@ std::string ignoredLooks(const scene::Object& object, const Mesh& mesh) {
   if (object.hasMaterial || mesh.ignored.empty()) return {};
   constexpr std::size_t most = 8;
   const std::size_t said = std::min(most, mesh.ignored.size());
-  std::string line = fmt::format("{}", fmt::join(mesh.ignored.begin(),
-                                                 mesh.ignored.begin() + static_cast<std::ptrdiff_t>(said),
-                                                 "; "));
+  std::string line = fmt::format(
+      "{}",
+      fmt::join(mesh.ignored.begin(), mesh.ignored.begin() + static_cast<std::ptrdiff_t>(said), "; "));
   if (said < mesh.ignored.size()) line += fmt::format("; and {} more", mesh.ignored.size() - said);
   return line;
 }

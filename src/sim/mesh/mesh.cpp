@@ -86,7 +86,7 @@ class RigidMesh : public Simulation, public ContactSolid {
   double frameSeconds_;
   double time_;  ///< s, of the present frame
   MeshBuffers buffers_;
-  std::vector<Part> parts_;  ///< empty: all has material_
+  std::vector<Part> parts_;               ///< empty: all has material_
   std::optional<MovedVertices> touched_;  ///< of a mesh that collides by its faces
 };
 

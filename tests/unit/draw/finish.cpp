@@ -1,4 +1,5 @@
-// Normal maps, clear coat and sheen: their shader files on the CPU against the equations stated anew in double precision.
+// Normal maps, clear coat and sheen: their shader files on the CPU against the equations stated anew in
+// double precision.
 #include "draw/picture_code.hpp"
 #include "unit/help.hpp"
 
@@ -64,7 +65,8 @@ glm::dvec3 mikkNormal(const Plane& plane, glm::dvec3 front, glm::dvec3 t) {
   return glm::normalize(t.x * along + t.y * up + t.z * n);
 }
 
-glm::dvec3 mapped(const Plane& plane, glm::dvec3 normal, glm::dvec3 t, glm::dvec3 across, glm::dvec3 above) {
+glm::dvec3 mapped(const Plane& plane, glm::dvec3 normal, glm::dvec3 t, glm::dvec3 across,
+                  glm::dvec3 above) {
   return finish::mappedNormal(glm::vec3(t), glm::vec3(normal), glm::vec3(across), glm::vec3(above),
                               glm::vec2(plane.uvAlong(across)), glm::vec2(plane.uvAlong(above)));
 }
@@ -81,9 +83,11 @@ TEST_CASE("normal maps: tangent frames as MikkTSpace has them, whatever way uvs 
     const glm::dvec3 aside = glm::normalize(glm::cross(flat, number.unit()));
     const double turn = number();
     const glm::dvec3 across = 1e-3 * aside;
-    const glm::dvec3 above = 1.7e-3 * (glm::cross(flat, aside) * (i % 3 == 0 ? -1.0 : 1.0) + 0.4 * turn * aside);
+    const glm::dvec3 above =
+        1.7e-3 * (glm::cross(flat, aside) * (i % 3 == 0 ? -1.0 : 1.0) + 0.4 * turn * aside);
     const glm::dvec3 t = glm::normalize(glm::dvec3(number(), number(), 1.2));
-    worst = std::max(worst, glm::distance(mapped(plane, flat, t, across, above), mikkNormal(plane, flat, t)));
+    worst =
+        std::max(worst, glm::distance(mapped(plane, flat, t, across, above), mikkNormal(plane, flat, t)));
   }
   CHECK(worst < 2e-5);
 }
@@ -119,7 +123,8 @@ TEST_CASE("clear coat: what it mirrors is kept from what is below") {
       // Karis' fit of the share that a lobe of F0 = 0.04 mirrors, in double.
       const double r = 1.0 - roughness;
       const double a = std::min(r * r, std::exp2(-9.28 * nv)) * r + 0.0425 - 0.0275 * roughness;
-      const double mirrored = 0.04 * (-1.04 * a + 1.04 - 0.572 * roughness) + 1.04 * a + 0.022 * roughness - 0.04;
+      const double mirrored =
+          0.04 * (-1.04 * a + 1.04 - 0.572 * roughness) + 1.04 * a + 0.022 * roughness - 0.04;
       const glm::vec3 light = finish::coated({1, 2, 4}, {0.5F, 0, 0}, 0.6F, roughness, nv);
       CHECK(light.y == doctest::Approx(2 * (1 - 0.6 * mirrored)).epsilon(1e-5));
       CHECK(light.x == doctest::Approx((1 - 0.6 * mirrored) + 0.6 * 0.5).epsilon(1e-5));
@@ -141,10 +146,12 @@ TEST_CASE("sheen: the lobe of fibres, and its integral over the surroundings") {
     const double cosine = glm::normalize(view + light).z;
     const double spread = (2 + 1 / alpha) * std::pow(1 - cosine * cosine, 0.5 / alpha) / (2 * pi);
     const double seen = 1 / (4 * (light.z + view.z - light.z * view.z));
-    const double lobe = finish::sheenLobe(n, glm::vec3(view), glm::vec3(light), static_cast<float>(roughness));
+    const double lobe =
+        finish::sheenLobe(n, glm::vec3(view), glm::vec3(light), static_cast<float>(roughness));
     CHECK(lobe == doctest::Approx(pi * spread * seen).epsilon(2e-3).scale(0.01));
   }
-  // Light of 1 from all around: the integral of D V cos over half a sphere, by the middles of 200 x 200 parts.
+  // Light of 1 from all around: the integral of D V cos over half a sphere, by the middles of 200 x 200
+  // parts.
   for (const double roughness : {0.3, 0.5, 0.9})
     for (const double nv : {0.3, 0.6, 1.0}) {
       const glm::dvec3 view(std::sqrt(1 - nv * nv), 0, nv);
@@ -155,10 +162,11 @@ TEST_CASE("sheen: the lobe of fibres, and its integral over the surroundings") {
           const double polar = (i + 0.5) / parts * pi / 2, turn = (j + 0.5) / parts * 2 * pi;
           const glm::dvec3 light(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn),
                                  std::cos(polar));
-          sum += finish::sheenLobe(n, glm::vec3(view), glm::vec3(light), static_cast<float>(roughness)) / pi *
-                 light.z * std::sin(polar) * (pi / 2 / parts) * (2 * pi / parts);
+          sum += finish::sheenLobe(n, glm::vec3(view), glm::vec3(light), static_cast<float>(roughness)) /
+                 pi * light.z * std::sin(polar) * (pi / 2 / parts) * (2 * pi / parts);
         }
-      CHECK(std::abs(finish::sheenAlbedo(static_cast<float>(roughness), static_cast<float>(nv)) - sum) < 0.06);
+      CHECK(std::abs(finish::sheenAlbedo(static_cast<float>(roughness), static_cast<float>(nv)) - sum) <
+            0.06);
     }
   // Fibres take from what is below as much as they send back.
   const float kept = finish::underFibres({1, 1, 1}, {0, 0, 0}, {0, 0, 0}, {0.5F, 0.25F, 0}, 0.5F, 0.3F).x;

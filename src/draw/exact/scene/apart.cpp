@@ -93,7 +93,8 @@ void ApartSurfaces::describe(std::vector<DrawnThing>& things) const {
 }
 
 void ApartSurfaces::shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing) {
-  for (const TriangleRaster::Drawn& drawn : cut_.drawn()) shading_.shade(cut_, drawn, skins, tiles, firstThing++);
+  for (const TriangleRaster::Drawn& drawn : cut_.drawn())
+    shading_.shade(cut_, drawn, skins, tiles, firstThing++);
 }
 
 void ApartSurfaces::bind() const {

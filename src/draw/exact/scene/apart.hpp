@@ -19,8 +19,8 @@ namespace simreel::draw {
 /// Surfaces that are not opaque everywhere, which are drawn apart from the others: those with holes, found
 /// together with what is opaque, and blended ones. Of these each sample has layers, from the nearest to
 /// what is opaque, found one by one (Everitt, "Interactive order-independent transparency", 2001): each is
-/// lit for as much as those before it let through, and what is opaque for what is left. The order is that of
-/// depth at each sample, of equally near triangles of their numbers, so that it does not depend on the
+/// lit for as much as those before it let through, and what is opaque for what is left. The order is that
+/// of depth at each sample, of equally near triangles of their numbers, so that it does not depend on the
 /// device; a sample has at most `most` layers, and what of blended surfaces lies behind those is left out.
 class ApartSurfaces {
  public:
@@ -32,8 +32,8 @@ class ApartSurfaces {
   void take(std::vector<sim::Surface>& surfaces);
   [[nodiscard]] bool anyBlended() const { return !blended_.empty(); }
 
-  /// Those that cast shadows: with holes where they have them, blended ones where they hide one half of what
-  /// lies behind at least.
+  /// Those that cast shadows: with holes where they have them, blended ones where they hide one half of
+  /// what lies behind at least.
   [[nodiscard]] const std::vector<sim::Surface>& casting() const { return casting_; }
   void castSun(const Visibility& map, const MapPart& part);
   /// What cuts those holes into what is drawn of one of them.

@@ -24,8 +24,7 @@ scene::Map picture(glm::ivec2 size, const std::vector<std::uint8_t>& rgba, bool 
 
 /// A square of that half side at a height, seen from +z, uv (0, 0) at its upper left.
 struct Square : GridStage {
-  Square(float z, float half)
-      : GridStage({2, 2}, {-half, half, z}, {2 * half, 0, 0}, {0, -2 * half, 0}) {
+  Square(float z, float half) : GridStage({2, 2}, {-half, half, z}, {2 * half, 0, 0}, {0, -2 * half, 0}) {
     material.color = glm::vec3(0);
     material.roughness = 1;
   }
@@ -72,12 +71,13 @@ TEST_CASE("blended surfaces: from the nearest to what is opaque, in whatever ord
   const glm::dvec3 back(0.2, 0.4, 0.1), middle(0.8, 0.1, 0.3), front(0.05, 0.2, 0.9);
   const Square behind(0, 1.5F, back, 1), between(1, 0.8F, middle, 0.25F), before(1.5F, 0.4F, front, 0.6F);
   const glm::dvec3 twice = 0.25 * middle + 0.75 * back;
-  const auto shown = drawn(unlit(), {.surfaces = {behind.surface, between.surface, before.surface}}, size, 4, exactly);
+  const auto shown =
+      drawn(unlit(), {.surfaces = {behind.surface, between.surface, before.surface}}, size, 4, exactly);
   checkLight(shown, 80, 80, 0.6 * front + 0.4 * twice);
   checkLight(shown, 80 + 30, 80, twice);
   checkLight(shown, 80 + 55, 80, back);
-  const std::vector<std::vector<sim::Surface>> orders = {
-      {before.surface, between.surface, behind.surface}, {between.surface, behind.surface, before.surface}};
+  const std::vector<std::vector<sim::Surface>> orders = {{before.surface, between.surface, behind.surface},
+                                                         {between.surface, behind.surface, before.surface}};
   for (const auto& order : orders)
     CHECK(drawn(unlit(), {.surfaces = order}, size, 4, exactly).bytes == shown.bytes);
   for (const char* layout : {"apart", "pairs"}) {
@@ -90,7 +90,8 @@ TEST_CASE("blended surfaces: equally near ones come by their numbers, the first 
   testContext();
   const glm::dvec3 back(0.2, 0.4, 0.1), first(0.8, 0.1, 0.3), second(0.05, 0.2, 0.9);
   const Square behind(0, 1.5F, back, 1), one(1, 0.8F, first, 0.5F), other(1, 0.8F, second, 0.25F);
-  const auto shown = drawn(unlit(), {.surfaces = {one.surface, other.surface, behind.surface}}, size, 4, exactly);
+  const auto shown =
+      drawn(unlit(), {.surfaces = {one.surface, other.surface, behind.surface}}, size, 4, exactly);
   checkLight(shown, 80, 80, 0.5 * first + 0.5 * (0.25 * second + 0.75 * back));
 }
 
@@ -98,9 +99,11 @@ TEST_CASE("blended surfaces: at each sample by itself, and hidden by what is opa
   testContext();
   const glm::dvec3 back(0.5, 0.5, 0.5), pane(0.0, 0.9, 0.0), front(0.9, 0.0, 0.0);
   const Square behind(0, 1.5F, back, 1), glass(1, 1.5F, pane, 0.5F), before(2, 0.31F, front, 1);
-  const auto shown = drawn(unlit(), {.surfaces = {behind.surface, glass.surface, before.surface}}, size, 4, exactly);
+  const auto shown =
+      drawn(unlit(), {.surfaces = {behind.surface, glass.surface, before.surface}}, size, 4, exactly);
   checkLight(shown, 80, 80, front);
-  // A pixel on the edge of what is before shows parts of that and of the pane over what is behind, no other.
+  // A pixel on the edge of what is before shows parts of that and of the pane over what is behind, no
+  // other.
   const glm::dvec3 beside = 0.5 * pane + 0.5 * back;
   checkLight(shown, 80 + 45, 80, beside);
   int edges = 0;
@@ -151,11 +154,13 @@ TEST_CASE("cut surfaces: holes where the map's opacity is low, in what they hide
   }
   // Where nothing of it is there, and where all is.
   leaf.material.finish.cutoff = 0.0F;
-  CHECK(drawn(scene, {.surfaces = {leaf.surface, wall.surface}}, size, 4, exactly).brightness(80 + 20, 80) < 90);
+  CHECK(drawn(scene, {.surfaces = {leaf.surface, wall.surface}}, size, 4, exactly).brightness(80 + 20, 80) <
+        90);
   leaf.material.finish.color = {};
   leaf.material.finish.opacity = 0.4F;
   leaf.material.finish.cutoff = 0.5F;
-  CHECK(drawn(scene, {.surfaces = {leaf.surface, wall.surface}}, size, 4, exactly).brightness(80 - 20, 80) > 300);
+  CHECK(drawn(scene, {.surfaces = {leaf.surface, wall.surface}}, size, 4, exactly).brightness(80 - 20, 80) >
+        300);
 }
 
 TEST_CASE("cut surfaces: holes in the shadows of lamps") {
