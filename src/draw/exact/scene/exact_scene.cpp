@@ -1,6 +1,7 @@
 #include "draw/exact/scene/exact_scene.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/bloom.hpp"
 #include "draw/exact/exact_view.hpp"
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -89,6 +91,7 @@ struct ExactScene::State {
     if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
     return defines;
   }
+  void sayFinishes(const sim::Drawables& drawables);
   void makeGround();
   void beginLayers();
   void drawShadows(const sim::Drawables& drawables);
@@ -115,6 +118,7 @@ struct ExactScene::State {
   Lamps lamps;
   ShadowPass shadow;
   gl::Buffer view;
+  std::set<std::string> said;  ///< objects of whose materials something is not drawn
   Visibility visibility;
   JoinedSurfaces joined;
   bool joins = false;  ///< the surfaces of this picture
@@ -185,6 +189,17 @@ void ExactScene::State::makeGround() {
   if (!shadow.on()) return;
   defines.emplace_back("SHADOWED", "1");
   shadedGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);
+}
+
+/// Once of each object that is drawn as copies or balls.
+void ExactScene::State::sayFinishes(const sim::Drawables& drawables) {
+  for (const sim::Instances& instances : drawables.instances)
+    if (instances.material != nullptr && instances.material->finish.used() &&
+        said.insert(objectName(instances)).second)
+      warn(
+          "{}: particles have the colour, roughness and metal of their material; maps, light of its own, "
+          "opacity, coats and sheen are of surfaces alone",
+          objectName(instances));
 }
 
 /// What shades is made anew for scenes with blended surfaces, so that others do not pay for them.
@@ -413,6 +428,7 @@ void ExactScene::draw(double seconds, const sim::Drawables& published, const Ove
   s.surfaces.prepare(s.skins);
   if (s.lamps.on()) s.lamps.update(seconds, published);
   sim::Drawables drawables = s.lamps.on() ? s.lamps.withGlows(published) : published;
+  s.sayFinishes(drawables);
   s.apart.take(drawables.surfaces);
   if (s.apart.anyBlended()) s.beginLayers();
   const auto issued = [&](const char* stage) {
