@@ -15,12 +15,12 @@ namespace simreel::draw {
 
 namespace {
 
-using Layer = sim::FieldDisplay::Layer;
+using FieldLayer = sim::FieldDisplay::Layer;
 
 constexpr int maxTexels = 4096;  // of a reduced field, on a side
 
 bool shown(const sim::Field& field, double seconds) {
-  return field.display != nullptr && field.display->layer != Layer::none &&
+  return field.display != nullptr && field.display->layer != FieldLayer::none &&
          field.display->opacity.at(seconds) > 1e-6F && field.size.x > 0 && field.size.y > 0;
 }
 
@@ -73,7 +73,7 @@ void FieldPass::reduce(const sim::Field& field, Kept& kept, double seconds) {
   kernel_.average(field, kept.colors, kept.reduced, colored);
 }
 
-void FieldPass::draw(const sim::Drawables& drawables, Layer layer, double seconds) {
+void FieldPass::draw(const sim::Drawables& drawables, FieldLayer layer, double seconds) {
   SIMREEL_CHECK(!exact_);
   for (std::size_t i = 0; i < drawables.fields.size(); ++i) {
     const sim::Field& field = drawables.fields[i];
@@ -83,7 +83,7 @@ void FieldPass::draw(const sim::Drawables& drawables, Layer layer, double second
 
 const gl::Program& FieldPass::program(const sim::Field& field, const Kept& kept, double seconds) {
   const bool reduced = kept.reduction > 1;
-  const bool over = field.display->layer == Layer::over;
+  const bool over = field.display->layer == FieldLayer::over;
   // Software drivers would read what nobody sees: they run both sides of a branch.
   const bool opaque = exact_ && over && field.display->opacity.at(seconds) >= 1;
   const int variant = static_cast<int>(field.cells) + (field.categories ? 4 : 0) + (kept.colored ? 8 : 0) +
@@ -134,7 +134,7 @@ void FieldPass::drawOne(const sim::Field& field, const Kept& kept, double second
   setPlace(shader, field, kept, view, seconds);
   shader.set("part", glm::vec4(view.part));
   shader.set("picture", glm::vec2(picture_));
-  shader.set("topFirst", static_cast<int>(field.display->layer == Layer::over));
+  shader.set("topFirst", static_cast<int>(field.display->layer == FieldLayer::over));
   vertices_.bind();
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
@@ -143,7 +143,7 @@ void FieldPass::drawOver(const sim::Drawables& drawables, double seconds, const 
   SIMREEL_CHECK(exact_);
   for (std::size_t i = 0; i < drawables.fields.size(); ++i) {
     const sim::Field& field = drawables.fields[i];
-    if (shown(field, seconds) && field.display->layer == Layer::over)
+    if (shown(field, seconds) && field.display->layer == FieldLayer::over)
       drawOneExactly(field, kept_.at(i), seconds, picture, -1);
   }
 }
@@ -154,7 +154,7 @@ void FieldPass::drawBehind(const sim::Drawables& drawables, double seconds, cons
   // Behind all that is there, so the last one comes first.
   for (std::size_t i = drawables.fields.size(); i-- > 0;) {
     const sim::Field& field = drawables.fields[i];
-    if (shown(field, seconds) && field.display->layer == Layer::behind)
+    if (shown(field, seconds) && field.display->layer == FieldLayer::behind)
       drawOneExactly(field, kept_.at(i), seconds, light, topFirst ? -1 : picture_.y - 1);
   }
 }
@@ -177,7 +177,7 @@ void FieldPass::drawOneExactly(const sim::Field& field, const Kept& kept, double
 
 bool FieldPass::hidesAll(const sim::Drawables& drawables, double seconds) const {
   return std::any_of(drawables.fields.begin(), drawables.fields.end(), [&](const sim::Field& field) {
-    if (!shown(field, seconds) || field.display->layer != Layer::over) return false;
+    if (!shown(field, seconds) || field.display->layer != FieldLayer::over) return false;
     const glm::ivec4 part(fieldView(*field.display, field.size, picture_, seconds).part);
     const glm::ivec2 scales = axesMargin(*field.display, picture_);
     return field.display->opacity.at(seconds) >= 1 && part.x <= scales.x && part.y <= 0 &&

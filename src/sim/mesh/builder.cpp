@@ -25,6 +25,12 @@ bool liesBeside(const fs::path& mesh, const fs::path& named) {
   return !error && !inside.empty() && inside.rfind("..", 0) != 0;
 }
 
+std::string whyUnread(const fs::path& mesh, const fs::path& named) {
+  if (!liesBeside(mesh, named)) return "it lies outside the mesh's folder";
+  std::error_code error;
+  return fs::is_regular_file(named, error) ? "" : "it is not there, or no plain file";
+}
+
 void MeshBuilder::begin(std::size_t vertices, std::size_t triangles, const glm::mat4& transform,
                         bool hasUvs, int material) {
   if (mesh_.positions.size() + vertices > maxMeshItems ||

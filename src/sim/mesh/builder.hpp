@@ -22,6 +22,10 @@ constexpr int maxNodeDepth = 256;
 /// Whether a file named by a mesh lies in the mesh's folder or below, links followed.
 [[nodiscard]] bool liesBeside(const std::filesystem::path& mesh, const std::filesystem::path& named);
 
+/// Why a file that a mesh's materials name is not read, for it is not there or not to be read; empty where
+/// it is.
+[[nodiscard]] std::string whyUnread(const std::filesystem::path& mesh, const std::filesystem::path& named);
+
 /// Puts a mesh together from parts with a transform each. Throws UserError for what loadMesh() refuses of
 /// any format.
 class MeshBuilder {

@@ -180,6 +180,10 @@ std::string_view GltfDocument::view(std::size_t number, std::size_t& stride) con
   return bytes.substr(offset, length);
 }
 
+std::string GltfDocument::whyUnreadAt(const std::string& uri) const {
+  return whyUnread(file_, file_.parent_path() / decodePercent(uri));
+}
+
 std::string GltfDocument::bytesOfView(std::size_t number) const {
   std::size_t stride = 0;
   return std::string(view(number, stride));

@@ -44,6 +44,8 @@ class GltfDocument {
 
   /// The bytes that an object's "uri" names, in the text or beside the file,
   [[nodiscard]] std::string bytesAt(const std::string& uri) const { return bytesOf(uri, 0); }
+  /// Why a file beside it is not to be read (whyUnread()),
+  [[nodiscard]] std::string whyUnreadAt(const std::string& uri) const;
   /// and those of a buffer view.
   [[nodiscard]] std::string bytesOfView(std::size_t number) const;
 

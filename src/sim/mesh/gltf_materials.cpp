@@ -141,6 +141,14 @@ class MaterialReader {
     MeshImage kept;
     if (const auto uri = described.find("uri")) {
       const std::string text = uri->text();
+      if (!text.starts_with("data:")) {
+        const std::string why = document_.whyUnreadAt(text);
+        if (!why.empty()) {
+          all_.ignored.push_back(fmt::format("{} ({})", text, why));
+          numbers_.emplace(image, -1);
+          return -1;
+        }
+      }
       kept.name = text.starts_with("data:") ? fmt::format("image {}", image) : decodePercent(text);
       kept.bytes = document_.bytesAt(text);
     } else {

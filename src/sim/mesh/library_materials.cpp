@@ -1,5 +1,6 @@
 #include "sim/mesh/library_materials.hpp"
 
+#include "base/error.hpp"
 #include "base/file.hpp"
 #include "scene/finish.hpp"
 #include "sim/grid/picture_file.hpp"
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -65,29 +67,30 @@ class LibraryReader {
   LibraryReader(const std::filesystem::path& file, Mesh& mesh) : file_(file), mesh_(mesh) {}
 
   void read(const std::string& library) {
-    eachKey(beside(library, "material library"), [&](std::string_view key, std::string_view rest) {
-      if (key == "newmtl") {
-        name_ = rest;
-        MeshMaterial fresh;
-        fresh.metallic = 0;
-        all_[name_] = fresh;
-      } else if (!name_.empty()) {
-        take(all_[name_], key, rest);
-      }
-    });
+    const std::optional<std::string> text = beside(library, "material library");
+    eachKey(text ? std::string_view(*text) : std::string_view(),
+            [&](std::string_view key, std::string_view rest) {
+              if (key == "newmtl") {
+                name_ = rest;
+                MeshMaterial fresh;
+                fresh.metallic = 0;
+                all_[name_] = fresh;
+              } else if (!name_.empty()) {
+                take(all_[name_], key, rest);
+              }
+            });
   }
 
   [[nodiscard]] const std::map<std::string, MeshMaterial, std::less<>>& all() const { return all_; }
 
  private:
-  std::string beside(const std::string& name, const char* what) const {
+  /// The text of a file beside the mesh; without, that it is not read has been noted.
+  std::optional<std::string> beside(const std::string& name, const char* what) {
     const std::filesystem::path path = file_.parent_path() / name;
-    if (!liesBeside(file_, path))
-      refuseMesh(file_, fmt::format("names {}, which lies outside its folder", path.string()));
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error))
-      refuseMesh(file_, fmt::format("names {}, which is not there, or no plain file", path.string()));
-    return readFile(path, what);
+    const std::string why = whyUnread(file_, path);
+    if (why.empty()) return readFile(path, what);
+    mesh_.ignored.push_back(fmt::format("{} ({})", name, why));
+    return std::nullopt;
   }
 
   void ignore(std::string_view key) {
@@ -123,9 +126,10 @@ class LibraryReader {
       if (material.emission == glm::vec3(0)) material.emission = glm::vec3(1);
     } else if (key == "map_d") {
       material.opacityMap = map(rest);
-      material.alpha = static_cast<int>(scene::Alpha::cut);
+      if (material.opacityMap.image >= 0) material.alpha = static_cast<int>(scene::Alpha::cut);
     } else if (key == "norm" || key == "map_Bump" || key == "map_bump" || key == "bump") {
       const MeshMap found = map(rest);
+      if (found.image < 0) return;
       if (key != "norm" && !holdsNormals(found)) return ignore(fmt::format("{} (heights)", key));
       material.normals = found;
     } else if (key.starts_with("map_") || key == "disp" || key == "refl" || key == "Ps") {
@@ -140,8 +144,9 @@ class LibraryReader {
                                                                                    : rest);
     const auto known = numbers_.find(name);
     if (known != numbers_.end()) return {known->second, true};
-    const int number = static_cast<int>(mesh_.images.size());
-    mesh_.images.push_back({name, beside(name, "texture")});
+    std::optional<std::string> bytes = beside(name, "texture");
+    const int number = bytes ? static_cast<int>(mesh_.images.size()) : -1;
+    if (bytes) mesh_.images.push_back({name, std::move(*bytes)});
     numbers_.emplace(name, number);
     return {number, true};
   }
@@ -149,7 +154,12 @@ class LibraryReader {
   /// Normals point outwards, so their pictures are blue in the mean.
   [[nodiscard]] bool holdsNormals(const MeshMap& map) const {
     const MeshImage& image = mesh_.images.at(static_cast<std::size_t>(map.image));
-    const Picture picture = decodePicture(image.bytes, image.name, "texture", librarySide);
+    Picture picture;
+    try {
+      picture = decodePicture(image.bytes, image.name, "texture", librarySide);
+    } catch (const UserError&) {
+      return false;
+    }
     std::array<double, 3> mean{};
     for (std::size_t at = 0; at < picture.rgba.size(); at += 4)
       for (std::size_t k = 0; k < 3; ++k) mean[k] += picture.rgba[at + k];

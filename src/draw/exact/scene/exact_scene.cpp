@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -130,6 +131,7 @@ struct ExactScene::State {
     if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
     return defines;
   }
+  void sayFinishes(const sim::Drawables& drawables);
   void makeGround();
   void beginLayers();
   void drawShadows(const sim::Drawables& drawables);
@@ -163,6 +165,7 @@ struct ExactScene::State {
   Lamps lamps;
   ShadowPass shadow;
   gl::Buffer view;
+  std::set<std::string> said;  ///< objects of whose materials something is not drawn
   Visibility visibility;
   JoinedSurfaces joined;
   bool joins = false;  ///< the surfaces of this picture
@@ -247,6 +250,17 @@ void ExactScene::State::makeGround() {
   if (!shadow.on()) return;
   defines.emplace_back("SHADOWED", "1");
   shadedGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);
+}
+
+/// Once of each object that is drawn as copies or balls.
+void ExactScene::State::sayFinishes(const sim::Drawables& drawables) {
+  for (const sim::Instances& instances : drawables.instances)
+    if (instances.material != nullptr && instances.material->finish.used() &&
+        said.insert(objectName(instances)).second)
+      warn(
+          "{}: particles have the colour, roughness and metal of their material; maps, light of its own, "
+          "opacity, coats and sheen are of surfaces alone",
+          objectName(instances));
 }
 
 /// What shades is made anew for scenes with blended surfaces, so that others do not pay for them.
@@ -536,6 +550,7 @@ void ExactScene::State::refuseWhatRaysLack(const sim::Drawables& drawables) cons
 View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables, const Watch& watch) {
   if (lamps.on()) lamps.update(moment.seconds, *moment.drawables);
   drawables = lamps.on() ? lamps.withGlows(*moment.drawables) : *moment.drawables;
+  sayFinishes(drawables);
   apart.take(drawables.surfaces);
   if (traces()) refuseWhatRaysLack(drawables);
   if (apart.anyBlended()) beginLayers();

@@ -1,0 +1,140 @@
+"""Materials of mesh files and of scenes: what is drawn, what is said, what is refused."""
+import base64
+import json
+import struct
+import zlib
+
+from common import SOURCE, Case, main
+
+WORDS = "has what is not drawn: "
+
+
+def png(pixels):
+    """One row of RGBA pixels."""
+    def chunk(name, data):
+        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+    row = b"\0" + b"".join(bytes(p) for p in pixels)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", len(pixels), 1, 8, 6, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(row)) + chunk(b"IEND", b""))
+
+
+def gltf(materials, images=(), textures=()):
+    """Two triangles of a square before the camera, one for each of the first two materials."""
+    places = [(-1, 1, 0), (-1, -1, 0), (1, -1, 0), (1, 1, 0)]
+    uvs = [(0, 0), (0, 1), (1, 1), (1, 0)]
+    corners = struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    data = b"".join(struct.pack("<3f", *p) for p in places) + b"".join(struct.pack("<2f", *p) for p in uvs) + corners
+    part = lambda first, material: {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": first, "material": material}
+    return {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [part(2, 0), part(3, min(1, len(materials) - 1))]}],
+            "materials": list(materials), "textures": list(textures),
+            "images": [{"uri": "data:image/png;base64," + base64.b64encode(image).decode()} for image in images],
+            "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 32},
+                            {"buffer": 0, "byteOffset": 80, "byteLength": 12}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]},
+                          {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+                          {"bufferView": 2, "componentType": 5123, "count": 3, "type": "SCALAR"},
+                          {"bufferView": 2, "byteOffset": 6, "componentType": 5123, "count": 3, "type": "SCALAR"}],
+            "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]}
+
+
+def glowing(color, **more):
+    return {"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 0, 1], "metallicFactor": 0}, "emissiveFactor": color, **more}
+
+
+class Materials(Case):
+    def scene(self, file, material=None):
+        objects = {"mesh": {"shape": "file", "file": file}}
+        if material is not None:
+            objects["material"] = material
+        self.write("square.json", {"version": 1, "render": {"tone": "plain", "samples": 1}, "camera": {"position": [0, 0, 4], "target": [0, 0, 0]},
+                                   "sun": {"intensity": 0}, "sky": {"zenith": [0, 0, 0], "horizon": [0, 0, 0], "ground": [0, 0, 0], "ambient": 0},
+                                   "objects": {"square": objects}})
+
+    def picture(self, *more):
+        """Colours left below and right above the square's diagonal."""
+        self.good("render", "square.json", "--frames", "0", "--size", "65x65", "-o", "out/", "--overwrite", *more)
+        from PIL import Image
+        shown = Image.open(self.folder / "out/000000.png").convert("RGB")
+        return shown.getpixel((24, 40)), shown.getpixel((40, 24))
+
+    def test_a_material_for_each_part_of_a_file(self):
+        self.write("square.gltf", gltf([glowing([1, 0, 0]), glowing([0, 0, 1])]))
+        self.scene("square.gltf")
+        self.assertEqual(self.picture(), ((255, 0, 0), (0, 0, 255)))
+        self.scene("square.gltf", {"emission": [0, 1, 0], "color": [0, 0, 0]})  # the scene's own instead
+        self.assertEqual(self.picture(), ((0, 255, 0), (0, 255, 0)))
+
+    def test_what_of_a_file_is_not_drawn_is_said_once(self):
+        transform = {"extensions": {"KHR_texture_transform": {"scale": [2, 2]}}}
+        pane = {"name": "pane", "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}},
+                "occlusionTexture": {"index": 0, "texCoord": 1}, "normalTexture": {"index": 0, **transform}}
+        self.write("square.gltf", gltf([pane], [png([(128, 128, 255, 255)])], [{"source": 0}]))
+        self.scene("square.gltf")
+        said = self.good("render", "square.json", "--frames", "0", "--size", "16x16", "-o", "out/").err
+        self.assertEqual(said.count(WORDS), 1)
+        line = next(line for line in said.splitlines() if WORDS in line)
+        for part in ("square.gltf", "KHR_materials_transmission of material \"pane\"", "occlusionTexture (its texCoord is not 0) of material \"pane\"",
+                     "KHR_texture_transform of normalTexture of material \"pane\""):
+            self.assertIn(part, line)
+        said = self.good("render", "square.json", "--frames", "0", "--size", "16x16", "-o", "driver/", "--rasterizer", "driver").err
+        self.assertEqual(said.count("square: the driver's rasterizer draws the colour, roughness and metal"), 1)
+
+    def test_pictures_inside_a_file_that_are_none(self):
+        broken = gltf([glowing([1, 1, 1], emissiveTexture={"index": 0})], [b"no picture"], [{"source": 0}])
+        self.write("square.gltf", broken)
+        self.scene("square.gltf")
+        self.bad(6, ["image 0 is not a picture"], "render", "square.json", "--frames", "0", "-o", "out/")
+        broken["images"] = [{"uri": "../secret.png"}]
+        self.write("square.gltf", broken)
+        self.assertIn("../secret.png (it lies outside the mesh's folder)",
+                      self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "out/").err)
+        broken["textures"] = []
+        self.write("square.gltf", broken)
+        self.bad(6, ["number 0 of its 0 textures"], "render", "square.json", "--frames", "0", "-o", "out2/")
+
+    def test_libraries_of_materials(self):
+        self.write("square.obj", b"mtllib square.mtl\nv -1 1 0\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nvt 0 1\nvt 0 0\nvt 1 0\nvt 1 1\n"
+                                 b"usemtl left\nf 1/1 2/2 3/3\nusemtl right\nf 1/1 3/3 4/4\n")
+        self.write("square.mtl", b"newmtl left\nKd 0 0 0\nKe 0 1 0\nnewmtl right\nKd 0 0 0\nKe 1 1 1\nmap_Ke -clamp on glow.png\nmap_refl sky.png\n")
+        self.write("glow.png", png([(255, 0, 0, 255)]))
+        self.scene("square.obj")
+        self.assertEqual(self.picture(), ((0, 255, 0), (255, 0, 0)))
+        self.assertIn("map_refl of material \"right\"", self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "b/").err)
+        self.write("square.mtl", b"newmtl left\nKd 0 0 0\nKe 0 1 0\nd 0.5\nnewmtl right\nKd 0 0 0\nKe 1 1 1\nmap_d hole.png\n")
+        self.write("hole.png", png([(0, 0, 0, 255)]))
+        left, right = self.picture()
+        self.assertEqual(right, (0, 0, 0))
+        self.assertTrue(180 < left[1] < 195, left)  # half of the light
+        self.write("square.mtl", b"newmtl left\nmap_Kd gone.png\n")
+        self.assertIn("gone.png (it is not there, or no plain file)",
+                      self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "c/").err)
+        (self.folder / "square.mtl").unlink()
+        self.assertIn("square.mtl (it is not there", self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "d/").err)
+
+    def test_maps_of_a_scene(self):
+        self.write("leaf.png", png([(255, 255, 255, 255), (255, 255, 255, 40)]))
+        self.write("square.gltf", gltf([glowing([1, 0, 0])]))
+        shining = {"color": [0, 0, 0], "emission": [0, 0, 1], "texture": "leaf.png"}
+        self.scene("square.gltf", {**shining, "alpha": "cut"})
+        self.assertEqual(self.picture(), ((0, 0, 255), (0, 0, 0)))
+        self.scene("square.gltf", {**shining, "alpha": "cut", "alphaCutoff": 0.1})
+        self.assertEqual(self.picture(), ((0, 0, 255), (0, 0, 255)))
+        self.scene("square.gltf", {"color": [0, 0, 0], "emission": [0, 0, 1], "alpha": "blend", "opacity": 0.5})
+        self.assertTrue(180 < self.picture()[0][2] < 195)
+
+    def test_keys_that_do_nothing_are_refused(self):
+        self.write("square.gltf", gltf([glowing([1, 0, 0])]))
+        self.write("map.png", png([(128, 128, 255, 255)]))
+        for material, words in (({"opacity": 0.5}, "\"opacity\" is for a material with \"alpha\": \"cut\" or \"blend\""),
+                                ({"alpha": "blend", "alphaCutoff": 0.5}, "\"alphaCutoff\" is for a material with \"alpha\": \"cut\""),
+                                ({"normalStrength": 2}, "with a \"normalMap\""), ({"emissionMap": "map.png"}, "with an \"emission\""),
+                                ({"normalMap": "map.png", "texture": "map.png", "bump": 0.1}, "use a \"normalMap\""),
+                                ({"clearCoatRoughness": 0.1}, "with a \"clearCoat\""), ({"sheenRoughness": 0.3}, "with a \"sheen\""),
+                                ({"occlusionStrength": 0.3}, "with an \"occlusionMap\"")):
+            self.scene("square.gltf", material)
+            self.bad_scene([words], "render", "square.json", "--frames", "0", "-o", "out/")
+
+
+if __name__ == "__main__":
+    main()
