@@ -67,7 +67,8 @@ DriverScene::DriverScene(const Shared& shared, int samples)
         "\"rasterizer\": \"exact\" alone");
   if (scene.render.quality != scene::Quality::draft)
     warn(
-        "render.quality: the driver's rasterizer draws drafts alone; what \"standard\" and \"high\" add is of "
+        "render.quality: the driver's rasterizer draws drafts alone; what \"standard\" and \"high\" add is "
+        "of "
         "\"rasterizer\": \"exact\" alone");
 }
 DriverScene::~DriverScene() = default;
