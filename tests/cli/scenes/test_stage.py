@@ -20,6 +20,18 @@ class Stage(Case):
         self.bad_scene(["-D camera.lens.blades=2: error: an opening of 2 blades is none", "3 to 16"], *small, "-o", "c/", "-D", "camera.lens.blades=2")
 
 
+    def test_light_by_rays(self):
+        plain = {"version": 1, "render": {"quality": "high", "raySamples": 2}, "objects": {"ball": {"sphere": {}}}}
+        self.write("ball.json", plain)
+        laid = {**plain, "objects": {"ball": {"sphere": {}, "material": {"texture": str(SOURCE / "assets/textures/flag.png")}}}}
+        self.write("laid.json", laid)
+        small = ("--frames", "0", "--size", "32x18")
+        self.assertEqual(self.good("render", "ball.json", *small, "-o", "a/", "-q").err, "")
+        said = self.good("render", "laid.json", *small, "-o", "b/").err
+        self.assertEqual(said.count("know no textures and skins, but the material's colour"), 1)
+        self.bad_scene("1 to 1024", "render", "ball.json", *small, "-o", "c/", "-D", "render.raySamples=2000")
+
+
     def test_a_cone_is_of_a_spot(self):
         light = {"position": [0, 2, 0], "spot": {"angle": 30}}
         self.write("ball.json", {"version": 1, "lights": {"key": light}, "objects": {"ball": {"sphere": {}}}})

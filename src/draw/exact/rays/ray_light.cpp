@@ -26,8 +26,6 @@ int pathsAtOnce() {
 
 }  // namespace
 
-const unsigned RayLight::outSpotUnitBinding = outSpotBinding;
-
 RayLight::RayLight(const Options& options, gl::Defines defines, std::size_t samples)
     : options_(options),
       defines_(std::move(defines)),
@@ -43,6 +41,10 @@ RayLight::RayLight(const Options& options, gl::Defines defines, std::size_t samp
   reserve(hits_, hitView_, "what rays meet", kinds * paths * 16, GL_RGBA32UI, 16);
   reserve(light_, lightView_, "light that rays bring", (kinds + sure) * paths * 16, GL_RGBA32F, 16);
   seeThrough(0, 1);
+}
+
+void RayLight::bind() const {
+  spots_.bindStorage(outSpotBinding);
 }
 
 void RayLight::seeThrough(int point, int points) {

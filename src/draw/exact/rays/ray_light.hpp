@@ -34,13 +34,12 @@ class RayLight {
   /// Of how many points of a lens this is one, and which.
   void seeThrough(int point, int points);
   /// Before spots are kept.
-  void bind() const { spots_.bindStorage(outSpotUnitBinding); }
+  void bind() const;
   /// Adds the light of a band's spots to the bound sums. What is visible, the view, the lights and the
   /// frame are bound. `white`: light that a picture shows as white.
   void add(const Visibility& visibility, const gl::Texture& sums, int rows, float white);
 
  private:
-  static const unsigned outSpotUnitBinding;
   const gl::Program& program(const char* path);
   [[nodiscard]] int listSpots(const Visibility& visibility, int rows);
   void follow(int firstSpot, int spots, int firstSample, int samples, float white);
