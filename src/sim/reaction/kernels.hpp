@@ -15,7 +15,8 @@ class ReactionKernels {
   /// What is fastest on this device's memory path (tools/bench/README.md).
   [[nodiscard]] static RuleCut bestCut();
   /// Throws UserError(device) when the grid is beyond a limit of the device.
-  ReactionKernels(const std::string& name, const ReactionPlan& plan, bool fast, const RuleCut& cut = bestCut());
+  ReactionKernels(const std::string& name, const ReactionPlan& plan, bool fast,
+                  const RuleCut& cut = bestCut());
 
   /// What the following steps use, from ReactionPlan::valuesAt.
   void setValues(const std::vector<float>& values);
