@@ -52,7 +52,8 @@ struct RuleNode {
   float number = 0;
   int index = 0;
   int a = -1, b = -1, c = -1;
-  auto operator<=>(const RuleNode&) const = default;
+  auto operator<=>(const RuleNode&) const =
+      default;  // NOLINT(modernize-use-nullptr): of the comparison that it makes
 };
 
 /// The expressions of a rule as one graph: equal parts are there once, constants are folded, and products

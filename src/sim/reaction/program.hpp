@@ -15,7 +15,8 @@ enum class RuleArray { stage, base, sum, lets, weights, next };
 struct RulePlane {
   RuleArray array = RuleArray::stage;
   int plane = 0;
-  auto operator<=>(const RulePlane&) const = default;
+  auto operator<=>(const RulePlane&) const =
+      default;  // NOLINT(modernize-use-nullptr): of the comparison that it makes
 };
 
 /// One sweep over all cells.

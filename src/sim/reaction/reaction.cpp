@@ -4,7 +4,9 @@
 #include "sim/core/kind.hpp"
 #include "sim/gray_scott/quantities.hpp"
 #include "sim/grid/field_values.hpp"
+#include "sim/grid/tally.hpp"
 #include "sim/reaction/kernels.hpp"
+#include "sim/reaction/model.hpp"
 #include "sim/reaction/presets.hpp"
 
 #include <algorithm>
@@ -28,23 +30,24 @@ class Reaction : public Simulation {
         now_(plan_.stepAt(setting.startTime)) {
     for (const ReactionSpecies& species : plan_.parameters().species)
       speciesNames_.push_back(name_ + "." + species.name);
+    makeTally(setting.fast);
     kernels_.setValues(plan_.valuesAt(0));
     prestep(setting);
     for (const auto& [stroke, species] : plan_.strokesAt(setting.startTime, 0))
       kernels_.paint(stroke, species);
     gl::barrier();
-    kernels_.show(now_, first_);
+    look();
   }
 
   void step(double time, const StepWatch& watch) override {
     advance(time, watch);
-    kernels_.show(now_, first_);
+    look();
   }
   void pass(double time) override { advance(time, {}); }
   void resumed(double time) override {
     now_ = plan_.stepAt(time);
     kernels_.setValues(plan_.valuesAt(time));
-    kernels_.show(now_, first_);
+    look();
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.parameters().steps; }
@@ -97,6 +100,12 @@ class Reaction : public Simulation {
         static_cast<int>(step) + 1 - static_cast<int>(first_));
   }
 
+  [[nodiscard]] CountTable counts() const override {
+    std::vector<const char*> names;
+    names.reserve(countNames_.size());
+    for (const std::string& name : countNames_) names.push_back(name.c_str());
+    return tally_.table(std::move(names));
+  }
   [[nodiscard]] std::vector<double> measure() const override {
     Drawables drawables;
     publish(0, drawables);
@@ -114,6 +123,28 @@ class Reaction : public Simulation {
   }
 
  private:
+  void makeTally(bool fast) {
+    const ReactionParameters& p = plan_.parameters();
+    const int species = std::min(static_cast<int>(p.species.size()), 4);
+    tally_ = Tally(name_, "reaction/tally.comp", gl::kernelDefines(fast));
+    tally_.kernel().set("size", p.size);
+    tally_.kernel().set("columns", kernels_.columns());
+    tally_.kernel().set("species", species);
+    for (int i = 0; i < 4; ++i) {
+      const std::string& name = p.species[static_cast<std::size_t>(i % species)].name;
+      countNames_.push_back("mean_" + name + (i < species ? "" : "^" + std::to_string(i / species + 1)));
+    }
+    for (int i = 0; i < species; ++i)
+      countNames_.push_back("most_" + p.species[static_cast<std::size_t>(i)].name);
+  }
+  /// What is drawn and counted of the present state.
+  void look() {
+    kernels_.show(now_, first_);
+    kernels_.cells().bindInput(shader::reaction::stageBinding);
+    const glm::ivec2 size = plan_.parameters().size;
+    tally_.take(glm::vec4(static_cast<float>(1 / (static_cast<double>(size.x) * size.y))), glm::vec4(1));
+  }
+
   [[nodiscard]] std::string speciesName(long plane) const {
     const auto& species = plan_.parameters().species;
     return plane < static_cast<long>(species.size())
@@ -165,6 +196,8 @@ class Reaction : public Simulation {
   ReactionPlan plan_;
   ReactionKernels kernels_;
   std::vector<glm::vec3> colors_;
+  Tally tally_;
+  std::vector<std::string> countNames_;
   long first_, now_;  ///< numbers of steps: of the first state, and of the present
 };
 

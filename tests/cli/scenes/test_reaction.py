@@ -31,6 +31,7 @@ class Reaction(Case):
         self.good(*self.render())
         whole = self.content("out")
         names = {name.split(".", 1)[1] for name in whole if name.startswith("000004")}
+        names.discard("csv")
         self.assertEqual(names, {"png", "r.npy", "r.u.npy", "r.v.npy"})
         self.assertEqual(whole["000004.r.npy"], whole["000004.r.u.npy"])
         self.assertEqual(len(values_of(whole["000004.r.v.npy"])), 37 * 21)
@@ -46,6 +47,19 @@ class Reaction(Case):
         for name, data in self.content("more").items():
             if name.endswith("npy"):
                 self.assertEqual(data, whole[name], name)
+
+    def test_counts_are_means_and_greatest_values(self):
+        self.good(*self.render())
+        files = self.content("out")
+        rows = files["counts.csv"].decode().splitlines()
+        names = rows[0].split(",")
+        row = dict(zip(names, rows[-1].split(",")))
+        u, v = (values_of(files[f"000009.r.{name}.npy"]) for name in "uv")
+        self.assertEqual(len(rows), 11)
+        for name, want in (("mean_u", sum(u) / len(u)), ("mean_v", sum(v) / len(v)), ("mean_u^2", sum(a * a for a in u) / len(u)),
+                           ("mean_v^2", sum(a * a for a in v) / len(v)), ("most_u", max(u)), ("most_v", max(v))):
+            key = next(k for k in names if k.endswith(name))
+            self.assertAlmostEqual(float(row[key]), want, delta=1e-5 * (1 + abs(want)))
 
     def test_overrides_reach_parameters(self):
         self.good(*self.render("--frames", "5"))
