@@ -1,0 +1,138 @@
+#pragma once
+#include "draw/exact/bloom.hpp"
+#include "draw/exact/exact_view.hpp"
+#include "draw/exact/instances/exact_instances.hpp"
+#include "draw/exact/joined_surfaces.hpp"
+#include "draw/exact/occlusion.hpp"
+#include "draw/exact/rays/ray_light.hpp"
+#include "draw/exact/scene/apart.hpp"
+#include "draw/exact/scene/exact_scene.hpp"
+#include "draw/exact/scene/lamp_maps.hpp"
+#include "draw/exact/shaded_tiles.hpp"
+#include "draw/exact/surface_shading.hpp"
+#include "draw/exact/triangle_raster.hpp"
+#include "draw/frame_values.hpp"
+#include "draw/rows_at_once.hpp"
+#include "draw/surface/shadow_pass.hpp"
+
+#include <array>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace simreel::draw {
+
+/// What exact_scene.cpp makes and finishes pictures with, exposure.cpp exposes them by, bands.cpp lights
+/// bands of them with, and kept.cpp keeps of them.
+struct ExactScene::State {
+  State(const scene::Scene& shown, const Environment* around, glm::ivec2 pixels, int count, int rows);
+
+  /// Defines of what shades.
+  [[nodiscard]] gl::Defines lighting(int count) const {
+    gl::Defines defines = definesOf(visibility.layout());
+    if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
+    defines.emplace_back("SAMPLES", std::to_string(count));
+    defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
+    if (occludes()) defines.emplace_back("OCCLUSION", "1");
+    if (layered) defines.emplace_back("BEHIND", "1");
+    if (traces()) {
+      defines.emplace_back("RAYS", "1");
+      return defines;
+    }
+    for (const gl::Defines& more : {shadow.defines(), lamps.defines(), aroundDefines()})
+      defines.insert(defines.end(), more.begin(), more.end());
+    return defines;
+  }
+  /// Of what lights by rays.
+  [[nodiscard]] gl::Defines rayLighting(int count) const {
+    gl::Defines defines = lighting(count);
+    for (const gl::Defines& more : {lamps.defines(), aroundDefines()})
+      defines.insert(defines.end(), more.begin(), more.end());
+    return defines;
+  }
+  [[nodiscard]] bool traces() const { return scene.render.quality == scene::Quality::high; }
+  [[nodiscard]] bool occludes() const { return scene.render.quality == scene::Quality::standard; }
+  [[nodiscard]] gl::Defines aroundDefines() const {
+    return environment == nullptr ? gl::Defines() : environment->defines();
+  }
+  [[nodiscard]] gl::Defines pictureDefines() const {
+    gl::Defines defines = lightDefines();
+    for (auto& define : aroundDefines()) defines.push_back(std::move(define));
+    for (auto& define : filmDefines(scene.render)) defines.push_back(std::move(define));
+    if (scene.render.transparent) defines.emplace_back("TRANSPARENT", "1");
+    defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
+    if (bloom.on()) defines.emplace_back("BLOOM", "1");
+    if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
+    return defines;
+  }
+  void sayFinishes(const sim::Drawables& drawables);
+  void makeGround();
+  void beginLayers();
+  void drawShadows(const sim::Drawables& drawables);
+  std::vector<unsigned> findVisible(const sim::Drawables& drawables);
+  void findOpenness(const shader::ExactView& values, const Watch& watch);
+  void drawBand(const sim::Drawables& drawables, const shader::ExactView& values, const Watch& watch);
+  void drawThrough(const sim::Drawables& drawables, shader::ExactView values, const Watch& watch);
+  void addThrough(int number, int pictures);
+  View prepare(const Moment& moment, sim::Drawables& drawables, const Watch& watch);
+  void refuseWhatRaysLack(const sim::Drawables& drawables) const;
+  bool expose(const Exposure& exposure, const Watch& watch);
+  void gather();
+  void bindShadows() const;
+  void shadeAll();
+  void keepVisibility(glm::ivec2 rows) const;
+  void keepLayers(const shader::ExactView& values);
+  void keepLight();
+  void shadeThings();
+  void shadeShown();
+  void clearShown() const;
+  void keepShown();
+
+  const scene::Scene& scene;
+  const Environment* environment;  ///< null: the sky is a gradient
+  glm::ivec2 size;
+  int samples;
+  int bandRows;  ///< of the picture at most, whose visibility there is at once
+  bool ground;
+  bool layered = false;  ///< whether what shades may be behind layers
+  SkinTextures skins;
+  Lamps lamps;
+  ShadowPass shadow;
+  gl::Buffer view;
+  std::set<std::string> said;  ///< objects of whose materials something is not drawn
+  Visibility visibility;
+  JoinedSurfaces joined;
+  bool joins = false;  ///< the surfaces of this picture
+  TriangleRaster triangles;
+  std::vector<std::span<const TriangleRaster::Drawn>> gathered;  ///< surfaces that are shaded together
+  std::optional<Visibility> map;
+  std::optional<TriangleRaster> casters;
+  std::optional<LampMaps> lampMaps;
+  ShadedTiles tiles;
+  Occlusion occlusion;
+  float occlusionRadius = 0;  ///< of this picture (m)
+  float white = 1;            ///< light that it shows as white
+  SurfaceShading surfaces;
+  ApartSurfaces apart;
+  unsigned numbers = 0;  ///< that have been given in this band
+  ExactInstances instances;
+  std::optional<RayLight> rays;
+  Bloom bloom;
+  gl::Program litGround, shadedGround, lensSum, picture;
+  std::array<gl::Program, shownLayers.size()> shownGround;
+  std::array<gl::Texture, shownLayers.size()> shown;  ///< those of its layers that are wanted
+  PassPicture* passes = nullptr;                      ///< where they are kept
+  std::optional<LightRequest> wanted;                 ///< besides pictures
+  PictureLayers layers;
+  std::optional<LayerKeeper> layerKeeper;  ///< while the layers' view is drawn
+  gl::Program linear;                      ///< of those alone
+  gl::Texture light;
+  gl::Texture sums;          ///< light of each pixel, and in alpha how much of it is covered
+  gl::Texture total;         ///< of moments and points of the lens so far, if there are several
+  shader::ExactView middle;  ///< of the first moment, where there are several of them
+};
+
+}  // namespace simreel::draw

@@ -1,0 +1,63 @@
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/scene/exact_scene_state.hpp"
+
+namespace simreel::draw {
+
+void ExactScene::State::clearShown() const {
+  constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
+  for (const gl::Texture& layer : shown)
+    if (layer) glClearTexImage(layer.name(), 0, GL_RGBA, GL_FLOAT, none.data());
+}
+
+void ExactScene::State::keepShown() {
+  std::vector<float> sum(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (!shown[i]) continue;
+    glGetTextureImage(shown[i].name(), 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(sum.size() * sizeof(float)), sum.data());
+    layers.keepShown(shownLayers[i], sum);
+  }
+}
+
+/// What the band's samples show; with its first, shadow maps and what has numbers.
+void ExactScene::State::keepVisibility(glm::ivec2 rows) const {
+  const glm::ivec2 band(size.x, rows.y - rows.x);
+  passes->keep("visibility", "keys", visibility.readKeys(), band, samples);
+  passes->keep("visibility", "numbers", visibility.readNumbers(), band, samples);
+  if (rows.x > 0) return;
+  if (map) passes->keep("shadow", "sun", map->readKeys(), map->size(), 1);
+  if (occlusion.on()) passes->keep("shadow", "openness", occlusion.read(), occlusion.size(), 2);
+  if (lampMaps) passes->keep("shadow", "lamps", lampMaps->keys().readKeys(), lampMaps->keys().size(), 1);
+  for (const TriangleRaster::Drawn& drawn : triangles.drawn())
+    passes->things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
+  apart.describe(passes->things);
+  instances.describe(passes->things);
+}
+
+void ExactScene::State::keepLayers(const shader::ExactView& values) {
+  std::vector<DrawnThing> things;
+  for (const TriangleRaster::Drawn& drawn : triangles.drawn())
+    things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
+  apart.describe(things);
+  instances.describe(things);
+  layerKeeper->add(visibility, values, things);
+}
+
+/// What picture.comp makes a picture of.
+void ExactScene::State::keepLight() {
+  light.bindImage(pictureImage, GL_WRITE_ONLY);
+  linear.set("perSize", 2.0F / glm::vec2(size));
+  linear.dispatch(size.x, (size.y + rowsAtOnce() - 1) / rowsAtOnce());
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  layers.alpha = scene.render.transparent;
+  layers.filmed = wanted->filmed;
+  layers.bits = wanted->bits;
+  layers.light.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  glGetTextureImage(light.name(), 0, GL_RGBA, GL_FLOAT,
+                    static_cast<GLsizei>(layers.light.size() * sizeof(float)), layers.light.data());
+  // Which of two zeros a minimum is, devices may choose.
+  for (float& value : layers.light) value += 0.0F;
+}
+
+}  // namespace simreel::draw
