@@ -179,6 +179,10 @@ TEST_CASE("defaults: given or left out, every one in every shipped scene is the 
       // What a float's shape, or its mass, says instead; what is of water that collides.
       "water.floats[].density", "water.floats[].file", "water.floats[].radius", "water.floats[].scale",
       "water.floats[].size", "water.grip",
+      // What maps, coats, sheen and opacity have.
+      "material.alphaCutoff", "material.clearCoatRoughness", "material.emissionMap",
+      "material.normalStrength", "material.occlusionStrength", "material.opacity",
+      "material.sheenRoughness",
       // What lines of flow have, and skies of pictures.
       "fluid.lineDetail", "fluid.lineRate", ".sky.strength", ".sky.turn"};
   for (const std::string& path : refused) CHECK_MESSAGE(allowed.contains(path), path);
