@@ -29,7 +29,7 @@ class Stage(Case):
         self.assertEqual(self.good("render", "ball.json", *small, "-o", "a/", "-q").err, "")
         said = self.good("render", "laid.json", *small, "-o", "b/").err
         self.assertEqual(said.count("know no textures and skins, but the material's colour"), 1)
-        self.bad_scene("1 to 1024", "render", "ball.json", *small, "-o", "c/", "-D", "render.raySamples=2000")
+        self.bad_scene("between 1 and 1024", "render", "ball.json", *small, "-o", "c/", "-D", "render.raySamples=2000")
 
 
     def test_a_cone_is_of_a_spot(self):
