@@ -1,9 +1,9 @@
 // Text: what it says, how it is laid out, and the solids that its outlines become.
 #include "base/file.hpp"
-#include "help.hpp"
 #include "sim/text/content.hpp"
 #include "sim/text/layout.hpp"
 #include "sim/text/solid_text.hpp"
+#include "unit/frame/help.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,6 +19,8 @@
 
 using namespace simreel;
 using namespace simreel::sim;
+using simreel::frame::test::contains;
+using simreel::frame::test::errorOf;
 
 namespace {
 

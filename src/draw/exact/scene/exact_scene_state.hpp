@@ -3,6 +3,7 @@
 #include "draw/exact/exact_view.hpp"
 #include "draw/exact/instances/exact_instances.hpp"
 #include "draw/exact/joined_surfaces.hpp"
+#include "draw/exact/light_pictures.hpp"
 #include "draw/exact/occlusion.hpp"
 #include "draw/exact/rays/ray_light.hpp"
 #include "draw/exact/scene/apart.hpp"
