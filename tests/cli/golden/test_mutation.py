@@ -32,7 +32,7 @@ MUTATIONS = {
     "wildfire": ("spread/wildfire/step.comp", "uint weight = fuelWeight(byteOf(fuel, k));",
                  "uint weight = fuelWeight(byteOf(fuel, k)) * 99u / 100u;"),
 }
-SCENERY = {"sphere", "capsule", "plane"}  # nothing of theirs is simulated
+SCENERY = {"sphere", "capsule", "plane", "text"}  # nothing of theirs is simulated
 FRAMES = 3  # after the first one
 LATER = {"cave_map": 24}  # its rock is still for some time
 # Seconds to their first frame where there is no GPU; each has kinds that other scenes have, too.
