@@ -21,10 +21,11 @@ std::vector<std::uint32_t> lampCells(const std::vector<shader::Lamp>& lamps, int
   const glm::vec3 perMetre = glm::vec3(count) / glm::max(high - low, glm::vec3(1e-6F));
   const std::size_t words = (static_cast<std::size_t>(ranged) + 31) / 32;
   std::vector<std::uint32_t> cells(static_cast<std::size_t>(shader::lampCellHead) +
-                                   words * static_cast<std::size_t>(count.x * count.y * count.z));
-  for (int k = 0; k < 3; ++k) {
-    cells[static_cast<std::size_t>(k)] = std::bit_cast<std::uint32_t>(low[k]);
-    cells[static_cast<std::size_t>(3 + k)] = std::bit_cast<std::uint32_t>(perMetre[k]);
+                                   words * shader::lampCellsAcross * shader::lampCellsAcross * shader::lampCellsUp);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<int>(k);
+    cells[k] = std::bit_cast<std::uint32_t>(low[axis]);
+    cells[3 + k] = std::bit_cast<std::uint32_t>(perMetre[axis]);
   }
   for (std::size_t i = first; i < lamps.size(); ++i) {
     const glm::vec3 middle(lamps[i].place);
@@ -41,7 +42,8 @@ std::vector<std::uint32_t> lampCells(const std::vector<shader::Lamp>& lamps, int
           const glm::vec3 nearest =
               glm::clamp(middle, corner - 0.001F / perMetre, corner + 1.001F / perMetre);
           if (glm::length(nearest - middle) > far) continue;
-          const std::size_t cell = static_cast<std::size_t>((y * count.z + z) * count.x + x);
+          const int number = (y * count.z + z) * count.x + x;
+          const auto cell = static_cast<std::size_t>(number);
           cells[static_cast<std::size_t>(shader::lampCellHead) + cell * words + (i - first) / 32] |=
               1U << ((i - first) % 32);
         }

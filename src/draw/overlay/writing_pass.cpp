@@ -4,6 +4,7 @@
 #include "draw/overlay/box_kernel.hpp"
 #include "draw/picture_code.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -44,7 +45,8 @@ void WritingPass::draw(const sim::Drawables& drawables, const gl::Texture& pictu
     if (coverage.share.empty() || !(writing.opacity > 0)) continue;
     imageBarrier();
     // The panel reaches half a capital's height beyond the letters.
-    const auto margin = static_cast<int>(0.5F * writing.height * static_cast<float>(picture_.y) + 0.5F);
+    const auto margin =
+        static_cast<int>(std::lround(0.5F * writing.height * static_cast<float>(picture_.y)));
     const int around = writing.backdrop > 0 ? margin : 0;
     const glm::ivec2 from = glm::max(coverage.corner - around, glm::ivec2(0));
     const glm::ivec2 end = glm::min(coverage.corner + coverage.size + around, picture_);
