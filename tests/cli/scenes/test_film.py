@@ -76,8 +76,8 @@ class Film(Case):
         self.bad(2, "PNG has 8 or 16", *see, "-o", "a.png", "--bits", "32")
         self.bad(2, "OpenEXR has 16 or 32", *see, "-o", "a.exr", "--bits", "8")
         self.bad(2, "videos and streams have 8", *see[:5], "-o", "a.mp4", "--bits", "16")
-        life = str(SOURCE / "assets/scenes/life.json")
-        self.bad(2, "lies over the picture", "render", life, "-o", "life.png", "--frames", "0", "--bits", "16")
+        epidemic = str(SOURCE / "assets/scenes/epidemic.json")
+        self.bad(2, "a chart lies over the picture", "render", epidemic, "-o", "map.png", "--frames", "0", "--bits", "16")
 
     def test_light(self):
         self.write("scene.json", SCENE)
