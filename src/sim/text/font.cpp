@@ -23,7 +23,7 @@ constexpr int mostPieces = 64;
 /// Collects the polygons of an outline.
 struct Pen {
   double perUnit;
-  Outlines outlines;
+  TextOutlines outlines;
 
   [[nodiscard]] glm::dvec2 place(const FT_Vector* at) const {
     return perUnit * glm::dvec2(static_cast<double>(at->x), static_cast<double>(at->y));
@@ -69,7 +69,7 @@ struct Pen {
 };
 
 /// Without points that lie on the one before, and without what is no polygon then.
-void clean(Outlines& outlines) {
+void clean(TextOutlines& outlines) {
   for (auto& polygon : outlines) {
     polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
     while (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();

@@ -10,14 +10,14 @@
 namespace simreel::sim {
 
 /// Closed polygons, y up. What they go round is filled, whichever way they go (not zero times).
-using Outlines = std::vector<std::vector<glm::dvec2>>;
+using TextOutlines = std::vector<std::vector<glm::dvec2>>;
 
 /// The outlines of a font file, without hints, so they are those of the file on every machine. Lengths are
 /// in heights of its capital H.
 class Font {
  public:
   struct Glyph {
-    Outlines outlines;  ///< from where it is written
+    TextOutlines outlines;  ///< from where it is written
     double advance = 0;
   };
 

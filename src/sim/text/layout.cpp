@@ -31,7 +31,7 @@ std::vector<std::u32string> linesOf(std::string_view text) {
 }
 
 /// Puts a line from (0, y) on to the right. Its length.
-double putLine(Font& font, const std::u32string& line, double y, Outlines& into) {
+double putLine(Font& font, const std::u32string& line, double y, TextOutlines& into) {
   double x = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (i > 0) x += font.kerning(line[i - 1], line[i]);
@@ -51,7 +51,7 @@ double shareOf(TextAnchor::Across across) {
 
 }  // namespace
 
-Outlines written(Font& font, std::string_view text, const TextAnchor& anchor, double spacing) {
+TextOutlines written(Font& font, std::string_view text, const TextAnchor& anchor, double spacing) {
   const auto lines = linesOf(text);
   const double apart = spacing * font.lineHeight();
   const double depth = apart * static_cast<double>(lines.size() - 1);
@@ -60,9 +60,9 @@ Outlines written(Font& font, std::string_view text, const TextAnchor& anchor, do
   if (anchor.down == TextAnchor::Down::top) y = -1;
   if (anchor.down == TextAnchor::Down::middle) y = 0.5 * (depth - 1);
   if (anchor.down == TextAnchor::Down::bottom) y = depth;
-  Outlines all;
+  TextOutlines all;
   for (const std::u32string& line : lines) {
-    Outlines one;
+    TextOutlines one;
     const double shift = -shareOf(anchor.across) * putLine(font, line, y, one);
     for (auto& polygon : one) {
       for (glm::dvec2& point : polygon) point.x += shift;

@@ -15,7 +15,8 @@ struct TextAnchor {
 
 /// Outlines of UTF-8 text, in heights of a capital, y up. Lines end with "\n" and lie `spacing` times the
 /// font's own distance apart.
-[[nodiscard]] Outlines written(Font& font, std::string_view text, const TextAnchor& anchor, double spacing);
+[[nodiscard]] TextOutlines written(Font& font, std::string_view text, const TextAnchor& anchor,
+                                   double spacing);
 
 /// Throws UserError(usage) for text that is not UTF-8, or that has characters which the font has not, and
 /// says which.

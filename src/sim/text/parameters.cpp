@@ -100,7 +100,7 @@ glm::mat4 TextParameters::model(double seconds) const {
 
 std::optional<scene::Box> TextParameters::framed() const {
   if (onScreen) return std::nullopt;
-  Outlines outlines;
+  TextOutlines outlines;
   const std::optional<TextContent> content = readContent(text);
   if (!content) return std::nullopt;
   try {

@@ -25,7 +25,7 @@ struct Side {
   }
 };
 
-std::vector<Side> sidesOf(const Outlines& outlines) {
+std::vector<Side> sidesOf(const TextOutlines& outlines) {
   std::vector<Side> sides;
   for (const auto& polygon : outlines)
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -56,7 +56,7 @@ std::vector<double> heightsOf(const std::vector<Side>& sides) {
 
 }  // namespace
 
-std::vector<Trapezoid> trapezoids(const Outlines& outlines) {
+std::vector<Trapezoid> trapezoids(const TextOutlines& outlines) {
   const std::vector<Side> sides = sidesOf(outlines);
   const std::vector<double> heights = heightsOf(sides);
   std::vector<Trapezoid> found;
@@ -99,7 +99,7 @@ namespace {
 /// Puts a mesh together; positions in m.
 class Solid {
  public:
-  Solid(const Outlines& outlines, double height, double depth) : height_(height), depth_(depth) {
+  Solid(const TextOutlines& outlines, double height, double depth) : height_(height), depth_(depth) {
     low_ = high_ = outlines.front().front();
     for (const auto& polygon : outlines)
       for (const glm::dvec2& point : polygon) {
@@ -195,7 +195,7 @@ class Solid {
   }
 
   /// Between front and back, along the outlines. Where they turn by less than 40 degrees the wall is round.
-  void walls(const Outlines& outlines) {
+  void walls(const TextOutlines& outlines) {
     double area = 0;  // above 0: outer outlines go against the clock
     for (const auto& polygon : outlines)
       for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -250,7 +250,7 @@ class Solid {
 
 }  // namespace
 
-Mesh solidText(const Outlines& outlines, double height, double depth) {
+Mesh solidText(const TextOutlines& outlines, double height, double depth) {
   if (outlines.empty()) return {};
   return Solid(outlines, height, depth).take();
 }

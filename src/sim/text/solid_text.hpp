@@ -13,11 +13,11 @@ struct Trapezoid {
 };
 /// All that they fill, in parts that do not overlap. Those that lie above one another meet along whole
 /// heights, of which the corners are the same numbers where they are the same points.
-[[nodiscard]] std::vector<Trapezoid> trapezoids(const Outlines& outlines);
+[[nodiscard]] std::vector<Trapezoid> trapezoids(const TextOutlines& outlines);
 
 /// A body `depth` m thick with these outlines, `height` m a unit of them, from z = -depth / 2 to depth / 2;
 /// of depth 0 its front alone. Triangles meet in whole edges. Texture coordinates lie over the box around
 /// it. Empty without outlines.
-[[nodiscard]] Mesh solidText(const Outlines& outlines, double height, double depth);
+[[nodiscard]] Mesh solidText(const TextOutlines& outlines, double height, double depth);
 
 }  // namespace simreel::sim

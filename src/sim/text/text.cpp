@@ -81,7 +81,7 @@ class Text : public Simulation {
     std::string now = content_.at(std::lround(time * perFrame_), time, measured_);
     if (now == said_) return;
     said_ = std::move(now);
-    const Outlines outlines =
+    const TextOutlines outlines =
         written(font_, *said_, parameters_.anchor, static_cast<double>(parameters_.spacing));
     if (parameters_.onScreen) {
       lines_.clear();

@@ -198,8 +198,10 @@ TEST_CASE("reaction: a small wave on each preset's homogeneous state grows as th
 
 TEST_CASE("reaction: Euler, Heun and Runge-Kutta are of order 1, 2 and 4 in time") {
   // The complex Ginzburg-Landau equation has the solution A = e^(-i beta t).
-  for (const auto& [method, order] : {std::pair(std::string("euler"), 1), std::pair(std::string("heun"), 2),
-                                      std::pair(std::string("rk4"), 4)}) {
+  for (const auto& one : {std::pair(std::string("euler"), 1), std::pair(std::string("heun"), 2),
+                          std::pair(std::string("rk4"), 4)}) {
+    const std::string& method = one.first;
+    const int order = one.second;
     double errors[2];
     for (int half = 0; half < 2; ++half) {
       auto p =

@@ -28,7 +28,7 @@ std::filesystem::path shipped(const char* name) {
   return assetFolder() / "fonts" / name;
 }
 
-double areaOf(const Outlines& outlines) {
+double areaOf(const TextOutlines& outlines) {
   double area = 0;
   for (const auto& polygon : outlines)
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -141,15 +141,15 @@ TEST_CASE("text: trapezoids fill what outlines go round, once") {
   for (const char* name : {"OpenSans-Bold.ttf", "OpenSans-Regular.ttf"}) {
     Font font(shipped(name));
     for (const char32_t character : std::u32string(U"simreel 0123456789 %&@gQR8BäøÆ§Ω")) {
-      const Outlines& outlines = font.glyph(character).outlines;
+      const TextOutlines& outlines = font.glyph(character).outlines;
       CAPTURE(static_cast<unsigned>(character));
       CHECK(areaOf(trapezoids(outlines)) == doctest::Approx(areaOf(outlines)).epsilon(1e-9));
     }
   }
   // Two squares that overlap are filled once, and a hole stays one.
-  const Outlines squares = {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}};
+  const TextOutlines squares = {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}};
   CHECK(areaOf(trapezoids(squares)) == doctest::Approx(7));
-  const Outlines ring = {{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{1, 1}, {1, 2}, {2, 2}, {2, 1}}};
+  const TextOutlines ring = {{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{1, 1}, {1, 2}, {2, 2}, {2, 1}}};
   CHECK(areaOf(trapezoids(ring)) == doctest::Approx(8));
   // A bow tie: its sides cross where no corner is.
   CHECK(areaOf(trapezoids({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}})) == doctest::Approx(2));
@@ -160,7 +160,7 @@ TEST_CASE("text: letters are closed solids of their area times their depth, seen
     Font font(shipped(name));
     for (const char* text : {"simreel", "gQ8&%@\n8BR$", "AV. Äö"}) {
       CAPTURE(text);
-      const Outlines outlines = written(font, text, {}, 1);
+      const TextOutlines outlines = written(font, text, {}, 1);
       const Mesh mesh = solidText(outlines, 0.7, 0.3);
       CHECK(openEdges(mesh) == 0);
       CHECK(volumeOf(mesh) == doctest::Approx(0.3 * 0.49 * areaOf(outlines)).epsilon(1e-4));
