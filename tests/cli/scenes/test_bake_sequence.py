@@ -321,8 +321,10 @@ class Sequence(Case):
         self.bake("--format", "pc2")
         self.bake("--format", "mdd", "--overwrite")
         self.write("look.py", BLENDER.format(frames=list(range(6))))
-        done = subprocess.run(["blender", "--background", "--factory-startup", "--python-exit-code", "3", "--python", self.folder / "look.py",
-                               "--", self.folder / "out"], cwd=self.folder, capture_output=True, timeout=300, check=False)
+        # It takes the first python3 of the path for its own, which may lack what it needs.
+        system = {**os.environ, "PATH": "/usr/bin:/bin"}
+        done = subprocess.run([shutil.which("blender"), "--background", "--factory-startup", "--python-exit-code", "3", "--python", self.folder / "look.py",
+                               "--", self.folder / "out"], cwd=self.folder, env=system, capture_output=True, timeout=300, check=False)
         self.assertEqual(done.returncode, 0, done.stdout[-2000:])
         found = json.loads((self.folder / "out/found.json").read_text())
         for kind in ("glb", "pc2", "mdd"):
