@@ -1,5 +1,6 @@
 """Motion blur and text of the command: what a picture is does not depend on which frames are drawn before it."""
 import json
+import re
 
 from common import SOURCE, Case, main, png_rows, unfiltered
 
@@ -102,6 +103,10 @@ class Text(Case):
         fire = json.loads((SOURCE / "assets/scenes/wildfire.json").read_text())
         name = next(iter(fire["objects"]))
         fire["objects"]["words"] = {"text": {"text": "{frame} {time:1}", "screen": {"height": 0.2}}}
+        # What another object measures is written as a plain text of that number would be.
+        fire["objects"]["count"] = {"text": {"text": f"{{{name}.unburnt:0}}", "screen": {"height": 0.1, "y": 0.6}}}
+        fire["test"] = {"frames": [5], "size": [161, 91]}
+        fire["checks"] = [{"what": "unburnt", "max": 0}]
         self.write("scene.json", fire)
         drawn = {}
         for frame in (0, 5):
@@ -112,7 +117,17 @@ class Text(Case):
             drawn[frame] = [at for at, (a, b) in enumerate(zip(with_text, pixels((self.folder / "b.png").read_bytes()))) if a != b]
         self.assertGreater(min(map(len, drawn.values())), 100)
         self.assertNotEqual(drawn[0], drawn[5])
-        self.assertIn(name, fire["objects"])
+        # The same quantity as a check measures it.
+        said = self.run_program("test", "scene.json").stdout.decode()
+        count = re.search(r"unburnt[^\n]*?(\d[\d.e+]*)", said)
+        self.assertIsNotNone(count, said)
+        count = count[1]
+        for number, equal in ((str(round(float(count))), True), ("12345", False)):
+            self.good("render", "scene.json", "-o", "c.png", "--frames", "5", "--size", "161x91", "-q", "--overwrite",
+                      "-D", f"objects.count.text.text=\"{number}\"")
+            self.good("render", "scene.json", "-o", "a.png", "--frames", "5", "--size", "161x91", "-q", "--overwrite")
+            pictures = [pixels((self.folder / each).read_bytes()) for each in ("a.png", "c.png")]
+            self.assertEqual(pictures[0] == pictures[1], equal, number)
 
     def test_both_rasterizers_write_the_same_letters(self):
         scene = self.scene("same", screen={"height": 0.3, "color": [1, 0, 0]})
