@@ -21,7 +21,8 @@ std::vector<std::uint32_t> lampCells(const std::vector<shader::Lamp>& lamps, int
   const glm::vec3 perMetre = glm::vec3(count) / glm::max(high - low, glm::vec3(1e-6F));
   const std::size_t words = (static_cast<std::size_t>(ranged) + 31) / 32;
   std::vector<std::uint32_t> cells(static_cast<std::size_t>(shader::lampCellHead) +
-                                   words * shader::lampCellsAcross * shader::lampCellsAcross * shader::lampCellsUp);
+                                   words * shader::lampCellsAcross * shader::lampCellsAcross *
+                                       shader::lampCellsUp);
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<int>(k);
     cells[k] = std::bit_cast<std::uint32_t>(low[axis]);
