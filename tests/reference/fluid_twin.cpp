@@ -198,7 +198,7 @@ void FluidTwin::descend(std::size_t number) {
   Level& l = levels_[number];
   Level& coarse = levels_[number + 1];
   std::fill(l.value.begin(), l.value.end(), 0.0F);
-  l.sweep();
+  l.begin();
   const auto leftIn = [&](int x, int y) {
     if (x >= l.cells.x || y >= l.cells.y) return 0.0F;
     return l.leftIn(x, y);
@@ -271,7 +271,7 @@ void FluidTwin::project() {
       const glm::vec4& cell = flow[index(std::min(x, size.x), std::min(y, size.y))];
       speed = std::max({speed, std::abs(cell.x), std::abs(cell.y)});
     }
-  const float most = 0.5F * sim::maxFluidDivergence * speed;
+  const float most = sim::aimedFluidDivergence * speed;
   for (int i = 0; i < plan_.parameters().cycles && missing > most; ++i) {
     cycle();
     ++cycles;

@@ -80,12 +80,22 @@ class FluidTwin {
           if ((x + y) % 2 == color) change(x, y, before);
     }
     /// Red cells, then black ones, each by what there was before its colour's turn.
+    void relax(int color) {
+      eachOf(color, [&](int x, int y, const std::vector<float>& before) {
+        value[index(x, y)] = simreel::shader::relaxed(rhs[index(x, y)], sumAround(before, x, y),
+                                                      simreel::shader::diagonal(weights(x, y)));
+      });
+    }
     void sweep() {
-      for (const int color : {0, 1})
-        eachOf(color, [&](int x, int y, const std::vector<float>& before) {
-          value[index(x, y)] = simreel::shader::relaxed(rhs[index(x, y)], sumAround(before, x, y),
-                                                        simreel::shader::diagonal(weights(x, y)));
-        });
+      for (const int color : {0, 1}) relax(color);
+    }
+    /// The first sweep on the way down.
+    void begin() {
+      eachOf(0, [&](int x, int y, const std::vector<float>&) {
+        value[index(x, y)] =
+            simreel::shader::begun(rhs[index(x, y)], simreel::shader::diagonal(weights(x, y)));
+      });
+      relax(1);
     }
   };
   void cycle();

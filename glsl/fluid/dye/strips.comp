@@ -2,9 +2,11 @@
 // group of 32 goes down `rows` rows, an invocation with two columns. What it needs of its neighbours they tell it from their
 // registers (SUBGROUPS) or through shared memory, rows above and below are kept; a pass follows the one before it two rows later. The
 // outermost columns, two for each pass, only serve the others. Dye is counted in its units here (model.glsl), so that a flux is
-// a whole number. How far it goes through each face is the same in all passes of a step, so check.comp has found it.
+// a whole number. How far it goes through each face is the same in all passes of a step, so check.comp has found it. Where a strip
+// has been clear for some rows nothing moves (SUBGROUPS).
 #ifdef SUBGROUPS
 #extension GL_KHR_shader_subgroup_shuffle_relative : require
+#extension GL_KHR_shader_subgroup_vote : require
 #endif
 #define READS_DYE
 #define NEXT_DYE
@@ -43,21 +45,44 @@ vec3 ofRight(int lane, vec3 value) {
 }
 #endif
 
+// Whether a row of the strip has no dye.
+#ifdef SUBGROUPS
+bool isClear(vec3 first, vec3 second) {
+  uvec3 bits = floatBitsToUint(first) | floatBitsToUint(second);
+  return subgroupAll((bits.x | bits.y | bits.z) == 0u);
+}
+#else
+bool isClear(vec3 first, vec3 second) {
+  return false;
+}
+#endif
+
 // A pass on its way down, of a column: the row in work, the one above it, half its slope downwards, the flux between them,
 // and what the row above loses to the sides.
 struct Pass {
-  vec3 here, above, slopeAbove, fromAbove, sidesAbove;
+  vec3 here, above, slopeAbove, fromAbove, sidesAbove, up;
 };
 
+// limitedHalfSlope of whole numbers. A card takes minima at half the rate of products: 1 where both go the same way is their
+// product, cut at 1.
 vec3 halfSlopes(vec3 before, vec3 after) {
-  return vec3(limitedHalfSlope(before.x, after.x), limitedHalfSlope(before.y, after.y), limitedHalfSlope(before.z, after.z));
+  precise vec3 product = before * after;
+  vec3 same = clamp(product, vec3(0.0), vec3(1.0));
+  precise vec3 most = min(abs(before), abs(after)) * same;
+  precise vec3 quarter = 0.25 * (before + after);
+  return clamp(quarter, -most, most);
 }
 
 // What crosses a face, in units.
-vec3 unitsThrough(float way, vec3 before, vec3 after, vec3 slopeBefore, vec3 slopeAfter) {
+vec3 unitsThrough(float way, vec3 before, vec3 after, vec3 step_, vec3 slopeBefore, vec3 slopeAfter) {
   bool on = way > 0.0;
-  vec3 from = on ? before : after, slope = on ? slopeBefore : slopeAfter;
-  return trunc(vec3(dyeCarried(way, from.x, slope.x), dyeCarried(way, from.y, slope.y), dyeCarried(way, from.z, slope.z)));
+  float back = on ? 0.0 : 1.0;
+  precise float distance = 1.0 - abs(way);
+  float far = on ? distance : -distance;
+  precise vec3 from = before + back * step_;
+  vec3 slope = on ? slopeBefore : slopeAfter;
+  precise vec3 amount = way * (from + far * slope);
+  return trunc(amount);
 }
 
 int turned(int i, int count) {
@@ -105,22 +130,22 @@ void advance(int lane, inout Pass a, inout Pass b, vec4 through_, inout vec3 fir
   precise vec3 between_ = b.here - a.here;
   precise vec3 after_ = right - b.here;
   vec3 slopeA = halfSlopes(before_, between_), slopeB = halfSlopes(between_, after_);
-  vec3 fromLeft = unitsThrough(through_.x, left, a.here, ofLeft(lane, slopeB), slopeA);
-  vec3 middle = unitsThrough(through_.z, a.here, b.here, slopeA, slopeB);
+  vec3 fromLeft = unitsThrough(through_.x, left, a.here, before_, ofLeft(lane, slopeB), slopeA);
+  vec3 middle = unitsThrough(through_.z, a.here, b.here, between_, slopeA, slopeB);
   vec3 toRight = ofRight(lane, fromLeft);
-  precise vec3 upA = a.here - a.above;
+  vec3 upA = a.up;
   precise vec3 onA = first - a.here;
-  precise vec3 upB = b.here - b.above;
+  vec3 upB = b.up;
   precise vec3 onB = second - b.here;
   vec3 downA = halfSlopes(upA, onA), downB = halfSlopes(upB, onB);
-  vec3 fluxA = unitsThrough(through_.y, a.above, a.here, a.slopeAbove, downA);
-  vec3 fluxB = unitsThrough(through_.w, b.above, b.here, b.slopeAbove, downB);
+  vec3 fluxA = unitsThrough(through_.y, a.above, a.here, upA, a.slopeAbove, downA);
+  vec3 fluxB = unitsThrough(through_.w, b.above, b.here, upB, b.slopeAbove, downB);
   precise vec3 outA = a.above - (a.sidesAbove + (fluxA - a.fromAbove));
   precise vec3 outB = b.above - (b.sidesAbove + (fluxB - b.fromAbove));
   precise vec3 sidesA = middle - fromLeft;
   precise vec3 sidesB = toRight - middle;
-  a = Pass(first, a.here, downA, fluxA, sidesA);
-  b = Pass(second, b.here, downB, fluxB, sidesB);
+  a = Pass(first, a.here, downA, fluxA, sidesA, onA);
+  b = Pass(second, b.here, downB, fluxB, sidesB, onB);
   first = outA;
   second = outB;
 }
@@ -160,7 +185,7 @@ void main() {
                        2 * lane >= margin && 2 * lane < columns - margin && x.y < size.x);
   Pass a[PASSES], b[PASSES];
   vec4 through_[2 * PASSES - 1];  // ways, of the row in work and of those above it
-  Pass none = Pass(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+  Pass none = Pass(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
   for (int i = 0; i < PASSES; ++i) a[i] = b[i] = none;
   for (int i = 0; i < 2 * PASSES - 1; ++i) through_[i] = vec4(0.0);
   int start = top - margin;
@@ -168,6 +193,13 @@ void main() {
   b[0].above = loadUnits(at.y, rowOf(start));
   a[0].here = loadUnits(at.x, rowOf(start + 1));
   b[0].here = loadUnits(at.y, rowOf(start + 1));
+  precise vec3 stepA = a[0].here - a[0].above;
+  precise vec3 stepB = b[0].here - b[0].above;
+  a[0].up = stepA;
+  b[0].up = stepB;
+  // What a pass knows of comes from four rows and the one that comes in: after so many clear ones nothing is in it.
+  const int pastRows = 5;
+  int clear = 0;  // rows, up to the one that comes in
   bool atSide = !closes && (from < 0 || from + columns > size.x);
   for (int y = start + 1; y < end + margin - 1; ++y) {
     int below = rowOf(y + 1);
@@ -176,22 +208,29 @@ void main() {
 #if PASSES > 1
     for (int i = 2 * PASSES - 2; i > 0; --i) through_[i] = through_[i - 1];
 #endif
-    through_[0] = vec4(waysAt(faces.x, row), waysAt(faces.y, row));
-    advance(lane, a[0], b[0], through_[0], first, second);
+    clear = isClear(first, second) ? clear + 1 : 0;
+    through_[0] = vec4(0.0);
+    if (clear < pastRows) {
+      through_[0] = vec4(waysAt(faces.x, row), waysAt(faces.y, row));
+      advance(lane, a[0], b[0], through_[0], first, second);
+    }
 #if PASSES > 1
-    // Of row y - 1. Rows beyond the sides: as columns.
-    if (atSide) spread(lane, x, first, second);
-    if (topKind != periodicSide && y - 1 <= 0) {
-      bool empty = topKind == openSide;
-      a[1].here = a[1].above = empty ? vec3(0.0) : first;
-      b[1].here = b[1].above = empty ? vec3(0.0) : second;
+    if (clear < 2 * pastRows - 1) {
+      // Of row y - 1. Rows beyond the sides: as columns.
+      if (atSide) spread(lane, x, first, second);
+      if (topKind != periodicSide && y - 1 <= 0) {
+        bool empty = topKind == openSide;
+        a[1].here = a[1].above = empty ? vec3(0.0) : first;
+        a[1].up = b[1].up = vec3(0.0);
+        b[1].here = b[1].above = empty ? vec3(0.0) : second;
+      }
+      if (topKind != periodicSide && y - 1 >= size.y) {
+        bool empty = bottomKind == openSide;
+        first = empty ? vec3(0.0) : a[1].here;
+        second = empty ? vec3(0.0) : b[1].here;
+      }
+      advance(lane, a[1], b[1], through_[2], first, second);
     }
-    if (topKind != periodicSide && y - 1 >= size.y) {
-      bool empty = bottomKind == openSide;
-      first = empty ? vec3(0.0) : a[1].here;
-      second = empty ? vec3(0.0) : b[1].here;
-    }
-    advance(lane, a[1], b[1], through_[2], first, second);
 #endif
     int done = y + 1 - 2 * PASSES;
     if (done >= top && done < end) {

@@ -61,10 +61,10 @@ void sweepReds(Block b, inout vec4 here, vec4 beside) {
   here.w = (b.inside & 8) != 0 ? relaxed(b.rhs.w, neighbours(w, here.z, beside.z, here.y, beside.w), diagonal(w)) : 0.0;
 }
 
-// The same from nothing.
+// On the way down, from nothing.
 void sweepFirstReds(Block b, inout vec4 here) {
-  here.x = (b.inside & 1) != 0 ? relaxed(b.rhs.x, 0.0, diagonal(weights00(b))) : 0.0;
-  here.w = (b.inside & 8) != 0 ? relaxed(b.rhs.w, 0.0, diagonal(weights11(b))) : 0.0;
+  here.x = (b.inside & 1) != 0 ? begun(b.rhs.x, diagonal(weights00(b))) : 0.0;
+  here.w = (b.inside & 8) != 0 ? begun(b.rhs.w, diagonal(weights11(b))) : 0.0;
 }
 
 // Of y and z, the black cells; `beside`: right of the upper one, above it, left of the lower one and below it.

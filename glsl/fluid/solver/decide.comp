@@ -34,7 +34,11 @@ void main() {
   for (int i = lane; i < 3 * dispatches; i += lanes) control.groups[i] = met ? 0u : control.groups[3 * dispatches + i];
   if (lane > 0) return;
   if (first == 1) control.lastSpeed = 0u;
-  if (!met) control.cycles += 1u;
+  if (first == 1) control.begun = 0u;
+  if (!met) {
+    control.cycles += 1u;
+    control.begun += 1u;
+  }
   control.flow = 0u;
 #endif
 }

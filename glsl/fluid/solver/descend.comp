@@ -1,5 +1,5 @@
-// From no correction: a red-black sweep, and what it leaves missing in the red cells for the coarser level (the black ones
-// fulfil their equations). An invocation takes a block of 2x2 cells, and repeats what its sweep reads around; of tiles that do not lie in
+// From no correction: a red-black sweep, its red half farther than relaxing goes, and what it leaves missing in the red cells for
+// the coarser level (the black ones fulfil their equations). An invocation takes a block of 2x2 cells, and repeats what its sweep reads around; of tiles that do not lie in
 // the open a group shares the cells of one (TILE_A_GROUP), for their programs are long and their number is small.
 #include "fluid/solver/levels.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -19,12 +19,12 @@ void sweepOpen(ivec2 block, int element, int row) {
   vec4 before = LOAD_INPUT(pool, level.rhs + element - 1), after = LOAD_INPUT(pool, level.rhs + element + 1);
   vec4 above = LOAD_INPUT(pool, level.rhs + element - row), below = LOAD_INPUT(pool, level.rhs + element + row);
   vec4 aboveBefore = LOAD_INPUT(pool, level.rhs + element - row - 1), belowAfter = LOAD_INPUT(pool, level.rhs + element + row + 1);
-  float r00 = relaxedOpen(here.x, 0.0), r11 = relaxedOpen(here.w, 0.0);
-  float rn0 = relaxedOpen(before.x, 0.0), rm1 = relaxedOpen(before.w, 0.0);
-  float r20 = relaxedOpen(after.x, 0.0), r31 = relaxedOpen(after.w, 0.0);
-  float r0n = relaxedOpen(above.x, 0.0), r1m = relaxedOpen(above.w, 0.0);
-  float r02 = relaxedOpen(below.x, 0.0), r13 = relaxedOpen(below.w, 0.0);
-  float rmm = relaxedOpen(aboveBefore.w, 0.0), r22 = relaxedOpen(belowAfter.x, 0.0);
+  float r00 = begunOpen(here.x), r11 = begunOpen(here.w);
+  float rn0 = begunOpen(before.x), rm1 = begunOpen(before.w);
+  float r20 = begunOpen(after.x), r31 = begunOpen(after.w);
+  float r0n = begunOpen(above.x), r1m = begunOpen(above.w);
+  float r02 = begunOpen(below.x), r13 = begunOpen(below.w);
+  float rmm = begunOpen(aboveBefore.w), r22 = begunOpen(belowAfter.x);
   float b10 = relaxedOpen(here.y, aroundOpen(r00, r20, r1m, r11)), b01 = relaxedOpen(here.z, aroundOpen(rm1, r11, r00, r02));
   float bm0 = relaxedOpen(before.y, aroundOpen(rn0, r00, rmm, rm1)), b0m = relaxedOpen(above.z, aroundOpen(rmm, r1m, r0n, r00));
   float b21 = relaxedOpen(after.z, aroundOpen(r11, r31, r20, r22)), b12 = relaxedOpen(below.y, aroundOpen(r02, r22, r11, r13));
@@ -67,7 +67,7 @@ void sweepTile(ivec2 tile) {
 float redAt(ivec2 place) {
   ivec2 c = within(place);
   if (!isInside(c) || !isRed(c)) return 0.0;
-  return relaxed(inPool(level.rhs, c), 0.0, diagonal(weightsOf(c)));
+  return begun(inPool(level.rhs, c), diagonal(weightsOf(c)));
 }
 
 // Of a black cell, given its neighbours; where an odd torus closes it may be a red one.
@@ -75,8 +75,8 @@ float blackAt(ivec2 place, float left, float right, float top, float bottom) {
   ivec2 c = within(place);
   if (!isInside(c)) return 0.0;
   vec4 w = weightsOf(c);
-  float sum = neighbours(w, left, right, top, bottom);
-  return relaxed(inPool(level.rhs, c), isRed(c) ? 0.0 : sum, diagonal(w));
+  float rhs = inPool(level.rhs, c), diag = diagonal(w);
+  return isRed(c) ? begun(rhs, diag) : relaxed(rhs, neighbours(w, left, right, top, bottom), diag);
 }
 
 float leftOver(ivec2 c, float value, float left, float right, float top, float bottom) {

@@ -106,7 +106,7 @@ ivec2 tileHere() {
 #endif
 
 #if IN_THE_OPEN != 0
-// neighbours(), relaxed() and residual() of a cell with weights of 1.
+// neighbours(), relaxed(), begun() and residual() of a cell with weights of 1.
 float aroundOpen(float left, float right, float top, float bottom) {
   precise float sum = (left + right) + (top + bottom);
   return sum;
@@ -114,6 +114,10 @@ float aroundOpen(float left, float right, float top, float bottom) {
 
 float relaxedOpen(float rhs, float sum) {
   return relaxed(rhs, sum, 4.0);
+}
+
+float begunOpen(float rhs) {
+  return begun(rhs, 4.0);
 }
 
 float residualOpen(float rhs, float value, float left, float right, float top, float bottom) {

@@ -35,7 +35,7 @@ float takenInCell(ivec2 c, ivec2 blocks) {
   float more = raisedPool[element][k];
   more = more >= noCell ? 0.0 : more;
   float sum = pool[element][k];
-  poolOut[ofLost][k] = added(pool[ofLost][k], lostInSum(sum, more));
+  if (control.begun > 1u) poolOut[ofLost][k] = added(pool[ofLost][k], lostInSum(sum, more));
   poolOut[element][k] = added(sum, more);
   poolOut[level.rhs + element][k] = left;
   return left;
@@ -71,8 +71,14 @@ vec4 takenIn(ivec2 block, ivec2 blocks) {
 #endif
   more = vec4(more.x >= noCell ? 0.0 : more.x, more.y >= noCell ? 0.0 : more.y, more.z >= noCell ? 0.0 : more.z,
               more.w >= noCell ? 0.0 : more.w);
-  vec4 sum = LOAD_INPUT(pool, element), lost = LOAD_INPUT(pool, ofLost);
-  poolOut[ofLost] = addedTo(lost, lostInSums(sum, more));
+  // Nothing before the first cycle, which loses nothing.
+  vec4 sum = vec4(0.0);
+  if (control.begun > 1u) {
+    sum = LOAD_INPUT(pool, element);
+    vec4 lost = vec4(0.0);
+    if (control.begun > 2u) lost = LOAD_INPUT(pool, ofLost);
+    poolOut[ofLost] = addedTo(lost, lostInSums(sum, more));
+  }
   poolOut[element] = addedTo(sum, more);
   poolOut[level.rhs + element] = left;
   return left;

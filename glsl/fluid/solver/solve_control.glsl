@@ -9,6 +9,7 @@ layout(std430, binding = controlBinding) restrict buffer ControlBlock {
   uint worstSpeed;  // and of speeds
   uint lastShare;   // of the latest projection
   uint lastSpeed;   // the most of |u|, |v| of the projected flow, which is the state
+  uint begun;       // cycles of this projection
   uint groups[];    // three for each indirect dispatch: as they are now, then as a cycle wants them
 } control;
 

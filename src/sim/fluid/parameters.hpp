@@ -70,7 +70,7 @@ struct FluidParameters : ObjectParameters {
   float cooling = 0;                          ///< 1/s
   scene::Animated<float> dyeWeight = 0.0F;    ///< cells/s^2, down, of a dye of (1, 1, 1)
   glm::vec3 flow{0};                          ///< cells/s: everywhere at the start
-  int cycles = 24;                            ///< of the multigrid at most, for each projection
+  int cycles = 16;                            ///< of the multigrid at most, for each projection
   std::vector<FluidObstacle> obstacles;
   bool obstaclesSlip = false;
   glm::vec3 obstacleColor{0.03F, 0.03F, 0.035F};  ///< linear RGB
@@ -109,6 +109,8 @@ struct FluidParameters : ObjectParameters {
 
 /// max|div u| over max|u| after a projection, at most.
 inline constexpr float maxFluidDivergence = 1e-5F;
+/// Cycles end when what they leave by their own account is below this; rounding adds to that in the flow.
+inline constexpr float aimedFluidDivergence = 0.8F * maxFluidDivergence;
 /// Times the speed that is expected: a flow that is faster than that has lost its way, and the run ends.
 inline constexpr float lostFluidSpeed = 1e3F;
 

@@ -22,10 +22,7 @@ namespace {
 
 namespace at = shader::fluid;
 
-constexpr std::size_t controlWords = 8;  // before the groups: glsl/fluid/solver/solve_control.glsl
-
-/// What the recurrence of residuals reaches may be exceeded by the flow itself, by rounding.
-constexpr float aim = 0.5F * maxFluidDivergence;
+constexpr std::size_t lastSpeedWord = 7, controlWords = 9;  // before the groups: glsl/fluid/solver/solve_control.glsl
 
 /// Between the solver's kernels, which hand each other storage blocks only where there are no texels:
 /// waiting for more takes a card longer than a kernel that is empty.
@@ -37,7 +34,7 @@ void barrier() {
 }
 
 /// Cycles that most projections want; those beyond them, if any, are left out together.
-constexpr int usualCycles = 6;
+constexpr int usualCycles = 4;
 
 GLintptr groupsAt(std::size_t dispatch) {
   return static_cast<GLintptr>((controlWords + 3 * dispatch) * 4);
@@ -99,7 +96,7 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
   divergence_.set("rhsStart", 2 * finest.elements());
   divergence_.set("solidsStart", levels_.elements());
   decide_.set("dispatches", static_cast<int>(groups_.size()) / 3);
-  decide_.set("tolerance", aim);
+  decide_.set("tolerance", aimedFluidDivergence);
   judge_.set("tolerance", maxFluidDivergence);
   judge_.set("mostSpeed", plan.parameters().speed);
 }
@@ -307,7 +304,7 @@ void FluidPressure::judge(const gl::Buffer& status) const {
 void FluidPressure::resume() {
   constexpr std::uint32_t none = 0;
   gl::beforeWrites();
-  control_.write(4 * (controlWords - 1), std::as_bytes(std::span(&none, 1)));
+  control_.write(4 * lastSpeedWord, std::as_bytes(std::span(&none, 1)));
   control_.write(4 * (controlWords + groups_.size()), std::as_bytes(std::span(groups_)));
 }
 
