@@ -176,7 +176,8 @@ Limits readLimits() {
     glGetIntegerv(GL_SUBGROUP_SIZE_KHR, &invocations);
     glGetIntegerv(GL_SUBGROUP_SUPPORTED_STAGES_KHR, &stages);
     glGetIntegerv(GL_SUBGROUP_SUPPORTED_FEATURES_KHR, &features);
-    constexpr GLint exchange = GL_SUBGROUP_FEATURE_SHUFFLE_RELATIVE_BIT_KHR | GL_SUBGROUP_FEATURE_VOTE_BIT_KHR;
+    constexpr GLint exchange =
+        GL_SUBGROUP_FEATURE_SHUFFLE_RELATIVE_BIT_KHR | GL_SUBGROUP_FEATURE_VOTE_BIT_KHR;
     found.shuffle32 =
         invocations == 32 && (stages & GL_COMPUTE_SHADER_BIT) != 0 && (features & exchange) == exchange;
     found.ballot =

@@ -305,7 +305,8 @@ void FluidKernels::moveDye(int passes) const {
   const glm::ivec2 size = plan_.size();
   constexpr int lanes = 32;
   const int columns = 2 * lanes - 4 * passes;
-  // About 9500 groups: long strips of much dye are what the others wait for, short ones take more rows twice.
+  // About 9500 groups: long strips of much dye are what the others wait for, short ones take more rows
+  // twice.
   const int rows = std::clamp(static_cast<int>(std::int64_t{size.x} * size.y / 524288), 4, 1024);
   program.set("rows", rows);
   program.dispatch(((size.x - 1) / columns + 1) * lanes, (size.y - 1) / rows + 1);

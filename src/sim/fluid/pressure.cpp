@@ -22,7 +22,8 @@ namespace {
 
 namespace at = shader::fluid;
 
-constexpr std::size_t lastSpeedWord = 7, controlWords = 9;  // before the groups: glsl/fluid/solver/solve_control.glsl
+constexpr std::size_t lastSpeedWord = 7,
+                      controlWords = 9;  // before the groups: glsl/fluid/solver/solve_control.glsl
 
 /// Between the solver's kernels, which hand each other storage blocks only where there are no texels:
 /// waiting for more takes a card longer than a kernel that is empty.

@@ -167,7 +167,8 @@ void printFluidSpeed(int side, int mostCycles) {
   fmt::print("  {:.2f} cycles a projection of {} dispatched, {} passes of dye\n", cycles, p.cycles,
              plan->dyePasses());
   const auto dye = kernels->arrays().dyeState().readAll<glm::vec4>();
-  const auto dyed = std::count_if(dye.begin(), dye.end(), [](const glm::vec4& c) { return c.x + c.y + c.z > 0; });
+  const auto dyed =
+      std::count_if(dye.begin(), dye.end(), [](const glm::vec4& c) { return c.x + c.y + c.z > 0; });
   fmt::print("  dye in {:.0f}% of the cells at the end\n", 100 * static_cast<double>(dyed) / all);
   listBuffers("fluid", first, all);
 }
