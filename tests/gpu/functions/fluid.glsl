@@ -9,7 +9,7 @@ FluidBrush brushes[2];
 ivec2 size;
 int firstBrush, endBrush, leftKind, rightKind, topKind, bottomKind;
 bool heats, viscous, confines, sinks, secondOrder, cubic, obstacles, obstaclesSlip, obstaclesMove, pocketsGrow;
-int tank;
+int tank = 0;
 
 FUNCTION int elementAt(int x, int y) {
   return (y + 1) * 16 + x + 1;
