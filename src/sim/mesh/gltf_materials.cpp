@@ -82,9 +82,12 @@ class MaterialReader {
     else if (word != "OPAQUE")
       ignore(fmt::format("alphaMode {}", word));
     material.cutoff = share(json, "alphaCutoff", 0.5F);
-    if (const auto extensions = json.find("extensions"))
+    if (const auto extensions = json.find("extensions")) {
       extensions->eachMember(
           [&](const std::string& key, const JsonValue& value) { extend(material, key, value); });
+      for (const char* key : {"KHR_materials_ior", "KHR_materials_volume"})
+        if (material.transmission <= 0 && extensions->has(key)) ignore(key);
+    }
     return material;
   }
 
