@@ -15,7 +15,7 @@ void Finish::describe(Fields& fields) {
                "Picture whose red says how much of the surroundings' light gets there.");
   fields.number("occlusionStrength", occlusionStrength, fraction, "", "How far the occlusion map goes.");
   fields.vector("emission", emission, notNegative, "",
-                "Light of its own, linear RGB; it lights nothing else.");
+                "Light of its own, linear RGB; with quality high it lights other things, too.");
   fields.number("emissionStrength", emissionStrength, notNegative, "", "Factor on \"emission\".");
   fields.asset("emissionMap", emissionMap.file, "sRGB picture, a factor on \"emission\".");
   fields.choice(
@@ -33,6 +33,17 @@ void Finish::describe(Fields& fields) {
   fields.vector("sheen", sheen, fraction, "", "Colour of fibres that stand up from cloth, linear RGB.");
   fields.number("sheenRoughness", sheenRoughness, {0.07, 1}, "",
                 "Low: seen along the edges alone; high: all over.");
+  fields.number("transmission", transmission, fraction, "",
+                "With quality high: fraction of what is not mirrored that goes through, as through glass.");
+  fields.number("ior", ior, {1, 4}, "",
+                "Index of refraction beside that of air: 1.33 water, 1.5 glass, 2.42 diamond.");
+  fields.boolean("thinWalled", thin,
+                 "Whether it is a sheet that light goes straight through; false: the surface of a solid, "
+                 "which bends light where it goes in and out.");
+  fields.vector("attenuationColor", attenuation, {1e-6, 1}, "",
+                "What is left of white light after \"attenuationDistance\" in the solid, linear RGB.");
+  fields.number("attenuationDistance", attenuationDistance, positive, "m",
+                "How far into the solid light has \"attenuationColor\".");
   const auto needs = [&](const char* name, bool there, const char* what) {
     if (fields.given(name) && !there)
       fields.error(name, fmt::format("\"{}\" is for a material with {}", name, what));
@@ -43,6 +54,10 @@ void Finish::describe(Fields& fields) {
   needs("opacity", alpha != Alpha::opaque, "\"alpha\": \"cut\" or \"blend\"");
   needs("alphaCutoff", alpha == Alpha::cut, "\"alpha\": \"cut\"");
   needs("clearCoatRoughness", coat > 0, "a \"clearCoat\"");
+  needs("ior", transmission > 0, "a \"transmission\"");
+  needs("thinWalled", transmission > 0, "a \"transmission\"");
+  needs("attenuationColor", transmission > 0 && !thin, "a \"transmission\" that is not \"thinWalled\"");
+  needs("attenuationDistance", attenuation != glm::vec3(1), "an \"attenuationColor\"");
   needs("sheenRoughness", sheen != glm::vec3(0), "a \"sheen\"");
 }
 

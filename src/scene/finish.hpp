@@ -52,12 +52,17 @@ struct Finish {
   float coatRoughness = 0.03F;
   glm::vec3 sheen{0};  ///< linear RGB, of fibres that stand up
   float sheenRoughness = 0.3F;
+  float transmission = 0.0F;  ///< fraction of what is not mirrored that goes through, as through glass
+  float ior = 1.5F;           ///< index of refraction, beside that of air
+  bool thin = false;          ///< a sheet that light goes straight through; else the surface of a solid
+  glm::vec3 attenuation{1};   ///< linear RGB: what is left of white light after the distance
+  float attenuationDistance = 1.0F;  ///< m within the solid
 
   [[nodiscard]] bool emits() const { return emission != glm::vec3(0) && emissionStrength > 0; }
   /// Whether there is any of it.
   [[nodiscard]] bool used() const {
     return !color.empty() || !normals.empty() || !metalRough.empty() || !occlusion.empty() || emits() ||
-           alpha != Alpha::opaque || coat > 0 || sheen != glm::vec3(0);
+           alpha != Alpha::opaque || coat > 0 || sheen != glm::vec3(0) || transmission > 0;
   }
   /// The keys of a scene's material.
   void describe(Fields& fields);

@@ -1,5 +1,5 @@
-// What a skin looks like where its field is what it is. LOOK_LEATHER, LOOK_SPOTS, LOOK_CRACKS, LOOK_MAP. Compiles as GLSL
-// and as C++. Whoever includes it has the skin's threshold, colours, roughness and depth.
+// What a skin looks like where its field is what it is. LOOK_LEATHER, LOOK_SPOTS, LOOK_CRACKS, LOOK_MAP, or LOOK_ANY: that of the number
+// skinLook_, in this order. Compiles as GLSL and as C++. Whoever includes it has the skin's threshold, colours, roughness and depth.
 #include "draw/arithmetic.glsl"
 #include "draw/surface/rise.glsl"
 
@@ -39,13 +39,17 @@ FUNCTION Skin skinOf(SkinArea area, float change2) {
   skin.openness = inverse(closed);
 #if defined LOOK_LEATHER || defined LOOK_SPOTS
   skin.albedo = blend(skinLow, skinHigh, cover);
-#elif defined LOOK_CRACKS
+#elif defined LOOK_CRACKS || defined LOOK_ANY
   ROUNDED float span = 1.0f - skinThreshold;
   ROUNDED float heat = area.q * inverse(max(span, 0.05f));
   ROUNDED vec3 cold = skinLow * (1.0f - cover);
   ROUNDED vec3 glow = skinHigh * (cover * (0.3f + 0.7f * smoothed(clamp(heat, 0.0f, 1.0f))));
   skin.albedo = cold;
   skin.emission = glow;
+#ifdef LOOK_ANY
+  skin.emission = skinLook_ == 2 ? glow : vec3(0);
+  skin.albedo = skinLook_ == 3 ? area.color : skinLook_ == 2 ? cold : blend(skinLow, skinHigh, cover);
+#endif
 #else
   skin.albedo = area.color;
 #endif

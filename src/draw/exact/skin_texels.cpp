@@ -22,6 +22,7 @@ void SkinTexels::update(const SkinTextures::Entry& entry) {
   }
   if (program_.name() == 0) program_ = gl::Program::compute("draw/exact/surface/skin_texels.comp");
   List& list = lists_[&entry];
+  list.count = count;
   reserve(list.texels, list.view, "texels of a skin", static_cast<std::size_t>(count) * texelBytes,
           GL_RGBA32UI, texelBytes);
   const bool colored = static_cast<bool>(entry.colors);

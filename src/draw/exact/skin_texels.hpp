@@ -19,11 +19,16 @@ class SkinTexels {
   [[nodiscard]] const gl::Texture& find(const SkinTextures::Entry& entry) const {
     return lists_.at(&entry).view;
   }
+  [[nodiscard]] const gl::Buffer& buffer(const SkinTextures::Entry& entry) const {
+    return lists_.at(&entry).texels;
+  }
+  [[nodiscard]] int count(const SkinTextures::Entry& entry) const { return lists_.at(&entry).count; }
 
  private:
   struct List {
     gl::Buffer texels;
     gl::Texture view;
+    int count = 0;
   };
   std::map<const SkinTextures::Entry*, List> lists_;
   gl::Program program_;

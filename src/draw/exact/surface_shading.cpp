@@ -26,12 +26,6 @@ constexpr const char* featureNames[] = {
     "OCCLUSION_MAP", "EMISSION",    "EMISSION_MAP", "COAT",    "SHEEN",    "BLENDED"};
 constexpr unsigned blendedLayer = 1U << 19U;
 
-/// The map of a material's colour: its finish's own, or its texture.
-scene::Map colorMapOf(const scene::Material& material) {
-  if (!material.finish.color.empty()) return material.finish.color;
-  return {material.texture, nullptr, true};
-}
-
 unsigned featuresOf(const sim::Surface& surface, bool skin) {
   const scene::Material& material = *surface.material;
   scene::Material shown = material;
@@ -39,7 +33,7 @@ unsigned featuresOf(const sim::Surface& surface, bool skin) {
   const scene::Finish& finish = material.finish;
   const bool finished = !skin && finish.used();
   const bool textured = !skin && !finished && !material.texture.empty();
-  const bool colored = finished && !colorMapOf(material).empty();
+  const bool colored = finished && !SurfaceShading::colorMapOf(material).empty();
   const bool emits = finished && finish.emits();
   const bool glowMap = emits && !finish.emissionMap.empty();
   const bool mapped = finished && (colored || !finish.normals.empty() || !finish.metalRough.empty() ||
@@ -90,6 +84,11 @@ void setSeen(const sim::Surface& surface, glm::vec2 repeats, const gl::Program& 
 
 }  // namespace
 
+scene::Map SurfaceShading::colorMapOf(const scene::Material& material) {
+  if (!material.finish.color.empty()) return material.finish.color;
+  return {material.texture, nullptr, true};
+}
+
 SurfaceShading::SurfaceShading(const scene::Scene& scene, gl::Defines defines)
     : scene_(scene), defines_(std::move(defines)) {
   for (const scene::Object& object : scene.objects)
@@ -133,6 +132,10 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   raster.bind(drawn, shader);
   shader.set("color", material.color);
   shader.set("material", glm::vec3(material.roughness, material.metallic, material.translucency));
+  if (owner_) {
+    shader.set("owner", owner_(material));
+    shader.set("clear", static_cast<int>(!material.hasSkin && material.finish.transmission > 0));
+  }
   bindPositions(surface, shader);
   if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
   if (skin != nullptr)

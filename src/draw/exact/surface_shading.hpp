@@ -8,6 +8,7 @@
 #include "draw/surface/skin_textures.hpp"
 #include "scene/scene.hpp"
 
+#include <functional>
 #include <map>
 #include <span>
 #include <tuple>
@@ -43,6 +44,12 @@ class SurfaceShading {
     defines_ = std::move(defines);
     programs_.clear();
   }
+  /// The map of a material's colour: its finish's own, or its texture.
+  [[nodiscard]] static scene::Map colorMapOf(const scene::Material& material);
+  /// How rays, for which places are kept instead of being lit, number what those are made of.
+  void ownBy(std::function<unsigned(const scene::Material&)> owner) { owner_ = std::move(owner); }
+  [[nodiscard]] MapTexels& maps() { return maps_; }
+  [[nodiscard]] const SkinTexels& skinTexels() const { return skinTexels_; }
   /// From now on one of `shownLayers` is shaded instead of light, counted from 1; 0: light.
   void show(int layer) { shown_ = layer; }
 
@@ -63,6 +70,7 @@ class SurfaceShading {
   TexelLists textures_;
   SkinTexels skinTexels_;
   MapTexels maps_;
+  std::function<unsigned(const scene::Material&)> owner_;
 };
 
 }  // namespace simreel::draw

@@ -42,6 +42,10 @@ struct MeshMaterial {
   float coat = 0, coatRoughness = 0;
   glm::vec3 sheen{0};
   float sheenRoughness = 0;
+  float transmission = 0, ior = 1.5F;
+  bool thin = true;  ///< without a volume of its own
+  glm::vec3 attenuation{1};
+  float attenuationDistance = 1;
 };
 
 /// Indexed triangles. Positions in m, unit normals, one of each per vertex; uvs are empty when the file has

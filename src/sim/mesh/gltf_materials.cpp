@@ -82,9 +82,12 @@ class MaterialReader {
     else if (word != "OPAQUE")
       ignore(fmt::format("alphaMode {}", word));
     material.cutoff = share(json, "alphaCutoff", 0.5F);
-    if (const auto extensions = json.find("extensions"))
+    if (const auto extensions = json.find("extensions")) {
       extensions->eachMember(
           [&](const std::string& key, const JsonValue& value) { extend(material, key, value); });
+      for (const char* key : {"KHR_materials_ior", "KHR_materials_volume"})
+        if (material.transmission <= 0 && extensions->has(key)) ignore(key);
+    }
     return material;
   }
 
@@ -101,9 +104,25 @@ class MaterialReader {
       material.sheenRoughness = std::max(share(value, "sheenRoughnessFactor", 0), 0.07F);
       for (const char* map : {"sheenColorTexture", "sheenRoughnessTexture"})
         if (value.has(map)) ignore(map);
+    } else if (key == "KHR_materials_transmission") {
+      material.transmission = share(value, "transmissionFactor", 0);
+      if (value.has("transmissionTexture")) ignore("transmissionTexture");
+    } else if (key == "KHR_materials_ior") {
+      material.ior = std::clamp(number(value, "ior", 1.5F), 1.0F, 4.0F);
+    } else if (key == "KHR_materials_volume") {
+      takeVolume(material, value);
     } else {
       ignore(key);
     }
+  }
+
+  /// A thickness above 0 says that the mesh is a solid's surface; how thick it is, rays find themselves.
+  void takeVolume(MeshMaterial& material, const JsonValue& value) {
+    material.thin = number(value, "thicknessFactor", 0) <= 0;
+    const float distance = number(value, "attenuationDistance", 0);
+    if (!(distance > 0)) return;
+    material.attenuation = glm::clamp(color(value, "attenuationColor", glm::vec3(1)), 1e-6F, 1.0F);
+    material.attenuationDistance = distance;
   }
 
   /// A texture that an object names, its picture among those that are kept.

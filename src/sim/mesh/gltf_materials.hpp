@@ -8,7 +8,8 @@
 namespace simreel::sim {
 
 /// The materials of a glTF 2.0 file: metallic-roughness with its maps, and of the extensions
-/// KHR_materials_emissive_strength, KHR_materials_clearcoat and KHR_materials_sheen their numbers.
+/// KHR_materials_emissive_strength, KHR_materials_clearcoat, KHR_materials_sheen and
+/// KHR_materials_transmission, with it KHR_materials_ior and KHR_materials_volume, their numbers.
 struct GltfMaterials {
   std::vector<MeshMaterial> materials;
   std::vector<MeshImage> images;     ///< those that the materials use, as their files have them

@@ -82,6 +82,11 @@ scene::Material materialOf(const MeshMaterial& from, const Images& images, bool 
   finish.coatRoughness = from.coatRoughness;
   finish.sheen = from.sheen;
   finish.sheenRoughness = from.sheenRoughness;
+  finish.transmission = from.transmission;
+  finish.ior = from.ior;
+  finish.thin = from.thin;
+  finish.attenuation = from.attenuation;
+  finish.attenuationDistance = from.attenuationDistance;
   return material;
 }
 

@@ -5,7 +5,7 @@ from common import SOURCE, Case, main
 class Stage(Case):
     def test_pictures_of_scenes_of_one_line(self):
         done = self.good("test", str(SOURCE / "tests/cli/scenes/stage"))
-        self.assertIn("15 scenes: 15 passed", done.stdout.decode())
+        self.assertIn("17 scenes: 17 passed", done.stdout.decode())
 
 
     def test_what_the_driver_cannot_do_is_said(self):
@@ -23,13 +23,32 @@ class Stage(Case):
     def test_light_by_rays(self):
         plain = {"version": 1, "render": {"quality": "high", "raySamples": 2}, "objects": {"ball": {"sphere": {}}}}
         self.write("ball.json", plain)
-        laid = {**plain, "objects": {"ball": {"sphere": {}, "material": {"texture": str(SOURCE / "assets/textures/flag.png")}}}}
+        laid = {**plain, "objects": {"ball": {"sphere": {}, "material": {"texture": str(SOURCE / "assets/textures/flag.png"), "clearCoat": 1, "alpha": "blend", "opacity": 0.5}}}}
         self.write("laid.json", laid)
         small = ("--frames", "0", "--size", "32x18")
         self.assertEqual(self.good("render", "ball.json", *small, "-o", "a/", "-q").err, "")
-        said = self.good("render", "laid.json", *small, "-o", "b/").err
-        self.assertEqual(said.count("know no textures and skins, but the material's colour"), 1)
+        self.assertEqual(self.good("render", "laid.json", *small, "-o", "b/", "-q").err, "")
         self.bad_scene("between 1 and 1024", "render", "ball.json", *small, "-o", "c/", "-D", "render.raySamples=2000")
+
+
+    def test_light_goes_through_glass_with_quality_high_alone(self):
+        glass = {"transmission": 1, "ior": 1.4}
+        self.write("glass.json", {"version": 1, "objects": {"ball": {"sphere": {}, "material": glass}}})
+        small = ("render", "glass.json", "--frames", "0", "--size", "32x18")
+        said = self.good(*small, "-o", "a/").err
+        self.assertEqual(said.count("ball: light goes through it with render.quality \"high\" alone; it is drawn opaque"), 1)
+        self.assertEqual(self.good(*small, "-o", "b/", "-q", "-D", "render.quality=high", "-D", "render.raySamples=2").err, "")
+        self.write("no_glass.json", {"version": 1, "objects": {"ball": {"sphere": {}, "material": {"ior": 1.4}}}})
+        self.bad_scene(["\"ior\" is for a material with a \"transmission\""], "render", "no_glass.json", "-o", "c/")
+        self.write("sheet.json", {"version": 1, "objects": {"ball": {"sphere": {}, "material": {**glass, "thinWalled": True, "attenuationColor": [1, 0.5, 0.2]}}}})
+        self.bad_scene(["\"attenuationColor\" is for a material with a \"transmission\" that is not \"thinWalled\""], "render", "sheet.json", "-o", "d/")
+
+
+    def test_a_file_says_that_it_is_glass(self):
+        self.write("bottle.json", {"version": 1, "objects": {"bottle": {"mesh": {"shape": "file", "file": str(SOURCE / "assets/meshes/bottle.glb")}}}})
+        said = self.good("render", "bottle.json", "--frames", "0", "--size", "32x18", "-o", "a/").err
+        self.assertIn("bottle: light goes through it with render.quality \"high\" alone", said)
+        self.assertNotIn("KHR_", said)
 
 
     def test_a_cone_is_of_a_spot(self):

@@ -1,5 +1,5 @@
 // What the rays onwards meet: the sky, whose light counts; or a place of the scene, from where a ray goes towards a light and another
-// onwards, which brings the sky's light if nothing is in its way. SAMPLES; LAMPS and so on; ENVIRONMENT; TRIANGLES, BALLS, GROUND.
+// onwards, which brings the sky's light if nothing is in its way. SAMPLES; LAMPS and so on; ENVIRONMENT; TRIANGLES, BALLS, GROUND; LAID and so on.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/rays/spot_read.glsl"
@@ -7,6 +7,13 @@
 #include "draw/exact/rays/path_rays.glsl"
 #include "draw/exact/rays/ground_ray.glsl"
 #include "draw/exact/rays/found_facet.glsl"
+#include "draw/exact/rays/ray_width.glsl"
+#ifdef FINISHED
+#include "draw/exact/rays/finished_spot.glsl"
+#endif
+#ifdef EMITTERS
+#include "draw/exact/rays/emitters.glsl"
+#endif
 layout(local_size_x = 64) in;
 layout(binding = rayUnit) uniform samplerBuffer rays;
 layout(binding = rayHitUnit) uniform usamplerBuffer rayHits;
@@ -25,11 +32,31 @@ vec3 beyond(vec3 direction, float roughness, float lobeShare, float density, flo
   return sum;
 }
 
-// One light, the more often the more it gives. What nothing can keep out.
+// One light, the more often the more it gives, or every other time what shines by itself. What nothing can keep out.
 vec3 towardsLight(int path, Facet f, vec3 weight, vec3 u) {
+#ifdef EMITTERS
+  if (emitterCount > 0) {
+    bool emitter = u.z < 0.5f;
+    precise float half_ = u.z * 2.0f - (emitter ? 0.0f : 1.0f);
+    u.z = clamp(half_, 0.0f, 0.999999f);
+    precise vec3 twice = weight * 2.0f;
+    weight = twice;
+    if (emitter) {
+      Emitting e = emittingTowards(f.place, u);
+      precise vec3 lit = emittedLight(f, e, false) * weight;
+      bool shines = max(lit.x, max(lit.y, lit.z)) > 0.0f;
+      putRay(nextLightKind, path, beginning(f, e.direction), 0.0f, e.direction, shines ? e.far : 0.0f, vec4(lit, 0.0f));
+      return vec3(0);
+    }
+  }
+#endif
   vec3 direction = sunDirectionAt(u.x, u.y);
   float nl = exactDot(f.normal, direction);
+#ifdef FINISHED
+  precise vec3 ofSun = frame.sunLight.rgb * (f.matt * mattCosine(f, nl) + mirrorOf(f) * (max(nl, 0.0f) * lobe(f.normal, f.view, direction, f.alpha)) + overLight(f, direction, f.coatAlpha));
+#else
   precise vec3 ofSun = frame.sunLight.rgb * (f.matt * mattCosine(f, nl) + f.f0 * (max(nl, 0.0f) * lobe(f.normal, f.view, direction, f.alpha)));
+#endif
   precise vec3 light = ofSun;
   float far = farAway;
 #ifdef LAMPS
@@ -76,7 +103,12 @@ void main() {
   int at = int(hit.y);
   bool there = towards.w > 0.0f;
   PathStart start = pathStart(path);
-  float roughness = uintBitsToFloat(texelFetch(spots, 3 * start.at + 2).x);
+#ifdef FINISHED
+  float roughness = roughnessOfNote(from.w);
+  from.w = shareOfNote(from.w);
+#else
+  float roughness = uintBitsToFloat(texelFetch(spots, 4 * start.at + 2).x);
+#endif
   float share = at < 0 ? 0.0f : 1.0f;
   vec3 p = placeAlong(from.xyz, towards.xyz, uintBitsToFloat(hit.x));
 #ifdef GROUND
@@ -92,12 +124,27 @@ void main() {
   }
   // What rough surfaces gather from smooth ones would be rare and bright: there those are no smoother.
   precise float least = 0.7f + (roughness - 0.7f) * from.w;
-  Facet f = foundFacet(at, p, towards.xyz, uintBitsToFloat(hit.x), uintBitsToFloat(hit.zw), least);
+  Facet f = foundFacet(at, p, towards.xyz, uintBitsToFloat(hit.x), uintBitsToFloat(hit.zw), least, rayWidth(from.xyz, uintBitsToFloat(hit.x), weight.w));
   precise vec3 through = weight.rgb * share;
   vec3 certain = towardsLight(path, f, through, samplePoint(start.number, sampleMask, start.seed, 3u));
   Onward onward = onwardFrom(f, samplePoint(start.number, sampleMask, start.seed, 4u));
-  precise vec3 brings = through * onward.weight * skyLight(onward.direction, skyFactor(f.roughness, onward.share), f.roughness, onward.share);
+#ifdef FINISHED
+  float ownRoughness = onward.roughness;
+#else
+  float ownRoughness = f.roughness;
+#endif
+  precise vec3 brings = through * onward.weight * skyLight(onward.direction, skyFactor(ownRoughness, onward.share), ownRoughness, onward.share);
   putRay(nextOnwardKind, path, beginning(f, onward.direction), 0.0f, onward.direction, farAway, vec4(brings, 0.0f));
   sure = sure + certain + through * openLamps(f);
+#ifdef EMITTERS
+  if (max(f.emission.x, max(f.emission.y, f.emission.z)) > 0.0f) {
+    // As likely as rays on purpose did not find it.
+    precise float square = uintBitsToFloat(hit.x) * uintBitsToFloat(hit.x);
+    float found = emitterCount > 0 ? emitterDensity(f.sought, square, abs(exactDot(f.facing, towards.xyz))) : 0.0f;
+    precise float both = weight.w + found;
+    precise float counts = both > 0.0f ? weight.w * exactReciprocal(max(both, 1e-12f)) : 0.0f;
+    sure = sure + through * f.emission * counts;
+  }
+#endif
   rayLight[nextSure * paths + path] = vec4(sure, 0.0f);
 }

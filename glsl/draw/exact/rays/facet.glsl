@@ -1,9 +1,14 @@
 // A place of the scene as rays find it, and what it does with light: a GGX lobe, and beneath it a matt surface that gets what the lobe
-// leaves. Light is irradiance / pi, as in draw/surface/shading.glsl. Compiles as GLSL and as C++.
+// leaves. Light is irradiance / pi, as in draw/surface/shading.glsl. EMITTERS: it may have light of its own. FINISHED: there may be a coat
+// and fibres over it, and light may go through (finished_facet.glsl). Compiles as GLSL and as C++.
 #ifndef EXACT_RAY_FACET
 #define EXACT_RAY_FACET
 #include "draw/surface/shading.glsl"
 #include "draw/exact/rays/directions.glsl"
+#ifdef FINISHED
+#include "draw/exact/rays/dielectric.glsl"
+#include "draw/surface/sheen.glsl"
+#endif
 
 struct Facet {
   vec3 place;
@@ -18,6 +23,27 @@ struct Facet {
   float off;    // how far from the place rays begin (m)
   float nv;     // cosine of normal and view, above 0
   float mirrors;  // probability with which a sample goes on by the lobe
+#ifdef EMITTERS
+  vec3 emission;
+  vec3 sought;  // by which rays on purpose choose it: without its map; of skins none
+#endif
+#ifdef FINISHED
+  float kept;  // of lobe and matt surface, below what follows
+  float coat;  // strength
+  vec3 coatNormal;
+  float coatAlpha;
+  float coatNv;
+  float coats;  // probability with which a sample goes on by it
+  vec3 fibres;
+  float fibreRoughness;
+  float glass;   // what goes on by a clear surface instead of lobe and matt surface: a fraction,
+  float clear;   // as much as coat and fibres leave of it,
+  float clearF0;
+  float ior;
+  vec3 tint;
+  bool thin;
+  bool inside;   // the solid is on the side of the view
+#endif
 };
 
 FUNCTION float brightnessOf(vec3 c) {
@@ -55,6 +81,21 @@ FUNCTION Facet facetOf(vec3 place, vec3 facing, vec3 normal, vec3 view, vec3 bas
   float largest = max(abs(place.x), max(abs(place.y), abs(place.z)));
   precise float off = 1e-5f * max(largest, reach);
   f.off = off;
+#ifdef EMITTERS
+  f.emission = f.sought = vec3(0.0f);
+#endif
+#ifdef FINISHED
+  f.kept = 1.0f;
+  f.coat = f.coats = f.glass = f.clear = f.clearF0 = 0.0f;
+  f.coatNormal = f.normal;
+  f.coatAlpha = f.alpha;
+  f.coatNv = f.nv;
+  f.fibres = vec3(0.0f);
+  f.fibreRoughness = 0.5f;
+  f.ior = 1.5f;
+  f.tint = vec3(1.0f);
+  f.thin = f.inside = false;
+#endif
   return f;
 }
 
@@ -67,7 +108,11 @@ FUNCTION float mattCosine(Facet f, float nl) {
 
 // Where a ray into that direction begins: on its side of what lets light through, else on the side that is seen.
 FUNCTION vec3 beginning(Facet f, vec3 direction) {
-  bool through = f.translucency > 0.0f && exactDot(f.facing, direction) < 0.0f;
+  bool lets = f.translucency > 0.0f;
+#ifdef FINISHED
+  lets = lets || f.glass > 0.0f;
+#endif
+  bool through = lets && exactDot(f.facing, direction) < 0.0f;
   precise vec3 p = f.place + f.facing * (through ? -f.off : f.off);
   return p;
 }
@@ -76,7 +121,17 @@ FUNCTION vec3 beginning(Facet f, vec3 direction) {
 struct Lobed {
   vec3 light;
   float density;
+#ifdef FINISHED
+  float coatDensity;
+  float roughness;  // of lobe and coat, each as far as it counts
+  vec3 fibres;      // light by way of those, of the same kind
+  float clear;      // and by a clear surface
+  float clearDensity;
+#endif
 };
+#ifdef FINISHED
+#include "draw/exact/rays/finished_facet.glsl"
+#endif
 FUNCTION Lobed lobeTowards(Facet f, vec3 direction) {
   Lobed none;
   none.light = vec3(0.0f);
@@ -91,10 +146,19 @@ FUNCTION Lobed lobeTowards(Facet f, vec3 direction) {
   precise float quarter = 0.25f * d * exactReciprocal(f.nv);
   precise float density = quarter * exactReciprocal(one);
   precise vec3 light = fresnel(f.f0, lh) * (3.14159265f * quarter * exactReciprocal(both));
+#ifdef FINISHED
+  none.coatDensity = none.clear = none.clearDensity = 0.0f;
+  none.roughness = f.roughness;
+  none.fibres = vec3(0.0f);
+#endif
   if (nl <= 0.0f) return none;
   Lobed found;
   found.light = light;
   found.density = density;
+#ifdef FINISHED
+  precise float shape = 3.14159265f * quarter * exactReciprocal(both);
+  found = finishedLobes(f, found, direction, lh, shape);
+#endif
   return found;
 }
 
@@ -102,6 +166,10 @@ FUNCTION Lobed lobeTowards(Facet f, vec3 direction) {
 FUNCTION float densityTowards(Facet f, Lobed lobed, float nl) {
   precise float matts = 1.0f - f.mirrors;
   precise float density = f.mirrors * lobed.density + matts * mattCosine(f, nl) * 0.31830989f;
+#ifdef FINISHED
+  precise float of = f.coats * lobed.coatDensity + restOf(f) * density;
+  density = of;
+#endif
   return density;
 }
 
@@ -112,16 +180,43 @@ struct Onward {
   vec3 weight;
   float density;  // how often (1/sr)
   float share;    // of the lobe in what counts
+#ifdef FINISHED
+  float roughness;
+#endif
 };
+#ifdef FINISHED
+#include "draw/exact/rays/clear_facet.glsl"
+#endif
 FUNCTION Onward onwardFrom(Facet f, vec3 u) {
-  bool mirror = u.z < f.mirrors;
+  float pick = u.z;
+#ifdef FINISHED
+  bool byCoat = pick < f.coats;
+  if (!byCoat) {
+    precise float clears = (1.0f - f.coats) * f.glass;
+    precise float after = pick - f.coats;
+    precise float own = after * exactReciprocal(max(clears, 1e-6f));
+    precise float left = (after - clears) * exactReciprocal(max(restOf(f), 1e-6f));
+    if (after < clears) return clearOnward(f, vec3(u.x, u.y, min(own, 0.999999f)));
+    pick = clamp(left, 0.0f, 0.999999f);
+  }
+#endif
+  bool mirror = pick < f.mirrors;
   precise float matts = 1.0f - f.mirrors;
-  precise float rest = (u.z - f.mirrors) * exactReciprocal(max(matts, 1e-6f));
+  precise float rest = (pick - f.mirrors) * exactReciprocal(max(matts, 1e-6f));
   bool through = !mirror && rest < f.translucency;
-  vec3 right = rightOf(f.normal), up = upOf(f.normal);
-  vec3 own = vec3(exactDot(right, f.view), exactDot(up, f.view), f.nv);
-  vec3 h = visibleNormal(own, f.alpha, u.x, u.y);
-  precise vec3 facet = right * h.x + up * h.y + f.normal * h.z;
+  vec3 axis = f.normal;
+  float cosine = f.nv, alpha = f.alpha;
+#ifdef FINISHED
+  mirror = mirror || byCoat;
+  through = through && !byCoat;
+  axis = byCoat ? f.coatNormal : axis;
+  cosine = byCoat ? f.coatNv : cosine;
+  alpha = byCoat ? f.coatAlpha : alpha;
+#endif
+  vec3 right = rightOf(axis), up = upOf(axis);
+  vec3 own = vec3(exactDot(right, f.view), exactDot(up, f.view), cosine);
+  vec3 h = visibleNormal(own, alpha, u.x, u.y);
+  precise vec3 facet = right * h.x + up * h.y + axis * h.z;
   precise vec3 mirrored = facet * (2.0f * exactDot(f.view, facet)) - f.view;
   vec3 direction = mirror ? mirrored : cosineDirection(through ? -f.normal : f.normal, u.x, u.y);
   // What shading alone turns into the surface comes back out of it.
@@ -134,6 +229,9 @@ FUNCTION Onward onwardFrom(Facet f, vec3 u) {
   Lobed lobed = lobeTowards(f, direction);
   float density = densityTowards(f, lobed, nl);
   precise vec3 ofMatt = f.matt * mattCosine(f, nl);
+#ifdef FINISHED
+  ofMatt = ofMatt + lobed.fibres;
+#endif
   float lobeLight = brightnessOf(lobed.light), mattLight = brightnessOf(ofMatt);
   precise float all_ = lobeLight + mattLight;
   precise float share = lobeLight * exactReciprocal(max(all_, 1e-25f));
@@ -143,6 +241,9 @@ FUNCTION Onward onwardFrom(Facet f, vec3 u) {
   onward.weight = density > 1e-12f ? weight : vec3(0.0f);
   onward.density = density;
   onward.share = share;
+#ifdef FINISHED
+  onward.roughness = lobed.roughness;
+#endif
   return onward;
 }
 #endif

@@ -1,28 +1,38 @@
-// What a ray has met, as shading needs it. TRIANGLES, BALLS, GROUND.
+// What a ray has met, as shading needs it. TRIANGLES, BALLS, GROUND; LAID, SKINS, EMITTERS, FINISHED.
 #include "draw/exact/rays/rounded_place.glsl"
+#include "draw/exact/rays/looks.glsl"
 #ifdef TRIANGLES
-layout(binding = solidUnit) uniform usamplerBuffer sortedSolids;
-layout(binding = solidIdUnit) uniform usamplerBuffer solidIds;
-layout(binding = solidCornerUnit) uniform usamplerBuffer corners;
-layout(binding = solidWordUnit) uniform usamplerBuffer vertexWords;
+#include "draw/exact/rays/met_triangle.glsl"
 #endif
 #ifdef BALLS
 layout(binding = ballUnit) uniform usamplerBuffer sortedBalls;
 layout(binding = ballLookUnit) uniform samplerBuffer ballLooks;
 #endif
-layout(binding = rayLookUnit) uniform samplerBuffer looks;  // roughness, metallic, translucency, whether it casts shadows
+#ifdef LAID
+#include "draw/exact/rays/laid_on.glsl"
+#endif
+
+#ifdef FINISHED
+#include "draw/exact/rays/finished_look.glsl"
+#endif
+
+struct Found {
+  Facet facet;
+  int owner;
+  vec3 base;
+  float metallic;
+  bool inside;
+  vec3 smooth_;
+};
 
 #ifdef TRIANGLES
 vec3 colorOf(uvec4 words) {
   return vec3(unpackHalf2x16(words.y), unpackHalf2x16(words.z).x);
 }
-Facet foundTriangle(int at, vec3 p, vec3 along, float t, vec2 weight, float least) {
-  int id = int(texelFetch(solidIds, at).x);
-  uvec4 a = texelFetch(vertexWords, int(texelFetch(corners, 3 * id).x));
-  uvec4 b = texelFetch(vertexWords, int(texelFetch(corners, 3 * id + 1).x));
-  uvec4 c = texelFetch(vertexWords, int(texelFetch(corners, 3 * id + 2).x));
-  vec3 pa = uintBitsToFloat(texelFetch(sortedSolids, 3 * at).xyz), pb = uintBitsToFloat(texelFetch(sortedSolids, 3 * at + 1).xyz);
-  vec3 pc = uintBitsToFloat(texelFetch(sortedSolids, 3 * at + 2).xyz);
+Found foundTriangle(int at, vec3 p, vec3 along, float t, vec2 weight, float least, float width) {
+  ivec3 vertices = metCorners(at);
+  uvec4 a = texelFetch(vertexWords, vertices.x), b = texelFetch(vertexWords, vertices.y), c = texelFetch(vertexWords, vertices.z);
+  vec3 pa = metPlace(at, 0), pb = metPlace(at, 1), pc = metPlace(at, 2);
   precise vec3 first = pb - pa;
   precise vec3 second = pc - pa;
   vec3 across = exactCross(first, second);
@@ -36,9 +46,65 @@ Facet foundTriangle(int at, vec3 p, vec3 along, float t, vec2 weight, float leas
   bool turned = exactDot(mean, facing) < 0.0f;
   vec3 normal = unitOf(turned ? -mean : mean);
   precise vec3 base = colorOf(a) * rest + colorOf(b) * weight.x + colorOf(c) * weight.y;
-  vec4 look = texelFetch(looks, int(a.w));
+  vec4 look = lookOf(int(a.w), plainLook);
   vec3 lifted = roundedPlace(p, pa, pb, pc, turned ? -na : na, turned ? -nb : nb, turned ? -nc : nc, vec3(rest, weight));
-  return facetOf(lifted, facing, normal, view, base, vec3(max(look.x, least), look.yz), t);
+  Found found;
+  found.owner = int(a.w);
+  found.inside = turned;
+  found.smooth_ = normal;
+#ifdef EMITTERS
+  vec3 emission = lookOf(found.owner, lightLook).rgb;
+#endif
+#ifdef LAID
+  Laid laid = laidAt(found.owner, vertices, pa, pb, pc, vec3(rest, weight), facing, turned ? -normal : normal, width);
+  ivec4 colorMap = ivec4(lookWords(found.owner, colorMapLook)), normalMap = ivec4(lookWords(found.owner, normalMapLook));
+  ivec4 metalRoughMap = ivec4(lookWords(found.owner, metalRoughMapLook));
+  if (colorMap.x > 0) base = base * mapLaid(laid, colorMap).rgb;
+  if (metalRoughMap.x > 0) {
+    vec4 made = mapLaid(laid, metalRoughMap);
+    precise float rough = look.x * made.g;
+    precise float metal = look.y * made.b;
+    look.x = rough;
+    look.y = metal;
+  }
+  if (normalMap.x > 0) {
+    LaidNormal relief = normalLaid(found.owner, laid, turned ? -normal : normal, normalMap);
+    normal = turned ? -relief.normal : relief.normal;
+    look.x = spreadRoughness(look.x, relief.mean);
+  }
+#ifdef EMITTERS
+  ivec4 emissionMap = ivec4(lookWords(found.owner, emissionMapLook));
+  if (emissionMap.x > 0) {
+    precise vec3 part = emission * mapLaid(laid, emissionMap).rgb;
+    emission = part;
+  }
+#endif
+#ifdef SKINS
+  if (takeSkin(found.owner)) {
+    HitSkin grown = skinLaid(found.owner, laid, normal);
+    normal = grown.normal;
+    base = grown.skin.albedo;
+    look.x = grown.skin.roughness;
+#ifdef EMITTERS
+    emission = grown.skin.emission;
+#endif
+  }
+#endif
+#endif
+  found.base = base;
+  found.metallic = look.y;
+#ifdef FINISHED
+  lifted = lookOf(found.owner, sheenLook).w > 0.0f ? p : lifted;
+#endif
+  found.facet = facetOf(lifted, facing, normal, view, base, vec3(max(look.x, least), look.yz), t);
+#ifdef EMITTERS
+  found.facet.emission = emission;
+  found.facet.sought = lookOf(found.owner, lightLook).rgb;
+#endif
+#ifdef FINISHED
+  found.facet = finishedFacet(found.facet, found.owner, found.smooth_);
+#endif
+  return found;
 }
 #endif
 
@@ -49,18 +115,24 @@ Facet foundBall(int at, vec3 p, vec3 along, float t, float least) {
   precise vec3 outwards = p - ball.xyz;
   vec3 normal = unitOf(outwards);
   precise vec3 view = -along;
-  vec4 look = texelFetch(looks, int(own.w));
+  vec4 look = lookOf(int(own.w), plainLook);
   return facetOf(p, normal, normal, view, own.rgb, vec3(max(look.x, least), look.yz), t);
 }
 #endif
 
-// `least`: roughness that it has at least.
-Facet foundFacet(int at, vec3 p, vec3 along, float t, vec2 weight, float least) {
+// `least`: roughness that it has at least; `width` (m): over which the ray sees what is laid over it.
+Facet foundFacet(int at, vec3 p, vec3 along, float t, vec2 weight, float least, float width) {
 #ifdef BALLS
   if (at >= ballBit && at != groundHit) return foundBall(at - ballBit, p, along, t, least);
 #endif
 #ifdef TRIANGLES
-  if (at < ballBit) return foundTriangle(at, p, along, t, weight, least);
+  if (at < ballBit) {
+    Facet f = foundTriangle(at, p, along, t, weight, least, width).facet;
+#ifdef FINISHED
+    f = settled(f);
+#endif
+    return f;
+  }
 #endif
   precise vec3 view = -along;
   return facetOf(p, vec3(0, 1, 0), vec3(0, 1, 0), view, frame.groundColor.rgb, vec3(max(frame.groundRoughness, least), 0.0f, 0.0f), t);

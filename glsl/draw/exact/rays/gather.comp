@@ -1,5 +1,6 @@
 // Puts a surface's vertices in world space behind those of others, with what shading reads of them, and its triangles. A vertex's
-// words: its normal, its colour (halfs) and whose it is. Variants: GRID, DEFORMED, COUNTED, PALETTE.
+// words: its normal, its colour (halfs) and whose it is. Variants: GRID, DEFORMED, COUNTED, PALETTE; LAID
+// with its uv or (TRIPLANAR) its place in the surface's own space.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
@@ -23,6 +24,26 @@ uniform int firstTriangle;
 uniform ivec2 rowOf;  // as draw/exact/triangles/surface_triangle.glsl has it
 uniform uint owner;
 uniform vec3 color;
+#ifdef LAID
+layout(std430, binding = outLayBinding) writeonly restrict buffer LayBlock { vec4 lays[]; };
+#ifdef TRIPLANAR
+uniform float modelScale;
+#elif defined GRID
+uniform vec2 perGrid;  // 1 / (grid - 1)
+#else
+layout(binding = uvUnit) uniform samplerBuffer uvs;
+#endif
+vec3 layOf(int i) {
+#ifdef TRIPLANAR
+  precise vec3 lay = vertexPlace(i) * modelScale;
+#elif defined GRID
+  precise vec3 lay = vec3(vec2(i % grid.x, i / grid.x) * perGrid, 0.0f);
+#else
+  vec3 lay = vec3(texelFetch(uvs, i).xy, 0.0f);
+#endif
+  return lay;
+}
+#endif
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
@@ -41,6 +62,9 @@ void main() {
     vec4 held = asHalf(vec4(tint, 0.0f));
     words[firstVertex + i] =
         uvec4(packedUnit(turned ? n : vec3(0, 1, 0)), packHalf2x16(held.xy), packHalf2x16(held.zw), owner);
+#ifdef LAID
+    lays[firstVertex + i] = vec4(layOf(i), 0.0f);
+#endif
   }
   if (i >= triangleCount) return;
 #ifdef COUNTED

@@ -1,5 +1,5 @@
 // Triangles or (BALLS) balls in their order, with their boxes:
-//   triangle: a, b and c, each with a word of the box; the first word's bit 31: it casts no shadow
+//   triangle: a, b and c, each with a word of the box; the first word's bit 31: it casts no shadow; bit 15: it may let rays through
 //   ball: middle and radius; the box and its number
 #include "draw/exact/rays/solids.glsl"
 #include "draw/exact/rays/grid_block.glsl"
@@ -11,7 +11,7 @@ layout(std430, binding = outRecordBinding) writeonly restrict buffer SortedBlock
 layout(binding = solidWordUnit) uniform usamplerBuffer vertexWords;
 layout(std430, binding = outIdBinding) writeonly restrict buffer IdBlock { uint ids[]; };
 #endif
-layout(binding = rayLookUnit) uniform samplerBuffer looks;
+#include "draw/exact/rays/looks.glsl"
 #ifdef BALLS
 layout(binding = ballLookUnit) uniform samplerBuffer ballLooks;
 #endif
@@ -24,13 +24,14 @@ void main() {
   Solid solid = solidOf(number);
   uvec3 box = solid.there ? packedBox(gridOfAll(), solid.low, solid.high) : uvec3(emptyBoxX, emptyBoxY, emptyBoxZ);
 #ifdef BALLS
-  bool casts = texelFetch(looks, int(texelFetch(ballLooks, number).w)).w > 0.0f;
+  bool casts = lookOf(int(texelFetch(ballLooks, number).w), plainLook).w > 0.0f;
   sorted[2 * i] = floatBitsToUint(solid.there ? solid.ball : vec4(0));
   sorted[2 * i + 1] = uvec4(box.x | (casts ? 0u : 0x80000000u), box.yz, uint(number));
 #else
   int owner = int(texelFetch(vertexWords, int(texelFetch(corners, 3 * number).x)).w);
-  bool casts = texelFetch(looks, owner).w > 0.0f;
-  sorted[3 * i] = uvec4(floatBitsToUint(solid.there ? solid.a.xyz : vec3(0)), box.x | (casts ? 0u : 0x80000000u));
+  bool casts = lookOf(owner, plainLook).w > 0.0f;
+  uint marks = (casts ? 0u : 0x80000000u) | (letsThrough(owner) ? 0x8000u : 0u);
+  sorted[3 * i] = uvec4(floatBitsToUint(solid.there ? solid.a.xyz : vec3(0)), box.x | marks);
   sorted[3 * i + 1] = uvec4(floatBitsToUint(solid.there ? solid.b.xyz : vec3(0)), box.y);
   sorted[3 * i + 2] = uvec4(floatBitsToUint(solid.there ? solid.c.xyz : vec3(0)), box.z);
   ids[i] = uint(number);

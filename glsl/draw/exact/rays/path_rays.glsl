@@ -4,8 +4,13 @@
 #include "draw/exact/rays/hits.glsl"
 const int sunKind = 0, lampKind = 1, onwardKind = 2, nextLightKind = 3, nextOnwardKind = 4;
 const int spotSure = 5, nextSure = 6;
+#ifdef PATHS_GO_ON
+layout(std430, binding = outRayBinding) restrict buffer RayBlock { vec4 outRays[]; };
+layout(std430, binding = outRayLightBinding) restrict buffer RayLightBlock { vec4 rayLight[]; };
+#else
 layout(std430, binding = outRayBinding) writeonly restrict buffer RayBlock { vec4 outRays[]; };
 layout(std430, binding = outRayLightBinding) writeonly restrict buffer RayLightBlock { vec4 rayLight[]; };
+#endif
 uniform int paths;
 
 void putRay(int kind, int path, vec3 origin, float note, vec3 direction, float far, vec4 light) {

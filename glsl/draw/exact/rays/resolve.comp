@@ -16,7 +16,7 @@ void main() {
   for (int s = 0; s < SAMPLES; ++s) {
     int same = samplesShowing(first, s);
     if (same == 0) continue;
-    float share = uintBitsToFloat(texelFetch(spots, 3 * (first + s) + 2).w);
+    float share = uintBitsToFloat(texelFetch(spots, 4 * (first + s) + 2).w);
     precise float factor = share * float(same) * perSamples() * exactReciprocal(float(raysOf(same, raySamples)));
     sum = sum + vec4(texelFetch(spotLight, first + s).rgb, 0.0f) * factor;
   }

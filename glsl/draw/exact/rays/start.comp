@@ -4,15 +4,25 @@
 #include "draw/exact/rays/spot_read.glsl"
 #include "draw/exact/rays/lights.glsl"
 #include "draw/exact/rays/path_rays.glsl"
+#ifdef FINISHED
+#include "draw/exact/rays/finished_spot.glsl"
+#endif
+#ifdef EMITTERS
+#include "draw/exact/rays/emitters.glsl"
+#endif
 layout(local_size_x = 64) in;
 
 Facet facetAt(int at) {
-  uvec4 first = texelFetch(spots, 3 * at), second = texelFetch(spots, 3 * at + 1), third = texelFetch(spots, 3 * at + 2);
+  uvec4 first = texelFetch(spots, 4 * at), second = texelFetch(spots, 4 * at + 1), third = texelFetch(spots, 4 * at + 2);
   vec3 place = uintBitsToFloat(first.xyz);
   precise vec3 to = view.eye.xyz - place;
   float square = max(exactDot(to, to), 1e-12f);
-  return facetOf(place, unpackedUnit(first.w), unpackedUnit(second.w), unitOf(to), uintBitsToFloat(second.xyz),
-                 uintBitsToFloat(third.xyz), exactSqrt(square));
+  Facet f = facetOf(place, unpackedUnit(first.w), unpackedUnit(second.w), unitOf(to), uintBitsToFloat(second.xyz),
+                    uintBitsToFloat(third.xyz), exactSqrt(square));
+#ifdef FINISHED
+  f = finishedSpot(f, at, uintBitsToFloat(second.xyz), uintBitsToFloat(third.y));
+#endif
+  return f;
 }
 
 // The sun is found both by rays towards it and by those onwards; each counts as it is likely. What nothing can keep
@@ -22,7 +32,13 @@ vec3 towardsSun(int path, Facet f, vec3 u) {
   float nl = exactDot(f.normal, direction), angle = sunAngle();
   Lobed lobed = lobeTowards(f, direction);
   precise float both = 1.0f + densityTowards(f, lobed, nl) * angle;
+#ifdef FINISHED
+  precise float alone = 1.0f + lobed.clearDensity * angle;
+  precise vec3 own = (f.matt * mattCosine(f, nl) + lobed.light + lobed.fibres) * exactReciprocal(both) + lobed.clear * exactReciprocal(alone);
+  precise vec3 light = frame.sunLight.rgb * own;
+#else
   precise vec3 light = frame.sunLight.rgb * (f.matt * mattCosine(f, nl) + lobed.light) * exactReciprocal(both);
+#endif
 #ifdef OPEN_SUN
   putNone(sunKind, path);
   return light;
@@ -32,14 +48,36 @@ vec3 towardsSun(int path, Facet f, vec3 u) {
   return vec3(0);
 }
 
+// What shines by itself, every other time where there are lamps.
 void towardsLamp(int path, Facet f, vec3 u) {
+  precise float times = 1.0f;
+#ifdef EMITTERS
+  if (emitterCount > 0) {
+#if defined LAMPS && SHADOWED_LAMPS > 0
+    bool emitter = u.z < 0.5f;
+    precise float half_ = u.z * 2.0f - (emitter ? 0.0f : 1.0f);
+    u.z = clamp(half_, 0.0f, 0.999999f);
+    times = 2.0f;
+#else
+    const bool emitter = true;
+#endif
+    if (emitter) {
+      Emitting e = emittingTowards(f.place, u);
+      precise vec3 light = emittedLight(f, e, true) * times;
+      bool any_ = max(light.x, max(light.y, light.z)) > 0.0f;
+      putRay(lampKind, path, beginning(f, e.direction), 0.0f, e.direction, any_ ? e.far : 0.0f, vec4(light, 0.0f));
+      return;
+    }
+  }
+#endif
   Chosen chosen = chosenLamp(f, u.z);
 #ifdef LAMPS
   if (chosen.lamp >= 0) {
     precise vec3 to = lampPlaceAt(f.place, chosen.lamp, u.x, u.y) - f.place;
     vec3 direction = unitOf(to);
     precise float far = exactSqrt(exactDot(to, to)) * 0.9999f;
-    putRay(lampKind, path, beginning(f, direction), 0.0f, direction, far, vec4(chosen.light, 0.0f));
+    precise vec3 brings = chosen.light * times;
+    putRay(lampKind, path, beginning(f, direction), 0.0f, direction, far, vec4(brings, 0.0f));
     return;
   }
 #endif
@@ -59,7 +97,12 @@ void main() {
   precise vec3 sure = openLamps(f) + towardsSun(path, f, samplePoint(start.number, sampleMask, start.seed, 0u));
   towardsLamp(path, f, samplePoint(start.number, sampleMask, start.seed, 1u));
   Onward onward = onwardFrom(f, samplePoint(start.number, sampleMask, start.seed, 2u));
-  putRay(onwardKind, path, beginning(f, onward.direction), onward.share, onward.direction, farAway,
+#ifdef FINISHED
+  float note = noteOf(onward.share, onward.roughness);
+#else
+  float note = onward.share;
+#endif
+  putRay(onwardKind, path, beginning(f, onward.direction), note, onward.direction, farAway,
          vec4(onward.weight, onward.density));
   rayLight[spotSure * paths + path] = vec4(sure, 0.0f);
 }

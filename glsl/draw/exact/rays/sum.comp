@@ -16,7 +16,11 @@ uniform float most;
 
 vec3 arriving(int kind, int path) {
   int i = kind * paths + path;
+#ifdef PASSAGES
+  precise vec3 found = texelFetch(light, i).rgb * uintBitsToFloat(texelFetch(rayHits, i).xyz);
+#else
   precise vec3 found = texelFetch(light, i).rgb * uintBitsToFloat(texelFetch(rayHits, i).x);
+#endif
   return found;
 }
 vec3 certain(int kind, int path) {

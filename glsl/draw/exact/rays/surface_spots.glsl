@@ -12,7 +12,8 @@ vec3 cornerNormal(int vertex, bool turned) {
   return turned ? -n : n;
 }
 
-void keepSurfaceSpot(Spot spot, Look look, vec3 normal, int sampleAt) {
+// `owner`: as keepSpot has it. Where rays go through, they begin at the flat triangle.
+void keepSurfaceSpot(Spot spot, Look look, vec3 normal, int sampleAt, uint owner, bool clear) {
   vec3 a = cornerPlace(spot.a), b = cornerPlace(spot.b), c = cornerPlace(spot.c);
   precise vec3 first = b - a;
   precise vec3 second = c - a;
@@ -21,8 +22,9 @@ void keepSurfaceSpot(Spot spot, Look look, vec3 normal, int sampleAt) {
   precise vec3 facing = square < 1e-30f ? spot.normal : across * exactInverseSqrt(square);
   facing = exactDot(facing, spot.view) < 0.0f ? -facing : facing;
   bool turned = exactDot(spot.normal, facing) < 0.0f;
-  vec3 p = roundedPlace(spot.place, a, b, c, cornerNormal(spot.corners.x, turned), cornerNormal(spot.corners.y, turned),
+  vec3 p = clear ? spot.place : roundedPlace(spot.place, a, b, c, cornerNormal(spot.corners.x, turned), cornerNormal(spot.corners.y, turned),
                         cornerNormal(spot.corners.z, turned), spot.weight);
   keepSpot(sampleAt, p, facing, exactDot(normal, facing) < 0.0f ? -normal : normal, look.base,
-           vec3(look.roughness, look.metallic, look.translucency), 1.0f);
+           vec3(look.roughness, look.metallic, look.translucency), 1.0f, owner | (turned ? 0x80000000u : 0u),
+           turned ? -spot.normal : spot.normal);
 }

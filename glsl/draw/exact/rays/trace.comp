@@ -1,7 +1,7 @@
 // What rays meet: an invocation each. A ray is its origin and a number that is not read here, its unit direction and how far it goes (m;
 // 0: it is none). Of each: how far, the place in the order of triangles (-1: nothing; from ballBit on: of balls; groundHit) and
-// weights of the triangle's second and third corner. ANY_HIT: instead, how much of the light gets through (x), what casts no shadow
-// being passed. Variants: TRIANGLES, BALLS, GROUND.
+// weights of the triangle's second and third corner. ANY_HIT: instead, how much of the light gets through (x; PASSAGES: of each
+// colour), what casts no shadow being passed. GOES_ON: rays of a list. Variants: TRIANGLES, BALLS, GROUND; PASSAGES, LAID.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/rays/bindings.glsl"
@@ -15,10 +15,16 @@ uniform int solidCount, solidLeaves, ballCount, ballLeaves;
 int solidCount_ = once(solidCount), solidLeaves_ = once(solidLeaves), ballCount_ = once(ballCount), ballLeaves_ = once(ballLeaves);
 uniform int firstRay;
 uniform int rayCount;
+#ifdef GOES_ON
+layout(binding = rayListUnit) uniform usamplerBuffer goingOn;
+#endif
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
   if (i >= rayCount) return;
+#ifdef GOES_ON
+  i = int(texelFetch(goingOn, i).x);
+#endif
   i += firstRay;
   vec4 from = texelFetch(rays, 2 * i), towards = texelFetch(rays, 2 * i + 1);
   Ray ray = rayOf(from.xyz, towards.xyz);
@@ -38,7 +44,14 @@ void main() {
 #ifdef BALLS
   best = walkBalls(ray, planes, best, ballCount_, ballLeaves_);
 #endif
+#if defined PASSAGES && defined TRIANGLES
+  precise vec3 passed = lightPassed() * (best.at < 0 ? open : 0.0f);
+  hits[i] = uvec4(floatBitsToUint(passed), 0u);
+#elif defined PASSAGES
+  hits[i] = uvec4(uvec3(floatBitsToUint(best.at < 0 ? open : 0.0f)), 0u);
+#else
   hits[i] = uvec4(floatBitsToUint(best.at < 0 ? open : 0.0f), 0u, 0u, 0u);
+#endif
 #else
 #ifdef TRIANGLES
   best = walkTriangles(ray, planes, best, solidCount_, solidLeaves_);

@@ -18,13 +18,21 @@ RayHit taken(RayHit hit, RayHit best, uint flag) {
 #include "draw/exact/rays/walk.glsl"
 
 #ifdef TRIANGLES
+#ifdef PASSAGES
+#include "draw/exact/rays/passing.glsl"
+#else
 layout(binding = solidUnit) uniform usamplerBuffer sortedSolids;
+#endif
 layout(binding = solidNodeUnit) uniform usamplerBuffer solidNodes;
 
 RayHit testTriangle(Ray ray, RayPlanes planes, RayHit best, int i) {
   uvec4 a = texelFetch(sortedSolids, 3 * i), b = texelFetch(sortedSolids, 3 * i + 1), c = texelFetch(sortedSolids, 3 * i + 2);
   vec2 span = spanIn(planes, a.w, b.w, c.w);
   RayHit hit = nearerTriangle(ray, uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz), uintBitsToFloat(c.xyz), span, i, best);
+#ifdef PASSAGES
+  // A loop, so that software drivers do not look closer at all of them.
+  for (bool closer = hit.at != best.at && (a.w & 0x80008000u) == 0x8000u; closer; closer = false) hit = hitOrPassed(ray, hit, best);
+#endif
   return taken(hit, best, a.w);
 }
 WALK(walkTriangles, solidNodes, testTriangle)

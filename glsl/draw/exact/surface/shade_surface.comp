@@ -54,6 +54,15 @@ float opacity_ = once(opacity);
 #endif
 #ifdef RAYS
 #include "draw/exact/rays/surface_spots.glsl"
+#ifndef JOINED
+uniform uint owner;
+uint owner_ = once(owner);
+uniform bool clear;
+bool clear_ = once(clear);
+#else
+const uint owner_ = 0u;
+const bool clear_ = false;
+#endif
 #endif
 uniform uint firstId;
 uint firstId_ = once(firstId);
@@ -144,7 +153,7 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   light = found.skin.emission;
 #endif
 #ifdef RAYS
-  keepSurfaceSpot(spot, look, normal, firstSample(pixel) + sampleAt);
+  keepSurfaceSpot(spot, look, normal, firstSample(pixel) + sampleAt, owner_, clear_);
 #else
 #ifdef SHOWN
   light = vec3(0);  // its own

@@ -1,16 +1,23 @@
-// Materials grown from a field (draw/surface/skin.glsl), by reads of our own.
+// Materials grown from a field (draw/surface/skin.glsl), by reads of our own. SKIN_TAKEN: of one of several, whose values whoever includes it has,
+// and where its texels begin.
 #include "common/once.glsl"
 #include "draw/bindings.glsl"
 #include "draw/surface/footprint.glsl"
+#ifdef SKIN_TAKEN
+#define LOOK_ANY
+#else
 #include "draw/surface/skin_values.glsl"
+const int skinFirst_ = 0;
 float skinThreshold_ = once(skinThreshold), skinRoughness_ = once(skinRoughness), skinDepth_ = once(skinDepth);
 vec3 skinLow_ = once(skinLow), skinHigh_ = once(skinHigh);
+#endif
 #define skinThreshold skinThreshold_
 #define skinRoughness skinRoughness_
 #define skinDepth skinDepth_
 #define skinLow skinLow_
 #define skinHigh skinHigh_
 #include "draw/surface/skin_look.glsl"
+#ifndef SKIN_TAKEN
 layout(binding = reliefUnit) uniform usamplerBuffer skinTexels;  // skin_texels.comp
 uniform ivec2 reliefSize;
 ivec2 reliefSize_ = once(reliefSize);
@@ -18,6 +25,7 @@ uniform int reliefLevels;
 int reliefLevels_ = once(reliefLevels);
 uniform vec2 skinCells;  // of the field
 vec2 skinCells_ = once(skinCells);
+#endif
 
 struct SkinTexel {
   vec4 relief;
@@ -25,7 +33,7 @@ struct SkinTexel {
 };
 
 SkinTexel skinTexel(int at) {
-  uvec4 words = texelFetch(skinTexels, at);
+  uvec4 words = texelFetch(skinTexels, at + skinFirst_);
   return SkinTexel(vec4(unpackHalf2x16(words.x), unpackHalf2x16(words.y)), vec4(unpackHalf2x16(words.z), unpackHalf2x16(words.w)));
 }
 
@@ -87,7 +95,7 @@ SkinArea skinArea(Seen seen) {
   area.variance = variance;
   area.slope = mean.zw;
   area.around = found.around.x;
-#ifdef LOOK_MAP
+#if defined LOOK_MAP || defined LOOK_ANY
   area.color = found.around.yzw;
 #else
   area.color = vec3(0);

@@ -107,11 +107,24 @@ float shareOf(ivec2 pixel, int samples, float alpha) {
 }
 #endif
 
+// With RAYS, the spot's light comes later, and has then to be less, too.
+#if defined RAYS && (defined BLENDED || defined BEHIND)
+void keepShare(int sampleAt, float share);
+
+void keepShareOf(ivec2 pixel, int samples, float share, float alpha) {
+  precise float mean = share * alpha * float(SAMPLES) * exactReciprocal(float(bitCount(samples)));
+  keepShare(firstSample(pixel) + findLSB(samples), mean);
+}
+#endif
+
 // A sum and light of these of the pixel's samples; alpha is the part of the pixel that something covers.
 vec4 withLight(ivec2 pixel, vec4 before, vec4 light, int samples) {
   float share = shareOf(pixel, samples, light.a);
 #ifdef BLENDED
   light.a = 1.0f;
+#endif
+#if defined RAYS && (defined BLENDED || defined BEHIND)
+  keepShareOf(pixel, samples, share, light.a);
 #endif
   precise vec4 sum = before + light * share;
   return sum;

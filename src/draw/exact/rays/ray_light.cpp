@@ -18,6 +18,8 @@ namespace {
 /// glsl/draw/exact/rays/path_rays.glsl: rays of a path, and what it brings for certain.
 constexpr int kinds = 5, sure = 2;
 constexpr int onwardRays = 2, nextRays = 3;
+/// How often a path is mirrored by clear surfaces or goes through them at most.
+constexpr int mostClear = 24;
 
 /// Paths that are followed at once: dispatches of software drivers stay short.
 int pathsAtOnce() {
@@ -26,13 +28,13 @@ int pathsAtOnce() {
 
 }  // namespace
 
-RayLight::RayLight(const Options& options, gl::Defines defines, std::size_t samples)
+RayLight::RayLight(const Options& options, gl::Defines defines, std::size_t samples, RayLooks looks)
     : options_(options),
       defines_(std::move(defines)),
-      scene_(options.ground),
+      scene_(options.ground, std::move(looks)),
       raySamples_(options.raySamples) {
   if (options.openSun) defines_.emplace_back("OPEN_SUN", "1");
-  reserve(spots_, spotView_, "places to be lit", 48 * samples, GL_RGBA32UI, 16);
+  reserve(spots_, spotView_, "places to be lit", 64 * samples, GL_RGBA32UI, 16);
   reserve(spotLight_, spotLightView_, "light of places", 16 * samples, GL_RGBA32F, 16);
   reserve(list_, listView_, "list of places to be lit", 8 * samples, GL_RG32UI, 8);
   count_ = gl::Buffer("places to be lit", 16);
@@ -54,12 +56,13 @@ void RayLight::seeThrough(int point, int points) {
   samplesBefore_ = static_cast<unsigned>(point * raySamples_);
 }
 
-const gl::Program& RayLight::program(const char* path) {
-  const std::string key = path + std::to_string(scene_.features());
+const gl::Program& RayLight::program(const char* path, bool listed) {
+  const std::string key = path + std::to_string(scene_.features() << 1U | (listed ? 1U : 0U));
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = defines_;
   for (auto& define : scene_.defines()) defines.push_back(std::move(define));
+  if (listed) defines.emplace_back("GOES_ON", "1");
   return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
 }
 
@@ -80,31 +83,66 @@ int RayLight::listSpots(const Visibility& visibility, int rows) {
   return static_cast<int>(listed[0]);
 }
 
+const gl::Program& RayLight::prepared(const char* path, bool listed, int firstSpot, int spots,
+                                      int firstSample, int paths) {
+  const gl::Program& kernel = program(path, listed);
+  scene_.bind(kernel);
+  spotView_.bind(spotUnit);
+  listView_.bind(spotListUnit);
+  rayView_.bind(rayUnit);
+  hitView_.bind(rayHitUnit);
+  lightView_.bind(rayLightUnit);
+  rays_.bindStorage(outRayBinding);
+  light_.bindStorage(outRayLightBinding);
+  kernel.set("paths", paths);
+  kernel.set("firstSpot", firstSpot);
+  kernel.set("spotCount", spots);
+  kernel.set("firstRaySample", firstSample);
+  kernel.set("sampleMask", sampleMask_);
+  kernel.set("samplesBefore", samplesBefore_);
+  return kernel;
+}
+
+/// The ways onwards of paths that meet clear surfaces, until they meet something else. In which order paths
+/// are listed the device chooses; none knows of the others.
+void RayLight::goOn(int firstSpot, int spots, int firstSample, int paths) {
+  int going = paths;
+  for (int round = 0; round < mostClear && going > 0; ++round) {
+    const auto now = static_cast<std::size_t>(round % 2);
+    constexpr GLuint zero = 0;
+    reserve(goingOn_[now], goingOnView_[now], "paths that go on",
+            static_cast<std::size_t>(pathsAtOnce()) * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
+    glClearNamedBufferData(count_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+    const gl::Program& kernel =
+        prepared("draw/exact/rays/go_on.comp", round > 0, firstSpot, spots, firstSample, paths);
+    if (round > 0) goingOnView_[1 - now].bind(rayListUnit);
+    goingOn_[now].bindStorage(outListBinding);
+    count_.bindStorage(outCountBinding);
+    kernel.set("going", going);
+    kernel.set("round_", round);
+    dispatchRows(kernel, going);
+    gl::barrier();
+    std::array<GLuint, 1> listed{};
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    count_.read(0, std::as_writable_bytes(std::span(listed)));
+    going = static_cast<int>(listed[0]);
+    if (going == 0) break;
+    scene_.traceListed(rayView_, hits_, onwardRays * paths, goingOnView_[now], going);
+    gl::barrier();
+  }
+}
+
 void RayLight::follow(int firstSpot, int spots, int firstSample, int samples, float white) {
   const int paths = spots * samples;
   const auto run = [&](const char* path) {
-    const gl::Program& kernel = program(path);
-    scene_.bind(kernel);
-    spotView_.bind(spotUnit);
-    listView_.bind(spotListUnit);
-    rayView_.bind(rayUnit);
-    hitView_.bind(rayHitUnit);
-    lightView_.bind(rayLightUnit);
-    rays_.bindStorage(outRayBinding);
-    light_.bindStorage(outRayLightBinding);
-    kernel.set("paths", paths);
-    kernel.set("firstSpot", firstSpot);
-    kernel.set("spotCount", spots);
-    kernel.set("firstRaySample", firstSample);
-    kernel.set("sampleMask", sampleMask_);
-    kernel.set("samplesBefore", samplesBefore_);
-    dispatchRows(kernel, paths);
+    dispatchRows(prepared(path, false, firstSpot, spots, firstSample, paths), paths);
     gl::barrier();
   };
   run("draw/exact/rays/start.comp");
   scene_.trace(rayView_, hits_, 0, onwardRays * paths, true);
   scene_.trace(rayView_, hits_, onwardRays * paths, paths, false);
   gl::barrier();
+  if (looks().anyGlass()) goOn(firstSpot, spots, firstSample, paths);
   run("draw/exact/rays/bounce.comp");
   scene_.trace(rayView_, hits_, nextRays * paths, 2 * paths, true);
   gl::barrier();

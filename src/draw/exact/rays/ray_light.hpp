@@ -18,7 +18,7 @@ class RayLight {
  public:
   /// No ray brings more light by way of something else (of the picture's white, before film).
   static constexpr float mostOnward = 10.0F;
-  /// Samples of a band at most: what is kept of each comes to 72 bytes.
+  /// Samples of a band at most: what is kept of each comes to 88 bytes.
   static constexpr std::size_t mostSamples = std::size_t{1} << 20U;
 
   struct Options {
@@ -27,12 +27,13 @@ class RayLight {
     bool openSun = false;  ///< nothing keeps its light out
   };
   /// `defines`: of SAMPLES, of how they lie, and of the lights. `samples`: of a band.
-  RayLight(const Options& options, gl::Defines defines, std::size_t samples);
+  RayLight(const Options& options, gl::Defines defines, std::size_t samples, RayLooks looks);
 
   /// For each picture. The frame's uniform block is bound.
   void build(const sim::Drawables& drawables) { scene_.build(drawables); }
   /// Of how many points of a lens this is one, and which.
   void seeThrough(int point, int points);
+  [[nodiscard]] const RayLooks& looks() const { return scene_.looks(); }
   /// Before spots are kept.
   void bind() const;
   /// Adds the light of a band's spots to the bound sums. What is visible, the view, the lights and the
@@ -40,9 +41,12 @@ class RayLight {
   void add(const Visibility& visibility, const gl::Texture& sums, int rows, float white);
 
  private:
-  const gl::Program& program(const char* path);
+  const gl::Program& program(const char* path, bool listed = false);
   [[nodiscard]] int listSpots(const Visibility& visibility, int rows);
   void follow(int firstSpot, int spots, int firstSample, int samples, float white);
+  void goOn(int firstSpot, int spots, int firstSample, int paths);
+  const gl::Program& prepared(const char* path, bool listed, int firstSpot, int spots, int firstSample,
+                              int paths);
 
   Options options_;
   gl::Defines defines_;
@@ -50,8 +54,8 @@ class RayLight {
   int raySamples_;  ///< through this point of the lens
   unsigned sampleMask_ = 0, samplesBefore_ = 0;
   std::map<std::string, gl::Program> programs_;
-  gl::Buffer spots_, spotLight_, list_, count_, rays_, hits_, light_;
-  gl::Texture spotView_, spotLightView_, listView_, rayView_, hitView_, lightView_;
+  gl::Buffer spots_, spotLight_, list_, count_, rays_, hits_, light_, goingOn_[2];
+  gl::Texture spotView_, spotLightView_, listView_, rayView_, hitView_, lightView_, goingOnView_[2];
 };
 
 }  // namespace simreel::draw

@@ -52,17 +52,22 @@ void RayScene::count(const sim::Drawables& drawables) {
   const auto size = [](int of, std::size_t bytes) { return static_cast<std::size_t>(of) * bytes; };
   reserve(places_, placeView_, "vertices that rays meet", size(vertexCount_, 16), GL_RGBA32F, 16);
   reserve(words_, wordView_, "looks of vertices that rays meet", size(vertexCount_, 16), GL_RGBA32UI, 16);
+  const bool laid = std::any_of(drawables.surfaces.begin(), drawables.surfaces.end(), RayLooks::isLaid);
+  if (laid)
+    reserve(lays_, layView_, "where things are laid on what rays meet", size(vertexCount_, 16), GL_RGBA32F,
+            16);
   reserve(corners_, cornerView_, "corners that rays meet", size(triangleCount_, 12), GL_R32UI, 4);
   reserve(ballPlaces_, ballPlaceView_, "balls that rays meet", size(ballCount_, 16), GL_RGBA32F, 16);
   reserve(ballLookBuffer_, ballLookView_, "looks of balls that rays meet", size(ballCount_, 16), GL_RGBA32F,
           16);
 }
 
-void RayScene::gatherSurface(const sim::Surface& surface, int firstVertex, int firstTriangle,
-                             unsigned owner) {
+const gl::Program& RayScene::gatherProgram(const sim::Surface& surface) {
   const bool grid = surface.normals == nullptr, deformed = surface.deform != nullptr;
   const bool counted = surface.arguments != nullptr, colored = surface.palette != nullptr;
-  const unsigned key = (grid ? 1U : 0U) | (deformed ? 2U : 0U) | (counted ? 4U : 0U) | (colored ? 8U : 0U);
+  const bool laid = RayLooks::isLaid(surface), sides = laid && RayLooks::fromThreeSides(surface);
+  const unsigned key = (grid ? 1U : 0U) | (deformed ? 2U : 0U) | (counted ? 4U : 0U) | (colored ? 8U : 0U) |
+                       (laid ? 16U : 0U) | (sides ? 32U : 0U);
   gl::Program& kernel = gatherPrograms_[key];
   if (kernel.name() == 0) {
     gl::Defines defines;
@@ -70,7 +75,22 @@ void RayScene::gatherSurface(const sim::Surface& surface, int firstVertex, int f
     if (deformed) defines.emplace_back("DEFORMED", "1");
     if (counted) defines.emplace_back("COUNTED", "1");
     if (colored) defines.emplace_back("PALETTE", "1");
+    if (laid) defines.emplace_back("LAID", "1");
+    if (sides) defines.emplace_back("TRIPLANAR", "1");
     kernel = gl::Program::compute("draw/exact/rays/gather.comp", defines);
+  }
+  return kernel;
+}
+
+void RayScene::gatherSurface(const sim::Surface& surface, int firstVertex, int firstTriangle,
+                             unsigned owner) {
+  const bool grid = surface.normals == nullptr, counted = surface.arguments != nullptr;
+  const gl::Program& kernel = gatherProgram(surface);
+  if (RayLooks::isLaid(surface)) {
+    lays_.bindStorage(outLayBinding);
+    if (!grid && surface.uvs != nullptr) surface.uvs->bind(uvUnit);
+    kernel.set("modelScale", RayLooks::scaleOf(surface));
+    if (grid) kernel.set("perGrid", 1.0F / glm::vec2(surface.grid - 1));
   }
   const gl::Texture indices = gl::Texture::view("indices", GL_R32UI, *surface.indices, sizeof(GLuint));
   bindPositions(surface, kernel);
@@ -78,7 +98,7 @@ void RayScene::gatherSurface(const sim::Surface& surface, int firstVertex, int f
   bindDeformation(surface);
   indices.bind(indexUnit);
   if (counted) surface.arguments->bindStorage(drawArgumentBinding);
-  if (colored) surface.palette->bind(paletteUnit);
+  if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
   kernel.set("model", surface.model);
   kernel.set("grid", surface.grid);
   kernel.set("vertexCount", verticesOf(surface));
@@ -117,21 +137,34 @@ void RayScene::gatherBalls(const sim::Instances& balls, InstanceColors& colors, 
   dispatchRows(ballProgram_, balls.capacity);
 }
 
+/// Those of surfaces whose light of their own is the material's.
+void RayScene::findEmitters(const sim::Drawables& drawables) {
+  emitters_.begin();
+  int triangle = 0;
+  for (const sim::Surface& surface : drawables.surfaces) {
+    const scene::Material& material = *surface.material;
+    const scene::Finish& finish = material.finish;
+    const int count = maxTrianglesOf(surface);
+    if (!material.hasSkin && finish.emits()) {
+      const glm::dvec3 light = glm::dvec3(finish.emission) * static_cast<double>(finish.emissionStrength);
+      emitters_.add(places_, corners_, triangle, count,
+                    0.2126 * light.x + 0.7152 * light.y + 0.0722 * light.z);
+    }
+    triangle += count;
+  }
+  emitters_.finish();
+}
+
 void RayScene::build(const sim::Drawables& drawables) {
   count(drawables);
-  std::vector<glm::vec4> looks;
-  const auto owner = [&](const scene::Material& material) {
-    looks.emplace_back(material.roughness, material.metallic, material.translucency,
-                       material.castsShadow ? 1.0F : 0.0F);
-    return static_cast<unsigned>(looks.size() - 1);
-  };
+  looks_.begin();
   if (colors_.size() < drawables.instances.size()) colors_.resize(drawables.instances.size());
   places_.bindStorage(outPlaceBinding);
   words_.bindStorage(outWordBinding);
   corners_.bindStorage(outCornerBinding);
   int vertex = 0, triangle = 0, ball = 0;
   for (const sim::Surface& surface : drawables.surfaces) {
-    gatherSurface(surface, vertex, triangle, owner(*surface.material));
+    gatherSurface(surface, vertex, triangle, looks_.add(surface));
     vertex += verticesOf(surface);
     triangle += maxTrianglesOf(surface);
   }
@@ -139,7 +172,7 @@ void RayScene::build(const sim::Drawables& drawables) {
     const sim::Instances& instances = drawables.instances[i];
     if (instances.additive || !isCopies(instances)) continue;
     const CopyRaster::Copies copies = copiesOf(instances);
-    gatherCopies(copies, colors_[i], vertex, triangle, owner(*instances.material));
+    gatherCopies(copies, colors_[i], vertex, triangle, looks_.add(*instances.material));
     const int of = instances.capacity * static_cast<int>(copies.triangles());
     vertex += 3 * of;
     triangle += of;
@@ -147,14 +180,12 @@ void RayScene::build(const sim::Drawables& drawables) {
   for (std::size_t i = 0; i < drawables.instances.size(); ++i) {
     const sim::Instances& instances = drawables.instances[i];
     if (instances.additive || isCopies(instances)) continue;
-    gatherBalls(instances, colors_[i], ball, owner(*instances.material));
+    gatherBalls(instances, colors_[i], ball, looks_.add(*instances.material));
     ball += instances.capacity;
   }
   gl::barrier();
-  looks.emplace_back(0);
-  reserve(lookBuffer_, lookView_, "what rays meet is made of", looks.size() * sizeof(glm::vec4), GL_RGBA32F,
-          16);
-  lookBuffer_.write(0, std::as_bytes(std::span(looks)));
+  looks_.finish();
+  if (looks_.anyEmit()) findEmitters(drawables);
   constexpr std::array<GLuint, 8> none = {~0U, ~0U, ~0U, 0, 0, 0, 0, 0};
   gl::beforeWrites();
   bounds_.write(0, std::as_bytes(std::span(none)));
@@ -162,9 +193,9 @@ void RayScene::build(const sim::Drawables& drawables) {
                                     .places = &placeView_,
                                     .corners = &cornerView_,
                                     .words = &wordView_,
-                                    .looks = &lookView_};
+                                    .looks = &looks_.view()};
   const Hierarchy::Solids balls{
-      .count = ballCount_, .places = &ballPlaceView_, .ballLooks = &ballLookView_, .looks = &lookView_};
+      .count = ballCount_, .places = &ballPlaceView_, .ballLooks = &ballLookView_, .looks = &looks_.view()};
   triangles_.growBounds(triangles, bounds_);
   balls_.growBounds(balls, bounds_);
   gl::barrier();
@@ -177,6 +208,7 @@ gl::Defines RayScene::defines() const {
   if ((features() & 1U) != 0) defines.emplace_back("TRIANGLES", "1");
   if ((features() & 2U) != 0) defines.emplace_back("BALLS", "1");
   if ((features() & 4U) != 0) defines.emplace_back("GROUND", "1");
+  for (auto& define : looks_.defines()) defines.push_back(std::move(define));
   return defines;
 }
 
@@ -186,18 +218,40 @@ void RayScene::bind(const gl::Program& program) const {
   bounds_.bindStorage(rayBoundsBinding);
   cornerView_.bind(solidCornerUnit);
   wordView_.bind(solidWordUnit);
-  lookView_.bind(rayLookUnit);
+  looks_.bind();
+  if (looks_.anyEmit()) {
+    emitters_.bind(program);
+    placeView_.bind(solidPlaceUnit);
+  }
+  if (looks_.anyLaid()) layView_.bind(rayLayUnit);
   ballLookView_.bind(ballLookUnit);
 }
 
-void RayScene::trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count, bool any) {
-  gl::Program& kernel = tracePrograms_[features() | (any ? 8U : 0U)];
+gl::Program& RayScene::tracer(bool any, bool listed) {
+  gl::Program& kernel = tracePrograms_[features() << 2U | (any ? 1U : 0U) | (listed ? 2U : 0U)];
   if (kernel.name() == 0) {
     gl::Defines found = defines();
     if (any) found.emplace_back("ANY_HIT", "1");
+    if (listed) found.emplace_back("GOES_ON", "1");
     kernel = gl::Program::compute("draw/exact/rays/trace.comp", found);
   }
   bind(kernel);
+  return kernel;
+}
+
+void RayScene::traceListed(const gl::Texture& rays, const gl::Buffer& hits, int first,
+                           const gl::Texture& list, int count) {
+  const gl::Program& kernel = tracer(false, true);
+  rays.bind(rayUnit);
+  list.bind(rayListUnit);
+  hits.bindStorage(outHitBinding);
+  kernel.set("firstRay", first);
+  kernel.set("rayCount", count);
+  dispatchRows(kernel, count);
+}
+
+void RayScene::trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count, bool any) {
+  const gl::Program& kernel = tracer(any, false);
   rays.bind(rayUnit);
   hits.bindStorage(outHitBinding);
   kernel.set("firstRay", first);

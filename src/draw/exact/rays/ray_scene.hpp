@@ -1,14 +1,14 @@
 #pragma once
 #include "draw/exact/instances/copy_raster.hpp"
 #include "draw/exact/rays/hierarchy.hpp"
+#include "draw/exact/rays/ray_emitters.hpp"
+#include "draw/exact/rays/ray_looks.hpp"
 #include "draw/instances/instance_values.hpp"
 #include "sim/core/drawable.hpp"
 
 #include <map>
-#include <span>
+#include <utility>
 #include <vector>
-
-#include <glm/vec4.hpp>
 
 namespace simreel::draw {
 
@@ -16,41 +16,53 @@ namespace simreel::draw {
 /// ground. What adds light is not among it.
 class RayScene {
  public:
-  explicit RayScene(bool ground)
-      : ground_(ground), bounds_("bounds of what rays meet", 8 * sizeof(GLuint)) {}
+  RayScene(bool ground, RayLooks looks)
+      : ground_(ground),
+        looks_(std::move(looks)),
+        bounds_("bounds of what rays meet", 8 * sizeof(GLuint)) {}
   /// The frame's uniform block is bound. Throws UserError(device) where there is more than the device
   /// holds.
   void build(const sim::Drawables& drawables);
   /// Traces rays `first` to before `first + count` of a buffer; `hits` as large. `any`: whether light gets
   /// through.
   void trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count, bool any);
+  /// The nearest of those behind `first` whose numbers are in a list.
+  void traceListed(const gl::Texture& rays, const gl::Buffer& hits, int first, const gl::Texture& list,
+                   int count);
   /// What kernels need that find out what has been met.
   [[nodiscard]] gl::Defines defines() const;
   void bind(const gl::Program& program) const;
-  /// A bit each: triangles, balls, ground.
+  /// A bit each: triangles, balls, ground; then those of looks.
   [[nodiscard]] unsigned features() const {
-    return (triangles_.count() > 0 ? 1U : 0U) | (balls_.count() > 0 ? 2U : 0U) | (ground_ ? 4U : 0U);
+    return (triangles_.count() > 0 ? 1U : 0U) | (balls_.count() > 0 ? 2U : 0U) | (ground_ ? 4U : 0U) |
+           looks_.features() << 3U;
   }
+  [[nodiscard]] const RayLooks& looks() const { return looks_; }
 
  private:
   void count(const sim::Drawables& drawables);
   void gatherSurface(const sim::Surface& surface, int firstVertex, int firstTriangle, unsigned owner);
   void gatherCopies(const CopyRaster::Copies& copies, InstanceColors& colors, int firstVertex,
                     int firstTriangle, unsigned owner);
+  const gl::Program& gatherProgram(const sim::Surface& surface);
+  void findEmitters(const sim::Drawables& drawables);
+  gl::Program& tracer(bool any, bool listed);
   void gatherBalls(const sim::Instances& balls, InstanceColors& colors, int firstBall, unsigned owner);
   [[nodiscard]] CopyRaster::Copies copiesOf(const sim::Instances& instances) {
     return {&instances, &shapes_.of(instances)};
   }
 
   bool ground_;
+  RayLooks looks_;
+  RayEmitters emitters_;
   InstanceShapes shapes_{false};
   std::vector<InstanceColors> colors_;
   CopyRaster copyRaster_{CopyRaster::Into::picture, 1};
   Hierarchy triangles_{Hierarchy::Of::triangles}, balls_{Hierarchy::Of::balls};
   std::map<unsigned, gl::Program> gatherPrograms_, tracePrograms_;
   gl::Program copyProgram_, ballProgram_;
-  gl::Buffer bounds_, places_, words_, corners_, lookBuffer_, ballPlaces_, ballLookBuffer_;
-  gl::Texture placeView_, wordView_, cornerView_, lookView_, ballPlaceView_, ballLookView_;
+  gl::Buffer bounds_, places_, words_, corners_, lays_, ballPlaces_, ballLookBuffer_;
+  gl::Texture placeView_, wordView_, cornerView_, layView_, ballPlaceView_, ballLookView_;
   int triangleCount_ = 0, vertexCount_ = 0, ballCount_ = 0;
 };
 

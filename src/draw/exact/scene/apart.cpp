@@ -111,7 +111,8 @@ void ApartSurfaces::makeRoom() {
   throughView_ = gl::Texture::view("what layers let through", GL_R32F, through_, sizeof(float));
 }
 
-void ApartSurfaces::addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins) {
+void ApartSurfaces::addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins,
+                              const std::function<void(const Visibility&)>& trace) {
   constexpr float all = 1;
   makeRoom();
   gl::barrier();
@@ -141,6 +142,7 @@ void ApartSurfaces::addLayers(const Visibility& picture, unsigned firstId, const
       shading_.shade(layer_, drawn, skins, *tiles_, thing++);
       gl::barrier();
     }
+    if (trace) trace(layer);
   }
   gl::barrier();
   picture.bind();

@@ -9,6 +9,7 @@
 #include "sim/core/drawable.hpp"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -48,9 +49,14 @@ class ApartSurfaces {
   [[nodiscard]] int things() const { return static_cast<int>(cutSurfaces_.size()); }
   void shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing);
 
+  /// Those that have been taken: with holes, and blended ones.
+  [[nodiscard]] const std::vector<sim::Surface>& cut() const { return cutSurfaces_; }
+  [[nodiscard]] const std::vector<sim::Surface>& blended() const { return blended_; }
+
   /// Adds the light of the layers before what is visible to the bound sums. Numbers have to lie beyond
-  /// `firstId`.
-  void addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins);
+  /// `firstId`. `trace`, if there is one: lights the places that have been kept of a layer.
+  void addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins,
+                 const std::function<void(const Visibility&)>& trace);
   /// Makes readable what they let through.
   void bind() const;
 

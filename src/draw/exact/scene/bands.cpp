@@ -3,6 +3,7 @@
 #include "gl/element_array.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace simreel::draw {
 
@@ -131,7 +132,11 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
   if (rays) rays->bind();
   if (layered) {
     bindShadows();
-    apart.addLayers(visibility, 0, skins);
+    const auto trace = [&](const Visibility& layer) {
+      rays->add(layer, sums, rows.y - rows.x, white);
+      rays->bind();
+    };
+    apart.addLayers(visibility, 0, skins, rays ? trace : std::function<void(const Visibility&)>());
     apart.bind();
   }
   shadeAll();

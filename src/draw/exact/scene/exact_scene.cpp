@@ -70,18 +70,6 @@ std::size_t bytesOfBands(const scene::Scene& scene, std::size_t bytes) {
   return std::min(bytes, RayLight::mostSamples * Visibility::sampleBytes);
 }
 
-/// What light finds by way of other things is plainer than what the camera sees.
-void tellOfRays(const scene::Scene& scene) {
-  const auto laidOver =
-      std::count_if(scene.objects.begin(), scene.objects.end(), [](const scene::Object& object) {
-        return object.material.hasSkin || !object.material.texture.empty();
-      });
-  if (laidOver > 0)
-    warn(
-        "render.quality \"high\": mirrors and light that comes by way of other things know no textures and "
-        "skins, but the material's colour");
-}
-
 }  // namespace
 
 ExactScene::State::State(const scene::Scene& shown, const Environment* around, glm::ivec2 pixels, int count,
@@ -113,8 +101,8 @@ ExactScene::State::State(const scene::Scene& shown, const Environment* around, g
     rays.emplace(
         RayLight::Options{
             .raySamples = shown.render.raySamples, .ground = ground, .openSun = !shown.sun.shadow},
-        rayLighting(count), held);
-    tellOfRays(shown);
+        rayLighting(count), held, RayLooks(surfaces.maps(), skins, surfaces.skinTexels()));
+    surfaces.ownBy([this](const scene::Material& material) { return rays->looks().ownerOf(material); });
   }
   if (shown.camera.hasLens || shown.camera.hasShutter) {
     lensSum = gl::Program::compute("draw/exact/screen/lens_sum.comp", {});

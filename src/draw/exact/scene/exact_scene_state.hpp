@@ -79,7 +79,7 @@ struct ExactScene::State {
   void drawThrough(const sim::Drawables& drawables, shader::ExactView values, const Watch& watch);
   void addThrough(int number, int pictures);
   View prepare(const Moment& moment, sim::Drawables& drawables, const Watch& watch);
-  void refuseWhatRaysLack(const sim::Drawables& drawables) const;
+  void buildRays(const sim::Drawables& drawables);
   bool expose(const Exposure& exposure, const Watch& watch);
   void gather();
   void bindShadows() const;

@@ -1,4 +1,3 @@
-#include "base/error.hpp"
 #include "base/ieee.hpp"
 #include "base/log.hpp"
 #include "draw/exact/bindings.hpp"
@@ -29,16 +28,12 @@ void ExactScene::State::addThrough(int number, int pictures) {
                   GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
-void ExactScene::State::refuseWhatRaysLack(const sim::Drawables& drawables) const {
-  const char* what = apart.any() ? "has holes or lets light through" : nullptr;
-  for (const sim::Surface& surface : drawables.surfaces)
-    if (surface.material->finish.coat > 0 || surface.material->finish.sheen != glm::vec3(0))
-      what = "has a coat or a sheen";
-  if (what != nullptr)
-    fail(ExitCode::usage,
-         "render.quality \"high\": a surface of the scene {}, which its rays do not know; set it to "
-         "\"standard\"",
-         what);
+/// Everything that a picture shows, those surfaces included that are drawn apart.
+void ExactScene::State::buildRays(const sim::Drawables& drawables) {
+  sim::Drawables met = drawables;
+  met.surfaces.insert(met.surfaces.end(), apart.cut().begin(), apart.cut().end());
+  met.surfaces.insert(met.surfaces.end(), apart.blended().begin(), apart.blended().end());
+  rays->build(met);
 }
 
 /// Shadow maps, the view and what it is seen through, of a moment. `drawables`: what is there, and room for
@@ -48,7 +43,6 @@ View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables,
   drawables = lamps.on() ? lamps.withGlows(*moment.drawables) : *moment.drawables;
   sayFinishes(drawables);
   apart.take(drawables.surfaces);
-  if (traces()) refuseWhatRaysLack(drawables);
   if (apart.anyBlended()) beginLayers();
   const View seen = viewAt(scene.camera, moment.seconds, size, drawables);
   const shader::ExactView values = exactView(seen, scene.camera, size);
@@ -56,7 +50,7 @@ View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables,
   occlusionRadius = occlusionRadiusOf(scene, seen);
   if (rays) {
     white = static_cast<float>(ieee::exp2(-static_cast<double>(scene.render.exposure.at(moment.seconds))));
-    rays->build(drawables);
+    buildRays(drawables);
     if (watch) watch("rays");
   }
   joins = joined.join(drawables.surfaces);
@@ -126,6 +120,11 @@ void ExactScene::State::sayFinishes(const sim::Drawables& drawables) {
           "{}: particles have the colour, roughness and metal of their material; maps, light of its own, "
           "opacity, coats and sheen are of surfaces alone",
           objectName(instances));
+  if (traces()) return;
+  for (const sim::Surface& surface : drawables.surfaces)
+    if (surface.material->finish.transmission > 0 && said.insert(objectName(surface) + " clear").second)
+      warn("{}: light goes through it with render.quality \"high\" alone; it is drawn opaque",
+           objectName(surface));
 }
 
 }  // namespace simreel::draw

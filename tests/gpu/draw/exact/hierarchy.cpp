@@ -26,6 +26,8 @@ struct TracedRay {
   float far = 1e9F;
 };
 
+#include "glsl/draw/exact/rays/look_table.glsl"
+
 /// Triangles, or balls whose middle and radius are the first corner's, on the device with their hierarchy.
 class HierarchyStage {
  public:
@@ -38,13 +40,14 @@ class HierarchyStage {
     corners_ = gl::Buffer::of<unsigned>("corners", corners);
     words_ = gl::Buffer("words", 16 * places.size());
     ballLooks_ = gl::Buffer("looks of balls", 16 * places.size());
-    const std::array<glm::vec4, 1> look = {glm::vec4(1)};
-    looks_ = gl::Buffer::of<glm::vec4>("looks", look);
+    std::vector<glm::uvec4> look(static_cast<std::size_t>(lookTexels), glm::uvec4(0));
+    look[static_cast<std::size_t>(plainLook)] = glm::uvec4(std::bit_cast<unsigned>(1.0F));
+    looks_ = gl::Buffer::of<glm::uvec4>("looks", look);
     placeView_ = gl::Texture::view("places", GL_RGBA32F, places_);
     cornerView_ = gl::Texture::view("corners", GL_R32UI, corners_, 4);
     wordView_ = gl::Texture::view("words", GL_RGBA32UI, words_);
     ballLookView_ = gl::Texture::view("looks of balls", GL_RGBA32F, ballLooks_);
-    lookView_ = gl::Texture::view("looks", GL_RGBA32F, looks_);
+    lookView_ = gl::Texture::view("looks", GL_RGBA32UI, looks_);
     const std::array<GLuint, 8> none = {~0U, ~0U, ~0U, 0, 0, 0, 0, 0};
     bounds_ = gl::Buffer::of<GLuint>("bounds", none);
     const draw::Hierarchy::Solids solids{

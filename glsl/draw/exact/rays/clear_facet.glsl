@@ -1,0 +1,41 @@
+// Where light that meets a clear surface goes on, mirrored or through it: by a facet of a GGX surface, as often as Fresnel's equations
+// say (Walter et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, with facets as they are seen, so that what counts
+// is what the others leave in the open). Part of facet.glsl.
+const float surely = 1e9f;  // density of what no other sample finds (1/sr)
+
+FUNCTION Onward clearOnward(Facet f, vec3 u) {
+  vec3 right = rightOf(f.normal), up = upOf(f.normal);
+  vec3 own = vec3(exactDot(right, f.view), exactDot(up, f.view), f.nv);
+  vec3 h = visibleNormal(own, f.alpha, u.x, u.y);
+  precise vec3 found = right * h.x + up * h.y + f.normal * h.z;
+  vec3 facet = unitOf(found);
+  float cosine = clamp(exactDot(f.view, facet), 0.0f, 1.0f);
+  float mirrored = clearFresnel(f, cosine);
+  bool mirror = u.z < mirrored;
+  precise vec3 back = facet * (2.0f * cosine) - f.view;
+  // A sheet's second side turns what goes through back, as rough as a mirror image of it.
+  precise vec3 behind = back - f.normal * (2.0f * exactDot(f.normal, back));
+  vec3 bent = refractedDirection(f.view, facet, etaOf(f));
+  vec3 direction = mirror ? back : f.thin ? behind : bent;
+  // What shading alone turns to the wrong side comes back.
+  float side = exactDot(f.facing, direction);
+  float wrong = (mirror ? side < 0.0f : side > 0.0f) ? side : 0.0f;
+  precise vec3 turned_ = direction - f.facing * (2.0f * wrong);
+  direction = unitOf(turned_);
+  float nl = abs(exactDot(f.normal, direction));
+  float seen = ggxLambda(f.nv, f.alpha), lit = ggxLambda(max(nl, 1e-3f), f.alpha);
+  precise float one = 1.0f + seen;
+  precise float both = 1.0f + seen + lit;
+  precise float beyond = 1.0f + lit;
+  precise float open = mirror ? one * exactReciprocal(both) : exactReciprocal(beyond);
+  precise float often = (1.0f - f.coats) * f.glass;
+  precise float share = f.clear * exactReciprocal(max(often, 1e-6f)) * open;
+  precise vec3 weight = (mirror ? vec3(1.0f) : f.tint) * share;
+  Onward onward;
+  onward.direction = direction;
+  onward.weight = weight;
+  onward.density = mirror && !f.inside ? lobeTowards(f, direction).clearDensity : surely;
+  onward.share = 1.0f;
+  onward.roughness = f.roughness;
+  return onward;
+}

@@ -1,0 +1,30 @@
+// A smooth surface between two clear media. `eta`: index of refraction on the side where light is looked for first over that of the
+// other side. Compiles as GLSL and as C++.
+#ifndef EXACT_RAY_DIELECTRIC
+#define EXACT_RAY_DIELECTRIC
+#include "common/exact.glsl"
+
+// Fresnel's equations for light of no polarization: what is mirrored. 1 where nothing goes through.
+FUNCTION float dielectricFresnel(float cosine, float eta) {
+  precise float sine2 = eta * eta * (1.0f - cosine * cosine);
+  precise float under = 1.0f - sine2;
+  float beyond = exactSqrt(max(under, 0.0f));
+  precise float dense = eta * cosine;
+  precise float thin = eta * beyond;
+  precise float sum = dense + beyond;
+  precise float other = cosine + thin;
+  precise float across = (dense - beyond) * exactReciprocal(max(sum, 1e-20f));
+  precise float along = (cosine - thin) * exactReciprocal(max(other, 1e-20f));
+  precise float mirrored = 0.5f * (across * across + along * along);
+  return under <= 0.0f ? 1.0f : min(mirrored, 1.0f);
+}
+
+// Snell's law: the direction beyond the surface of what comes from `view` (both away from the place), which is not all mirrored.
+FUNCTION vec3 refractedDirection(vec3 view, vec3 normal, float eta) {
+  float cosine = exactDot(view, normal);
+  precise float under = 1.0f - eta * eta * (1.0f - cosine * cosine);
+  precise float along = eta * cosine - exactSqrt(max(under, 0.0f));
+  precise vec3 direction = normal * along - view * eta;
+  return direction;
+}
+#endif

@@ -1,0 +1,86 @@
+// Triangles that shine by themselves, found on purpose: one of them the more often the larger and brighter it is, a place of it evenly.
+// EMITTERS; LAID.
+#include "draw/exact/rays/looks.glsl"
+layout(binding = rayEmitterUnit) uniform usamplerBuffer emitters;  // where each ends of 2^24 parts, and its number; in their order
+layout(binding = solidPlaceUnit) uniform samplerBuffer solidPlaces;
+#include "draw/exact/rays/solid_words.glsl"
+#ifdef LAID
+#include "draw/exact/rays/lays.glsl"
+#endif
+uniform int emitterCount;
+uniform float perEmission;  // 1 / all their area times brightness
+
+// The first that ends beyond u.
+int emitterAt(float u) {
+  precise float part = u * 16777216.0f;
+  uint wanted = uint(int(part));
+  int low = 0, high = emitterCount - 1;
+  while (low < high) {
+    int middle = (low + high) >> 1;
+    bool before = texelFetch(emitters, middle).x <= wanted;
+    low = before ? middle + 1 : low;
+    high = before ? high : middle;
+  }
+  return low;
+}
+
+// How often that place is found, by the angle that it covers (1/sr).
+float emitterDensity(vec3 emission, float square, float cosine) {
+  precise float density = brightnessOf(emission) * perEmission * square * exactReciprocal(max(cosine, 1e-4f));
+  return density;
+}
+
+struct Emitting {
+  vec3 direction;
+  float far;       // m
+  vec3 emission;
+  float density;   // 1/sr; 0: nothing
+};
+Emitting emittingTowards(vec3 p, vec3 u) {
+  int id = int(texelFetch(emitters, emitterAt(u.z)).y);
+  ivec3 v = ivec3(int(texelFetch(corners, 3 * id).x), int(texelFetch(corners, 3 * id + 1).x), int(texelFetch(corners, 3 * id + 2).x));
+  vec3 a = texelFetch(solidPlaces, v.x).xyz, b = texelFetch(solidPlaces, v.y).xyz, c = texelFetch(solidPlaces, v.z).xyz;
+  float side = exactSqrt(u.x);
+  precise vec3 weight = vec3(1.0f - side, side * (1.0f - u.y), side * u.y);
+  precise vec3 to = a * weight.x + b * weight.y + c * weight.z - p;
+  precise vec3 first = b - a;
+  precise vec3 second = c - a;
+  vec3 across = exactCross(first, second);
+  float area2 = exactDot(across, across), square = exactDot(to, to);
+  bool there = area2 > 1e-28f && square > 1e-14f;
+  Emitting found;
+  found.direction = there ? unitOf(to) : vec3(0, 1, 0);
+  precise float cosine = abs(exactDot(across, found.direction)) * exactInverseSqrt(max(area2, 1e-30f));
+  precise float far = exactSqrt(square) * 0.9999f;
+  found.far = far;
+  int owner = int(texelFetch(vertexWords, v.x).w);
+  found.emission = lookOf(owner, lightLook).rgb;
+  found.density = there && cosine > 1e-4f ? emitterDensity(found.emission, square, cosine) : 0.0f;
+#ifdef LAID
+  ivec4 map = ivec4(lookWords(owner, emissionMapLook));
+  vec4 how = lookOf(owner, laidLook);
+  if (map.x > 0 && how.w <= 0.0f) {
+    precise vec2 uv = (texelFetch(lays, v.x).xy * weight.x + texelFetch(lays, v.y).xy * weight.y + texelFetch(lays, v.z).xy * weight.z) * how.xy;
+    precise vec3 part = found.emission * mapAt(Seen(uv, vec2(0), vec2(0)), map).rgb;
+    found.emission = part;
+  }
+#endif
+  return found;
+}
+
+// Its light by way of a facet. `weighed`: rays onwards find it, too.
+vec3 emittedLight(Facet f, Emitting e, bool weighed) {
+  Lobed lobed = lobeTowards(f, e.direction);
+  float nl = exactDot(f.normal, e.direction);
+  precise vec3 own = f.matt * mattCosine(f, nl) + lobed.light;
+#ifdef FINISHED
+  own = own + lobed.fibres;
+#endif
+  precise float either = e.density + (weighed ? densityTowards(f, lobed, nl) : 0.0f);
+  precise vec3 light = e.emission * own * (0.31830989f * exactReciprocal(max(either, 1e-12f)));
+#ifdef FINISHED
+  precise float clearly = e.density + (weighed ? lobed.clearDensity : 0.0f);
+  light = light + e.emission * (lobed.clear * 0.31830989f * exactReciprocal(max(clearly, 1e-12f)));
+#endif
+  return e.density > 0.0f ? light : vec3(0);
+}

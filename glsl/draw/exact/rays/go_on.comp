@@ -1,0 +1,56 @@
+// Paths whose rays onwards have met a clear surface: they are mirrored or go through, and are listed. SAMPLES; LAID and so on. GOES_ON: those of
+// a list, else all paths.
+#define EXACT_PICTURE
+#define PATHS_GO_ON
+#include "draw/frame_block.glsl"
+#include "draw/exact/rays/spot_read.glsl"
+#include "draw/exact/rays/facet.glsl"
+#include "draw/exact/rays/path_rays.glsl"
+#include "draw/exact/rays/ground_ray.glsl"
+#include "draw/exact/rays/found_facet.glsl"
+#include "draw/exact/rays/ray_width.glsl"
+layout(local_size_x = 64) in;
+layout(binding = rayHitUnit) uniform usamplerBuffer rayHits;
+#ifdef GOES_ON
+layout(binding = rayListUnit) uniform usamplerBuffer goingOn;
+#endif
+layout(std430, binding = outListBinding) writeonly restrict buffer NextBlock { uint next[]; };
+layout(std430, binding = outCountBinding) restrict buffer CountBlock { uint listed; };
+uniform int going;  // paths to look at
+uniform int round_;
+
+void main() {
+  int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+  if (i >= going) return;
+#ifdef GOES_ON
+  int path = int(texelFetch(goingOn, i).x);
+#else
+  int path = i;
+#endif
+  int ray = onwardKind * paths + path;
+  vec4 from = outRays[2 * ray], towards = outRays[2 * ray + 1], weight = rayLight[ray];
+  uvec4 hit = texelFetch(rayHits, ray);
+  int at = int(hit.y);
+  if (towards.w <= 0.0f || at < 0 || at >= ballBit) return;
+  ivec3 vertices = metCorners(at);
+  if (lookOf(ownerOf(vertices), sheenLook).w <= 0.0f) return;
+  float t = uintBitsToFloat(hit.x);
+  vec3 p = placeAlong(from.xyz, towards.xyz, t);
+  Found found = foundTriangle(at, p, towards.xyz, t, uintBitsToFloat(hit.zw), 0.0f, rayWidth(from.xyz, t, weight.w));
+  Facet f = glassFacet(found.facet, found.owner, found.base, found.metallic, found.inside);
+  PathStart start = pathStart(path);
+  vec3 u = samplePoint(start.number, sampleMask, start.seed, uint(5 + round_));
+  if (u.z >= f.glass) return;  // what is not clear of it ends the way
+  f.coats = 0.0f;
+  precise float own = u.z * exactReciprocal(f.glass);
+  Onward onward = clearOnward(f, vec3(u.xy, min(own, 0.999999f)));
+  precise vec3 absorbed = lookOf(found.owner, absorbLook).xyz * t;
+  vec3 left = f.inside ? vec3(exactExp(-absorbed.x), exactExp(-absorbed.y), exactExp(-absorbed.z)) : vec3(1);
+  precise vec3 counts = weight.rgb * onward.weight * left;
+  // The sun beyond it is what a clear surface shows; what others get of it comes straight on.
+  bool shows = lookOf(int(texelFetch(spots, 4 * start.at + 3).x & 0x7fffffffu), sheenLook).w > 0.0f && weight.w > 0.0f;
+  outRays[2 * ray] = vec4(beginning(f, onward.direction), from.w);
+  outRays[2 * ray + 1] = vec4(onward.direction, farAway);
+  rayLight[ray] = vec4(counts, shows ? surely : 0.0f);
+  next[atomicAdd(listed, 1u)] = uint(path);
+}

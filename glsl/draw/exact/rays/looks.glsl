@@ -1,0 +1,18 @@
+// What the things are made of that rays meet (look_table.glsl).
+#ifndef EXACT_RAY_LOOKS
+#define EXACT_RAY_LOOKS
+#include "draw/exact/rays/bindings.glsl"
+#include "draw/exact/rays/look_table.glsl"
+layout(binding = rayLookUnit) uniform usamplerBuffer looks;
+
+uvec4 lookWords(int owner, int which) {
+  return texelFetch(looks, lookTexels * owner + which);
+}
+vec4 lookOf(int owner, int which) {
+  return uintBitsToFloat(lookWords(owner, which));
+}
+// Whether rays that meet it have to look closer.
+bool letsThrough(int owner) {
+  return lookOf(owner, layerLook).w != 0.0f || lookOf(owner, sheenLook).w > 0.0f;
+}
+#endif

@@ -1,0 +1,104 @@
+// Triangles that let rays through: holes, what is blended, and, of light that is looked for straight on (ANY_HIT), clear surfaces. PASSAGES;
+// LAID.
+#include "draw/exact/rays/met_triangle.glsl"
+#include "draw/exact/rays/dielectric.glsl"
+#include "draw/exact/unit_vector.glsl"
+#include "common/hash.glsl"
+#ifdef LAID
+#include "draw/exact/rays/lays.glsl"
+#endif
+#ifdef ANY_HIT
+vec3 passed_ = vec3(1), depths_ = vec3(0);  // what has been let through, and the lengths within solids times what they absorb
+
+vec3 lightPassed() {
+  precise vec3 light = passed_ * vec3(exactExp(-max(depths_.x, 0.0f)), exactExp(-max(depths_.y, 0.0f)), exactExp(-max(depths_.z, 0.0f)));
+  return light;
+}
+#endif
+
+vec4 colorPassed(ivec3 vertices, int owner, vec2 weight) {
+  vec4 color = vec4(1);
+#ifdef LAID
+  ivec4 map = ivec4(lookWords(owner, colorMapLook));
+  vec4 how = lookOf(owner, laidLook);
+  if (map.x > 0 && how.w <= 0.0f) {
+    vec2 a = texelFetch(lays, vertices.x).xy, b = texelFetch(lays, vertices.y).xy, c = texelFetch(lays, vertices.z).xy;
+    precise float rest = 1.0f - weight.x - weight.y;
+    precise vec2 uv = (a * rest + b * weight.x + c * weight.y) * how.xy;
+    color = mapAt(Seen(uv, vec2(0), vec2(0)), map);
+  }
+#endif
+  return color;
+}
+
+#ifdef ANY_HIT
+// A ray exactly through an edge meets both its triangles, and is to be let through by one: that which goes up along it, seen along
+// the ray.
+bool ownsUp(float weight, vec3 from, vec3 to, bool turned) {
+  bool up = to.y > from.y || (to.y == from.y && to.x > from.x), down = to.y < from.y || (to.y == from.y && to.x < from.x);
+  return weight != 0.0f || (turned ? down : up);
+}
+bool ownsPlace(Ray ray, int at) {
+  vec3 u = alongRay(ray, metPlace(at, 0)), v = alongRay(ray, metPlace(at, 1)), w = alongRay(ray, metPlace(at, 2));
+  precise float wa = v.x * w.y - v.y * w.x;
+  precise float wb = w.x * u.y - w.y * u.x;
+  precise float wc = u.x * v.y - u.y * v.x;
+  precise float sum = wa + wb + wc;
+  bool turned = sum < 0.0f;
+  return ownsUp(wa, v, w, turned) && ownsUp(wb, w, u, turned) && ownsUp(wc, u, v, turned);
+}
+
+// Straight through a clear surface, as much as it mirrors seen from outside being lost: the ways of light are not bent.
+void passGlass(Ray ray, int at, ivec3 vertices, int owner, vec2 weight, float t, vec3 tint, float share) {
+  vec3 a = metPlace(at, 0);
+  precise vec3 first = metPlace(at, 1) - a;
+  precise vec3 second = metPlace(at, 2) - a;
+  vec3 across = exactCross(first, second);
+  vec3 n = unpackedUnit(texelFetch(vertexWords, vertices.x).x);
+  bool leaves = (exactDot(across, ray.along) > 0.0f) == (exactDot(across, n) > 0.0f);
+  float cosine = abs(exactDot(across, ray.along));
+  precise float unit_ = cosine * exactInverseSqrt(max(exactDot(across, across), 1e-30f));
+  vec4 glass = lookOf(owner, glassLook);
+  bool thin = glass.y > 0.0f;
+  float once_ = dielectricFresnel(min(unit_, 1.0f), exactReciprocal(glass.x));
+  precise float all_ = 1.0f + once_;
+  precise float both = 2.0f * once_ * exactReciprocal(all_);
+  vec3 own = thin ? tint : vec3(exactSqrt(tint.x), exactSqrt(tint.y), exactSqrt(tint.z));
+  precise vec3 passed = passed_ * own * (share * (1.0f - (thin ? both : once_)));
+  passed_ = passed;
+  precise vec3 depths = depths_ + lookOf(owner, absorbLook).xyz * (leaves ? t : -t);
+  depths_ = thin ? depths_ : depths;
+}
+#endif
+
+// `best`, if the hit lets the ray through.
+RayHit hitOrPassed(Ray ray, RayHit hit, RayHit best) {
+  ivec3 vertices = metCorners(hit.at);
+  int owner = ownerOf(vertices);
+  vec4 layers = lookOf(owner, layerLook);
+  vec4 color = colorPassed(vertices, owner, hit.weight);
+  precise float opacity = layers.z * color.a;
+  if (layers.w > 0.0f && opacity < layers.w) return best;
+#ifdef ANY_HIT
+  bool owns = ownsPlace(ray, hit.at);
+  if (layers.w < 0.0f) {
+    if (!owns) return best;
+    precise vec3 left = passed_ * (1.0f - opacity);
+    passed_ = left;
+    return opacity < 1.0f ? best : hit;
+  }
+  precise float share = lookOf(owner, sheenLook).w * (1.0f - lookOf(owner, plainLook).y);
+  if (share <= 0.0f) return hit;
+  if (!owns) return best;
+  uvec4 words = texelFetch(vertexWords, vertices.x);
+  precise vec3 tint = vec3(unpackHalf2x16(words.y), unpackHalf2x16(words.z).x) * color.rgb;
+  passGlass(ray, hit.at, vertices, owner, hit.weight, hit.t, tint, share);
+  return best;
+#else
+  if (layers.w >= 0.0f) return hit;
+  // As often as it is opaque.
+  uvec3 mixed = hash3(floatBitsToUint(ray.along) ^ floatBitsToUint(ray.origin) ^ uvec3(uint(hit.at), 0u, 0u));
+  precise float u = float(int(mixed.x >> 8)) * 5.9604645e-8f;
+  return u < opacity ? hit : best;
+#endif
+}

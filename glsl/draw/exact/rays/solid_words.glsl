@@ -1,0 +1,7 @@
+// Corners of triangles that rays meet, and what their vertices are like (gather.comp).
+#ifndef EXACT_RAY_SOLID_WORDS
+#define EXACT_RAY_SOLID_WORDS
+#include "draw/exact/rays/bindings.glsl"
+layout(binding = solidCornerUnit) uniform usamplerBuffer corners;
+layout(binding = solidWordUnit) uniform usamplerBuffer vertexWords;
+#endif

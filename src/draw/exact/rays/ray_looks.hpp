@@ -1,0 +1,66 @@
+#pragma once
+#include "draw/exact/map_texels.hpp"
+#include "draw/exact/skin_texels.hpp"
+#include "draw/surface/skin_textures.hpp"
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+#include "gl/texture.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <map>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+namespace simreel::draw {
+
+/// What the things are made of that rays meet (glsl/draw/exact/rays/look_table.glsl), with the maps and
+/// skins that are laid over them. Owner 0 is what is as its spots say.
+class RayLooks {
+ public:
+  /// What shades surfaces has read their maps already, and made the texels of their skins.
+  RayLooks(MapTexels& maps, const SkinTextures& skins, const SkinTexels& skinTexels)
+      : maps_(maps), skins_(skins), skinTexels_(skinTexels) {}
+
+  void begin();
+  /// The number by which rays know it.
+  unsigned add(const sim::Surface& surface);
+  unsigned add(const scene::Material& particles);
+  /// Once all are added.
+  void finish();
+
+  /// Of a surface's material; 0 where nothing lies over it and nothing goes through.
+  [[nodiscard]] unsigned ownerOf(const scene::Material& material) const;
+  /// Whether anything is laid over a surface, by uv or from three sides: then its vertices say where.
+  [[nodiscard]] static bool isLaid(const sim::Surface& surface);
+  [[nodiscard]] static bool fromThreeSides(const sim::Surface& surface);
+  [[nodiscard]] static float scaleOf(const sim::Surface& surface);
+  /// What of all this there is, for kernels; and the same as bits.
+  [[nodiscard]] gl::Defines defines() const;
+  [[nodiscard]] unsigned features() const;
+  [[nodiscard]] bool anyLaid() const { return laid_; }
+  [[nodiscard]] bool anyEmit() const { return emits_; }
+  [[nodiscard]] bool anyGlass() const { return glass_; }
+  void bind() const;
+  [[nodiscard]] const gl::Texture& view() const { return view_; }
+
+ private:
+  glm::uvec4* put(const scene::Material& material);
+  void putMaps(const scene::Material& material, glm::uvec4* look);
+  void putSkin(const scene::Skin& skin, const SkinTextures::Entry& entry, bool threeSided,
+               glm::uvec4* look);
+  void gatherSkins();
+
+  MapTexels& maps_;
+  const SkinTextures& skins_;
+  const SkinTexels& skinTexels_;
+  std::vector<glm::uvec4> words_;
+  std::map<const scene::Material*, unsigned> owners_;
+  std::map<const SkinTextures::Entry*, unsigned> skinFirsts_;
+  unsigned skinCount_ = 0;
+  bool laid_ = false, skinned_ = false, emits_ = false, finished_ = false, glass_ = false, holes_ = false;
+  gl::Buffer table_, skinBuffer_;
+  gl::Texture view_, skinView_;
+};
+
+}  // namespace simreel::draw
