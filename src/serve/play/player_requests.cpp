@@ -1,0 +1,189 @@
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/strict_json.hpp"
+#include "draw/camera.hpp"
+#include "serve/edit/place_value.hpp"
+#include "serve/play/player.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace simreel::serve {
+
+namespace {
+
+constexpr JsonLimits requestLimits = {.depth = 20, .containers = 20'000};
+
+bool isSet(const JsonValue& request, const char* name) {
+  const auto found = request.find(name);
+  return found && found->boolean();
+}
+
+}  // namespace
+
+void Player::handle(const Request& request) {
+  try {
+    const nlohmann::json json = parseStrictJson(request.text, requestLimits);
+    if (hub_.editor() != request.viewer && !json.contains("asks")) {
+      hub_.answer(request.viewer, R"({"kind":"refused","text":"somebody else edits; press Take over"})");
+      return;
+    }
+    if (json.contains("asks"))
+      pick(request.viewer, json);
+    else
+      obey(json);
+  } catch (const JsonError& error) {
+    hub_.answer(request.viewer,
+                nlohmann::json{{"kind", "refused"}, {"text", error.what()}}.dump());
+  } catch (const UserError& error) {
+    hub_.answer(request.viewer,
+                nlohmann::json{{"kind", "refused"}, {"text", error.what()}}.dump());
+    tellScene();
+  } catch (const std::exception&) {
+    hub_.answer(request.viewer, R"({"kind":"refused","text":"that is no request"})");
+  }
+}
+
+void Player::obey(const Json& json) {
+  const JsonValue request(json);
+  const std::string what = request.at("do").text();
+  if (what == "play") {
+    playing_ = stage_ != nullptr && lastFrame() > 0;
+    due_ = Clock::now();
+    if (target_ >= lastFrame() && !loop_) target_ = 0;
+    rest_ = false;
+  } else if (what == "pause") {
+    playing_ = false;
+    if (stage_ != nullptr) target_ = std::max(0, stage_->frame());
+  } else if (what == "loop") {
+    loop_ = request.at("on").boolean();
+  } else if (what == "seek") {
+    seek(json);
+  } else if (what == "camera") {
+    moveCamera(json);
+  } else if (what == "set") {
+    setValue(json);
+  } else if (what == "forget") {
+    forget(json);
+  } else {
+    request.at("do").wrong("is nothing that can be done");
+  }
+  tellStatus();
+}
+
+void Player::seek(const Json& json) {
+  const JsonValue request(json);
+  const int frame = std::clamp(request.at("frame").integer(), 0, lastFrame());
+  playing_ = false;
+  failed_ = false;
+  if (isSet(request, "moving")) moved_ = Clock::now();
+  if (frame == target_) return;
+  target_ = frame;
+  shown_ = rest_ = false;
+}
+
+namespace {
+
+nlohmann::json pointOf(const JsonValue& value) {
+  if (value.size() != 3) value.wrong("must be three numbers");
+  nlohmann::json point = nlohmann::json::array();
+  for (std::size_t i = 0; i < 3; ++i) point.push_back(value.at(i).number());
+  return point;
+}
+
+/// Whether it stands and looks where two points say, which do not move.
+bool isPlain(const nlohmann::json& camera) {
+  for (const char* other : {"follow", "track", "orbit"})
+    if (camera.contains(other)) return false;
+  for (const char* point : {"position", "target"})
+    if (camera.contains(point) && !camera.at(point).is_array()) return false;
+  return true;
+}
+
+}  // namespace
+
+void Player::moveCamera(const Json& json) {
+  if (stage_ == nullptr) return;
+  const JsonValue request(json);
+  const bool moving = isSet(request, "moving");
+  const auto position = pointOf(request.at("position"));
+  const auto target = pointOf(request.at("target"));
+  if (moving) moved_ = Clock::now();
+  const scene::Scene& shown = stage_->script().scene;
+  const nlohmann::json scene = parseStrictJson(stage_->script().asRun);
+  nlohmann::json camera = scene.contains("camera") ? scene.at("camera") : nlohmann::json::object();
+  std::vector<scene::Override> edits = edits_;
+  std::vector<scene::Override> changes;
+  const double time = stage_->frame() / shown.time.fps;
+  if (isPlain(camera)) {
+    changes = {{"camera.position", position.dump()}, {"camera.target", target.dump()}};
+    // A scene that says nothing of its camera has another angle than one that does.
+    if (!shown.camera.hasAngle)
+      changes.push_back({"camera.fieldOfView", fmt::format("{}", shown.camera.fieldOfView.at(time))});
+  } else {
+    for (const char* other : {"follow", "track", "orbit"}) camera.erase(other);
+    camera["position"] = position;
+    camera["target"] = target;
+    changes = {{"camera", camera.dump()}};
+  }
+  for (const scene::Override& change : changes) edits = withEdit(edits, change);
+  if (!show(text_, edits, moving) || moving || !options_.edit || changes.size() < 2) return;
+  for (const scene::Override& change : changes) writeFile(change);
+}
+
+void Player::setValue(const Json& json) {
+  const JsonValue request(json);
+  const bool moving = isSet(request, "moving");
+  const scene::Override change{request.at("path").text(), request.at("value").json().dump()};
+  if (moving) moved_ = Clock::now();
+  if (std::any_of(options_.source.given.begin(), options_.source.given.end(),
+                  [&](const scene::Override& given) { return given.path == change.path; }))
+    fail(ExitCode::usage, "{} is given on the command line, which goes before", change.path);
+  const auto before = edits_;
+  if (!show(text_, withEdit(edits_, change), moving)) {
+    // What was there before is still shown.
+    const std::string said = mistakes_;
+    mistakes_.clear();
+    throw UserError(ExitCode::usage, said, UserError::Form::report);
+  }
+  if (!moving && options_.edit) writeFile(change);
+}
+
+/// Edits that are to be undone: all, or one.
+void Player::forget(const Json& json) {
+  const JsonValue request(json);
+  std::vector<scene::Override> left;
+  if (const auto path = request.find("path"))
+    for (const scene::Override& edit : edits_)
+      if (edit.path != path->text()) left.push_back(edit);
+  show(text_, std::move(left), false);
+}
+
+/// The value goes from the edits into the file.
+void Player::writeFile(const scene::Override& change) {
+  const std::filesystem::path file = std::filesystem::weakly_canonical(options_.source.file);
+  readFile();  // an editor may have written it since
+  const std::string text = withValue(text_, change);
+  std::vector<scene::Override> left;
+  for (const scene::Override& edit : edits_)
+    if (edit.path != change.path) left.push_back(edit);
+  static_cast<void>(readScript(options_.source, text, left));  // throws where it would not be good
+  const auto mode = std::filesystem::status(file).permissions();
+  writeFileAtomically(file, std::string_view(text));
+  std::error_code ignored;
+  std::filesystem::permissions(file, mode, ignored);
+  text_ = text;
+  show(text_, std::move(left), false);
+  static_cast<void>(files_.changed());
+}
+
+void Player::pick(std::uint64_t viewer, const Json& json) {
+  const JsonValue request(json);
+  request.at("asks").wrong("is nothing that can be asked");
+  static_cast<void>(viewer);
+}
+
+}  // namespace simreel::serve
