@@ -42,6 +42,8 @@ class Server:
             connection.endheaders()
             answer = connection.getresponse()
             return answer.status, answer.headers, answer.read()
+        except http.client.RemoteDisconnected:
+            return 0, {}, b""  # not even an answer
         finally:
             connection.close()
 
@@ -69,7 +71,7 @@ class Viewer:
     def __init__(self, port, token, origin="same", host=None, path=None, acknowledges=True, timeout=30):
         self.acknowledges = acknowledges
         self.latest, self.pictures, self.heard = {}, [], []
-        self.buffer = b""
+        self.buffer = self.taken = b""
         self.socket = socket.create_connection(("127.0.0.1", port), timeout=timeout)
         host = host or f"127.0.0.1:{port}"
         lines = [f"GET {path if path is not None else f'/{token}/live'} HTTP/1.1", f"Host: {host}",
@@ -117,12 +119,21 @@ class Viewer:
             if not piece:
                 raise Closed()
             self.buffer += piece
-        taken, self.buffer = self.buffer[:count], self.buffer[count:]
-        return taken
+        piece, self.buffer = self.buffer[:count], self.buffer[count:]
+        self.taken += piece
+        return piece
 
     def receive(self, timeout=30):
         """The next whole message, (kind, message); a picture's kind is "picture"."""
         self.socket.settimeout(timeout)
+        self.taken = b""
+        try:
+            return self._receive()
+        except TimeoutError:  # in the middle, perhaps: the next call begins with it
+            self.buffer = self.taken + self.buffer
+            raise
+
+    def _receive(self):
         whole, opcode = b"", None
         while True:
             first, second = self._bytes(2)

@@ -55,7 +55,7 @@ export function showTimes(into, took, status) {
     return element("div", { class: "time" }, element("span", { class: "quiet" }, name),
       element("span", { class: "bar" }, bar), element("output", {}, `${ms.toFixed(1)} ms`));
   });
-  const rate = status.rate ? `${status.rate.toFixed(1)} pictures/s` : "at rest";
+  const rate = status.moving && status.rate ? `${status.rate.toFixed(1)} pictures/s` : "at rest";
   const kept = status.kept;
   const states = kept && kept.count ? `${kept.count} states kept, every ${kept.every === 1 ? "frame" : kept.every + " frames"}` +
     `, ${Math.ceil(kept.bytes / 1048576)} of ${Math.round(kept.most / 1048576)} MiB` : "";

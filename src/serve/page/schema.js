@@ -26,7 +26,8 @@ const without = (object, key) => Object.fromEntries(Object.entries(object).filte
 
 // Of several forms that a value may have: {plain, moving}, a value and keyframes.
 export function forms(schema) {
-  const all = schema.anyOf ?? schema.oneOf ?? [schema];
+  const several = schema.anyOf ?? schema.oneOf;
+  const all = several?.some((form) => form.type || form.enum || form.const !== undefined) ? several : [schema];
   const moving = all.find((form) => form.properties?.keys);
   const group = all.find((form) => form.type === "object" && form !== moving && form.properties);
   const plain = all.find((form) => form !== moving && form !== group) ?? group;

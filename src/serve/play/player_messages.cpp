@@ -17,7 +17,7 @@ namespace simreel::serve {
 
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 json pointJson(const glm::vec3& point) {
   return json::array({scene::shortest(point.x), scene::shortest(point.y), scene::shortest(point.z)});
@@ -89,7 +89,7 @@ void Player::tellScene() {
     message["numerics"] = scene.numerics == scene::Numerics::exact ? "exact" : "fast";
     message["rasterizer"] = scene.render.rasterizer == scene::Rasterizer::exact ? "exact" : "driver";
     message["staged"] = scene.staged;
-    message["scene"] = json::parse(stage_->script().asRun);
+    message["scene"] = nlohmann::ordered_json::parse(stage_->script().asRun);
     message["command"] = commandLine();
     message["checks"] = json::array();
     for (const scene::Check& check : scene.checks)

@@ -6,6 +6,7 @@
 #include "serve/play/player.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ namespace simreel::serve {
 
 namespace {
 
-constexpr JsonLimits requestLimits = {.depth = 20, .containers = 20'000};
+constexpr JsonLimits requestLimits = {.depth = 20, .containers = 20'000, .comments = false};
 
 bool isSet(const JsonValue& request, const char* name) {
   const auto found = request.find(name);
@@ -90,7 +91,10 @@ namespace {
 nlohmann::json pointOf(const JsonValue& value) {
   if (value.size() != 3) value.wrong("must be three numbers");
   nlohmann::json point = nlohmann::json::array();
-  for (std::size_t i = 0; i < 3; ++i) point.push_back(value.at(i).number());
+  for (std::size_t i = 0; i < 3; ++i) {
+    static_cast<void>(value.at(i).number());
+    point.push_back(value.at(i).json());  // as it was written
+  }
   return point;
 }
 
@@ -172,18 +176,34 @@ void Player::writeFile(const scene::Override& change) {
     if (edit.path != change.path) left.push_back(edit);
   static_cast<void>(readScript(options_.source, text, left));  // throws where it would not be good
   const auto mode = std::filesystem::status(file).permissions();
-  writeFileAtomically(file, std::string_view(text));
-  std::error_code ignored;
-  std::filesystem::permissions(file, mode, ignored);
+  {
+    PartFile written(file);
+    written.append(std::as_bytes(std::span(text)));
+    std::error_code ignored;
+    std::filesystem::permissions(file.string() + ".part", mode, ignored);
+    written.finish();
+  }
   text_ = text;
   show(text_, std::move(left), false);
   static_cast<void>(files_.changed());
 }
 
+/// What a click asks: anybody may.
 void Player::pick(std::uint64_t viewer, const Json& json) {
   const JsonValue request(json);
-  request.at("asks").wrong("is nothing that can be asked");
-  static_cast<void>(viewer);
+  if (!request.at("asks").is("pixel")) request.at("asks").wrong("is nothing that can be asked");
+  const glm::dvec2 place(request.at("x").number(), request.at("y").number());
+  if (stage_ == nullptr || stage_->frame() != target_) return;
+  const PixelAnswer answer = stage_->ask(place);
+  nlohmann::json rows = nlohmann::json::array();
+  for (const PixelAnswer::Row& row : answer.rows)
+    rows.push_back(row.value ? nlohmann::json{row.name, *row.value, row.text}
+                             : nlohmann::json{row.name, row.text, nullptr});
+  hub_.answer(viewer, nlohmann::json{{"kind", "answer"},
+                                     {"title", answer.title},
+                                     {"frame", stage_->frame()},
+                                     {"rows", std::move(rows)}}
+                          .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 }  // namespace simreel::serve

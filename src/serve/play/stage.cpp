@@ -192,6 +192,11 @@ void Stage::measure() {
   }
 }
 
+PixelAnswer Stage::ask(glm::dvec2 place) {
+  lookAt();
+  return askPixel(script_->draft, *world_, place);
+}
+
 void Stage::takeLookOf(Script& from) {
   takeLook(*script_, from);
   // Renderers and world may have been made of another one each.

@@ -3,6 +3,7 @@
 #include "draw/screen/renderer.hpp"
 #include "frame/image.hpp"
 #include "frame/summaries.hpp"
+#include "serve/play/ask.hpp"
 #include "serve/play/kept_states.hpp"
 #include "serve/play/script.hpp"
 #include "sim/world/world.hpp"
@@ -65,6 +66,8 @@ class Stage {
   [[nodiscard]] frame::Image draw(std::size_t level);
   /// Keeps what the objects measure at the present frame. Waits for the device.
   void measure();
+  /// What is at a place of the present picture (askPixel).
+  [[nodiscard]] PixelAnswer ask(glm::dvec2 place);
 
   /// For Change::look.
   void takeLookOf(Script& from);
