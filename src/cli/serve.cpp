@@ -26,6 +26,7 @@ struct ServePageOptions {
   int port = 0;
   int memory = 1024;
   bool edit = false;
+  std::string output;
 };
 
 void servePage(const ServePageOptions& o) {
@@ -38,6 +39,7 @@ void servePage(const ServePageOptions& o) {
   options.player.arguments = o.scene.arguments();
   options.player.memory = static_cast<std::size_t>(o.memory) << 20;
   options.player.edit = o.edit;
+  options.player.output = o.output;
   options.address = o.address;
   options.port = o.port;
   frame::catchInterrupts();
@@ -68,6 +70,8 @@ void addServe(CLI::App& app) {
   command->add_flag("--edit", o->edit,
                     "Values that are changed on the page are written into the scene file; without it nothing "
                     "is ever written");
+  command->add_option("-o,--output", o->output,
+                      "Folder for what is rendered from the page; without it nothing is");
   addDevice(*command, o->on);
   command->callback([o] { servePage(*o); });
 }

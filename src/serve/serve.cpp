@@ -43,9 +43,12 @@ int serveScene(ServeOptions options, const gl::Context& context) {
   Hub hub;
   Player player(std::move(options.player), context, hub);
   const Server server({options.address, options.port,
-                       [&all](std::string_view name) -> std::unique_ptr<Content> {
+                       [&](std::string_view name) -> std::unique_ptr<Content> {
                          const auto found = all.find(name);
-                         return found == all.end() ? nullptr : std::make_unique<Content>(found->second);
+                         if (found != all.end()) return std::make_unique<Content>(found->second);
+                         const auto bytes = hub.offered(std::string(name));
+                         return bytes == nullptr ? nullptr
+                                                 : std::make_unique<Content>(Content{mediaType(name), bytes});
                        }},
                       guard, hub);
   printText("Open " + pageAddress(options.address, server.port(), guard.token()) + "\n" +

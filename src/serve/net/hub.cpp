@@ -47,6 +47,17 @@ void Hub::show(Picture picture) {
   wake();
 }
 
+void Hub::offer(const std::string& name, std::string bytes) {
+  const std::lock_guard lock(mutex_);
+  offers_[name] = std::make_shared<const std::string>(std::move(bytes));
+}
+
+std::shared_ptr<const std::string> Hub::offered(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = offers_.find(name);
+  return found == offers_.end() ? nullptr : found->second;
+}
+
 std::size_t Hub::viewers() const {
   const std::lock_guard lock(mutex_);
   return answers_.size();

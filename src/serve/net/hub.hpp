@@ -40,6 +40,8 @@ class Hub {
   /// For one.
   void answer(std::uint64_t viewer, std::string text);
   void show(Picture picture);
+  /// A file for who asks for it by name, in place of that of before.
+  void offer(const std::string& name, std::string bytes);
   [[nodiscard]] std::size_t viewers() const;
   /// Who may change things; 0: nobody is there.
   [[nodiscard]] std::uint64_t editor() const;
@@ -61,6 +63,8 @@ class Hub {
   [[nodiscard]] std::optional<Message> messageAfter(std::uint64_t version) const;
   [[nodiscard]] std::optional<std::string> answerFor(std::uint64_t viewer);
   [[nodiscard]] std::shared_ptr<const Picture> picture() const;
+  /// Null: none is offered.
+  [[nodiscard]] std::shared_ptr<const std::string> offered(const std::string& name) const;
   /// From either: ends both.
   void stop();
 
@@ -79,6 +83,7 @@ class Hub {
   std::map<std::uint64_t, std::deque<std::string>> answers_;  ///< of each viewer that is there
   std::uint64_t nextViewer_ = 1, editor_ = 0;
   std::shared_ptr<const Picture> picture_;
+  std::map<std::string, std::shared_ptr<const std::string>> offers_;
   bool stop_ = false;
 };
 

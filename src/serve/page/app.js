@@ -27,6 +27,7 @@ const link = new Link({
   scene: (message) => { state.scene = message; sceneChanged(); },
   status: (message) => { state.status = message; statusChanged(); },
   series: (message) => { state.series = message.series; charts(); },
+  render: (message) => rendered(message),
   refused: (message) => note(message.text, 6),
   answer: (message) => showAnswer(byId("answer"), message),
   picture: (about, blob) => screen.show(about, blob),
@@ -57,11 +58,21 @@ function facts() {
   const { scene, about } = state;
   if (!scene || !about) return;
   const fact = (name, value, title) => element("span", { class: "fact", title: title ?? "" }, `${name} `, element("b", {}, value));
+  byId("render").hidden = byId("renderAll").hidden = !about.output;
   byId("file").textContent = about.file + (about.edit ? " · saved as you go" : "");
   byId("facts").replaceChildren(...(scene.size ? [
     fact("numerics", scene.numerics), fact("rasterizer", scene.rasterizer),
     fact("", `${scene.size[0]}×${scene.size[1]}`, `${scene.samples} samples per pixel`),
     fact("on", about.device.replace(/\s*\(.*/, ""), `${about.driver}; ${about.processor}`)] : []));
+}
+
+function rendered(message) {
+  const part = message.total ? ` ${message.done} of ${message.total}` : "";
+  const text = { running: `rendering${part}`, done: "rendered", failed: "render failed" }[message.state];
+  byId("rendered").replaceChildren(message.link && message.state === "done"
+    ? element("a", { href: message.link, target: "_blank", rel: "noopener", title: message.output }, text)
+    : element("span", { title: message.output }, text));
+  if (message.state === "failed") note(message.text, 10);
 }
 
 function people() {
@@ -105,6 +116,8 @@ function charts() {
   if (scene?.scene && picture) showCharts(byId("charts"), state.series, scene.checks, picture.frame, scene.frames);
 }
 
+byId("render").onclick = () => link.send({ do: "render", all: false });
+byId("renderAll").onclick = () => link.send({ do: "render", all: true });
 byId("take").onclick = () => link.takeOver();
 byId("forget").onclick = () => link.send({ do: "forget" });
 byId("filter").oninput = (event) => panel?.find(event.target.value);

@@ -21,6 +21,7 @@ constexpr double secondsBetweenLooks = 0.1;   ///< at the files
 constexpr double secondsToRest = 0.25;        ///< after the last drag, before the whole picture is drawn
 constexpr double sliceSeconds = 0.04;         ///< of stepping, before requests are heard again
 constexpr double mostMilliseconds = 85;       ///< of a picture while things move
+constexpr double mostToMeasure = 6;            ///< ms of a picture while things move
 constexpr int jpegQuality = 87;
 
 }  // namespace
@@ -52,6 +53,7 @@ void Player::turn() {
       }
     }
   }
+  lookAtRender();
   if (stage_ == nullptr || failed_ || hub_.viewers() == 0) return;
   try {
     work();
@@ -200,8 +202,11 @@ void Player::drawPicture(bool draft) {
   if (draft) {
     const StageMilliseconds& took = stage_->took();
     adaptDetail(took.draw + took.readBack + encodeMs_);
-  } else {
+  }
+  if (!draft || measureMs_ < mostToMeasure) {
+    const auto begun = Clock::now();
     stage_->measure();
+    measureMs_ = 1000 * secondsSince(begun);
   }
   times_.push_back(Clock::now());
   while (times_.size() > 20) times_.pop_front();

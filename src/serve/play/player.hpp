@@ -3,6 +3,7 @@
 #include "frame/image.hpp"
 #include "gl/context.hpp"
 #include "serve/net/hub.hpp"
+#include "serve/play/render_child.hpp"
 #include "serve/play/script.hpp"
 #include "serve/play/stage.hpp"
 #include "serve/play/watched_files.hpp"
@@ -27,6 +28,7 @@ struct PlayerOptions {
   std::vector<std::string> arguments;  ///< the scene and what the command line changes of it, as words
   std::size_t memory = 0;              ///< for states that are kept, bytes
   bool edit = false;                   ///< whether the scene file may be written
+  std::filesystem::path output;        ///< folder for what is rendered from the page; empty: nothing is
 };
 
 /// Makes the pictures: does what viewers ask for, watches the scene's files, steps, draws. On the thread of
@@ -52,6 +54,8 @@ class Player {
   void moveCamera(const Json& request);
   void setValue(const Json& request);
   void forget(const Json& request);
+  void renderIt(const Json& request);
+  void lookAtRender();
   void pick(std::uint64_t viewer, const Json& request);
 
   /// The file as it is now.
@@ -104,7 +108,9 @@ class Player {
   std::array<double, detailLevels.size()> costs_{};  ///< of a picture at each level, ms; 0: not known
   int quick_ = 0;              ///< pictures in a row that may have been finer
   std::uint64_t pictures_ = 0;
-  double encodeMs_ = 0;
+  double encodeMs_ = 0, measureMs_ = 0;
+  RenderChild child_;
+  RenderChild::Progress rendered_;  ///< as it was told
   std::deque<Clock::time_point> times_;  ///< of the latest pictures
 };
 

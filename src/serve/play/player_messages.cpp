@@ -69,6 +69,7 @@ void Player::tellAbout() {
                              {"version", version()},
                              {"file", options_.source.file.string()},
                              {"edit", options_.edit},
+                             {"output", options_.output.string()},
                              {"driver", machine.driver},
                              {"processor", machine.processor},
                              {"device", context_.device().name}}));

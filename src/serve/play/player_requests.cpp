@@ -18,6 +18,14 @@ namespace {
 
 constexpr JsonLimits requestLimits = {.depth = 20, .containers = 20'000, .comments = false};
 
+std::string readFileOf(const std::string& picture) {
+  try {
+    return simreel::readFile(picture, "picture");
+  } catch (const UserError&) {
+    return {};  // somebody has taken it away
+  }
+}
+
 bool isSet(const JsonValue& request, const char* name) {
   const auto found = request.find(name);
   return found && found->boolean();
@@ -69,6 +77,8 @@ void Player::obey(const Json& json) {
     setValue(json);
   } else if (what == "forget") {
     forget(json);
+  } else if (what == "render") {
+    renderIt(json);
   } else {
     request.at("do").wrong("is nothing that can be done");
   }
@@ -186,6 +196,45 @@ void Player::writeFile(const scene::Override& change) {
   text_ = text;
   show(text_, std::move(left), false);
   static_cast<void>(files_.changed());
+}
+
+/// What is on the screen, or the whole sequence, by a process of its own.
+void Player::renderIt(const Json& json) {
+  if (options_.output.empty())
+    fail(ExitCode::usage, "nothing is rendered from here; start with simreel serve --output FOLDER");
+  if (stage_ == nullptr) return;
+  std::vector<std::string> words = options_.arguments;
+  for (const scene::Override& edit : edits_)
+    words.insert(words.end(), {"-D", edit.path + "=" + edit.value});
+  const std::string name = options_.source.file.stem().string();
+  if (isSet(JsonValue(json), "all"))
+    child_.start(std::move(words), fmt::format("0-{}", lastFrame()), options_.output / name);
+  else
+    child_.start(std::move(words), std::to_string(target_),
+                 options_.output / fmt::format("{}_{:06}.png", name, target_));
+}
+
+void Player::lookAtRender() {
+  using State = RenderChild::Progress::State;
+  const RenderChild::Progress now = child_.look();
+  if (now == rendered_) return;
+  rendered_ = now;
+  std::string link;
+  if (now.state == State::done && child_.isPicture()) {
+    link = "render.png";
+    hub_.offer(link, readFileOf(now.output));
+  }
+  hub_.tell("render",
+            nlohmann::json{{"kind", "render"},
+                           {"state", now.state == State::running ? "running"
+                                     : now.state == State::done  ? "done"
+                                                                 : "failed"},
+                           {"done", now.done},
+                           {"total", now.total},
+                           {"output", now.output},
+                           {"link", link},
+                           {"text", now.text}}
+                .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 /// What a click asks: anybody may.
