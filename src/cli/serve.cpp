@@ -59,17 +59,19 @@ void addServe(CLI::App& app) {
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
   command
-      ->add_option("--bind", o->address,
-                   "IP address to listen at; other machines reach 0.0.0.0, and whoever sees the address with "
-                   "its token")
+      ->add_option(
+          "--bind", o->address,
+          "IP address to listen at; other machines reach 0.0.0.0, and whoever sees the address with "
+          "its token")
       ->check(CLI::ValidIPV4)
       ->capture_default_str();
   command->add_option("--memory", o->memory, "MiB for states that are kept to go back to")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
-  command->add_flag("--edit", o->edit,
-                    "Values that are changed on the page are written into the scene file; without it nothing "
-                    "is ever written");
+  command->add_flag(
+      "--edit", o->edit,
+      "Values that are changed on the page are written into the scene file; without it nothing "
+      "is ever written");
   command->add_option("-o,--output", o->output,
                       "Folder for what is rendered from the page; without it nothing is");
   addDevice(*command, o->on);

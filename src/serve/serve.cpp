@@ -42,15 +42,15 @@ int serveScene(ServeOptions options, const gl::Context& context) {
   const auto all = contents();
   Hub hub;
   Player player(std::move(options.player), context, hub);
-  const Server server({options.address, options.port,
-                       [&](std::string_view name) -> std::unique_ptr<Content> {
-                         const auto found = all.find(name);
-                         if (found != all.end()) return std::make_unique<Content>(found->second);
-                         const auto bytes = hub.offered(std::string(name));
-                         return bytes == nullptr ? nullptr
-                                                 : std::make_unique<Content>(Content{mediaType(name), bytes});
-                       }},
-                      guard, hub);
+  const Server server(
+      {options.address, options.port,
+       [&](std::string_view name) -> std::unique_ptr<Content> {
+         const auto found = all.find(name);
+         if (found != all.end()) return std::make_unique<Content>(found->second);
+         const auto bytes = hub.offered(std::string(name));
+         return bytes == nullptr ? nullptr : std::make_unique<Content>(Content{mediaType(name), bytes});
+       }},
+      guard, hub);
   printText("Open " + pageAddress(options.address, server.port(), guard.token()) + "\n" +
             "From another machine, first: " + tunnelCommand(server.port(), machineName()) + "\n" +
             "Ctrl-C ends it.\n");

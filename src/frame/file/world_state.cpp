@@ -51,7 +51,8 @@ class StateRestorer final : public sim::CarryOver {
     if (ended() || parts_[part_].object != object_ || parts_[part_].name != name ||
         parts_[part_].bytes != bytes)
       fail(ExitCode::usage,
-           "{} does not fit: it has no {} of \"{}\" with {} bytes next; remove it to simulate from the start",
+           "{} does not fit: it has no {} of \"{}\" with {} bytes next; remove it to simulate from the "
+           "start",
            from_, name, object_, bytes);
     ++part_;
     at_ += bytes;

@@ -66,7 +66,8 @@ std::size_t endOfRemark(std::string_view text, std::size_t from) {
       at = std::min(text.find('\n', at), text.size());
     } else if (text.substr(at, 2) == "/*") {
       const std::size_t close = text.find("*/", at + 2);
-      if (close == std::string_view::npos || text.substr(at, close - at).find('\n') != std::string_view::npos)
+      if (close == std::string_view::npos ||
+          text.substr(at, close - at).find('\n') != std::string_view::npos)
         return from;
       at = close + 2;
     } else {
@@ -76,6 +77,7 @@ std::size_t endOfRemark(std::string_view text, std::size_t from) {
   return at < text.size() && text[at] == '\n' ? (text[at - 1] == '\r' ? at - 1 : at) : from;
 }
 
+/// A member after the last one of an object, or an item after the last one of a list.
 std::string withMember(std::string_view text, const Node& object, const std::string& member) {
   std::string result(text);
   if (object.children.empty()) {
@@ -84,7 +86,7 @@ std::string withMember(std::string_view text, const Node& object, const std::str
     return result;
   }
   const Node& last = object.children.back();
-  if (const auto indent = indentAt(text, last.keyBegin)) {
+  if (const auto indent = indentAt(text, object.kind == Node::Kind::list ? last.begin : last.keyBegin)) {
     const std::size_t end = endOfRemark(text, last.end);
     result.insert(end, "\n" + *indent + member);
     result.insert(last.end, ",");
@@ -114,6 +116,9 @@ std::string withValue(std::string_view text, const scene::Override& change) {
     result.replace(node->begin, node->end - node->begin, value);
     return result;
   }
+  if (node->kind == Node::Kind::list && known + 1 == segments.size() &&
+      segments[known] == std::to_string(node->children.size()))
+    return withMember(text, *node, value);
   if (node->kind != Node::Kind::object)
     fail(ExitCode::usage, "{} cannot be written into the scene: \"{}\" is not there", change.path,
          segments[known]);

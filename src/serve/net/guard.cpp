@@ -3,13 +3,13 @@
 #include "base/error.hpp"
 
 #include <algorithm>
+#include <arpa/inet.h>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <sys/random.h>
 #include <utility>
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
 
 namespace simreel::serve {
@@ -67,7 +67,8 @@ bool Guard::allowsOrigin(std::string_view origin, std::string_view host) {
 }
 
 bool Guard::splitPath(std::string_view path, std::string_view& rest) const {
-  if (path.size() < token_.size() + 2 || path.front() != '/' || path[token_.size() + 1] != '/') return false;
+  if (path.size() < token_.size() + 2 || path.front() != '/' || path[token_.size() + 1] != '/')
+    return false;
   unsigned difference = 0;
   for (std::size_t i = 0; i < token_.size(); ++i)
     difference |= static_cast<unsigned>(static_cast<unsigned char>(path[i + 1]) ^

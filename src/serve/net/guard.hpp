@@ -18,8 +18,8 @@ class Guard {
   Guard(std::string token, std::string address);
 
   [[nodiscard]] const std::string& token() const { return token_; }
-  /// Of a Host header, "127.0.0.1:8000": a name of this machine by itself, or an IP address where the server
-  /// listens at more than its own.
+  /// Of a Host header, "127.0.0.1:8000": a name of this machine by itself, or an IP address where the
+  /// server listens at more than its own.
   [[nodiscard]] bool allowsHost(std::string_view host) const;
   /// Of an Origin header beside that Host header: the page came from here.
   [[nodiscard]] static bool allowsOrigin(std::string_view origin, std::string_view host);

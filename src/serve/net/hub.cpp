@@ -75,10 +75,9 @@ bool Hub::stopping() const {
 
 /// Who is there, and which of them edits. The lock is held.
 void Hub::tellViewers() {
-  messages_["viewers"] = {++version_,
-                          std::make_shared<const std::string>(
-                              fmt::format("{{\"kind\":\"viewers\",\"count\":{},\"editor\":{}}}",
-                                          answers_.size(), editor_))};
+  messages_["viewers"] = {
+      ++version_, std::make_shared<const std::string>(fmt::format(
+                      "{{\"kind\":\"viewers\",\"count\":{},\"editor\":{}}}", answers_.size(), editor_))};
   asked_.notify_all();
   wake();
 }

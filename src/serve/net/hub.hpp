@@ -24,8 +24,8 @@ struct Request {
   std::string text;  ///< JSON
 };
 
-/// Where the thread that makes pictures and the one that talks to viewers meet. Nothing here grows with what
-/// a viewer leaves unread: of each kind of message there is the latest alone, and of pictures, too.
+/// Where the thread that makes pictures and the one that talks to viewers meet. Nothing here grows with
+/// what a viewer leaves unread: of each kind of message there is the latest alone, and of pictures, too.
 class Hub {
  public:
   /// Called from any thread where there is news for viewers.

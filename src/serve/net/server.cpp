@@ -10,14 +10,13 @@
 #include <cstring>
 #include <deque>
 #include <exception>
+#include <libwebsockets.h>
 #include <new>
 #include <optional>
 #include <set>
 #include <thread>
 #include <utility>
 #include <vector>
-
-#include <libwebsockets.h>
 
 namespace simreel::serve {
 
@@ -33,9 +32,9 @@ struct Connection {
   std::size_t sent = 0;
   // Of viewers.
   bool binary = false;
-  std::shared_ptr<const Picture> picture;   ///< that `body` is a part of
-  std::uint64_t heard = 0;                  ///< version of the latest message
-  std::uint64_t shown = 0, sentPicture = 0; ///< numbers of pictures
+  std::shared_ptr<const Picture> picture;    ///< that `body` is a part of
+  std::uint64_t heard = 0;                   ///< version of the latest message
+  std::uint64_t shown = 0, sentPicture = 0;  ///< numbers of pictures
   std::deque<std::uint64_t> underWay;
   std::string asked;  ///< pieces of a message so far
   bool tooLong = false;
@@ -211,8 +210,7 @@ int Server::State::refuse(lws* wsi, Connection& to, int status, const char* text
 int Server::State::answer(lws* wsi, Connection& to, std::string_view path) {
   if (!guard.allowsHost(headerText(wsi, WSI_TOKEN_HOST)))
     return refuse(wsi, to, 403, "simreel: this address is not this machine's\n");
-  if (lws_hdr_total_length(wsi, WSI_TOKEN_GET_URI) <= 0)
-    return refuse(wsi, to, 405, "simreel: only GET\n");
+  if (lws_hdr_total_length(wsi, WSI_TOKEN_GET_URI) <= 0) return refuse(wsi, to, 405, "simreel: only GET\n");
   std::string_view name;
   if (!guard.splitPath(path, name))
     return refuse(wsi, to, 403, "simreel: open the whole address that `simreel serve` has printed\n");
@@ -270,8 +268,9 @@ bool Server::State::admits(lws* wsi) const {
 
 int Server::State::receive(lws* wsi, Connection& from, const char* in, std::size_t length) {
   if (from.asked.size() + length > mostBytesAsked || lws_frame_is_binary(wsi) != 0) {
-    lws_close_reason(wsi, from.asked.size() + length > mostBytesAsked ? LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE
-                                                                      : LWS_CLOSE_STATUS_UNACCEPTABLE_OPCODE,
+    lws_close_reason(wsi,
+                     from.asked.size() + length > mostBytesAsked ? LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE
+                                                                 : LWS_CLOSE_STATUS_UNACCEPTABLE_OPCODE,
                      nullptr, 0);
     return -1;
   }

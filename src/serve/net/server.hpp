@@ -16,8 +16,8 @@ struct Content {
 };
 
 /// HTTP and WebSocket on one port, on a thread of its own: files by name, and "live", where viewers hear
-/// what the hub has for them and say what they want. Each request must have the token in its path and a Host
-/// that is this machine's, each WebSocket this page's Origin.
+/// what the hub has for them and say what they want. Each request must have the token in its path and a
+/// Host that is this machine's, each WebSocket this page's Origin.
 class Server {
  public:
   struct Options {

@@ -46,6 +46,7 @@ const screen = new Screen(byId("screen"), {
     if (moving) link.move("camera", request);
     else link.settle("camera", request);
   },
+  paint: (from, to) => link.send({ do: "paint", from, to, radius: Number(byId("radius").value) || 1 }),
   click: (x, y) => link.send({ asks: "pixel", x, y }),
 });
 
@@ -92,6 +93,7 @@ function sceneChanged() {
   document.title = `${scene.title || "simreel"} — simreel serve`;
   screen.setSize(scene.size);
   timeline.setScene(scene);
+  byId("brush").hidden = !Object.values(scene.scene.objects ?? {}).some((object) => paintable.some((kind) => kind in object));
   panel?.update(scene);
 }
 
@@ -116,6 +118,17 @@ function charts() {
   if (scene?.scene && picture) showCharts(byId("charts"), state.series, scene.checks, picture.frame, scene.frames);
 }
 
+const paintable = ["life", "grayScott", "epidemic", "wildfire", "reaction", "water", "fluid"];
+function brush(on) {
+  screen.brush = on;
+  byId("brush").setAttribute("aria-pressed", on);
+  byId("radius").hidden = !on;
+  byId("picture").classList.toggle("brush", on);
+}
+byId("brush").onclick = () => brush(!screen.brush);
+addEventListener("keydown", (event) => {
+  if (event.key === "b" && !event.target.matches("input, select") && !byId("brush").hidden) brush(!screen.brush);
+});
 byId("render").onclick = () => link.send({ do: "render", all: false });
 byId("renderAll").onclick = () => link.send({ do: "render", all: true });
 byId("take").onclick = () => link.takeOver();

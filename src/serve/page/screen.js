@@ -47,6 +47,7 @@ export class Screen {
   }
 
   grab(event) {
+    if (this.brush) return this.paint(event);
     if (!this.view) return;
     const panning = event.button !== 0 || event.shiftKey;
     let [x, y] = [event.clientX, event.clientY];
@@ -71,6 +72,30 @@ export class Screen {
       this.canvas.removeEventListener("pointercancel", end);
       if (moved >= 4) this.on.camera(this.view, false);
       else if (e.type === "pointerup" && e.button === 0) this.on.click(...this.pointAt(e));
+    };
+    this.canvas.addEventListener("pointermove", move);
+    this.canvas.addEventListener("pointerup", end);
+    this.canvas.addEventListener("pointercancel", end);
+  }
+
+  // Strokes of the brush: one for every piece of the way.
+  paint(event) {
+    let last = this.pointAt(event);
+    let time = performance.now();
+    this.canvas.setPointerCapture(event.pointerId);
+    this.on.paint(last, last);
+    const move = (e) => {
+      if (performance.now() - time < 120) return;
+      const now = this.pointAt(e);
+      this.on.paint(last, now);
+      [last, time] = [now, performance.now()];
+    };
+    const end = (e) => {
+      this.canvas.removeEventListener("pointermove", move);
+      this.canvas.removeEventListener("pointerup", end);
+      this.canvas.removeEventListener("pointercancel", end);
+      const now = this.pointAt(e);
+      if (now[0] !== last[0] || now[1] !== last[1]) this.on.paint(last, now);
     };
     this.canvas.addEventListener("pointermove", move);
     this.canvas.addEventListener("pointerup", end);

@@ -63,7 +63,8 @@ void addNearest(PixelAnswer& answer, const sim::Simulation& object, const glm::v
       }
     }
     if (!std::isfinite(least)) return;
-    answer.rows.push_back({"nearest element", std::nullopt, object.elementName(static_cast<long>(nearest))});
+    answer.rows.push_back(
+        {"nearest element", std::nullopt, object.elementName(static_cast<long>(nearest))});
     answer.rows.push_back({"its distance, m", static_cast<double>(least), ""});
     return addState(answer, object, nearest, array.elements());
   }
@@ -98,7 +99,8 @@ std::optional<PixelAnswer> cellAt(const scene::Scene& scene, sim::World& world, 
   std::optional<PixelAnswer> answer;
   for (const sim::Field& field : drawables.fields) {
     if (field.display == nullptr || field.display->layer != layer) continue;
-    const draw::FieldView view = draw::fieldView(*field.display, field.size, scene.render.size, world.time());
+    const draw::FieldView view =
+        draw::fieldView(*field.display, field.size, scene.render.size, world.time());
     if (pixel.x < view.part.x || pixel.y < view.part.y || pixel.x >= view.part.z || pixel.y >= view.part.w)
       continue;
     glm::ivec2 cell(glm::floor(view.origin + view.perPixel * pixel));
@@ -118,10 +120,26 @@ std::optional<PixelAnswer> cellAt(const scene::Scene& scene, sim::World& world, 
 
 }  // namespace
 
+std::optional<FieldPoint> fieldAt(const scene::Scene& scene, const sim::World& world, glm::dvec2 place) {
+  const glm::dvec2 pixel = place * glm::dvec2(scene.render.size);
+  const sim::Drawables drawables = world.drawables();
+  std::optional<FieldPoint> found;
+  for (const sim::Field& field : drawables.fields) {
+    if (field.display == nullptr || field.display->layer == sim::FieldDisplay::Layer::none) continue;
+    const draw::FieldView view =
+        draw::fieldView(*field.display, field.size, scene.render.size, world.time());
+    if (pixel.x < view.part.x || pixel.y < view.part.y || pixel.x >= view.part.z || pixel.y >= view.part.w)
+      continue;
+    found =
+        FieldPoint{field.name->substr(0, field.name->find('.')), view.origin + view.perPixel * pixel - 0.5};
+  }
+  return found;
+}
+
 PixelAnswer askPixel(const scene::Scene& scene, sim::World& world, glm::dvec2 place) {
   const glm::ivec2 size = scene.render.size;
-  const glm::ivec2 pixel = glm::clamp(glm::ivec2(glm::floor(place * glm::dvec2(size))), glm::ivec2(0),
-                                      size - 1);
+  const glm::ivec2 pixel =
+      glm::clamp(glm::ivec2(glm::floor(place * glm::dvec2(size))), glm::ivec2(0), size - 1);
   const PixelAnswer::Row where{"pixel", std::nullopt, fmt::format("{}, {}", pixel.x, pixel.y)};
   const glm::dvec2 middle = glm::dvec2(pixel) + 0.5;
   if (auto cell = cellAt(scene, world, middle, sim::FieldDisplay::Layer::over)) {

@@ -21,6 +21,15 @@ struct PixelAnswer {
   std::vector<Row> rows;
 };
 
+/// A field that is laid over the picture, and where in it a place of the picture is (cells).
+struct FieldPoint {
+  std::string object;
+  glm::dvec2 cell{0};
+};
+/// Of the uppermost one there, at a place as fractions of the picture.
+[[nodiscard]] std::optional<FieldPoint> fieldAt(const scene::Scene& scene, const sim::World& world,
+                                                glm::dvec2 place);
+
 /// Of the pixel that a place is in, as fractions of the picture from its top left: which object, which of
 /// its primitives, where that is, and what state the element has that lies next to it. Draws the picture
 /// once more, with the exact rasterizer. Throws UserError as Renderer does.

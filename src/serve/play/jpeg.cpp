@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-
 #include <jpeglib.h>
 
 namespace simreel::serve {

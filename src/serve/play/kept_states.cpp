@@ -27,6 +27,12 @@ const frame::WorldState* KeptStates::before(int frame) const {
   return after == states_.begin() ? nullptr : &std::prev(after)->second;
 }
 
+void KeptStates::forgetFrom(int frame) {
+  const auto first = states_.lower_bound(frame);
+  for (auto one = first; one != states_.end(); ++one) bytes_ -= one->second.bytes.size();
+  states_.erase(first, states_.end());
+}
+
 void KeptStates::clear() {
   states_.clear();
   bytes_ = 0;

@@ -21,6 +21,8 @@ class KeptStates {
   void keep(frame::WorldState state);
   /// The latest at or before a frame; null: none. Lives until the next keep() or clear().
   [[nodiscard]] const frame::WorldState* before(int frame) const;
+  /// Those of this frame and later ones.
+  void forgetFrom(int frame);
   void clear();
 
   [[nodiscard]] std::vector<int> frames() const;

@@ -17,11 +17,11 @@ namespace simreel::serve {
 
 namespace {
 
-constexpr double secondsBetweenLooks = 0.1;   ///< at the files
-constexpr double secondsToRest = 0.25;        ///< after the last drag, before the whole picture is drawn
-constexpr double sliceSeconds = 0.04;         ///< of stepping, before requests are heard again
-constexpr double mostMilliseconds = 85;       ///< of a picture while things move
-constexpr double mostToMeasure = 6;            ///< ms of a picture while things move
+constexpr double secondsBetweenLooks = 0.1;  ///< at the files
+constexpr double secondsToRest = 0.25;       ///< after the last drag, before the whole picture is drawn
+constexpr double sliceSeconds = 0.04;        ///< of stepping, before requests are heard again
+constexpr double mostMilliseconds = 85;      ///< of a picture while things move
+constexpr double mostToMeasure = 6;          ///< ms of a picture while things move
 constexpr int jpegQuality = 87;
 
 }  // namespace
@@ -108,7 +108,12 @@ void Player::adopt(std::shared_ptr<Script> script, bool moving) {
       return stage_->dressAs(std::move(script));
     case Change::simulation:
       // While a slider moves there is no time to begin at the start: what is there goes on with its values.
-      if (moving && stage_->carryOverTo(script)) return;
+      // What they do shows as it goes on; let go of, it is made good at the frame where it was.
+      if (moving && stage_->carryOverTo(script)) {
+        if (!held_) held_ = target_;
+        if (target_ < lastFrame()) ++target_;
+        return;
+      }
       return replay(std::move(script));
   }
 }
@@ -116,6 +121,8 @@ void Player::adopt(std::shared_ptr<Script> script, bool moving) {
 void Player::replay(std::shared_ptr<Script> script) {
   stage_ = std::make_unique<Stage>(std::move(script), options_.memory);
   costs_ = {};
+  if (held_) target_ = *held_;
+  held_.reset();
 }
 
 void Player::watch() {

@@ -54,6 +54,7 @@ class Player {
   void moveCamera(const Json& request);
   void setValue(const Json& request);
   void forget(const Json& request);
+  void paint(const Json& request);
   void renderIt(const Json& request);
   void lookAtRender();
   void pick(std::uint64_t viewer, const Json& request);
@@ -64,7 +65,8 @@ class Player {
   bool show(const std::string& text, std::vector<scene::Override> edits, bool moving);
   void adopt(std::shared_ptr<Script> script, bool moving);
   void replay(std::shared_ptr<Script> script);
-  void writeFile(const scene::Override& change);
+  /// `edit`: the path of the edit that is in the file then.
+  void writeFile(const scene::Override& change, const std::string& edit);
   void report(const std::string& text);
   void watch();
 
@@ -87,7 +89,7 @@ class Player {
   const gl::Context& context_;
   Hub& hub_;
   sim::Numerics numerics_;  ///< of the device
-  std::string text_;  ///< of the file
+  std::string text_;        ///< of the file
   std::vector<scene::Override> edits_;
   std::unique_ptr<Stage> stage_;
   WatchedFiles files_;
@@ -97,20 +99,21 @@ class Player {
   bool playing_ = false;
   bool loop_ = true;
   int target_ = 0;
-  Clock::time_point due_;      ///< when the next frame is to be shown
-  Clock::time_point moved_;    ///< when somebody has last dragged something
-  Clock::time_point looked_;   ///< at the files
-  Clock::time_point told_;     ///< the series
-  bool rest_ = false;          ///< whether the picture is whole and of what there is
-  bool shown_ = false;         ///< whether it is of what there is
+  std::optional<int> held_;   ///< where to go back to after states that came out of other values
+  Clock::time_point due_;     ///< when the next frame is to be shown
+  Clock::time_point moved_;   ///< when somebody has last dragged something
+  Clock::time_point looked_;  ///< at the files
+  Clock::time_point told_;    ///< the series
+  bool rest_ = false;         ///< whether the picture is whole and of what there is
+  bool shown_ = false;        ///< whether it is of what there is
   std::size_t level_ = 3;
-  std::size_t fresh_ = 0;      ///< level whose first picture, which compiles, is no measure
+  std::size_t fresh_ = 0;  ///< level whose first picture, which compiles, is no measure
   std::array<double, detailLevels.size()> costs_{};  ///< of a picture at each level, ms; 0: not known
-  int quick_ = 0;              ///< pictures in a row that may have been finer
+  int quick_ = 0;                                    ///< pictures in a row that may have been finer
   std::uint64_t pictures_ = 0;
   double encodeMs_ = 0, measureMs_ = 0;
   RenderChild child_;
-  RenderChild::Progress rendered_;  ///< as it was told
+  RenderChild::Progress rendered_;       ///< as it was told
   std::deque<Clock::time_point> times_;  ///< of the latest pictures
 };
 

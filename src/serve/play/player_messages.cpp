@@ -40,7 +40,8 @@ std::string Player::describe(const frame::Image& image, std::uint64_t number, bo
   json view;
   try {
     const double time = stage_->world().time();
-    const draw::View seen = draw::viewAt(scene.camera, time, scene.render.size, stage_->world().drawables());
+    const draw::View seen =
+        draw::viewAt(scene.camera, time, scene.render.size, stage_->world().drawables());
     view = {{"eye", pointJson(seen.eye)},
             {"target", pointJson(seen.target)},
             {"angle", scene::shortest(scene.camera.fieldOfView.at(time))}};
@@ -115,8 +116,9 @@ void Player::tellStatus() {
   if (times_.size() > 1 && secondsSince(times_.back()) < 1)
     rate = static_cast<double>(times_.size() - 1) /
            std::max(1e-3, std::chrono::duration<double>(times_.back() - times_.front()).count());
-  json message = {{"kind", "status"}, {"playing", playing_}, {"loop", loop_},         {"target", target_},
-                  {"moving", isMoving()}, {"failed", failed_},   {"rate", rounded(rate)}};
+  json message = {{"kind", "status"},     {"playing", playing_},  {"loop", loop_},
+                  {"target", target_},    {"moving", isMoving()}, {"failed", failed_},
+                  {"rate", rounded(rate)}};
   if (stage_ != nullptr) {
     const KeptStates& kept = stage_->kept();
     message["frame"] = stage_->frame();
@@ -135,7 +137,8 @@ void Player::tellSeries() {
   constexpr std::size_t mostPoints = 240;
   json all = json::array();
   for (const Series& series : stage_->series()) {
-    const std::size_t stride = std::max<std::size_t>(1, (series.values.size() + mostPoints - 1) / mostPoints);
+    const std::size_t stride =
+        std::max<std::size_t>(1, (series.values.size() + mostPoints - 1) / mostPoints);
     json frames = json::array(), values = json::array();
     std::size_t at = 0;
     for (const auto& [frame, value] : series.values) {

@@ -6,6 +6,7 @@
 #include "serve/play/player.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -45,11 +46,9 @@ void Player::handle(const Request& request) {
     else
       obey(json);
   } catch (const JsonError& error) {
-    hub_.answer(request.viewer,
-                nlohmann::json{{"kind", "refused"}, {"text", error.what()}}.dump());
+    hub_.answer(request.viewer, nlohmann::json{{"kind", "refused"}, {"text", error.what()}}.dump());
   } catch (const UserError& error) {
-    hub_.answer(request.viewer,
-                nlohmann::json{{"kind", "refused"}, {"text", error.what()}}.dump());
+    hub_.answer(request.viewer, nlohmann::json{{"kind", "refused"}, {"text", error.what()}}.dump());
     tellScene();
   } catch (const std::exception&) {
     hub_.answer(request.viewer, R"({"kind":"refused","text":"that is no request"})");
@@ -77,6 +76,8 @@ void Player::obey(const Json& json) {
     setValue(json);
   } else if (what == "forget") {
     forget(json);
+  } else if (what == "paint") {
+    paint(json);
   } else if (what == "render") {
     renderIt(json);
   } else {
@@ -91,6 +92,7 @@ void Player::seek(const Json& json) {
   playing_ = false;
   failed_ = false;
   if (isSet(request, "moving")) moved_ = Clock::now();
+  held_.reset();
   if (frame == target_) return;
   target_ = frame;
   shown_ = rest_ = false;
@@ -145,7 +147,7 @@ void Player::moveCamera(const Json& json) {
   }
   for (const scene::Override& change : changes) edits = withEdit(edits, change);
   if (!show(text_, edits, moving) || moving || !options_.edit || changes.size() < 2) return;
-  for (const scene::Override& change : changes) writeFile(change);
+  for (const scene::Override& change : changes) writeFile(change, change.path);
 }
 
 void Player::setValue(const Json& json) {
@@ -163,7 +165,7 @@ void Player::setValue(const Json& json) {
     mistakes_.clear();
     throw UserError(ExitCode::usage, said, UserError::Form::report);
   }
-  if (!moving && options_.edit) writeFile(change);
+  if (!moving && options_.edit) writeFile(change, change.path);
 }
 
 /// Edits that are to be undone: all, or one.
@@ -177,13 +179,13 @@ void Player::forget(const Json& json) {
 }
 
 /// The value goes from the edits into the file.
-void Player::writeFile(const scene::Override& change) {
+void Player::writeFile(const scene::Override& change, const std::string& edited) {
   const std::filesystem::path file = std::filesystem::weakly_canonical(options_.source.file);
   readFile();  // an editor may have written it since
   const std::string text = withValue(text_, change);
   std::vector<scene::Override> left;
   for (const scene::Override& edit : edits_)
-    if (edit.path != change.path) left.push_back(edit);
+    if (edit.path != edited) left.push_back(edit);
   static_cast<void>(readScript(options_.source, text, left));  // throws where it would not be good
   const auto mode = std::filesystem::status(file).permissions();
   {
@@ -196,6 +198,52 @@ void Player::writeFile(const scene::Override& change) {
   text_ = text;
   show(text_, std::move(left), false);
   static_cast<void>(files_.changed());
+}
+
+/// A stroke of the brush from one place of the picture to another, at the present frame: an entry of the
+/// "strokes" of the field there. The states before that frame stay what they are.
+void Player::paint(const Json& json) {
+  if (stage_ == nullptr) return;
+  const JsonValue request(json);
+  const auto placeAt = [&](const char* name) {
+    const JsonValue value = request.at(name);
+    return fieldAt(stage_->script().scene, stage_->world(), {value.at(0).number(), value.at(1).number()});
+  };
+  const auto from = placeAt("from"), to = placeAt("to");
+  if (!from || !to || from->object != to->object)
+    fail(ExitCode::usage, "there is no field to paint; cells that lie over the picture can be painted");
+  moved_ = Clock::now();
+  playing_ = false;
+  const nlohmann::json scene = parseStrictJson(stage_->script().asRun);
+  const nlohmann::json& object = scene.at("objects").at(from->object);
+  std::string kind;
+  for (const auto& member : object.items())
+    if (member.key() != "material") kind = member.key();
+  const std::string path = fmt::format("objects.{}.{}.strokes", from->object, kind);
+  nlohmann::json strokes = object.at(kind).value("strokes", nlohmann::json::array());
+  const auto rounded = [](glm::dvec2 cell) {
+    constexpr double tenth = 10;
+    return nlohmann::json{std::round(cell.x * tenth) / tenth, std::round(cell.y * tenth) / tenth, 0};
+  };
+  nlohmann::json stroke = {{"at", target_ / stage_->script().scene.time.fps},
+                           {"shape", from->cell == to->cell ? "circle" : "line"},
+                           {"from", rounded(from->cell)},
+                           {"to", rounded(to->cell)},
+                           {"radius", request.at("radius").number()}};
+  if (const auto value = request.find("value")) stroke["value"] = value->number();
+  const scene::Override written{fmt::format("{}.{}", path, strokes.size()), stroke.dump()};
+  strokes.push_back(std::move(stroke));
+  auto script = readScript(options_.source, text_, withEdit(edits_, {path, strokes.dump()}));
+  if (!stage_->goOnAs(script, target_)) replay(script);
+  edits_ = script->edits;
+  shown_ = rest_ = false;
+  tellScene();
+  if (!options_.edit) return;
+  // The states are those of this scene already: the file says the same as the edit.
+  if (strokes.size() == 1)
+    writeFile({path, strokes.dump()}, path);
+  else
+    writeFile(written, path);
 }
 
 /// What is on the screen, or the whole sequence, by a process of its own.
@@ -224,17 +272,16 @@ void Player::lookAtRender() {
     link = "render.png";
     hub_.offer(link, readFileOf(now.output));
   }
-  hub_.tell("render",
-            nlohmann::json{{"kind", "render"},
-                           {"state", now.state == State::running ? "running"
-                                     : now.state == State::done  ? "done"
-                                                                 : "failed"},
-                           {"done", now.done},
-                           {"total", now.total},
-                           {"output", now.output},
-                           {"link", link},
-                           {"text", now.text}}
-                .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  hub_.tell("render", nlohmann::json{{"kind", "render"},
+                                     {"state", now.state == State::running ? "running"
+                                               : now.state == State::done  ? "done"
+                                                                           : "failed"},
+                                     {"done", now.done},
+                                     {"total", now.total},
+                                     {"output", now.output},
+                                     {"link", link},
+                                     {"text", now.text}}
+                          .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 /// What a click asks: anybody may.

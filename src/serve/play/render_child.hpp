@@ -26,7 +26,8 @@ class RenderChild {
 
   /// `arguments` of `simreel render`, without output, frames and progress. One at a time: throws
   /// UserError(usage) while one runs, and inputOutput where none can be started.
-  void start(std::vector<std::string> arguments, const std::string& frames, const std::filesystem::path& output);
+  void start(std::vector<std::string> arguments, const std::string& frames,
+             const std::filesystem::path& output);
   [[nodiscard]] Progress look();
   /// Whether it makes one picture, whose file is Progress::output.
   [[nodiscard]] bool isPicture() const { return picture_; }

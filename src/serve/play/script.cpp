@@ -16,11 +16,17 @@ namespace {
 /// What draw::frameValues, draw::viewAt and the exact scene read for each picture. Nothing that decides
 /// which shaders, textures or maps there are.
 constexpr std::array<std::string_view, 22> lookPaths = {
-    "camera.position", "camera.target",       "camera.fieldOfView", "camera.roll",   "camera.near",
-    "camera.far",      "camera.orbit",        "sun.direction",      "sun.color",     "sun.temperature",
-    "sun.intensity",   "sun.shadowSoftness",  "sky.zenith",         "sky.horizon",   "sky.ground",
-    "sky.ambient",     "render.exposure",     "render.vignette",    "ground.color",  "title",
-    "time.duration",   "test",
+    "camera.position",    "camera.target",
+    "camera.fieldOfView", "camera.roll",
+    "camera.near",        "camera.far",
+    "camera.orbit",       "sun.direction",
+    "sun.color",          "sun.temperature",
+    "sun.intensity",      "sun.shadowSoftness",
+    "sky.zenith",         "sky.horizon",
+    "sky.ground",         "sky.ambient",
+    "render.exposure",    "render.vignette",
+    "ground.color",       "title",
+    "time.duration",      "test",
 };
 
 bool isBelow(std::string_view path, std::string_view group) {
@@ -139,7 +145,8 @@ void takeLook(Script& shown, Script& from) {
   shown.asRun = from.asRun;
 }
 
-std::vector<scene::Override> withEdit(std::span<const scene::Override> edits, const scene::Override& change) {
+std::vector<scene::Override> withEdit(std::span<const scene::Override> edits,
+                                      const scene::Override& change) {
   std::vector<scene::Override> result;
   for (const scene::Override& edit : edits)
     if (!isBelow(edit.path, change.path)) result.push_back(edit);

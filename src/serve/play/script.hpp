@@ -20,7 +20,7 @@ struct SceneSource {
 
 /// A scene as it is shown: the file's text with what was changed over it.
 struct Script {
-  std::string text;                   ///< of the file
+  std::string text;                    ///< of the file
   std::vector<scene::Override> edits;  ///< over the file and what the command line gives
   scene::Scene scene;
   scene::Scene draft;      ///< the same without lens, shutter and rays: for pictures that have to be quick
@@ -35,9 +35,9 @@ struct Script {
 /// How much of what is shown has to be made anew for another script.
 enum class Change {
   nothing,
-  look,      ///< values that each picture reads from the scene anyway
-  drawing,   ///< what the renderer was made with
-  dress,     ///< what objects were made with, though no state depends on it
+  look,     ///< values that each picture reads from the scene anyway
+  drawing,  ///< what the renderer was made with
+  dress,    ///< what objects were made with, though no state depends on it
   simulation,
 };
 [[nodiscard]] Change changeBetween(const Script& before, const Script& after);

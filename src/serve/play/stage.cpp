@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace simreel::serve {
@@ -198,9 +199,11 @@ PixelAnswer Stage::ask(glm::dvec2 place) {
 }
 
 void Stage::takeLookOf(Script& from) {
-  takeLook(*script_, from);
   // Renderers and world may have been made of another one each.
-  if (made_ != script_) takeLook(*made_, from);
+  std::set<Script*> all = {script_.get(), made_.get()};
+  for (const Drawer& drawer : drawers_)
+    if (drawer.script) all.insert(drawer.script.get());
+  for (Script* one : all) takeLook(*one, from);
 }
 
 void Stage::drawAs(std::shared_ptr<Script> script) {
@@ -212,6 +215,21 @@ void Stage::drawAs(std::shared_ptr<Script> script) {
 
 void Stage::dressAs(std::shared_ptr<Script> script) {
   SIMREEL_CHECK(carryOverTo(std::move(script)));
+  drawers_ = {};
+}
+
+/// Who draws stays: what of a scene it knows has not changed.
+void Stage::take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script) {
+  script_ = std::move(script);
+  made_ = script_;
+  summaries_ = nullptr;
+  world_ = std::move(world);
+  summaries_ = std::make_unique<frame::Summaries>(*world_, [this](const auto& summary) { hear(summary); });
+  toldBefore_.reset();
+  started_ = true;
+  seen_ = true;
+  follow();
+  summaries_->start();
 }
 
 bool Stage::carryOverTo(std::shared_ptr<Script> script) {
@@ -228,20 +246,27 @@ bool Stage::carryOverTo(std::shared_ptr<Script> script) {
   } catch (const UserError&) {
     return false;
   }
-  drawers_ = {};
   if (script->simulation != script_->simulation) {
     carried_ = true;
     kept_.clear();
   }
-  script_ = std::move(script);
-  made_ = script_;
-  summaries_ = nullptr;
-  world_ = std::move(world);
-  summaries_ = std::make_unique<frame::Summaries>(*world_, [this](const auto& summary) { hear(summary); });
-  toldBefore_.reset();
-  seen_ = true;
-  follow();
-  summaries_->start();
+  take(std::move(world), std::move(script));
+  return true;
+}
+
+bool Stage::goOnAs(std::shared_ptr<Script> script, int frame) {
+  const frame::WorldState* nearest = kept_.before(frame - 1);
+  if (carried_ || !started_ || nearest == nullptr) return false;
+  summaries_->takeAll();
+  auto world = std::make_unique<sim::World>(script->scene);
+  try {
+    frame::putBack(*world, nearest->frame, nearest->parts, nearest->bytes, "a state that was kept");
+  } catch (const UserError&) {
+    return false;
+  }
+  kept_.forgetFrom(frame);
+  for (Series& series : series_) series.values.erase(series.values.lower_bound(frame), series.values.end());
+  take(std::move(world), std::move(script));
   return true;
 }
 

@@ -78,6 +78,9 @@ class Stage {
   /// For Change::simulation: the same, although that state is one of other values; false where it does not
   /// fit, and nothing has happened.
   [[nodiscard]] bool carryOverTo(std::shared_ptr<Script> script);
+  /// For another script whose simulation is the same up to before `frame`: goes on from the latest state
+  /// that is kept from before; false where there is none, and nothing has happened.
+  [[nodiscard]] bool goOnAs(std::shared_ptr<Script> script, int frame);
 
  private:
   struct Drawer {
@@ -88,6 +91,7 @@ class Stage {
   };
 
   void makeWorld();
+  void take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script);
   void step(bool seen);
   void hear(const sim::World::Summary& summary);
   void lookAt();

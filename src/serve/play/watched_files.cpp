@@ -1,8 +1,7 @@
 #include "serve/play/watched_files.hpp"
 
-#include <utility>
-
 #include <sys/stat.h>
+#include <utility>
 
 namespace simreel::serve {
 

@@ -366,6 +366,48 @@ class Questions(ServeCase):
         self.assertEqual(viewer.until(lambda kind, _: kind == "answer")["title"], "the sky")
 
 
+FIELD = {
+    "version": 1,
+    "render": {"size": [64, 64], "samples": 1},
+    "time": {"fps": 30, "duration": 0.4},
+    "objects": {"dish": {"grayScott": {"size": [64, 64], "steps": 4}}},
+}
+
+
+class Painting(ServeCase):
+    def test_paint_save_render(self):
+        for arguments in ((), ("--edit",)):
+            path = self.write("scene.json", FIELD)
+            server = self.serve(*arguments)
+            viewer = server.viewer()
+            viewer.send(do="seek", frame=4)
+            before = self.pixels(viewer.rest(4)[1])
+            for i in range(3):
+                viewer.send(do="paint", **{"from": [0.2 + 0.2 * i, 0.3], "to": [0.4 + 0.2 * i, 0.3]}, radius=3)
+            viewer.until(lambda kind, m: kind == "scene" and
+                         len(m["scene"]["objects"]["dish"]["grayScott"].get("strokes", [])) == 3 and
+                         bool(m["edits"]) != bool(arguments))
+            painted = self.pixels(viewer.rest(4)[1])
+            given = []
+            if arguments:
+                self.assertEqual(len(json.loads(path.read_text())["objects"]["dish"]["grayScott"]["strokes"]), 3)
+            else:
+                self.assertEqual(json.loads(path.read_text()), FIELD)
+                given = [word for at, text in viewer.latest["scene"]["edits"] for word in ("-D", f"{at}={text}")]
+            self.assertNotEqual(painted, before)
+            self.assertEqual(painted, self.rendered(4, *given))
+            for frame in (8, 2, 6):
+                viewer.send(do="seek", frame=frame)
+                self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, *given), frame)
+
+    def test_nothing_to_paint(self):
+        server = self.serve()
+        viewer = server.viewer()
+        viewer.rest(0)
+        viewer.send(do="paint", **{"from": [0.5, 0.5], "to": [0.5, 0.5]}, radius=3)
+        viewer.until(lambda kind, _: kind == "refused")
+
+
 class CommandLine(ServeCase):
     def test_it_says_where(self):
         server = self.serve("--port", "0")
