@@ -217,6 +217,8 @@ void Player::drawPicture(bool draft) {
   }
   times_.push_back(Clock::now());
   while (times_.size() > 20) times_.pop_front();
+  // Whoever drags has had no time yet to drag on.
+  if (draft && !playing_) moved_ = Clock::now();
   shown_ = true;
   rest_ = !draft;
   picture.message = describe(image, picture.number, draft) + "\n" + bytes;

@@ -165,6 +165,7 @@ void Player::setValue(const Json& json) {
     mistakes_.clear();
     throw UserError(ExitCode::usage, said, UserError::Form::report);
   }
+  if (moving) moved_ = Clock::now();  // making a world may have taken longer than a rest
   if (!moving && options_.edit) writeFile(change, change.path);
 }
 
