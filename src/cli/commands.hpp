@@ -36,6 +36,7 @@ void addBisect(CLI::App& app);
 void addBench(CLI::App& app);
 void addAccept(CLI::App& app);
 void addReport(CLI::App& app);
+void addServe(CLI::App& app);
 
 /// What was typed, quoted for a shell where needed.
 [[nodiscard]] const std::string& commandLine();

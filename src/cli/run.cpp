@@ -97,7 +97,7 @@ void addCommands(CLI::App& app) {
       "-v,--verbose", [] { setVerbosity(Verbosity::verbose); }, "Say more");
   for (const auto add :
        {addRender, addSweep, addPieces, addReproduce, addValidate, addSchema, addList, addDoctor, addBake,
-        addTest, addTrace, addBisect, addAccept, addReport, addDiff, addBench})
+        addTest, addTrace, addBisect, addAccept, addReport, addDiff, addBench, addServe})
     add(app);
 }
 

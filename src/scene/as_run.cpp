@@ -83,6 +83,11 @@ void remove(Node& object, std::string_view key) {
 std::string sceneAsRun(const std::filesystem::path& file, std::span<const Override> overrides,
                        const Kinds& kinds) {
   const auto [text, name] = readSceneSource(file, kinds);
+  return textAsRun(text, name, overrides);
+}
+
+std::string textAsRun(std::string_view text, const std::filesystem::path& name,
+                      std::span<const Override> overrides) {
   Diagnostics diagnostics(name.string(), text);
   std::string result;
   if (std::optional<Node> root = parseJson(text, 0, 0, diagnostics)) {

@@ -13,6 +13,10 @@ namespace simreel::scene {
 [[nodiscard]] std::string sceneAsRun(const std::filesystem::path& file, std::span<const Override> overrides,
                                      const Kinds& kinds);
 
+/// The same from text; `name` names it in messages.
+[[nodiscard]] std::string textAsRun(std::string_view text, const std::filesystem::path& name,
+                                    std::span<const Override> overrides);
+
 /// Hash of all in such a text that the states of its simulations may depend on, and of nothing that only
 /// lights, draws, names, ends or tests them. Scenes of one hash are in the same state at the same frame, as
 /// long as the files that they name are the same.

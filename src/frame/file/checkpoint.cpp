@@ -9,10 +9,8 @@
 #include "frame/file/run_info.hpp"
 
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <new>
-#include <span>
 
 #include <nlohmann/json.hpp>
 
@@ -33,44 +31,21 @@ void checkHash(std::string& text) {
   text.resize(text.size() - hashDigits);
 }
 
-/// Appends every part to a text.
-class Saver final : public sim::CarryOver {
- public:
-  Saver(std::string& text, Json& parts) : text_(text), parts_(parts) {}
-  void begin(const std::string& object) { object_ = object; }
-  void array(const char* name, gl::Buffer& buffer) override {
-    const std::size_t at = text_.size();
-    text_.resize(at + buffer.bytes());
-    buffer.read(0, std::as_writable_bytes(std::span(text_).subspan(at)));
-    parts_.push_back({object_, name, buffer.bytes()});
-  }
-
- private:
-  void word(const char* name, std::int64_t& bits) override {
-    text_.append(reinterpret_cast<const char*>(&bits), sizeof bits);
-    parts_.push_back({object_, name, sizeof bits});
-  }
-
-  std::string& text_;
-  Json& parts_;
-  std::string object_;
-};
-
 }  // namespace
 
 void Checkpoint::write(const std::filesystem::path& file, const RunInfo& run, const std::string& stateHash,
                        const std::string& counts, sim::World& world) {
-  std::string payload = counts;
+  const WorldState state = stateOf(world);
   Json parts = Json::array();
-  Saver saver(payload, parts);
-  world.carryOver(saver, [&](const std::string& object) { saver.begin(object); });
+  for (const StatePart& part : state.parts) parts.push_back({part.object, part.name, part.bytes});
   Json header = {{"format", checkpointFormat}, {"program", version()},     {"simulation", run.simulation},
                  {"numerics", run.numerics},   {"frame", world.frame()},   {"state", stateHash},
                  {"counts", counts.size()},    {"parts", std::move(parts)}};
   if (run.numerics != "exact") header["fingerprint"] = run.fingerprint;
   std::string text = header.dump() + "\n";
-  text.reserve(text.size() + payload.size() + hashDigits);
-  text += payload;
+  text.reserve(text.size() + counts.size() + state.bytes.size() + hashDigits);
+  text += counts;
+  text += state.bytes;
   text += hashHex(text);
   writeFileAtomically(file, text);
 }
@@ -154,45 +129,8 @@ std::string_view Checkpoint::counts() const {
 }
 
 void Checkpoint::restore(sim::World& world) const {
-  /// Puts the parts back one after the other.
-  class Restorer final : public sim::CarryOver {
-   public:
-    explicit Restorer(const Checkpoint& from) : from_(from), at_(from.payload_ + from.countBytes_) {}
-    void begin(const std::string& object) { object_ = object; }
-    void array(const char* name, gl::Buffer& buffer) override {
-      buffer.write(0, std::as_bytes(std::span(next(name, buffer.bytes()))));
-    }
-    [[nodiscard]] bool ended() const { return part_ == from_.parts_.size(); }
-
-   private:
-    void word(const char* name, std::int64_t& bits) override {
-      std::memcpy(&bits, next(name, sizeof bits).data(), sizeof bits);
-    }
-    std::string_view next(const char* name, std::size_t bytes) {
-      if (ended() || from_.parts_[part_].object != object_ || from_.parts_[part_].name != name ||
-          from_.parts_[part_].bytes != bytes)
-        fail(ExitCode::usage,
-             "checkpoint {} does not fit: it has no {} of \"{}\" with {} bytes next; remove it to simulate "
-             "from the start",
-             from_.file_.string(), name, object_, bytes);
-      ++part_;
-      at_ += bytes;
-      return std::string_view(from_.text_).substr(at_ - bytes, bytes);
-    }
-
-    const Checkpoint& from_;
-    std::string object_;
-    std::size_t part_ = 0;
-    std::size_t at_;
-  };
-
-  gl::beforeWrites();  // kernels of the first state may still be at it
-  Restorer restorer(*this);
-  world.carryOver(restorer, [&](const std::string& object) { restorer.begin(object); });
-  if (!restorer.ended())
-    fail(ExitCode::usage, "checkpoint {} does not fit: it holds more; remove it to simulate from the start",
-         file_.string());
-  world.resumeAt(frame_);
+  putBack(world, frame_, parts_, std::string_view(text_).substr(payload_ + countBytes_),
+          "checkpoint " + file_.string());
 }
 
 }  // namespace simreel::frame

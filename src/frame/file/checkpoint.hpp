@@ -1,6 +1,7 @@
 #pragma once
 #include "base/strict_json.hpp"
 #include "frame/file/run_info.hpp"
+#include "frame/file/world_state.hpp"
 #include "sim/world/world.hpp"
 
 #include <filesystem>
@@ -41,11 +42,6 @@ class Checkpoint {
   [[nodiscard]] std::string_view counts() const;
 
  private:
-  struct Part {
-    std::string object, name;
-    std::size_t bytes;
-  };
-
   void readHeader();
   void readParts(const JsonValue& header);
 
@@ -54,7 +50,7 @@ class Checkpoint {
   std::string simulation_, numerics_, fingerprint_;
   std::string stateHash_;
   std::size_t countBytes_ = 0;
-  std::vector<Part> parts_;
+  std::vector<StatePart> parts_;
   std::string text_;         ///< the file
   std::size_t payload_ = 0;  ///< where the table of counts begins in it; the parts follow
 };

@@ -1,0 +1,81 @@
+#include "serve/serve.hpp"
+
+#include "base/error.hpp"
+#include "cli/commands.hpp"
+#include "cli/device_options.hpp"
+#include "cli/scene_options.hpp"
+#include "frame/interrupt.hpp"
+#include "gl/context.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+namespace simreel::cli {
+
+namespace {
+
+struct ServePageOptions {
+  SceneOptions scene;
+  gl::ContextOptions on;
+  std::string address = "127.0.0.1";
+  int port = 0;
+  int memory = 1024;
+  bool edit = false;
+  std::string output;
+};
+
+void servePage(const ServePageOptions& o) {
+  if (o.scene.file == "-")
+    fail(ExitCode::usage, "serve watches the scene's file; standard input cannot be watched");
+  if (o.edit && std::filesystem::path(o.scene.file).extension() != ".json")
+    fail(ExitCode::usage, "--edit {}: only scenes can be edited", o.scene.file);
+  serve::ServeOptions options;
+  options.player.source = {o.scene.file, o.scene.changes(), assetFolders(o.scene.assets)};
+  options.player.arguments = o.scene.arguments();
+  options.player.memory = static_cast<std::size_t>(o.memory) << 20;
+  options.player.edit = o.edit;
+  options.player.output = o.output;
+  options.address = o.address;
+  options.port = o.port;
+  frame::catchInterrupts();
+  frame::ignoreBrokenPipes();
+  const gl::Context context(o.on);
+  const int signal = serve::serveScene(std::move(options), context);
+  if (signal != 0) setExitCode(128 + signal);
+}
+
+}  // namespace
+
+void addServe(CLI::App& app) {
+  auto o = std::make_shared<ServePageOptions>();
+  auto* command = app.add_subcommand("serve", "Show a scene in a browser while it is written");
+  o->scene.add(*command);
+  command->add_option("--port", o->port, "Port to listen at; 0: any that is free")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--bind", o->address,
+          "IP address to listen at; other machines reach 0.0.0.0, and whoever sees the address with "
+          "its token")
+      ->check(CLI::ValidIPV4)
+      ->capture_default_str();
+  command->add_option("--memory", o->memory, "MiB for states that are kept to go back to")
+      ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
+  command->add_flag(
+      "--edit", o->edit,
+      "Values that are changed on the page are written into the scene file; without it nothing "
+      "is ever written");
+  command->add_option("-o,--output", o->output,
+                      "Folder for what is rendered from the page; without it nothing is");
+  addDevice(*command, o->on);
+  command->callback([o] { servePage(*o); });
+}
+
+}  // namespace simreel::cli

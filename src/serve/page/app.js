@@ -1,0 +1,161 @@
+// The page of `simreel serve`: what comes over the link goes to the screen, the timeline, the charts and the panel.
+import { showAnswer } from "./answer.js";
+import { showCharts, showTimes } from "./charts.js";
+import { byId, element } from "./dom.js";
+import { Link } from "./link.js";
+import { Panel } from "./panel.js";
+import { Schema } from "./schema.js";
+import { Screen } from "./screen.js";
+import { Timeline } from "./timeline.js";
+
+const state = { me: 0, editor: 0, about: null, scene: null, status: {}, picture: null, series: [], held: false };
+let panel = null;
+
+function note(text, seconds = 4) {
+  byId("note").textContent = text;
+  byId("note").hidden = !text;
+  clearTimeout(note.timer);
+  if (text) note.timer = setTimeout(() => { byId("note").hidden = true; }, 1000 * seconds);
+}
+
+const link = new Link({
+  open: () => note(""),
+  closed: () => note("The connection is gone; trying again", 3600),
+  you: (message) => { state.me = message.viewer; people(); },
+  viewers: (message) => { Object.assign(state, { editor: message.editor, count: message.count }); people(); },
+  about: (message) => { state.about = message; facts(); },
+  scene: (message) => { state.scene = message; sceneChanged(); },
+  status: (message) => { state.status = message; statusChanged(); },
+  series: (message) => { state.series = message.series; charts(); },
+  render: (message) => rendered(message),
+  refused: (message) => note(message.text, 6),
+  answer: (message) => showAnswer(byId("answer"), message),
+  picture: (about, blob) => screen.show(about, blob),
+});
+
+const screen = new Screen(byId("screen"), {
+  shown: (about) => {
+    state.picture = about;
+    link.shown(about.number);
+    badges();
+    charts();
+    showTimes(byId("times"), about.took, state.status);
+  },
+  camera: (view, moving) => {
+    const request = { do: "camera", position: view.eye, target: view.target };
+    if (moving) link.move("camera", request);
+    else link.settle("camera", request);
+  },
+  paint: (from, to) => link.send({ do: "paint", from, to, radius: Number(byId("radius").value) || 1 }),
+  click: (x, y) => link.send({ asks: "pixel", x, y }),
+});
+
+const timeline = new Timeline({
+  send: (request) => link.send(request),
+  seek: (frame, moving) => (moving ? link.move("seek", { do: "seek", frame }) : link.settle("seek", { do: "seek", frame })),
+});
+
+function facts() {
+  const { scene, about } = state;
+  if (!scene || !about) return;
+  const fact = (name, value, title) => element("span", { class: "fact", title: title ?? "" }, `${name} `, element("b", {}, value));
+  byId("render").hidden = byId("renderAll").hidden = !about.output;
+  byId("file").textContent = about.file + (about.edit ? " · saved as you go" : "");
+  byId("facts").replaceChildren(...(scene.size ? [
+    fact("numerics", scene.numerics), fact("rasterizer", scene.rasterizer),
+    fact("", `${scene.size[0]}×${scene.size[1]}`, `${scene.samples} samples per pixel`),
+    fact("on", about.device.replace(/\s*\(.*/, ""), `${about.driver}; ${about.processor}`)] : []));
+}
+
+function rendered(message) {
+  const part = message.total ? ` ${message.done} of ${message.total}` : "";
+  const text = { running: `rendering${part}`, done: "rendered", failed: "render failed" }[message.state];
+  byId("rendered").replaceChildren(message.link && message.state === "done"
+    ? element("a", { href: message.link, target: "_blank", rel: "noopener", title: message.output }, text)
+    : element("span", { title: message.output }, text));
+  if (message.state === "failed") note(message.text, 10);
+}
+
+function people() {
+  const mine = state.me !== 0 && state.me === state.editor;
+  byId("people").textContent = state.count > 1 ? `${state.count} viewers${mine ? "" : ", you watch"}` : "";
+  byId("take").hidden = mine || state.me === 0;
+}
+
+function sceneChanged() {
+  const { scene } = state;
+  byId("mistakes").textContent = scene.mistakes;
+  byId("mistakes").hidden = !scene.mistakes;
+  byId("forget").hidden = scene.edits.length === 0;
+  facts();
+  if (!scene.scene) return;
+  byId("title").textContent = scene.title;
+  document.title = `${scene.title || "simreel"} — simreel serve`;
+  screen.setSize(scene.size);
+  timeline.setScene(scene);
+  byId("brush").hidden = !Object.values(scene.scene.objects ?? {}).some((object) => paintable.some((kind) => kind in object));
+  panel?.update(scene);
+}
+
+function statusChanged() {
+  timeline.setStatus(state.status);
+  badges();
+}
+
+function badges() {
+  const { status, picture } = state;
+  const list = [];
+  const badge = (text, warm = false) => list.push(element("span", { class: `badge${warm ? " warm" : ""}` }, text));
+  if (status.frame !== undefined && status.frame !== status.target)
+    badge(status.frame < 0 ? `before the first frame: ${status.frame}` : `going to ${status.target}: at ${status.frame}`, true);
+  if (picture?.carried) badge("goes on with other values", true);
+  if (picture?.draft) badge(`quick ${picture.width}×${picture.height}`);
+  byId("badges").replaceChildren(...list);
+}
+
+function charts() {
+  const { scene, picture } = state;
+  if (scene?.scene && picture) showCharts(byId("charts"), state.series, scene.checks, picture.frame, scene.frames);
+}
+
+const paintable = ["life", "grayScott", "epidemic", "wildfire", "reaction", "water", "fluid"];
+function brush(on) {
+  screen.brush = on;
+  byId("brush").setAttribute("aria-pressed", on);
+  byId("radius").hidden = !on;
+  byId("picture").classList.toggle("brush", on);
+}
+byId("brush").onclick = () => brush(!screen.brush);
+addEventListener("keydown", (event) => {
+  if (event.key === "b" && !event.target.matches("input, select") && !byId("brush").hidden) brush(!screen.brush);
+});
+byId("render").onclick = () => link.send({ do: "render", all: false });
+byId("renderAll").onclick = () => link.send({ do: "render", all: true });
+byId("take").onclick = () => link.takeOver();
+byId("forget").onclick = () => link.send({ do: "forget" });
+byId("filter").oninput = (event) => panel?.find(event.target.value);
+byId("copy").onclick = async () => {
+  const text = `${state.scene.command} --frames ${state.status.target} -o frame_####.png`;
+  try {
+    await navigator.clipboard.writeText(text);
+    note("Copied: " + text);
+  } catch {
+    note(text, 20);
+  }
+};
+addEventListener("pointerdown", () => { state.held = true; }, true);
+addEventListener("pointerup", () => { state.held = false; }, true);
+
+new ResizeObserver(() => screen.fit()).observe(byId("left"));
+const answer = await fetch("schema.json");
+panel = new Panel(byId("parameters"), new Schema(await answer.json()), {
+  set: (path, value, moving) => {
+    const request = { do: "set", path, value };
+    if (moving) link.move(`set ${path}`, request);
+    else link.settle(`set ${path}`, request);
+  },
+  forget: (path) => link.send({ do: "forget", path }),
+  isHeld: () => state.held,
+});
+if (state.scene?.scene) panel.update(state.scene);
+globalThis.simreel = { state, link, panel, screen }; // for whoever looks at the page from its console

@@ -1,0 +1,73 @@
+// The connection to `simreel serve`: requests go out at the pace at which pictures come in.
+
+export class Link {
+  constructor(on) {
+    this.on = on;
+    this.ready = false;
+    this.waiting = new Map(); // what moves: the latest of each kind alone
+    this.sentAt = 0;
+    this.open();
+  }
+
+  open() {
+    const address = new URL("live", location.href);
+    address.protocol = "ws:";
+    this.socket = new WebSocket(address, "simreel");
+    this.socket.binaryType = "arraybuffer";
+    this.socket.onopen = () => { this.ready = true; this.on.open?.(); };
+    this.socket.onmessage = (event) => this.hear(event.data);
+    this.socket.onclose = (event) => {
+      this.ready = false;
+      this.on.closed?.(event);
+      setTimeout(() => this.open(), 1000);
+    };
+  }
+
+  hear(data) {
+    if (typeof data === "string") {
+      const message = JSON.parse(data);
+      this.on[message.kind]?.(message);
+      return;
+    }
+    const bytes = new Uint8Array(data);
+    const end = bytes.indexOf(10);
+    const about = JSON.parse(new TextDecoder().decode(bytes.subarray(0, end)));
+    this.on.picture?.(about, new Blob([bytes.subarray(end + 1)], { type: about.type }));
+  }
+
+  // A picture is on the screen: the next may come, and what has moved meanwhile goes out.
+  shown(number) {
+    if (this.ready) this.socket.send(`shown ${number}`);
+    this.sentAt = 0;
+    this.flush();
+  }
+
+  send(request) {
+    if (this.ready) this.socket.send(JSON.stringify(request));
+  }
+
+  takeOver() {
+    if (this.ready) this.socket.send("edit");
+  }
+
+  // Something is being dragged. One request is under way at a time; what comes after a picture, or a tenth of a second.
+  move(kind, request) {
+    this.waiting.set(kind, { ...request, moving: true });
+    this.flush();
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.flush(), 120);
+  }
+
+  // It is let go of.
+  settle(kind, request) {
+    this.waiting.delete(kind);
+    this.send({ ...request, moving: false });
+  }
+
+  flush() {
+    if (performance.now() - this.sentAt < 100 || this.waiting.size === 0) return;
+    for (const request of this.waiting.values()) this.send(request);
+    this.waiting.clear();
+    this.sentAt = performance.now();
+  }
+}

@@ -1,0 +1,81 @@
+// Play, step, loop and scrub; where states are kept, and where values have keys.
+import { byId, element } from "./dom.js";
+
+export class Timeline {
+  constructor(on) {
+    this.on = on;
+    this.status = {};
+    this.scrub = byId("scrub");
+    this.scrub.addEventListener("input", () => { this.held = true; on.seek(Number(this.scrub.value), true); this.clock(); });
+    this.scrub.addEventListener("change", () => { this.held = false; on.seek(Number(this.scrub.value), false); });
+    byId("play").onclick = () => this.toggle();
+    byId("loop").onclick = () => this.toggleLoop();
+    byId("first").onclick = () => on.seek(0, false);
+    byId("back").onclick = () => this.step(-1);
+    byId("next").onclick = () => this.step(1);
+    addEventListener("keydown", (event) => this.key(event));
+  }
+
+  toggle() {
+    this.on.send({ do: this.status.playing ? "pause" : "play" });
+  }
+
+  toggleLoop() {
+    this.on.send({ do: "loop", on: !this.status.loop });
+  }
+
+  step(by) {
+    this.on.seek(Math.min(this.last, Math.max(0, (this.status.target ?? 0) + by)), false);
+  }
+
+  key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input, select, textarea")) return;
+    const act = { " ": () => this.toggle(), ArrowLeft: () => this.step(-1), ArrowRight: () => this.step(1),
+      Home: () => this.on.seek(0, false), End: () => this.on.seek(this.last, false), l: () => this.toggleLoop() }[event.key];
+    if (!act || (event.key === " " && event.target.matches("button, summary"))) return;
+    event.preventDefault();
+    act();
+  }
+
+  setScene(scene) {
+    this.last = scene.frames - 1;
+    this.fps = scene.fps;
+    this.scrub.max = this.last;
+    this.clock();
+    const times = new Map();
+    keysOf(scene.scene, "", times);
+    byId("keys").replaceChildren(...[...times].filter(([time]) => time >= 0 && time * this.fps <= this.last).map(([time, paths]) => {
+      const mark = element("i", { title: `${time} s: ${paths.join(", ")}` });
+      mark.style.left = this.at(time * this.fps);
+      return mark;
+    }));
+  }
+
+  at(frame) {
+    const part = this.last > 0 ? frame / this.last : 0;
+    return `calc(6px + ${part} * (100% - 12px))`;
+  }
+
+  setStatus(status) {
+    this.status = status;
+    byId("play").textContent = status.playing ? "❚❚" : "▶";
+    byId("play").setAttribute("aria-label", status.playing ? "Pause" : "Play");
+    byId("loop").setAttribute("aria-pressed", status.loop);
+    if (!this.held) this.scrub.value = status.target;
+    const last = status.kept?.last ?? -1;
+    byId("kept").style.width = last > 0 && this.last > 0 ? `calc(${last / this.last} * (100% - 12px))` : "0";
+    this.clock();
+  }
+
+  clock() {
+    const frame = Number(this.scrub.value);
+    byId("clock").textContent = `${frame} / ${this.last ?? 0} · ${(frame / (this.fps || 1)).toFixed(2)} s`;
+  }
+}
+
+function keysOf(value, path, times) {
+  if (value === null || typeof value !== "object") return;
+  if (Array.isArray(value.keys) && value.keys.every((key) => Array.isArray(key)))
+    for (const [time] of value.keys) times.set(time, [...(times.get(time) ?? []), path]);
+  for (const [key, member] of Object.entries(value)) if (key !== "keys") keysOf(member, path ? `${path}.${key}` : key, times);
+}

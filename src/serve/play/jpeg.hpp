@@ -1,0 +1,12 @@
+#pragma once
+#include "frame/image.hpp"
+
+#include <string>
+
+namespace simreel::serve {
+
+/// A JPEG file (quality 1 to 100, colour at half resolution) of a picture without its alpha: what moves
+/// need not be exact. Throws UserError(inputOutput).
+[[nodiscard]] std::string encodeJpeg(const frame::Image& image, int quality);
+
+}  // namespace simreel::serve

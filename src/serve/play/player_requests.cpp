@@ -1,0 +1,306 @@
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/strict_json.hpp"
+#include "draw/camera.hpp"
+#include "serve/edit/place_value.hpp"
+#include "serve/play/player.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace simreel::serve {
+
+namespace {
+
+constexpr JsonLimits requestLimits = {.depth = 20, .containers = 20'000, .comments = false};
+
+std::string readFileOf(const std::string& picture) {
+  try {
+    return simreel::readFile(picture, "picture");
+  } catch (const UserError&) {
+    return {};  // somebody has taken it away
+  }
+}
+
+bool isSet(const JsonValue& request, const char* name) {
+  const auto found = request.find(name);
+  return found && found->boolean();
+}
+
+}  // namespace
+
+void Player::handle(const Request& request) {
+  try {
+    const nlohmann::json json = parseStrictJson(request.text, requestLimits);
+    if (hub_.editor() != request.viewer && !json.contains("asks")) {
+      hub_.answer(request.viewer, R"({"kind":"refused","text":"somebody else edits; press Take over"})");
+      return;
+    }
+    if (json.contains("asks"))
+      pick(request.viewer, json);
+    else
+      obey(json);
+  } catch (const JsonError& error) {
+    hub_.answer(request.viewer, nlohmann::json{{"kind", "refused"}, {"text", error.what()}}.dump());
+  } catch (const UserError& error) {
+    hub_.answer(request.viewer, nlohmann::json{{"kind", "refused"}, {"text", error.what()}}.dump());
+    tellScene();
+  } catch (const std::exception&) {
+    hub_.answer(request.viewer, R"({"kind":"refused","text":"that is no request"})");
+  }
+}
+
+void Player::obey(const Json& json) {
+  const JsonValue request(json);
+  const std::string what = request.at("do").text();
+  if (what == "play") {
+    playing_ = stage_ != nullptr && lastFrame() > 0;
+    due_ = Clock::now();
+    if (target_ >= lastFrame() && !loop_) target_ = 0;
+    rest_ = false;
+  } else if (what == "pause") {
+    playing_ = false;
+    if (stage_ != nullptr) target_ = std::max(0, stage_->frame());
+  } else if (what == "loop") {
+    loop_ = request.at("on").boolean();
+  } else if (what == "seek") {
+    seek(json);
+  } else if (what == "camera") {
+    moveCamera(json);
+  } else if (what == "set") {
+    setValue(json);
+  } else if (what == "forget") {
+    forget(json);
+  } else if (what == "paint") {
+    paint(json);
+  } else if (what == "render") {
+    renderIt(json);
+  } else {
+    request.at("do").wrong("is nothing that can be done");
+  }
+  tellStatus();
+}
+
+void Player::seek(const Json& json) {
+  const JsonValue request(json);
+  const int frame = std::clamp(request.at("frame").integer(), 0, lastFrame());
+  playing_ = false;
+  failed_ = false;
+  if (isSet(request, "moving")) moved_ = Clock::now();
+  held_.reset();
+  if (frame == target_) return;
+  target_ = frame;
+  shown_ = rest_ = false;
+}
+
+namespace {
+
+nlohmann::json pointOf(const JsonValue& value) {
+  if (value.size() != 3) value.wrong("must be three numbers");
+  nlohmann::json point = nlohmann::json::array();
+  for (std::size_t i = 0; i < 3; ++i) {
+    static_cast<void>(value.at(i).number());
+    point.push_back(value.at(i).json());  // as it was written
+  }
+  return point;
+}
+
+/// Whether it stands and looks where two points say, which do not move.
+bool isPlain(const nlohmann::json& camera) {
+  for (const char* other : {"follow", "track", "orbit"})
+    if (camera.contains(other)) return false;
+  for (const char* point : {"position", "target"})
+    if (camera.contains(point) && !camera.at(point).is_array()) return false;
+  return true;
+}
+
+}  // namespace
+
+void Player::moveCamera(const Json& json) {
+  if (stage_ == nullptr) return;
+  const JsonValue request(json);
+  const bool moving = isSet(request, "moving");
+  const auto position = pointOf(request.at("position"));
+  const auto target = pointOf(request.at("target"));
+  if (moving) moved_ = Clock::now();
+  const scene::Scene& shown = stage_->script().scene;
+  const nlohmann::json scene = parseStrictJson(stage_->script().asRun);
+  nlohmann::json camera = scene.contains("camera") ? scene.at("camera") : nlohmann::json::object();
+  std::vector<scene::Override> edits = edits_;
+  std::vector<scene::Override> changes;
+  const double time = stage_->frame() / shown.time.fps;
+  if (isPlain(camera)) {
+    changes = {{"camera.position", position.dump()}, {"camera.target", target.dump()}};
+    // A scene that says nothing of its camera has another angle than one that does.
+    if (!shown.camera.hasAngle)
+      changes.push_back({"camera.fieldOfView", fmt::format("{}", shown.camera.fieldOfView.at(time))});
+  } else {
+    for (const char* other : {"follow", "track", "orbit"}) camera.erase(other);
+    camera["position"] = position;
+    camera["target"] = target;
+    changes = {{"camera", camera.dump()}};
+  }
+  for (const scene::Override& change : changes) edits = withEdit(edits, change);
+  if (!show(text_, edits, moving) || moving || !options_.edit || changes.size() < 2) return;
+  for (const scene::Override& change : changes) writeFile(change, change.path);
+}
+
+void Player::setValue(const Json& json) {
+  const JsonValue request(json);
+  const bool moving = isSet(request, "moving");
+  const scene::Override change{request.at("path").text(), request.at("value").json().dump()};
+  if (moving) moved_ = Clock::now();
+  if (std::any_of(options_.source.given.begin(), options_.source.given.end(),
+                  [&](const scene::Override& given) { return given.path == change.path; }))
+    fail(ExitCode::usage, "{} is given on the command line, which goes before", change.path);
+  const auto before = edits_;
+  if (!show(text_, withEdit(edits_, change), moving)) {
+    // What was there before is still shown.
+    const std::string said = mistakes_;
+    mistakes_.clear();
+    throw UserError(ExitCode::usage, said, UserError::Form::report);
+  }
+  if (moving) moved_ = Clock::now();  // making a world may have taken longer than a rest
+  if (!moving && options_.edit) writeFile(change, change.path);
+}
+
+/// Edits that are to be undone: all, or one.
+void Player::forget(const Json& json) {
+  const JsonValue request(json);
+  std::vector<scene::Override> left;
+  if (const auto path = request.find("path"))
+    for (const scene::Override& edit : edits_)
+      if (edit.path != path->text()) left.push_back(edit);
+  show(text_, std::move(left), false);
+}
+
+/// The value goes from the edits into the file.
+void Player::writeFile(const scene::Override& change, const std::string& edited) {
+  const std::filesystem::path file = std::filesystem::weakly_canonical(options_.source.file);
+  readFile();  // an editor may have written it since
+  const std::string text = withValue(text_, change);
+  std::vector<scene::Override> left;
+  for (const scene::Override& edit : edits_)
+    if (edit.path != edited) left.push_back(edit);
+  static_cast<void>(readScript(options_.source, text, left));  // throws where it would not be good
+  const auto mode = std::filesystem::status(file).permissions();
+  {
+    PartFile written(file);
+    written.append(std::as_bytes(std::span(text)));
+    std::error_code ignored;
+    std::filesystem::permissions(file.string() + ".part", mode, ignored);
+    written.finish();
+  }
+  text_ = text;
+  show(text_, std::move(left), false);
+  static_cast<void>(files_.changed());
+}
+
+/// A stroke of the brush from one place of the picture to another, at the present frame: an entry of the
+/// "strokes" of the field there. The states before that frame stay what they are.
+void Player::paint(const Json& json) {
+  if (stage_ == nullptr) return;
+  const JsonValue request(json);
+  const auto placeAt = [&](const char* name) {
+    const JsonValue value = request.at(name);
+    return fieldAt(stage_->script().scene, stage_->world(), {value.at(0).number(), value.at(1).number()});
+  };
+  const auto from = placeAt("from"), to = placeAt("to");
+  if (!from || !to || from->object != to->object)
+    fail(ExitCode::usage, "there is no field to paint; cells that lie over the picture can be painted");
+  moved_ = Clock::now();
+  playing_ = false;
+  const nlohmann::json scene = parseStrictJson(stage_->script().asRun);
+  const nlohmann::json& object = scene.at("objects").at(from->object);
+  std::string kind;
+  for (const auto& member : object.items())
+    if (member.key() != "material") kind = member.key();
+  const std::string path = fmt::format("objects.{}.{}.strokes", from->object, kind);
+  nlohmann::json strokes = object.at(kind).value("strokes", nlohmann::json::array());
+  const auto rounded = [](glm::dvec2 cell) {
+    constexpr double tenth = 10;
+    return nlohmann::json{std::round(cell.x * tenth) / tenth, std::round(cell.y * tenth) / tenth, 0};
+  };
+  nlohmann::json stroke = {{"at", target_ / stage_->script().scene.time.fps},
+                           {"shape", from->cell == to->cell ? "circle" : "line"},
+                           {"from", rounded(from->cell)},
+                           {"to", rounded(to->cell)},
+                           {"radius", request.at("radius").number()}};
+  if (const auto value = request.find("value")) stroke["value"] = value->number();
+  const scene::Override written{fmt::format("{}.{}", path, strokes.size()), stroke.dump()};
+  strokes.push_back(std::move(stroke));
+  auto script = readScript(options_.source, text_, withEdit(edits_, {path, strokes.dump()}));
+  if (!stage_->goOnAs(script, target_)) replay(script);
+  edits_ = script->edits;
+  shown_ = rest_ = false;
+  tellScene();
+  if (!options_.edit) return;
+  // The states are those of this scene already: the file says the same as the edit.
+  if (strokes.size() == 1)
+    writeFile({path, strokes.dump()}, path);
+  else
+    writeFile(written, path);
+}
+
+/// What is on the screen, or the whole sequence, by a process of its own.
+void Player::renderIt(const Json& json) {
+  if (options_.output.empty())
+    fail(ExitCode::usage, "nothing is rendered from here; start with simreel serve --output FOLDER");
+  if (stage_ == nullptr) return;
+  std::vector<std::string> words = options_.arguments;
+  for (const scene::Override& edit : edits_)
+    words.insert(words.end(), {"-D", edit.path + "=" + edit.value});
+  const std::string name = options_.source.file.stem().string();
+  if (isSet(JsonValue(json), "all"))
+    child_.start(std::move(words), fmt::format("0-{}", lastFrame()), options_.output / name);
+  else
+    child_.start(std::move(words), std::to_string(target_),
+                 options_.output / fmt::format("{}_{:06}.png", name, target_));
+}
+
+void Player::lookAtRender() {
+  using State = RenderChild::Progress::State;
+  const RenderChild::Progress now = child_.look();
+  if (now == rendered_) return;
+  rendered_ = now;
+  std::string link;
+  if (now.state == State::done && child_.isPicture()) {
+    link = "render.png";
+    hub_.offer(link, readFileOf(now.output));
+  }
+  hub_.tell("render", nlohmann::json{{"kind", "render"},
+                                     {"state", now.state == State::running ? "running"
+                                               : now.state == State::done  ? "done"
+                                                                           : "failed"},
+                                     {"done", now.done},
+                                     {"total", now.total},
+                                     {"output", now.output},
+                                     {"link", link},
+                                     {"text", now.text}}
+                          .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+/// What a click asks: anybody may.
+void Player::pick(std::uint64_t viewer, const Json& json) {
+  const JsonValue request(json);
+  if (!request.at("asks").is("pixel")) request.at("asks").wrong("is nothing that can be asked");
+  const glm::dvec2 place(request.at("x").number(), request.at("y").number());
+  if (stage_ == nullptr || stage_->frame() != target_) return;
+  const PixelAnswer answer = stage_->ask(place);
+  nlohmann::json rows = nlohmann::json::array();
+  for (const PixelAnswer::Row& row : answer.rows)
+    rows.push_back(row.value ? nlohmann::json{row.name, *row.value, row.text}
+                             : nlohmann::json{row.name, row.text, nullptr});
+  hub_.answer(viewer, nlohmann::json{{"kind", "answer"},
+                                     {"title", answer.title},
+                                     {"frame", stage_->frame()},
+                                     {"rows", std::move(rows)}}
+                          .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+}  // namespace simreel::serve

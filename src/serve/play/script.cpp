@@ -1,0 +1,157 @@
+#include "serve/play/script.hpp"
+
+#include "scene/as_run.hpp"
+#include "sim/world/list.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace simreel::serve {
+
+namespace {
+
+/// What draw::frameValues, draw::viewAt and the exact scene read for each picture. Nothing that decides
+/// which shaders, textures or maps there are.
+constexpr std::array<std::string_view, 22> lookPaths = {
+    "camera.position",    "camera.target",
+    "camera.fieldOfView", "camera.roll",
+    "camera.near",        "camera.far",
+    "camera.orbit",       "sun.direction",
+    "sun.color",          "sun.temperature",
+    "sun.intensity",      "sun.shadowSoftness",
+    "sky.zenith",         "sky.horizon",
+    "sky.ground",         "sky.ambient",
+    "render.exposure",    "render.vignette",
+    "ground.color",       "title",
+    "time.duration",      "test",
+};
+
+bool isBelow(std::string_view path, std::string_view group) {
+  return path == group || (path.starts_with(group) && path[group.size()] == '.');
+}
+
+bool isLook(const std::string& path) {
+  return std::any_of(lookPaths.begin(), lookPaths.end(),
+                     [&](std::string_view group) { return isBelow(path, group); }) ||
+         isBelow(path, "checks");
+}
+
+using nlohmann::ordered_json;
+
+void findDifferences(const ordered_json& before, const ordered_json& after, const std::string& path,
+                     std::set<std::string>& found) {
+  if (before == after) return;
+  if (!before.is_object() || !after.is_object()) {
+    found.insert(path);
+    return;
+  }
+  const std::string prefix = path.empty() ? "" : path + ".";
+  for (const auto& member : before.items())
+    if (!after.contains(member.key()))
+      found.insert(prefix + member.key());
+    else
+      findDifferences(member.value(), after.at(member.key()), prefix + member.key(), found);
+  for (const auto& member : after.items())
+    if (!before.contains(member.key())) found.insert(prefix + member.key());
+}
+
+/// Groups that may come with a member of theirs, without anything else that depends on their being there.
+bool addsGroup(const Script& before, const Script& after) {
+  return before.scene.staged != after.scene.staged || before.scene.hasGround != after.scene.hasGround ||
+         before.scene.camera.follows != after.scene.camera.follows ||
+         before.scene.camera.tracks != after.scene.camera.tracks ||
+         before.scene.camera.hasLens != after.scene.camera.hasLens ||
+         before.scene.camera.hasShutter != after.scene.camera.hasShutter;
+}
+
+void takeLookOf(scene::Scene& shown, scene::Scene& from) {
+  const scene::Camera before = shown.camera;
+  shown.camera = from.camera;
+  shown.camera.hasLens = before.hasLens;  // of the draft they are not the scene's
+  shown.camera.hasShutter = before.hasShutter;
+  shown.sun.direction = from.sun.direction;
+  shown.sun.color = from.sun.color;
+  shown.sun.temperature = from.sun.temperature;
+  shown.sun.intensity = from.sun.intensity;
+  shown.sun.shadowSoftness = from.sun.shadowSoftness;
+  shown.sky.zenith = from.sky.zenith;
+  shown.sky.horizon = from.sky.horizon;
+  shown.sky.ground = from.sky.ground;
+  shown.sky.ambient = from.sky.ambient;
+  shown.render.exposure = from.render.exposure;
+  shown.render.vignette = from.render.vignette;
+  shown.ground.color = from.ground.color;
+  shown.title = from.title;
+  shown.time.duration = from.time.duration;
+  shown.test = from.test;
+  shown.checks = from.checks;
+}
+
+}  // namespace
+
+std::shared_ptr<Script> readScript(const SceneSource& source, const std::string& text,
+                                   std::vector<scene::Override> edits) {
+  auto script = std::make_shared<Script>();
+  std::vector<scene::Override> all = source.given;
+  all.insert(all.end(), edits.begin(), edits.end());
+  script->text = text;
+  script->edits = std::move(edits);
+  script->scene = scene::parseScene(text, source.file, all, sim::kinds(), source.folders);
+  script->draft = scene::parseScene(text, source.file, all, sim::kinds(), source.folders);
+  script->draft.camera.hasLens = false;
+  script->draft.camera.hasShutter = false;
+  constexpr int draftShadow = 512;
+  script->draft.sun.shadowSize = std::min(script->draft.sun.shadowSize, draftShadow);
+  if (script->draft.render.quality == scene::Quality::high)
+    script->draft.render.quality = scene::Quality::draft;
+  script->asRun = scene::textAsRun(text, source.file, all);
+  script->simulation = scene::simulationHash(script->asRun);
+  return script;
+}
+
+std::set<std::string> differingPaths(std::string_view before, std::string_view after) {
+  std::set<std::string> found;
+  findDifferences(ordered_json::parse(before), ordered_json::parse(after), "", found);
+  return found;
+}
+
+Change changeBetween(const Script& before, const Script& after) {
+  if (before.simulation != after.simulation) return Change::simulation;
+  const std::set<std::string> paths = differingPaths(before.asRun, after.asRun);
+  if (paths.empty()) return Change::nothing;
+  if (before.scene.staged != after.scene.staged) return Change::dress;
+  for (const std::string& path : paths)
+    if (isBelow(path, "objects") || isBelow(path, "lights")) return Change::dress;
+  if (addsGroup(before, after)) return Change::drawing;
+  // What was not said before may have come from elsewhere: a picture of the sky, a stage.
+  const bool whole = std::any_of(paths.begin(), paths.end(), [](const std::string& path) {
+    return path == "sun" || path == "sky" || path == "ground" || path == "render" || path == "time";
+  });
+  const bool look = std::all_of(paths.begin(), paths.end(),
+                                [](const std::string& path) { return path == "camera" || isLook(path); });
+  return look && !whole ? Change::look : Change::drawing;
+}
+
+void takeLook(Script& shown, Script& from) {
+  takeLookOf(shown.scene, from.scene);
+  takeLookOf(shown.draft, from.draft);
+  shown.scene.hash = from.scene.hash;
+  shown.scene.overrides = from.scene.overrides;
+  shown.text = from.text;
+  shown.edits = from.edits;
+  shown.asRun = from.asRun;
+}
+
+std::vector<scene::Override> withEdit(std::span<const scene::Override> edits,
+                                      const scene::Override& change) {
+  std::vector<scene::Override> result;
+  for (const scene::Override& edit : edits)
+    if (!isBelow(edit.path, change.path)) result.push_back(edit);
+  result.push_back(change);
+  return result;
+}
+
+}  // namespace simreel::serve

@@ -1,0 +1,55 @@
+#pragma once
+#include "scene/scene.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace simreel::serve {
+
+/// Where a scene comes from.
+struct SceneSource {
+  std::filesystem::path file;
+  std::vector<scene::Override> given;  ///< of the command line
+  std::vector<std::filesystem::path> folders;
+};
+
+/// A scene as it is shown: the file's text with what was changed over it.
+struct Script {
+  std::string text;                    ///< of the file
+  std::vector<scene::Override> edits;  ///< over the file and what the command line gives
+  scene::Scene scene;
+  scene::Scene draft;      ///< the same without lens, shutter and rays: for pictures that have to be quick
+  std::string asRun;       ///< scene::sceneAsRun
+  std::string simulation;  ///< scene::simulationHash
+};
+
+/// Reads it. Throws UserError(usage) with every mistake.
+[[nodiscard]] std::shared_ptr<Script> readScript(const SceneSource& source, const std::string& text,
+                                                 std::vector<scene::Override> edits);
+
+/// How much of what is shown has to be made anew for another script.
+enum class Change {
+  nothing,
+  look,     ///< values that each picture reads from the scene anyway
+  drawing,  ///< what the renderer was made with
+  dress,    ///< what objects were made with, though no state depends on it
+  simulation,
+};
+[[nodiscard]] Change changeBetween(const Script& before, const Script& after);
+/// For Change::look: takes over those values, in place.
+void takeLook(Script& shown, Script& from);
+
+/// Dotted paths of members that differ between two texts as scene::sceneAsRun writes them; of lists and
+/// of what is there in one alone, the whole.
+[[nodiscard]] std::set<std::string> differingPaths(std::string_view before, std::string_view after);
+
+/// The edits with `path` set: one of the same path gives way, and those below it.
+[[nodiscard]] std::vector<scene::Override> withEdit(std::span<const scene::Override> edits,
+                                                    const scene::Override& change);
+
+}  // namespace simreel::serve

@@ -1,0 +1,118 @@
+#pragma once
+#include "draw/screen/readback.hpp"
+#include "draw/screen/renderer.hpp"
+#include "frame/image.hpp"
+#include "frame/summaries.hpp"
+#include "serve/play/ask.hpp"
+#include "serve/play/kept_states.hpp"
+#include "serve/play/script.hpp"
+#include "sim/world/world.hpp"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace simreel::serve {
+
+/// How much a picture is allowed to cost: 0 is what `simreel render` writes.
+struct DetailLevel {
+  float scale;  ///< of the picture's sides
+  int samples;  ///< per pixel; 0: the scene's
+};
+inline constexpr std::array<DetailLevel, 6> detailLevels = {
+    {{1.0F, 0}, {1.0F, 1}, {0.75F, 1}, {0.5F, 1}, {0.35F, 1}, {0.25F, 1}}};
+
+/// What the last step and picture took, ms by the clock, the device's work included.
+struct StageMilliseconds {
+  double simulate = 0, draw = 0, readBack = 0;
+};
+
+/// A named series of numbers, one a frame.
+struct Series {
+  std::string object, name, unit;
+  std::map<int, double> values;  ///< by frame
+};
+
+/// A scene on the device: its world, stepped forward and taken back, and what draws it. Everything here
+/// throws UserError as World and Renderer do.
+class Stage {
+ public:
+  /// `memory`: for states that are kept (bytes).
+  Stage(std::shared_ptr<Script> script, std::size_t memory);
+  ~Stage();
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  [[nodiscard]] const Script& script() const { return *script_; }
+  [[nodiscard]] sim::World& world() { return *world_; }
+  [[nodiscard]] int frame() const { return world_->frame(); }
+  [[nodiscard]] const KeptStates& kept() const { return kept_; }
+  /// Whether its state came out of other values (carryOverTo): not what `simreel render` comes to.
+  [[nodiscard]] bool carried() const { return carried_; }
+  [[nodiscard]] const std::string& stateHash() const { return stateHash_; }
+  [[nodiscard]] const StageMilliseconds& took() const { return took_; }
+  [[nodiscard]] const std::vector<Series>& series() const { return series_; }
+
+  /// Goes one frame towards `frame`: forward by a step, or back to the nearest state that is kept, or to
+  /// the start. Whether it is there.
+  bool approach(int frame);
+  /// The present frame, at that level.
+  [[nodiscard]] frame::Image draw(std::size_t level);
+  /// Keeps what the objects measure at the present frame. Waits for the device.
+  void measure();
+  /// What is at a place of the present picture (askPixel).
+  [[nodiscard]] PixelAnswer ask(glm::dvec2 place);
+
+  /// For Change::look.
+  void takeLookOf(Script& from);
+  /// For Change::drawing.
+  void drawAs(std::shared_ptr<Script> script);
+  /// For Change::dress: the world is made anew, in its present state.
+  void dressAs(std::shared_ptr<Script> script);
+  /// For Change::simulation: the same, although that state is one of other values; false where it does not
+  /// fit, and nothing has happened.
+  [[nodiscard]] bool carryOverTo(std::shared_ptr<Script> script);
+  /// For another script whose simulation is the same up to before `frame`: goes on from the latest state
+  /// that is kept from before; false where there is none, and nothing has happened.
+  [[nodiscard]] bool goOnAs(std::shared_ptr<Script> script, int frame);
+
+ private:
+  struct Drawer {
+    std::unique_ptr<draw::Renderer> renderer;
+    std::unique_ptr<draw::Readback> readback;
+    glm::ivec2 size{0};
+    std::shared_ptr<Script> script;  ///< that it reads
+  };
+
+  void makeWorld();
+  void take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script);
+  void step(bool seen);
+  void hear(const sim::World::Summary& summary);
+  void lookAt();
+  void follow();
+  Drawer& drawerOf(std::size_t level);
+  void prepareMotion();
+
+  std::shared_ptr<Script> script_;
+  std::shared_ptr<Script> made_;  ///< that the world was made of
+  KeptStates kept_;
+  std::unique_ptr<sim::World> world_;
+  std::unique_ptr<frame::Summaries> summaries_;
+  std::array<Drawer, detailLevels.size()> drawers_;
+  std::optional<int> toldBefore_;  ///< frame whose frame before the full renderer knows
+  bool started_ = false;
+  bool carried_ = false;
+  bool seen_ = false;  ///< whether the present frame may be looked at
+  std::string stateHash_;
+  StageMilliseconds took_;
+  std::vector<Series> series_;
+  std::size_t measured_ = 0;  ///< where measured quantities begin in series_
+};
+
+}  // namespace simreel::serve

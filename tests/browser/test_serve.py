@@ -1,0 +1,202 @@
+"""The page of `simreel serve` in a browser: what is done there changes the picture, and the picture is that of `simreel
+render`. Skipped (exit 77) without Chromium or Selenium."""
+import importlib.util
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
+
+CHROMIUM, CHROMEDRIVER = shutil.which("chromium"), shutil.which("chromedriver")
+
+
+def missing():
+    packages = {"chromium": CHROMIUM, "chromium-driver": CHROMEDRIVER,
+                "python3-selenium": importlib.util.find_spec("selenium")}
+    return [name for name, found in packages.items() if not found]
+
+
+if not missing():
+    from common import SCENE, png_rows, unfiltered, with_values
+    from driver import Browser, Keys
+    from serve_client import PROGRAM, Server
+
+# What is on the screen: size and RGB of every pixel.
+PIXELS = """const canvas = document.getElementById("picture");
+    const bytes = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    return [canvas.width, canvas.height, [...bytes].filter((_, i) => i % 4 !== 3)];"""
+REST = "globalThis.simreel && simreel.state.picture && !simreel.state.picture.draft && !simreel.state.picture.carried"
+
+
+class PageOfServe(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser(CHROMIUM, CHROMEDRIVER)
+        cls.browser.size(1280, 800)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="simreel-serve-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.scene = self.folder / "scene.json"
+
+    def open(self, *arguments, scene=None):
+        self.scene.write_text(json.dumps(scene or SCENE, indent=2))
+        server = Server(self.scene, *arguments)
+        self.addCleanup(server.stop)
+        self.browser.problems()
+        self.browser.driver.get(server.page)
+        self.at(0)
+        self.addCleanup(lambda: self.browser.driver.get("about:blank"))
+        return self.browser
+
+    def at(self, frame):
+        self.assertTrue(self.browser.until(f"{REST} && simreel.state.picture.frame === {frame}", 60), frame)
+
+    def pixels(self):
+        width, height, rgb = self.browser.run(PIXELS)
+        return width, height, bytes(rgb)
+
+    def rendered(self, frame, *arguments):
+        out = self.folder / "rendered.png"
+        subprocess.run([PROGRAM, "render", self.scene, "-o", out, "--frames", str(frame), "--overwrite", *arguments], check=True)
+        width, height, rows = png_rows(out.read_bytes())
+        return width, height, b"".join(unfiltered(rows, 3 * width, 3))
+
+    def shows(self, frame, *arguments):
+        """Waits until the picture is render's."""
+        wanted = self.rendered(frame, *arguments)
+        end = 100
+        while self.pixels() != wanted:
+            end -= 1
+            self.assertGreater(end, 0, "the picture is another one")
+            self.browser.until("false", 0.1)
+
+    def row(self, path, kind):
+        return f".row[data-path='{path}'] input[type='{kind}']"
+
+    def tearDown(self):
+        # The canvas is read by these tests alone.
+        self.assertEqual([text for text in self.browser.problems() if "willReadFrequently" not in text], [])
+
+    def test_scrub_back_is_what_render_makes(self):
+        b = self.open()
+        b.keys(Keys.END)
+        self.at(5)
+        self.shows(5)
+        b.run("""const scrub = document.getElementById("scrub"); scrub.value = 2;
+            scrub.dispatchEvent(new Event("input")); scrub.dispatchEvent(new Event("change"));""")
+        self.at(2)
+        self.shows(2)
+        b.keys(Keys.ARROW_LEFT)
+        self.at(1)
+        self.shows(1)
+        self.assertEqual(b.text("#clock").split(" · ")[0], "1 / 5")
+
+    def test_play_and_pause(self):
+        b = self.open(scene=with_values({"time.duration": 60}))
+        b.click("#play")
+        self.assertTrue(b.until("simreel.state.status.playing && simreel.state.picture.frame > 3", 30))
+        self.assertTrue(b.value("document.getElementById('play').getAttribute('aria-label') === 'Pause'"))
+        b.keys(" ")
+        self.assertTrue(b.until("!simreel.state.status.playing"))
+        self.assertGreater(b.value("simreel.state.status.kept.count"), 3)
+
+    def test_a_slider_changes_the_picture_and_nothing_else(self):
+        b = self.open()
+        before, text = self.pixels(), self.scene.read_text()
+        b.one("#filter").send_keys("intensity")
+        self.assertTrue(b.until(f"document.querySelector(\"{self.row('sun.intensity', 'range')}\")"))
+        b.run("""const slider = document.querySelector(arguments[0]); slider.max = 30; slider.value = 20;
+            slider.dispatchEvent(new Event("input")); slider.dispatchEvent(new Event("change"));""", self.row("sun.intensity", "range"))
+        self.assertTrue(b.until("simreel.state.scene.edits.length === 1"))
+        self.shows(0, "-D", "sun.intensity=20")
+        self.assertNotEqual(self.pixels(), before)
+        self.assertEqual(self.scene.read_text(), text)
+        b.click(".row[data-path='sun.intensity'] .undo")
+        self.shows(0)
+
+    def test_edit_writes_the_file(self):
+        b = self.open("--edit")
+        text = self.scene.read_text()
+        b.run("""const box = document.querySelector(arguments[0]); box.value = 0.3;
+            box.dispatchEvent(new Event("change"));""", self.row("objects.flag.cloth.spacing", "number"))
+        self.assertTrue(b.until("simreel.state.scene.scene.objects.flag.cloth.spacing === 0.3 && simreel.state.scene.edits.length === 0"))
+        self.assertEqual(self.scene.read_text(), text.replace('"spacing": 0.1', '"spacing": 0.3'))
+        self.shows(0)
+
+    def test_mistakes_stand_over_the_last_good_picture(self):
+        b = self.open()
+        before = self.pixels()
+        text = self.scene.read_text()
+        self.scene.write_text(text.replace('"substeps": 4', '"substepz": 4'))
+        self.assertTrue(b.until("!document.getElementById('mistakes').hidden"))
+        self.assertRegex(b.text("#mistakes"), r"scene\.json:\d+:\d+: error: .*substeps.*\n.*substepz.*\n +\^")
+        self.assertEqual(self.pixels(), before)
+        self.scene.write_text(text.replace('"jitter": 0.01', '"jitter": 0.02'))
+        self.assertTrue(b.until("document.getElementById('mistakes').hidden"))
+        self.shows(0)
+
+    def test_the_mouse_moves_the_camera(self):
+        b = self.open()
+        before = self.pixels()
+        box = b.box("#picture")
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        b.drag(x, y, x + 120, y + 40)
+        self.assertTrue(b.until("simreel.state.scene.edits.length > 0"))
+        self.at(0)
+        edits = b.value("simreel.state.scene.edits.map(([path, value]) => `${path}=${value}`)")
+        self.assertEqual(sorted(edit.split("=")[0] for edit in edits), ["camera.fieldOfView", "camera.position", "camera.target"])
+        self.shows(0, *[word for edit in edits for word in ("-D", edit)])
+        self.assertNotEqual(self.pixels(), before)
+        b.wheel(x, y, 300)
+        self.assertTrue(b.until(f"simreel.state.scene.edits.find(([path]) => path === 'camera.position')[1] !== "
+                                f"{json.dumps(dict(e.split('=') for e in edits)['camera.position'])}"))
+        self.assertTrue(b.until("!simreel.screen.held"))
+        b.until("false", 0.2)
+        b.click("#forget")
+        self.shows(0)
+
+    def test_a_click_asks(self):
+        b = self.open()
+        box = b.box("#picture")
+        x, y = box["x"] + box["width"] / 2, box["y"] + 0.6 * box["height"]
+        b.drag(x, y, x, y)
+        self.assertTrue(b.until("!document.getElementById('answer').hidden"))
+        self.assertRegex(b.text("#answer h2 span"), r"^triangle \d+ of flag$")
+        self.assertRegex(b.text("#answer table"), r"positions\.x-?[\d.]+[0-9a-f]{8}")
+
+    def test_renders_what_is_on_screen(self):
+        b = self.open("--output", self.folder / "out")
+        b.keys(Keys.ARROW_RIGHT)
+        self.at(1)
+        b.click("#render")
+        self.assertTrue(b.until("document.querySelector('#rendered a')", 30))
+        width, height, rows = png_rows((self.folder / "out" / "scene_000001.png").read_bytes())
+        self.assertEqual((width, height, b"".join(unfiltered(rows, 3 * width, 3))), self.rendered(1))
+        self.assertEqual(b.run("return fetch('render.png').then((answer) => answer.headers.get('content-type'))"), "image/png")
+
+    def test_hostile_texts_stay_texts(self):
+        b = self.open(scene=with_values({"title": "<img src=x onerror=alert(1)>"}))
+        self.assertEqual(b.text("#title"), "<img src=x onerror=alert(1)>")
+        self.scene.write_text('{"version": 1, "<script>alert(1)</script>": 2}')
+        self.assertTrue(b.until("!document.getElementById('mistakes').hidden"))
+        self.assertIn("<script>", b.text("#mistakes"))
+        self.assertEqual(b.value("document.scripts.length"), 1)
+
+
+if __name__ == "__main__":
+    if missing():
+        print(f"skipped: {', '.join(missing())} not installed (tools/setup installs what the tests need)")
+        sys.exit(77)
+    os.chdir(tempfile.gettempdir())
+    unittest.main(verbosity=2)

@@ -1,0 +1,180 @@
+"""What tests and the benchmark of `simreel serve` share: the server as a child, and a WebSocket client (RFC 6455) of the
+standard library alone."""
+import base64
+import http.client
+import json
+import os
+import re
+import signal
+import socket
+import struct
+import subprocess
+import time
+
+PROGRAM = os.environ.get("SIMREEL", "simreel")
+
+
+class Server:
+    """`simreel serve` with these arguments, on a port of its own choosing."""
+
+    def __init__(self, *arguments, cwd=None):
+        command = [PROGRAM, "serve", *map(str, arguments)]
+        self.child = subprocess.Popen(command, cwd=cwd, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.lines = [self.child.stdout.readline() for _ in range(3)]
+        found = re.match(r"Open http://([\d.]+):(\d+)/([0-9a-f]{32})/$", self.lines[0].strip())
+        if not found:
+            self.child.kill()
+            raise AssertionError(f"no address: {self.lines} {self.child.stderr.read()}")
+        self.address, self.port, self.token = found[1], int(found[2]), found[3]
+
+    @property
+    def page(self):
+        return f"http://127.0.0.1:{self.port}/{self.token}/"
+
+    def get(self, path, method="GET", host=None, headers=None, timeout=20):
+        """Status, headers and body of what `path` leads to; it goes out as it is written."""
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=timeout)
+        try:
+            connection.putrequest(method, path, skip_host=True, skip_accept_encoding=True)
+            connection.putheader("Host", host if host is not None else f"127.0.0.1:{self.port}")
+            for name, value in (headers or {}).items():
+                connection.putheader(name, value)
+            connection.endheaders()
+            answer = connection.getresponse()
+            return answer.status, answer.headers, answer.read()
+        except http.client.RemoteDisconnected:
+            return 0, {}, b""  # not even an answer
+        finally:
+            connection.close()
+
+    def viewer(self, **options):
+        return Viewer(self.port, self.token, **options)
+
+    def stop(self, sent=signal.SIGTERM):
+        if self.child.poll() is None:
+            self.child.send_signal(sent)
+        out, err = self.child.communicate(timeout=60)
+        return self.child.returncode, out, err
+
+
+class Refused(Exception):
+    """The server did not take the WebSocket."""
+
+
+class Closed(Exception):
+    """The connection has ended; holds the code of the close frame, or nothing."""
+
+
+class Viewer:
+    """One WebSocket. `latest` has the newest message of each kind; pictures are (about, bytes)."""
+
+    def __init__(self, port, token, origin="same", host=None, path=None, acknowledges=True, timeout=30):
+        self.acknowledges = acknowledges
+        self.latest, self.pictures, self.heard = {}, [], []
+        self.buffer = self.taken = b""
+        self.socket = socket.create_connection(("127.0.0.1", port), timeout=timeout)
+        host = host or f"127.0.0.1:{port}"
+        lines = [f"GET {path if path is not None else f'/{token}/live'} HTTP/1.1", f"Host: {host}",
+                 "Upgrade: websocket", "Connection: Upgrade", "Sec-WebSocket-Version: 13",
+                 f"Sec-WebSocket-Key: {base64.b64encode(os.urandom(16)).decode()}", "Sec-WebSocket-Protocol: simreel"]
+        if origin is not None:
+            lines.append(f"Origin: {f'http://{host}' if origin == 'same' else origin}")
+        self.socket.sendall(("\r\n".join(lines) + "\r\n\r\n").encode())
+        head = b""
+        while b"\r\n\r\n" not in head:
+            try:
+                piece = self.socket.recv(4096)
+            except OSError as error:
+                raise Refused(str(error)) from error
+            if not piece:
+                raise Refused(head.decode("latin-1"))
+            head += piece
+        head, self.buffer = head.split(b"\r\n\r\n", 1)
+        if not head.startswith(b"HTTP/1.1 101"):
+            raise Refused(head.decode("latin-1"))
+
+    def close(self):
+        self.socket.close()
+
+    def send_frame(self, payload, opcode=1, final=True):
+        mask = os.urandom(4)
+        head = bytes([(0x80 if final else 0) | opcode])
+        size = len(payload)
+        if size < 126:
+            head += bytes([0x80 | size])
+        elif size < 65536:
+            head += bytes([0x80 | 126]) + struct.pack(">H", size)
+        else:
+            head += bytes([0x80 | 127]) + struct.pack(">Q", size)
+        repeated = (mask * (size // 4 + 1))[:size]
+        masked = (int.from_bytes(payload, "big") ^ int.from_bytes(repeated, "big")).to_bytes(size, "big") if size else b""
+        self.socket.sendall(head + mask + masked)
+
+    def send(self, **request):
+        self.send_frame(json.dumps(request).encode())
+
+    def _bytes(self, count):
+        while len(self.buffer) < count:
+            piece = self.socket.recv(65536)
+            if not piece:
+                raise Closed()
+            self.buffer += piece
+        piece, self.buffer = self.buffer[:count], self.buffer[count:]
+        self.taken += piece
+        return piece
+
+    def receive(self, timeout=30):
+        """The next whole message, (kind, message); a picture's kind is "picture"."""
+        self.socket.settimeout(timeout)
+        self.taken = b""
+        try:
+            return self._receive()
+        except TimeoutError:  # in the middle, perhaps: the next call begins with it
+            self.buffer = self.taken + self.buffer
+            raise
+
+    def _receive(self):
+        whole, opcode = b"", None
+        while True:
+            first, second = self._bytes(2)
+            size = second & 127
+            if size == 126:
+                (size,) = struct.unpack(">H", self._bytes(2))
+            elif size == 127:
+                (size,) = struct.unpack(">Q", self._bytes(8))
+            payload = self._bytes(size)
+            kind = first & 15
+            if kind == 8:
+                raise Closed(struct.unpack(">H", payload[:2])[0] if len(payload) >= 2 else None)
+            if kind == 9:
+                self.send_frame(payload, 10)
+                continue
+            opcode = opcode or kind
+            whole += payload
+            if first & 0x80:
+                break
+        if opcode == 1:
+            message = json.loads(whole)
+            self.latest[message["kind"]] = message
+            self.heard.append(message)
+            return message["kind"], message
+        end = whole.index(b"\n")
+        picture = (json.loads(whole[:end]), whole[end + 1:])
+        self.pictures.append(picture)
+        if self.acknowledges:
+            self.send_frame(f"shown {picture[0]['number']}".encode())
+        return "picture", picture
+
+    def until(self, good, seconds=60):
+        """Receives until good(kind, message) says so; that message."""
+        end = time.monotonic() + seconds
+        while (left := end - time.monotonic()) > 0:
+            kind, message = self.receive(left)
+            if good(kind, message):
+                return message
+        raise AssertionError(f"nothing of the kind in {seconds} s; latest {self.latest}")
+
+    def rest(self, frame=None, seconds=120):
+        """The whole picture of a frame."""
+        return self.until(lambda kind, message: kind == "picture" and not message[0]["draft"] and
+                          not message[0]["carried"] and frame in (None, message[0]["frame"]), seconds)
