@@ -17,7 +17,7 @@ struct RuleCut {
 
 /// The compute shader of a pass, for gl::Program::computeText: names of a scene do not occur in it, only
 /// numbers of planes and of what is told. `seed`: of noise.
-[[nodiscard]] std::string kernelText(const Rule& rule, const RulePass& pass, RuleBoundary boundary,
-                                     unsigned seed, const RuleCut& cut);
+[[nodiscard]] std::string kernelText(const Rule& rule, const RulePass& pass, RuleSpace space,
+                                     RuleBoundary boundary, unsigned seed, const RuleCut& cut);
 
 }  // namespace simreel::sim

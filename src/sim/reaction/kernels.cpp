@@ -5,6 +5,7 @@
 #include "sim/reaction/model.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -16,14 +17,14 @@ namespace {
 namespace bindings = shader::reaction;
 
 /// Before anything is filled.
-void checkRuleLimits(const std::string& name, glm::ivec2 size, std::int64_t planes) {
-  const std::int64_t elements = std::int64_t{(size.x + 3) / 4} * size.y * planes;
+void checkRuleLimits(const std::string& name, const ReactionParameters& p, std::int64_t planes) {
+  const std::int64_t elements = std::int64_t{(p.size.x + 3) / 4} * p.size.y * p.depth * planes;
   const auto refuse = [&](std::int64_t need, const char* what, std::int64_t max, const char* limit) {
     if (need > max)
       fail(ExitCode::device,
-           "reaction \"{}\" of {}x{} cells needs {} {} in one buffer, this device allows {} ({}); make it "
+           "reaction \"{}\" of {} cells needs {} {} in one buffer, this device allows {} ({}); make it "
            "smaller",
-           name, size.x, size.y, need, what, max, limit);
+           name, p.cellsText(), need, what, max, limit);
   };
   refuse(elements * 16, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
   refuse(elements, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
@@ -36,6 +37,19 @@ std::vector<glm::uvec4> stampElements(const std::vector<std::uint32_t>& words) {
   return elements;
 }
 
+/// As glsl/reaction/bindings.glsl has them.
+std::vector<glm::uvec4> linkWords(const RuleLinks& links) {
+  std::vector<glm::uvec4> words;
+  for (const glm::ivec2& range : links.ranges) words.emplace_back(range.x, range.y, 0, 0);
+  for (std::size_t s = 0; s < links.weights.size(); ++s) {
+    words.emplace_back(links.neighbours[s]);
+    const glm::vec4& weight = links.weights[s];
+    words.emplace_back(std::bit_cast<std::uint32_t>(weight.x), std::bit_cast<std::uint32_t>(weight.y),
+                       std::bit_cast<std::uint32_t>(weight.z), std::bit_cast<std::uint32_t>(weight.w));
+  }
+  return words;
+}
+
 }  // namespace
 
 RuleCut ReactionKernels::bestCut() {
@@ -46,12 +60,19 @@ RuleCut ReactionKernels::bestCut() {
 
 ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& plan, bool fast,
                                  const RuleCut& cut)
-    : plan_(plan), size_(plan.parameters().size), columns_((size_.x + 3) / 4), cut_(cut) {
+    : plan_(plan),
+      size_(plan.parameters().size),
+      depth_(plan.parameters().depth),
+      layerItems_((size_.y - 1) / cut.rows + 1),
+      columns_((size_.x + 3) / 4),
+      cut_(cut) {
   const RuleProgram& program = plan.program();
   checkRuleLimits(
-      name, size_,
+      name, plan.parameters(),
       std::max({static_cast<std::int64_t>(plan.parameters().species.size()), std::int64_t{program.lets},
-                static_cast<std::int64_t>(plan.parameters().parameters.size())}));
+                static_cast<std::int64_t>(plan.parameters().parameters.size()) +
+                    (plan.links() != nullptr ? placeMaps : 0)}));
+  if (plan.links() != nullptr) links_ = gl::WordsArray(name + " links", linkWords(*plan.links()));
   const RuleField field = plan.firstField();
   const std::vector<glm::vec4> first = packed(field.stage);
   cells_[0] = gl::Vec4Array(name + " cells", first);
@@ -65,7 +86,7 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
     sums_ = gl::Vec4Array(name + " sums", elements);
   }
   if (program.lets > 0) {
-    lets_ = gl::Vec4Array(name + " lets", columns_ * size_.y * program.lets);
+    lets_ = gl::Vec4Array(name + " lets", columns_ * size_.y * depth_ * program.lets);
     letWords_ = gl::Texture::view(name + " let words", GL_RGBA32UI, lets_.buffer());
   }
   if (!field.weights.empty()) weights_ = gl::Vec4Array(name + " maps", packed(field.weights));
@@ -81,13 +102,19 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
   }
   defines.emplace_back("BOUNDARY", std::to_string(static_cast<int>(plan.parameters().boundary)));
   defines.emplace_back("TAIL", std::to_string((size_.x - 1) % 4));
+  const RuleSpace space = plan.parameters().space();
+  if (space == RuleSpace::volume) defines.emplace_back("VOLUME", "1");
+  if (space == RuleSpace::mesh) defines.emplace_back("MESH", "1");
   for (std::size_t i = 0; i < program.passes.size(); ++i) {
     const RulePass& pass = program.passes[i];
     Kernel kernel;
     kernel.program = gl::Program::computeText(
-        "reaction/rule", kernelText(plan.rule(), pass, plan.parameters().boundary, plan.noiseSeed(), cut_),
-        defines);
+        "reaction/rule",
+        kernelText(plan.rule(), pass, space, plan.parameters().boundary, plan.noiseSeed(), cut_), defines);
     kernel.program.set("size", size_);
+    kernel.program.set("depth", depth_);
+    kernel.program.set("planeRows", size_.y * depth_);
+    kernel.program.set("layerItems", layerItems_);
     kernel.program.set("columns", columns_);
     kernel.told = gl::Buffer(name + " told", toldVectors(pass) * sizeof(glm::vec4));
     kernels_.push_back(std::move(kernel));
@@ -98,7 +125,7 @@ std::vector<glm::vec4> ReactionKernels::packed(const RulePlanes& planes) const {
   std::vector<glm::vec4> elements;
   const auto width = static_cast<std::size_t>(size_.x);
   for (const std::vector<float>& plane : planes)
-    for (std::size_t y = 0; y < static_cast<std::size_t>(size_.y); ++y)
+    for (std::size_t y = 0; y < plane.size() / width; ++y)
       for (std::size_t x = 0; x < width; x += 4) {
         glm::vec4& element = elements.emplace_back(0.0F);
         for (std::size_t i = 0; i < 4 && x + i < width; ++i)
@@ -137,12 +164,13 @@ void ReactionKernels::run(int pass, const gl::Vec4Array& stage, const gl::Vec4Ar
   cells_[0].bindInput(bindings::baseBinding);
   if (plan_.program().sums) sums_.bindState(bindings::sumBinding);
   if (plan_.program().lets > 0) lets_.bindInput(bindings::letsBinding);
+  if (plan_.links() != nullptr) links_.bindInput(bindings::linksBinding);
   if (weights_.buffer().bytes() > 0) weights_.bindInput(bindings::weightsBinding);
   (toLets ? lets_ : next).bindState(bindings::nextBinding);
   status_.bindStorage(shader::statusBinding);
   kernel.program.set("stepNumber", static_cast<int>(number));
   gl::barrier();
-  kernel.program.dispatch(columns_, (size_.y - 1) / cut_.rows + 1);
+  kernel.program.dispatch(columns_, layerItems_ * depth_);
 }
 
 void ReactionKernels::advance(long number, int steps, long first) {
