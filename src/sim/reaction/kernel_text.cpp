@@ -1,6 +1,6 @@
 #include "sim/reaction/kernel_text.hpp"
 
-#include "base/error.hpp"
+#include "sim/reaction/node_text.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -91,16 +91,7 @@ class KernelWriter {
     if (isMesh()) line("INPUT_WORDS(linksBinding, linksBlock, links)");
   }
 
-  void declareTold() {
-    const std::size_t count = toldVectors(pass_);
-    line("layout(std140, binding = stepBinding) uniform ToldBlock {{ vec4 told[{}]; }};", count);
-    for (std::size_t i = 0; i < pass_.told.size(); ++i)
-      line("float k{} = once(told[{}].{});", pass_.told[i], i / 4, "xyzw"[i % 4]);
-    const std::size_t grains = count - 3;
-    line("float storedGrain = once(told[{}].x), flushedGrain = once(told[{}].y);", grains, grains);
-    if (boundary_ == RuleBoundary::fixed)
-      line("vec4 edgesLow = once(told[{}]), edgesHigh = once(told[{}]);", grains + 1, grains + 2);
-  }
+  void declareTold() { text_ += toldText(pass_, boundary_); }
 
   /// What an invocation holds of a row: the four cells and sums or differences of those beside them.
   void declareRow(const RulePlane& plane, const Use& use) {
@@ -290,90 +281,8 @@ class KernelWriter {
   }
 
   void writeNode(int i) {
-    const RuleNode& node = rule_.graph.at(i);
-    const auto argument = [&](int n) { return n < 0 ? std::string() : value(n); };
-    const std::string a = argument(node.a), b = argument(node.b), c = argument(node.c);
-    const auto each = [&](const char* function) {
-      line("    vec4 a{} = {};", i, a);
-      line("    vec4 v{0} = EACH_CELL({1}, a{0});", i, function);
-    };
-    const unsigned salt = static_cast<unsigned>(node.index) * 2654435761U + seed_;
-    switch (node.op) {
-      case RuleOp::x:
-        line("    precise vec4 v{} = cellsOf(x) + 0.5;", i);
-        break;
-      case RuleOp::y:
-        line("    precise vec4 v{} = vec4(float(y)) + 0.5;", i);
-        break;
-      case RuleOp::z:
-        line("    precise vec4 v{} = vec4(float(z)) + 0.5;", i);
-        break;
-      case RuleOp::noise:
-        line("    vec4 v{} = hashed(x, {}, uint(stepNumber), {}u);", i, rowName(), salt);
-        break;
-      case RuleOp::random:
-        line("    vec4 v{} = hashed(x, {}, {}u, {}u);", i, rowName(), 0x5eed5eedU, salt);
-        break;
-      case RuleOp::add:
-        line("    precise vec4 v{} = {} + {};", i, a, b);
-        break;
-      case RuleOp::subtract:
-        line("    precise vec4 v{} = {} - {};", i, a, b);
-        break;
-      case RuleOp::multiply:
-        line("    precise vec4 v{} = {} * {};", i, a, b);
-        break;
-      case RuleOp::flush:
-        line("    vec4 v{} = grained({}, flushedGrain);", i, a);
-        break;
-      case RuleOp::settle:
-        line("    vec4 v{} = grained({}, storedGrain);", i, a);
-        break;
-      case RuleOp::reciprocal:
-        return each("exactReciprocal");
-      case RuleOp::min:
-        line("    vec4 v{} = min({}, {});", i, a, b);
-        break;
-      case RuleOp::max:
-        line("    vec4 v{} = max({}, {});", i, a, b);
-        break;
-      case RuleOp::abs:
-        line("    vec4 v{} = abs({});", i, a);
-        break;
-      case RuleOp::floor:
-        line("    vec4 v{} = floor({});", i, a);
-        break;
-      case RuleOp::sqrt:
-        return each("rootOf");
-      case RuleOp::exp:
-        return each("exactExp");
-      case RuleOp::log:
-        return each("logOf");
-      case RuleOp::sin:
-        return each("exactSin");
-      case RuleOp::cos:
-        return each("exactCos");
-      case RuleOp::tanh:
-        return each("exactTanh");
-      case RuleOp::power:
-        line("    vec4 a{0} = {1}, b{0} = {2};", i, a, b);
-        line("    vec4 v{0} = EACH_PAIR(exactPow, a{0}, b{0});", i);
-        break;
-      case RuleOp::less:
-        line("    vec4 v{} = vec4(lessThan({}, {}));", i, a, b);
-        break;
-      case RuleOp::lessEqual:
-        line("    vec4 v{} = vec4(lessThanEqual({}, {}));", i, a, b);
-        break;
-      case RuleOp::equal:
-        line("    vec4 v{} = vec4(equal({}, {}));", i, a, b);
-        break;
-      case RuleOp::choose:
-        line("    vec4 v{} = mix({}, {}, notEqual({}, vec4(0.0)));", i, c, b, a);
-        break;
-      default:
-        SIMREEL_CHECK(false);
-    }
+    text_ += nodeText(
+        rule_.graph, i, [this](int node) { return value(node); }, seed_, rowName());
   }
 
   // A lost cell is looked for in all rows and noted once: software drivers run the code of every branch.
@@ -408,10 +317,6 @@ class KernelWriter {
 };
 
 }  // namespace
-
-std::size_t toldVectors(const RulePass& pass) {
-  return (pass.told.size() + 4) / 4 + 3;
-}
 
 std::string kernelText(const Rule& rule, const RulePass& pass, RuleSpace space, RuleBoundary boundary,
                        unsigned seed, const RuleCut& cut) {

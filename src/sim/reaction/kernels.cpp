@@ -37,6 +37,25 @@ std::vector<glm::uvec4> stampElements(const std::vector<std::uint32_t>& words) {
   return elements;
 }
 
+/// Steps whose lost cells are noted apart: more than a frame usually has.
+constexpr int lostSteps = 1024;
+
+/// Elements across a strip that are stored.
+int stripWidth(const RuleCut& cut) {
+  const int lanes = gl::memoryPath() == gl::MemoryPath::texel ? 1 : 32;
+  return lanes * cut.stripElements - (cut.stepsPerPass + 3) / 4 * 2;
+}
+
+/// Long strips repeat least; a software driver wants some for each of its lanes, a GPU thousands.
+int stripRowsFor(const RuleCut& cut, int columns, int rows) {
+  const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
+  const int wanted = texel ? 64 : 4000, least = texel ? 8 : 16;
+  const int across = (columns - 1) / stripWidth(cut) + 1;
+  int down = texel ? 64 : 128;
+  while (down > least && across * ((rows - 1) / down + 1) < wanted) down /= 2;
+  return down;
+}
+
 /// As glsl/reaction/bindings.glsl has them.
 std::vector<glm::uvec4> linkWords(const RuleLinks& links) {
   std::vector<glm::uvec4> words;
@@ -54,7 +73,10 @@ std::vector<glm::uvec4> linkWords(const RuleLinks& links) {
 
 RuleCut ReactionKernels::bestCut() {
   RuleCut cut;
-  cut.rows = gl::memoryPath() == gl::MemoryPath::texel ? 2 : 1;
+  const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
+  cut.rows = texel ? 2 : 1;
+  cut.stepsPerPass = 4;
+  cut.stripElements = texel ? 6 : 1;
   return cut;
 }
 
@@ -119,6 +141,21 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
     kernel.told = gl::Buffer(name + " told", toldVectors(pass) * sizeof(glm::vec4));
     kernels_.push_back(std::move(kernel));
   }
+  if (cut_.stepsPerPass > 1 && stripsCan(plan.rule(), program, space, plan.parameters().boundary, size_.x))
+    makeStrips(name, std::move(defines));
+}
+
+void ReactionKernels::makeStrips(const std::string& name, gl::Defines defines) {
+  if (cut_.stripRows == 0) cut_.stripRows = stripRowsFor(cut_, columns_, size_.y);
+  lost_ = gl::Program::compute("reaction/lost.comp", defines);
+  if (gl::limits().shuffle32) defines.emplace_back("SUBGROUPS", "1");
+  const RulePass& pass =
+      plan_.program().passes[static_cast<std::size_t>(plan_.program().stages[0].passes[0])];
+  strips_ = gl::Program::computeText("reaction/strips", stripText(plan_.rule(), pass, cut_), defines);
+  strips_.set("size", size_);
+  strips_.set("columns", columns_);
+  const std::vector<unsigned> none(lostSteps, 0xffffffffU);
+  lostCells_ = gl::Buffer::of<unsigned>(name + " lost cells", none);
 }
 
 std::vector<glm::vec4> ReactionKernels::packed(const RulePlanes& planes) const {
@@ -174,7 +211,40 @@ void ReactionKernels::run(int pass, const gl::Vec4Array& stage, const gl::Vec4Ar
 }
 
 void ReactionKernels::advance(long number, int steps, long first) {
+  const int together = strips_.name() != 0 ? cut_.stepsPerPass : steps + 1;
+  for (int begun = 0; steps >= together; steps -= together, number += together) {
+    strips_.set("lostFirst", static_cast<int>(number) - begun);
+    strips(number);
+    begun += together;
+    if (begun + together <= lostSteps && steps >= 2 * together) continue;
+    tellLost(number + together - begun, begun);
+    begun = 0;
+  }
   for (int i = 0; i < steps; ++i) step(number + i, first);
+}
+
+void ReactionKernels::strips(long number) {
+  Kernel& kernel = kernels_[static_cast<std::size_t>(plan_.program().stages[0].passes[0])];
+  kernel.told.bindUniform(shader::stepBinding, 0, kernel.told.bytes());
+  cells_[0].bindInput(bindings::stageBinding);
+  cells_[1].bindState(bindings::nextBinding);
+  lostCells_.bindStorage(bindings::sumBinding);
+  strips_.set("stepNumber", static_cast<int>(number));
+  gl::barrier();
+  const int lanes = gl::memoryPath() == gl::MemoryPath::texel ? 1 : 32;
+  const int across = (columns_ - 1) / stripWidth(cut_) + 1;
+  strips_.dispatch(across * lanes, (size_.y - 1) / cut_.stripRows + 1);
+  std::swap(cells_[0], cells_[1]);
+  std::swap(words_[0], words_[1]);
+}
+
+void ReactionKernels::tellLost(long first, int steps) {
+  lostCells_.bindStorage(bindings::sumBinding);
+  status_.bindStorage(shader::statusBinding);
+  lost_.set("lostFirst", static_cast<int>(first));
+  lost_.set("count", steps);
+  gl::barrier();
+  lost_.dispatch(1);
 }
 
 void ReactionKernels::step(long number, long first) {

@@ -45,6 +45,10 @@ class ReactionKernels {
     std::vector<float> written;
   };
   void step(long number, long first);
+  /// Several steps, in strips.
+  void strips(long number);
+  void makeStrips(const std::string& name, gl::Defines defines);
+  void tellLost(long first, int steps);
   void run(int pass, const gl::Vec4Array& stage, const gl::Vec4Array& next, long number);
   void tell(int pass);
   [[nodiscard]] std::vector<glm::vec4> packed(const RulePlanes& planes) const;
@@ -63,6 +67,8 @@ class ReactionKernels {
   gl::Buffer status_;
   gl::Program paint_;
   std::vector<Kernel> kernels_;  ///< one a pass
+  gl::Program strips_, lost_;
+  gl::Buffer lostCells_;  ///< the lowest that is lost in each of some steps
   std::vector<float> values_;
 };
 
