@@ -77,6 +77,23 @@ class Reaction(Case):
                 if name.endswith(("npy", "png")):
                     self.assertEqual(data, whole[name], name)
 
+    def test_several_steps_a_pass_are_the_same_on_both_memory_paths(self):
+        rule = {"size": [132, 37], "steps": 11, "dt": 1, "species": {
+            "u": {"diffusion": 0.06, "start": "1 - 0.5*abs(random(1))", "rate": "0.04*(1 - u) - u*v^2"},
+            "v": {"diffusion": 0.03, "start": "0.4*abs(random(2))", "rate": "u*v^2 - 0.1*v"}}}
+        self.write_rule(rule)
+        for path in ("texel", "storage"):
+            self.good(*self.render("--overwrite", "--memory-path", path))
+            files = {k: v for k, v in self.content("out").items() if k.endswith("npy")}
+            if path == "texel":
+                whole = files
+            self.assertEqual(files, whole)
+        self.assertNotEqual(whole["000009.r.u.npy"], whole["000008.r.u.npy"])
+        # The first cell, and its step, is told from within a pass.
+        self.write_rule({**rule, "species": {"u": {"start": "1 + 0.3*random(1)", "rate": "u^3"}}})
+        said = [self.bad(4, ["\"u\" of cell ("], *self.render("--overwrite", "--memory-path", path)).stderr for path in ("texel", "storage")]
+        self.assertEqual(*said)
+
     def test_pictures_are_starts_and_maps_of_diffusion(self):
         self.write("map.png", gray_png(4, 3, [0, 255, 0, 255] * 3))
         self.write_rule({"size": [4, 4], "steps": 1, "dt": 0.5, "parameters": {"p": {"value": 0, "white": 2, "image": "map.png"}},
