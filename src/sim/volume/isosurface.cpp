@@ -14,12 +14,6 @@
 
 namespace simreel::sim {
 
-namespace {
-
-namespace bindings = shader::volume;
-
-}  // namespace
-
 struct Isosurface::State {
   State(const std::string& label, const IsosurfaceShape& given, const std::vector<glm::vec3>& colors)
       : name(label),
@@ -39,7 +33,7 @@ struct Isosurface::State {
     tally = gl::Program::compute("volume/count.comp", defines);
     triangles = gl::Program::compute("volume/triangles.comp", defines);
     if (!colors.empty()) {
-      palette = gl::Vec4Array(name + " colours", paletteOf(colors, bindings::volumeColors));
+      palette = gl::Vec4Array(name + " colours", paletteOf(colors, shader::volume::volumeColors));
       defines.emplace_back("TINTED", "1");
     }
     points = gl::Program::compute("volume/points.comp", defines);
@@ -55,18 +49,19 @@ struct Isosurface::State {
   }
 
   void getRoom(std::int64_t newPoints, std::int64_t newIndices) {
-    checkBufferRoom("the surface of", name, "points", newPoints + bindings::boxCorners, 16, smaller);
+    checkBufferRoom("the surface of", name, "points", newPoints + shader::volume::boxCorners, 16, smaller);
     checkBufferRoom("the surface of", name, "indices", newIndices, 4, smaller);
     pointRoom = newPoints;
     indexRoom = newIndices;
-    const auto vertices = static_cast<std::size_t>(pointRoom + bindings::boxCorners);
+    const auto vertices = static_cast<std::size_t>(pointRoom + shader::volume::boxCorners);
     positions = gl::Buffer(name + " positions", vertices * 16);
     normals = gl::Buffer(name + " normals", vertices * 16);
     std::vector<glm::vec4> box;
+    box.reserve(shader::volume::boxCorners);
     const float half = shape.closed ? 0.5F : 0.0F;
     const glm::vec3 low = shape.corner() - half * shape.spacing;
     const glm::vec3 high = low + shape.spacing * (glm::vec3(shape.size) - 1.0F + 2 * half);
-    for (int i = 0; i < bindings::boxCorners; ++i)
+    for (int i = 0; i < shader::volume::boxCorners; ++i)
       box.emplace_back((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
                        (i & 4) != 0 ? high.z : low.z, 0);
     positions.write(0, std::as_bytes(std::span(box)));
@@ -80,34 +75,34 @@ struct Isosurface::State {
     const auto setValues = [&](const gl::Program& program) {
       program.set("valueLayout", glm::ivec2(values.rowWords, values.firstWord));
       program.set("level", level);
-      values.words->bind(bindings::valuesUnit);
+      values.words->bind(shader::volume::valuesUnit);
     };
     gl::barrier();
     setValues(classify);
-    classes.bindState(bindings::classesBinding);
+    classes.bindState(shader::volume::classesBinding);
     classify.dispatch(across, samples.z);
     gl::barrier();
-    cubes.bindInput(bindings::cubesBinding);
-    classes.bindInput(bindings::classesBinding);
-    tallies.bindState(bindings::talliesBinding);
-    masks.bindState(bindings::masksBinding);
+    cubes.bindInput(shader::volume::cubesBinding);
+    classes.bindInput(shader::volume::classesBinding);
+    tallies.bindState(shader::volume::talliesBinding);
+    masks.bindState(shader::volume::masksBinding);
     tally.dispatch(across, samples.z);
     totals.run(tallies, {0, 0, 0, pointRoom, indexRoom});
-    tallies.bindInput(bindings::talliesBinding);
-    masks.bindInput(bindings::masksBinding);
+    tallies.bindInput(shader::volume::talliesBinding);
+    masks.bindInput(shader::volume::masksBinding);
     setValues(points);
     points.set("pointRoom", static_cast<unsigned>(pointRoom));
     if (tint.values.words != nullptr) {
-      tint.values.words->bind(bindings::tintsUnit);
+      tint.values.words->bind(shader::volume::tintsUnit);
       points.set("tintLayout", glm::ivec2(tint.values.rowWords, tint.values.firstWord));
       points.set("tintRange", glm::vec2(tint.range.x, 1 / (tint.range.y - tint.range.x)));
     }
-    positions.bindStorage(bindings::positionsBinding);
-    normals.bindStorage(bindings::normalsBinding);
+    positions.bindStorage(shader::volume::positionsBinding);
+    normals.bindStorage(shader::volume::normalsBinding);
     points.dispatch(across, samples.z);
-    cubes.bindInput(bindings::cubesBinding);
-    classes.bindInput(bindings::classesBinding);
-    indices.bindStorage(bindings::indicesBinding);
+    cubes.bindInput(shader::volume::cubesBinding);
+    classes.bindInput(shader::volume::classesBinding);
+    indices.bindStorage(shader::volume::indicesBinding);
     triangles.set("indexRoom", static_cast<unsigned>(indexRoom));
     triangles.dispatch(across, samples.z);
     glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -153,7 +148,7 @@ bool Isosurface::settle() {
   const shader::ContourDraw found = s.totals.found();
   if (found.points <= s.pointRoom && found.indices <= s.indexRoom) return false;
   const std::int64_t most = gl::limits().storageBlockBytes;
-  s.getRoom(grownRoom(found.points, s.pointRoom, most / 16 - bindings::boxCorners),
+  s.getRoom(grownRoom(found.points, s.pointRoom, most / 16 - shader::volume::boxCorners),
             grownRoom(found.indices, s.indexRoom, most / 4));
   s.make();
   return true;
@@ -164,8 +159,8 @@ Surface Isosurface::surface() const {
   Surface surface;
   surface.positions = &s.positionView;
   surface.normals = &s.normalView;
-  surface.vertexCount = bindings::boxCorners;
-  surface.vertexRoom = static_cast<int>(s.pointRoom) + bindings::boxCorners;
+  surface.vertexCount = shader::volume::boxCorners;
+  surface.vertexRoom = static_cast<int>(s.pointRoom) + shader::volume::boxCorners;
   surface.indices = &s.indices;
   surface.indexCount = static_cast<int>(s.indexRoom);
   surface.arguments = &s.totals.draw();
@@ -179,7 +174,7 @@ MeshTable Isosurface::mesh() const {
   MeshTable table;
   std::vector<glm::vec4> wide(s.totals.found().points);
   const auto narrowed = [&](const gl::Buffer& buffer) {
-    buffer.read(bindings::boxCorners * sizeof(glm::vec4), std::as_writable_bytes(std::span(wide)));
+    buffer.read(shader::volume::boxCorners * sizeof(glm::vec4), std::as_writable_bytes(std::span(wide)));
     return std::vector<glm::vec3>(wide.begin(), wide.end());
   };
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -187,7 +182,7 @@ MeshTable Isosurface::mesh() const {
   table.normals = narrowed(s.normals);
   table.indices.resize(s.totals.found().indices);
   s.indices.read(0, std::as_writable_bytes(std::span(table.indices)));
-  for (unsigned& index : table.indices) index -= bindings::boxCorners;
+  for (unsigned& index : table.indices) index -= shader::volume::boxCorners;
   table.doubleSided = !s.shape.closed;
   return table;
 }

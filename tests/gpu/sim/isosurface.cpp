@@ -63,7 +63,7 @@ std::size_t differingItems(const std::vector<Item>& got, const std::vector<Item>
 
 /// Edges that are not passed as often in one direction as in the other; `once`: or more than once. (Where
 /// two sheets meet in the face of a cube, a diagonal of each may lie there.)
-std::size_t openEdges(const sim::MeshTable& mesh, bool once) {
+std::size_t unevenEdges(const sim::MeshTable& mesh, bool once) {
   std::map<std::pair<unsigned, unsigned>, int> passed;
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
     const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
@@ -80,7 +80,7 @@ std::size_t openEdges(const sim::MeshTable& mesh, bool once) {
 struct AreaAndVolume {
   double area = 0, volume = 0;
 };
-AreaAndVolume measured(const sim::MeshTable& mesh) {
+AreaAndVolume areaAndVolumeOf(const sim::MeshTable& mesh) {
   AreaAndVolume sum;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const glm::dvec3 a(mesh.positions[mesh.indices[i]]), b(mesh.positions[mesh.indices[i + 1]]),
@@ -116,7 +116,7 @@ TEST_CASE("isosurface equals its twin bit for bit: noise, balls, odd sizes, open
         CHECK(differingItems(got.indices, want.indices) == 0);
         const sim::Surface surface = made.surface->surface();
         REQUIRE(surface.palette != nullptr);
-        if (closed) CHECK(openEdges(got, false) == 0);
+        if (closed) CHECK(unevenEdges(got, false) == 0);
       }
 }
 
@@ -133,8 +133,8 @@ TEST_CASE("isosurface: a ball has the area, the volume and the normals of a ball
     const sim::IsosurfaceShape shape{glm::ivec3(side), static_cast<float>(spacing), {0, 0, 0}, true};
     const SurfaceOnDevice made(shape, 0, value, value, {0, 1});
     const sim::MeshTable mesh = made.surface->mesh();
-    CHECK(openEdges(mesh, true) == 0);
-    const AreaAndVolume found = measured(mesh);
+    CHECK(unevenEdges(mesh, true) == 0);
+    const AreaAndVolume found = areaAndVolumeOf(mesh);
     errors[fine][0] = std::abs(found.area / (4 * std::numbers::pi) - 1);
     errors[fine][1] = std::abs(found.volume / (4 * std::numbers::pi / 3) - 1);
     double worst = 0;
@@ -156,6 +156,6 @@ TEST_CASE("isosurface gets the memory that it needs, and says so") {
   const sim::IsosurfaceShape shape{glm::ivec3(40), 1, {0, 0, 0}, true};
   const SurfaceOnDevice made(shape, 0, hashedValue, hashedValue, {0, 1});
   CHECK(made.settled == 1);
-  CHECK(openEdges(made.surface->mesh(), false) == 0);
+  CHECK(unevenEdges(made.surface->mesh(), false) == 0);
   CHECK(made.surface->mesh().indices.size() > 40 * 40 * 40);
 }

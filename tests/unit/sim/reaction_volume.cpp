@@ -21,7 +21,7 @@ using namespace simreel;
 
 namespace {
 
-sim::ReactionParameters volume(const std::string& members) {
+sim::ReactionParameters volumeRule(const std::string& members) {
   const std::string text = "{\"version\": 1, \"objects\": {\"r\": {\"reaction\": {" + members + "}}}}";
   const auto scene = scene::parseScene(text, "s.json", {}, sim::kinds());
   return dynamic_cast<const sim::ReactionParameters&>(*scene.objects.at(0).parameters);
@@ -36,7 +36,7 @@ sim::RuleField volumeAfter(const sim::ReactionParameters& parameters, int steps)
 
 std::string volumeRefusal(const std::string& members) {
   try {
-    static_cast<void>(volume(members));
+    static_cast<void>(volumeRule(members));
     return "none";
   } catch (const UserError& error) {
     return error.what();
@@ -62,7 +62,7 @@ TEST_CASE("reaction in a volume: a small wave grows as the symbol of the 19 poin
     for (const glm::ivec3 waves : {glm::ivec3(2, 1, 1), glm::ivec3(3, 2, 1), glm::ivec3(0, 1, 3)}) {
       CAPTURE(std::string(at.preset));
       CAPTURE(waves.x);
-      auto p = volume(fmt::format("\"preset\": \"{}\", \"depth\": 11", at.preset));
+      auto p = volumeRule(fmt::format("\"preset\": \"{}\", \"depth\": 11", at.preset));
       p.size = {17, 13};
       const glm::dvec3 k = 2 * std::numbers::pi * glm::dvec3(waves) / glm::dvec3(17, 13, 11);
       const glm::dvec3 c(std::cos(k.x), std::cos(k.y), std::cos(k.z));
@@ -94,7 +94,7 @@ TEST_CASE("reaction in a volume: what spreads is conserved") {
     for (const char* boundary : {"torus", "no-flux"}) {
       CAPTURE(members);
       CAPTURE(boundary);
-      auto p = volume(members + fmt::format(", \"depth\": 7, \"boundary\": \"{}\"", boundary));
+      auto p = volumeRule(members + fmt::format(", \"depth\": 7, \"boundary\": \"{}\"", boundary));
       p.size = {15, 13};
       const sim::RuleField begin = volumeAfter(p, 0), end = volumeAfter(p, 150);
       CHECK(std::abs(volumeMean(end.stage[0]) - volumeMean(begin.stage[0])) < 2e-6);
@@ -111,7 +111,7 @@ TEST_CASE("reaction in a volume: derivatives are those of the continuous operato
     double errors[2];
     for (int fine = 0; fine < 2; ++fine) {
       const int side = fine == 0 ? 10 : 20;
-      auto p = volume(fmt::format(
+      auto p = volumeRule(fmt::format(
           R"X("depth": {}, "species": {{"u": {{"start": "sin(2*pi*x)*cos(2*pi*y)*sin(2*pi*z)"}}, "w": {{"rate": "{}"}}}})X",
           side, expression));
       p.size = {side, side};
@@ -142,7 +142,7 @@ TEST_CASE("reaction in a volume: layers that are alike stay so and step as a pla
     "u": {"diffusion": 0.7, "start": "0.5 + 0.3*sin(x)*cos(0.7*y)", "rate": "u - u^3 - 0.2*v"},
     "v": {"diffusion": 0.2, "start": "0.2*cos(x + y)", "rate": "0.1*laplacian(u) + 0.1*ddx(v) - 0.1*v"}})X";
   for (const char* boundary : {"torus", "no-flux"}) {
-    auto flat = volume(equations + fmt::format(", \"boundary\": \"{}\"", boundary));
+    auto flat = volumeRule(equations + fmt::format(", \"boundary\": \"{}\"", boundary));
     flat.size = {19, 14};
     auto deep = flat;
     deep.depth = 5;
