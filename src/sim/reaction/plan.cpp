@@ -48,9 +48,9 @@ void ReactionPlan::readMesh(const std::string& object) {
   const int count = cells_.count();
   for (int begin = 0; begin < count; begin += 4) {
     const auto degree = [&](int i) {
-      return i < count
-                 ? cells_.first[static_cast<std::size_t>(i) + 1] - cells_.first[static_cast<std::size_t>(i)]
-                 : 0;
+      if (i >= count) return 0;
+      const auto cell = static_cast<std::size_t>(i);
+      return cells_.first[cell + 1] - cells_.first[cell];
     };
     const int slots = std::max({degree(begin), degree(begin + 1), degree(begin + 2), degree(begin + 3)});
     const auto first = static_cast<int>(links_.weights.size());
@@ -62,7 +62,8 @@ void ReactionPlan::readMesh(const std::string& object) {
         const int i = begin + c;
         if (s >= degree(i)) continue;
         const auto cell = static_cast<std::size_t>(i);
-        const MeshCells::Link& link = cells_.links[static_cast<std::size_t>(cells_.first[cell] + s)];
+        const MeshCells::Link& link =
+            cells_.links[static_cast<std::size_t>(cells_.first[cell]) + static_cast<std::size_t>(s)];
         neighbours[c] = link.neighbour;
         weights[c] = stored(link.weight / (cells_.areas[cell] * perMetre_ * perMetre_));
       }
