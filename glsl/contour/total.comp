@@ -9,12 +9,13 @@ layout(std430, binding = drawBinding) restrict writeonly buffer DrawBlock { Cont
 uniform int tiles;
 uniform uint fixedIndices;   // of what does not change
 uniform uint sheetIndices;   // of a square of one class
+uniform uint pointIndices;   // of a point, besides triangles
 uniform uint pointRoom;      // points and indices that there is room for
 uniform uint indexRoom;
 shared uvec4 sums[256];
 
 void finish(uvec4 total) {
-  uint indices = fixedIndices + sheetIndices * total.y + 6u * total.x + 3u * total.z;
+  uint indices = fixedIndices + sheetIndices * total.y + pointIndices * total.x + 3u * total.z;
   bool fits = total.x <= pointRoom && indices <= indexRoom;
   draw.count = fits ? indices : 0u;
   draw.instances = 1u;

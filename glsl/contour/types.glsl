@@ -5,6 +5,6 @@ struct ContourDraw {
   uint indices;    // that the solid has; count is 0 where they do not fit
   uint points;     // of contours
   uint sheets;     // squares of one class
-  uint triangles;  // of squares that contours cross
+  uint triangles;  // of squares or cubes that contours cross
   uint spare1, spare2, spare3;
 };

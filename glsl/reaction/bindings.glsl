@@ -6,3 +6,5 @@ const int letsBinding = 3;     // what the passes of a stage leave for those aft
 const int weightsBinding = 4;  // maps of parameters
 const int nextBinding = 5;     // species that come of it
 const int stampsBinding = 6;   // of brushes
+const int linksBinding = 6;    // of a mesh's cells: of each element x begin and y end of its links, then links of four cells by
+                               // two: numbers of neighbours, weights as bits

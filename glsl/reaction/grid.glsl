@@ -9,9 +9,28 @@
 #include "common/status.glsl"
 #include "reaction/bindings.glsl"
 #include "reaction/functions.glsl"
-uniform ivec2 size;   // cells
+#ifdef MESH
+#include "common/words.glsl"
+#endif
+uniform ivec2 size;   // cells; of a mesh one row of all
 uniform int columns;  // elements of a row
 uniform int stepNumber;
+#ifdef VOLUME
+uniform int depth;       // layers of size.y rows, one after the other in a plane
+uniform int planeRows;   // of all layers
+uniform int layerItems;  // invocations down a layer
+#define PLANE_ROWS planeRows
+
+int layerAt(int z) {
+#if BOUNDARY == 0
+  return z < 0 ? z + depth : z >= depth ? z - depth : z;
+#else
+  return clamp(z, 0, depth - 1);
+#endif
+}
+#else
+#define PLANE_ROWS size.y
+#endif
 
 int rowAt(int y) {
 #if BOUNDARY == 0
@@ -72,9 +91,10 @@ int exponentOf(vec4 cells, int plane) {
   return max(max(bits.x, bits.y), max(bits.z, bits.w));
 }
 
+// `y`: the row of its plane.
 void noteCell(int bits, int x, int y) {
   int who = 31 - (bits & 31);
-  noteLost(uint(stepNumber), uint(((who >> 2) * size.y + y) * size.x + min(4 * x + (who & 3), size.x - 1)));
+  noteLost(uint(stepNumber), uint(((who >> 2) * PLANE_ROWS + y) * size.x + min(4 * x + (who & 3), size.x - 1)));
 }
 
 vec4 grained(vec4 x, float grain) {

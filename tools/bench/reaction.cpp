@@ -162,6 +162,13 @@ int main(int argc, char** argv) {
       steps);
   for (const int rows : {1, 2, 4, 8})
     add(fmt::format("rule, one step a pass, {} rows", rows), side, rule, sim::RuleCut{rows}, steps);
+  for (const int elements : software ? std::vector<int>{4, 6, 8} : std::vector<int>{1, 2})
+    for (const int together : {2, 4}) {
+      sim::RuleCut cut = sim::ReactionKernels::bestCut();
+      cut.stepsPerPass = together;
+      cut.stripElements = elements;
+      add(fmt::format("rule, {} steps a pass, {} elements", together, elements), side, rule, cut, steps);
+    }
   add("evaluator, one thread", side, evaluator);
   add("plain loop, one thread", side, plainLoop);
   add("bytes alone, one thread", side, bytesAlone);

@@ -41,9 +41,11 @@ enum class Operation : std::uint8_t {
   laplacian,   ///< the continuous operator on a grid, to second order of the spacing
   ddx,         ///< d/dx by the difference of the two neighbours, to second order; x grows to the right
   ddy,         ///< the same of y, which grows downwards
+  ddz,         ///< the same of z, from layer to layer of a volume
   diffuse,     ///< diffuse(D, u): div(D grad u), to second order; keeps the sum of u
-  neighbours,  ///< sum of the four that share an edge
-  corners,     ///< sum of the four that share a corner
+  neighbours,  ///< sum of the four that share an edge; of a volume's six that share a face
+  corners,     ///< sum of the four that share a corner; of a volume's twelve that share an edge
+  around,      ///< sum of all that touch: 8, of a volume 26; on a mesh of those that share an edge
   noise,       ///< noise(k): another number of -1 to 1 in every cell and step
   random,      ///< random(k): another number of -1 to 1 in every cell
 };

@@ -13,8 +13,6 @@ namespace simreel::sim {
 
 namespace {
 
-// What one invocation sums up; a software driver ends a shader's loops after 65,535 iterations.
-constexpr int tallyTile = 64;
 constexpr std::int64_t maxVertices = 2'000'000'000;
 
 gl::Defines definesOf(const SolidShape& shape) {
@@ -49,15 +47,9 @@ Solid::State::State(const std::string& label, const SolidShape& given)
   const auto count = static_cast<int>(elements);
   classes = gl::WordsArray(name + " classes", count);
   tallies = gl::WordsArray(name + " tallies", count);
-  tiles = (count + tallyTile - 1) / tallyTile;
-  tileSums = gl::WordsArray(name + " sums of tallies", tiles);
-  draw = gl::Buffer(name + " draw", sizeof(shader::ContourDraw));
-  counted = gl::Buffer::mapped(name + " counted", sizeof(shader::ContourDraw), false);
+  totals = Totals(name, count);
   const gl::Defines defines = definesOf(shape);
   tally = gl::Program::compute("contour/count.comp", defines);
-  sums = gl::Program::compute("contour/sums.comp", defines);
-  total = gl::Program::compute("contour/total.comp", defines);
-  spread = gl::Program::compute("contour/spread.comp", defines);
   gl::Defines freshDefines = defines;
   freshDefines.emplace_back("FRESH", "1");
   freshSheet = gl::Program::compute("contour/sheet.comp", freshDefines);
@@ -72,17 +64,7 @@ Solid::State::State(const std::string& label, const SolidShape& given)
 }
 
 void Solid::State::checkRoom(const char* what, std::int64_t count, int bytes) const {
-  const gl::Limits& limits = gl::limits();
-  if (count * bytes > limits.storageBlockBytes)
-    fail(ExitCode::device,
-         "the solid of \"{}\" has {} {}, {} bytes; this device allows {} in one buffer "
-         "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); make the field smaller",
-         name, count, what, count * bytes, limits.storageBlockBytes);
-  if (count > limits.texelBufferTexels && bytes >= 8)
-    fail(ExitCode::device,
-         "the solid of \"{}\" has {} {}; this device allows {} in one buffer (GL_MAX_TEXTURE_BUFFER_SIZE); "
-         "make the field smaller",
-         name, count, what, limits.texelBufferTexels);
+  checkBufferRoom("the solid of", name, what, count, bytes, "make the field smaller");
 }
 
 void Solid::State::checkLimits() const {
@@ -135,9 +117,6 @@ void Solid::State::setPlace(const gl::Program& program) const {
   program.set("pointRoom", static_cast<unsigned>(pointRoom));
   program.set("indexRoom", static_cast<unsigned>(indexRoom));
   program.set("firstPoint", static_cast<unsigned>(firstPoint()));
-  program.set("count", static_cast<int>(elements));
-  program.set("tile", tallyTile);
-  program.set("tiles", tiles);
   setEach(program, "heights", heights);
 }
 
@@ -156,26 +135,8 @@ void Solid::State::count(const FieldKernels& made) {
   tallies.bindState(shader::talliesBinding);
   setPlace(tally);
   tally.dispatch(all);
-  gl::barrier();
-  tallies.bindInput(shader::talliesBinding);
-  tileSums.bindState(shader::tileSumsBinding);
-  draw.bindStorage(shader::drawBinding);
-  setPlace(sums);
-  sums.dispatch(tiles);
-  gl::barrier();
-  setPlace(total);
-  total.dispatch(1);
-  gl::barrier();
-  tallies.bindState(shader::talliesBinding);
-  tileSums.bindInput(shader::tileSumsBinding);
-  setPlace(spread);
-  spread.dispatch(tiles);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
-  glCopyNamedBufferSubData(draw.name(), counted.name(), 0, 0, sizeof(shader::ContourDraw));
-  glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
-  glDeleteSync(fence);
-  fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  gl::barrier();
+  totals.run(tallies, {static_cast<std::int64_t>(border.indices.size()),
+                       static_cast<unsigned>(sheetIndices()), 6, pointRoom, indexRoom});
 }
 
 const gl::Program& Solid::State::laterSheet() {
@@ -186,7 +147,7 @@ const gl::Program& Solid::State::laterSheet() {
 void Solid::State::emit(const FieldKernels& made) {
   classes.bindInput(shader::classesBinding);
   tallies.bindInput(shader::talliesBinding);
-  draw.bindStorage(shader::drawBinding);
+  totals.draw().bindStorage(shader::drawBinding);
   positions.bindStorage(shader::positionsBinding);
   indices.bindStorage(shader::indicesBinding);
   normals.bindStorage(shader::normalsBinding);
@@ -241,23 +202,12 @@ void Solid::make(const Field& field, const std::vector<float>& heights) {
 
 bool Solid::settle() {
   State& s = *state_;
-  if (s.fence == nullptr) return false;
-  constexpr GLuint64 patience = 1'000'000'000;
-  GLenum result = GL_TIMEOUT_EXPIRED;
-  while (result == GL_TIMEOUT_EXPIRED)
-    result = glClientWaitSync(s.fence, GL_SYNC_FLUSH_COMMANDS_BIT, patience);
-  if (result == GL_WAIT_FAILED)
-    fail(ExitCode::device, "the device stopped answering while it made the solid of \"{}\"", s.name);
+  if (!s.totals.wait()) return false;
   const shader::ContourDraw found = s.found();
   if (found.points <= s.pointRoom && found.indices <= s.indexRoom) return false;
-  // A quarter more than it takes, if the device has buffers that large: a pattern that grows would need
-  // more in each of the next frames.
   const std::int64_t most = gl::limits().storageBlockBytes;
-  const auto enough = [](std::int64_t now, std::int64_t room, std::int64_t limit) {
-    return now <= room ? room : std::max(now, std::min(now + now / 4, limit));
-  };
-  s.getRoom(enough(found.points, s.pointRoom, (most / 16 - s.firstPoint()) / 4),
-            enough(found.indices, s.indexRoom, most / 4));
+  s.getRoom(grownRoom(found.points, s.pointRoom, (most / 16 - s.firstPoint()) / 4),
+            grownRoom(found.indices, s.indexRoom, most / 4));
   s.make();
   return true;
 }
@@ -271,7 +221,7 @@ Surface Solid::surface() const {
   surface.vertexRoom = static_cast<int>(s.positions.bytes() / sizeof(glm::vec4));
   surface.indices = &s.indices;
   surface.indexCount = static_cast<int>(s.indexRoom);
-  surface.arguments = &s.draw;
+  surface.arguments = &s.totals.draw();
   return surface;
 }
 

@@ -2,15 +2,9 @@
 #include "gl/program.hpp"
 #include "sim/contour/border.hpp"
 #include "sim/contour/solid.hpp"
-#include "sim/core/shader_code.hpp"
+#include "sim/contour/totals.hpp"
 
 #include <map>
-
-namespace simreel::shader {
-#include "glsl/contour/bindings.glsl"
-#include "glsl/contour/types.glsl"
-static_assert(sizeof(ContourDraw) == 48);
-}  // namespace simreel::shader
 
 namespace simreel::sim {
 
@@ -24,7 +18,7 @@ struct Solid::State {
   State(const std::string& label, const SolidShape& given);
   State(const State&) = delete;
   State& operator=(const State&) = delete;
-  ~State() { glDeleteSync(fence); }
+  ~State() = default;
 
   std::string name;
   SolidShape shape;
@@ -32,29 +26,25 @@ struct Solid::State {
   int rowElements;
   std::int64_t corners, elements;
   std::int64_t cornerVertices = 0;
-  int tiles = 0;
   std::vector<float> heights;
   SolidBorder border;
   std::int64_t pointRoom = 0, indexRoom = 0;
-  gl::WordsArray classes, tallies, tileSums;
+  gl::WordsArray classes, tallies;
   gl::WordsArray squares;  ///< of each point, the square that its contour goes on in
-  gl::Buffer draw, counted;
+  Totals totals;
   gl::Buffer positions, normals, indices, next;
   gl::Texture positionView, normalView;
-  gl::Program tally, sums, total, spread, list;
+  gl::Program tally, list;
   gl::Program freshSheet, sheet;  ///< the second when it is first needed
   std::map<Field::Cells, FieldKernels> kernels;
   Field field;
-  GLsync fence = nullptr;
   bool fresh = true;  ///< normals of the samples are not there yet
 
   [[nodiscard]] std::int64_t sheetIndices() const { return shape.ceiling ? 12 : 6; }
   [[nodiscard]] std::int64_t firstPoint() const {
     return cornerVertices + static_cast<std::int64_t>(border.positions.size());
   }
-  [[nodiscard]] const shader::ContourDraw& found() const {
-    return *static_cast<const shader::ContourDraw*>(counted.memory());
-  }
+  [[nodiscard]] const shader::ContourDraw& found() const { return totals.found(); }
 
   void checkLimits() const;
   void checkRoom(const char* what, std::int64_t count, int bytes) const;

@@ -2,8 +2,12 @@
 
 #include "base/ieee.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+
+#include <glm/common.hpp>
 
 namespace simreel::sim {
 
@@ -88,6 +92,18 @@ std::vector<glm::vec3> colorMapStops(const std::string& name) {
       stops.emplace_back(linear(rgb >> 16U), linear(rgb >> 8U), linear(rgb));
   }
   return stops;
+}
+
+std::vector<glm::vec4> paletteOf(const std::vector<glm::vec3>& stops, int count) {
+  std::vector<glm::vec4> palette;
+  for (int i = 0; i < count; ++i) {
+    const float place =
+        static_cast<float>(i) / static_cast<float>(count - 1) * static_cast<float>(stops.size() - 1);
+    const auto left = std::min(static_cast<std::size_t>(place), stops.size() - 1);
+    const auto right = std::min(left + 1, stops.size() - 1);
+    palette.emplace_back(glm::mix(stops[left], stops[right], place - static_cast<float>(left)), 1);
+  }
+  return palette;
 }
 
 }  // namespace simreel::sim

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace simreel::sim {
 
@@ -15,5 +16,8 @@ namespace simreel::sim {
 /// Google (Apache 2.0). polar: of this program, for what has a sign: dark in the middle, even in lightness
 /// to both sides.
 [[nodiscard]] std::vector<glm::vec3> colorMapStops(const std::string& name);
+
+/// So many colours from the first of evenly spaced stops to the last, for the palette of a surface.
+[[nodiscard]] std::vector<glm::vec4> paletteOf(const std::vector<glm::vec3>& stops, int count);
 
 }  // namespace simreel::sim

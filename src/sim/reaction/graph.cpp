@@ -107,16 +107,19 @@ int RuleGraph::constant(double value) {
 }
 
 int RuleGraph::input(RuleOp op, int index) {
-  const int quantum = op == RuleOp::x || op == RuleOp::y            ? -1
-                      : op == RuleOp::noise || op == RuleOp::random ? -23
-                                                                    : storedQuantum;
+  const int quantum = op == RuleOp::x || op == RuleOp::y || op == RuleOp::z ? -1
+                      : op == RuleOp::noise || op == RuleOp::random         ? -23
+                                                                            : storedQuantum;
   return add({op, 0, index}, quantum, false);
 }
 
 // All that is stored is a multiple of 2^-60, and these are whole multiples of such numbers.
 int RuleGraph::stencil(RuleOp op, int argument) {
   if (isUniform(argument)) {
-    const float factor = op == RuleOp::edges || op == RuleOp::corners ? 4.0F : 0.0F;
+    const int factor = op == RuleOp::edges     ? edges_
+                       : op == RuleOp::corners ? corners_
+                       : op == RuleOp::tips    ? 8
+                                               : 0;
     return product(constant(factor), argument);
   }
   return add({op, 0, 0, argument}, storedQuantum, false);

@@ -16,14 +16,18 @@ enum class RuleOp : std::uint8_t {
   base,      ///< species `index` at the step's beginning
   sum,       ///< what earlier stages of the step left for species `index`
   x,         ///< cells from the left edge to this cell's middle
-  y,         ///< from the top
+  y,         ///< from the top; of a volume from the bottom
+  z,         ///< from the first layer
   noise,     ///< of salt `index`: a number in [-1, 1) of cell and step
   random,    ///< of the cell
-  lap20,     ///< 4 edges + corners - 20 centre of the argument: 6 h^2 times the Laplacian
-  edges,     ///< sum of the four neighbours
-  corners,   ///< sum of the four at the corners
+  sixfold,   ///< of the argument, 6 h^2 times the Laplacian: 4 edges + corners - 20 centre; of a volume 2
+             ///< edges + corners - 24 centre; on a mesh, the Laplacian itself
+  edges,     ///< sum of the four neighbours; of a volume of the six across faces; on a mesh of all
+  corners,   ///< sum of the four at the corners; of a volume of the twelve across edges
+  tips,      ///< sum of a volume's eight across corners
   across,    ///< right less left neighbour
-  down,      ///< the one below less the one above
+  down,      ///< the one at y + 1 less the one at y - 1
+  deep,      ///< the one at z + 1 less the one at z - 1
   add,
   subtract,
   multiply,
@@ -63,11 +67,13 @@ struct RuleNode {
 /// with q >= -126 is 0 or a normal number. State is stored as multiples of 2^-60.
 class RuleGraph {
  public:
+  /// `edges`, `corners`: neighbours that those sum up.
+  explicit RuleGraph(int edges = 4, int corners = 4) : edges_(edges), corners_(corners) {}
   int constant(double value);
   int told(int index) { return add({RuleOp::told, 0, index}, storedQuantum, true); }
-  /// species, weight, base, sum, x, y, noise, random.
+  /// species, weight, base, sum, x, y, z, noise, random.
   int input(RuleOp op, int index);
-  /// lap20, edges, corners, across, down.
+  /// sixfold, edges, corners, tips, across, down, deep.
   int stencil(RuleOp op, int argument);
   int sum(int a, int b);
   int difference(int a, int b);
@@ -98,6 +104,7 @@ class RuleGraph {
     return isConstant(node) && at(node).number == number;
   }
 
+  int edges_, corners_;
   std::vector<RuleNode> nodes_;
   std::vector<int> quanta_;
   std::vector<bool> uniform_;

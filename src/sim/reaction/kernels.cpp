@@ -5,6 +5,7 @@
 #include "sim/reaction/model.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -16,14 +17,14 @@ namespace {
 namespace bindings = shader::reaction;
 
 /// Before anything is filled.
-void checkRuleLimits(const std::string& name, glm::ivec2 size, std::int64_t planes) {
-  const std::int64_t elements = std::int64_t{(size.x + 3) / 4} * size.y * planes;
+void checkRuleLimits(const std::string& name, const ReactionParameters& p, std::int64_t planes) {
+  const std::int64_t elements = std::int64_t{(p.size.x + 3) / 4} * p.size.y * p.depth * planes;
   const auto refuse = [&](std::int64_t need, const char* what, std::int64_t max, const char* limit) {
     if (need > max)
       fail(ExitCode::device,
-           "reaction \"{}\" of {}x{} cells needs {} {} in one buffer, this device allows {} ({}); make it "
+           "reaction \"{}\" of {} cells needs {} {} in one buffer, this device allows {} ({}); make it "
            "smaller",
-           name, size.x, size.y, need, what, max, limit);
+           name, p.cellsText(), need, what, max, limit);
   };
   refuse(elements * 16, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
   refuse(elements, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
@@ -36,22 +37,64 @@ std::vector<glm::uvec4> stampElements(const std::vector<std::uint32_t>& words) {
   return elements;
 }
 
+/// Steps whose lost cells are noted apart: more than a frame usually has.
+constexpr int lostSteps = 1024;
+
+/// Elements across a strip that are stored.
+int stripWidth(const RuleCut& cut) {
+  const int lanes = gl::memoryPath() == gl::MemoryPath::texel ? 1 : 32;
+  return lanes * cut.stripElements - (cut.stepsPerPass + 3) / 4 * 2;
+}
+
+/// Long strips repeat least; a software driver wants some for each of its lanes, a GPU thousands.
+int stripRowsFor(const RuleCut& cut, int columns, int rows) {
+  const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
+  const int wanted = texel ? 64 : 4000, least = texel ? 8 : 16;
+  const int across = (columns - 1) / stripWidth(cut) + 1;
+  int down = texel ? 64 : 128;
+  while (down > least && across * ((rows - 1) / down + 1) < wanted) down /= 2;
+  return down;
+}
+
+/// As glsl/reaction/bindings.glsl has them.
+std::vector<glm::uvec4> linkWords(const RuleLinks& links) {
+  std::vector<glm::uvec4> words;
+  for (const glm::ivec2& range : links.ranges) words.emplace_back(range.x, range.y, 0, 0);
+  for (std::size_t s = 0; s < links.weights.size(); ++s) {
+    words.emplace_back(links.neighbours[s]);
+    const glm::vec4& weight = links.weights[s];
+    words.emplace_back(std::bit_cast<std::uint32_t>(weight.x), std::bit_cast<std::uint32_t>(weight.y),
+                       std::bit_cast<std::uint32_t>(weight.z), std::bit_cast<std::uint32_t>(weight.w));
+  }
+  return words;
+}
+
 }  // namespace
 
 RuleCut ReactionKernels::bestCut() {
   RuleCut cut;
-  cut.rows = gl::memoryPath() == gl::MemoryPath::texel ? 2 : 1;
+  const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
+  cut.rows = texel ? 2 : 1;
+  cut.stepsPerPass = 4;
+  cut.stripElements = texel ? 6 : 1;
   return cut;
 }
 
 ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& plan, bool fast,
                                  const RuleCut& cut)
-    : plan_(plan), size_(plan.parameters().size), columns_((size_.x + 3) / 4), cut_(cut) {
+    : plan_(plan),
+      size_(plan.parameters().size),
+      depth_(plan.parameters().depth),
+      layerItems_((size_.y - 1) / cut.rows + 1),
+      columns_((size_.x + 3) / 4),
+      cut_(cut) {
   const RuleProgram& program = plan.program();
   checkRuleLimits(
-      name, size_,
+      name, plan.parameters(),
       std::max({static_cast<std::int64_t>(plan.parameters().species.size()), std::int64_t{program.lets},
-                static_cast<std::int64_t>(plan.parameters().parameters.size())}));
+                static_cast<std::int64_t>(plan.parameters().parameters.size()) +
+                    (plan.links() != nullptr ? placeMaps : 0)}));
+  if (plan.links() != nullptr) links_ = gl::WordsArray(name + " links", linkWords(*plan.links()));
   const RuleField field = plan.firstField();
   const std::vector<glm::vec4> first = packed(field.stage);
   cells_[0] = gl::Vec4Array(name + " cells", first);
@@ -65,7 +108,7 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
     sums_ = gl::Vec4Array(name + " sums", elements);
   }
   if (program.lets > 0) {
-    lets_ = gl::Vec4Array(name + " lets", columns_ * size_.y * program.lets);
+    lets_ = gl::Vec4Array(name + " lets", columns_ * size_.y * depth_ * program.lets);
     letWords_ = gl::Texture::view(name + " let words", GL_RGBA32UI, lets_.buffer());
   }
   if (!field.weights.empty()) weights_ = gl::Vec4Array(name + " maps", packed(field.weights));
@@ -81,24 +124,45 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
   }
   defines.emplace_back("BOUNDARY", std::to_string(static_cast<int>(plan.parameters().boundary)));
   defines.emplace_back("TAIL", std::to_string((size_.x - 1) % 4));
+  const RuleSpace space = plan.parameters().space();
+  if (space == RuleSpace::volume) defines.emplace_back("VOLUME", "1");
+  if (space == RuleSpace::mesh) defines.emplace_back("MESH", "1");
   for (std::size_t i = 0; i < program.passes.size(); ++i) {
     const RulePass& pass = program.passes[i];
     Kernel kernel;
     kernel.program = gl::Program::computeText(
-        "reaction/rule", kernelText(plan.rule(), pass, plan.parameters().boundary, plan.noiseSeed(), cut_),
-        defines);
+        "reaction/rule",
+        kernelText(plan.rule(), pass, space, plan.parameters().boundary, plan.noiseSeed(), cut_), defines);
     kernel.program.set("size", size_);
+    kernel.program.set("depth", depth_);
+    kernel.program.set("planeRows", size_.y * depth_);
+    kernel.program.set("layerItems", layerItems_);
     kernel.program.set("columns", columns_);
     kernel.told = gl::Buffer(name + " told", toldVectors(pass) * sizeof(glm::vec4));
     kernels_.push_back(std::move(kernel));
   }
+  if (cut_.stepsPerPass > 1 && stripsCan(plan.rule(), program, space, plan.parameters().boundary, size_.x))
+    makeStrips(name, std::move(defines));
+}
+
+void ReactionKernels::makeStrips(const std::string& name, gl::Defines defines) {
+  if (cut_.stripRows == 0) cut_.stripRows = stripRowsFor(cut_, columns_, size_.y);
+  lost_ = gl::Program::compute("reaction/lost.comp", defines);
+  if (gl::limits().shuffle32) defines.emplace_back("SUBGROUPS", "1");
+  const RulePass& pass =
+      plan_.program().passes[static_cast<std::size_t>(plan_.program().stages[0].passes[0])];
+  strips_ = gl::Program::computeText("reaction/strips", stripText(plan_.rule(), pass, cut_), defines);
+  strips_.set("size", size_);
+  strips_.set("columns", columns_);
+  const std::vector<unsigned> none(lostSteps, 0xffffffffU);
+  lostCells_ = gl::Buffer::of<unsigned>(name + " lost cells", none);
 }
 
 std::vector<glm::vec4> ReactionKernels::packed(const RulePlanes& planes) const {
   std::vector<glm::vec4> elements;
   const auto width = static_cast<std::size_t>(size_.x);
   for (const std::vector<float>& plane : planes)
-    for (std::size_t y = 0; y < static_cast<std::size_t>(size_.y); ++y)
+    for (std::size_t y = 0; y < plane.size() / width; ++y)
       for (std::size_t x = 0; x < width; x += 4) {
         glm::vec4& element = elements.emplace_back(0.0F);
         for (std::size_t i = 0; i < 4 && x + i < width; ++i)
@@ -137,16 +201,50 @@ void ReactionKernels::run(int pass, const gl::Vec4Array& stage, const gl::Vec4Ar
   cells_[0].bindInput(bindings::baseBinding);
   if (plan_.program().sums) sums_.bindState(bindings::sumBinding);
   if (plan_.program().lets > 0) lets_.bindInput(bindings::letsBinding);
+  if (plan_.links() != nullptr) links_.bindInput(bindings::linksBinding);
   if (weights_.buffer().bytes() > 0) weights_.bindInput(bindings::weightsBinding);
   (toLets ? lets_ : next).bindState(bindings::nextBinding);
   status_.bindStorage(shader::statusBinding);
   kernel.program.set("stepNumber", static_cast<int>(number));
   gl::barrier();
-  kernel.program.dispatch(columns_, (size_.y - 1) / cut_.rows + 1);
+  kernel.program.dispatch(columns_, layerItems_ * depth_);
 }
 
 void ReactionKernels::advance(long number, int steps, long first) {
+  const int together = strips_.name() != 0 ? cut_.stepsPerPass : steps + 1;
+  for (int begun = 0; steps >= together; steps -= together, number += together) {
+    strips_.set("lostFirst", static_cast<int>(number) - begun);
+    strips(number);
+    begun += together;
+    if (begun + together <= lostSteps && steps >= 2 * together) continue;
+    tellLost(number + together - begun, begun);
+    begun = 0;
+  }
   for (int i = 0; i < steps; ++i) step(number + i, first);
+}
+
+void ReactionKernels::strips(long number) {
+  Kernel& kernel = kernels_[static_cast<std::size_t>(plan_.program().stages[0].passes[0])];
+  kernel.told.bindUniform(shader::stepBinding, 0, kernel.told.bytes());
+  cells_[0].bindInput(bindings::stageBinding);
+  cells_[1].bindState(bindings::nextBinding);
+  lostCells_.bindStorage(bindings::sumBinding);
+  strips_.set("stepNumber", static_cast<int>(number));
+  gl::barrier();
+  const int lanes = gl::memoryPath() == gl::MemoryPath::texel ? 1 : 32;
+  const int across = (columns_ - 1) / stripWidth(cut_) + 1;
+  strips_.dispatch(across * lanes, (size_.y - 1) / cut_.stripRows + 1);
+  std::swap(cells_[0], cells_[1]);
+  std::swap(words_[0], words_[1]);
+}
+
+void ReactionKernels::tellLost(long first, int steps) {
+  lostCells_.bindStorage(bindings::sumBinding);
+  status_.bindStorage(shader::statusBinding);
+  lost_.set("lostFirst", static_cast<int>(first));
+  lost_.set("count", steps);
+  gl::barrier();
+  lost_.dispatch(1);
 }
 
 void ReactionKernels::step(long number, long first) {

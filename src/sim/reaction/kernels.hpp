@@ -32,9 +32,9 @@ class ReactionKernels {
   [[nodiscard]] gl::Vec4Array& cells() { return cells_[0]; }
   /// The same as words, for Field.
   [[nodiscard]] const gl::Texture& words() const { return words_[0]; }
-  /// What is shown, as words: plane `shown` of the program.
-  [[nodiscard]] const gl::Texture& shownWords() const {
-    return plan_.program().showing.empty() ? words_[0] : letWords_;
+  /// Of what is shown or tints it: the words that have its plane.
+  [[nodiscard]] const gl::Texture& wordsOf(const RulePlane& shown) const {
+    return shown.array == RuleArray::stage ? words_[0] : letWords_;
   }
   [[nodiscard]] int columns() const { return columns_; }
 
@@ -45,12 +45,17 @@ class ReactionKernels {
     std::vector<float> written;
   };
   void step(long number, long first);
+  /// Several steps, in strips.
+  void strips(long number);
+  void makeStrips(const std::string& name, gl::Defines defines);
+  void tellLost(long first, int steps);
   void run(int pass, const gl::Vec4Array& stage, const gl::Vec4Array& next, long number);
   void tell(int pass);
   [[nodiscard]] std::vector<glm::vec4> packed(const RulePlanes& planes) const;
 
   const ReactionPlan& plan_;
   glm::ivec2 size_;
+  int depth_, layerItems_;
   int columns_;
   RuleCut cut_;
   gl::Vec4Array cells_[2];  ///< now, and where the next step writes
@@ -58,10 +63,12 @@ class ReactionKernels {
   gl::Vec4Array stages_[2];  ///< between the stages of a step
   gl::Vec4Array sums_, lets_, weights_;
   gl::Texture letWords_;
-  gl::WordsArray stamps_;
+  gl::WordsArray stamps_, links_;
   gl::Buffer status_;
   gl::Program paint_;
   std::vector<Kernel> kernels_;  ///< one a pass
+  gl::Program strips_, lost_;
+  gl::Buffer lostCells_;  ///< the lowest that is lost in each of some steps
   std::vector<float> values_;
 };
 

@@ -4,6 +4,7 @@
 #include "sim/reaction/presets.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 
 #include <fmt/format.h>
@@ -46,6 +47,8 @@ ReactionParameters::ReactionParameters() {
 
 void ReactionParameters::describe(scene::Fields& f) {
   f.pair("size", size, {4, 32768}, "cells", "Width and height.");
+  f.integer("depth", depth, {1, 32768}, "cells",
+            "Layers of a volume, whose y grows upwards; 1: a flat grid, whose y grows downwards.");
   std::vector<const char*> names;
   for (const ReactionPreset& known : reactionPresets()) names.push_back(known.name);
   f.oneOf("preset", preset, names,
@@ -65,9 +68,9 @@ void ReactionParameters::describe(scene::Fields& f) {
   presets("steps", "8");
   f.integer("presteps", presteps, {0, 1e7}, "",
             "Steps before the first frame, with the parameters of time 0.");
-  f.choice(
-      "boundary", boundary, {"torus", "no-flux", "fixed"},
-      "Left meets right and top bottom; nothing crosses the edges; or each species has a value beyond.");
+  f.choice("boundary", boundary, {"torus", "no-flux", "fixed"},
+           "Left meets right, top bottom and the last layer the first; nothing crosses the edges; or each "
+           "species has a value beyond.");
   f.shorthand("parameters", "value");
   completed(f, "parameters", "Numbers that expressions name.", "parameter", 64, parameters,
             [](scene::Fields& p, ReactionParameter& parameter) {
@@ -87,15 +90,19 @@ void ReactionParameters::describe(scene::Fields& f) {
   completed(f, "lets", "Names for expressions, which others may use; a stencil may be laid over them.",
             "let", 32, lets,
             [](scene::Fields& l, ReactionLet& let) { l.text("is", let.is, "An expression."); });
-  completed(
-      f, "species", "What there is in each cell.", "species", maxSpecies, species,
-      [](scene::Fields& s, ReactionSpecies& one) {
-        s.number("diffusion", one.diffusion, {0, 1e6}, "lengths^2 per unit of time",
-                 "D of the term D laplacian(u) in its rate.");
-        s.text("rate", one.rate, "The rest of its rate of change: an expression.");
-        s.text("start", one.start, "In the first state: an expression of x, y, random(k) and parameters.");
-        s.number("edge", one.edge, scene::anyNumber, "", "Beyond the edges of \"boundary\": \"fixed\".");
-      });
+  completed(f, "species", "What there is in each cell.", "species", maxSpecies, species,
+            [](scene::Fields& s, ReactionSpecies& one) {
+              s.number("diffusion", one.diffusion, {0, 1e6}, "lengths^2 per unit of time",
+                       "D of the term D laplacian(u) in its rate.");
+              s.text("rate", one.rate, "The rest of its rate of change: an expression.");
+              s.text("next", one.next,
+                     "What it becomes in each step, instead of a rate: an expression, as of an automaton.");
+              s.leftOut("next", "nothing: it has a rate");
+              s.text("start", one.start,
+                     "In the first state: an expression of x, y, in volumes z, random(k) and parameters.");
+              s.number("edge", one.edge, scene::anyNumber, "",
+                       "Beyond the edges of \"boundary\": \"fixed\".");
+            });
   f.text("show", show, "What is drawn: a species, or any expression.");
   f.leftOut("show", "the preset's, or the first species");
   f.list("strokes", strokes, "Timed strokes of a brush.", [](scene::Fields& s, ReactionStroke& stroke) {
@@ -103,8 +110,15 @@ void ReactionParameters::describe(scene::Fields& f) {
     s.text("species", stroke.species, "Which species is painted.");
     s.leftOut("species", "the first");
   });
-  f.group("display", "How what is shown is laid over the picture.",
+  f.group("display", "How what is shown is laid over the picture; of a volume its colours alone count.",
           [&](scene::Fields& d) { display.describe(d); });
+  f.group("surface", "How a volume is drawn: as a surface where what is shown has a certain value.",
+          [&](scene::Fields& g) { surface.describe(g); });
+  f.optionalGroup(
+      "mesh", mesh.present,
+      "The cells are the vertices of a mesh, in place of a grid: \"spacing\" is their mean distance.",
+      [&](scene::Fields& g) { mesh.describe(g); });
+  checkSpace(f);
 
   if (species.empty()) {
     f.error("species", "there are no equations: give a \"preset\" or \"species\"");
@@ -113,6 +127,10 @@ void ReactionParameters::describe(scene::Fields& f) {
   if (species.size() > maxSpecies)
     f.error("species", fmt::format("at most {} species, with those of the preset; found {}", maxSpecies,
                                    species.size()));
+  for (const ReactionSpecies& one : species)
+    if (!one.next.empty() && method != RuleMethod::euler)
+      f.error("method", fmt::format("{} becomes \"next\", which goes with \"euler\" alone",
+                                    scene::inQuotes(one.name)));
   std::vector<std::string> known;
   for (const ReactionSpecies& one : species) known.push_back(one.name);
   for (const ReactionStroke& stroke : strokes)
@@ -127,15 +145,75 @@ void ReactionParameters::describe(scene::Fields& f) {
   }
 }
 
+void ReactionSurface::describe(scene::Fields& f) {
+  f.number("level", level, scene::anyNumber, "", "What is shown is at least this within the surface.");
+  f.leftOut("level", "the middle between the display's \"low\" and \"high\"");
+  hasLevel = f.given("level");
+  f.text(
+      "color", color,
+      "What colours it by the display's \"map\" from \"low\" to \"high\": a species, or any expression.");
+  f.leftOut("color", "nothing: it has its material's colour");
+  f.vector("position", position, scene::anyNumber, "m", "Middle of the volume.");
+  f.number("width", width, {1e-3, 1e4}, "m", "Of the volume along x; its cells are cubes.");
+  f.boolean("closed", closed,
+            "Whether the surface is closed where it reaches the volume's border; else it ends there.");
+}
+
+void ReactionParameters::checkSpace(scene::Fields& f) const {
+  if (mesh.present) return checkMesh(f);
+  constexpr std::int64_t maxVolume = std::int64_t{1} << 28;
+  if (depth == 1) {
+    if (f.given("surface"))
+      f.error("surface", "a flat grid has no surface; give it a \"depth\" of more than 1");
+    return;
+  }
+  if (const std::int64_t cells = std::int64_t{size.x} * size.y * depth; cells > maxVolume)
+    f.error("depth",
+            fmt::format("{} are {} cells; a volume has at most {}", cellsText(), cells, maxVolume));
+  if (!strokes.empty())
+    f.error("strokes", "strokes paint flat grids; what a volume begins with is its species' \"start\"");
+}
+
+void ReactionParameters::checkMesh(scene::Fields& f) const {
+  for (const char* name : {"size", "depth", "boundary", "surface"})
+    if (f.given(name))
+      f.error(name, fmt::format("\"{}\" is for a grid; the cells of a \"mesh\" are its vertices", name));
+  if (!strokes.empty())
+    f.error("strokes", "strokes paint flat grids; what a mesh begins with is its species' \"start\"");
+  for (const ReactionParameter& parameter : parameters)
+    if (!parameter.image.empty())
+      f.error("parameters",
+              fmt::format("the parameter {} is mapped by an image, which a mesh does not know; use "
+                          "\"across\", \"down\" or x, y and z",
+                          scene::inQuotes(parameter.name)));
+}
+
+std::string ReactionParameters::cellsText() const {
+  return depth > 1 ? fmt::format("{}x{}x{}", size.x, size.y, depth) : fmt::format("{}x{}", size.x, size.y);
+}
+
+float ReactionParameters::levelAt(double time) const {
+  return surface.hasLevel ? surface.level.at(time) : static_cast<float>(0.5 * (display.low + display.high));
+}
+
+std::optional<scene::Box> ReactionParameters::framed() const {
+  if (space() == RuleSpace::plane) return std::nullopt;
+  if (mesh.present) return mesh.framed();
+  const glm::vec3 half = 0.5F * cellWidth() * glm::vec3(size, depth);
+  return scene::Box{surface.position - half, surface.position + half};
+}
+
 RuleText ReactionParameters::ruleText() const {
   RuleText text;
   for (const ReactionSpecies& one : species)
     text.species.push_back(
-        {one.name, one.rate, one.start, one.diffusion.moves() || one.diffusion.at(0) != 0});
+        {one.name, one.rate, one.start, one.next, one.diffusion.moves() || one.diffusion.at(0) != 0});
   for (const ReactionParameter& parameter : parameters)
     text.parameters.push_back({parameter.name, parameter.isMapped(), parameter.isPresets});
   for (const ReactionLet& let : lets) text.lets.push_back({let.name, let.is});
   text.show = show;
+  text.tint = surface.color;
+  text.space = space();
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
+#include "sim/mesh/file.hpp"
 #include "sim/reaction/evaluate.hpp"
 
 #include <filesystem>
@@ -10,7 +11,9 @@
 #include <string>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace simreel::sim {
 
@@ -19,6 +22,7 @@ struct ReactionSpecies {
   scene::Animated<float> diffusion = 0.0F;  ///< D of D lap(u), lengths^2 per unit of time
   std::string rate = "0";                   ///< the rest of du/dt
   std::string start = "0";                  ///< in the first state
+  std::string next;                         ///< what it becomes in a step, instead of a rate
   double edge = 0;                          ///< beyond edges that are fixed
 };
 
@@ -41,9 +45,41 @@ struct ReactionStroke : StrokeParameters {
   std::string species;  ///< empty: the first
 };
 
+/// How a volume is drawn: where what is shown passes a level.
+struct ReactionSurface {
+  scene::Animated<float> level = 0.5F;
+  bool hasLevel = false;  ///< else it is the middle of the display's range
+  std::string color;      ///< an expression; empty: the material's colour
+  glm::vec3 position{0};  ///< m: middle of the volume
+  float width = 2;        ///< m: of the volume, along x
+  bool closed = true;
+  void describe(scene::Fields& fields);
+};
+
+/// A mesh whose vertices are the cells.
+struct ReactionMesh {
+  enum class Shape { file, plane, sphere, torus };
+  bool present = false;
+  Shape shape = Shape::file;
+  std::filesystem::path file;
+  glm::vec3 size{4, 0, 4};                             ///< m, of a plane
+  float radius = 1, tube = 0.35F;                      ///< m
+  glm::ivec2 resolution{129, 65};                      ///< vertices along u and v
+  int refine = 0;                                      ///< times that each face becomes four
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
+  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
+  scene::Animated<float> scale = 1.0F;
+  void describe(scene::Fields& fields);
+  /// Throws what loadMesh throws.
+  [[nodiscard]] Mesh make() const;
+  [[nodiscard]] glm::mat4 model(double time) const;
+  [[nodiscard]] std::optional<scene::Box> framed() const;
+};
+
 /// Equations of one's own as a scene says them: du/dt = D lap(u) + rate for each species.
 struct ReactionParameters : ObjectParameters {
   glm::ivec2 size{256, 256};  ///< cells
+  int depth = 1;              ///< layers of them; more than one: a volume
   int preset = -1;
   double spacing = 1;  ///< of cells, units of length
   double dt = 0.1;     ///< units of time
@@ -57,15 +93,30 @@ struct ReactionParameters : ObjectParameters {
   std::string show;  ///< an expression; empty: the first species
   std::vector<ReactionStroke> strokes;
   FieldDisplay display;
+  ReactionSurface surface;
+  ReactionMesh mesh;
 
   ReactionParameters();
   void describe(scene::Fields& fields) override;
-  [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] bool isField() const override { return space() == RuleSpace::plane; }
+  [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
+  [[nodiscard]] RuleSpace space() const {
+    return mesh.present ? RuleSpace::mesh : depth > 1 ? RuleSpace::volume : RuleSpace::plane;
+  }
+  /// "256x256" or "64x64x64".
+  [[nodiscard]] std::string cellsText() const;
+  /// m between the cells of a volume.
+  [[nodiscard]] float cellWidth() const { return surface.width / static_cast<float>(size.x); }
+  [[nodiscard]] float levelAt(double time) const;
   [[nodiscard]] RuleText ruleText() const;
   /// The species that a stroke paints; -1: there is none of that name.
   [[nodiscard]] int painted(const ReactionStroke& stroke) const;
+
+ private:
+  void checkSpace(scene::Fields& fields) const;
+  void checkMesh(scene::Fields& fields) const;
 };
 
 }  // namespace simreel::sim

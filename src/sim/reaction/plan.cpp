@@ -34,19 +34,76 @@ ReactionPlan::ReactionPlan(ReactionParameters parameters, const std::string& obj
       strokes_(
           plainStrokes(parameters_.strokes), seed,
           {parameters_.size, parameters_.boundary == RuleBoundary::torus, "reaction \"" + object + "\""}) {
+  if (parameters_.space() == RuleSpace::mesh) readMesh(object);
   warnOfSteps(object);
 }
 
-// The fastest mode of the nine points, the checkerboard, has the eigenvalue -(16/3) / h^2; explicit methods
-// of order 1 and 2 are stable for -2 <= dt lambda, that of order 4 for -2.785.
+// Lengths are such that the mean distance of neighbours is the spacing.
+void ReactionPlan::readMesh(const std::string& object) {
+  onMesh_ = true;
+  mesh_ = parameters_.mesh.make();
+  cells_ = cellsOf(mesh_, "reaction \"" + object + "\"");
+  parameters_.size = {cells_.count(), 1};
+  perMetre_ = parameters_.spacing / cells_.meanEdge;
+  const int count = cells_.count();
+  for (int begin = 0; begin < count; begin += 4) {
+    const auto degree = [&](int i) {
+      if (i >= count) return 0;
+      const auto cell = static_cast<std::size_t>(i);
+      return cells_.first[cell + 1] - cells_.first[cell];
+    };
+    const int slots = std::max({degree(begin), degree(begin + 1), degree(begin + 2), degree(begin + 3)});
+    const auto first = static_cast<int>(links_.weights.size());
+    links_.ranges.emplace_back(first, first + slots);
+    for (int s = 0; s < slots; ++s) {
+      glm::ivec4 neighbours(-1);
+      glm::vec4 weights(0);
+      for (int c = 0; c < 4; ++c) {
+        const int i = begin + c;
+        if (s >= degree(i)) continue;
+        const auto cell = static_cast<std::size_t>(i);
+        const MeshCells::Link& link =
+            cells_.links[static_cast<std::size_t>(cells_.first[cell]) + static_cast<std::size_t>(s)];
+        neighbours[c] = link.neighbour;
+        weights[c] = stored(link.weight / (cells_.areas[cell] * perMetre_ * perMetre_));
+      }
+      links_.neighbours.push_back(neighbours);
+      links_.weights.push_back(weights);
+    }
+  }
+}
+
+/// 0 at the mesh's lowest, in units of length.
+std::vector<float> ReactionPlan::placesAlong(int axis) const {
+  std::vector<float> places;
+  for (const glm::dvec3& place : cells_.places)
+    places.push_back(stored((place[axis] - cells_.low[axis]) * perMetre_));
+  return places;
+}
+
+// The fastest mode of the 9 and of the 19 points, the checkerboard in two of the axes, has the eigenvalue
+// -(16/3) / h^2; explicit methods of order 1 and 2 are stable for -2 <= dt lambda, that of order 4 for
+// -2.785.
 void ReactionPlan::warnOfSteps(const std::string& object) const {
   const ReactionParameters& p = parameters_;
   const double limit = p.method == RuleMethod::rk4 ? 2.785 : 2;
+  // Of a mesh no eigenvalue is beyond twice the sum of a cell's weights (Gershgorin).
+  double fastest = 16.0 / 3;
+  if (onMesh_) {
+    fastest = 0;
+    for (std::size_t i = 0; i < links_.ranges.size(); ++i) {
+      glm::dvec4 sum(0);
+      for (int s = links_.ranges[i].x; s < links_.ranges[i].y; ++s)
+        sum += glm::abs(glm::dvec4(links_.weights[static_cast<std::size_t>(s)]));
+      fastest = std::max({fastest, 2 * sum.x, 2 * sum.y, 2 * sum.z, 2 * sum.w});
+    }
+    fastest *= p.spacing * p.spacing;
+  }
   for (const ReactionSpecies& species : p.species) {
     double most = 0;
     for (const auto& key : species.diffusion.keys()) most = std::max(most, static_cast<double>(key.value));
     const double number = p.dt * most / (p.spacing * p.spacing);
-    const double greatest = limit * 3 / 16;
+    const double greatest = limit / fastest;
     if (number > greatest)
       warn(
           "reaction \"{}\": dt diffusion / spacing^2 of \"{}\" is {:.3g}, and a step is stable up to "
@@ -71,17 +128,35 @@ std::vector<float> ReactionPlan::edges() const {
 std::vector<float> ReactionPlan::weightsOf(const ReactionParameter& parameter) const {
   const glm::ivec2 size = parameters_.size;
   std::vector<float> weights;
+  if (onMesh_) {
+    if (!parameter.across && !parameter.down) return std::vector<float>(static_cast<std::size_t>(size.x));
+    const int axis = parameter.across ? 0 : 1;
+    const double extent = std::max((cells_.high[axis] - cells_.low[axis]) * perMetre_, 1e-30);
+    for (const float place : placesAlong(axis)) {
+      const double share = std::clamp(static_cast<double>(place) / extent, 0.0, 1.0);
+      weights.push_back(stored(parameter.across ? share : 1 - share));
+    }
+    return weights;
+  }
   weights.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   if (!parameter.image.empty()) {
     const Picture picture = loadPicture(parameter.image, "map of a parameter", maxRuleMapSide);
     for (const std::uint8_t level : levelsOnGrid(picture, size))
       weights.push_back(static_cast<float>(level) / 255.0F);
+    // Of all layers alike.
+    const std::vector<float> layer = weights;
+    for (int z = 1; z < parameters_.depth; ++z) weights.insert(weights.end(), layer.begin(), layer.end());
     return weights;
   }
-  for (int y = 0; y < size.y; ++y)
+  // The first row is the top of a plane, and the bottom of a volume's layer.
+  const bool upwards = parameters_.space() == RuleSpace::volume;
+  const auto downTo = [&](int y) {
+    return static_cast<float>(upwards ? size.y - 1 - y : y) / static_cast<float>(size.y - 1);
+  };
+  for (int r = 0; r < size.y * parameters_.depth; ++r)
     for (int x = 0; x < size.x; ++x)
       weights.push_back(parameter.across ? static_cast<float>(x) / static_cast<float>(size.x - 1)
-                        : parameter.down ? static_cast<float>(y) / static_cast<float>(size.y - 1)
+                        : parameter.down ? downTo(r % size.y)
                                          : 0.0F);
   return weights;
 }
@@ -90,14 +165,18 @@ RuleField ReactionPlan::firstField() const {
   const ReactionParameters& p = parameters_;
   RuleField field;
   field.size = p.size;
+  field.depth = p.depth;
   field.boundary = p.boundary;
   field.edges = edges();
   field.seed = noiseSeed();
-  const auto cells = static_cast<std::size_t>(p.size.x) * static_cast<std::size_t>(p.size.y);
+  const auto cells = static_cast<std::size_t>(p.size.x) * static_cast<std::size_t>(field.rows());
   const bool mapped = std::any_of(p.parameters.begin(), p.parameters.end(),
                                   [](const ReactionParameter& parameter) { return parameter.isMapped(); });
-  if (mapped)
+  if (mapped || onMesh_)
     for (const ReactionParameter& parameter : p.parameters) field.weights.push_back(weightsOf(parameter));
+  field.links = links();
+  if (onMesh_)
+    for (int axis = 0; axis < placeMaps; ++axis) field.weights.push_back(placesAlong(axis));
   field.stage = evaluateStarts(rule_, valuesAt(0), field);
   field.next = field.base = field.stage;
   if (program_.sums) field.sum = field.stage;
@@ -114,11 +193,15 @@ std::vector<float> ReactionPlan::valuesAt(double time) const {
   set(ToldPlaces::dt, p.dt);
   set(ToldPlaces::halfDt, p.dt / 2);
   set(ToldPlaces::sixthDt, p.dt / 6);
-  set(ToldPlaces::perLaplacian, 1 / (6 * p.spacing * p.spacing));
+  const double perLaplacian = onMesh_ ? 1 : 1 / (6 * p.spacing * p.spacing);
+  set(ToldPlaces::perLaplacian, perLaplacian);
   set(ToldPlaces::perGradient, 1 / (2 * p.spacing));
   set(ToldPlaces::spacing, p.spacing);
-  set(ToldPlaces::width, p.spacing * p.size.x);
-  set(ToldPlaces::height, p.spacing * p.size.y);
+  const glm::dvec3 extent = onMesh_ ? (cells_.high - cells_.low) * perMetre_
+                                    : p.spacing * glm::dvec3(p.size.x, p.size.y, p.depth);
+  set(ToldPlaces::width, extent.x);
+  set(ToldPlaces::height, extent.y);
+  set(ToldPlaces::depth, extent.z);
   for (std::size_t i = 0; i < p.parameters.size(); ++i) {
     const ReactionParameter& parameter = p.parameters[i];
     const auto now = static_cast<double>(parameter.value.at(time));
@@ -131,7 +214,7 @@ std::vector<float> ReactionPlan::valuesAt(double time) const {
   }
   for (std::size_t i = 0; i < p.species.size(); ++i) {
     const auto d = static_cast<double>(p.species[i].diffusion.at(time));
-    set(rule_.told.diffusion(static_cast<int>(i)), d / (6 * p.spacing * p.spacing));
+    set(rule_.told.diffusion(static_cast<int>(i)), onMesh_ ? d : d / (6 * p.spacing * p.spacing));
     set(rule_.told.edge(static_cast<int>(i)), p.species[i].edge);
   }
   return values;
@@ -177,13 +260,12 @@ void evaluateStep(const ReactionPlan& plan, std::vector<float> values, long numb
 std::vector<float> evaluateShown(const ReactionPlan& plan, std::vector<float> values, long number,
                                  long first, RuleField& field) {
   const RuleProgram& program = plan.program();
-  if (program.showing.empty()) return field.stage[static_cast<std::size_t>(program.shown)];
   values[ToldPlaces::time] = plan.modelTime(number, first, 0);
   for (const int i : program.showing) {
     const RulePass& pass = program.passes[static_cast<std::size_t>(i)];
     evaluatePass(plan.rule().graph, pass, toldOf(plan.rule().graph, pass, values), 0, field);
   }
-  return field.lets[static_cast<std::size_t>(program.shown)];
+  return field.array(program.shown.array)[static_cast<std::size_t>(program.shown.plane)];
 }
 
 }  // namespace simreel::sim

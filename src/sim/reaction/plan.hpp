@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/mesh_cells/cells.hpp"
 #include "sim/reaction/parameters.hpp"
 
 #include <string>
@@ -10,7 +11,8 @@ namespace simreel::sim {
 /// told. Shared by the GPU simulation and its CPU twin.
 class ReactionPlan {
  public:
-  /// Warns of steps that are too long for the diffusion. Throws UserError for an image that cannot be read.
+  /// Warns of steps that are too long for the diffusion. On a mesh, `size` becomes one row of its cells.
+  /// Throws UserError for a mesh that cannot be read.
   ReactionPlan(ReactionParameters parameters, const std::string& object, int seed, double frameSeconds);
   /// Reads the pictures that the parameters name. Throws UserError: what loadPicture says.
   void checkPictures() const;
@@ -19,6 +21,11 @@ class ReactionPlan {
   [[nodiscard]] const Rule& rule() const { return rule_; }
   [[nodiscard]] const RuleProgram& program() const { return program_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
+  /// Of a mesh; null: there is none.
+  [[nodiscard]] const RuleLinks* links() const { return onMesh_ ? &links_ : nullptr; }
+  /// The mesh, and its cells.
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const MeshCells& cells() const { return cells_; }
   [[nodiscard]] unsigned noiseSeed() const { return static_cast<unsigned>(seed_) * 2246822519U; }
   /// Of each species beyond fixed edges.
   [[nodiscard]] std::vector<float> edges() const;
@@ -41,9 +48,16 @@ class ReactionPlan {
 
  private:
   void warnOfSteps(const std::string& object) const;
+  void readMesh(const std::string& object);
+  [[nodiscard]] std::vector<float> placesAlong(int axis) const;
   [[nodiscard]] std::vector<float> weightsOf(const ReactionParameter& parameter) const;
 
   ReactionParameters parameters_;
+  bool onMesh_ = false;
+  Mesh mesh_;
+  MeshCells cells_;
+  RuleLinks links_;
+  double perMetre_ = 1;  ///< units of length, on a mesh
   int seed_;
   double frameSeconds_;
   Rule rule_;

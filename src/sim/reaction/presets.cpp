@@ -185,7 +185,7 @@ std::span<const ReactionPreset> reactionPresets() {
 
 void ReactionPreset::apply(ReactionParameters& p) const {
   p.species.clear();
-  for (const Species& s : species) p.species.push_back({s.name, s.diffusion, s.rate, s.start, 0});
+  for (const Species& s : species) p.species.push_back({s.name, s.diffusion, s.rate, s.start, {}, 0});
   p.parameters.clear();
   for (const auto& [parameter, value] : parameters) {
     ReactionParameter& added = p.parameters.emplace_back();

@@ -8,7 +8,7 @@ namespace simreel::sim {
 namespace {
 
 bool isStencil(RuleOp op) {
-  return op >= RuleOp::lap20 && op <= RuleOp::down;
+  return op >= RuleOp::sixfold && op <= RuleOp::deep;
 }
 
 class Planning {
@@ -21,10 +21,9 @@ class Planning {
     std::vector<int> roots;
     for (const auto& outputs : stages)
       for (const RulePass::Output& output : outputs) roots.push_back(output.node);
-    roots.push_back(rule_.shown);
+    const int tint = rule_.tint < 0 ? rule_.shown : rule_.tint;
+    for (const int node : {rule_.shown, tint}) roots.push_back(node);
     findPlanes(roots);
-    const int plainSpecies =
-        graph_.at(rule_.shown).op == RuleOp::species ? graph_.at(rule_.shown).index : -1;
     program.sums = method != RuleMethod::euler;
 
     const std::vector<int> letPasses = addLets(program, rootsOf(stages));
@@ -38,20 +37,32 @@ class Planning {
       program.passes.push_back(passOf(stages[i], static_cast<int>(letPasses.size())));
       program.stages.push_back(std::move(stage));
     }
-    program.shown = plainSpecies;
-    if (plainSpecies < 0) {
-      program.showing = addLets(program, {rule_.shown});
-      program.showing.push_back(static_cast<int>(program.passes.size()));
-      program.shown = static_cast<int>(planes_.size());
-      program.passes.push_back(
-          passOf({{{RuleArray::lets, program.shown}, rule_.shown}}, 1 + static_cast<int>(planes_.size())));
-    }
-    program.lets = static_cast<int>(planes_.size()) + (plainSpecies < 0 ? 1 : 0);
+    addShown(program, rule_.shown, tint);
     return program;
   }
 
  private:
   using Outputs = std::vector<RulePass::Output>;
+
+  void addShown(RuleProgram& program, int shown, int tint) {
+    Outputs outputs;
+    program.lets = static_cast<int>(planes_.size());
+    const auto placed = [&](int node) -> RulePlane {
+      if (graph_.at(node).op == RuleOp::species) return {RuleArray::stage, graph_.at(node).index};
+      for (const RulePass::Output& output : outputs)
+        if (output.node == node) return output.plane;
+      outputs.push_back({{RuleArray::lets, program.lets++}, node});
+      return outputs.back().plane;
+    };
+    program.shown = placed(shown);
+    program.tint = placed(tint);
+    if (outputs.empty()) return;
+    std::vector<int> nodes;
+    for (const RulePass::Output& output : outputs) nodes.push_back(output.node);
+    program.showing = addLets(program, nodes);
+    program.showing.push_back(static_cast<int>(program.passes.size()));
+    program.passes.push_back(passOf(outputs, 1 + static_cast<int>(planes_.size())));
+  }
 
   static std::vector<int> rootsOf(const std::vector<Outputs>& stages) {
     std::vector<int> roots;
@@ -82,7 +93,9 @@ class Planning {
                          : method == RuleMethod::euler ? ToldPlaces::dt
                          : method == RuleMethod::heun  ? ToldPlaces::halfDt
                                                        : ToldPlaces::sixthDt;
-        all[s].push_back({{RuleArray::next, index}, moved(base, step, last ? sum : k)});
+        const int next = rule_.nexts[i];
+        all[s].push_back({{RuleArray::next, index},
+                          next >= 0 ? graph_.settled(next) : moved(base, step, last ? sum : k)});
       }
     return all;
   }

@@ -28,7 +28,7 @@ struct RulePass {
   /// A stencil of a plane, or the plane itself, which node `node` of the graph is.
   struct Read {
     int node;
-    RuleOp op;  ///< lap20, edges, corners, across, down; species: the cell itself
+    RuleOp op;  ///< sixfold, edges, corners, across, down, deep; species: the cell itself
     RulePlane plane;
   };
   std::vector<Read> reads;
@@ -51,10 +51,11 @@ struct RuleProgram {
   };
   std::vector<RulePass> passes;
   std::vector<Stage> stages;
-  /// Passes of what is shown, into plane lets.back(); none where a species is.
+  /// Passes of what is shown or tints it, as far as that is no species.
   std::vector<int> showing;
-  int lets = 0;   ///< planes
-  int shown = 0;  ///< the species, or the plane of lets where `showing` has any
+  int lets = 0;      ///< planes
+  RulePlane shown;   ///< a species (stage) or one of lets
+  RulePlane tint{};  ///< the same; what is shown where nothing tints it
   bool sums = false;
 };
 

@@ -5,12 +5,15 @@
 #include "sim/gray_scott/quantities.hpp"
 #include "sim/grid/field_values.hpp"
 #include "sim/grid/tally.hpp"
+#include "sim/mesh_cells/painted.hpp"
 #include "sim/reaction/kernels.hpp"
 #include "sim/reaction/model.hpp"
 #include "sim/reaction/presets.hpp"
+#include "sim/volume/isosurface.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,56 +26,67 @@ class Reaction : public Simulation {
  public:
   Reaction(const scene::Object& object, const Setting& setting)
       : name_(object.name),
+        material_(object.material),
+        frameSeconds_(setting.frameSeconds),
         plan_(parametersOf<ReactionParameters>(object), object.name, setting.seed, setting.frameSeconds),
         kernels_(name_, plan_, setting.fast),
         colors_(plan_.parameters().display.colors()),
         first_(plan_.stepAt(setting.startTime) - plan_.parameters().presteps),
-        now_(plan_.stepAt(setting.startTime)) {
+        now_(plan_.stepAt(setting.startTime)),
+        shownTime_(setting.startTime) {
     for (const ReactionSpecies& species : plan_.parameters().species)
       speciesNames_.push_back(name_ + "." + species.name);
     makeTally(setting.fast);
+    if (plan_.links() != nullptr) painted_.emplace(name_, plan_.mesh(), plan_.cells(), colors_);
+    if (isVolume())
+      isosurface_.emplace(name_, shapeOf(plan_.parameters()),
+                          plan_.parameters().surface.color.empty() ? std::vector<glm::vec3>() : colors_);
     kernels_.setValues(plan_.valuesAt(0));
     prestep(setting);
     for (const auto& [stroke, species] : plan_.strokesAt(setting.startTime, 0))
       kernels_.paint(stroke, species);
     gl::barrier();
-    look();
+    look(setting.startTime);
   }
 
   void step(double time, const StepWatch& watch) override {
     advance(time, watch);
-    look();
+    look(time + frameSeconds_);
   }
   void pass(double time) override { advance(time, {}); }
   void resumed(double time) override {
     now_ = plan_.stepAt(time);
     kernels_.setValues(plan_.valuesAt(time));
-    look();
+    look(time);
+  }
+  bool settle() override { return isosurface_ && isosurface_->settle(); }
+  [[nodiscard]] std::optional<MeshTable> mesh() const override {
+    if (painted_) return painted_->table(plan_.parameters().mesh.model(shownTime_));
+    return isosurface_ ? std::optional(isosurface_->mesh()) : std::nullopt;
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.parameters().steps; }
   [[nodiscard]] std::string elementName(long element) const override {
-    const long plane = element / kernels_.columns() / plan_.parameters().size.y;
-    const long row = element / kernels_.columns() % plan_.parameters().size.y;
-    const long x = element % kernels_.columns() * 4;
-    return fmt::format("{} of cells ({}, {}) to ({}, {})", speciesName(plane), x, row,
-                       std::min<long>(x + 3, plan_.parameters().size.x - 1), row);
+    const long columns = kernels_.columns(), rows = this->rows();
+    const long plane = element / columns / rows, row = element / columns % rows, x = element % columns * 4;
+    return fmt::format("{} of cells {} to {}", speciesName(plane), placeName(x, row),
+                       placeName(std::min<long>(x + 3, plan_.parameters().size.x - 1), row));
   }
 
-  void publish(double /*time*/, Drawables& drawables) const override {
+  void publish(double time, Drawables& drawables) const override {
     const ReactionParameters& p = plan_.parameters();
-    const int planeWords = 4 * kernels_.columns() * p.size.y;
+    const int planeWords = 4 * kernels_.columns() * rows();
     Field field;
     field.name = &name_;
-    field.words = &kernels_.shownWords();
+    field.words = &kernels_.wordsOf(plan_.program().shown);
     field.cells = Field::Cells::floats;
-    field.size = p.size;
+    field.size = {p.size.x, rows()};
     field.rowWords = 4 * kernels_.columns();
-    field.firstWord = planeWords * plan_.program().shown;
+    field.firstWord = planeWords * plan_.program().shown.plane;
     field.cellWords = 1;
     field.range = {static_cast<float>(p.display.low), static_cast<float>(p.display.high)};
     field.colors = &colors_;
-    field.display = &p.display;
+    field.display = p.space() == RuleSpace::plane ? &p.display : nullptr;
     drawables.fields.push_back(field);
     // For files only.
     field.words = &kernels_.words();
@@ -82,6 +96,14 @@ class Reaction : public Simulation {
       field.firstWord = planeWords * static_cast<int>(i);
       drawables.fields.push_back(field);
     }
+    if (!isosurface_ && !painted_) return;
+    Surface surface = isosurface_ ? isosurface_->surface() : painted_->surface();
+    if (painted_) {
+      surface.model = p.mesh.model(time);
+      surface.doubleSided = p.mesh.shape == ReactionMesh::Shape::plane;
+    }
+    surface.material = &material_;
+    drawables.surfaces.push_back(surface);
   }
 
   void carryOver(CarryOver& carry) override { carry.array("cells", kernels_.cells().buffer()); }
@@ -91,12 +113,12 @@ class Reaction : public Simulation {
   [[nodiscard]] const gl::Buffer* status() const override { return &kernels_.status(); }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(plan_.parameters().size.x);
-    const auto height = static_cast<unsigned>(plan_.parameters().size.y);
+    const auto height = static_cast<unsigned>(rows());
     return fmt::format(
-        "reaction \"{}\": {} of cell ({}, {}) is infinite or no number after step {}; a smaller \"dt\" or "
+        "reaction \"{}\": {} of cell {} is infinite or no number after step {}; a smaller \"dt\" or "
         "another "
         "\"method\" may keep it finite",
-        name_, speciesName(element / width / height), element % width, element / width % height,
+        name_, speciesName(element / width / height), placeName(element % width, element / width % height),
         static_cast<int>(step) + 1 - static_cast<int>(first_));
   }
 
@@ -109,7 +131,7 @@ class Reaction : public Simulation {
   [[nodiscard]] std::vector<double> measure() const override {
     Drawables drawables;
     publish(0, drawables);
-    const std::vector<float> values = fieldValues(drawables.fields.front());
+    std::vector<float> values = fieldValues(drawables.fields.front());
     const auto count = static_cast<double>(values.size());
     double sum = 0, squares = 0;
     for (const float value : values) sum += static_cast<double>(value);
@@ -118,16 +140,40 @@ class Reaction : public Simulation {
       squares += d * d;
     }
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    return {sum / count, *least, *most, std::sqrt(squares / count),
-            dominantWavelength(values, plan_.parameters().size)};
+    const double mostOf = *most, leastOf = *least;
+    if (isVolume()) {  // its wavelength in the layer in the middle
+      const glm::ivec2 size = plan_.parameters().size;
+      const auto layer = static_cast<std::ptrdiff_t>(size.x) * size.y;
+      values.erase(values.begin(), values.begin() + layer * (plan_.parameters().depth / 2));
+      values.resize(static_cast<std::size_t>(layer));
+    }
+    return {sum / count, leastOf, mostOf, std::sqrt(squares / count),
+            plan_.links() != nullptr ? 0 : dominantWavelength(values, plan_.parameters().size)};
   }
 
  private:
+  [[nodiscard]] bool isVolume() const { return plan_.parameters().space() == RuleSpace::volume; }
+  /// Of a plane: of all layers.
+  [[nodiscard]] int rows() const { return plan_.parameters().size.y * plan_.parameters().depth; }
+  [[nodiscard]] std::string placeName(long x, long row) const {
+    const long height = plan_.parameters().size.y;
+    if (plan_.links() != nullptr) return fmt::format("{}", x);
+    return isVolume() ? fmt::format("({}, {}, {})", x, row % height, row / height)
+                      : fmt::format("({}, {})", x, row);
+  }
+  [[nodiscard]] static IsosurfaceShape shapeOf(const ReactionParameters& p) {
+    return {glm::ivec3(p.size, p.depth), p.cellWidth(), p.surface.position, p.surface.closed};
+  }
+  [[nodiscard]] VolumeValues valuesOf(const RulePlane& plane) const {
+    const int row = 4 * kernels_.columns();
+    return {&kernels_.wordsOf(plane), row, row * rows() * plane.plane};
+  }
+
   void makeTally(bool fast) {
     const ReactionParameters& p = plan_.parameters();
     const int species = std::min(static_cast<int>(p.species.size()), 4);
     tally_ = Tally(name_, "reaction/tally.comp", gl::kernelDefines(fast));
-    tally_.kernel().set("size", p.size);
+    tally_.kernel().set("size", glm::ivec2(p.size.x, rows()));
     tally_.kernel().set("columns", kernels_.columns());
     tally_.kernel().set("species", species);
     for (int i = 0; i < 4; ++i) {
@@ -137,12 +183,19 @@ class Reaction : public Simulation {
     for (int i = 0; i < species; ++i)
       countNames_.push_back("most_" + p.species[static_cast<std::size_t>(i)].name);
   }
-  /// What is drawn and counted of the present state.
-  void look() {
+  /// What is drawn and counted of the present state, which is that of a time (s).
+  void look(double time) {
     kernels_.show(now_, first_);
     kernels_.cells().bindInput(shader::reaction::stageBinding);
-    const glm::ivec2 size = plan_.parameters().size;
-    tally_.take(glm::vec4(static_cast<float>(1 / (static_cast<double>(size.x) * size.y))), glm::vec4(1));
+    const ReactionParameters& p = plan_.parameters();
+    shownTime_ = time;
+    const glm::vec2 range(static_cast<float>(p.display.low), static_cast<float>(p.display.high));
+    tally_.take(glm::vec4(static_cast<float>(1 / (static_cast<double>(p.size.x) * rows()))), glm::vec4(1));
+    const RuleProgram& program = plan_.program();
+    if (isosurface_)
+      isosurface_->make(valuesOf(program.shown), p.levelAt(time), {valuesOf(program.tint), range});
+    if (painted_)
+      painted_->paint(kernels_.wordsOf(program.shown), valuesOf(program.shown).firstWord, range);
   }
 
   [[nodiscard]] std::string speciesName(long plane) const {
@@ -192,13 +245,18 @@ class Reaction : public Simulation {
   }
 
   std::string name_;
+  scene::Material material_;
+  double frameSeconds_;
   std::vector<std::string> speciesNames_;
   ReactionPlan plan_;
   ReactionKernels kernels_;
   std::vector<glm::vec3> colors_;
   Tally tally_;
+  std::optional<Isosurface> isosurface_;  ///< of a volume
+  std::optional<PaintedMesh> painted_;    ///< of a mesh
   std::vector<std::string> countNames_;
   long first_, now_;  ///< numbers of steps: of the first state, and of the present
+  double shownTime_;  ///< s, of what is drawn
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ using Path = std::vector<std::string>;
 class Understanding {
  public:
   explicit Understanding(const RuleText& text) : text_(text) {
+    if (isVolume()) rule_.graph = RuleGraph(6, 12);
     rule_.told.parameters = static_cast<int>(text.parameters.size());
     checkNames();
     for (const RuleText::Let& let : text.lets)
@@ -38,13 +39,24 @@ class Understanding {
       if (species.diffuses)
         rate = graph().sum(
             rate, graph().product(graph().told(rule_.told.diffusion(i)),
-                                  graph().stencil(RuleOp::lap20, graph().input(RuleOp::species, i))));
+                                  graph().stencil(RuleOp::sixfold, graph().input(RuleOp::species, i))));
       rule_.rates.push_back(rate);
+      rule_.nexts.push_back(-1);
+      if (species.next.empty()) continue;
+      const Path next = {"species", species.name, "next"};
+      if (species.diffuses || species.rate != "0")
+        throw RuleMistake{next, 0, species.next.size(),
+                          fmt::format("{} becomes \"next\", so it has neither \"rate\" nor \"diffusion\"",
+                                      scene::inQuotes(species.name))};
+      nexts_.push_back(parsed(next, species.next));
+      rule_.nexts.back() = nodeOf(next, nexts_.back());
     }
     for (const RuleText::Let& let : text_.lets)
       static_cast<void>(letNode(let.name, {"lets", let.name, "is"}, 0, 1));
     const std::string show = text_.show.empty() ? text_.species[0].name : text_.show;
     rule_.shown = nodeOf({"show"}, parsed({"show"}, show));
+    const Path tint = {"surface", "color"};
+    if (!text_.tint.empty()) rule_.tint = nodeOf(tint, parsed(tint, text_.tint));
     starting_ = true;
     for (const RuleText::Species& species : text_.species) {
       const Path path = {"species", species.name, "start"};
@@ -71,6 +83,9 @@ class Understanding {
   };
 
   RuleGraph& graph() { return rule_.graph; }
+  [[nodiscard]] bool isVolume() const { return text_.space == RuleSpace::volume; }
+  [[nodiscard]] bool isMesh() const { return text_.space == RuleSpace::mesh; }
+  [[nodiscard]] bool hasDepth() const { return text_.space != RuleSpace::plane; }
 
   void checkNames() const {
     std::map<std::string, const char*> known;
@@ -82,6 +97,13 @@ class Understanding {
                           fmt::format("{} cannot be a name in expressions: letters, digits and _, no digit "
                                       "first, not x, y, t, pi and no function",
                                       scene::inQuotes(name))};
+      if (hasDepth() && (name == "z" || name == "depth"))
+        throw RuleMistake{
+            {group, name},
+            0,
+            0,
+            fmt::format("{} is a word of expressions in volumes and on meshes; use another name",
+                        scene::inQuotes(name))};
       if (const auto before = known.emplace(name, group); !before.second)
         throw RuleMistake{
             {group, name},
@@ -120,11 +142,15 @@ class Understanding {
   int named(const Path& path, const ExpressionTree::Node& node) {
     const std::string& name = node.name;
     RuleGraph& g = graph();
+    if (isMesh() && (name == "x" || name == "y" || name == "z"))
+      return g.input(RuleOp::weight, static_cast<int>(text_.parameters.size()) + (name[0] - 'x'));
     if (name == "x") return g.product(g.input(RuleOp::x, 0), g.told(ToldPlaces::spacing));
     if (name == "y") return g.product(g.input(RuleOp::y, 0), g.told(ToldPlaces::spacing));
     if (name == "t") return g.told(ToldPlaces::time);
     if (name == "width") return g.told(ToldPlaces::width);
     if (name == "height") return g.told(ToldPlaces::height);
+    if (isVolume() && name == "z") return g.product(g.input(RuleOp::z, 0), g.told(ToldPlaces::spacing));
+    if (hasDepth() && name == "depth") return g.told(ToldPlaces::depth);
     if (name == "pi") return g.constant(std::numbers::pi);
     for (std::size_t i = 0; i < text_.parameters.size(); ++i) {
       if (text_.parameters[i].name != name) continue;
@@ -143,6 +169,7 @@ class Understanding {
       }
     if (lets_.contains(name)) return letNode(name, path, node.begin, node.end);
     std::vector<std::string> known = {"x", "y", "t", "pi", "width", "height"};
+    if (hasDepth()) known.insert(known.end(), {"z", "depth"});
     for (const auto& species : text_.species) known.push_back(species.name);
     for (const auto& parameter : text_.parameters) known.push_back(parameter.name);
     for (const auto& let : text_.lets) known.push_back(let.name);
@@ -180,6 +207,14 @@ class Understanding {
     };
     if (starting_ && (node.operation >= Operation::laplacian && node.operation <= Operation::noise))
       return refuse("\"start\" knows no neighbours and no noise");
+    const bool squares = (node.operation >= Operation::ddx && node.operation <= Operation::ddz) ||
+                         node.operation == Operation::corners;
+    if (isMesh() && squares)
+      return refuse("a mesh has no rows of cells; it knows laplacian, diffuse, neighbours and around");
+    const bool sums = node.operation == Operation::neighbours || node.operation == Operation::around;
+    if (isMesh() && sums && g.isUniform(n[0]))
+      return refuse(
+          "cells of a mesh differ in how many neighbours they have; sum up what differs from cell to cell");
     switch (node.operation) {
       case Operation::number:
         return g.constant(node.number);
@@ -244,12 +279,21 @@ class Understanding {
         return g.product(g.told(ToldPlaces::perGradient), g.stencil(RuleOp::across, n[0]));
       case Operation::ddy:
         return g.product(g.told(ToldPlaces::perGradient), g.stencil(RuleOp::down, n[0]));
+      case Operation::ddz:
+        if (!isVolume()) return refuse("a flat grid has no z; give it a \"depth\"");
+        return g.product(g.told(ToldPlaces::perGradient), g.stencil(RuleOp::deep, n[0]));
       case Operation::diffuse:
         return diffuse(n[0], n[1]);
       case Operation::neighbours:
         return g.stencil(RuleOp::edges, n[0]);
       case Operation::corners:
         return g.stencil(RuleOp::corners, n[0]);
+      case Operation::around: {
+        const int edges = g.stencil(RuleOp::edges, n[0]);
+        if (isMesh()) return edges;
+        const int flat = g.sum(edges, g.stencil(RuleOp::corners, n[0]));
+        return isVolume() ? g.sum(flat, g.stencil(RuleOp::tips, n[0])) : flat;
+      }
       case Operation::noise:
         return g.input(RuleOp::noise, static_cast<int>(tree.at(node.arguments[0]).number));
       case Operation::random:
@@ -259,7 +303,7 @@ class Understanding {
   }
 
   int laplacian(int a) {
-    return graph().product(graph().told(ToldPlaces::perLaplacian), graph().stencil(RuleOp::lap20, a));
+    return graph().product(graph().told(ToldPlaces::perLaplacian), graph().stencil(RuleOp::sixfold, a));
   }
 
   // Over the neighbours j of i with the weights w: sum w (D_i + D_j) / 2 (u_j - u_i)
@@ -267,9 +311,9 @@ class Understanding {
   int diffuse(int d, int u) {
     RuleGraph& g = graph();
     if (g.isUniform(d)) return g.product(d, laplacian(u));
-    const int lap = g.stencil(RuleOp::lap20, u), both = g.stencil(RuleOp::lap20, g.product(d, u));
+    const int lap = g.stencil(RuleOp::sixfold, u), both = g.stencil(RuleOp::sixfold, g.product(d, u));
     const int twice =
-        g.difference(g.sum(g.product(d, lap), both), g.product(u, g.stencil(RuleOp::lap20, d)));
+        g.difference(g.sum(g.product(d, lap), both), g.product(u, g.stencil(RuleOp::sixfold, d)));
     return g.product(g.product(g.constant(0.5), g.told(ToldPlaces::perLaplacian)), twice);
   }
 
@@ -300,7 +344,7 @@ class Understanding {
       case RuleOp::base:
       case RuleOp::sum:
         return 0;
-      case RuleOp::lap20:
+      case RuleOp::sixfold:
       case RuleOp::reciprocal:
         return 8;
       case RuleOp::sqrt:
@@ -317,6 +361,7 @@ class Understanding {
         return 45;
       case RuleOp::edges:
       case RuleOp::corners:
+      case RuleOp::tips:
         return 4;
       default:
         return 1;
@@ -327,6 +372,8 @@ class Understanding {
     const RuleGraph& g = rule_.graph;
     std::vector<bool> asked(static_cast<std::size_t>(g.size()));
     for (const int rate : rule_.rates) asked[static_cast<std::size_t>(rate)] = true;
+    for (const int next : rule_.nexts)
+      if (next >= 0) asked[static_cast<std::size_t>(next)] = true;
     for (int i = g.size() - 1; i >= 0; --i) {
       if (!asked[static_cast<std::size_t>(i)] || g.isUniform(i)) continue;
       rule_.cost += costOf(g.at(i).op);
@@ -344,10 +391,15 @@ class Understanding {
   }
 
   void write(const std::vector<ExpressionTree>& rates) {
+    std::size_t next = 0;
     for (const RuleText::Let& let : text_.lets)
       rule_.text += fmt::format("{} = {};\n", let.name, lets_.at(let.name).tree.text());
     for (std::size_t i = 0; i < rates.size(); ++i) {
       const RuleText::Species& species = text_.species[i];
+      if (rule_.nexts[i] >= 0) {
+        rule_.text += fmt::format("{} becomes {};\n", species.name, nexts_[next++].text());
+        continue;
+      }
       const std::string diffusion =
           species.diffuses ? fmt::format("diffusion_{0} * laplacian({0})", species.name) : "";
       const bool alone = species.diffuses && rates[i].nodes.size() == 1 && rates[i].at(0).number == 0 &&
@@ -360,6 +412,7 @@ class Understanding {
   const RuleText& text_;
   Rule rule_;
   std::map<std::string, LetState> lets_;
+  std::vector<ExpressionTree> nexts_;
   std::vector<std::string> open_, used_;
   bool starting_ = false;
 };

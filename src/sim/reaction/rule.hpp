@@ -8,10 +8,13 @@
 
 namespace simreel::sim {
 
+/// What a rule's cells fill: a plane, a volume of layers of planes, or the surface of a mesh.
+enum class RuleSpace { plane, volume, mesh };
+
 /// Texts of a rule, as a scene gives them.
 struct RuleText {
   struct Species {
-    std::string name, rate, start;
+    std::string name, rate, start, next;
     bool diffuses = false;
   };
   struct Parameter {
@@ -26,6 +29,8 @@ struct RuleText {
   std::vector<Parameter> parameters;
   std::vector<Let> lets;
   std::string show;  ///< empty: the first species
+  std::string tint;  ///< what colours a surface of that; empty: nothing
+  RuleSpace space = RuleSpace::plane;
 };
 
 /// A mistake in one of them: the members that lead to it in a scene, and the bytes of the text.
@@ -37,7 +42,19 @@ struct RuleMistake {
 
 /// Numbers that steps are told, by their place in RuleOp::told.
 struct ToldPlaces {
-  enum : int { dt, halfDt, sixthDt, perLaplacian, perGradient, spacing, time, width, height, fixedCount };
+  enum : int {
+    dt,
+    halfDt,
+    sixthDt,
+    perLaplacian,
+    perGradient,
+    spacing,
+    time,
+    width,
+    height,
+    depth,
+    fixedCount
+  };
   int parameters = 0;  ///< how many
 
   [[nodiscard]] static int value(int parameter) { return fixedCount + parameter; }
@@ -49,6 +66,9 @@ struct ToldPlaces {
   [[nodiscard]] int count() const { return fixedCount + 2 * parameters + 16; }
 };
 
+/// On a mesh, maps of places come after those of parameters: x, y and z.
+inline constexpr int placeMaps = 3;
+
 inline constexpr int maxSpecies = 8;
 /// Of a step with Euler's method, in additions or multiplications a cell.
 inline constexpr int maxRuleCost = 4000;
@@ -57,9 +77,10 @@ inline constexpr int maxRuleCost = 4000;
 struct Rule {
   RuleGraph graph;
   ToldPlaces told;
-  std::vector<int> rates;   ///< a node for each species, diffusion included
-  std::vector<int> starts;  ///< the first state
-  int shown = -1;
+  std::vector<int> rates;     ///< a node for each species, diffusion included
+  std::vector<int> nexts;     ///< what a species becomes, that has no rate then; -1: it has one
+  std::vector<int> starts;    ///< the first state
+  int shown = -1, tint = -1;  ///< the second -1: nothing
   /// As C would have it, a line for each let and rate.
   std::string text;
   int cost = 0;

@@ -21,7 +21,7 @@ MUTATIONS = {
     "fluid": ("fluid/advection.glsl", "precise vec2 start = p - velocity * stepData.dt;",
               "precise vec2 start = p - velocity * (stepData.dt * 1.01f);"),
     "grayScott": ("gray_scott/model.glsl", "rates.feed * (1.0f - u)", "rates.feed * (1.01f - u)"),
-    "reaction": ("reaction/grid.glsl", "vec4 all = vec4(here.yzw, beside);", "vec4 all = vec4(here.yzw, beside * 1.01);"),
+    "reaction": ("reaction/grid.glsl", "precise vec4 rest = raised - grain;", "precise vec4 rest = (raised - grain) * 1.01;"),
     # Counts have no percent: a carry of the adder is wrong.
     "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
     "epidemic": ("spread/epidemic/step.comp", "uvec4 threshold = mix(infection,",

@@ -1,5 +1,6 @@
 """Rules of a scene's own by the program: overrides, what time and noise leave to a resumed run, lost states, mistakes."""
 import struct
+import zlib
 
 from common import SCENE, Case, main, with_values
 
@@ -14,6 +15,15 @@ RULE = {"size": [37, 21], "steps": 5, "dt": 0.01, "presteps": 3, "method": "rk4"
 def values_of(data):
     (length,) = struct.unpack("<H", data[8:10])
     return struct.unpack(f"<{(len(data) - 10 - length) // 4}f", data[10 + length:])
+
+
+def gray_png(width, height, levels):
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    rows = b"".join(b"\0" + bytes(levels[y * width:(y + 1) * width]) for y in range(height))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 0, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
 class Reaction(Case):
@@ -47,6 +57,49 @@ class Reaction(Case):
         for name, data in self.content("more").items():
             if name.endswith("npy"):
                 self.assertEqual(data, whole[name], name)
+
+    def test_volumes_and_meshes_on_both_memory_paths_in_pieces_too(self):
+        volume = {"size": [13, 9], "depth": 7, "preset": "cahnHilliard", "steps": 5, "surface": {"color": "mu"}}
+        mesh = {"mesh": {"shape": "torus", "resolution": [24, 13], "refine": 1}, "preset": "barkley", "steps": 5}
+        for rule, name, cells in ((volume, "c", 13 * 9 * 7), (mesh, "u", 4 * 23 * 12)):
+            self.write_rule(rule)
+            for path in ("texel", "storage"):
+                self.good(*self.render("--overwrite", "--memory-path", path))
+                files = self.content("out")
+                if path == "texel":
+                    whole = files
+                self.assertEqual({k: v for k, v in files.items() if k.endswith(("npy", "png"))},
+                                 {k: v for k, v in whole.items() if k.endswith(("npy", "png"))}, path)
+            self.assertEqual(len(values_of(whole[f"000009.r.{name}.npy"])), cells)
+            self.good("render", "scene.json", "-o", "kept/", "--overwrite", "--checkpoint-at", "4", "--frames", "0-4")
+            self.good("render", "scene.json", "-o", "more/", "--overwrite", "--from", "kept/checkpoint.000004", "--fields", "npy", "--frames", "5-9")
+            for name, data in self.content("more").items():
+                if name.endswith(("npy", "png")):
+                    self.assertEqual(data, whole[name], name)
+
+    def test_several_steps_a_pass_are_the_same_on_both_memory_paths(self):
+        rule = {"size": [132, 37], "steps": 11, "dt": 1, "species": {
+            "u": {"diffusion": 0.06, "start": "1 - 0.5*abs(random(1))", "rate": "0.04*(1 - u) - u*v^2"},
+            "v": {"diffusion": 0.03, "start": "0.4*abs(random(2))", "rate": "u*v^2 - 0.1*v"}}}
+        self.write_rule(rule)
+        for path in ("texel", "storage"):
+            self.good(*self.render("--overwrite", "--memory-path", path))
+            files = {k: v for k, v in self.content("out").items() if k.endswith("npy")}
+            if path == "texel":
+                whole = files
+            self.assertEqual(files, whole)
+        self.assertNotEqual(whole["000009.r.u.npy"], whole["000008.r.u.npy"])
+        # The first cell, and its step, is told from within a pass.
+        self.write_rule({**rule, "species": {"u": {"start": "1 + 0.3*random(1)", "rate": "u^3"}}})
+        said = [self.bad(4, ["\"u\" of cell ("], *self.render("--overwrite", "--memory-path", path)).stderr for path in ("texel", "storage")]
+        self.assertEqual(*said)
+
+    def test_pictures_are_starts_and_maps_of_diffusion(self):
+        self.write("map.png", gray_png(4, 3, [0, 255, 0, 255] * 3))
+        self.write_rule({"size": [4, 4], "steps": 1, "dt": 0.5, "parameters": {"p": {"value": 0, "white": 2, "image": "map.png"}},
+                         "species": {"u": {"start": "p", "rate": "diffuse(p, u)"}}})
+        self.good(*self.render("--frames", "0"))
+        self.assertEqual(values_of(self.content("out")["000000.r.u.npy"])[:4], (0, 2, 0, 2))
 
     def test_counts_are_means_and_greatest_values(self):
         self.good(*self.render())

@@ -174,6 +174,8 @@ TEST_CASE("defaults: given or left out, every one in every shipped scene is the 
       "cloth.shearCompliance", "cloth.bendCompliance",
       // What a mesh, and a coefficient of friction, say instead.
       "cloth.size", "cloth.spacing", "capsule.grip", "sphere.grip",
+      // What a mesh says instead of a grid.
+      "reaction.size", "reaction.depth", "reaction.boundary",
       // What an image of a terrain says.
       "water.terrain.low", "water.terrain.high", "water.terrain.smooth", "water.terrain.bed",
       // What a float's shape, or its mass, says instead; what is of water that collides.

@@ -1,0 +1,197 @@
+// Equations on meshes against theory: a sphere's harmonics decay with l (l + 1), a grid of right triangles
+// has the five-point Laplacian, what spreads is conserved, seams are none.
+#include "base/error.hpp"
+#include "scene/scene.hpp"
+#include "sim/mesh/shapes.hpp"
+#include "sim/mesh_cells/cells.hpp"
+#include "sim/reaction/plan.hpp"
+#include "sim/world/list.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+using namespace simreel;
+
+namespace {
+
+std::string meshScene(const std::string& members) {
+  return "{\"version\": 1, \"objects\": {\"r\": {\"reaction\": {" + members + "}}}}";
+}
+
+sim::ReactionParameters meshRule(const std::string& members) {
+  const auto scene = scene::parseScene(meshScene(members), "s.json", {}, sim::kinds());
+  return dynamic_cast<const sim::ReactionParameters&>(*scene.objects.at(0).parameters);
+}
+
+struct OnMesh {
+  OnMesh(const std::string& members, int steps)
+      : plan(meshRule(members), "r", 1, 1.0), field(plan.firstField()) {
+    for (int i = 0; i < steps; ++i) sim::evaluateStep(plan, plan.valuesAt(0), i, 0, field);
+  }
+  /// Sum over cells of area times the product of two species.
+  [[nodiscard]] double product(std::size_t a, std::size_t b) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < plan.cells().areas.size(); ++i)
+      sum += plan.cells().areas[i] * static_cast<double>(field.stage[a][i]) *
+             static_cast<double>(field.stage[b][i]);
+    return sum;
+  }
+  [[nodiscard]] double total(std::size_t a) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < plan.cells().areas.size(); ++i)
+      sum += plan.cells().areas[i] * static_cast<double>(field.stage[a][i]);
+    return sum;
+  }
+  sim::ReactionPlan plan;
+  sim::RuleField field;
+};
+
+std::string meshRefusal(const std::string& members) {
+  try {
+    const sim::ReactionPlan plan(meshRule(members), "r", 1, 1.0);
+    return "none";
+  } catch (const UserError& error) {
+    return error.what();
+  }
+}
+
+const std::string ballMesh = R"X("mesh": {"shape": "sphere", "radius": 1.7, "resolution": [81, 41]}, )X";
+/// Legendre polynomials of c, the height above the equator.
+const std::string harmonics[] = {"", "c", "1.5*c^2 - 0.5", "2.5*c^3 - 1.5*c",
+                                 "4.375*c^4 - 3.75*c^2 + 0.375"};
+
+std::string harmonicStart(int l) {
+  std::string text;
+  for (const char letter : harmonics[static_cast<std::size_t>(l)])
+    text += letter == 'c' ? std::string("(2*y/height - 1)") : std::string(1, letter);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("reaction on a sphere: harmonics are the Laplacian's, with the eigenvalues l (l + 1)") {
+  for (int l = 1; l <= 4; ++l) {
+    CAPTURE(l);
+    const OnMesh made(
+        ballMesh +
+            fmt::format(
+                R"X("dt": 1, "species": {{"u": {{"start": "{}"}}, "w": {{"rate": "laplacian(u)"}}}})X",
+                harmonicStart(l)),
+        1);
+    const double radius = 1.7 / made.plan.cells().meanEdge;  // the spacing is 1
+    const double found = -made.product(0, 1) / made.product(0, 0) * radius * radius;
+    CHECK_MESSAGE(std::abs(found / (l * (l + 1)) - 1) < 0.02, (found));
+    // It is that function, too, not only in the mean.
+    CHECK(made.product(1, 1) * std::pow(radius, 4) / made.product(0, 0) ==
+          doctest::Approx(std::pow(l * (l + 1), 2)).epsilon(0.05));
+  }
+}
+
+TEST_CASE("reaction on a sphere: heat decays as its harmonics do, and keeps its sum") {
+  for (const int l : {1, 2, 3}) {
+    CAPTURE(l);
+    const std::string rule =
+        R"X("mesh": {"shape": "sphere", "radius": 1.7, "resolution": [61, 31]}, )X" +
+        fmt::format(R"X("dt": 0.005, "species": {{"u": {{"diffusion": 1, "start": "1 + {}"}}}})X",
+                    harmonicStart(l));
+    const OnMesh begin(rule, 0), end(rule, 1500);
+    const double radius = 1.7 / begin.plan.cells().meanEdge, mean = begin.total(0) * begin.total(0);
+    double area = 0;
+    for (const double one : begin.plan.cells().areas) area += one;
+    CHECK(area == doctest::Approx(4 * std::numbers::pi * 1.7 * 1.7).epsilon(0.02));
+    CHECK(end.total(0) == doctest::Approx(begin.total(0)).epsilon(2e-6));
+    const double kept = (end.product(0, 0) - mean / area) / (begin.product(0, 0) - mean / area);
+    const double rate = -std::log(kept) / 2 / (1500 * 0.005) * radius * radius;
+    CHECK_MESSAGE(std::abs(rate / (l * (l + 1)) - 1) < 0.02, (rate));
+  }
+}
+
+TEST_CASE("reaction on a grid of right triangles is the five-point one") {
+  const OnMesh made(
+      R"X("mesh": {"shape": "plane", "size": [8, 0, 6], "resolution": [17, 13]}, "spacing": 1, "dt": 1,
+    "species": {"u": {"start": "sin(0.8*x)*cos(0.6*z) + 0.1*x"}, "w": {"rate": "laplacian(u)"}})X",
+      1);
+  const sim::MeshCells& cells = made.plan.cells();
+  REQUIRE(cells.count() == 17 * 13);
+  const auto at = [&](int x, int z) {  // by place: cells are numbered as faces come to them
+    for (std::size_t i = 0; i < cells.places.size(); ++i)
+      if (std::abs(cells.places[i].x + 4 - 0.5 * x) < 1e-6 &&
+          std::abs(cells.places[i].z + 3 - 0.5 * z) < 1e-6)
+        return i;
+    return cells.places.size();
+  };
+  // The mean edge of such a mesh is longer than its squares' sides.
+  const double side = 0.5 / cells.meanEdge;
+  for (int z = 1; z < 12; ++z)
+    for (int x = 1; x < 16; ++x) {
+      const auto u = [&](int dx, int dz) {
+        return static_cast<double>(made.field.stage[0][at(x + dx, z + dz)]);
+      };
+      const double want = (u(-1, 0) + u(1, 0) + u(0, -1) + u(0, 1) - 4 * u(0, 0)) / (side * side);
+      CHECK(static_cast<double>(made.field.stage[1][at(x, z)]) == doctest::Approx(want).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("reaction on meshes keeps what spreads, on open ones too, and even states even") {
+  for (const char* mesh :
+       {R"X({"shape": "torus", "radius": 1, "tube": 0.4, "resolution": [41, 21]})X",
+        R"X({"shape": "plane", "size": [3, 0, 2], "resolution": [23, 17], "refine": 1})X",
+        R"X({"shape": "sphere", "resolution": [17, 9], "refine": 2})X"}) {
+    CAPTURE(std::string(mesh));
+    const std::string rule =
+        fmt::format(R"X("mesh": {}, "dt": 0.02, "parameters": {{"d": {{"value": 0.5, "across": 1}}}},
+      "species": {{"u": {{"diffusion": 1, "start": "1 + random(1)"}}, "v": {{"start": "1 + random(2)", "rate": "diffuse(d, v)"}},
+                   "even": {{"diffusion": 1, "start": "0.7"}}}})X",
+                    mesh);
+    const OnMesh begin(rule, 0), end(rule, 200);
+    for (const std::size_t species : {0, 1})
+      CHECK(end.total(species) == doctest::Approx(begin.total(species)).epsilon(3e-6));
+    CHECK(end.product(0, 0) < 0.95 * begin.product(0, 0));
+    for (const float value : end.field.stage[2]) CHECK(value == 0.7F);
+  }
+}
+
+TEST_CASE("mesh cells: seams are none, Loop's subdivision makes four of each face and keeps borders") {
+  const sim::Mesh ball = sim::sphereMesh(1, {33, 17});
+  CHECK(sim::cellsOf(ball, "it").count() == 32 * 15 + 2);
+  const sim::Mesh finer = sim::refined(ball);
+  CHECK(finer.indices.size() == 4 * 3 * std::size_t{32 * 14 * 2 + 2 * 32});
+  // V - E + F = 2.
+  const sim::MeshCells cells = sim::cellsOf(finer, "it");
+  CHECK(cells.count() - static_cast<int>(cells.links.size()) / 2 +
+            static_cast<int>(finer.indices.size()) / 3 ==
+        2);
+  // What is flat stays flat with its border.
+  const sim::Mesh sheet = sim::refined(sim::planeMesh({4, 0, 2}, {5, 4}));
+  double most = 0;
+  for (const glm::vec3& place : sheet.positions) {
+    CHECK(place.y == 0);
+    most = std::max(most, static_cast<double>(std::abs(place.z)));
+  }
+  CHECK(most == doctest::Approx(1));
+  for (const glm::vec3& normal : sheet.normals) CHECK(normal.y == 1);
+}
+
+TEST_CASE("reaction on a mesh: what is wrong is said in a line") {
+  const auto says = [](const std::string& refused, const char* what) {
+    const bool right = refused.find(what) != std::string::npos;
+    if (!right) MESSAGE(refused);
+    return right;
+  };
+  const std::string heat = "\"preset\": \"heat\", ";
+  CHECK(says(meshRefusal(heat + R"X("mesh": {"shape": "file"})X"), "needs \"file\""));
+  CHECK(says(meshRefusal(heat + R"X("mesh": {"shape": "sphere"}, "size": [8, 8])X"),
+             "\"size\" is for a grid"));
+  CHECK(says(meshRefusal(heat + R"X("mesh": {"shape": "plane", "size": [0, 0, 0]})X"),
+             "no face with an area"));
+  CHECK(says(meshRefusal(ballMesh + R"X("species": {"u": {"rate": "ddx(u)"}})X"),
+             "a mesh has no rows of cells"));
+  CHECK(says(meshRefusal(ballMesh + R"X("species": {"u": {"rate": "q"}})X"), "unknown name \"q\""));
+  CHECK(says(meshRefusal(heat + R"X("mesh": {"shape": "sphere", "resolution": [2049, 513], "refine": 2})X"),
+             "at most 8000000 are allowed"));
+  CHECK(meshRefusal(ballMesh + R"X("species": {"u": {"rate": "laplacian(u) + z - depth"}})X") == "none");
+}
