@@ -28,7 +28,7 @@ constexpr Sample samples[] = {
 };
 constexpr unsigned middleBit = 1U << 4, allBits = 0x1EFU;
 
-unsigned turned(unsigned cells) {
+unsigned turnedCells(unsigned cells) {
   unsigned result = 0;
   for (unsigned y = 0; y < 3; ++y)
     for (unsigned x = 0; x < 3; ++x)
@@ -36,7 +36,7 @@ unsigned turned(unsigned cells) {
   return result;
 }
 
-unsigned mirrored(unsigned cells) {
+unsigned mirroredCells(unsigned cells) {
   unsigned result = 0;
   for (unsigned y = 0; y < 3; ++y)
     for (unsigned x = 0; x < 3; ++x)
@@ -44,11 +44,11 @@ unsigned mirrored(unsigned cells) {
   return result;
 }
 
-struct Table {
+struct ArrangementTable {
   std::array<std::int8_t, 512> letter{};
   std::array<int, 9> letters{};
 
-  Table() {
+  ArrangementTable() {
     letter.fill(0);
     letters[0] = letters[8] = 1;
     for (const Sample& sample : samples) {
@@ -62,14 +62,14 @@ struct Table {
       for (int turn = 0; turn < 8; ++turn) {
         letter[cells] = which;
         if (count < 4) letter[allBits & ~cells] = which;
-        cells = turn == 3 ? mirrored(cells) : turned(cells);
+        cells = turn == 3 ? mirroredCells(cells) : turnedCells(cells);
       }
     }
   }
 };
 
-const Table& table() {
-  static const Table all;
+const ArrangementTable& arrangementTable() {
+  static const ArrangementTable all;
   return all;
 }
 
@@ -84,12 +84,12 @@ std::string lettersText(int letters) {
 }  // namespace
 
 int lettersOf(int count) {
-  return table().letters[static_cast<std::size_t>(count)];
+  return arrangementTable().letters[static_cast<std::size_t>(count)];
 }
 
 Arrangement arrangementOf(unsigned neighbourhood) {
   const unsigned around = neighbourhood & ~middleBit & 0x1FFU;
-  return {std::popcount(around), table().letter[around]};
+  return {std::popcount(around), arrangementTable().letter[around]};
 }
 
 std::string arrangementText(int count, int letters) {

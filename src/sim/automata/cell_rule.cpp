@@ -139,6 +139,9 @@ RuleProblem parseCellRule(std::string_view text, CellRule& rule) {
       }
   RuleProblem problem = parseAnyNotation(text, low, rule);
   if (problem.message.empty()) return problem;
+  if (const std::size_t colon = text.find(':'); colon != std::string_view::npos && colon > 0)
+    if (CellRule before; parseCellRule(text.substr(0, colon), before).message.empty())
+      return {colon, "the grid of a rule is said by \"size\" and \"border\", or in a pattern's file"};
   const bool letter = low[0] >= 'a' && low[0] <= 'z';
   if (const char* kind = otherKind(text))
     problem.message = fmt::format("this is {}, which is not known", kind);

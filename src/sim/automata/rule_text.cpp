@@ -14,7 +14,7 @@ bool blank(char c) {
   return c == ' ' || c == '\t' || c == '\r';
 }
 
-std::string_view withoutBlanks(std::string_view text) {
+std::string_view bareText(std::string_view text) {
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && blank(text.back())) text.remove_suffix(1);
   return text;
@@ -50,7 +50,7 @@ std::vector<RuleText::Line> RuleText::section(std::string_view name) const {
       line.remove_prefix(name.size());
     else if (line.starts_with('@'))
       break;
-    line = withoutBlanks(line.substr(0, line.find('#')));
+    line = bareText(line.substr(0, line.find('#')));
     if (!line.empty())
       result.push_back(
           {static_cast<int>(i) + 1, static_cast<std::size_t>(line.data() - lines_[i].data()), line});
@@ -85,7 +85,7 @@ std::vector<RuleWord> wordsOf(std::string_view text, bool commas) {
     std::size_t end = at;
     while (end < text.size() && (commas ? text[end] != ',' : !blank(text[end]))) ++end;
     std::string_view word = text.substr(at, end - at);
-    const std::string_view bare = withoutBlanks(word);
+    const std::string_view bare = bareText(word);
     if (commas || !bare.empty())
       result.push_back({bare.empty() ? at : static_cast<std::size_t>(bare.data() - text.data()), bare});
     at = end + 1;

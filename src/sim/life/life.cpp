@@ -272,7 +272,16 @@ SimulationKind lifeKind() {
       });
   life.kind.sceneAround = sceneAroundPattern;
   life.kind.appendix = [] {
-    std::string text = "Rules by name:\n";
+    std::string text =
+        "Rules:\n"
+        "  B3/S23, 23/3              neighbours for birth and survival, of eight\n"
+        "  B2-a/S12                  with letters of how they lie (Hensel)\n"
+        "  B2/S013V, B2/S34H         of four (von Neumann), of six (hexagonal)\n"
+        "  MAP...                    every neighbourhood, in base64 as Golly has it\n"
+        "  345/2/4, B2/S345/C4       Generations: states at the end; also with letters, V, H, MAP\n"
+        "  R5,C0,M1,S34..58,B34..45,NM  Larger than Life; NN von Neumann, NC circular\n"
+        "  R1/T3/C3/NM               cyclic: range, threshold, states, neighbourhood (NM, NN)\n"
+        "Rules by name:\n";
     for (const RulePreset& preset : rulePresets())
       text += fmt::format("  {:<15} {:<34} {}\n", preset.name, preset.rule, preset.doc);
     return text;

@@ -13,7 +13,7 @@ using namespace simreel::sim;
 
 namespace {
 
-LifeParameters soup(const char* rule, GridBorder border, glm::ivec2 size) {
+LifeParameters soupOf(const char* rule, GridBorder border, glm::ivec2 size) {
   LifeParameters p;
   p.size = size;
   p.rule = rule;
@@ -67,22 +67,22 @@ TEST_CASE("automata of every family equal their twins with every border") {
   for (const char* rule : {"B3/S23", "B2-a/S12", "B2/S013V", "345/2/4", "R3,C0,M0,S8..17,B9..12,NM",
                            "R4,C0,M1,S12..20,B10..14,NC", "R2,C4,M0,S4..7,B4..5,NN", "R2/T3/C5/NM"})
     for (const GridBorder border : allBorders) {
-      compareStates(soup(rule, border, {67, 41}));
-      compareStates(soup(rule, border, {16, 130}));
+      compareStates(soupOf(rule, border, {67, 41}));
+      compareStates(soupOf(rule, border, {16, 130}));
     }
-  for (const char* rule : {"B3/S23", "/2/3"}) compareStates(soup(rule, GridBorder::sphere, {45, 45}));
+  for (const char* rule : {"B3/S23", "/2/3"}) compareStates(soupOf(rule, GridBorder::sphere, {45, 45}));
 }
 
 TEST_CASE("automata run on grids hardly larger than their range") {
   for (const glm::ivec2 size : {glm::ivec2(1, 1), {2, 3}, {5, 1}})
     for (const GridBorder border : allBorders) {
-      compareStates(soup("345/2/4", border, size));
-      compareStates(soup("B2-a/S12", border, size));
+      compareStates(soupOf("345/2/4", border, size));
+      compareStates(soupOf("B2-a/S12", border, size));
     }
   for (const glm::ivec2 size : {glm::ivec2(7, 7), {9, 8}, {130, 7}})
     for (const char* shape : {"M", "N", "C"})
       compareStates(
-          soup((std::string("R7,C0,M1,S20..50,B20..40,N") + shape).c_str(), GridBorder::klein, size));
+          soupOf((std::string("R7,C0,M1,S20..50,B20..40,N") + shape).c_str(), GridBorder::klein, size));
 }
 
 TEST_CASE("rules of neighbourhoods run on bits, several generations a pass and by tiles") {
@@ -90,7 +90,7 @@ TEST_CASE("rules of neighbourhoods run on bits, several generations a pass and b
        {"B2-a/S12", "B3/S2-i34q", "B3aijn4w/S2ae3eijkr4z", "B2/S34H", "B13/S012V",
         "MAPARYXfhZofugWaH7oaIDogBZofuhogOiAaIDogIAAgAAWaH7oaIDogGiA6ICAAIAAaIDogIAAgACAAIAAAAAAAA"}) {
     for (const GridBorder border : {GridBorder::torus, GridBorder::dead}) {
-      auto p = soup(rule, border, {256, 70});
+      auto p = soupOf(rule, border, {256, 70});
       compareStates(p);
       p.size = {131, 67};
       compareStates(p);
@@ -104,15 +104,15 @@ TEST_CASE("rules of neighbourhoods run on bits, several generations a pass and b
 TEST_CASE("wide ranges, and sums that fill a byte") {
   for (const char* rule : {"R127,C0,M1,S20000..30000,B18000..28000,NM",
                            "R60,C0,M1,S4000..6000,B3500..5500,NC", "R33,C7,M0,S700..1300,B600..1200,NN"}) {
-    auto p = soup(rule, GridBorder::torus, {140, 129});
+    auto p = soupOf(rule, GridBorder::torus, {140, 129});
     p.stepsPerSecond = 10;  // a generation
     compareStates(p, 1);
   }
-  compareStates(soup("R10,C0,M1,S123..212,B123..170,NM", GridBorder::torus, {150, 70}), 2);
+  compareStates(soupOf("R10,C0,M1,S123..212,B123..170,NM", GridBorder::torus, {150, 70}), 2);
 }
 
 TEST_CASE("a trail follows any rule of two states") {
-  auto p = soup("B3/S23", GridBorder::klein, {70, 50});
+  auto p = soupOf("B3/S23", GridBorder::klein, {70, 50});
   p.trail = 9;
   p.trailGiven = true;
   compareStates(p);
@@ -121,7 +121,7 @@ TEST_CASE("a trail follows any rule of two states") {
 }
 
 TEST_CASE("strokes paint states") {
-  auto p = soup("/2/5", GridBorder::torus, {75, 52});
+  auto p = soupOf("/2/5", GridBorder::torus, {75, 52});
   StrokeParameters stroke;
   stroke.from = {-3, 20, 0};
   stroke.to = {70, 40, 0};

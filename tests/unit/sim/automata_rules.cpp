@@ -120,6 +120,7 @@ TEST_CASE("rules that make no sense are refused at their place, of every family"
   checkHas(written("R1/T9/C3/NM"), "4: the threshold is 9 here; it goes from 1 to 8");
   checkHas(written("R1/T3/C1/NM"), "7: the number of states is 1");
   checkHas(written("MAPAB?"), "5: '?' is no digit of base64");
+  checkHas(written("B3/S23:T30,20"), "6: the grid of a rule is said by");
   checkHas(written("MAPABC"), "3: MAP is followed by 86, 22");
 }
 
@@ -187,6 +188,45 @@ TEST_CASE("Life as a table of permuted neighbours and as a tree is Life") {
     c = nextStates(c, {41, 23}, counted, {});
     REQUIRE(a == b);
     REQUIRE(a == c);
+  }
+}
+
+TEST_CASE("cyclic rules are what tables say") {
+  const auto table = [](int states, int threshold, bool four) {
+    std::string text = "@RULE C\n@TABLE\nn_states:" + std::to_string(states) +
+                       "\nneighborhood:" + (four ? "vonNeumann" : "Moore") + "\nsymmetries:permute\n";
+    const int neighbours = four ? 4 : 8;
+    std::string all = "0";
+    for (int s = 1; s < states; ++s) all += "," + std::to_string(s);
+    for (int i = 0; i < neighbours; ++i) text += "var v" + std::to_string(i) + "={" + all + "}\n";
+    for (int s = 0; s < states; ++s) {
+      const std::string next = std::to_string((s + 1) % states);
+      text += std::to_string(s);
+      for (int i = 0; i < neighbours; ++i) text += "," + (i < threshold ? next : "v" + std::to_string(i));
+      text += "," + next + "\n";
+    }
+    return parseRuleFile(text, "c.rule");
+  };
+  const glm::ivec2 size(37, 26);
+  const std::pair<const char*, CellRule> both[] = {{"R1/T1/C4/NN", table(4, 1, true)},
+                                                   {"R1/T3/C3/NM", table(3, 3, false)},
+                                                   {"R1/T2/C5/NM", table(5, 2, false)}};
+  for (const auto& item : both) {
+    const char* name = item.first;
+    const CellRule& rule = item.second;
+    CAPTURE(name);
+    std::vector<std::uint8_t> cells;
+    for (unsigned i = 0; i < 37 * 26; ++i)
+      cells.push_back(
+          static_cast<std::uint8_t>((i * 2654435761U >> 16) % static_cast<unsigned>(rule.states)));
+    auto other = cells;
+    const auto start = cells;
+    for (int i = 0; i < 20; ++i) {
+      cells = nextStates(cells, size, ruleOf(name), {});
+      other = nextStates(other, size, rule, {});
+      REQUIRE(cells == other);
+    }
+    CHECK(cells != start);
   }
 }
 
