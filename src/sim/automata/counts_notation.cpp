@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr const char* advice = "write a rule as \"B3/S23\" (or \"23/3\", survival first)";
+constexpr const char* countsAdvice = "write a rule as \"B3/S23\" (or \"23/3\", survival first)";
 
 char lowerLetter(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -56,9 +56,9 @@ class CountsReader {
 
   /// What is wrong where a number or a slash should stand.
   [[nodiscard]] RuleProblem notANumber() const {
-    if (at_ == text_.size()) return {at_, fmt::format("a slash is missing; {}", advice)};
+    if (at_ == text_.size()) return {at_, fmt::format("a slash is missing; {}", countsAdvice)};
     return {at_, fmt::format("{} is not a number of neighbours, 0 to {}; {}", shownCharacter(text_, at_),
-                             maxCount(), advice)};
+                             maxCount(), countsAdvice)};
   }
 
   /// Digits with their letters up to the first character that is neither.
@@ -71,8 +71,9 @@ class CountsReader {
                                  shape_ == NeighbourShape::vonNeumann  ? " with V"
                                  : shape_ == NeighbourShape::hexagonal ? " with H"
                                                                        : "",
-                                 digit, advice)};
-      if ((seen >> digit & 1U) != 0) return {at_, fmt::format("{} is there twice; {}", digit, advice)};
+                                 digit, countsAdvice)};
+      if ((seen >> digit & 1U) != 0)
+        return {at_, fmt::format("{} is there twice; {}", digit, countsAdvice)};
       seen |= 1U << digit;
       ++at_;
       if (RuleProblem problem = letters(digit, counts); !problem.message.empty()) return problem;
@@ -119,7 +120,7 @@ class CountsReader {
       const char letter = at_ < text_.size() ? lowerLetter(text_[at_]) : '\0';
       if (part == 1 && letter != lowerLetter(wanted)) {
         if (at_ < text_.size() && text_[at_ - 1] != '/' && text_[at_ - 1] != '_') return notANumber();
-        return {at_, fmt::format("{} {} is missing; {}", wanted == 'S' ? "an" : "a", wanted, advice)};
+        return {at_, fmt::format("{} {} is missing; {}", wanted == 'S' ? "an" : "a", wanted, countsAdvice)};
       }
       const std::size_t which = letter == 's' ? 1 : 0;
       seen[which] = true;

@@ -35,7 +35,8 @@ class Lenia : public Simulation {
     checkLimits();
     const auto first = plan_.firstCells();
     for (gl::Vec4Array& cells : cells_) cells = gl::Vec4Array(name_ + " cells", first);
-    for (int i = 0; i < 2; ++i) words_[i] = gl::Texture::view(name_ + " words", GL_RGBA32UI, cells_[i].buffer());
+    for (int i = 0; i < 2; ++i)
+      words_[i] = gl::Texture::view(name_ + " words", GL_RGBA32UI, cells_[i].buffer());
     padded_ = gl::Vec4Array(name_ + " padded cells", paddedItems_ * (size_.y + 2 * plan_.range()) + 1);
     weights_ = gl::Vec4Array(name_ + " weights", plan_.weights());
     makePrograms(setting.fast);
@@ -58,7 +59,8 @@ class Lenia : public Simulation {
   [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
   [[nodiscard]] std::string elementName(long element) const override {
     const long x = element % plan_.rowItems() * 4;
-    return fmt::format("cells ({} to {}, {})", x, std::min<long>(x + 3, size_.x - 1), element / plan_.rowItems());
+    return fmt::format("cells ({} to {}, {})", x, std::min<long>(x + 3, size_.x - 1),
+                       element / plan_.rowItems());
   }
   void publish(double /*time*/, Drawables& drawables) const override {
     const FieldDisplay& display = plan_.parameters().display;

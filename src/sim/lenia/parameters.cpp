@@ -13,8 +13,8 @@ constexpr int maxKernels = 8, maxLeniaSide = 8192;
 
 }  // namespace
 
-// Grown from random patches at R 13, T 10, mu 0.15, sigma 0.015, polynomial, and settled: Orbium, which glides down and to
-// the right, 0.48 of its kernel's radius in a unit of time.
+// Grown from random patches at R 13, T 10, mu 0.15, sigma 0.015, polynomial, and settled: Orbium, which
+// glides down and to the right, 0.48 of its kernel's radius in a unit of time.
 const std::vector<LeniaShape>& leniaCreatures() {
   static const std::vector<LeniaShape> list = {
       {"orbium",
@@ -32,8 +32,11 @@ float leniaDigit(char digit) {
 }
 
 LeniaParameters::LeniaParameters() {
-  display.stops = {{0.004F, 0.006F, 0.020F}, {0.010F, 0.050F, 0.130F}, {0.040F, 0.300F, 0.340F},
-                   {0.650F, 0.620F, 0.300F}, {1.000F, 0.900F, 0.700F}};
+  display.stops = {{0.004F, 0.006F, 0.020F},
+                   {0.010F, 0.050F, 0.130F},
+                   {0.040F, 0.300F, 0.340F},
+                   {0.650F, 0.620F, 0.300F},
+                   {1.000F, 0.900F, 0.700F}};
   display.border = display.stops.front();
 }
 
@@ -44,7 +47,8 @@ void LeniaKernel::describe(scene::Fields& f) {
   f.choice("core", core, {"polynomial", "exponential"},
            "Profile of a ring, r from 0 to 1 across it: (4 r (1 - r))^4, or exp(4 - 1 / (r (1 - r))).");
   f.choice("growth", growth, {"polynomial", "gaussian", "step"},
-           "2 max(0, 1 - d^2 / (9 sigma^2))^4 - 1, 2 exp(-d^2 / (2 sigma^2)) - 1, or 1 for |d| <= sigma and else "
+           "2 max(0, 1 - d^2 / (9 sigma^2))^4 - 1, 2 exp(-d^2 / (2 sigma^2)) - 1, or 1 for |d| <= sigma "
+           "and else "
            "-1, of d = u - mu.");
   f.number("mu", mu, {0, 1}, "", "Weighted mean u of the cells around at which a cell grows most.");
   f.number("sigma", sigma, {1e-4, 1}, "", "How far u may be from that.");
@@ -68,26 +72,33 @@ void LeniaCreature::describe(scene::Fields& f) {
 }
 
 void LeniaParameters::describe(scene::Fields& f) {
-  f.pair("size", size, {1, maxLeniaSide}, "cells", "Width and height of the grid, a torus; 8 bytes a cell.");
+  f.pair("size", size, {1, maxLeniaSide}, "cells",
+         "Width and height of the grid, a torus; 8 bytes a cell.");
   f.choice("model", model, {"lenia", "smoothLife"},
-           "lenia: A' = [A + dt sum h G(K * A)] held to 0 to 1; smoothLife: A' = [A + dt (2 s(n, m) - 1)], of the "
+           "lenia: A' = [A + dt sum h G(K * A)] held to 0 to 1; smoothLife: A' = [A + dt (2 s(n, m) - 1)], "
+           "of the "
            "filling n of a ring and m of a disc.");
   f.list(
       "kernels", kernels, "Of Lenia; not given: one, Orbium's.",
       [](scene::Fields& g, LeniaKernel& kernel) { kernel.describe(g); }, maxKernels);
   if (kernels.empty()) f.error("kernels", "Lenia has at least one kernel");
   f.number("timeScale", timeScale, {1, 1000}, "", "T, steps in a unit of time: dt = 1 / T.");
-  f.number("stepsPerSecond", stepsPerSecond, {1e-3, 1e5}, "1/s", "Steps a second, whatever the frame rate.");
-  f.number("radius", radius, {3, maxLeniaRadius}, "cells", "Of SmoothLife's ring; its disc is a third of that.");
-  f.number("bornMin", bornMin, {0, 1}, "", "Of SmoothLife: filling of the ring at which the dead come alive, from");
+  f.number("stepsPerSecond", stepsPerSecond, {1e-3, 1e5}, "1/s",
+           "Steps a second, whatever the frame rate.");
+  f.number("radius", radius, {3, maxLeniaRadius}, "cells",
+           "Of SmoothLife's ring; its disc is a third of that.");
+  f.number("bornMin", bornMin, {0, 1}, "",
+           "Of SmoothLife: filling of the ring at which the dead come alive, from");
   f.number("bornMax", bornMax, {0, 1}, "", "and to.");
   f.number("surviveMin", surviveMin, {0, 1}, "", "At which the living stay so, from");
   f.number("surviveMax", surviveMax, {0, 1}, "", "and to.");
   f.number("alphaRing", alphaRing, {1e-3, 1}, "", "How soft the limits of the ring's filling are,");
   f.number("alphaDisc", alphaDisc, {1e-3, 1}, "", "and that between dead and living.");
-  if (bornMin > bornMax) f.error("bornMax", fmt::format("\"bornMin\" ({}) is above \"bornMax\" ({})", bornMin, bornMax));
+  if (bornMin > bornMax)
+    f.error("bornMax", fmt::format("\"bornMin\" ({}) is above \"bornMax\" ({})", bornMin, bornMax));
   if (surviveMin > surviveMax)
-    f.error("surviveMax", fmt::format("\"surviveMin\" ({}) is above \"surviveMax\" ({})", surviveMin, surviveMax));
+    f.error("surviveMax",
+            fmt::format("\"surviveMin\" ({}) is above \"surviveMax\" ({})", surviveMin, surviveMax));
   f.list(
       "creatures", creatures, "Set into the first state.",
       [](scene::Fields& g, LeniaCreature& creature) { creature.describe(g); }, 1024);

@@ -14,9 +14,9 @@ namespace simreel::sim {
 struct LeniaKernel {
   enum class Core { polynomial, exponential };
   enum class Growth { polynomial, gaussian, step };
-  double radius = 13;             ///< cells
-  std::vector<int> rings{100};    ///< heights of equally wide rings from the middle outwards, percent
-  Core core = Core::polynomial;   ///< shape of a ring: (4 r (1 - r))^4 or exp(4 - 1 / (r (1 - r)))
+  double radius = 13;            ///< cells
+  std::vector<int> rings{100};   ///< heights of equally wide rings from the middle outwards, percent
+  Core core = Core::polynomial;  ///< shape of a ring: (4 r (1 - r))^4 or exp(4 - 1 / (r (1 - r)))
   Growth growth = Growth::polynomial;
   double mu = 0.15, sigma = 0.015;
   double weight = 1;

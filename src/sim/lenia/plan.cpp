@@ -78,9 +78,8 @@ int LeniaPlan::reach(int dy) const {
 
 float LeniaPlan::weight(int k, int dx, int dy) const {
   if (std::abs(dx) > range_ || std::abs(dy) > range_) return 0;
-  return static_cast<float>(
-      weights_[static_cast<std::size_t>(k)][static_cast<std::size_t>((dy + range_) * (2 * range_ + 1) + dx +
-                                                                     range_)]);
+  return static_cast<float>(weights_[static_cast<std::size_t>(k)][static_cast<std::size_t>(
+      (dy + range_) * (2 * range_ + 1) + dx + range_)]);
 }
 
 std::vector<glm::vec4> LeniaPlan::weights() const {
@@ -131,7 +130,9 @@ std::vector<glm::vec4> LeniaPlan::firstCells() const {
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x) {
         const unsigned value =
-            shader::hash3(glm::uvec3(x / grain, y / grain, static_cast<unsigned>(seed_) + 977U * hash.z)).x >> 8U;
+            shader::hash3(glm::uvec3(x / grain, y / grain, static_cast<unsigned>(seed_) + 977U * hash.z))
+                .x >>
+            8U;
         at(left + x, top + y) = static_cast<float>(value) / 16777216.0F;
       }
   }
