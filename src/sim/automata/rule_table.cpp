@@ -245,8 +245,8 @@ class TableReader {
     for (const std::vector<int>& move : moves_) {
       RuleTransition moved = transition;
       for (int i = 0; i < n; ++i)
-        moved.inputs[static_cast<std::size_t>(move[static_cast<std::size_t>(i)] + 1)] =
-            transition.inputs[static_cast<std::size_t>(i + 1)];
+        moved.inputs[static_cast<std::size_t>(move[static_cast<std::size_t>(i)]) + 1] =
+            transition.inputs[static_cast<std::size_t>(i) + 1];
       if (moves_.size() == 1 || seen.insert(keyOf(moved)).second) push(line, moved);
     }
   }

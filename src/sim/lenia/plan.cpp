@@ -69,7 +69,8 @@ void LeniaPlan::makeWeights() {
 }
 
 int LeniaPlan::reach(int dy) const {
-  const auto row = static_cast<std::size_t>(dy + range_) * static_cast<std::size_t>(2 * range_ + 1);
+  const int side = 2 * range_ + 1;
+  const auto row = static_cast<std::size_t>(dy + range_) * static_cast<std::size_t>(side);
   for (int dx = range_; dx > 0; --dx)
     for (const auto& all : weights_)
       if (static_cast<float>(all[row + static_cast<std::size_t>(dx + range_)]) != 0) return dx;

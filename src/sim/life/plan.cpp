@@ -281,7 +281,8 @@ std::vector<std::uint32_t> LifePlan::firstCells() const {
 
 std::vector<std::uint8_t> LifePlan::firstStates() const {
   const glm::ivec2 size = parameters_.size;
-  const auto rowBytes = static_cast<std::size_t>((size.x + 15) / 16 * 16);
+  const int items = (size.x + 15) / 16;
+  const std::size_t rowBytes = static_cast<std::size_t>(items) * 16;
   std::vector<std::uint8_t> bytes(rowBytes * static_cast<std::size_t>(size.y));
   const int fraction = fillFraction();
   const bool any = rule_.family == CellRule::Family::cyclic || rule_.family == CellRule::Family::tree;
