@@ -7,7 +7,7 @@
 // For drivers on the CPU: there a dispatch costs 60 to 90 us, a work group of 8 is one vector, and its loops end
 // silently after 65,535 iterations: LifeActive in src/sim/life counts them, and the kernel's end notes it where that
 // was not enough.
-// Defines: BORN, SURVIVE; TORUS or not; STEPS, TILE_WORDS, TILE_ROWS, TILES; OVERLAP where the height is no
+// Defines: BORN and SURVIVE, or FORMULA; TORUS or not; STEPS, TILE_WORDS, TILE_ROWS, TILES; OVERLAP where the height is no
 // multiple of TILE_ROWS.
 #include "life/bindings.glsl"
 layout(local_size_x = 8) in;
@@ -23,7 +23,11 @@ uniform bool all;  // in the first pass, every tile
 
 #include "common/status.glsl"
 #define WORD uint
+#ifdef FORMULA
+#include "life/formula_model.glsl"
+#else
 #include "life/model.glsl"
+#endif
 
 shared uint list[TILES];
 shared uint listed;
@@ -138,8 +142,8 @@ Tile computed(uint index, int from, int to) {
   Strip strip;
   for (int t = 0; t < STEPS; ++t)
     for (int k = 0; k < WORDS; ++k) {
-      strip.above[t].word[k].low = strip.above[t].word[k].high = 0u;
-      strip.here[t].word[k].low = strip.here[t].word[k].high = 0u;
+      strip.above[t].word[k] = rowSum(0u, 0u, 0u);
+      strip.here[t].word[k] = rowSum(0u, 0u, 0u);
       strip.alive[t].word[k] = 0u;
     }
   // Two rows an iteration: what is carried from one to the next costs, too.

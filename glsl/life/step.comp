@@ -2,7 +2,7 @@
 // ROWS rows, keeping the sums of the two rows above in registers for each generation, so every cell is read
 // once (and the rows at both ends of its strip, and a word to the left and right, by the neighbours too).
 // Generation t + 1 is right in all but t + 1 bits at the far ends of those two words: up to 32 steps.
-// Defines: BORN, SURVIVE; TORUS or not; WHOLE where rows are whole multiples of BLOCKS * 128 cells (needed for
+// Defines: BORN and SURVIVE, or FORMULA; TORUS or not; WHOLE where rows are whole multiples of BLOCKS * 128 cells (needed for
 // STEPS > 1, and so are at least STEPS rows); GROUP_X, GROUP_Y.
 #include "common/words.glsl"
 #include "life/bindings.glsl"
@@ -13,7 +13,11 @@ uniform ivec2 size;  // cells
 uniform int rowBlocks;  // of 128 cells in a row
 
 #define WORD uint
+#ifdef FORMULA
+#include "life/formula_model.glsl"
+#else
 #include "life/model.glsl"
+#endif
 
 const int WORDS = BLOCKS * 4 + 2;  // with the one on the left and the one on the right
 
@@ -122,8 +126,8 @@ void main() {
   Row alive[STEPS];      // and that row itself
   for (int t = 0; t < STEPS; ++t)
     for (int k = 0; k < WORDS; ++k) {
-      above[t].word[k].low = above[t].word[k].high = 0u;
-      here[t].word[k].low = here[t].word[k].high = 0u;
+      above[t].word[k] = rowSum(0u, 0u, 0u);
+      here[t].word[k] = rowSum(0u, 0u, 0u);
       alive[t].word[k] = 0u;
     }
   for (int i = -STEPS; i < rows + STEPS; ++i) {

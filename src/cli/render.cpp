@@ -13,6 +13,8 @@
 #include "frame/sink/progress.hpp"
 #include "frame/sink/sequence.hpp"
 #include "gl/context.hpp"
+#include "sim/automata/cell_rule.hpp"
+#include "sim/life/cell_pattern.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,6 +22,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -32,6 +35,7 @@ struct RenderOptions {
   SceneOptions scene;
   std::string output;
   std::optional<std::string> frames;
+  std::optional<std::string> rule;
   std::optional<std::string> fields;
   gl::ContextOptions on;
   std::string progress = "auto";
@@ -73,10 +77,27 @@ std::vector<draw::Layer> layersOf(const std::vector<std::string>& names) {
   return layers;
 }
 
+/// --rule as overrides of the scene around a pattern.
+void changeRule(const RenderOptions& o, std::vector<scene::Override>& changes) {
+  const std::string& text = *o.rule;
+  if (!sim::isPatternName(o.scene.file))
+    fail(ExitCode::usage,
+         "--rule goes with a file of cells (.rle, .cells, .lif, .mc), not with {}; a scene has its rule at "
+         "objects.NAME.life.rule, which -D changes",
+         o.scene.file);
+  sim::CellRule rule;
+  if (const sim::RuleProblem problem = sim::parseCellRule(text, rule); !problem.message.empty())
+    fail(ExitCode::usage, "--rule \"{}\", character {}: {}", text, problem.at + 1, problem.message);
+  changes.push_back({"objects.cells.life.rule", "\"" + rule.text() + "\""});
+  if (rule.states > 2) changes.push_back({"objects.cells.life.trail", "0"});
+}
+
 batch::RenderRequest requestOf(const RenderOptions& o) {
+  std::vector<scene::Override> changes = o.scene.changes();
+  if (o.rule) changeRule(o, changes);
   return {
       .scene = o.scene.file,
-      .overrides = o.scene.changes(),
+      .overrides = std::move(changes),
       .assets = assetFolders(o.scene.assets),
       .output = o.output,
       .frames = o.frames,
@@ -137,6 +158,10 @@ void addRender(CLI::App& app) {
       ->add_option("-o,--output", o->output,
                    "Folder, pattern (out/flag_####.png), picture, video file, or -")
       ->required();
+  command->add_option(
+      "--rule", o->rule,
+      "Of a file of cells: the rule instead of its own, for example B2-a/S12; `simreel list life` "
+      "has the notations");
   command->add_option("--frames", o->frames,
                       "Frames to write, for example 0-99x2,150; all are simulated. none: draw nothing, for "
                       "--checkpoint-at");

@@ -19,13 +19,13 @@ void simreel::fuzz::read(std::string_view bytes) {
   for (const auto& run : pattern.runs)
     SIMREEL_CHECK(run.x >= 0 && run.y >= 0 && run.length > 0 && run.x + run.length <= pattern.size.x &&
                   run.y < pattern.size.y);
-  if (rowWords * pattern.size.y > maxWords) return;
+  if (rowWords * pattern.size.y > maxWords || pattern.highest > 1) return;
   std::vector<std::uint32_t> words(static_cast<std::size_t>(rowWords * pattern.size.y));
   for (const auto& run : pattern.runs)
     for (int x = run.x; x < run.x + run.length; ++x)
       words[static_cast<std::size_t>(run.y * rowWords + x / 32)] |= 1U << (x % 32);
-  const sim::LifeRule rule = pattern.rule.value_or(sim::LifeRule());
-  const std::string text = sim::writeRle({pattern.size, words}, rule, 0, "fuzz");
+  const sim::CellRule rule = pattern.rule.value_or(sim::CellRule());
+  const std::string text = sim::writeRle({pattern.size, words}, rule, "", "fuzz");
   const sim::CellPattern again = sim::parseRle(text, "again.rle");
   SIMREEL_CHECK(again.size == pattern.size && again.rule == rule);
   std::vector<std::uint32_t> back(words.size());

@@ -1,5 +1,6 @@
 #include "reference/life_twin.hpp"
 
+#include "reference/states_twin.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>
@@ -178,7 +179,12 @@ LifeTwin::LifeTwin(simreel::sim::LifePlan plan, double start)
 }
 
 void LifeTwin::generation(int threads) {
-  const simreel::sim::LifeRule& rule = plan_.rule();
+  if (!plan_.plain() || plan_.rule().family != simreel::sim::CellRule::Family::counts) {
+    const glm::ivec2 size = plan_.parameters().size;
+    words = wordsOf(nextStates(bytesOf(words, size), size, plan_.rule(), plan_.shape()), size);
+    return;
+  }
+  const simreel::sim::LifeRule& rule = plan_.rule().counts;
   const Grid grid{words.data(), plan_.parameters().size, plan_.torus(), plan_.rowBlocks() * 2};
   forRows(grid.size.y, threads, [&](int first, int end) {
     constexpr FixedRule<8, 12> conway;

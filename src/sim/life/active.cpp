@@ -1,13 +1,10 @@
 #include "sim/life/active.hpp"
 
 #include "glsl/common/cpp.hpp"
+#include "sim/life/stepper.hpp"
 
 #include <algorithm>
 #include <string>
-
-namespace simreel::shader::life {
-#include "glsl/life/bindings.glsl"
-}
 
 namespace simreel::sim {
 
@@ -31,7 +28,7 @@ bool LifeActive::suits(glm::ivec2 size) {
          size.y >= tileRows && size.x <= maxCells / size.y;
 }
 
-LifeActive::LifeActive(const LifeRule& rule, bool torus, glm::ivec2 size)
+LifeActive::LifeActive(const CellRule& rule, bool torus, glm::ivec2 size)
     : size_(size), words_((size.x + 127) / 128 * 4 * size.y) {
   const int tiles = tilesOf(size);
   // A pass is an iteration of its own, some that list tiles and take eight at a time, and those over the
@@ -47,8 +44,7 @@ LifeActive::LifeActive(const LifeRule& rule, bool torus, glm::ivec2 size)
   const auto define = [&](const char* name, int value) {
     defines.emplace_back(name, std::to_string(value));
   };
-  define("BORN", rule.born);
-  define("SURVIVE", rule.survives);
+  defineRule(defines, rule);
   define("STEPS", steps);
   define("TILE_WORDS", tileWords);
   define("TILE_ROWS", tileRows);

@@ -3,7 +3,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
-#include "sim/life/rule.hpp"
+#include "sim/automata/cell_rule.hpp"
 
 #include <optional>
 
@@ -25,7 +25,7 @@ class LifeActive {
   /// of whole words, at least as high as a tile.
   [[nodiscard]] static bool suits(glm::ivec2 size);
 
-  LifeActive(const LifeRule& rule, bool torus, glm::ivec2 size);
+  LifeActive(const CellRule& rule, bool torus, glm::ivec2 size);
 
   /// `passes` passes of `steps` generations, in place. Earlier writes must be visible (gl::barrier), and so
   /// are those of this when it returns. `status` (glsl/common/status.glsl) is noted lost where the driver

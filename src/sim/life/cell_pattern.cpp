@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "sim/life/macrocell.hpp"
 #include "sim/life/rle.hpp"
 
 #include <algorithm>
@@ -99,10 +100,7 @@ class LineReader : public PatternText {
 
   void takeRule(std::string_view line) {
     const std::size_t at = std::min(line.find_first_not_of(" \t", 2), line.size());
-    LifeRule rule;
-    if (const LifeRuleProblem problem = parseLifeRule(line.substr(at), rule); !problem.message.empty())
-      wrong(place_ + at + problem.at, problem.message);
-    pattern_.rule = rule;
+    takeRuleText(place_ + at, line.substr(at));
   }
 
   /// Moves the living cells to where the least of them have x = 0 and y = 0.
@@ -148,11 +146,28 @@ bool isPlaintext(std::string_view text) {
 }  // namespace
 
 void PatternText::wrong(std::size_t at, const std::string& message) const {
+  fail(ExitCode::usage, "{}: {}", place(at), message);
+}
+
+std::string PatternText::place(std::size_t at) const {
   const std::string_view before = text_.substr(0, at);
   const auto line = std::count(before.begin(), before.end(), '\n') + 1;
   const auto start = before.rfind('\n');
   const std::size_t column = at - (start == std::string_view::npos ? 0 : start + 1) + 1;
-  fail(ExitCode::usage, "{}:{}:{}: {}", name_, line, column, message);
+  return fmt::format("{}:{}:{}", name_, line, column);
+}
+
+void PatternText::takeRuleText(std::size_t at, std::string_view text) {
+  CellRule rule;
+  const RuleProblem problem = parseCellRule(text, rule);
+  if (problem.message.empty()) {
+    pattern_.rule = rule;
+    return;
+  }
+  const bool name = isRuleName(text);
+  if (!name) wrong(at + problem.at, problem.message);
+  pattern_.ruleName = text;
+  pattern_.rulePlace = place(at);
 }
 
 std::string PatternText::shown(char c) {
@@ -160,18 +175,24 @@ std::string PatternText::shown(char c) {
                               : fmt::format("a byte {:#04x}", static_cast<unsigned char>(c));
 }
 
-void PatternText::add(int x, int y, int length) {
+void PatternText::add(int x, int y, int length, int state, std::size_t from) {
   std::vector<CellPattern::Run>& runs = pattern_.runs;
-  if (!runs.empty() && runs.back().y == y && runs.back().x + runs.back().length == x)
+  if (state > pattern_.highest) {
+    pattern_.highest = state;
+    pattern_.highestPlace = place(from);
+  }
+  if (!runs.empty() && runs.back().y == y && runs.back().state == state &&
+      runs.back().x + runs.back().length == x)
     runs.back().length += length;
   else
-    runs.push_back({x, y, length});
+    runs.push_back({x, y, length, state});
 }
 
 bool isPatternName(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".rle" || extension == ".cells" || extension == ".life" || extension == ".lif";
+  return extension == ".rle" || extension == ".cells" || extension == ".life" || extension == ".lif" ||
+         extension == ".mc";
 }
 
 CellPattern parsePattern(std::string_view text, const std::string& name) {
@@ -182,8 +203,7 @@ CellPattern parsePattern(std::string_view text, const std::string& name) {
   if (text.starts_with("#Life 1.06")) return lines.life106();
   if (text.starts_with("#Life"))
     lines.wrong(0, "of the formats that begin with \"#Life\" only 1.05 and 1.06 are known");
-  if (text.starts_with("[M2]"))
-    lines.wrong(0, "this is a macrocell file; let Golly write the pattern as RLE");
+  if (text.starts_with("[M2]")) return parseMacrocell(text, name);
   if (isPlaintext(text)) return lines.plaintext();
   return parseRle(text, name);
 }

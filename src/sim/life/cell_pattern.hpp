@@ -1,5 +1,6 @@
 #pragma once
-#include "sim/life/rule.hpp"
+#include "sim/automata/cell_rule.hpp"
+#include "sim/automata/grid_shape.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -14,26 +15,32 @@ namespace simreel::sim {
 /// Sides of patterns and grids, cells.
 inline constexpr int maxLifeSide = 1 << 20;
 
-/// A pattern of living and dead cells, as the community's files hold them.
+/// A pattern of cells, as the community's files hold them.
 struct CellPattern {
-  /// Living cells side by side.
+  /// Cells of one state, not 0, side by side.
   struct Run {
     int x, y, length;
+    int state = 1;
   };
   glm::ivec2 size{0, 0};         ///< that the file says, else just around the living cells
   std::vector<Run> runs;         ///< of RLE and plaintext by rows, from the left
-  std::optional<LifeRule> rule;  ///< where the file names one
-  /// Bounded grid of an RLE rule's suffix, as in "B3/S23:T257,130": 'T' torus, 'P' dead border, 0: none.
-  char border = 0;
+  std::optional<CellRule> rule;  ///< where the file names one
+  /// A name that is no notation, which a file NAME.rule beside the pattern explains; and where it stands.
+  std::string ruleName, rulePlace;
+  int highest = 1;           ///< state
+  std::string highestPlace;  ///< of the first cell that has it, "file:line:column"
+  /// Bounded grid of an RLE rule's suffix, as in "B3/S23:T257,130".
+  std::optional<GridShape> shape;
   glm::ivec2 grid{0, 0};
 };
 
-/// File names that hold patterns, lower case: ".rle", ".cells", ".life", ".lif".
+/// File names that hold patterns, lower case: ".rle", ".cells", ".life", ".lif", ".mc".
 [[nodiscard]] bool isPatternName(const std::filesystem::path& file);
 
-/// Reads a pattern in whichever format it is: Life 1.05 and 1.06 by their first line, plaintext (rows of
+/// Reads a pattern in whichever format it is: Life 1.05 and 1.06 and macrocell by their first line,
+/// plaintext (rows of
 /// '.' and 'O', comments after '!') where nothing but such rows is there, else RLE. Throws UserError with
-/// file:line:column for one that cannot be read, has more than two states, or has sides above maxLifeSide.
+/// file:line:column for one that cannot be read or has sides above maxLifeSide.
 [[nodiscard]] CellPattern readPattern(const std::filesystem::path& file);
 /// The same from text; `name` is what messages call it.
 [[nodiscard]] CellPattern parsePattern(std::string_view text, const std::string& name);
@@ -48,8 +55,13 @@ class PatternText {
   [[nodiscard]] static std::string shown(char c);
 
  protected:
-  /// Adds living cells; joins them to the run before where they follow it.
-  void add(int x, int y, int length);
+  /// Adds cells of a state, which the character `from` begins; joins them to the run before where they
+  /// follow it.
+  void add(int x, int y, int length, int state = 1, std::size_t from = 0);
+  /// "file:line:column" of a character.
+  [[nodiscard]] std::string place(std::size_t at) const;
+  /// Takes a rule: a notation, or a name that a .rule file is to explain.
+  void takeRuleText(std::size_t at, std::string_view text);
 
   std::string_view text_;
   const std::string& name_;

@@ -4,16 +4,19 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
+#include "sim/automata/cell_engine.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/life/active.hpp"
 #include "sim/life/life_scene.hpp"
 #include "sim/life/plan.hpp"
 #include "sim/life/rle.hpp"
+#include "sim/life/states.hpp"
 #include "sim/life/stepper.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -31,13 +34,14 @@ std::vector<glm::uvec4> elements(const std::vector<std::uint32_t>& words) {
 
 class Life : public Simulation {
  public:
-  Life(const scene::Object& object, const Setting& setting)
+  Life(LifePlan plan, const scene::Object& object, const Setting& setting)
       : name_(object.name),
-        plan_(parametersOf<LifeParameters>(object), object.name, setting.seed, setting.frameSeconds),
+        plan_(std::move(plan)),
         size_(plan_.parameters().size),
         colors_(plan_.parameters().display.colors()),
         stepper_(plan_.rule(), plan_.torus(), size_, LifeTuning::best(size_)) {
     checkLimits();
+    if (!plan_.plain()) engine_.emplace(plan_.rule(), plan_.shape(), size_, true, "life \"" + name_ + "\"");
     const auto blocks = static_cast<int>(plan_.blocks());
     cells_[0] = gl::WordsArray(name_ + " cells", blocks);
     cells_[1] = gl::WordsArray(name_ + " next cells", blocks);
@@ -64,7 +68,10 @@ class Life : public Simulation {
     while (generation_ < end) {
       const int steps = watch ? 1 : stepsAtOnce(end);
       gl::barrier();
-      stepper_.run(cells_[0], cells_[1], steps);
+      if (engine_)
+        engine_->run(cells_[0], cells_[1]);
+      else
+        stepper_.run(cells_[0], cells_[1], steps);
       std::swap(cells_[0], cells_[1]);
       generation_ += steps;
       paint(plan_.strokesInto(generation_));
@@ -128,7 +135,7 @@ class Life : public Simulation {
   [[nodiscard]] StateFile stateFile() const override {
     return {"rle", [this](const std::string& comment) {
               const auto words = cells_[0].buffer().readAll<std::uint32_t>();
-              return writeRle({size_, words}, plan_.rule(), plan_.torus() ? 'T' : 'P', comment);
+              return writeRle({size_, words}, plan_.rule(), plan_.shape().suffix(size_), comment);
             }};
   }
 
@@ -198,8 +205,8 @@ class Life : public Simulation {
 
   /// Most of the generations up to `end`, where many are due and nothing looks at or paints those between.
   void takeActive(long end) {
-    if (end - generation_ < LifeActive::minGenerations || !LifeActive::suits(size_) || trailQuads_ > 0 ||
-        !plan_.strokes().empty())
+    if (engine_ || end - generation_ < LifeActive::minGenerations || !LifeActive::suits(size_) ||
+        trailQuads_ > 0 || !plan_.strokes().empty())
       return;
     if (!active_) active_.emplace(plan_.rule(), plan_.torus(), size_);
     const auto passes = static_cast<int>((end - generation_) / LifeActive::steps);
@@ -212,7 +219,7 @@ class Life : public Simulation {
   /// only the last of them with strokes.
   [[nodiscard]] int stepsAtOnce(long end) const {
     const int max = stepper_.stepsOf(end - generation_);
-    if (trailQuads_ > 0) return 1;
+    if (engine_ || trailQuads_ > 0) return 1;
     for (int i = 1; i < max; ++i)
       if (!plan_.strokesInto(generation_ + i).empty()) return 1;
     return max;
@@ -236,8 +243,9 @@ class Life : public Simulation {
   std::vector<glm::vec3> colors_;
   LifeStepper stepper_;
   std::optional<LifeActive> active_;
-  gl::Buffer status_;        ///< of active_
-  gl::WordsArray cells_[2];  ///< now, and where the next pass writes
+  std::optional<CellEngine> engine_;  ///< for what the other two cannot do
+  gl::Buffer status_;                 ///< of active_
+  gl::WordsArray cells_[2];           ///< now, and where the next pass writes
   gl::WordsArray trail_, stamps_;
   gl::Program paint_, fade_;
   int trailQuads_ = 0;  ///< elements of 16 bytes in a row of the trail; 0: no trail
@@ -248,14 +256,36 @@ class Life : public Simulation {
 }  // namespace
 
 SimulationKind lifeKind() {
+  const auto planOf = [](const scene::Object& object, const Setting& setting) {
+    return LifePlan(parametersOf<LifeParameters>(object), object.name, setting.seed, setting.frameSeconds);
+  };
   SimulationKind life = kindOf<LifeParameters>(
-      "life", "A cellular automaton: Conway's Game of Life or any rule that counts neighbours.",
-      [](const scene::Object& object, const Setting& setting) {
-        static_cast<void>(LifePlan(parametersOf<LifeParameters>(object), object.name, setting.seed,
-                                   setting.frameSeconds));
+      "life",
+      "A cellular automaton: Conway's Game of Life, or any rule of neighbours, of two states or more.",
+      [planOf](const scene::Object& object, const Setting& setting) {
+        static_cast<void>(planOf(object, setting));
       },
-      makeSimulation<Life>);
+      [planOf](const scene::Object& object, const Setting& setting) -> std::unique_ptr<Simulation> {
+        LifePlan plan = planOf(object, setting);
+        if (plan.rule().states > 2) return makeLifeStates(std::move(plan), object.name, setting);
+        return std::make_unique<Life>(std::move(plan), object, setting);
+      });
   life.kind.sceneAround = sceneAroundPattern;
+  life.kind.appendix = [] {
+    std::string text =
+        "Rules:\n"
+        "  B3/S23, 23/3              neighbours for birth and survival, of eight\n"
+        "  B2-a/S12                  with letters of how they lie (Hensel)\n"
+        "  B2/S013V, B2/S34H         of four (von Neumann), of six (hexagonal)\n"
+        "  MAP...                    every neighbourhood, in base64 as Golly has it\n"
+        "  345/2/4, B2/S345/C4       Generations: states at the end; also with letters, V, H, MAP\n"
+        "  R5,C0,M1,S34..58,B34..45,NM  Larger than Life; NN von Neumann, NC circular\n"
+        "  R1/T3/C3/NM               cyclic: range, threshold, states, neighbourhood (NM, NN)\n"
+        "Rules by name:\n";
+    for (const RulePreset& preset : rulePresets())
+      text += fmt::format("  {:<15} {:<34} {}\n", preset.name, preset.rule, preset.doc);
+    return text;
+  };
   return life;
 }
 

@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// Outer-totalistic cellular automata on the GPU (SPEC 3), one bit a cell, two buffers.
+/// Cellular automata on the GPU (SPEC 3): of two states one bit a cell, of more one byte; two buffers.
 [[nodiscard]] SimulationKind lifeKind();
 
 }  // namespace simreel::sim

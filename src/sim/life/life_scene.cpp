@@ -12,8 +12,11 @@ std::string sceneAroundPattern(const std::filesystem::path& file) {
   using Json = nlohmann::ordered_json;
   const std::string name = file.filename().string();
   Json life = {{"patterns", {{{"file", name}}}}, {"stepsPerSecond", 15}, {"trail", 45}};
+  if (!pattern.ruleName.empty() || pattern.rule.value_or(CellRule()).states > 2) life["trail"] = 0;
+  // Always there, so that it may be changed; empty: of the file that the pattern names.
+  life["rule"] = pattern.ruleName.empty() ? pattern.rule.value_or(CellRule()).text() : "";
   // On a torus gliders would come back and hit what sent them out.
-  if (pattern.border == 0) life["border"] = "dead";
+  if (!pattern.shape) life["border"] = "dead";
   const auto color = [](double r, double g, double b) { return Json{{"color", {r, g, b}}}; };
   life["display"] = {
       {"layer", "behind"},

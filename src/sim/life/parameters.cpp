@@ -1,7 +1,7 @@
 #include "sim/life/parameters.hpp"
 
+#include "sim/automata/cell_rule.hpp"
 #include "sim/life/cell_pattern.hpp"
-#include "sim/life/rule.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ LifeParameters::LifeParameters() {
 }
 
 void LifePattern::describe(scene::Fields& f) {
-  f.asset("file", file, "Pattern as RLE, plaintext (.cells) or Life 1.05 or 1.06.");
+  f.asset("file", file, "Pattern as RLE, plaintext (.cells), Life 1.05 or 1.06, or macrocell (.mc).");
   glm::ivec2 corner = at.value_or(glm::ivec2(0));
   f.pair("at", corner, {-maxLifeSide, maxLifeSide}, "cells",
          "Its top left corner, once flipped and turned; a torus wraps it round.");
@@ -45,24 +45,40 @@ void LifeParameters::describe(scene::Fields& f) {
   f.leftOut("size", "[512,512], or fits the patterns");
   f.text(
       "rule", rule,
-      "Numbers of neighbours for birth and survival, \"B3/S23\" (or \"23/3\", survival first); not given: "
-      "of the first pattern that names one, else B3/S23.");
+      "\"B3/S23\" (or \"23/3\", survival first), with letters of arrangements (\"B2-a/S12\"), of four or "
+      "six "
+      "neighbours (V, H); Generations (\"/2/3\"), Larger than Life, cyclic, MAP, or a name: see below. Not "
+      "given: of the first pattern that names one, else B3/S23.");
   if (!rule.empty()) {
-    LifeRule read;
-    if (const LifeRuleProblem problem = parseLifeRule(rule, read); !problem.message.empty())
+    CellRule read;
+    if (const RuleProblem problem = parseCellRule(rule, read); !problem.message.empty())
       f.error("rule", fmt::format("character {} of the rule: {}", problem.at + 1, problem.message));
   }
+  f.asset("ruleFile", ruleFile,
+          "A rule as a file of Golly's format .rule (@TABLE or @TREE), instead of \"rule\".");
+  if (!rule.empty() && !ruleFile.empty())
+    f.error("ruleFile", "a rule is given as \"rule\" or as \"ruleFile\"");
   f.choice(
-      "border", border, {"torus", "dead"},
-      "torus: each edge meets the opposite one; dead: beyond the edge nothing lives. Not given: that of a "
+      "border", border, {"torus", "dead", "cylinder", "klein", "kleinSideways", "crossSurface", "sphere"},
+      "torus: each edge meets the opposite one; dead: beyond the edge nothing lives; cylinder: left meets "
+      "right; klein: a torus whose top meets the bottom reversed, kleinSideways: whose left meets the "
+      "right "
+      "reversed; crossSurface: both; sphere: top meets left, right meets bottom. Not given: that of a "
       "pattern made for a bounded grid goes before.");
   f.leftOut("border", "\"torus\", or a pattern's");
   borderGiven = f.given("border");
-  f.number(
-      "fill", fill, {0, 1}, "",
-      "Fraction of cells alive at the start, by a hash of place and seed; 0 where patterns are given and "
-      "this is not.");
+  f.pair(
+      "shift", shift, {-maxLifeSide, maxLifeSide}, "cells",
+      "Of a torus or a Klein bottle: by how much what is met beyond the lower edge lies further right, or "
+      "beyond the right edge further down.");
+  if (f.given("shift") && f.given("size"))
+    if (const std::string problem = shape().problem(size); !problem.empty()) f.error("shift", problem);
+  f.number("fill", fill, {0, 1}, "",
+           "Fraction of cells alive at the start, by a hash of place and seed; of cyclic rules and rule "
+           "files in "
+           "any state but 0. 0 where patterns are given and this is not.");
   f.leftOut("fill", "0.3, or 0");
+  fillGiven = f.given("fill");
   f.list(
       "patterns", patterns, "Pattern files set into the first state; their living cells are added.",
       [](scene::Fields& g, LifePattern& pattern) { pattern.describe(g); }, 4096);
@@ -70,20 +86,24 @@ void LifeParameters::describe(scene::Fields& f) {
   fitted = !patterns.empty() && !f.given("size");
   if (fitted) display.fit = FieldDisplay::Fit::contain;
   f.list("strokes", strokes, "Timed brush strokes.", [](scene::Fields& g, StrokeParameters& stroke) {
-    stroke.describe(g, 1, "1 paints living cells, 0 dead ones.");
+    stroke.describe(g, 255, "The state that is painted: 1 alive, 0 dead.");
   });
   f.number("stepsPerSecond", stepsPerSecond, {1e-3, 1e6}, "1/s",
            "Generations a second, whatever the frame rate.");
   if (fitted) trail = fittedTrail;
   f.integer("trail", trail, {0, maxTrail}, "steps",
-            "For how long dead cells fade; needs another byte a cell; 0: no trail.");
+            "For how long dead cells fade, of two states; needs another byte a cell; 0: no trail.");
+  trailGiven = f.given("trail");
   f.leftOut("trail", "0, or 24 where the grid fits patterns");
   if (trail > 0) display.high = brightLevel();
   f.group("display",
           "How it is laid over the picture. Values: 0 dead, 1 alive; with a trail 0 to trail for what has "
-          "died, a third more for the living. A grid that fits its patterns is shown whole (\"contain\").",
+          "died, a third more for the living. Of several states each has a colour: with those that age the "
+          "last is for 1, and 2 and on go down to the second; else they are spread from the first to the "
+          "last. A grid that fits its patterns is shown whole (\"contain\").",
           [&](scene::Fields& g) {
             display.describe(g);
+            colorsGiven = g.given("stops") || g.given("map");
             g.leftOut("high", "1, or by trail");
             g.leftOut("fit", "\"cover\", or \"contain\"");
           });

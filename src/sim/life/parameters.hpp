@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/automata/grid_shape.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
@@ -12,7 +13,7 @@
 
 namespace simreel::sim {
 
-enum class LifeBorder { torus, dead };
+using LifeBorder = GridBorder;
 
 /// A pattern file set into the first state: an entry of the list "patterns".
 struct LifePattern {
@@ -27,20 +28,26 @@ struct LifePattern {
 
 struct LifeParameters : ObjectParameters {
   LifeParameters();
-  glm::ivec2 size{512, 512};  ///< cells
-  bool fitted = false;        ///< the size is not given: it fits the patterns
-  std::string rule;           ///< empty: of the first pattern that names one, else B3/S23
+  glm::ivec2 size{512, 512};       ///< cells
+  bool fitted = false;             ///< the size is not given: it fits the patterns
+  std::string rule;                ///< empty: of the first pattern that names one, else B3/S23
+  std::filesystem::path ruleFile;  ///< instead of a rule
   LifeBorder border = LifeBorder::torus;
+  glm::ivec2 shift{0, 0};    ///< GridShape::shift
   bool borderGiven = false;  ///< else that of the first pattern whose file has one
   float fill = 0.3F;         ///< fraction alive at the start; not given beside patterns: 0
+  bool fillGiven = false;
   std::vector<LifePattern> patterns;
-  std::vector<StrokeParameters> strokes;  ///< value 1: alive, 0: dead
+  std::vector<StrokeParameters> strokes;  ///< value: the state painted
   double stepsPerSecond = 10;
   int trail = 0;  ///< steps for which a dead cell is still seen
+  bool trailGiven = false;
+  bool colorsGiven = false;  ///< by the scene, which goes before a rule file
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
+  [[nodiscard]] GridShape shape() const { return {border, shift}; }
 
   /// Level of a living cell in the trail, above all levels of dead ones.
   [[nodiscard]] int brightLevel() const { return trail + (trail > 2 ? trail / 3 : 1); }

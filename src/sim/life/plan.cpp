@@ -1,6 +1,7 @@
 #include "sim/life/plan.hpp"
 
 #include "base/error.hpp"
+#include "sim/automata/rule_file.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>
@@ -58,6 +59,12 @@ class Placement {
   glm::ivec2 size_;
 };
 
+const char* borderName(GridBorder border) {
+  static constexpr const char* names[] = {"torus",         "dead",         "cylinder", "klein",
+                                          "kleinSideways", "crossSurface", "sphere"};
+  return names[static_cast<std::size_t>(border)];
+}
+
 int wrapped(int x, int size) {
   return (x % size + size) % size;
 }
@@ -79,8 +86,10 @@ LifePlan::LifePlan(LifeParameters parameters, const std::string& object, int see
     : parameters_(std::move(parameters)), seed_(seed), frameSeconds_(frameSeconds) {
   for (const LifePattern& pattern : parameters_.patterns)
     if (!files_.contains(pattern.file)) files_.emplace(pattern.file, readPattern(pattern.file));
+  resolveNames();
   if (parameters_.fitted) fitGrid();
   takeRule(object);
+  checkStates(object);
   checkPlaces(object);
   strokes_ = Strokes(parameters_.strokes, seed, {parameters_.size, torus(), "life \"" + object + "\""});
   checkLiving(object);
@@ -99,10 +108,12 @@ void LifePlan::fitGrid() {
   int longest = 0;
   for (const LifePattern& pattern : parameters_.patterns) {
     const CellPattern& cells = cellsOf(pattern);
-    if (cells.border != 0) {
+    if (cells.shape) {
       parameters_.size = cells.grid;
-      if (!parameters_.borderGiven)
-        parameters_.border = cells.border == 'T' ? LifeBorder::torus : LifeBorder::dead;
+      if (!parameters_.borderGiven) {
+        parameters_.border = cells.shape->border;
+        parameters_.shift = cells.shape->shift;
+      }
       return;
     }
     const glm::ivec2 turned = Placement(pattern, cells.size).turnedSize();
@@ -118,9 +129,51 @@ void LifePlan::fitGrid() {
   parameters_.size = glm::min(unit * shape, glm::ivec2(maxLifeSide));
 }
 
+// Rules that files name stand beside them.
+void LifePlan::resolveNames() {
+  for (auto& [file, cells] : files_) {
+    if (cells.ruleName.empty() || !parameters_.rule.empty() || !parameters_.ruleFile.empty()) continue;
+    const std::filesystem::path rule = file.parent_path() / (cells.ruleName + ".rule");
+    if (std::error_code error; !std::filesystem::is_regular_file(rule, error))
+      fail(ExitCode::usage,
+           "{}: the rule {} is no notation and there is no file {} beside the pattern; give \"rule\" or "
+           "\"ruleFile\"",
+           cells.rulePlace, cells.ruleName, rule.filename().string());
+    cells.rule = readRuleFile(rule);
+  }
+}
+
+// What a scene has against the rule, once that is known.
+void LifePlan::checkStates(const std::string& object) const {
+  if (const std::string problem = shape().problem(parameters_.size); !problem.empty())
+    fail(ExitCode::usage, "life \"{}\": {}", object, problem);
+  const int range = rule_.range();
+  if (!plain() && std::min(parameters_.size.x, parameters_.size.y) < range)
+    fail(ExitCode::usage, "life \"{}\": a grid of {} x {} cells is smaller than the rule's range of {}",
+         object, parameters_.size.x, parameters_.size.y, range);
+  if (range > 1 && parameters_.border == GridBorder::sphere)
+    fail(ExitCode::usage, "life \"{}\": only rules of range 1 run on a sphere, this one's is {}", object,
+         range);
+  if (rule_.states > 2 && parameters_.trail > 0 && parameters_.trailGiven)
+    fail(ExitCode::usage, "life \"{}\": \"trail\" is of rules of two states, {} has {}", object,
+         rule_.text(), rule_.states);
+  for (const LifePattern& pattern : parameters_.patterns)
+    if (const CellPattern& cells = cellsOf(pattern); cells.highest >= rule_.states)
+      fail(ExitCode::usage, "{}: a cell of state {}, but the rule {} has the states 0 to {}",
+           cells.highestPlace, cells.highest, rule_.text(), rule_.states - 1);
+  for (const StrokeParameters& stroke : parameters_.strokes)
+    if (stroke.value > rule_.states - 1)
+      fail(ExitCode::usage, "life \"{}\": a stroke paints state {}, but the rule {} has the states 0 to {}",
+           object, stroke.value, rule_.text(), rule_.states - 1);
+}
+
 void LifePlan::takeRule(const std::string& object) {
+  if (!parameters_.ruleFile.empty()) {
+    rule_ = readRuleFile(parameters_.ruleFile);
+    return;
+  }
   if (!parameters_.rule.empty()) {
-    const LifeRuleProblem problem = parseLifeRule(parameters_.rule, rule_);
+    const RuleProblem problem = parseCellRule(parameters_.rule, rule_);
     SIMREEL_CHECK(problem.message.empty());  // the scene was checked
     return;
   }
@@ -135,13 +188,14 @@ void LifePlan::takeRule(const std::string& object) {
            object, named->file.string(), rule_.text(), pattern.file.string(), file.rule->text());
     rule_ = *file.rule;
     named = &pattern;
-    if (file.border != 0 && (file.border != (torus() ? 'T' : 'P') || file.grid != size))
+    if (file.shape && (*file.shape != shape() || file.grid != size))
       fail(ExitCode::usage,
-           "life \"{}\": {} is for a grid of {} x {} with border \"{}\", but the scene's is {} x {} with "
+           "life \"{}\": {} is for a grid of {} x {} with border \"{}\"{}, but the scene's is {} x {} with "
            "\"{}\"; "
            "change \"size\" and \"border\", or give a \"rule\" in the scene",
-           object, pattern.file.string(), file.grid.x, file.grid.y, file.border == 'T' ? "torus" : "dead",
-           size.x, size.y, torus() ? "torus" : "dead");
+           object, pattern.file.string(), file.grid.x, file.grid.y, borderName(file.shape->border),
+           file.shape->shift == glm::ivec2(0) ? "" : " shifted", size.x, size.y,
+           borderName(parameters_.border));
   }
 }
 
@@ -223,6 +277,60 @@ std::vector<std::uint32_t> LifePlan::firstCells() const {
   }
   addPatterns(words);
   return words;
+}
+
+std::vector<std::uint8_t> LifePlan::firstStates() const {
+  const glm::ivec2 size = parameters_.size;
+  const int items = (size.x + 15) / 16;
+  const std::size_t rowBytes = static_cast<std::size_t>(items) * 16;
+  std::vector<std::uint8_t> bytes(rowBytes * static_cast<std::size_t>(size.y));
+  const int fraction = fillFraction();
+  const bool any = rule_.family == CellRule::Family::cyclic || rule_.family == CellRule::Family::tree;
+  // Cyclic states are alike: unless a share is asked for, all of them.
+  const bool all = rule_.family == CellRule::Family::cyclic && !parameters_.fillGiven && !hasPatterns();
+  if (fraction > 0)
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        if (!all && !shader::startsAlive(x, y, seed_, fraction)) continue;
+        const auto states = static_cast<unsigned>(rule_.states);
+        const unsigned hash = shader::hash3(glm::uvec3(x, y, seed_)).y >> 8U;
+        bytes[static_cast<std::size_t>(y) * rowBytes + static_cast<std::size_t>(x)] =
+            static_cast<std::uint8_t>(!any  ? 1
+                                      : all ? hash % states
+                                            : 1 + hash % (states - 1));
+      }
+  for (const LifePattern& pattern : parameters_.patterns) {
+    const CellPattern& cells = cellsOf(pattern);
+    const Placement placement(pattern, cells.size);
+    const glm::ivec2 corner = placement.corner(size);
+    for (const CellPattern::Run& run : cells.runs)
+      for (int i = 0; i < run.length; ++i) {
+        const glm::ivec2 cell = corner + placement({run.x + i, run.y});
+        bytes[static_cast<std::size_t>(wrapped(cell.y, size.y)) * rowBytes +
+              static_cast<std::size_t>(wrapped(cell.x, size.x))] = static_cast<std::uint8_t>(run.state);
+      }
+  }
+  return bytes;
+}
+
+std::vector<glm::vec3> LifePlan::stateColors() const {
+  if (!rule_.colors.empty() && !parameters_.colorsGiven) return rule_.colors;
+  const std::vector<glm::vec3> stops = parameters_.display.colors();
+  const bool ages = rule_.family == CellRule::Family::map || rule_.family == CellRule::Family::wide;
+  const int states = rule_.states;
+  std::vector<glm::vec3> colors;
+  for (int s = 0; s < states; ++s) {
+    const float place = static_cast<float>(s == 0 ? 0
+                                           : ages ? states - s
+                                                  : s) /
+                        static_cast<float>(states - 1);
+    const float at = place * static_cast<float>(stops.size() - 1);
+    const auto low = std::min(static_cast<std::size_t>(at), stops.size() - 1);
+    const std::size_t high = std::min(low + 1, stops.size() - 1);
+    const float part = at - static_cast<float>(low);
+    colors.push_back(stops[low] + (stops[high] - stops[low]) * part);
+  }
+  return colors;
 }
 
 long LifePlan::generationAt(long frame) const {

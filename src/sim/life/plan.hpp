@@ -1,7 +1,8 @@
 #pragma once
+#include "sim/automata/cell_rule.hpp"
+#include "sim/automata/grid_shape.hpp"
 #include "sim/life/cell_pattern.hpp"
 #include "sim/life/parameters.hpp"
-#include "sim/life/rule.hpp"
 
 #include <cstdint>
 #include <map>
@@ -21,7 +22,13 @@ class LifePlan {
   LifePlan(LifeParameters parameters, const std::string& object, int seed, double frameSeconds);
 
   [[nodiscard]] const LifeParameters& parameters() const { return parameters_; }
-  [[nodiscard]] const LifeRule& rule() const { return rule_; }
+  [[nodiscard]] const CellRule& rule() const { return rule_; }
+  [[nodiscard]] GridShape shape() const { return parameters_.shape(); }
+  /// Whether LifeStepper does: two states, eight neighbours, a plain torus or dead borders.
+  [[nodiscard]] bool plain() const {
+    return rule_.onBits() && shape().shift == glm::ivec2(0) &&
+           (parameters_.border == GridBorder::torus || parameters_.border == GridBorder::dead);
+  }
   [[nodiscard]] bool torus() const { return parameters_.border == LifeBorder::torus; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
   [[nodiscard]] int seed() const { return seed_; }
@@ -34,8 +41,13 @@ class LifePlan {
   [[nodiscard]] bool hasPatterns() const { return !parameters_.patterns.empty(); }
   /// Adds the living cells of the patterns.
   void addPatterns(std::vector<std::uint32_t>& words) const;
-  /// The whole first state.
+  /// The whole first state of two states; rows of whole blocks of 128 bits.
   [[nodiscard]] std::vector<std::uint32_t> firstCells() const;
+
+  /// The whole first state as bytes; rows of whole blocks of 16.
+  [[nodiscard]] std::vector<std::uint8_t> firstStates() const;
+  /// Linear RGB of each state, of more than two.
+  [[nodiscard]] std::vector<glm::vec3> stateColors() const;
 
   /// Generations due by the start of a frame, counted from time 0: floor(time * stepsPerSecond), rounding
   /// errors of the product aside.
@@ -53,11 +65,13 @@ class LifePlan {
   void fitGrid();
   void checkPlaces(const std::string& object) const;
   void checkLiving(const std::string& object) const;
+  void checkStates(const std::string& object) const;
+  void resolveNames();
 
   LifeParameters parameters_;
   int seed_;
   double frameSeconds_;
-  LifeRule rule_;
+  CellRule rule_;
   Strokes strokes_;
   std::map<std::filesystem::path, CellPattern> files_;  ///< the same gun many times is read once
 };

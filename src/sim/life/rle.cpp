@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cstdlib>
 #include <iterator>
 
 #include <glm/common.hpp>
@@ -103,18 +104,56 @@ class RleReader : public PatternText {
     const std::size_t start = at_;
     while (at_ < text_.size() && !isBlank(text_[at_]) && text_[at_] != ':') ++at_;
     const std::string_view name = text_.substr(start, at_ - start);
-    LifeRule rule;
-    if (const LifeRuleProblem problem = parseLifeRule(name, rule); !problem.message.empty())
-      wrong(start + problem.at, problem.message);
-    pattern_.rule = rule;
-    if (at_ == text_.size() || text_[at_] != ':') return;
+    takeRuleText(start, name);
+    if (at_ < text_.size() && text_[at_] == ':') bounded();
+  }
+
+  /// A side of a bounded grid: cells, '*' where its edges are reversed, and their shift.
+  int side(const char* what, bool& reversed, int& shift) {
+    const std::size_t start = at_;
+    const int cells = number(what, maxLifeSide);
+    if (cells == 0) wrong(start, "a side of 0, which is endless: grids have two sides here");
+    if (at_ < text_.size() && text_[at_] == '*') {
+      reversed = true;
+      ++at_;
+    }
+    if (at_ < text_.size() && (text_[at_] == '+' || text_[at_] == '-')) {
+      const bool less = text_[at_++] == '-';
+      shift = number("the shift", maxLifeSide) % cells * (less ? -1 : 1);
+    }
+    return cells;
+  }
+
+  /// ":T30+5,20", ":P30,20", ":K30*,20", ":C30,20" or ":S30".
+  void bounded() {
+    const std::size_t start = ++at_;
+    const char c = at_ < text_.size() ? text_[at_] : '\0';
+    const char kind = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    if (kind != 'T' && kind != 'P' && kind != 'K' && kind != 'C' && kind != 'S')
+      wrong(at_,
+            "a bounded grid is \":T257,130\" (torus), P (dead border), K (Klein bottle, "
+            "\":K30*,20\"), C (cross-surface) or S (sphere, \":S30\")");
     ++at_;
-    if (at_ == text_.size() || (text_[at_] != 'T' && text_[at_] != 'P'))
-      wrong(at_, "of bounded grids only \":T257,130\" (torus) and \":P257,130\" (dead border) are known");
-    pattern_.border = text_[at_++];
-    pattern_.grid.x = number("the grid's width", maxLifeSide);
-    expect(',');
-    pattern_.grid.y = number("the grid's height", maxLifeSide);
+    GridShape shape;
+    bool across = false, down = false;
+    pattern_.grid.x = side("the grid's width", across, shape.shift.x);
+    pattern_.grid.y = pattern_.grid.x;
+    if (kind != 'S' || (at_ < text_.size() && text_[at_] == ',')) {
+      expect(',');
+      pattern_.grid.y = side("the grid's height", down, shape.shift.y);
+    }
+    if ((across || down) && kind != 'K') wrong(start, "'*' reverses edges of a Klein bottle only");
+    if (kind == 'K' && across == down)
+      wrong(start, "a Klein bottle has one pair of edges reversed, as in \":K30*,20\" or \":K30,20*\"");
+    shape.border = kind == 'T'   ? GridBorder::torus
+                   : kind == 'P' ? GridBorder::dead
+                   : kind == 'C' ? GridBorder::crossSurface
+                   : kind == 'S' ? GridBorder::sphere
+                   : across      ? GridBorder::klein
+                                 : GridBorder::kleinSideways;
+    if (kind == 'K') shape.shift = {std::abs(shape.shift.x) % 2, std::abs(shape.shift.y) % 2};
+    if (const std::string problem = shape.problem(pattern_.grid); !problem.empty()) wrong(start, problem);
+    pattern_.shape = shape;
   }
 
   /// One count and what it counts. False at the final '!'.
@@ -139,13 +178,19 @@ class RleReader : public PatternText {
       place_.x = 0;
     } else if (c == 'b' || c == '.') {
       place_.x = std::min(place_.x + count, 2 * maxLifeSide);
-    } else if (c == 'o' || c == 'A') {
-      living(start, count);
-    } else if ((c >= 'B' && c <= 'X') || (c >= 'p' && c <= 'y')) {
-      wrong(at_,
-            fmt::format("{} is of a pattern with more than two states; only dead (b or .) and living (o "
-                        "or A) cells are known",
-                        shown(c)));
+    } else if (c == 'o') {
+      living(start, count, 1);
+    } else if (c >= 'A' && c <= 'X') {
+      living(start, count, c - 'A' + 1);
+    } else if (c >= 'p' && c <= 'y') {
+      const char second = at_ + 1 < text_.size() ? text_[at_ + 1] : '\0';
+      const int state = (c - 'p' + 1) * 24 + second - 'A' + 1;
+      if (second < 'A' || second > 'X' || state > 255)
+        wrong(at_,
+              fmt::format("{} begins a state above 24, as in pA (25) to yO (255); no such letter follows",
+                          shown(c)));
+      living(start, count, state);
+      ++at_;
     } else {
       wrong(at_, fmt::format("{} where b, o, $ or ! is expected", shown(c)));
     }
@@ -153,7 +198,7 @@ class RleReader : public PatternText {
     return true;
   }
 
-  void living(std::size_t start, int count) {
+  void living(std::size_t start, int count, int state) {
     const glm::ivec2 end(place_.x + count, place_.y + 1);
     if (headed_ && (end.x > pattern_.size.x || end.y > pattern_.size.y))
       wrong(start, fmt::format("living cells {} to {} of row {} lie outside the header's {} x {}", place_.x,
@@ -162,7 +207,7 @@ class RleReader : public PatternText {
       wrong(start, fmt::format("a living cell at [{}, {}], beyond {}, the most there is room for",
                                end.x - 1, place_.y, maxLifeSide));
     if (!headed_) pattern_.size = glm::max(pattern_.size, end);
-    add(place_.x, place_.y, count);
+    add(place_.x, place_.y, count, state, start);
     place_.x = end.x;
   }
 
@@ -175,12 +220,12 @@ class RleReader : public PatternText {
 class RleWriter {
  public:
   explicit RleWriter(std::string& out) : out_(out) {}
-  void add(long count, char what) {
+  void add(long count, std::string_view what) {
     if (count == 0) return;
     char item[24];
     char* end = item;
-    if (count > 1) end = std::to_chars(item, std::end(item) - 1, count).ptr;
-    *end++ = what;
+    if (count > 1) end = std::to_chars(item, std::end(item) - 2, count).ptr;
+    end = std::copy(what.begin(), what.end(), end);
     const auto length = static_cast<std::size_t>(end - item);
     if (length_ + length > lineLength) {
       out_ += '\n';
@@ -213,31 +258,68 @@ CellPattern parseRle(std::string_view text, const std::string& name) {
   return RleReader(text, name).read();
 }
 
-std::string writeRle(const CellRows& cells, const LifeRule& rule, char border, std::string_view comment) {
+namespace {
+
+std::string rleHead(glm::ivec2 size, const CellRule& rule, std::string_view suffix,
+                    std::string_view comment) {
   std::string out;
   while (!comment.empty()) {
     const auto end = comment.find('\n');
     out += fmt::format("#C {}\n", comment.substr(0, end));
     comment.remove_prefix(end == std::string_view::npos ? comment.size() : end + 1);
   }
-  const std::string bounded =
-      border == 0 ? "" : fmt::format(":{}{},{}", border, cells.size.x, cells.size.y);
-  out += fmt::format("x = {}, y = {}, rule = {}{}\n", cells.size.x, cells.size.y, rule.text(), bounded);
+  out += fmt::format("x = {}, y = {}, rule = {}{}\n", size.x, size.y, rule.text(), suffix);
+  return out;
+}
+
+}  // namespace
+
+std::string writeStatesRle(const StateRows& cells, const CellRule& rule, std::string_view suffix,
+                           std::string_view comment) {
+  std::string out = rleHead(cells.size, rule, suffix, comment);
+  RleWriter writer(out);
+  long rowEnds = 0;
+  for (int y = 0; y < cells.size.y; ++y, ++rowEnds) {
+    int written = 0;
+    for (int x = 0; x < cells.size.x;) {
+      const int state = cells.state(x, y);
+      int end = x + 1;
+      while (end < cells.size.x && cells.state(end, y) == state) ++end;
+      if (state != 0) {
+        writer.add(rowEnds, "$");
+        rowEnds = 0;
+        writer.add(x - written, ".");
+        const char letter[3] = {static_cast<char>('o' + (state - 1) / 24),
+                                static_cast<char>('A' + (state - 1) % 24), '\0'};
+        writer.add(end - x, state > 24 ? letter : letter + 1);
+        written = end;
+      }
+      x = end;
+    }
+  }
+  writer.add(1, "!");
+  out += '\n';
+  return out;
+}
+
+std::string writeRle(const CellRows& cells, const CellRule& rule, std::string_view suffix,
+                     std::string_view comment) {
+  std::string out = rleHead(cells.size, rule, suffix, comment);
   RleWriter writer(out);
   long rowEnds = 0;
   for (int y = 0; y < cells.size.y; ++y, ++rowEnds) {
     int written = 0;
     for (int x = nextColumn(cells, 0, y, true); x < cells.size.x;) {
       const int end = nextColumn(cells, x, y, false);
-      writer.add(rowEnds, '$');
+      writer.add(rowEnds, "$");
       rowEnds = 0;
-      writer.add(x - written, 'b');
-      writer.add(end - x, 'o');
+      writer.add(x - written, "b");
+      writer.add(end - x, "o");
       written = end;
       x = nextColumn(cells, end, y, true);
     }
   }
-  writer.add(1, '!');
+  writer.add(1, "!");
   out += '\n';
   return out;
 }

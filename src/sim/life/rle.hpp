@@ -23,15 +23,30 @@ struct CellRows {
 };
 
 /// Reads RLE: comments (#), a header "x = 3, y = 3, rule = B3/S23" (all of it or the rule may be missing),
-/// runs of b or . (dead), o or A (alive) and $ (end of row) over any number of lines, and the final !,
-/// after which anything may follow; where a file with a header lacks it, a warning says so. `name` is what
-/// messages call it. Throws UserError with file:line:column for a file of more than two states, a malformed
-/// one, one cut off within a run, cells outside the header's size, or sides above maxLifeSide.
+/// runs of b or . (0), o (1), A to X (1 to 24), pA to yO (25 to 255) and $ (end of row) over any number of
+/// lines, and the final !, after which anything may follow; where a file with a header lacks it, a warning
+/// says so. `name` is what messages call it. Throws UserError with file:line:column for a malformed one,
+/// one cut off within a run, cells outside the header's size, or sides above maxLifeSide.
 [[nodiscard]] CellPattern parseRle(std::string_view text, const std::string& name);
 
-/// A grid as RLE of its whole size, lines of at most 70 characters. `border`: as CellPattern::border; a
-/// comment may hold several lines.
-[[nodiscard]] std::string writeRle(const CellRows& cells, const LifeRule& rule, char border,
+/// A grid as RLE of its whole size, lines of at most 70 characters. `suffix`: of a bounded grid
+/// (GridShape::suffix); a comment may hold several lines.
+[[nodiscard]] std::string writeRle(const CellRows& cells, const CellRule& rule, std::string_view suffix,
                                    std::string_view comment);
+
+/// States of a grid, a byte a cell: rows of whole blocks of 16.
+struct StateRows {
+  glm::ivec2 size{0, 0};
+  std::span<const std::uint8_t> bytes;
+  [[nodiscard]] static int rowBytes(int width) { return (width + 15) / 16 * 16; }
+  [[nodiscard]] int state(int x, int y) const {
+    const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(rowBytes(size.x));
+    return bytes[row + static_cast<std::size_t>(x)];
+  }
+};
+
+/// The same of cells with more than two states: . and A to X, pA to yO.
+[[nodiscard]] std::string writeStatesRle(const StateRows& cells, const CellRule& rule,
+                                         std::string_view suffix, std::string_view comment);
 
 }  // namespace simreel::sim

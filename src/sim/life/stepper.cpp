@@ -1,10 +1,20 @@
 #include "sim/life/stepper.hpp"
 
 #include "gl/element_array.hpp"
+#include "sim/automata/bit_formula.hpp"
 
 #include <string>
 
 namespace simreel::sim {
+
+void defineRule(gl::Defines& defines, const CellRule& rule) {
+  if (rule.family == CellRule::Family::map) {
+    defines.emplace_back("FORMULA", bitFormula(rule));
+    return;
+  }
+  defines.emplace_back("BORN", std::to_string(rule.counts.born));
+  defines.emplace_back("SURVIVE", std::to_string(rule.counts.survives));
+}
 
 LifeTuning LifeTuning::best(glm::ivec2 size) {
   // Measured: llvmpipe with tools/bench/life.cpp.
@@ -20,7 +30,7 @@ LifeTuning LifeTuning::best(glm::ivec2 size) {
   return tuning;
 }
 
-LifeStepper::LifeStepper(const LifeRule& rule, bool torus, glm::ivec2 size, const LifeTuning& tuning)
+LifeStepper::LifeStepper(const CellRule& rule, bool torus, glm::ivec2 size, const LifeTuning& tuning)
     : rule_(rule), torus_(torus), size_(size), tuning_(tuning) {
   whole_ = size.x % (128 * tuning.blocks) == 0;
   maxSteps_ = whole_ && size.y >= tuning.steps ? tuning.steps : 1;
@@ -40,8 +50,7 @@ void LifeStepper::run(const gl::WordsArray& from, const gl::WordsArray& to, int 
     const auto define = [&](const char* name, int value) {
       defines.emplace_back(name, std::to_string(value));
     };
-    define("BORN", rule_.born);
-    define("SURVIVE", rule_.survives);
+    defineRule(defines, rule_);
     define("STEPS", steps);
     define("BLOCKS", tuning_.blocks);
     define("ROWS", tuning_.rows);

@@ -1,7 +1,7 @@
 #pragma once
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
-#include "sim/life/rule.hpp"
+#include "sim/automata/cell_rule.hpp"
 
 #include <map>
 
@@ -12,6 +12,9 @@ namespace simreel::shader::life {
 }
 
 namespace simreel::sim {
+
+/// What glsl/life/step.comp and active.comp want of a rule on bits.
+void defineRule(gl::Defines& defines, const CellRule& rule);
 
 /// How the kernel glsl/life/step.comp cuts the grid.
 struct LifeTuning {
@@ -28,7 +31,8 @@ struct LifeTuning {
 class LifeStepper {
  public:
   LifeStepper() = default;
-  LifeStepper(const LifeRule& rule, bool torus, glm::ivec2 size, const LifeTuning& tuning);
+  /// `rule`: one on bits (CellRule::onBits).
+  LifeStepper(const CellRule& rule, bool torus, glm::ivec2 size, const LifeTuning& tuning);
 
   /// Generations in one pass at most: tuning.steps where rows are whole multiples of the strips and there
   /// are as many rows; else 1.
@@ -40,7 +44,7 @@ class LifeStepper {
   void run(const gl::WordsArray& from, const gl::WordsArray& to, int steps);
 
  private:
-  LifeRule rule_;
+  CellRule rule_;
   bool torus_ = true;
   glm::ivec2 size_{0, 0};
   LifeTuning tuning_;

@@ -7,6 +7,7 @@
 #include "sim/fluid/fluid.hpp"
 #include "sim/garment/garment.hpp"
 #include "sim/gray_scott/gray_scott.hpp"
+#include "sim/lenia/lenia.hpp"
 #include "sim/life/life.hpp"
 #include "sim/mesh/mesh.hpp"
 #include "sim/particles/particles.hpp"
@@ -25,9 +26,9 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(),    particlesKind(), lifeKind(),    grayScottKind(), reactionKind(), epidemicKind(),
-      wildfireKind(), fluidKind(),     waterKind(),   caveKind(),      contourKind(),  meshKind(),
-      bodyKind(),     sphereKind(),    capsuleKind(), planeKind(),     textKind(),
+      clothKind(),    particlesKind(), lifeKind(),   leniaKind(),   grayScottKind(), reactionKind(),
+      epidemicKind(), wildfireKind(),  fluidKind(),  waterKind(),   caveKind(),      contourKind(),
+      meshKind(),     bodyKind(),      sphereKind(), capsuleKind(), planeKind(),     textKind(),
   };
   return list;
 }

@@ -32,6 +32,8 @@ MUTATIONS = {
     "wildfire": ("spread/wildfire/step.comp", "uint weight = fuelWeight(byteOf(fuel, k));",
                  "uint weight = fuelWeight(byteOf(fuel, k)) * 99u / 100u;"),
 }
+# Scenes that other shaders of their kind run.
+OTHERS = {"wireworld": ("life", ("automata/step.comp", "node = child(node, cellOf(below, j));", "node = child(node, cellOf(here, j));"))}
 SCENERY = {"sphere", "capsule", "plane", "text"}  # nothing of theirs is simulated
 FRAMES = 3  # after the first one
 LATER = {"cave_map": 24}  # its rock is still for some time
@@ -93,9 +95,11 @@ class Mutation(GoldenCase):
             (scenes / file.name).write_text(json.dumps(self.shortened(file)), encoding="utf-8")
         assets = {"SIMREEL_ASSETS": str(SOURCE / "assets")}
         self.good("test", "shipped", "--update", "--repeat", "1", env=assets, timeout=280)
-        for kind, (name, old, new) in self.mutations().items():
+        runs = [(kind, mutation, [f.stem for f in self.scenes() if self.has_kind(f, kind) and f.stem not in OTHERS])
+                for kind, mutation in self.mutations().items()]
+        runs += [(kind, mutation, [scene]) for scene, (kind, mutation) in OTHERS.items()]
+        for kind, (name, old, new), names in runs:
             env = {**self.mutated_glsl(name, old, new), **assets}
-            names = [f.stem for f in self.scenes() if self.has_kind(f, kind)]
             self.assertTrue(names, f"no shipped scene has a {kind}")
             filters = [word for scene in names for word in ("--filter", scene)]
             done = self.run_program("test", "shipped", "--repeat", "1", "--json", "report.json", *filters, env=env,

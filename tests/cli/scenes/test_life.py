@@ -221,9 +221,9 @@ class Life(Case):
         self.good("bake", "g.rle", "-o", "cells", "--frames", "0")
         self.assertEqual(read_rle((self.folder / "cells/cells_000000.rle").read_text(encoding="ascii"))[:3],
                          (48, 27, "B3/S23:P48,27"))
-        self.write("h.rle", "x = 3, y = 3, rule = B2-a/S12\n3o!")
-        self.bad(2, ["h.rle:1:24", "Hensel"], "validate", "h.rle")
-        self.bad(2, ["h.rle:1:24", "Hensel"], "render", "h.rle", "-o", "h.png")
+        self.write("h.rle", "x = 3, y = 3, rule = B2-z/S12\n3o!")
+        self.bad(2, ["h.rle:1:25", "there is no arrangement z of 2 neighbours"], "validate", "h.rle")
+        self.bad(2, ["h.rle:1:25", "there is no arrangement z of 2 neighbours"], "render", "h.rle", "-o", "h.png")
         self.bad(2, ["2 of 2 scenes"], "validate", "h.rle", "none.rle")
 
     def test_mistakes(self):
@@ -239,7 +239,7 @@ class Life(Case):
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle"}]))
         self.good("bake", "s.json", "-o", "two", "--frames", "0")  # A is alive
         self.write("p.rle", "x = 3, y = 1\n2oB!")
-        self.bad(2, ["p.rle:2:3", "more than two states"], "bake", "s.json", "-o", "out")
+        self.bad(2, ["p.rle:2:3", "a cell of state 2, but the rule B3/S23 has the states 0 to 1"], "bake", "s.json", "-o", "out")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle", "rotate": 45}]))
         self.bad_scene("0, 90, 180 or 270", "bake", "s.json", "-o", "out")
         self.write("p.rle", "x = 3, y = 1\n3o!")
@@ -254,6 +254,8 @@ class Life(Case):
 
     def test_every_shipped_pattern_is_read(self):
         files = sorted((SOURCE / "assets/patterns").glob("*.rle"))
+        self.good("validate", SOURCE / "assets/patterns/parity.rle")  # its rule stands beside it
+        files = [file for file in files if "WireWorld" not in file.read_text(encoding="ascii")]
         self.assertGreater(len(files), 4)
         patterns = [{"file": f"patterns/{file.name}", "at": [5, 45 * i]} for i, file in enumerate(files)]
         self.write("s.json", scene([128, 45 * len(files)], 10, patterns=patterns))

@@ -84,9 +84,22 @@ TEST_CASE("mistakes in patterns have line and column") {
   checkHas(mistake("#Life 1.06\n0 1 2\n"), "p:2:4: a line holds the place of one cell");
   checkHas(mistake("#Life 1.06\n0 99999999999\n"), "p:2:3: a place beyond");
   checkHas(mistake("#Life 1.06\n0 0\n0 2000000\n"), "the living cells are 1 x 2000001 apart");
-  checkHas(mistake("#Life 1.05\n#R 2-a3/3\n#P 0 0\n*"), "p:2:5: this is a rule that asks where");
+  checkHas(mistake("#Life 1.05\n#R 29/3\n#P 0 0\n*"), "p:2:5: a cell has 8 neighbours");
   checkHas(mistake("!c\n.O.\n.3.\n"), "p:3:2: '3' in a row of cells");
-  checkHas(mistake("[M2] (golly 3.4)\n#R B3/S23\n"), "p:1:1: this is a macrocell file");
+  checkHas(mistake("[M2] (golly 3.4)\n#R B3/S23\n"), "p:3:1: no squares; the file may be cut off");
+  checkHas(mistake("[M2]\n.*$\n4 1 0 0 7\n"), "p:3:9: square 7 does not come before this one");
+  checkHas(mistake("[M2]\n.*$\n5 1 0 0 0\n"), "p:3:3: square 1 is not half as large");
+  checkHas(mistake("[M2]\n.*o$\n"), "p:2:3: 'o' in a square of 8 x 8 cells");
+  checkHas(mistake("[M2]\n.........*$\n"), "p:2:9: a cell beyond a square");
+  checkHas(mistake("[M2]\n4 1 0\n"), "p:2:3: square 1 does not come before");
+  checkHas(mistake("[M2]\n1 0 0 0 256\n"), "p:2:9: states go from 0 to 255");
+  checkHas(mistake("[M2]\n1 0 0 0 5 6\n"), "p:2:10: ' ' after the five numbers");
+  checkHas(mistake("[M2]\n#R B3/S29\n"), "p:2:9: a cell has 8 neighbours");
+  std::string deep = "[M2]\n*$\n";
+  for (int level = 4; level < 40; ++level)
+    deep += std::to_string(level) + " " + std::to_string(level - 3) + " 0 0 " + std::to_string(level - 3) +
+            "\n";
+  checkHas(mistake(deep), "apart, the most there is room for");
 }
 
 TEST_CASE("names of pattern files") {
@@ -121,7 +134,7 @@ TEST_CASE("a pattern lies where it is placed, cell for cell, also across words a
   soup.size = {131, 9};
   soup.fill = 0.8F;  // long runs
   const auto words = LifePlan(soup, "cells", 5, 0.1).firstCells();
-  const simreel::test::TemporaryFile file("soup.rle", writeRle({soup.size, words}, LifeRule{}, 0, ""));
+  const simreel::test::TemporaryFile file("soup.rle", writeRle({soup.size, words}, LifeRule{}, "", ""));
   for (const glm::ivec2 at : {glm::ivec2(0, 0), {13, 4}, {169, 11}, {250, -3}}) {
     LifeParameters p = fitted("glider");
     p.fitted = false;
@@ -147,4 +160,27 @@ TEST_CASE("a pattern that was made for a bounded grid brings it along") {
   CHECK(living(plan) == Cells{{14, 10}, {15, 10}, {16, 10}});
   p.borderGiven = true;  // a torus, and the file says otherwise
   CHECK_THROWS_AS(LifePlan(p, "cells", 1, 0.1), UserError);
+}
+
+TEST_CASE("macrocell files of two states and of several") {
+  const CellPattern two =
+      parsePattern("[M2] (golly 3.3)\n#R B36/S23:T40,30\n$$..*$...*$.***$$$$\n4 0 1 1 0\n", "p");
+  CHECK(two.rule == CellRule(LifeRule{1 << 3 | 1 << 6, 12}));
+  CHECK(two.size == glm::ivec2(11, 11));
+  int living = 0;
+  for (const CellPattern::Run& run : two.runs) living += run.length;
+  CHECK(living == 10);
+  const CellPattern many = parsePattern("[M2]\n#R /2/3\n1 0 1 2 0\n1 0 0 0 2\n2 1 0 0 2\n", "p");
+  CHECK(many.highest == 2);
+  REQUIRE(many.runs.size() == 3);
+  CHECK(many.runs[0].state == 1);
+  CHECK(many.runs[1].state == 2);
+  CHECK(many.size == glm::ivec2(4, 4));
+  // Empty squares that hold each other take no time.
+  std::string hollow = "[M2]\n$\n";
+  for (int level = 4; level < 60; ++level) {
+    const std::string child = " " + std::to_string(level - 3);
+    hollow += std::to_string(level) + child + child + child + child + "\n";
+  }
+  CHECK(parsePattern(hollow, "p").runs.empty());
 }

@@ -72,7 +72,7 @@ TEST_CASE("the bit-sliced twin equals a plain loop for random rules, both border
       auto cells = bytesOf(twin.words, size);
       for (int i = 0; i < 5; ++i) {
         twin.generation(1 + trial % 2);
-        cells = nextBytes(cells, size, twin.plan().rule(), twin.plan().torus());
+        cells = nextBytes(cells, size, twin.plan().rule().counts, twin.plan().torus());
         REQUIRE(twin.words == wordsOf(cells, size));  // so the bits beyond a row's end are zero, too
       }
     }

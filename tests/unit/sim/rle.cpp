@@ -23,8 +23,8 @@ std::string mistake(std::string_view text) {
 }
 
 std::string ruleMistake(std::string_view text) {
-  LifeRule rule;
-  const LifeRuleProblem problem = parseLifeRule(text, rule);
+  CellRule rule;
+  const RuleProblem problem = parseCellRule(text, rule);
   return problem.message.empty() ? rule.text() : std::to_string(problem.at) + ": " + problem.message;
 }
 
@@ -46,10 +46,9 @@ TEST_CASE("life rules are read in both spellings") {
   CHECK(ruleMistake("SB2") == "B2/S");
   CHECK(ruleMistake("life") == "B3/S23");
   CHECK(ruleMistake("B87/S54") == "B78/S45");  // written in order
-  LifeRule rule;
-  CHECK(parseLifeRule("B36/S23", rule).message.empty());
-  CHECK(rule.born == (1 << 3 | 1 << 6));
-  CHECK(rule.survives == (1 << 2 | 1 << 3));
+  CellRule rule;
+  CHECK(parseCellRule("B36/S23", rule).message.empty());
+  CHECK(rule.counts == LifeRule{1 << 3 | 1 << 6, 1 << 2 | 1 << 3});
 }
 
 TEST_CASE("rules that make no sense are refused at their place") {
@@ -66,24 +65,33 @@ TEST_CASE("rules that make no sense are refused at their place") {
 }
 
 TEST_CASE("rules of other kinds are named") {
-  const auto named = [](const char* rule, const char* what) {
-    CAPTURE(rule);
-    checkHas(ruleMistake(rule), what);
+  checkHas(ruleMistake("B45/S34L"), "triangles");
+  checkHas(ruleMistake("W110"), "single row");
+  checkHas(ruleMistake("M0,8,4,3,2,5,9,7,1,6,10,11,12,13,14,15"), "Margolus");
+  checkHas(ruleMistake("LifeHistory"), "0: this names a rule that is not known");
+}
+
+TEST_CASE("bounded grids of an RLE file") {
+  const auto shaped = [](const char* suffix) {
+    const CellPattern p = parseRle(std::string("x = 1, y = 1, rule = B3/S23") + suffix + "\no!", "p");
+    REQUIRE(p.shape);
+    return p.shape->suffix(p.grid);
   };
-  for (const char* rule : {"B2-a/S12", "b2ce3-i/s23", "B3/S2-i34q", "2-n3/3", "B2cS"})
-    named(rule, "Hensel");
-  for (const char* rule : {"B2/S/3", "23/3/2", "B2/S345/C4", "345/2/4"})
-    named(rule, "more than two states (Generations)");
-  for (const char* rule : {"LifeHistory", "StateInvestigator", "WireWorld", "JvN29", "LifeSuper"})
-    named(rule, "more than two states");
-  named("R5,C0,M1,S34..58,B34..45,NM", "Larger than Life");
-  named("B3/S23V", "von Neumann");
-  named("B2/S34H", "hexagonal");
-  named("B45/S34L", "triangles");
-  named("W110", "single row");
-  named("M0,8,4,3,2,5,9,7,1,6,10,11,12,13,14,15", "Margolus");
-  named("MAPARYXfhZofugWaH7oaIDogBZofuhogOiAaIDogIAAgAAWaH7oaIDogGiA6ICAAIAAaIDogIAAgACAAIAAAAAAAA", "MAP");
-  named("DayAndNight", "names a rule that is not known");
+  for (const char* suffix : {":T30,20", ":P7,5", ":T30+5,20", ":T30,20-2", ":K30*,20", ":K30,20*",
+                             ":K30*+1,20", ":C30,20", ":S30"})
+    CHECK(shaped(suffix) == suffix);
+  CHECK(shaped(":t30,20") == ":T30,20");
+  const auto refused = [](const char* suffix, const char* what) {
+    checkHas(mistake(std::string("x = 1, y = 1, rule = B3/S23") + suffix + "\no!"), what);
+  };
+  refused(":X3,4", "p.rle:1:29: a bounded grid is");
+  refused(":T0,4", "1:30: a side of 0");
+  refused(":T3,", "1:32: the grid's height is missing");
+  refused(":T30+5,20+1", "shifted one way only");
+  refused(":P30+5,20", "only a torus and a Klein bottle");
+  refused(":K31*+1,20", "even number");
+  refused(":K30*,20*", "one pair of edges");
+  refused(":S30,20", "a sphere is made of a square");
 }
 
 TEST_CASE("RLE with comments, a rule, runs over lines and blanks") {
@@ -94,7 +102,7 @@ TEST_CASE("RLE with comments, a rule, runs over lines and blanks") {
   CHECK(p.size == glm::ivec2(5, 4));
   REQUIRE(p.rule);
   CHECK(p.rule->text() == "B36/S23");
-  CHECK(p.border == 'T');
+  CHECK(p.shape == GridShape());
   CHECK(p.grid == glm::ivec2(257, 130));
   REQUIRE(p.runs.size() == 2);
   CHECK(p.runs[0].x == 1);
@@ -132,7 +140,8 @@ TEST_CASE("malformed RLE is refused with line and column") {
   checkHas(mistake("x = 3, y = 99999999999999999999\n3o!"), "p.rle:1:12: the height is above 1048576");
   checkHas(mistake("x = 3, y = 3, colour = 2\n3o!"), "p.rle:1:15: only \"rule = ...\"");
   checkHas(mistake("x = 3, y = 3, rule = B3/S29\n3o!"), "p.rle:1:27: a cell has 8 neighbours");
-  checkHas(mistake("x = 3, y = 3, rule = B3/S23:K3,4\n3o!"), "p.rle:1:29: of bounded grids only");
+  checkHas(mistake("x = 3, y = 3, rule = B3/S23:K3,4\n3o!"),
+           "p.rle:1:29: a Klein bottle has one pair of edges reversed");
   checkHas(mistake("x = 3, y = 3 3o!"), "p.rle:1:14: '3' after the header");
   checkHas(mistake("x = 3, y = 3\n3"), "ends after a count");
   checkHas(mistake("x = 3, y = 3\n3 2o!"), "p.rle:2:3: a second count");
@@ -141,8 +150,8 @@ TEST_CASE("malformed RLE is refused with line and column") {
   checkHas(mistake("x = 3, y = 3\n3o$\n b3o!"), "p.rle:3:3: living cells 1 to 3 of row 1 lie outside");
   checkHas(mistake("x = 3, y = 3\n3o3$o!"), "p.rle:2:5: living cells 0 to 0 of row 3 lie outside");
   checkHas(mistake("x = 3, y = 3\n2000000o!"), "p.rle:2:1: the count is above 1048576");
-  checkHas(mistake("x = 3, y = 3\n.A$2B!"), "p.rle:2:5: 'B' is of a pattern with more than two states");
-  checkHas(mistake("x = 3, y = 3\npA$2B!"), "p.rle:2:1: 'p' is of a pattern with more than two states");
+  checkHas(mistake("x = 3, y = 3\n.A$2pZ!"), "p.rle:2:5: 'p' begins a state above 24");
+  checkHas(mistake("x = 3, y = 3\nyP!"), "p.rle:2:1: 'y' begins a state above 24");
   checkHas(mistake("x = 3, y = 3\nbo?!"), "p.rle:2:3: '?' where b, o, $ or ! is expected");
   checkHas(mistake(std::string_view("x = 3, y = 3\nb\0o!", 17)), "p.rle:2:2: a byte 0x00");
 }
@@ -155,7 +164,7 @@ TEST_CASE("what is written is read back, cell for cell, in lines of at most 70 c
       parameters.fill = fraction;
       const LifePlan plan(parameters, "cells", 3, 0.1);
       const auto words = plan.firstCells();
-      const std::string text = writeRle({size, words}, LifeRule{}, 'T', "one\ntwo");
+      const std::string text = writeRle({size, words}, LifeRule{}, GridShape().suffix(size), "one\ntwo");
       std::string_view rest = text;
       for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
         CHECK(end <= 70);
@@ -164,8 +173,8 @@ TEST_CASE("what is written is read back, cell for cell, in lines of at most 70 c
       CHECK(rest.empty());
       const CellPattern read = parseRle(text, "written");
       CHECK(read.size == size);
-      CHECK(read.rule == LifeRule{});
-      CHECK(read.border == 'T');
+      CHECK(read.rule == CellRule());
+      CHECK(read.shape == GridShape());
       CHECK(read.grid == size);
       std::vector<std::uint8_t> cells(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
       for (const CellPattern::Run& run : read.runs)
@@ -179,7 +188,7 @@ TEST_CASE("what is written is read back, cell for cell, in lines of at most 70 c
 
 TEST_CASE("an RLE file is written as others write it") {
   const auto words = wordsOf({0, 1, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0}, {3, 4});
-  CHECK(writeRle({{3, 4}, words}, LifeRule{}, 0, "") == "x = 3, y = 4, rule = B3/S23\nbo$2bo$3o!\n");
-  CHECK(writeRle({{3, 4}, words}, LifeRule{}, 'P', "c") ==
+  CHECK(writeRle({{3, 4}, words}, LifeRule{}, "", "") == "x = 3, y = 4, rule = B3/S23\nbo$2bo$3o!\n");
+  CHECK(writeRle({{3, 4}, words}, LifeRule{}, ":P3,4", "c") ==
         "#C c\nx = 3, y = 4, rule = B3/S23:P3,4\nbo$2bo$3o!\n");
 }

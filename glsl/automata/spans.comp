@@ -1,0 +1,44 @@
+// Larger than Life on a neighbourhood of rows of any length, which are convex: from a cell to the next one comes the right
+// end of each row and goes the left one. Defines: as rows.comp; REACHES: how far each row reaches to both sides, from the
+// top.
+#include "common/words.glsl"
+#include "automata/bindings.glsl"
+layout(local_size_x = 8, local_size_y = 4) in;
+layout(binding = bytesBinding) uniform usamplerBuffer paddedBytes;
+STATE_WORDS(nextCellsBinding, NextBlock, newCells)
+uniform ivec2 size;
+uniform int rowItems;
+uniform int rowWords;
+uniform int marginX;
+#include "automata/wide.glsl"
+#include "automata/output.glsl"
+const int reaches[2 * RANGE + 1] = int[](REACHES);
+
+int aliveAt(int i) {
+  return texelFetch(paddedBytes, i).x == 1u ? 1 : 0;
+}
+
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  int firstItem = at.x * ITEMS;
+  if (firstItem >= rowItems || at.y >= size.y) return;
+  int rowBytes = rowWords * 4;
+  int top = at.y * rowBytes + marginX + firstItem * CELLS;
+  int total = 0;
+  for (int i = 0; i <= 2 * RANGE; ++i)
+    for (int dx = -reaches[i]; dx <= reaches[i]; ++dx) total += aliveAt(top + i * rowBytes + dx);
+  for (int item = 0; item < ITEMS; ++item) {
+    uvec4 block = uvec4(0u);
+    for (int word = 0; word < CELLS / 4; ++word) {
+      uint bytes = 0u;
+      for (int j = 0; j < 4; ++j) {
+        int x = top + item * CELLS + word * 4 + j;
+        bytes |= wideNext(texelFetch(paddedBytes, x + RANGE * rowBytes).x, total) << uint(8 * j);
+        for (int i = 0; i <= 2 * RANGE; ++i)
+          total += aliveAt(x + i * rowBytes + reaches[i] + 1) - aliveAt(x + i * rowBytes - reaches[i]);
+      }
+      collect(block, word, bytes, size.x - (firstItem + item) * CELLS - word * 4);
+    }
+    if (firstItem + item < rowItems) STORE_WORDS(newCells, at.y * rowItems + firstItem + item, block);
+  }
+}

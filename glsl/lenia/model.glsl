@@ -1,0 +1,50 @@
+// Continuous automata: what a cell makes of the weighted sums around it. Compiles as GLSL and as C++
+// (tests/reference/lenia_twin.cpp).
+
+// A kernel's growth: 0 polynomial, 1 Gaussian, 2 a step; around mu, as wide as sigma; weight is its share.
+struct LeniaGrowth {
+  float mu;
+  float perSigma2;  // 1 / (9 sigma^2) of the polynomial, 1 / (2 sigma^2) of the Gaussian, sigma of the step
+  float weight;
+  int kind;
+};
+
+// -1 to 1. Polynomial: 2 max(0, 1 - d^2 / (9 sigma^2))^4 - 1, d = u - mu; Gaussian: 2 exp(-d^2 / (2 sigma^2)) - 1; step: 1
+// where |d| <= sigma, else -1.
+FUNCTION float leniaGrowth(LeniaGrowth g, float u) {
+  precise float d = u - g.mu;
+  precise float part = d * d * g.perSigma2;
+  precise float left = 1.0f - part;
+  float base = max(left, 0.0f);
+  precise float square = base * base;
+  precise float fourth = square * square;
+  float bell = fourth;
+  precise float power = 0.0f - part;
+  if (g.kind == 1) bell = exactExp(power);
+  if (g.kind == 2) bell = abs(d) <= g.perSigma2 ? 1.0f : 0.0f;
+  precise float growth = 2.0f * bell - 1.0f;
+  return growth;
+}
+
+// 1 / (1 + exp(-(x - a) slope)).
+FUNCTION float smoothStepAt(float x, float a, float slope) {
+  precise float power = (a - x) * slope;
+  precise float under = 1.0f + exactExp(power);
+  return exactReciprocal(under);
+}
+
+// SmoothLife's transition: born between b.x and b.y, survives between b.z and b.w (of the ring's filling n), between both by
+// the disc's filling m; slopes 4 / alpha of n and of m.
+FUNCTION float smoothLifeNext(float n, float m, vec4 b, float slopeN, float slopeM) {
+  float alive = smoothStepAt(m, 0.5f, slopeM);
+  precise float low = b.x + (b.z - b.x) * alive;
+  precise float high = b.y + (b.w - b.y) * alive;
+  float above = smoothStepAt(n, low, slopeN);
+  float below = smoothStepAt(n, high, slopeN);
+  precise float next = above * (1.0f - below);
+  return next;
+}
+
+FUNCTION float leniaHeld(float value) {
+  return exactFlush(min(max(value, 0.0f), 1.0f));
+}

@@ -1,0 +1,10 @@
+#pragma once
+#include "sim/automata/cell_rule.hpp"
+#include "sim/automata/rule_text.hpp"
+
+namespace simreel::sim {
+
+/// The section @TABLE as a rule without a name. Throws UserError as readRuleFile says.
+[[nodiscard]] CellRule parseRuleTable(const RuleText& file);
+
+}  // namespace simreel::sim

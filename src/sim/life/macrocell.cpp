@@ -1,0 +1,190 @@
+#include "sim/life/macrocell.hpp"
+
+#include "base/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr std::size_t maxRuns = std::size_t{1} << 27;
+constexpr int maxLevel = 60;
+
+/// A square of 2^level cells a side. A leaf holds bits (8 x 8, lowest first, by rows) or four states.
+struct Node {
+  int level = 0;
+  bool leaf = false;
+  bool empty = false;  ///< nothing lives in it: never gone through, however often it is there
+  std::uint64_t bits = 0;
+  std::array<int, 4> children{};  ///< nodes or states: north-west, north-east, south-west, south-east
+};
+
+class MacrocellReader : public PatternText {
+ public:
+  using PatternText::PatternText;
+
+  CellPattern read() {
+    nodes_.emplace_back();  // 0: nothing lives there
+    while (at_ < text_.size()) {
+      const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+      std::string_view line = text_.substr(at_, end - at_);
+      while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+      take(line);
+      at_ = end + 1;
+    }
+    if (nodes_.size() < 2) wrong(text_.size(), "no squares; the file may be cut off");
+    for (std::size_t i = 1; i + 1 < nodes_.size(); ++i)
+      if (nodes_[i].level > nodes_.back().level)
+        wrong(text_.size(), "the last square is not the largest one; the file may be cut off");
+    collect(static_cast<int>(nodes_.size()) - 1, 0, 0);
+    return fitted();
+  }
+
+ private:
+  void take(std::string_view line) {
+    if (line.empty() || line[0] == '[') return;
+    if (line[0] == '#') {
+      if (line.starts_with("#R")) rule(line);
+      return;
+    }
+    if (line[0] == '.' || line[0] == '*' || line[0] == '$')
+      raster(line);
+    else
+      square(line);
+  }
+
+  void rule(std::string_view line) {
+    const std::size_t start = line.find_first_not_of(" \t", 2);
+    if (start == std::string_view::npos) return;
+    std::string_view text = line.substr(start);
+    // A bounded grid's suffix says nothing of where the cells lie in it.
+    text = text.substr(0, text.find(':'));
+    takeRuleText(at_ + start, text);
+  }
+
+  void raster(std::string_view line) {
+    Node node;
+    node.level = 3;
+    node.leaf = true;
+    int x = 0, y = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (line[i] == '$') {
+        x = 0;
+        ++y;
+        continue;
+      }
+      if (line[i] != '.' && line[i] != '*')
+        wrong(at_ + i,
+              fmt::format("{} in a square of 8 x 8 cells: '.', '*' or '$' is expected", shown(line[i])));
+      if (x > 7 || y > 7) wrong(at_ + i, "a cell beyond a square of 8 x 8");
+      if (line[i] == '*') node.bits |= std::uint64_t{1} << (y * 8 + x);
+      ++x;
+    }
+    node.empty = node.bits == 0;
+    nodes_.push_back(node);
+  }
+
+  void square(std::string_view line) {
+    std::array<long, 5> values{};
+    std::size_t i = 0;
+    for (std::size_t n = 0; n < values.size(); ++n) {
+      while (i < line.size() && line[i] == ' ') ++i;
+      if (i == line.size() || !isDigit(line[i]))
+        wrong(at_ + i, "a square is five numbers: the logarithm of its size and its four quarters");
+      const std::size_t start = i;
+      for (; i < line.size() && isDigit(line[i]); ++i)
+        values[n] = std::min(values[n] * 10 + (line[i] - '0'), 1L << 40);
+      check(n, values, start);
+    }
+    if (i < line.size()) wrong(at_ + i, fmt::format("{} after the five numbers", shown(line[i])));
+    Node node;
+    node.level = static_cast<int>(values[0]);
+    node.leaf = node.level == 1;
+    node.empty = true;
+    for (std::size_t n = 0; n < 4; ++n) {
+      const int child = node.children[n] = static_cast<int>(values[n + 1]);
+      if (child != 0 && (node.leaf || !nodes_[static_cast<std::size_t>(child)].empty)) node.empty = false;
+    }
+    nodes_.push_back(node);
+  }
+
+  void check(std::size_t n, const std::array<long, 5>& values, std::size_t start) const {
+    const long value = values[n];
+    if (n == 0) {
+      if (value < 1 || value > maxLevel)
+        wrong(at_ + start, fmt::format("a square's size is 2 to the power of 1 to {}", maxLevel));
+    } else if (values[0] == 1) {
+      if (value > 255) wrong(at_ + start, "states go from 0 to 255");
+    } else if (value >= static_cast<long>(nodes_.size())) {
+      wrong(at_ + start, fmt::format("square {} does not come before this one", value));
+    } else if (value > 0 && nodes_[static_cast<std::size_t>(value)].level != values[0] - 1) {
+      wrong(at_ + start, fmt::format("square {} is not half as large", value));
+    }
+  }
+
+  void cell(std::int64_t x, std::int64_t y, int state) {
+    if (pattern_.runs.size() >= maxRuns) wrong(0, fmt::format("more than {} living cells", maxRuns));
+    if (pattern_.runs.empty()) origin_ = {x, y};
+    const std::int64_t dx = x - origin_.first, dy = y - origin_.second;
+    if (std::max(std::abs(dx), std::abs(dy)) > maxLifeSide)
+      wrong(0, fmt::format("living cells are more than {} apart, the most there is room for", maxLifeSide));
+    add(static_cast<int>(dx), static_cast<int>(dy), 1, state, 0);
+  }
+
+  void collect(int index, std::int64_t x, std::int64_t y) {
+    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    if (index == 0 || node.empty) return;
+    if (node.level == 3 && node.leaf) {
+      for (int i = 0; i < 64; ++i)
+        if ((node.bits >> i & 1U) != 0) cell(x + i % 8, y + i / 8, 1);
+      return;
+    }
+    const std::int64_t half = std::int64_t{1} << (node.level - 1);
+    for (int i = 0; i < 4; ++i) {
+      const int child = node.children[static_cast<std::size_t>(i)];
+      const std::int64_t left = x + (i % 2) * half, top = y + (i / 2) * half;
+      if (!node.leaf)
+        collect(child, left, top);
+      else if (child != 0)
+        cell(left, top, child);
+    }
+  }
+
+  CellPattern fitted() {
+    if (pattern_.runs.empty()) return std::move(pattern_);
+    constexpr int far = std::numeric_limits<int>::max();
+    glm::ivec2 min(far), end(-far);
+    for (const CellPattern::Run& run : pattern_.runs) {
+      min = {std::min(min.x, run.x), std::min(min.y, run.y)};
+      end = {std::max(end.x, run.x + run.length), std::max(end.y, run.y + 1)};
+    }
+    pattern_.size = end - min;
+    if (std::max(pattern_.size.x, pattern_.size.y) > maxLifeSide)
+      wrong(0, fmt::format("the living cells are {} x {} apart, more than {}, the most there is room for",
+                           pattern_.size.x, pattern_.size.y, maxLifeSide));
+    for (CellPattern::Run& run : pattern_.runs) {
+      run.x -= min.x;
+      run.y -= min.y;
+    }
+    return std::move(pattern_);
+  }
+
+  std::vector<Node> nodes_;
+  std::pair<std::int64_t, std::int64_t> origin_{0, 0};
+};
+
+}  // namespace
+
+CellPattern parseMacrocell(std::string_view text, const std::string& name) {
+  return MacrocellReader(text, name).read();
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,14 @@
+#pragma once
+#include "sim/core/simulation.hpp"
+#include "sim/life/plan.hpp"
+
+#include <memory>
+#include <string>
+
+namespace simreel::sim {
+
+/// An automaton of more than two states, one byte a cell.
+[[nodiscard]] std::unique_ptr<Simulation> makeLifeStates(LifePlan plan, const std::string& name,
+                                                         const Setting& setting);
+
+}  // namespace simreel::sim

@@ -1,0 +1,196 @@
+"""Golly's bgolly (Debian package golly) beside the program: the same soup, cell for cell."""
+import json
+import random
+import re
+import shutil
+import subprocess
+
+GOLLY = shutil.which("bgolly") or shutil.which("bgolly", path="/usr/games")
+
+
+def read_rle(text):
+    """(width, height, rule, {(x, y): state}) of an RLE file of the program."""
+    lines = [line for line in text.splitlines() if not line.startswith("#")]
+    width, height, rule = re.match(r"x = (\d+), y = (\d+), rule = (\S+)", lines[0]).groups()
+    cells, x, y = {}, 0, 0
+    for count, kind in re.findall(r"(\d*)([p-y][A-X]|[.boA-X$!])", "".join(lines[1:])):
+        count = int(count or 1)
+        if kind == "$":
+            x, y = 0, y + count
+        elif kind not in "!":
+            state = (0 if kind in ".b" else 1 if kind == "o" else ord(kind) - 64 if len(kind) == 1 else
+                     (ord(kind[0]) - 111) * 24 + ord(kind[1]) - 64)
+            if state:
+                cells.update({(x + i, y): state for i in range(count)})
+            x += count
+    return int(width), int(height), rule, cells
+
+
+def read_macrocell(text):
+    """{(x, y): state} of a macrocell file, about its middle: the only one of Golly's formats that tells where they are."""
+    nodes = [None]
+    for line in text.splitlines():
+        if line[:1] in ("[", "#", ""):
+            continue
+        if line[0] in ".*$":
+            rows = line.split("$")
+            nodes.append((3, [(x, y, 1) for y, row in enumerate(rows) for x, c in enumerate(row) if c == "*"]))
+            continue
+        level, *children = map(int, line.split())
+        nodes.append((1, [(i % 2, i // 2, s) for i, s in enumerate(children) if s]) if level == 1 else (level, tuple(children)))
+    cells = {}
+
+    def add(node, left, top):
+        level, what = node
+        if isinstance(what, list):
+            cells.update({(left + x, top + y): s for x, y, s in what})
+            return
+        half = 1 << (level - 1)
+        for child, (dx, dy) in zip(what, ((0, 0), (half, 0), (0, half), (half, half))):
+            if child:
+                add(nodes[child], left + dx, top + dy)
+
+    if nodes[-1]:
+        half = 1 << (nodes[-1][0] - 1)
+        add(nodes[-1], -half, -half)
+    return cells
+
+
+def fitted(cells):
+    left, top = (min((c[i] for c in cells), default=0) for i in (0, 1))
+    return {(x - left, y - top): s for (x, y), s in cells.items()}
+
+
+def run_golly(folder, file, generations, rules=None):
+    """The cells of a pattern after so many generations; of Larger than Life, which has no other format, from the upper left
+    of all that live."""
+    rule = re.search(r"(?:rule *= *|#R +)([^\s:]+)", (folder / file).read_text(encoding="latin-1"))[1]
+    algorithm = ("Larger than Life" if "," in rule else "Generations" if rule.count("/") == 2 else
+                 "HashLife" if "/" in rule or rule.startswith("MAP") else "RuleLoader")
+    output = "golly.rle" if "," in rule else "golly.mc"
+    (folder / output).unlink(missing_ok=True)
+    command = [GOLLY, "-a", algorithm, "-q", "-q", "-m", str(generations), "-i", "1", "-o", output]
+    command += ["-s", f"{rules}/"] if rules else []
+    result = subprocess.run([*command, file], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False,
+                            timeout=600)
+    if result.returncode:
+        raise AssertionError(f"bgolly {file}: {result.stdout.decode(errors='replace')}")
+    text = (folder / output).read_text(encoding="ascii")
+    return read_macrocell(text) if output == "golly.mc" else fitted(read_rle(text)[3])
+
+
+# A wall of state 2 that nothing passes: between top and bottom of a torus it makes a cylinder of it.
+WALLED_LIFE = """@RULE WalledLife
+@TABLE
+n_states:3
+neighborhood:Moore
+symmetries:permute
+""" + "".join(f"var {v}={{0,1,2}}\n" for v in "a") + "".join(f"var d{i}={{0,2}}\n" for i in range(8)) + """
+0,1,1,1,d0,d1,d2,d3,d4,1
+1,1,1,d0,d1,d2,d3,d4,d5,1
+1,1,1,1,d0,d1,d2,d3,d4,1
+""" + "".join(f"var e{i}={{0,1,2}}\n" for i in range(8)) + "1,e0,e1,e2,e3,e4,e5,e6,e7,0\n"
+
+
+def hensel(chance, rng):
+    """Numbers of neighbours with some of their letters."""
+    letters = {1: "ce", 2: "cekain", 3: "cekainyqjr", 4: "cekainyqjrtwz", 5: "cekainyqjr", 6: "cekain", 7: "ce"}
+    text = ""
+    for n, all_letters in letters.items():
+        some = "".join(c for c in all_letters if rng.random() < chance)
+        if some:
+            text += f"{n}{'-' if rng.random() < 0.2 and len(some) < len(all_letters) else ''}{some}"
+    return text
+
+
+def digits(most, rng, first=1):
+    return "".join(str(n) for n in range(first, most + 1) if rng.random() < 0.35)
+
+
+BORDERS = ["torus", "dead", "klein", "kleinSideways", "crossSurface", "sphere"]
+
+
+def random_case(family, rng):
+    """What a scene says of a random automaton of a family."""
+    size = [rng.randrange(20, 90), rng.randrange(20, 70)]
+    case = {"size": size, "fill": rng.choice([0.1, 0.3, 0.5]), "border": rng.choice(BORDERS[:2])}
+    if family == "borders":
+        case["rule"] = rng.choice(["B3/S23", "B36/S23", "B2-a/S12", "23/3/4", "B2/S34H"])
+        case["border"] = rng.choice(BORDERS)
+        if case["border"] == "sphere":
+            size[1] = size[0]
+        if case["border"] == "torus":
+            case["shift"] = rng.choice([[rng.randrange(-9, 9), 0], [0, rng.randrange(-9, 9)]])
+        elif case["border"] in ("klein", "kleinSideways") and rng.random() < 0.5:
+            across = case["border"] == "klein"
+            size[0 if across else 1] &= ~1
+            case["shift"] = [1, 0] if across else [0, 1]
+    elif family == "hensel":
+        case["rule"] = f"B{hensel(0.3, rng)}/S{hensel(0.4, rng)}"
+    elif family == "shapes":
+        most, suffix = rng.choice([(4, "V"), (6, "H")])
+        case["rule"] = f"B{digits(most, rng)}/S{digits(most, rng, 0)}{suffix}"
+    elif family == "map":
+        bits = [rng.random() < 0.4 for _ in range(516)]
+        bits[0] = bits[511] = False
+        base = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
+        case["rule"] = "MAP" + "".join(base[sum(bits[i + j] << (5 - j) for j in range(6))] for i in range(0, 516, 6))
+    elif family == "generations":
+        kind = rng.choice(["", "V", "H", "letters"])
+        most = {"V": 4, "H": 6}.get(kind, 8)
+        survive, born = (hensel(0.3, rng), hensel(0.3, rng)) if kind == "letters" else (digits(most, rng, 0), digits(most, rng))
+        case["rule"] = f"{survive}/{born}/{rng.choice([3, 4, 7, 30])}{'' if kind == 'letters' else kind}"
+    elif family == "wide":
+        reach, shape = rng.choice([1, 2, 3, 5, 7, 10]), rng.choice("MNC")
+        most = {"M": (2 * reach + 1) ** 2, "N": 2 * reach * (reach + 1) + 1}.get(shape, int(3.14 * (reach + 0.4) ** 2))
+        low, high = sorted(rng.sample(range(most // 4, most // 2 + 3), 2))
+        born = rng.randrange(max(1, most // 4), most // 2 + 2)
+        case["rule"] = (f"R{reach},C{rng.choice([0, 0, 3, 6])},M{rng.randrange(2)},S{low}..{high},"
+                        f"B{born}..{min(born + most // 8 + 1, most)},N{shape}")
+        case["fill"] = 0.5
+    return case
+
+
+FAMILIES = ["hensel", "shapes", "map", "generations", "borders", "wide"]
+
+
+def compare(folder, simreel, cases, generations, seed=4):
+    """Runs the cases as objects of one scene, then each by bgolly; returns [(name, problem or "", living cells)]. A case
+    may name a "ruleFile", which stands in `folder`."""
+    objects = {f"c{i:03}": {"life": {**case, "stepsPerSecond": generations}} for i, case in enumerate(cases)}
+    scene = {"version": 1, "seed": seed, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 10, "duration": 1.1},
+             "objects": objects}
+    (folder / "golly.json").write_text(json.dumps(scene), encoding="ascii")
+    subprocess.run([simreel, "bake", "golly.json", "-o", "golly", "--frames", "0,10", "--format", "rle", "--overwrite", "-q"],
+                   cwd=folder, check=True)
+    results = []
+    for (name, case) in zip(objects, cases):
+        start, end = (read_rle((folder / f"golly/{name}_{frame:06}.rle").read_text(encoding="ascii")) for frame in (0, 10))
+        file = f"golly/{name}_000000.rle"
+        first = run_golly(folder, file, 0, folder)
+        problem = ""
+        if not first or not start[3]:
+            problem = "" if not first and not start[3] else "one of the starts is empty"
+        elif "," in case.get("rule", ""):
+            last = run_golly(folder, file, generations, folder)
+            if first != fitted(start[3]) or last != fitted(end[3]):
+                problem = f"{len(set(last.items()) ^ set(fitted(end[3]).items()))} cells differ"
+        else:
+            left, top = (min(c[i] for c in first) - min(c[i] for c in start[3]) for i in (0, 1))
+
+            def put(cells, left=left, top=top):
+                return {(x - left, y - top): s for (x, y), s in cells.items()}
+            if put(first) != start[3]:
+                problem = "the start is read otherwise"
+            else:
+                last = put(run_golly(folder, file, generations, folder))
+                if last != end[3]:
+                    wrong = sorted(set(last.items()) ^ set(end[3].items()))
+                    problem = f"{len(wrong)} cells differ, {wrong[:3]}"
+        results.append((f"{case.get('rule', case.get('ruleFile'))} {start[2]} {case['size']}", problem, len(end[3])))
+    return results
+
+
+def soups(family, count, seed):
+    rng = random.Random(f"{family} {seed}")
+    return [random_case(family, rng) for _ in range(count)]

@@ -1,0 +1,257 @@
+// Notations of rules, and what the rules are.
+#include "base/error.hpp"
+#include "reference/states_twin.hpp"
+#include "sim/automata/arrangements.hpp"
+#include "sim/automata/cell_rule.hpp"
+#include "sim/automata/rule_file.hpp"
+#include "unit/help.hpp"
+
+#include <bit>
+#include <set>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+using simreel::test::checkHas;
+using namespace simreel::sim;
+
+namespace {
+
+std::string written(std::string_view text) {
+  CellRule rule;
+  const RuleProblem problem = parseCellRule(text, rule);
+  return problem.message.empty() ? rule.text() : std::to_string(problem.at) + ": " + problem.message;
+}
+
+CellRule ruleOf(std::string_view text) {
+  CellRule rule;
+  CHECK(parseCellRule(text, rule).message.empty());
+  return rule;
+}
+
+std::string fileMistake(std::string_view text) {
+  try {
+    static_cast<void>(parseRuleFile(text, "r.rule"));
+  } catch (const UserError& error) {
+    CHECK(error.code() == ExitCode::usage);
+    return error.what();
+  }
+  return "no mistake";
+}
+
+}  // namespace
+
+TEST_CASE("there are 102 arrangements of nine cells, 51 without the middle") {
+  std::set<std::pair<int, int>> all;
+  int cells[9][13] = {};
+  for (unsigned i = 0; i < 512; ++i) {
+    const Arrangement a = arrangementOf(i);
+    all.insert({a.count, a.letter});
+    ++cells[a.count][a.letter];
+    CHECK((lettersOf(a.count) >> a.letter & 1) == 1);
+  }
+  CHECK(all.size() == 51);
+  // By Burnside's lemma on the square's eight symmetries; each class is an orbit, of 1, 2, 4 or 8, twice.
+  for (const auto& [count, letter] : all) CHECK(16 % cells[count][letter] == 0);
+}
+
+TEST_CASE("rules are written as Golly writes them") {
+  CHECK(written("B2cekin/S12") == "B2-a/S12");
+  CHECK(written("B2-a/S12") == "B2-a/S12");
+  CHECK(written("b2nic/s") == "B2cin/S");
+  CHECK(written("B2ceikn/S") == "B2-a/S");
+  CHECK(written("B4-qjrtwz/S") == "B4aceikny/S");
+  CHECK(written("B2aceikn3/S") == "B23/S");
+  CHECK(written("B2-3/S8") == "B23/S8");
+  CHECK(written("B2-aceikn3/S") == "B3/S");
+  CHECK(written("B3_S23") == "B3/S23");
+  CHECK(written("2-n3/3") == "B3/S2-n3");
+  CHECK(written("B2/S013v") == "B2/S013V");
+  CHECK(written("B2/S34H") == "B2/S34H");
+  CHECK(written("/2/3") == "/2/3");
+  CHECK(written("B2/S345/C4") == "345/2/4");
+  CHECK(written("B2/S345/4") == "345/2/4");
+  CHECK(written("23/3/2") == "B3/S23");
+  CHECK(written("2/13/21V") == "2/13/21V");
+  CHECK(written("2-a/3n/8") == "2-a/3n/8");
+  CHECK(written("r5,c0,m1,s34..58,b34..45,nm") == "R5,C0,M1,S34..58,B34..45,NM");
+  CHECK(written("5,34,45,34,58") == "R5,C0,M1,S34..58,B34..45,NM");
+  CHECK(written("R1/T3/C3/NM") == "R1/T3/C3/NM");
+  CHECK(written("Brian's Brain") == "/2/3");
+  CHECK(written("bosco") == "R5,C0,M1,S34..58,B34..45,NM");
+  CHECK(written("313") == "R1/T3/C3/NM");
+}
+
+TEST_CASE("presets are rules") {
+  for (const RulePreset& preset : rulePresets()) {
+    CAPTURE(preset.name);
+    CHECK(written(preset.rule).find(": ") == std::string::npos);
+    CHECK(written(preset.name) == written(preset.rule));
+  }
+}
+
+TEST_CASE("MAP says what letters say") {
+  const CellRule life =
+      ruleOf("MAPARYXfhZofugWaH7oaIDogBZofuhogOiAaIDogIAAgAAWaH7oaIDogGiA6ICAAIAAaIDogIAAgACAAIAAAAAAAA==");
+  for (unsigned i = 0; i < 512; ++i) CHECK(life.outcome(i) == CellRule().outcome(i));
+  CHECK(ruleOf("MAPARYXfg/7").states == 7);
+}
+
+TEST_CASE("rules that make no sense are refused at their place, of every family") {
+  checkHas(written("B1a/S"), "2: there is no arrangement a of 1 neighbours; its letters are ce");
+  checkHas(written("B5z/S"), "2: there is no arrangement z of 5");
+  checkHas(written("B2cc/S"), "3: the letter c is there twice");
+  checkHas(written("B8c/S"), "2: 8 neighbours lie in one way");
+  checkHas(written("B2c/S1V"), "2: letters tell how eight");
+  checkHas(written("B5/S1V"), "1: a cell has 4 neighbours with V, not 5");
+  checkHas(written("B7/S1H"), "1: a cell has 6 neighbours with H, not 7");
+  checkHas(written("B2/S/1"), "5: the number of states is 1 here; it goes from 2 to 256");
+  checkHas(written("/2/300"), "3: the number of states is 300");
+  checkHas(written("/2/"), "3: the number of states is missing");
+  checkHas(written("/2/3x"), "4: 'x' after the number of states");
+  checkHas(written("R5,C0,M1,S34..58,B34..45"), "at the end; Larger than Life is written as");
+  checkHas(written("R5,C0,M1,S58..34,B34..45,NM"),
+           "10: 58 to 34: the first of these limits is the greater");
+  checkHas(written("R5,C0,M1,S34..580,B34..45,NM"), "14: a limit of S is 580 here; it goes from 0 to 121");
+  checkHas(written("R0,C0,M1,S3..5,B3..4,NM"), "1: the range is 0");
+  checkHas(written("R61,C0,M1,S3..5,B3..4,NC"), "1: the range is 61 here; it goes from 1 to 60");
+  checkHas(written("R5,C300,M1,S3..5,B3..4,NM"), "4: the number of states is 300");
+  checkHas(written("R5,C0,M1,S3..5,B3..4,NX"), "22: the neighbourhood is M");
+  checkHas(written("R1/T9/C3/NM"), "4: the threshold is 9 here; it goes from 1 to 8");
+  checkHas(written("R1/T3/C1/NM"), "7: the number of states is 1");
+  checkHas(written("MAPAB?"), "5: '?' is no digit of base64");
+  checkHas(written("B3/S23:T30,20"), "6: the grid of a rule is said by");
+  checkHas(written("MAPABC"), "3: MAP is followed by 86, 22");
+}
+
+TEST_CASE("circles of Larger than Life hold the points nearer than the range and a half") {
+  for (int range = 1; range <= 60; ++range) {
+    WideRule rule;
+    rule.range = range;
+    rule.shape = NeighbourShape::circular;
+    for (int dy = -range; dy <= range; ++dy) {
+      const int dx = rule.reach(dy);
+      const auto inside = [&](int x) { return x * x + dy * dy < (range + 0.5) * (range + 0.5); };
+      CHECK(inside(dx));
+      CHECK_FALSE(inside(dx + 1));
+    }
+  }
+}
+
+TEST_CASE("a table with variables and symmetries is what it says") {
+  // A signal 2 moves along a wire 1 and leaves 3 behind, which becomes wire again; symmetry of four turns.
+  const CellRule rule = parseRuleFile(
+      "@RULE Signal\n\n@TABLE\n# comment\nn_states:4\nneighborhood:vonNeumann\nsymmetries:rotate4\n"
+      "var a={0,1,2,3}\nvar b={a}\nvar c={0,1,3}\nvar d={0,1,2,3}\n1,2,a,b,d,2\n2,a,b,c,d,3\n3,a,b,c,d,1\n"
+      "@COLORS\n0 0 0 0\n1 255 255 255 copper\n",
+      "r.rule");
+  CHECK(rule.states == 4);
+  CHECK(rule.name == "Signal");
+  REQUIRE(rule.colors.size() == 4);
+  CHECK(rule.colors[1].x == doctest::Approx(1).epsilon(1e-6));
+  std::vector<std::uint8_t> cells = {0, 0, 0, 0, 0, 3, 2, 1, 1, 1, 0, 0, 0, 0, 0};
+  cells = nextStates(cells, {5, 3}, rule, {});
+  CHECK(cells == std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1, 3, 2, 1, 1, 0, 0, 0, 0, 0});
+  cells = nextStates(cells, {5, 3}, rule, {});
+  CHECK(cells == std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1, 1, 3, 2, 1, 0, 0, 0, 0, 0});
+}
+
+TEST_CASE("Life as a table of permuted neighbours and as a tree is Life") {
+  const CellRule table = parseRuleFile(
+      "@RULE L\n@TABLE\nn_states:2\nneighborhood:Moore\nsymmetries:permute\nvar a={0,1}\nvar b={0,1}\nvar "
+      "c={0,1}\nvar d={0,1}\nvar e={0,1}\nvar f={0,1}\nvar g={0,1}\nvar h={0,1}\n0,1,1,1,0,0,0,0,0,1\n"
+      "1,1,1,0,0,0,0,0,0,1\n1,1,1,1,0,0,0,0,0,1\n1,a,b,c,d,e,f,g,h,0\n",
+      "r.rule");
+  std::string tree = "@RULE T\n@TREE\nnum_states=2\nnum_neighbors=8\n";
+  // Node (depth, count): counts of living so far, from the depth 1 up.
+  std::string nodes;
+  int made = 0;
+  int at[10][9] = {};
+  for (int depth = 1; depth <= 9; ++depth)
+    for (int count = 0; count <= 9 - depth; ++count) {
+      at[depth][count] = made++;
+      nodes += std::to_string(depth) + " ";
+      if (depth == 1)
+        nodes += std::string(count == 3 ? "1" : "0") + " " + (count == 2 || count == 3 ? "1" : "0") + "\n";
+      else
+        nodes +=
+            std::to_string(at[depth - 1][count]) + " " + std::to_string(at[depth - 1][count + 1]) + "\n";
+    }
+  tree += "num_nodes=" + std::to_string(made) + "\n" + nodes;
+  const CellRule counted = parseRuleFile(tree, "t.rule");
+  std::vector<std::uint8_t> a, b, c;
+  for (unsigned i = 0; i < 41 * 23; ++i) a.push_back(i * 2654435761U % 97 < 35 ? 1 : 0);
+  b = c = a;
+  for (int i = 0; i < 30; ++i) {
+    a = nextStates(a, {41, 23}, LifeRule{}, {});
+    b = nextStates(b, {41, 23}, table, {});
+    c = nextStates(c, {41, 23}, counted, {});
+    REQUIRE(a == b);
+    REQUIRE(a == c);
+  }
+}
+
+TEST_CASE("cyclic rules are what tables say") {
+  const auto table = [](int states, int threshold, bool four) {
+    std::string text = "@RULE C\n@TABLE\nn_states:" + std::to_string(states) +
+                       "\nneighborhood:" + (four ? "vonNeumann" : "Moore") + "\nsymmetries:permute\n";
+    const int neighbours = four ? 4 : 8;
+    std::string all = "0";
+    for (int s = 1; s < states; ++s) all += "," + std::to_string(s);
+    for (int i = 0; i < neighbours; ++i) text += "var v" + std::to_string(i) + "={" + all + "}\n";
+    for (int s = 0; s < states; ++s) {
+      const std::string next = std::to_string((s + 1) % states);
+      text += std::to_string(s);
+      for (int i = 0; i < neighbours; ++i) text += "," + (i < threshold ? next : "v" + std::to_string(i));
+      text += "," + next + "\n";
+    }
+    return parseRuleFile(text, "c.rule");
+  };
+  const glm::ivec2 size(37, 26);
+  const std::pair<const char*, CellRule> both[] = {{"R1/T1/C4/NN", table(4, 1, true)},
+                                                   {"R1/T3/C3/NM", table(3, 3, false)},
+                                                   {"R1/T2/C5/NM", table(5, 2, false)}};
+  for (const auto& item : both) {
+    const char* name = item.first;
+    const CellRule& rule = item.second;
+    CAPTURE(name);
+    std::vector<std::uint8_t> cells;
+    for (unsigned i = 0; i < 37 * 26; ++i)
+      cells.push_back(
+          static_cast<std::uint8_t>((i * 2654435761U >> 16) % static_cast<unsigned>(rule.states)));
+    auto other = cells;
+    const auto start = cells;
+    for (int i = 0; i < 20; ++i) {
+      cells = nextStates(cells, size, ruleOf(name), {});
+      other = nextStates(other, size, rule, {});
+      REQUIRE(cells == other);
+    }
+    CHECK(cells != start);
+  }
+}
+
+TEST_CASE("rule files that make no sense are refused at their place") {
+  const std::string head = "@RULE X\n@TABLE\nn_states:3\nneighborhood:vonNeumann\nsymmetries:rotate4\n";
+  checkHas(fileMistake("x = 3, y = 3\n"), "r.rule: this is no rule file");
+  checkHas(fileMistake("@RULE X\n@COLORS\n"), "neither @TABLE nor @TREE");
+  checkHas(fileMistake("@RULE X\n@TABLE\n"), "lacks \"n_states:\"");
+  checkHas(fileMistake("@RULE X\n@TABLE\nn_states:1\n"), "r.rule:3:10: a rule has at least 2 states");
+  checkHas(fileMistake("@RULE X\n@TABLE\n0,1,2\n"), "r.rule:3:1: \"n_states:\" stands before this");
+  checkHas(fileMistake("@RULE X\n@TABLE\nneighborhood:Margolus\n"),
+           "r.rule:3:14: the neighbourhood \"Margolus\"");
+  checkHas(fileMistake(head + "0,1,2,3,0,1\n"), "r.rule:6:7: a state is 3 here; it is at most 2");
+  checkHas(fileMistake(head + "0,1,2,q,0,1\n"), "r.rule:6:7: \"q\" is neither a state nor a variable");
+  checkHas(fileMistake(head + "0,1,2,0,1\n"), "r.rule:6:10: a transition has 6 states here");
+  checkHas(fileMistake(head + "var a={1,4}\n"), "r.rule:6:10: a state is 4 here");
+  checkHas(fileMistake(head + "var a=1,2\n"), "r.rule:6:1: a variable is written as");
+  checkHas(fileMistake(head + "var a={1,2}\n0,0,1,2,0,a\n"),
+           "r.rule:7:11: the new state is the variable \"a\"");
+  checkHas(fileMistake("@RULE X\n@TABLE\nn_states:3\nsymmetries:rotate8\n0,0,0,0,0,1\n"),
+           "r.rule:4:12: the symmetry \"rotate8\" is not known");
+  const std::string tree = "@RULE X\n@TREE\nnum_states=2\nnum_neighbors=4\nnum_nodes=5\n";
+  checkHas(fileMistake(tree + "1 0 1\n"), "r.rule: @TREE ends after 1 of 5 nodes; the file may be cut off");
+  checkHas(fileMistake(tree + "1 0 2\n"), "r.rule:6:5: a state is 2 here");
+  checkHas(fileMistake(tree + "1 0 1\n2 0 1\n"), "r.rule:7:5: the number of a node before is 1 here");
+  checkHas(fileMistake(tree + "1 0 1\n3 0 0\n"), "r.rule:7:3: node 0 has depth 1, not 2");
+  checkHas(fileMistake(tree + "1 0\n"), "r.rule:6:1: a node has 3 numbers, not 2");
+}
