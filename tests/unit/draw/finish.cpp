@@ -30,8 +30,6 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 #undef FUNCTION
 }  // namespace finish
 
-constexpr double pi = std::numbers::pi;
-
 /// Numbers from -1 to 1.
 struct Numbers {
   double operator()() { return from(engine); }
@@ -144,11 +142,12 @@ TEST_CASE("sheen: the lobe of fibres, and its integral over the surroundings") {
     const double roughness = 0.2 + 0.4 * (number() + 1);
     const double alpha = roughness * roughness;
     const double cosine = glm::normalize(view + light).z;
-    const double spread = (2 + 1 / alpha) * std::pow(1 - cosine * cosine, 0.5 / alpha) / (2 * pi);
+    const double spread =
+        (2 + 1 / alpha) * std::pow(1 - cosine * cosine, 0.5 / alpha) / (2 * std::numbers::pi);
     const double seen = 1 / (4 * (light.z + view.z - light.z * view.z));
     const double lobe =
         finish::sheenLobe(n, glm::vec3(view), glm::vec3(light), static_cast<float>(roughness));
-    CHECK(lobe == doctest::Approx(pi * spread * seen).epsilon(2e-3).scale(0.01));
+    CHECK(lobe == doctest::Approx(std::numbers::pi * spread * seen).epsilon(2e-3).scale(0.01));
   }
   // Light of 1 from all around: the integral of D V cos over half a sphere, by the middles of 200 x 200
   // parts.
@@ -159,11 +158,13 @@ TEST_CASE("sheen: the lobe of fibres, and its integral over the surroundings") {
       constexpr int parts = 200;
       for (int i = 0; i < parts; ++i)
         for (int j = 0; j < parts; ++j) {
-          const double polar = (i + 0.5) / parts * pi / 2, turn = (j + 0.5) / parts * 2 * pi;
+          const double polar = (i + 0.5) / parts * std::numbers::pi / 2,
+                       turn = (j + 0.5) / parts * 2 * std::numbers::pi;
           const glm::dvec3 light(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn),
                                  std::cos(polar));
           sum += finish::sheenLobe(n, glm::vec3(view), glm::vec3(light), static_cast<float>(roughness)) /
-                 pi * light.z * std::sin(polar) * (pi / 2 / parts) * (2 * pi / parts);
+                 std::numbers::pi * light.z * std::sin(polar) * (std::numbers::pi / 2 / parts) *
+                 (2 * std::numbers::pi / parts);
         }
       CHECK(std::abs(finish::sheenAlbedo(static_cast<float>(roughness), static_cast<float>(nv)) - sum) <
             0.06);
