@@ -4,6 +4,7 @@
 //   CPU
 #include "plain/wide.hpp"
 
+#include "beside/memory.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 #include "sim/automata/cell_engine.hpp"
@@ -89,12 +90,7 @@ int main(int argc, char** argv) {
   run();
   const double rate = bestRate(cells * steps, run);
   line("device", rate, direct);
-  // Copying moves two bytes for each: what it takes per byte is the memory's.
-  const gl::Buffer from("from", engine.bytes()), to("to", engine.bytes());
-  const double copied = bestRate(2.0 * static_cast<double>(engine.bytes()), [&] {
-    glCopyNamedBufferSubData(from.name(), to.name(), 0, 0, static_cast<GLsizeiptr>(engine.bytes()));
-    glFinish();
-  });
+  const double copied = bench::copiedBySecond();
   // Bits in and out, cells as bytes written and read twice, sums of columns written and read.
   constexpr double bytesPerCell = 2.0 / 8 + 3 + 2;
   fmt::print(

@@ -89,9 +89,10 @@ GLuint copier(const char* value) {
   return glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &lines);
 }
 
-/// Bytes that the device reads and writes in a second of copying between buffers, the best of some turns:
-/// by a kernel, since drivers of graphics cards have slow ways to copy between buffers, too; and noise,
-/// since cards have fast ways for zeros.
+}  // namespace
+
+// Between buffers, by a kernel, since drivers of graphics cards have slow ways to copy between buffers,
+// too; and noise, since cards have fast ways for zeros.
 double copiedBySecond() {
   const std::size_t bytes = std::size_t{1} << (gl::softwareDriver() ? 27U : 30U);
   const gl::Buffer from("copied", bytes), to("copy", bytes);
@@ -118,8 +119,6 @@ double copiedBySecond() {
   glDeleteProgram(program);
   return 16 * static_cast<double>(bytes) / taken.wall;
 }
-
-}  // namespace
 
 void printSpeed(const char* name, double cells, int steps, const std::function<void()>& turn,
                 const std::function<double()>& bytes) {

@@ -26,6 +26,9 @@ struct Taken {
 /// kernels moves.
 void printBytes(double bytes, double cellsPerProcessorSecond);
 
+/// Bytes that the device reads and writes in a second of copying, the best of some turns.
+[[nodiscard]] double copiedBySecond();
+
 /// Steps of a field of `cells`, in turns until they have taken a few seconds, beside copying on the same
 /// device: rates of the median turn, bytes that move and what part of copying's that is. `turn`: so many
 /// steps, each of them a whole one. `bytes` of a cell and step are asked for when the turns are over.
