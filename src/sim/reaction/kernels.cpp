@@ -75,7 +75,7 @@ RuleCut ReactionKernels::bestCut() {
   RuleCut cut;
   const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
   cut.rows = texel ? 2 : 1;
-  cut.stepsPerPass = 4;
+  cut.stepsPerPass = texel ? 4 : 2;
   cut.stripElements = texel ? 6 : 1;
   return cut;
 }
