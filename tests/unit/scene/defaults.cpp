@@ -182,7 +182,8 @@ TEST_CASE("defaults: given or left out, every one in every shipped scene is the 
       "water.floats[].density", "water.floats[].file", "water.floats[].radius", "water.floats[].scale",
       "water.floats[].size", "water.grip",
       // What maps, coats, sheen and opacity have.
-      "material.alphaCutoff", "material.clearCoatRoughness", "material.emissionMap",
+      "material.alphaCutoff", "material.attenuationColor", "material.attenuationDistance",
+      "material.clearCoatRoughness", "material.emissionMap", "material.ior", "material.thinWalled",
       "material.normalStrength", "material.occlusionStrength", "material.opacity",
       "material.sheenRoughness",
       // What lines of flow have, and skies of pictures.
