@@ -12,7 +12,7 @@ from common import PROGRAM, Case, main, png_rows
 
 BUILD = pathlib.Path(PROGRAM).parent
 COMMANDS = ["render", "sweep", "pieces", "reproduce", "validate", "schema", "list", "doctor", "bake", "test", "trace",
-            "bisect", "accept", "report", "diff", "bench"]
+            "bisect", "accept", "report", "diff", "bench", "serve"]
 
 
 def run(*command, **options):
