@@ -185,6 +185,43 @@ class PageOfServe(unittest.TestCase):
         self.assertEqual((width, height, b"".join(unfiltered(rows, 3 * width, 3))), self.rendered(1))
         self.assertEqual(b.run("return fetch('render.png').then((answer) => answer.headers.get('content-type'))"), "image/png")
 
+    def test_a_baseline_beside_the_picture(self):
+        tested = with_values({"test": {"frames": [0, 3], "size": [48, 32]}})
+        self.scene.write_text(json.dumps(tested, indent=2))
+        subprocess.run([PROGRAM, "test", self.scene, "--update"], check=True, stdout=subprocess.DEVNULL)
+        b = self.open("--edit", scene=tested)
+        self.assertFalse(b.visible("#golden"))
+        b.click("#compare")
+        self.assertTrue(b.until("document.getElementById('verdict').textContent === 'Every pixel is that of the baseline.'"))
+        self.assertFalse(b.visible("#accept"))
+        b.one("#filter").send_keys("intensity")
+        self.assertTrue(b.until(f"document.querySelector(\"{self.row('sun.intensity', 'number')}\")"))
+        b.run("""const box = document.querySelector(arguments[0]); box.value = 9; box.dispatchEvent(new Event("change"));""",
+              self.row("sun.intensity", "number"))
+        self.assertTrue(b.until("document.getElementById('verdict').textContent.includes('of 1536 pixels differ')"))
+        loaded = "[...document.querySelectorAll('#pairs img')].every((image) => image.naturalWidth === 48)"
+        for mode, names in {"ours": ["ours"], "baseline": ["baseline"], "difference": ["difference"], "swipe": ["baseline", "ours"],
+                            "beside": ["baseline", "ours", "difference"]}.items():
+            b.click(f"#modes button[data-mode='{mode}']")
+            self.assertEqual(b.value("[...document.querySelectorAll('#pairs figure')].map((one) => one.dataset.name)"), names)
+            self.assertTrue(b.until(loaded), mode)
+        ring, picture = b.box(".ring"), b.box("figure[data-name='difference'] img")
+        worst = b.value("simreel.compare.message.worst")
+        self.assertAlmostEqual(ring["x"] + ring["width"] / 2, picture["x"] + picture["width"] * (worst["x"] + 0.5) / 48, delta=1)
+        b.keys(Keys.ARROW_RIGHT)
+        self.at(1)
+        self.assertTrue(b.until("document.getElementById('verdict').textContent === 'Frame 1 is no tested frame; those are 0, 3.'"))
+        self.assertFalse(b.visible("#pairs"))
+        self.assertEqual(b.texts("#jumps button"), ["0", "3"])
+        b.click("#testThis")
+        self.assertTrue(b.until("document.getElementById('verdict').dataset.verdict === 'missing'"))
+        self.assertEqual(json.loads(self.scene.read_text())["test"]["frames"], [0, 1, 3])
+        b.click("#accept")
+        self.assertTrue(b.until("document.getElementById('verdict').dataset.verdict === 'pass'", 30))
+        subprocess.run([PROGRAM, "test", self.scene], check=True, stdout=subprocess.DEVNULL)
+        b.click("#compare")
+        self.assertTrue(b.until("document.getElementById('golden').hidden"))
+
     def test_hostile_texts_stay_texts(self):
         b = self.open(scene=with_values({"title": "<img src=x onerror=alert(1)>"}))
         self.assertEqual(b.text("#title"), "<img src=x onerror=alert(1)>")

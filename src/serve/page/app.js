@@ -1,6 +1,7 @@
 // The page of `simreel serve`: what comes over the link goes to the screen, the timeline, the charts and the panel.
 import { showAnswer } from "./answer.js";
 import { showCharts, showTimes } from "./charts.js";
+import { Compare } from "./compare.js";
 import { byId, element } from "./dom.js";
 import { Link } from "./link.js";
 import { Panel } from "./panel.js";
@@ -28,6 +29,7 @@ const link = new Link({
   status: (message) => { state.status = message; statusChanged(); },
   series: (message) => { state.series = message.series; charts(); },
   render: (message) => rendered(message),
+  golden: (message) => compare.set(message),
   refused: (message) => note(message.text, 6),
   answer: (message) => showAnswer(byId("answer"), message),
   picture: (about, blob) => screen.show(about, blob),
@@ -37,6 +39,7 @@ const screen = new Screen(byId("screen"), {
   shown: (about) => {
     state.picture = about;
     link.shown(about.number);
+    compare.follow(about);
     badges();
     charts();
     showTimes(byId("times"), about.took, state.status);
@@ -53,6 +56,11 @@ const screen = new Screen(byId("screen"), {
 const timeline = new Timeline({
   send: (request) => link.send(request),
   seek: (frame, moving) => (moving ? link.move("seek", { do: "seek", frame }) : link.settle("seek", { do: "seek", frame })),
+});
+
+const compare = new Compare({
+  send: (request) => link.send(request),
+  seek: (frame) => link.settle("seek", { do: "seek", frame }),
 });
 
 function facts() {
@@ -158,4 +166,4 @@ panel = new Panel(byId("parameters"), new Schema(await answer.json()), {
   isHeld: () => state.held,
 });
 if (state.scene?.scene) panel.update(state.scene);
-globalThis.simreel = { state, link, panel, screen }; // for whoever looks at the page from its console
+globalThis.simreel = { state, link, panel, screen, compare }; // for whoever looks at the page from its console
