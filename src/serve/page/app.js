@@ -56,12 +56,19 @@ const screen = new Screen(byId("screen"), {
 const timeline = new Timeline({
   send: (request) => link.send(request),
   seek: (frame, moving) => (moving ? link.move("seek", { do: "seek", frame }) : link.settle("seek", { do: "seek", frame })),
+  key: (path, value, moving) => set(path, value, moving),
 });
 
 const compare = new Compare({
   send: (request) => link.send(request),
   seek: (frame) => link.settle("seek", { do: "seek", frame }),
 });
+
+function set(path, value, moving) {
+  const request = { do: "set", path, value };
+  if (moving) link.move(`set ${path}`, request);
+  else link.settle(`set ${path}`, request);
+}
 
 function facts() {
   const { scene, about } = state;
@@ -157,11 +164,7 @@ addEventListener("pointerup", () => { state.held = false; }, true);
 new ResizeObserver(() => screen.fit()).observe(byId("left"));
 const answer = await fetch("schema.json");
 panel = new Panel(byId("parameters"), new Schema(await answer.json()), {
-  set: (path, value, moving) => {
-    const request = { do: "set", path, value };
-    if (moving) link.move(`set ${path}`, request);
-    else link.settle(`set ${path}`, request);
-  },
+  set,
   forget: (path) => link.send({ do: "forget", path }),
   isHeld: () => state.held,
 });

@@ -3,6 +3,7 @@ import { byId, element } from "./dom.js";
 
 const modes = { ours: "Ours", baseline: "Baseline", difference: "Difference", beside: "Side by side", swipe: "Swipe" };
 const captions = { ours: "ours", baseline: "baseline", difference: "difference" };
+const gap = 12; // between pictures, pixels
 const shownIn = { ours: ["ours"], baseline: ["baseline"], difference: ["difference"], beside: ["baseline", "ours", "difference"],
   swipe: ["baseline", "ours"] };
 
@@ -86,11 +87,12 @@ export class Compare {
       this.key = key;
       byId("pairs").replaceChildren(...names.map((name) => element("figure", { "data-name": name },
         element("img", { src: `golden-${name}.png?${message.number}`, alt: captions[name], draggable: "false" }),
-        element("figcaption", {}, captions[name]))));
+        element("figcaption", {}, captions[name]))), element("i", { id: "split", hidden: true }));
     }
     byId("pairs").dataset.mode = this.mode;
     const worst = message.worst;
-    if (worst) for (const figure of byId("pairs").children) if (figure.dataset.name === "difference") this.ring(figure, worst);
+    const difference = byId("pairs").querySelector("[data-name='difference']");
+    if (worst && difference) this.ring(difference, worst);
     this.fit();
   }
 
@@ -108,16 +110,23 @@ export class Compare {
   fit() {
     const pairs = byId("pairs");
     if (pairs.hidden || !this.message.size) return;
-    const figures = [...pairs.children];
-    const columns = this.mode === "swipe" ? 1 : figures.length;
+    const figures = [...pairs.querySelectorAll("figure")];
     const [width, height] = this.message.size;
     const room = pairs.getBoundingClientRect();
-    const wide = Math.max(16, Math.min((room.width - 12 * (columns + 1)) / columns, ((room.height - 24) * width) / height));
+    const swipes = this.mode === "swipe";
+    const places = swipes ? 1 : figures.length; // of which those in the swipe share one
+    const widest = (columns) => {
+      const rows = Math.ceil(places / columns);
+      return Math.min((room.width - gap * (columns + 1)) / columns, (((room.height - gap * (rows + 1)) / rows) * width) / height);
+    };
+    const wide = Math.max(16, ...Array.from({ length: places }, (_, i) => widest(i + 1)));
     for (const figure of figures) {
       figure.style.width = `${wide}px`;
       figure.style.height = `${(wide * height) / width}px`;
-      figure.style.clipPath = this.mode === "swipe" && figure.dataset.name === "ours" ? `inset(0 0 0 ${100 * this.split}%)` : "";
+      figure.style.clipPath = swipes && figure.dataset.name === "ours" ? `inset(0 0 0 ${100 * this.split}%)` : "";
     }
+    byId("split").hidden = !swipes;
+    byId("split").style.left = `${room.width / 2 + (this.split - 0.5) * wide}px`;
   }
 
   swipe(event) {

@@ -175,13 +175,13 @@ void Player::setValue(const Json& json) {
   if (!moving && options_.edit) writeFile(change, change.path);
 }
 
-/// Edits that are to be undone: all, or one.
+/// Edits that are to be undone: all, or one with those below it.
 void Player::forget(const Json& json) {
   const JsonValue request(json);
   std::vector<scene::Override> left;
   if (const auto path = request.find("path"))
     for (const scene::Override& edit : edits_)
-      if (edit.path != path->text()) left.push_back(edit);
+      if (edit.path != path->text() && !edit.path.starts_with(path->text() + ".")) left.push_back(edit);
   show(text_, std::move(left), false);
 }
 
