@@ -20,7 +20,8 @@ class Firefox:
         self.profile = tempfile.TemporaryDirectory(prefix="simreel-firefox-")
         lines = [f"user_pref({json.dumps(name)}, {json.dumps(value)});" for name, value in PREFERENCES.items()]
         pathlib.Path(self.profile.name, "user.js").write_text("\n".join(lines))
-        self.process = subprocess.Popen([FIREFOX, "--headless", "--marionette", "--no-remote", "--profile", self.profile.name],
+        self.process = subprocess.Popen([FIREFOX, "--headless", "--marionette", "--no-remote", "--remote-allow-system-access",
+                                         "--profile", self.profile.name],
                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
             self.number = 0
@@ -44,6 +45,8 @@ class Firefox:
         raise RuntimeError("Firefox does not listen after 60 s")
 
     def quit(self):
+        if hasattr(self, "socket"):
+            self.socket.close()
         self.process.terminate()
         try:
             self.process.wait(20)
@@ -87,6 +90,24 @@ class Firefox:
         if answer is None:
             raise RuntimeError(f"no answer to {expression}")
         return json.loads(answer)
+
+    def run(self, script, *arguments):
+        """From outside of the page, for those whose policy lets no script in: its own objects are below page."""
+        return self.command("WebDriver:ExecuteScript", script="const page = window.wrappedJSObject ?? window; " + script, args=arguments)
+
+    def complaints(self, address):
+        """What the browser's console holds against pages of an address: errors of scripts, of style, of policy; and what the
+        pages wrote there as warnings and errors."""
+        script = """const own = (text) => String(text ?? "").startsWith(arguments[0]);
+            const errors = Services.console.getMessageArray().filter((m) => m instanceof Ci.nsIScriptError && own(m.sourceName));
+            const storage = Cc["@mozilla.org/consoleAPI-storage;1"].getService(Ci.nsIConsoleAPIStorage);
+            const written = storage.getEvents().filter((e) => ["warn", "error", "assert"].includes(e.level) && own(e.filename));
+            return [...errors.map((m) => m.errorMessage), ...written.map((e) => `${e.level}: ${[...e.arguments].join(" ")}`)];"""
+        self.command("Marionette:SetContext", value="chrome")
+        try:
+            return self.command("WebDriver:ExecuteScript", script=script, args=[address])
+        finally:
+            self.command("Marionette:SetContext", value="content")
 
     def click(self, selector):
         found = self.command("WebDriver:FindElement", using="css selector", value=selector)

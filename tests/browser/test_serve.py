@@ -185,6 +185,77 @@ class PageOfServe(unittest.TestCase):
         self.assertEqual((width, height, b"".join(unfiltered(rows, 3 * width, 3))), self.rendered(1))
         self.assertEqual(b.run("return fetch('render.png').then((answer) => answer.headers.get('content-type'))"), "image/png")
 
+    def test_keys_are_dragged_along_the_timeline(self):
+        turning = with_values({"time.duration": 1, "camera.fieldOfView": {"keys": [[0, 30], [0.5, 40], [0.9, 50]]},
+                               "sun.intensity": {"keys": [[0.2, 2], [0.5, 3]]}})
+        b = self.open("--edit", scene=turning)
+        text = self.scene.read_text()
+        self.assertEqual(b.value("document.querySelectorAll('#keys i').length"), 4)
+        track, mark = b.box("#track"), b.box("#keys i:nth-child(2)")
+        x = lambda time: track["x"] + 6 + (track["width"] - 12) * time * 30 / 29
+        y = mark["y"] + mark["height"] / 2
+        self.assertAlmostEqual(mark["x"] + mark["width"] / 2, x(0.5), delta=1)
+        b.drag(x(0.5), y, x(0.7), y)
+        self.assertTrue(b.until("simreel.state.scene.scene.sun.intensity.keys[1][0] === 0.7 && simreel.state.scene.edits.length === 0"))
+        self.assertEqual(self.scene.read_text(), text.replace("0.5,", "0.7,"))
+        b.drag(x(0.7), y, x(1), y)  # no further than the frame before the next key of either
+        self.assertTrue(b.until("simreel.state.scene.scene.sun.intensity.keys[1][0] > 0.8 && simreel.state.scene.edits.length === 0"))
+        self.assertEqual(b.value("simreel.state.scene.scene.camera.fieldOfView.keys[1][0]"), 0.866667)
+        b.drag(x(0.9), y, x(0.9), y)
+        self.at(27)
+        self.shows(27)
+
+    def test_a_dragged_key_is_taken_back(self):
+        b = self.open(scene=with_values({"camera.fieldOfView": {"keys": [[0, 30], [0.1, 60]]}}))
+        before, box, track = self.scene.read_text(), b.box("#keys i:nth-child(2)"), b.box("#track")
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        b.drag(x, y, x + track["width"] / 5, y)
+        self.assertTrue(b.until("simreel.state.scene.edits.length === 1 && simreel.state.scene.edits[0][0] === 'camera.fieldOfView.keys.1.0'"))
+        b.keys(Keys.ARROW_RIGHT)
+        self.at(1)
+        self.shows(1, "-D", "camera.fieldOfView.keys.1.0=" + b.value("simreel.state.scene.edits[0][1]"))
+        self.assertEqual(self.scene.read_text(), before)
+        b.click(".row[data-path='camera.fieldOfView'] .undo")
+        self.assertTrue(b.until("simreel.state.scene.edits.length === 0"))
+        self.shows(1)
+
+    def test_a_baseline_beside_the_picture(self):
+        tested = with_values({"test": {"frames": [0, 3], "size": [48, 32]}})
+        self.scene.write_text(json.dumps(tested, indent=2))
+        subprocess.run([PROGRAM, "test", self.scene, "--update"], check=True, stdout=subprocess.DEVNULL)
+        b = self.open("--edit", scene=tested)
+        self.assertFalse(b.visible("#golden"))
+        b.click("#compare")
+        self.assertTrue(b.until("document.getElementById('verdict').textContent === 'Every pixel is that of the baseline.'"))
+        self.assertFalse(b.visible("#accept"))
+        b.one("#filter").send_keys("intensity")
+        self.assertTrue(b.until(f"document.querySelector(\"{self.row('sun.intensity', 'number')}\")"))
+        b.run("""const box = document.querySelector(arguments[0]); box.value = 9; box.dispatchEvent(new Event("change"));""",
+              self.row("sun.intensity", "number"))
+        self.assertTrue(b.until("document.getElementById('verdict').textContent.includes('of 1536 pixels differ')"))
+        loaded = "[...document.querySelectorAll('#pairs img')].every((image) => image.naturalWidth === 48)"
+        for mode, names in {"ours": ["ours"], "baseline": ["baseline"], "difference": ["difference"], "swipe": ["baseline", "ours"],
+                            "beside": ["baseline", "ours", "difference"]}.items():
+            b.click(f"#modes button[data-mode='{mode}']")
+            self.assertEqual(b.value("[...document.querySelectorAll('#pairs figure')].map((one) => one.dataset.name)"), names)
+            self.assertTrue(b.until(loaded), mode)
+        ring, picture = b.box(".ring"), b.box("figure[data-name='difference'] img")
+        worst = b.value("simreel.compare.message.worst")
+        self.assertAlmostEqual(ring["x"] + ring["width"] / 2, picture["x"] + picture["width"] * (worst["x"] + 0.5) / 48, delta=1)
+        b.keys(Keys.ARROW_RIGHT)
+        self.at(1)
+        self.assertTrue(b.until("document.getElementById('verdict').textContent === 'Frame 1 is no tested frame; those are 0, 3.'"))
+        self.assertFalse(b.visible("#pairs"))
+        self.assertEqual(b.texts("#jumps button"), ["0", "3"])
+        b.click("#testThis")
+        self.assertTrue(b.until("document.getElementById('verdict').dataset.verdict === 'missing'"))
+        self.assertEqual(json.loads(self.scene.read_text())["test"]["frames"], [0, 1, 3])
+        b.click("#accept")
+        self.assertTrue(b.until("document.getElementById('verdict').dataset.verdict === 'pass'", 30))
+        subprocess.run([PROGRAM, "test", self.scene], check=True, stdout=subprocess.DEVNULL)
+        b.click("#compare")
+        self.assertTrue(b.until("document.getElementById('golden').hidden"))
+
     def test_hostile_texts_stay_texts(self):
         b = self.open(scene=with_values({"title": "<img src=x onerror=alert(1)>"}))
         self.assertEqual(b.text("#title"), "<img src=x onerror=alert(1)>")

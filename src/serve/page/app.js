@@ -1,6 +1,7 @@
 // The page of `simreel serve`: what comes over the link goes to the screen, the timeline, the charts and the panel.
 import { showAnswer } from "./answer.js";
 import { showCharts, showTimes } from "./charts.js";
+import { Compare } from "./compare.js";
 import { byId, element } from "./dom.js";
 import { Link } from "./link.js";
 import { Panel } from "./panel.js";
@@ -28,6 +29,7 @@ const link = new Link({
   status: (message) => { state.status = message; statusChanged(); },
   series: (message) => { state.series = message.series; charts(); },
   render: (message) => rendered(message),
+  golden: (message) => compare.set(message),
   refused: (message) => note(message.text, 6),
   answer: (message) => showAnswer(byId("answer"), message),
   picture: (about, blob) => screen.show(about, blob),
@@ -37,6 +39,7 @@ const screen = new Screen(byId("screen"), {
   shown: (about) => {
     state.picture = about;
     link.shown(about.number);
+    compare.follow(about);
     badges();
     charts();
     showTimes(byId("times"), about.took, state.status);
@@ -53,7 +56,19 @@ const screen = new Screen(byId("screen"), {
 const timeline = new Timeline({
   send: (request) => link.send(request),
   seek: (frame, moving) => (moving ? link.move("seek", { do: "seek", frame }) : link.settle("seek", { do: "seek", frame })),
+  key: (path, value, moving) => set(path, value, moving),
 });
+
+const compare = new Compare({
+  send: (request) => link.send(request),
+  seek: (frame) => link.settle("seek", { do: "seek", frame }),
+});
+
+function set(path, value, moving) {
+  const request = { do: "set", path, value };
+  if (moving) link.move(`set ${path}`, request);
+  else link.settle(`set ${path}`, request);
+}
 
 function facts() {
   const { scene, about } = state;
@@ -149,13 +164,9 @@ addEventListener("pointerup", () => { state.held = false; }, true);
 new ResizeObserver(() => screen.fit()).observe(byId("left"));
 const answer = await fetch("schema.json");
 panel = new Panel(byId("parameters"), new Schema(await answer.json()), {
-  set: (path, value, moving) => {
-    const request = { do: "set", path, value };
-    if (moving) link.move(`set ${path}`, request);
-    else link.settle(`set ${path}`, request);
-  },
+  set,
   forget: (path) => link.send({ do: "forget", path }),
   isHeld: () => state.held,
 });
 if (state.scene?.scene) panel.update(state.scene);
-globalThis.simreel = { state, link, panel, screen }; // for whoever looks at the page from its console
+globalThis.simreel = { state, link, panel, screen, compare }; // for whoever looks at the page from its console

@@ -106,7 +106,7 @@ export class Panel {
 
   refresh(path, { node, made, schema, undo }) {
     const value = valueAt(this.scene, path);
-    const edited = this.edits.has(path);
+    const edited = [...this.edits.keys()].some((one) => one === path || one.startsWith(`${path}.`)); // a key of it
     node.classList.toggle("given", value !== undefined);
     node.classList.toggle("edited", edited);
     undo.hidden = !edited;

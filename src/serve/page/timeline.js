@@ -42,13 +42,47 @@ export class Timeline {
     this.fps = scene.fps;
     this.scrub.max = this.last;
     this.clock();
+    if (this.dragging) return; // or the mark would go away under the pointer
     const times = new Map();
     keysOf(scene.scene, "", times);
-    byId("keys").replaceChildren(...[...times].filter(([time]) => time >= 0 && time * this.fps <= this.last).map(([time, paths]) => {
-      const mark = element("i", { title: `${time} s: ${paths.join(", ")}` });
+    byId("keys").replaceChildren(...[...times].filter(([time]) => time >= 0 && time * this.fps <= this.last).map(([time, keys]) => {
+      const mark = element("i", { title: `${time} s: ${keys.map((key) => key.path).join(", ")}; drag to move`,
+        onpointerdown: (event) => this.drag(event, mark, time, keys) });
       mark.style.left = this.at(time * this.fps);
       return mark;
     }));
+  }
+
+  // Keys that share a time move together, to whole frames, between the keys before and after theirs.
+  drag(event, mark, time, keys) {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    this.dragging = true;
+    mark.setPointerCapture(event.pointerId);
+    const box = byId("track").getBoundingClientRect();
+    const low = Math.max(0, ...keys.map((key) => Math.floor(key.after * this.fps + 1e-6) + 1));
+    const high = Math.min(this.last, ...keys.map((key) => Math.ceil(key.before * this.fps - 1e-6) - 1));
+    let now = time;
+    const move = (e) => {
+      const frame = Math.round((this.last * (e.clientX - box.x - 6)) / (box.width - 12));
+      if (low > high) return; // there is no frame between its neighbours
+      const next = Number((Math.min(high, Math.max(low, frame)) / this.fps).toPrecision(6));
+      if (next === now || Math.abs(e.clientX - event.clientX) < 3) return;
+      now = next;
+      mark.style.left = this.at(now * this.fps);
+      for (const key of keys) this.on.key(`${key.path}.keys.${key.index}.0`, now, true);
+    };
+    const end = () => {
+      mark.removeEventListener("pointermove", move);
+      mark.removeEventListener("pointerup", end);
+      mark.removeEventListener("pointercancel", end);
+      this.dragging = false;
+      if (now === time) this.on.seek(Math.round(time * this.fps), false);
+      else for (const key of keys) this.on.key(`${key.path}.keys.${key.index}.0`, now, false);
+    };
+    mark.addEventListener("pointermove", move);
+    mark.addEventListener("pointerup", end);
+    mark.addEventListener("pointercancel", end);
   }
 
   at(frame) {
@@ -76,6 +110,9 @@ export class Timeline {
 function keysOf(value, path, times) {
   if (value === null || typeof value !== "object") return;
   if (Array.isArray(value.keys) && value.keys.every((key) => Array.isArray(key)))
-    for (const [time] of value.keys) times.set(time, [...(times.get(time) ?? []), path]);
+    value.keys.forEach(([time], index) => {
+      const key = { path, index, after: value.keys[index - 1]?.[0] ?? -Infinity, before: value.keys[index + 1]?.[0] ?? Infinity };
+      times.set(time, [...(times.get(time) ?? []), key]);
+    });
   for (const [key, member] of Object.entries(value)) if (key !== "keys") keysOf(member, path ? `${path}.${key}` : key, times);
 }

@@ -27,7 +27,11 @@ constexpr int jpegQuality = 87;
 }  // namespace
 
 Player::Player(PlayerOptions options, const gl::Context& context, Hub& hub)
-    : options_(std::move(options)), context_(context), hub_(hub), numerics_(sim::probeNumerics()) {
+    : options_(std::move(options)),
+      context_(context),
+      hub_(hub),
+      numerics_(sim::probeNumerics()),
+      beside_(options_.source, options_.edit, context, numerics_, hub) {
   tellAbout();
   readFile();
   if (show(text_, {}, false)) return;
@@ -54,6 +58,7 @@ void Player::turn() {
     }
   }
   lookAtRender();
+  if (beside_.hasAccepted()) lookBeside();
   if (stage_ == nullptr || failed_ || hub_.viewers() == 0) return;
   try {
     work();
@@ -131,6 +136,7 @@ void Player::watch() {
     const auto& named = stage_->script().scene.files;
     files.insert(files.end(), named.begin(), named.end());
   }
+  for (const std::filesystem::path& file : beside_.files()) files.push_back(file);
   files_.watch(files);
 }
 
@@ -225,6 +231,12 @@ void Player::drawPicture(bool draft) {
   hub_.show(std::move(picture));
   tellStatus();
   if (!draft || secondsSince(told_) > 0.25) tellSeries();
+  lookBeside();
+}
+
+/// Where the whole picture stands, its baseline may stand beside it.
+void Player::lookBeside() {
+  if (rest_ && stage_ != nullptr && stage_->frame() == target_ && !stage_->carried()) beside_.look(*stage_);
 }
 
 /// The finest level whose pictures come in time; where none do, the finest of those that cost hardly more

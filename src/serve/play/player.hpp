@@ -3,6 +3,7 @@
 #include "frame/image.hpp"
 #include "gl/context.hpp"
 #include "serve/net/hub.hpp"
+#include "serve/play/beside.hpp"
 #include "serve/play/render_child.hpp"
 #include "serve/play/script.hpp"
 #include "serve/play/stage.hpp"
@@ -56,6 +57,8 @@ class Player {
   void forget(const Json& request);
   void paint(const Json& request);
   void renderIt(const Json& request);
+  void compare(const Json& request);
+  void testThisFrame();
   void lookAtRender();
   void pick(std::uint64_t viewer, const Json& request);
 
@@ -73,6 +76,7 @@ class Player {
   void work();
   void goOn();
   void drawPicture(bool draft);
+  void lookBeside();
   void adaptDetail(double milliseconds);
   [[nodiscard]] bool isMoving() const;
   [[nodiscard]] double secondsToWait() const;
@@ -112,6 +116,7 @@ class Player {
   int quick_ = 0;                                    ///< pictures in a row that may have been finer
   std::uint64_t pictures_ = 0;
   double encodeMs_ = 0, measureMs_ = 0;
+  Beside beside_;
   RenderChild child_;
   RenderChild::Progress rendered_;       ///< as it was told
   std::deque<Clock::time_point> times_;  ///< of the latest pictures

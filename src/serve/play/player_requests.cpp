@@ -80,6 +80,12 @@ void Player::obey(const Json& json) {
     paint(json);
   } else if (what == "render") {
     renderIt(json);
+  } else if (what == "compare") {
+    compare(json);
+  } else if (what == "accept") {
+    beside_.accept(edits_);
+  } else if (what == "testThis") {
+    testThisFrame();
   } else {
     request.at("do").wrong("is nothing that can be done");
   }
@@ -169,13 +175,13 @@ void Player::setValue(const Json& json) {
   if (!moving && options_.edit) writeFile(change, change.path);
 }
 
-/// Edits that are to be undone: all, or one.
+/// Edits that are to be undone: all, or one with those below it.
 void Player::forget(const Json& json) {
   const JsonValue request(json);
   std::vector<scene::Override> left;
   if (const auto path = request.find("path"))
     for (const scene::Override& edit : edits_)
-      if (edit.path != path->text()) left.push_back(edit);
+      if (edit.path != path->text() && !edit.path.starts_with(path->text() + ".")) left.push_back(edit);
   show(text_, std::move(left), false);
 }
 
@@ -245,6 +251,19 @@ void Player::paint(const Json& json) {
     writeFile({path, strokes.dump()}, path);
   else
     writeFile(written, path);
+}
+
+/// Baselines stand beside the picture, or do no longer.
+void Player::compare(const Json& json) {
+  beside_.turn(JsonValue(json).at("on").boolean());
+  lookBeside();
+}
+
+/// The shown frame becomes one of those that `simreel test` draws.
+void Player::testThisFrame() {
+  if (stage_ == nullptr) return;
+  const scene::Override change = beside_.withFrame(*stage_, target_);
+  writeFile(change, change.path);
 }
 
 /// What is on the screen, or the whole sequence, by a process of its own.

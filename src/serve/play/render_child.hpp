@@ -1,7 +1,8 @@
 #pragma once
+#include "serve/play/child_process.hpp"
+
 #include <filesystem>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
 namespace simreel::serve {
@@ -9,12 +10,6 @@ namespace simreel::serve {
 /// `simreel render` as a process of its own, which goes on while pictures are shown.
 class RenderChild {
  public:
-  RenderChild() = default;
-  /// Ends one that runs.
-  ~RenderChild();
-  RenderChild(const RenderChild&) = delete;
-  RenderChild& operator=(const RenderChild&) = delete;
-
   struct Progress {
     enum class State { none, running, done, failed };
     State state = State::none;
@@ -33,10 +28,7 @@ class RenderChild {
   [[nodiscard]] bool isPicture() const { return picture_; }
 
  private:
-  void close();
-
-  pid_t process_ = 0;
-  int messages_ = -1;
+  ChildProcess child_;
   bool picture_ = false;
   Progress progress_;
 };

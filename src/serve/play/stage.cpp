@@ -38,7 +38,7 @@ void Stage::makeWorld() {
   made_ = script_;
   started_ = false;
   seen_ = false;
-  toldBefore_.reset();
+  forgetBefore();
   summaries_ = std::make_unique<frame::Summaries>(*world_, [this](const auto& summary) { hear(summary); });
   if (series_.empty()) {
     for (const sim::World::CountNames& counted : world_->countNames())
@@ -56,14 +56,22 @@ void Stage::makeWorld() {
 void Stage::follow() {
   if (!script_->scene.camera.hasShutter) return world_->onFrameBefore({});
   world_->onFrameBefore([this](const sim::Drawables& before) {
-    if (drawers_[0].renderer == nullptr) return;
-    drawers_[0].renderer->keepBefore(before);
-    toldBefore_ = world_->frame() + 1;
+    for (Drawer* drawer : {&drawers_[0], &tester_}) {
+      if (drawer->renderer == nullptr) continue;
+      drawer->renderer->keepBefore(before);
+      drawer->toldBefore = world_->frame() + 1;
+    }
   });
+}
+
+void Stage::forgetBefore() {
+  drawers_[0].toldBefore.reset();
+  tester_.toldBefore.reset();
 }
 
 void Stage::hear(const sim::World::Summary& summary) {
   stateHash_ = summary.stateHash;
+  arrayHashes_ = summary.arrays;
   if (summary.frame < 0) return;
   const auto names = world_->countNames();
   std::size_t at = 0;
@@ -113,7 +121,7 @@ bool Stage::approach(int frame) {
     frame::putBack(*world_, nearest->frame, nearest->parts, nearest->bytes, "a state that was kept");
     started_ = true;
     seen_ = true;
-    toldBefore_.reset();
+    forgetBefore();
     summaries_->start();
     return world_->frame() == frame;
   }
@@ -146,9 +154,15 @@ Stage::Drawer& Stage::drawerOf(std::size_t level) {
 }
 
 /// Where pictures have motion blur, the frame before the present one is made once more for who draws it.
-void Stage::prepareMotion() {
+void Stage::prepareMotion(Drawer& drawer) {
   const int frame = world_->frame();
-  if (!script_->scene.camera.hasShutter || toldBefore_ == frame || frame <= world_->firstFrame()) return;
+  if (!script_->scene.camera.hasShutter || drawer.toldBefore == frame) return;
+  if (frame <= world_->firstFrame()) {
+    lookAt();
+    drawer.renderer->keepBefore(world_->drawables());  // things stand still, whatever came before elsewhere
+    drawer.toldBefore = frame;
+    return;
+  }
   summaries_->takeAll();
   const frame::WorldState* nearest = kept_.before(frame - 1);
   if (nearest != nullptr) {
@@ -165,7 +179,7 @@ void Stage::prepareMotion() {
 
 frame::Image Stage::draw(std::size_t level) {
   Drawer& drawer = drawerOf(level);
-  if (level == 0) prepareMotion();
+  if (level == 0) prepareMotion(drawer);
   lookAt();
   const auto begun = Clock::now();
   frame::drawWorld(*drawer.renderer, *world_);
@@ -177,6 +191,37 @@ frame::Image Stage::draw(std::size_t level) {
   image.bytes = drawer.readback->take(true)->second;
   took_.readBack = perSecond * secondsSince(drawn);
   return image;
+}
+
+void Stage::setTestScene(std::unique_ptr<scene::Scene> scene) {
+  tester_ = {};  // its renderer reads the scene of before
+  testScene_ = std::move(scene);
+}
+
+golden::RunFrame Stage::drawTested() {
+  SIMREEL_CHECK(testScene_ != nullptr);
+  if (tester_.renderer == nullptr) {
+    tester_.size = testScene_->render.size;
+    tester_.renderer =
+        std::make_unique<draw::Renderer>(*testScene_, tester_.size, testScene_->render.samples);
+    tester_.readback = std::make_unique<draw::Readback>(tester_.size);
+  }
+  prepareMotion(tester_);
+  lookAt();
+  frame::drawWorld(*tester_.renderer, *world_);
+  tester_.readback->start(tester_.renderer->target(), world_->frame());
+  golden::RunFrame made{world_->frame(),
+                        world_->time(),
+                        {tester_.size.x, tester_.size.y, {}, testScene_->render.transparent},
+                        {},
+                        {}};
+  made.image.bytes = tester_.readback->take(true)->second;
+  made.pixels = frame::pixelHash(made.image);
+  const auto arrays = world_->arrays();
+  SIMREEL_CHECK_EQ(arrays.size(), arrayHashes_.size());
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+    made.state[arrays[i].object + "." + arrays[i].array] = arrayHashes_[i];
+  return made;
 }
 
 void Stage::measure() {
@@ -204,12 +249,14 @@ void Stage::takeLookOf(Script& from) {
   for (const Drawer& drawer : drawers_)
     if (drawer.script) all.insert(drawer.script.get());
   for (Script* one : all) takeLook(*one, from);
+  setTestScene(nullptr);
 }
 
 void Stage::drawAs(std::shared_ptr<Script> script) {
   drawers_ = {};
+  setTestScene(nullptr);
   script_ = std::move(script);
-  toldBefore_.reset();
+  forgetBefore();
   follow();
 }
 
@@ -225,7 +272,8 @@ void Stage::take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> scri
   summaries_ = nullptr;
   world_ = std::move(world);
   summaries_ = std::make_unique<frame::Summaries>(*world_, [this](const auto& summary) { hear(summary); });
-  toldBefore_.reset();
+  setTestScene(nullptr);
+  forgetBefore();
   started_ = true;
   seen_ = true;
   follow();

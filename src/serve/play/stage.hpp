@@ -3,6 +3,7 @@
 #include "draw/screen/renderer.hpp"
 #include "frame/image.hpp"
 #include "frame/summaries.hpp"
+#include "golden/suite/scene_run.hpp"
 #include "serve/play/ask.hpp"
 #include "serve/play/kept_states.hpp"
 #include "serve/play/script.hpp"
@@ -64,6 +65,12 @@ class Stage {
   bool approach(int frame);
   /// The present frame, at that level.
   [[nodiscard]] frame::Image draw(std::size_t level);
+  /// The scene as `simreel test` draws it, its size and samples the test's: for pictures beside baselines.
+  /// To be given anew after each change of the script.
+  [[nodiscard]] const scene::Scene* testScene() const { return testScene_.get(); }
+  void setTestScene(std::unique_ptr<scene::Scene> scene);
+  /// The present frame of it, as golden::runScene makes it. There has to be a testScene().
+  [[nodiscard]] golden::RunFrame drawTested();
   /// Keeps what the objects measure at the present frame. Waits for the device.
   void measure();
   /// What is at a place of the present picture (askPixel).
@@ -88,6 +95,7 @@ class Stage {
     std::unique_ptr<draw::Readback> readback;
     glm::ivec2 size{0};
     std::shared_ptr<Script> script;  ///< that it reads
+    std::optional<int> toldBefore;   ///< frame whose frame before it knows
   };
 
   void makeWorld();
@@ -97,7 +105,8 @@ class Stage {
   void lookAt();
   void follow();
   Drawer& drawerOf(std::size_t level);
-  void prepareMotion();
+  void prepareMotion(Drawer& drawer);
+  void forgetBefore();
 
   std::shared_ptr<Script> script_;
   std::shared_ptr<Script> made_;  ///< that the world was made of
@@ -105,11 +114,13 @@ class Stage {
   std::unique_ptr<sim::World> world_;
   std::unique_ptr<frame::Summaries> summaries_;
   std::array<Drawer, detailLevels.size()> drawers_;
-  std::optional<int> toldBefore_;  ///< frame whose frame before the full renderer knows
+  std::unique_ptr<scene::Scene> testScene_;
+  Drawer tester_;  ///< of testScene_
   bool started_ = false;
   bool carried_ = false;
   bool seen_ = false;  ///< whether the present frame may be looked at
   std::string stateHash_;
+  std::vector<std::string> arrayHashes_;  ///< of each state array
   StageMilliseconds took_;
   std::vector<Series> series_;
   std::size_t measured_ = 0;  ///< where measured quantities begin in series_

@@ -227,7 +227,7 @@ class Pictures(ServeCase):
         self.write("scene.json", with_values({"camera.shutter": {"angle": 300, "samples": 4}}))
         server = self.serve()
         viewer = server.viewer()
-        for frame in (3, 1, 0, 4):
+        for frame in (3, 0, 1, 0, 4):
             viewer.send(do="seek", frame=frame)
             self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame), frame)
 
