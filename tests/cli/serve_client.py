@@ -115,6 +115,10 @@ class Viewer:
 
     def _bytes(self, count):
         while len(self.buffer) < count:
+            left = self.end - time.monotonic()  # pings that come in between give no more time
+            if left <= 0:
+                raise TimeoutError
+            self.socket.settimeout(left)
             piece = self.socket.recv(65536)
             if not piece:
                 raise Closed()
@@ -125,7 +129,7 @@ class Viewer:
 
     def receive(self, timeout=30):
         """The next whole message, (kind, message); a picture's kind is "picture"."""
-        self.socket.settimeout(timeout)
+        self.end = time.monotonic() + timeout
         self.taken = b""
         try:
             return self._receive()
@@ -169,7 +173,10 @@ class Viewer:
         """Receives until good(kind, message) says so; that message."""
         end = time.monotonic() + seconds
         while (left := end - time.monotonic()) > 0:
-            kind, message = self.receive(left)
+            try:
+                kind, message = self.receive(left)
+            except TimeoutError:
+                break
             if good(kind, message):
                 return message
         raise AssertionError(f"nothing of the kind in {seconds} s; latest {self.latest}")
