@@ -166,7 +166,11 @@ class Fields {
   void list(const char* name, std::vector<Item>& items, const char* doc, Describe describe,
             std::size_t maxItems = 256) {
     listOf(
-        name, doc, maxItems, items.size(), [&](std::size_t count) { items.assign(count, Item{}); },
+        name, doc, maxItems, items.size(),
+        [&](std::size_t count) {
+          Item standard;  // as below
+          items.assign(count, standard);
+        },
         [&](Fields& fields, std::size_t i) { describe(fields, items[i]); });
   }
   /// Items that have a `name`, which is their key in the scene.
@@ -179,7 +183,9 @@ class Fields {
     namedGroups(
         name, doc, one, maxItems, names,
         [&](const std::vector<std::string>& wanted) {
-          items.assign(wanted.size(), Item{});
+          // Not of Item{}: where memory is short GCC 12 ends the members of such an aggregate twice.
+          Item standard;
+          items.assign(wanted.size(), standard);
           for (std::size_t i = 0; i < wanted.size(); ++i) items[i].name = wanted[i];
         },
         [&](Fields& fields, std::size_t i) { describe(fields, items[i]); });
