@@ -168,7 +168,7 @@ class Fields {
     listOf(
         name, doc, maxItems, items.size(),
         [&](std::size_t count) {
-          Item standard;  // as below
+          const auto standard = Item();  // as below
           items.assign(count, standard);
         },
         [&](Fields& fields, std::size_t i) { describe(fields, items[i]); });
@@ -184,7 +184,7 @@ class Fields {
         name, doc, one, maxItems, names,
         [&](const std::vector<std::string>& wanted) {
           // Not of Item{}: where memory is short GCC 12 ends the members of such an aggregate twice.
-          Item standard;
+          const auto standard = Item();
           items.assign(wanted.size(), standard);
           for (std::size_t i = 0; i < wanted.size(); ++i) items[i].name = wanted[i];
         },
