@@ -3,7 +3,7 @@
 // registers (SUBGROUPS) or through shared memory, rows above and below are kept; a pass follows the one before it two rows later. The
 // outermost columns, two for each pass, only serve the others. Dye is counted in its units here (model.glsl), so that a flux is
 // a whole number. How far it goes through each face is the same in all passes of a step, so check.comp has found it. Where a strip
-// has been clear for some rows nothing moves (SUBGROUPS).
+// has been clear for some rows nothing moves.
 #ifdef SUBGROUPS
 #extension GL_KHR_shader_subgroup_shuffle_relative : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -46,16 +46,23 @@ vec3 ofRight(int lane, vec3 value) {
 #endif
 
 // Whether a row of the strip has no dye.
-#ifdef SUBGROUPS
-bool isClear(vec3 first, vec3 second) {
-  uvec3 bits = floatBitsToUint(first) | floatBitsToUint(second);
-  return subgroupAll((bits.x | bits.y | bits.z) == 0u);
-}
-#else
-bool isClear(vec3 first, vec3 second) {
-  return false;
-}
+#ifndef SUBGROUPS
+shared uint dyed;
 #endif
+bool isClear(int lane, vec3 first, vec3 second) {
+  uvec3 bits = floatBitsToUint(first) | floatBitsToUint(second);
+  uint any = bits.x | bits.y | bits.z;
+#ifdef SUBGROUPS
+  return subgroupAll(any == 0u);
+#else
+  barrier();
+  if (lane == 0) dyed = 0u;
+  barrier();
+  if (any != 0u) dyed = 1u;
+  barrier();
+  return dyed == 0u;
+#endif
+}
 
 // A pass on its way down, of a column: the row in work, the one above it, half its slope downwards, the flux between them,
 // and what the row above loses to the sides.
@@ -208,7 +215,7 @@ void main() {
 #if PASSES > 1
     for (int i = 2 * PASSES - 2; i > 0; --i) through_[i] = through_[i - 1];
 #endif
-    clear = isClear(first, second) ? clear + 1 : 0;
+    clear = isClear(lane, first, second) ? clear + 1 : 0;
     through_[0] = vec4(0.0);
     if (clear < pastRows) {
       through_[0] = vec4(waysAt(faces.x, row), waysAt(faces.y, row));
