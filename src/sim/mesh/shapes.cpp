@@ -3,6 +3,7 @@
 #include "base/ieee.hpp"
 #include "sim/core/shader_code.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -82,6 +83,46 @@ Mesh planeMesh(const glm::vec3& size, glm::ivec2 vertices) {
 Mesh sphereMesh(float radius, glm::ivec2 vertices) {
   return roundMesh(radius, 0.0F, static_cast<unsigned>(vertices.y - 1),
                    static_cast<unsigned>(vertices.x - 1));
+}
+
+// Corners of a face go by their number, so that two faces place the vertices of their side at the same
+// bits.
+Mesh geodesicMesh(float radius, int parts) {
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  std::vector<glm::dvec3> corners;
+  for (const double one : {-1.0, 1.0})
+    for (const double other : {-golden, golden})
+      corners.insert(corners.end(), {{0, one, other}, {one, other, 0}, {other, 0, one}});
+  const auto near = [&](std::size_t a, std::size_t b) {
+    return glm::distance(corners[a], corners[b]) < 2.5;  // 2, or more than 3
+  };
+  Mesh mesh;
+  const auto face = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const bool outwards = glm::dot(glm::cross(b - a, c - a), a) > 0;
+    unsigned row = static_cast<unsigned>(mesh.positions.size());
+    for (int k = 0; k <= parts; ++k) {
+      const auto length = static_cast<unsigned>(parts - k);
+      for (int j = 0; j <= parts - k; ++j)
+        mesh.normals.emplace_back(
+            glm::normalize(a * double(parts - j - k) + b * double(j) + c * double(k)));
+      for (unsigned j = 0; j < length; ++j) {
+        const unsigned at = row + j, above = at + length + 1;
+        const auto triangle = [&](unsigned x, unsigned y, unsigned z) {
+          mesh.indices.insert(mesh.indices.end(), {x, outwards ? y : z, outwards ? z : y});
+        };
+        triangle(at, at + 1, above);
+        if (j + 1 < length) triangle(at + 1, above + 1, above);
+      }
+      row += length + 1;
+    }
+    mesh.positions.resize(mesh.normals.size());
+  };
+  for (std::size_t a = 0; a < corners.size(); ++a)
+    for (std::size_t b = a + 1; b < corners.size(); ++b)
+      for (std::size_t c = b + 1; c < corners.size(); ++c)
+        if (near(a, b) && near(b, c) && near(a, c)) face(corners[a], corners[b], corners[c]);
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i) mesh.positions[i] = mesh.normals[i] * radius;
+  return mesh;
 }
 
 Mesh capsuleMesh(float radius, float length) {

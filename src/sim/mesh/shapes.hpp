@@ -14,6 +14,10 @@ namespace simreel::sim {
 /// 4x3).
 [[nodiscard]] Mesh sphereMesh(float radius, glm::ivec2 vertices);
 
+/// A ball whose vertices, 10 parts^2 + 2 but for seams, lie nearly evenly: an icosahedron, each side cut
+/// into `parts`, pushed out. No uv.
+[[nodiscard]] Mesh geodesicMesh(float radius, int parts);
+
 /// A sphere cut at its equator, its halves moved apart by `length` along y; 64 columns of 32 rows of quads.
 [[nodiscard]] Mesh capsuleMesh(float radius, float length);
 

@@ -5,11 +5,21 @@
 #include "sim/reaction/parameters.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include <fmt/format.h>
 
 namespace simreel::sim {
+
+namespace {
+
+/// Parts of a geodesic ball's sides that make so many vertices or more.
+int geodesicParts(double vertices) {
+  return static_cast<int>(std::ceil(std::sqrt(std::max(vertices - 2, 10.0) / 10)));
+}
+
+}  // namespace
 
 void ReactionMesh::describe(scene::Fields& f) {
   f.choice("shape", shape, {"file", "plane", "sphere", "torus"}, "Read from \"file\", or generated.");
@@ -17,7 +27,8 @@ void ReactionMesh::describe(scene::Fields& f) {
   f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane (x and z).");
   f.number("radius", radius, {1e-4, 1e4}, "m", "Of a sphere; of a torus to the middle of its tube.");
   f.number("tube", tube, {1e-4, 1e4}, "m", "Radius of a torus' tube.");
-  f.pair("resolution", resolution, {4, 4096}, "vertices", "Of what is generated, along u and v.");
+  f.pair("resolution", resolution, {4, 4096}, "vertices",
+         "Of what is generated, along u and v; a sphere has as many or more, evenly spread.");
   f.integer("refine", refine, {0, 6}, "",
             "How often each face becomes four, all of it rounder (Loop's subdivision).");
   f.vector("position", position, scene::anyNumber, "m", "Where the mesh's origin is.");
@@ -31,18 +42,26 @@ void ReactionMesh::describe(scene::Fields& f) {
     f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
 }
 
+// A ball has no poles, as longitudes and latitudes have: cells there let only short steps be stable.
 Mesh ReactionMesh::make() const {
   constexpr std::int64_t maxFaces = 8'000'000;
-  Mesh made = shape == Shape::plane    ? planeMesh(size, resolution)
-              : shape == Shape::sphere ? sphereMesh(radius, resolution)
-              : shape == Shape::torus  ? torusMesh(radius, tube, resolution)
-                                       : loadMesh(file);
-  for (int i = 0; i < refine; ++i) {
-    if (const auto faces = static_cast<std::int64_t>(made.indices.size() / 3); 4 * faces > maxFaces)
-      fail(ExitCode::usage, "the mesh {} has {} faces after {} times \"refine\"; at most {} are allowed",
-           shape == Shape::file ? file.string() : "generated", faces, i, maxFaces);
-    made = refined(made);
+  const auto check = [&](std::int64_t faces) {
+    if (faces > maxFaces)
+      fail(ExitCode::usage,
+           "the mesh {} would have {} faces; at most {} are allowed: give it less \"refine\"{}",
+           shape == Shape::file ? file.string() : "generated", faces, maxFaces,
+           shape == Shape::file ? "" : " or \"resolution\"");
+  };
+  if (shape == Shape::sphere) {
+    const int parts = geodesicParts(double(resolution.x) * resolution.y) << refine;
+    check(std::int64_t{20} * parts * parts);
+    return geodesicMesh(radius, parts);
   }
+  Mesh made = shape == Shape::plane   ? planeMesh(size, resolution)
+              : shape == Shape::torus ? torusMesh(radius, tube, resolution)
+                                      : loadMesh(file);
+  if (refine > 0) check(static_cast<std::int64_t>(made.indices.size() / 3) << (2 * refine));
+  for (int i = 0; i < refine; ++i) made = refined(made);
   return made;
 }
 

@@ -58,7 +58,8 @@ void ReactionParameters::describe(scene::Fields& f) {
     f.leftOut(name, fmt::format("the preset's, or {}", other).c_str());
   };
   f.number("spacing", spacing, {1e-6, 1e6}, "units of length", "Of cells.");
-  presets("spacing", "1");
+  presets("spacing", "1; on a mesh as much as lets steps be stable that are so on a grid");
+  hasSpacing = f.given("spacing");
   f.number("dt", dt, {1e-9, 1e6}, "units of time", "Of a step.");
   presets("dt", "0.1");
   f.choice("method", method, {"euler", "heun", "rk4"},

@@ -81,10 +81,11 @@ struct ReactionParameters : ObjectParameters {
   glm::ivec2 size{256, 256};  ///< cells
   int depth = 1;              ///< layers of them; more than one: a volume
   int preset = -1;
-  double spacing = 1;  ///< of cells, units of length
-  double dt = 0.1;     ///< units of time
-  int steps = 8;       ///< per frame
-  int presteps = 0;    ///< before everything
+  double spacing = 1;       ///< of cells, units of length
+  bool hasSpacing = false;  ///< whether the scene says so
+  double dt = 0.1;          ///< units of time
+  int steps = 8;            ///< per frame
+  int presteps = 0;         ///< before everything
   RuleMethod method = RuleMethod::euler;
   RuleBoundary boundary = RuleBoundary::torus;
   std::vector<ReactionSpecies> species;

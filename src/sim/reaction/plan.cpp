@@ -18,6 +18,23 @@ std::vector<StrokeParameters> plainStrokes(const std::vector<ReactionStroke>& st
   return {strokes.begin(), strokes.end()};
 }
 
+/// The fastest mode of the 9 and of the 19 points, the checkerboard in two of the axes, has this
+/// eigenvalue: -1/h^2.
+constexpr double gridFastest = 16.0 / 3;
+
+/// Twice the sum of a cell's weights, the most of all cells: no eigenvalue of the laplacian is beyond that
+/// (Gershgorin). 1/m^2.
+double fastestOf(const MeshCells& cells) {
+  double fastest = 0;
+  for (std::size_t cell = 0; cell + 1 < cells.first.size(); ++cell) {
+    double sum = 0;
+    for (int i = cells.first[cell]; i < cells.first[cell + 1]; ++i)
+      sum += std::abs(cells.links[static_cast<std::size_t>(i)].weight);
+    fastest = std::max(fastest, 2 * sum / cells.areas[cell]);
+  }
+  return fastest;
+}
+
 float stored(double value) {
   return shader::reaction::grained(static_cast<float>(value), storedGrain);
 }
@@ -38,12 +55,15 @@ ReactionPlan::ReactionPlan(ReactionParameters parameters, const std::string& obj
   warnOfSteps(object);
 }
 
-// Lengths are such that the mean distance of neighbours is the spacing.
+// Lengths are such that the mean distance of neighbours is the spacing. Where a scene leaves that to us,
+// nothing goes faster than on a grid of that spacing.
 void ReactionPlan::readMesh(const std::string& object) {
   onMesh_ = true;
   mesh_ = parameters_.mesh.make();
   cells_ = cellsOf(mesh_, "reaction \"" + object + "\"");
   parameters_.size = {cells_.count(), 1};
+  if (!parameters_.hasSpacing)
+    parameters_.spacing *= std::max(1.0, cells_.meanEdge * std::sqrt(fastestOf(cells_) / gridFastest));
   perMetre_ = parameters_.spacing / cells_.meanEdge;
   const int count = cells_.count();
   for (int begin = 0; begin < count; begin += 4) {
@@ -81,24 +101,12 @@ std::vector<float> ReactionPlan::placesAlong(int axis) const {
   return places;
 }
 
-// The fastest mode of the 9 and of the 19 points, the checkerboard in two of the axes, has the eigenvalue
-// -(16/3) / h^2; explicit methods of order 1 and 2 are stable for -2 <= dt lambda, that of order 4 for
+// Explicit methods of order 1 and 2 are stable for -2 <= dt lambda, that of order 4 for
 // -2.785.
 void ReactionPlan::warnOfSteps(const std::string& object) const {
   const ReactionParameters& p = parameters_;
   const double limit = p.method == RuleMethod::rk4 ? 2.785 : 2;
-  // Of a mesh no eigenvalue is beyond twice the sum of a cell's weights (Gershgorin).
-  double fastest = 16.0 / 3;
-  if (onMesh_) {
-    fastest = 0;
-    for (std::size_t i = 0; i < links_.ranges.size(); ++i) {
-      glm::dvec4 sum(0);
-      for (int s = links_.ranges[i].x; s < links_.ranges[i].y; ++s)
-        sum += glm::abs(glm::dvec4(links_.weights[static_cast<std::size_t>(s)]));
-      fastest = std::max({fastest, 2 * sum.x, 2 * sum.y, 2 * sum.z, 2 * sum.w});
-    }
-    fastest *= p.spacing * p.spacing;
-  }
+  const double fastest = onMesh_ ? fastestOf(cells_) * std::pow(p.spacing / perMetre_, 2) : gridFastest;
   for (const ReactionSpecies& species : p.species) {
     double most = 0;
     for (const auto& key : species.diffusion.keys()) most = std::max(most, static_cast<double>(key.value));

@@ -15,7 +15,7 @@ namespace {
 /// Checks what holds for every mesh; returns its area in m^2.
 double checkedArea(const sim::Mesh& mesh) {
   CHECK(mesh.normals.size() == mesh.positions.size());
-  CHECK(mesh.uvs.size() == mesh.positions.size());
+  CHECK((mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size()));
   CHECK(mesh.indices.size() % 3 == 0);
   int bad = 0;
   for (const glm::vec3& n : mesh.normals) bad += std::abs(glm::length(n) - 1.0F) < 1e-5F ? 0 : 1;
@@ -53,6 +53,7 @@ TEST_CASE("spheres, capsules and tori face outwards and have their areas") {
   CHECK(checkedArea(sim::sphereMesh(1.5F, {97, 66})) == doctest::Approx(4 * pi * 2.25).epsilon(0.005));
   CHECK(checkedArea(sim::capsuleMesh(0.5F, 2)) == doctest::Approx(pi + 2 * pi).epsilon(0.005));
   CHECK(checkedArea(sim::torusMesh(2, 0.5F, {97, 49})) == doctest::Approx(4 * pi * pi).epsilon(0.005));
+  CHECK(checkedArea(sim::geodesicMesh(1.5F, 13)) == doctest::Approx(4 * pi * 2.25).epsilon(0.01));
   CHECK(sim::sphereMesh(1, {4, 3}).positions.size() == 12);
 }
 
