@@ -18,12 +18,12 @@ namespace {
 constexpr std::size_t maxRuleBytes = std::size_t{64} << 20;
 
 /// The section @TREE.
-CellRule parseTree(const RuleText& file) {
+CellRule parseTree(const RuleFileText& file) {
   int states = 0, neighbours = 0, nodes = 0, read = 0;
   auto tree = std::make_shared<RuleTree>();
   std::vector<int> depths;
-  RuleText::Line last{};
-  for (const RuleText::Line& line : file.section("@TREE")) {
+  RuleFileText::Line last{};
+  for (const RuleFileText::Line& line : file.section("@TREE")) {
     last = line;
     if (const std::size_t equals = line.text.find('='); equals != std::string_view::npos) {
       const std::string_view key = line.text.substr(0, equals);
@@ -86,10 +86,10 @@ glm::vec3 lightOf(const std::array<int, 6>& levels, std::size_t first) {
 }
 
 /// "1 0 128 255 blue", or of all states but 0: "0 0 255 255 0 0".
-std::vector<glm::vec3> parseColors(const RuleText& file, int states) {
+std::vector<glm::vec3> parseColors(const RuleFileText& file, int states) {
   std::vector<glm::vec3> colors;
   const auto count = static_cast<std::size_t>(states);
-  for (const RuleText::Line& line : file.section("@COLORS")) {
+  for (const RuleFileText::Line& line : file.section("@COLORS")) {
     const auto words = wordsOf(line.text, false);
     std::array<int, 6> levels{};
     std::size_t numbers = 0;
@@ -121,7 +121,7 @@ std::vector<glm::vec3> parseColors(const RuleText& file, int states) {
 }  // namespace
 
 CellRule parseRuleFile(std::string_view text, const std::string& name) {
-  const RuleText file(text, name);
+  const RuleFileText file(text, name);
   const auto head = file.section("@RULE");
   if (head.empty()) file.wrong("this is no rule file: it begins with @RULE and a name");
   const int table = file.find("@TABLE"), tree = file.find("@TREE");

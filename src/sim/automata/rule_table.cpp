@@ -59,10 +59,10 @@ std::vector<std::vector<int>> permutations(const std::string& symmetry, int n) {
 
 class TableReader {
  public:
-  explicit TableReader(const RuleText& file) : file_(file), lines_(file.section("@TABLE")) {}
+  explicit TableReader(const RuleFileText& file) : file_(file), lines_(file.section("@TABLE")) {}
 
   CellRule read() {
-    for (const RuleText::Line& line : lines_) {
+    for (const RuleFileText::Line& line : lines_) {
       if (line.text.find(':') != std::string_view::npos)
         header(line);
       else if (line.text.starts_with("var ") || line.text.starts_with("var\t"))
@@ -81,7 +81,7 @@ class TableReader {
   }
 
  private:
-  void header(const RuleText::Line& line) {
+  void header(const RuleFileText::Line& line) {
     const std::size_t colon = line.text.find(':');
     const std::string key = lowWord(line.text.substr(0, colon));
     const RuleWord value = wordsOf(line.text.substr(colon + 1), false).empty()
@@ -115,12 +115,12 @@ class TableReader {
     }
   }
 
-  void needStates(const RuleText::Line& line) const {
+  void needStates(const RuleFileText::Line& line) const {
     if (states_ == 0) file_.wrong(line, 0, "\"n_states:\" stands before this");
   }
 
   /// The states of a word: a number or a variable.
-  States statesOf(const RuleText::Line& line, const RuleWord& word) const {
+  States statesOf(const RuleFileText::Line& line, const RuleWord& word) const {
     if (const auto found = variables_.find(word.text); found != variables_.end()) return found->second;
     if (word.text.empty()) file_.wrong(line, word.at, "a state is missing here");
     if (!isDigit(word.text[0]))
@@ -132,7 +132,7 @@ class TableReader {
     return states;
   }
 
-  void variable(const RuleText::Line& line) {
+  void variable(const RuleFileText::Line& line) {
     needStates(line);
     const std::size_t equals = line.text.find('='), open = line.text.find('{'), close = line.text.find('}');
     if (equals == std::string_view::npos || open == std::string_view::npos ||
@@ -149,7 +149,7 @@ class TableReader {
     variables_[std::string(name[0].text)] = states;
   }
 
-  std::vector<RuleWord> wordsIn(const RuleText::Line& line) const {
+  std::vector<RuleWord> wordsIn(const RuleFileText::Line& line) const {
     if (line.text.find(',') != std::string_view::npos) return wordsOf(line.text, true);
     // Digits side by side.
     std::vector<RuleWord> words;
@@ -158,7 +158,7 @@ class TableReader {
     return words;
   }
 
-  void transition(const RuleText::Line& line) {
+  void transition(const RuleFileText::Line& line) {
     needStates(line);
     const int n = neighboursOf(shape_);
     const std::vector<RuleWord> words = wordsIn(line);
@@ -189,7 +189,7 @@ class TableReader {
     expand(line, words, bound, 0, values);
   }
 
-  void expand(const RuleText::Line& line, const std::vector<RuleWord>& words,
+  void expand(const RuleFileText::Line& line, const std::vector<RuleWord>& words,
               const std::vector<std::string>& bound, std::size_t next,
               std::map<std::string, int, std::less<>>& values) {
     if (next < bound.size()) {
@@ -223,7 +223,7 @@ class TableReader {
     return key;
   }
 
-  void push(const RuleText::Line& line, const RuleTransition& transition) {
+  void push(const RuleFileText::Line& line, const RuleTransition& transition) {
     if (table_.size() >= maxTransitions)
       file_.wrong(line, 0,
                   fmt::format("the table has more than {} transitions, variables and symmetries "
@@ -232,7 +232,7 @@ class TableReader {
     table_.push_back(transition);
   }
 
-  void symmetric(const RuleText::Line& line, const RuleTransition& transition) {
+  void symmetric(const RuleFileText::Line& line, const RuleTransition& transition) {
     const int n = neighboursOf(shape_);
     if (symmetry_ == "permute") return permuted(line, transition);
     if (moves_.empty()) {
@@ -252,7 +252,7 @@ class TableReader {
   }
 
   /// Every different order of the neighbours.
-  void permuted(const RuleText::Line& line, const RuleTransition& transition) {
+  void permuted(const RuleFileText::Line& line, const RuleTransition& transition) {
     const auto n = static_cast<std::size_t>(neighboursOf(shape_));
     std::vector<std::pair<std::string, States>> sets;
     for (std::size_t i = 1; i <= n; ++i)
@@ -266,12 +266,12 @@ class TableReader {
     } while (std::next_permutation(sets.begin(), sets.end(), less));
   }
 
-  const RuleText& file_;
-  std::vector<RuleText::Line> lines_;
+  const RuleFileText& file_;
+  std::vector<RuleFileText::Line> lines_;
   int states_ = 0;
   TableShape shape_ = TableShape::vonNeumann;
   std::string symmetry_ = "rotate4";
-  RuleText::Line symmetryLine_{};
+  RuleFileText::Line symmetryLine_{};
   std::size_t symmetryAt_ = 0;
   std::vector<std::vector<int>> moves_;
   std::map<std::string, States, std::less<>> variables_;
@@ -280,7 +280,7 @@ class TableReader {
 
 }  // namespace
 
-CellRule parseRuleTable(const RuleText& file) {
+CellRule parseRuleTable(const RuleFileText& file) {
   return TableReader(file).read();
 }
 

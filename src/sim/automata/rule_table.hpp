@@ -5,6 +5,6 @@
 namespace simreel::sim {
 
 /// The section @TABLE as a rule without a name. Throws UserError as readRuleFile says.
-[[nodiscard]] CellRule parseRuleTable(const RuleText& file);
+[[nodiscard]] CellRule parseRuleTable(const RuleFileText& file);
 
 }  // namespace simreel::sim

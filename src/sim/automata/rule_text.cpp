@@ -26,7 +26,7 @@ bool begins(std::string_view line, std::string_view section) {
 
 }  // namespace
 
-RuleText::RuleText(std::string_view text, std::string name) : name_(std::move(name)) {
+RuleFileText::RuleFileText(std::string_view text, std::string name) : name_(std::move(name)) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     lines_.push_back(text.substr(0, end));
@@ -34,13 +34,13 @@ RuleText::RuleText(std::string_view text, std::string name) : name_(std::move(na
   }
 }
 
-int RuleText::find(std::string_view name) const {
+int RuleFileText::find(std::string_view name) const {
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (begins(lines_[i], name)) return static_cast<int>(i);
   return -1;
 }
 
-std::vector<RuleText::Line> RuleText::section(std::string_view name) const {
+std::vector<RuleFileText::Line> RuleFileText::section(std::string_view name) const {
   std::vector<Line> result;
   const int first = find(name);
   if (first < 0) return result;
@@ -58,16 +58,16 @@ std::vector<RuleText::Line> RuleText::section(std::string_view name) const {
   return result;
 }
 
-void RuleText::wrong(const Line& line, std::size_t at, const std::string& message) const {
+void RuleFileText::wrong(const Line& line, std::size_t at, const std::string& message) const {
   fail(ExitCode::usage, "{}:{}:{}: {}", name_, line.number, line.column + at + 1, message);
 }
 
-void RuleText::wrong(const std::string& message) const {
+void RuleFileText::wrong(const std::string& message) const {
   fail(ExitCode::usage, "{}: {}", name_, message);
 }
 
-int RuleText::number(const Line& line, std::size_t at, std::string_view word, int max,
-                     const char* what) const {
+int RuleFileText::number(const Line& line, std::size_t at, std::string_view word, int max,
+                         const char* what) const {
   long value = -1;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc::result_out_of_range) value = max + 1L;

@@ -7,7 +7,7 @@
 namespace simreel::sim {
 
 /// The lines of a rule file's section, with their places in the file.
-class RuleText {
+class RuleFileText {
  public:
   struct Line {
     int number;             ///< from 1
@@ -15,7 +15,7 @@ class RuleText {
     std::string_view text;  ///< without comment, blanks around it and line end
   };
   /// `name` is what messages call the file.
-  RuleText(std::string_view text, std::string name);
+  RuleFileText(std::string_view text, std::string name);
 
   /// Lines of the section "@NAME"; what follows the name on its own line is its first line.
   [[nodiscard]] std::vector<Line> section(std::string_view name) const;
