@@ -77,6 +77,7 @@ RuleCut ReactionKernels::bestCut() {
   cut.rows = texel ? 2 : 1;
   cut.stepsPerPass = texel ? 4 : 2;
   cut.stripElements = texel ? 6 : 1;
+  cut.stripSpecies = texel ? maxSpecies : 2;
   return cut;
 }
 
@@ -141,7 +142,8 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
     kernel.told = gl::Buffer(name + " told", toldVectors(pass) * sizeof(glm::vec4));
     kernels_.push_back(std::move(kernel));
   }
-  if (cut_.stepsPerPass > 1 && stripsCan(plan.rule(), program, space, plan.parameters().boundary, size_.x))
+  if (cut_.stepsPerPass > 1 && static_cast<int>(plan.rule().rates.size()) <= cut_.stripSpecies &&
+      stripsCan(plan.rule(), program, space, plan.parameters().boundary, size_.x))
     makeStrips(name, std::move(defines));
 }
 
