@@ -15,6 +15,7 @@ struct RuleCut {
   int stripRows = 0;      ///< and rows that they go down; 0: as the grid's size asks
   int stripSpecies = maxSpecies;  ///< rules of more go one step a pass: of each, four rows of every step
                                   ///< are held in registers
+  double stripsAfter = 0;  ///< cells times steps that go one a pass before strips are worth compiling
 };
 
 /// Whether a rule's steps can go several a pass: by Euler's method on a grid whose width is a multiple of
