@@ -188,6 +188,7 @@ int main(int argc, char** argv) {
   for (const int elements : software ? std::vector<int>{4, 6, 8} : std::vector<int>{1, 2})
     for (const int together : {2, 4}) {
       sim::RuleCut cut = sim::ReactionKernels::bestCut();
+      cut.stripsAfter = 0;
       cut.stepsPerPass = together;
       cut.stripElements = elements;
       add(fmt::format("rule, {} steps a pass, {} elements", together, elements), side, rule, asRule, cut,
@@ -205,6 +206,7 @@ int main(int argc, char** argv) {
     add(fmt::format("{}, one step a pass", what), side, rule, make, cut, steps);
     cut = sim::ReactionKernels::bestCut();
     cut.stripSpecies = sim::maxSpecies;
+    cut.stripsAfter = 0;
     for (const int elements : software ? std::vector<int>{3, 4, 6} : std::vector<int>{1})
       for (const int together : {2, 4}) {
         cut.stepsPerPass = together;
