@@ -4,8 +4,8 @@
 #include "sim/fluid/kernels.hpp"
 #include "sim/fluid/quantities.hpp"
 
-#include <vector>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
