@@ -44,7 +44,7 @@ std::vector<float> valuesOf(const sim::World& world, const std::string& name) {
 }
 
 /// Bits, bytes, floats, colours, a rule that is read by the one that it reads, and one that reads itself.
-const std::string many = R"X(
+const std::string manyReaders = R"X(
   "guest": {"reaction": {"size": [23, 31], "dt": 0.05, "steps": 3,
     "parameters": {"heat": {"field": "smoke.temperature"}, "dye": {"field": "smoke"}, "host": {"field": "host.w"}, "self": {"field": "guest"}, "f": {"value": 1, "down": 2}},
     "species": {"u": {"start": "random(1)", "rate": "f*heat + 0.1*dye - u + host - 0.3*laplacian(host)*self"}}}},
@@ -57,7 +57,7 @@ const std::string many = R"X(
   "sparks": {"life": {"size": [47, 33], "rule": "B2/S/3", "stepsPerSecond": 60}}
 )X";
 
-/// The twin of one object of `many`.
+/// The twin of one object of `manyReaders`.
 struct Reader {
   Reader(const scene::Scene& scene, const std::string& name)
       : plan(sim::parametersOf<sim::ReactionParameters>(objectOf(scene, name)), name, fieldSeed,
@@ -101,7 +101,7 @@ void sameBits(const std::vector<float>& got, const std::vector<float>& want) {
 
 TEST_CASE("reaction reads fields of every kind with the bits of its twin, one that reads it among them") {
   testContext();
-  const scene::Scene scene = ofObjects(many);
+  const scene::Scene scene = ofObjects(manyReaders);
   sim::World world(scene);
   Reader guest(scene, "guest"), host(scene, "host");
   for (int frame = 0; frame < 5; ++frame) {
