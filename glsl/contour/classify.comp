@@ -1,7 +1,7 @@
 // How many of the levels each sample reaches, sixteen samples an invocation.
 #include "common/words.glsl"
 #include "contour/samples.glsl"
-#include "contour/field.glsl"
+#include "grid/field.glsl"
 layout(local_size_x = 64) in;
 STATE_WORDS(classesBinding, ClassBlock, classes)
 uniform float levels[LEVELS];  // ascending

@@ -2,7 +2,7 @@
 // the faces into which contours cut it.
 #include "common/words.glsl"
 #include "contour/samples.glsl"
-#include "contour/field.glsl"
+#include "grid/field.glsl"
 #include "contour/squares.glsl"
 #include "contour/vertices.glsl"
 layout(local_size_x = 64) in;

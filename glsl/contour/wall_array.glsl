@@ -3,7 +3,7 @@
 #include "common/words.glsl"
 #include "contour/wall_types.glsl"
 const int fieldUnit = wallFieldUnit;
-#include "contour/field.glsl"
+#include "grid/field.glsl"
 uniform WallGrid wallGrid;
 uniform int rowElements;  // of classes, sixteen each
 INPUT_WORDS(wallClassesBinding, WallClassBlock, wallClasses)

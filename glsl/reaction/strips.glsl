@@ -2,6 +2,8 @@
 // loaded completes the row above it one step later, and so on. Where neighbours can tell each other their values, a strip is
 // the 32 invocations of a work group side by side; on the texel path each invocation has a strip of its own.
 // The kernel says STEPS, ELEMENTS (of four cells, of an invocation) and STRIP_ROWS.
+// Beyond edges that nothing crosses the field is mirrored: column -1 is column 0, -2 is 1. Where stencils are even, as all
+// sums are, the cells there step as those that they mirror, bit for bit, so a strip goes on into them.
 #ifdef TEXEL_PATH
 const int neighbours = 1;
 int lane = 0;
@@ -39,6 +41,24 @@ vec2 beside(float first, float last) {
 // For i >= -16 count: % of a negative number is undefined in GLSL.
 int wrapped(int i, int count) {
   return (i + 16 * count) % count;
+}
+
+// Of those beyond edges: which one stands there, and whether it faces the other way. `unfolded` counts through the grid and,
+// where it is mirrored, through it back.
+#if BOUNDARY == 1
+const int folds = 2;
+#else
+const int folds = 1;
+#endif
+int folded(int unfolded, int count) {
+  return unfolded < count ? unfolded : 2 * count - 1 - unfolded;
+}
+vec4 facing(vec4 cells, bool back) {
+#if BOUNDARY == 1
+  return back ? cells.wzyx : cells;
+#else
+  return cells;
+#endif
 }
 
 // The lowest cell that is lost in each step of a frame; lost.comp tells which was first.

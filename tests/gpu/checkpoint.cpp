@@ -131,6 +131,13 @@ TEST_CASE(
         "leaves": {"particles": {"method": "none", "acceleration": [0, -9.81, 0], "collides": true,
           "groups": [{"shape": "cube", "count": 77, "position": [0, 2, 0]}]}}}})",
       R"({"version": 1, "objects": {
+        "seen": {"reaction": {"size": [33, 21], "parameters": {"wind": {"field": "air.temperature"}, "fire": {"field": "heath"}, "back": {"field": "feels.u"}},
+          "show": "u + wind", "species": {"u": {"rate": "wind + 0.01*fire - back"}}}},
+        "feels": {"reaction": {"size": [31, 22], "parameters": {"other": {"field": "seen"}}, "species": {"u": {"diffusion": 0.5, "rate": "other - u"}}}},
+        "heath": {"wildfire": {"size": [65, 41], "strokes": [{"from": [20, 20, 0]}]}},
+        "air": {"fluid": {"size": [31, 22], "substeps": 1,
+          "strokes": [{"until": 9, "radius": 3, "velocity": [25, 0, 0], "from": [9, 9, 0], "temperature": 3}]}}}})",
+      R"({"version": 1, "objects": {
         "dust": {"particles": {"method": "none", "wind": {"fluid": "air"}, "groups": [{"shape": "cube", "count": 77}]}},
         "heath": {"wildfire": {"size": [65, 41], "wind": {"fluid": "air"}, "strokes": [{"from": [20, 20, 0]}]}},
         "air": {"fluid": {"size": [31, 22], "substeps": 1, "tracers": {"count": 99, "seconds": 0.5},

@@ -15,6 +15,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -56,6 +57,28 @@ sim::ReactionPlan asRule(int side) {
   return {p, "dish", 1, frameSeconds};
 }
 
+sim::ReactionPlan closed(int side) {
+  sim::ReactionParameters p = asRule(side).parameters();
+  p.boundary = sim::RuleBoundary::noFlux;
+  return {p, "dish", 1, frameSeconds};
+}
+
+/// Each is displaced by the next (May and Leonard 1975).
+sim::ReactionPlan inCircle(int side, int species) {
+  sim::ReactionParameters p;
+  p.size = {side, side};
+  p.dt = 0.1;
+  const auto name = [&](int i) { return fmt::format("u{}", i % species); };
+  for (int i = 0; i < species; ++i) {
+    sim::ReactionSpecies& one = p.species.emplace_back();
+    one.name = name(i);
+    one.diffusion = 0.3F;
+    one.rate = fmt::format("{0}*(1 - {0} - 2*{1} - 0.5*{2})", name(i), name(i + 1), name(i + 2));
+    one.start = fmt::format("0.5*abs(random({}))", i);
+  }
+  return {p, "dish", 1, frameSeconds};
+}
+
 void report(benchmark::State& state, int side, int steps) {
   const double cells = static_cast<double>(state.iterations()) * steps * side * side;
   state.counters["cell-steps/s"] = benchmark::Counter(cells, benchmark::Counter::kIsRate);
@@ -75,9 +98,9 @@ void handWritten(benchmark::State& state, sim::GrayScottKernels::Cut cut, int st
   report(state, side, steps);
 }
 
-void rule(benchmark::State& state, sim::RuleCut cut, int steps) {
+void rule(benchmark::State& state, sim::ReactionPlan (*make)(int side), sim::RuleCut cut, int steps) {
   const int side = static_cast<int>(state.range(0));
-  const sim::ReactionPlan plan = asRule(side);
+  const sim::ReactionPlan plan = make(side);
   sim::ReactionKernels kernels("bench", plan, false, cut);
   kernels.setValues(plan.valuesAt(0));
   kernels.advance(0, steps, 0);
@@ -161,14 +184,37 @@ int main(int argc, char** argv) {
   add("by hand, several steps a pass", side, handWritten, sim::GrayScottKernels::bestCut({side, side}),
       steps);
   for (const int rows : {1, 2, 4, 8})
-    add(fmt::format("rule, one step a pass, {} rows", rows), side, rule, sim::RuleCut{rows}, steps);
+    add(fmt::format("rule, one step a pass, {} rows", rows), side, rule, asRule, sim::RuleCut{rows}, steps);
   for (const int elements : software ? std::vector<int>{4, 6, 8} : std::vector<int>{1, 2})
     for (const int together : {2, 4}) {
       sim::RuleCut cut = sim::ReactionKernels::bestCut();
+      cut.stripsAfter = 0;
       cut.stepsPerPass = together;
       cut.stripElements = elements;
-      add(fmt::format("rule, {} steps a pass, {} elements", together, elements), side, rule, cut, steps);
+      add(fmt::format("rule, {} steps a pass, {} elements", together, elements), side, rule, asRule, cut,
+          steps);
     }
+  using Make = sim::ReactionPlan (*)(int side);
+  const std::pair<const char*, Make> others[] = {{"closed", closed},
+                                                 {"3 species", [](int s) { return inCircle(s, 3); }},
+                                                 {"4 species", [](int s) { return inCircle(s, 4); }},
+                                                 {"6 species", [](int s) { return inCircle(s, 6); }},
+                                                 {"8 species", [](int s) { return inCircle(s, 8); }}};
+  for (const auto& [what, make] : others) {
+    sim::RuleCut cut = sim::ReactionKernels::bestCut();
+    cut.stepsPerPass = 1;
+    add(fmt::format("{}, one step a pass", what), side, rule, make, cut, steps);
+    cut = sim::ReactionKernels::bestCut();
+    cut.stripSpecies = sim::maxSpecies;
+    cut.stripsAfter = 0;
+    for (const int elements : software ? std::vector<int>{3, 4, 6} : std::vector<int>{1})
+      for (const int together : {2, 4}) {
+        cut.stepsPerPass = together;
+        cut.stripElements = elements;
+        add(fmt::format("{}, {} steps a pass, {} elements", what, together, elements), side, rule, make,
+            cut, steps);
+      }
+  }
   add("evaluator, one thread", side, evaluator);
   add("plain loop, one thread", side, plainLoop);
   add("bytes alone, one thread", side, bytesAlone);

@@ -89,6 +89,8 @@ class TableReader {
                                : wordsOf(line.text.substr(colon + 1), false)[0];
     const std::size_t at = colon + 1 + value.at;
     if (!table_.empty()) file_.wrong(line, 0, "this stands before the first transition");
+    if (!variables_.empty() && key == "n_states")
+      file_.wrong(line, 0, "this stands before the first variable, whose states it bounds");
     if (key == "n_states") {
       states_ = file_.number(line, at, value.text, 256, "the number of states");
       if (states_ < 2) file_.wrong(line, at, "a rule has at least 2 states");

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <bitset>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace simreel::sim {
@@ -36,18 +38,21 @@ class TreeBuilder {
     const Bits none(words);
     applies_.assign(order_.size(), std::vector<Bits>(states_, none));
     certain_.assign(order_.size() + 1, none);
-    for (std::size_t r = 0; r < table.size(); ++r) {
-      bool certain = true;
-      certain_[order_.size()][r / 64] |= std::uint64_t{1} << (r % 64);
-      for (std::size_t depth = order_.size(); depth-- > 0;) {
-        for (std::size_t s = 0; s < states_; ++s) {
-          const bool fits =
-              order_[depth] < 0 || table[r].inputs[static_cast<std::size_t>(order_[depth])][s];
-          if (fits) applies_[depth][s][r / 64] |= std::uint64_t{1} << (r % 64);
-          certain = certain && fits;
-        }
-        if (certain) certain_[depth][r / 64] |= std::uint64_t{1} << (r % 64);
+    std::bitset<256> every;
+    for (std::size_t s = 0; s < states_; ++s) every.set(s);
+    for (std::size_t r = 0; r < table.size(); ++r) mark(certain_[order_.size()], r);
+    // Tables have few sets of states, which stand in many transitions.
+    for (std::size_t depth = order_.size(); depth-- > 0;) {
+      std::unordered_map<std::bitset<256>, Bits> having;
+      for (std::size_t r = 0; r < table.size(); ++r) {
+        const auto input = static_cast<std::size_t>(std::max(order_[depth], 0));
+        const std::bitset<256> fits = order_[depth] < 0 ? every : table[r].inputs[input] & every;
+        mark(having.try_emplace(fits, none).first->second, r);
+        if (fits == every && has(certain_[depth + 1], r)) mark(certain_[depth], r);
       }
+      for (const auto& [fits, rows] : having)
+        for (std::size_t s = 0; s < states_; ++s)
+          for (std::size_t w = 0; fits[s] && w < words; ++w) applies_[depth][s][w] |= rows[w];
     }
   }
 
@@ -60,6 +65,9 @@ class TreeBuilder {
   }
 
  private:
+  static void mark(Bits& set, std::size_t i) { set[i / 64] |= std::uint64_t{1} << (i % 64); }
+  static bool has(const Bits& set, std::size_t i) { return (set[i / 64] >> (i % 64) & 1U) != 0; }
+
   /// Transitions after one that will apply, whatever comes, do not count.
   void shorten(std::size_t depth, Bits& set) const {
     for (std::size_t w = 0; w < set.size(); ++w)

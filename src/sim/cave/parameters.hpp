@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/contour/solid.hpp"
+#include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 
@@ -12,7 +13,7 @@
 namespace simreel::sim {
 
 /// A cave by a cellular automaton (SPEC 7) as a scene says it.
-struct CaveParameters final : ObjectParameters {
+struct CaveParameters final : ObjectParameters, FieldParts {
   glm::ivec2 size{96, 60};  ///< cells
   double fill = 0.45;       ///< probability that a cell is rock at first
   int smoothing = 5;        ///< steps
@@ -39,6 +40,7 @@ struct CaveParameters final : ObjectParameters {
   CaveParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::vector<std::string> fieldParts() const override { return {"distance"}; }
   [[nodiscard]] bool findsPath() const override { return true; }
   [[nodiscard]] bool hasWalls() const override { return true; }
   [[nodiscard]] std::optional<scene::Box> framed() const override;

@@ -4,8 +4,8 @@
 #include "sim/fluid/kernels.hpp"
 #include "sim/fluid/quantities.hpp"
 
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -23,9 +23,8 @@ class Fluid : public Simulation {
         wind_(plan_.parameters().plane, plan_.size(), plan_.parameters().speed,
               [this]() -> const FluidArray& { return kernels_.arrays().flow(); }),
         colors_(plan_.parameters().display.colors()) {
-    constexpr const char* channels[] = {"u", "v", "temperature", "pressure", "red", "green", "blue"};
-    for (std::size_t i = 0; i < channelNames_.size(); ++i)
-      channelNames_[i] = fmt::format("{}.{}", name_, channels[i]);
+    for (const std::string& part : plan_.parameters().fieldParts())
+      channelNames_.push_back(fmt::format("{}.{}", name_, part));
     const FluidParameters& p = plan_.parameters();
     if (p.hasTracers)
       tracers_ = Tracers(name_, p.tracers, wind_, plan_.solidsAt(setting.startTime, 0)->solid(),
@@ -169,7 +168,7 @@ class Fluid : public Simulation {
   Tracers tracers_;
   FluidChart chart_;
   std::vector<glm::vec3> colors_;
-  std::array<std::string, 7> channelNames_;
+  std::vector<std::string> channelNames_;
   long steps_ = 0;
   double time_ = 0;  ///< s
 };

@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/fields.hpp"
+#include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/fluid/chart.hpp"
 #include "sim/fluid/tracers.hpp"
@@ -54,7 +55,7 @@ struct FluidStroke : StrokeParameters {
 };
 
 /// Incompressible flow (SPEC 9) as a scene says it. Lengths are in cells; v and y grow down the picture.
-struct FluidParameters : ObjectParameters {
+struct FluidParameters : ObjectParameters, FieldParts {
   enum class Advection { macCormack, semiLagrangian, cubic };  // as ADVECTION of glsl/fluid/grid.glsl
   enum class Show { dye, speed, vorticity, temperature, pressure, lines };
   enum class Look { light, ink, fire };
@@ -91,6 +92,9 @@ struct FluidParameters : ObjectParameters {
   FluidParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::vector<std::string> fieldParts() const override {
+    return {"u", "v", "temperature", "pressure", "red", "green", "blue"};
+  }
   [[nodiscard]] bool blows() const override { return true; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 

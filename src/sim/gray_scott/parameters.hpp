@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/fields.hpp"
+#include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
@@ -23,7 +24,7 @@ struct FeedKill {
 [[nodiscard]] FeedKill ratesOf(GrayScottPreset preset);
 
 /// Gray-Scott reaction-diffusion (SPEC 4) as a scene says it.
-struct GrayScottParameters : ObjectParameters {
+struct GrayScottParameters : ObjectParameters, FieldParts {
   glm::ivec2 size{256, 256};  ///< cells
   GrayScottPreset preset = GrayScottPreset::leopard;
   std::optional<scene::Animated<float>> feed, kill;  ///< instead of the preset's
@@ -49,6 +50,7 @@ struct GrayScottParameters : ObjectParameters {
   GrayScottParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::vector<std::string> fieldParts() const override { return {"u"}; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
   /// Rates at `time` (s), before they vary in space.

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "sim/grid/picture_file.hpp"
+#include "sim/grid/stroke_ways.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,11 +65,13 @@ void StrokeParameters::describe(scene::Fields& f, double max, const char* valueD
   f.number("at", at, scene::anyNumber, "s", "When it begins; it is in the first state from then on.");
   f.number("until", until, scene::anyNumber, "s", "When it ends; not after \"at\": it paints once.");
   f.vector("from", from, {-1e6, 1e6}, "cells",
-           "Middle of the circle, start of the line, or top left of the image; the third is unused.");
+           "Middle of the circle, start of the line, or top left of the image; the third counts in "
+           "volumes alone.");
   f.vector("to", to, {-1e6, 1e6}, "cells", "Where the circle moves to, or the line's end.");
   f.leftOut("to", "\"from\"");
   if (!f.given("to")) to = from;
-  f.vector("path", path, {-1e6, 1e6}, "cells", "Where the circle is, by keyframes; the third is unused.");
+  f.vector("path", path, {-1e6, 1e6}, "cells",
+           "Where the circle is, by keyframes; the third counts in volumes alone.");
   f.leftOut("path", "from \"from\" to \"to\"");
   hasPath = f.given("path");
   if (hasPath && shape != Shape::circle) f.error("path", "only a circle has a path");
@@ -84,11 +87,38 @@ void StrokeParameters::describe(scene::Fields& f, double max, const char* valueD
 }
 
 glm::vec2 StrokeParameters::placeAt(double time) const {
-  if (hasPath) return flat(path.at(time));
-  const double part = until > at ? std::clamp((time - at) / (until - at), 0.0, 1.0) : 0.0;
-  const glm::vec2 a = flat(from);
-  const glm::vec2 b = flat(to);
-  return {static_cast<float>(a.x + part * (b.x - a.x)), static_cast<float>(a.y + part * (b.y - a.y))};
+  return flat(strokePlace(*this, time));
+}
+
+glm::vec3 strokePlace(const StrokeParameters& p, double time) {
+  if (p.hasPath) return p.path.at(time);
+  const double part = p.until > p.at ? std::clamp((time - p.at) / (p.until - p.at), 0.0, 1.0) : 0.0;
+  glm::vec3 place;
+  for (int i = 0; i < 3; ++i) place[i] = static_cast<float>(p.from[i] + part * (p.to[i] - p.from[i]));
+  return place;
+}
+
+// Times are multiples of the step but for rounding: a state owns (before, time] shifted by a hair.
+bool isDue(const StrokeParameters& p, double time, double seconds) {
+  const double hair = 1e-6 * seconds;
+  return p.at <= time + hair && (paintsOnce(p) ? p.at : p.until) > time - seconds + hair;
+}
+
+StrokeWay strokeWay(const StrokeParameters& p, double time, double seconds) {
+  if (p.shape != StrokeParameters::Shape::circle) return {p.from, p.to};
+  const double before = time - seconds;
+  const auto held = [&](double t) { return std::clamp(t, p.at, std::max(p.at, p.until)); };
+  return {strokePlace(p, p.hasPath ? held(paintsOnce(p) ? p.at : before) : before),
+          strokePlace(p, p.hasPath ? held(paintsOnce(p) ? p.at : time) : time)};
+}
+
+shader::Stroke strokePaint(const StrokeParameters& p, int seed, std::size_t index, double time, long step) {
+  shader::Stroke s{};
+  s.value = static_cast<float>(p.value * static_cast<double>(p.strength.at(time)));
+  s.seed = static_cast<int>(static_cast<unsigned>(seed) * 7919U + static_cast<unsigned>(index) * 104729U +
+                            static_cast<unsigned>(step) * 15485863U);
+  s.picked = static_cast<int>(std::lround(static_cast<double>(p.fraction) * 16777216.0));
+  return s;
 }
 
 Strokes::Strokes(std::vector<StrokeParameters> strokes, int seed, StrokeGrid grid)
@@ -154,31 +184,18 @@ void Strokes::check(std::size_t index) const {
 std::vector<shader::Stroke> Strokes::into(double time, double seconds, long step,
                                           std::vector<int>* numbers) const {
   std::vector<shader::Stroke> active;
-  const double before = time - seconds;
-  // Times are multiples of the step but for rounding: a state owns (before, time] shifted by a hair.
-  const double hair = 1e-6 * seconds;
   for (std::size_t i = 0; i < strokes_.size(); ++i) {
     const StrokeParameters& p = strokes_[i];
-    const bool once = !(p.until > p.at);
-    if (p.at > time + hair || (once ? p.at : p.until) <= before + hair) continue;
-    glm::vec2 from = flat(p.from);
-    glm::vec2 to = flat(p.to);
-    if (p.shape == StrokeParameters::Shape::circle) {
-      const auto held = [&](double t) { return std::clamp(t, p.at, std::max(p.at, p.until)); };
-      from = p.placeAt(p.hasPath ? held(once ? p.at : before) : before);
-      to = p.placeAt(p.hasPath ? held(once ? p.at : time) : time);
-    }
+    if (!isDue(p, time, seconds)) continue;
+    const StrokeWay way = strokeWay(p, time, seconds);
+    const glm::vec2 from = flat(way.from), to = flat(way.to);
     const glm::vec2 d = to - from;
     const float length2 = d.x * d.x + d.y * d.y;
-    shader::Stroke s{};
+    shader::Stroke s = strokePaint(p, seed_, i, time, step);
     s.from = from;
     s.to = to;
     s.radius2 = p.radius * p.radius;
     s.perLength2 = length2 > 0 ? 1.0F / length2 : 0.0F;
-    s.value = static_cast<float>(p.value * static_cast<double>(p.strength.at(time)));
-    s.seed = static_cast<int>(static_cast<unsigned>(seed_) * 7919U + static_cast<unsigned>(i) * 104729U +
-                              static_cast<unsigned>(step) * 15485863U);
-    s.picked = static_cast<int>(std::lround(static_cast<double>(p.fraction) * 16777216.0));
     s.imageWord = stamps_[i].firstWord;
     s.imageFrom = glm::ivec2(glm::floor(flat(p.from)));
     s.imageSize = stamps_[i].size;

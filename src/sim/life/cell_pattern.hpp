@@ -32,6 +32,7 @@ struct CellPattern {
   /// Bounded grid of an RLE rule's suffix, as in "B3/S23:T257,130".
   std::optional<GridShape> shape;
   glm::ivec2 grid{0, 0};
+  std::string remark;  ///< one line for a user, of a file that can be read but may be damaged; else empty
 };
 
 /// File names that hold patterns, lower case: ".rle", ".cells", ".life", ".lif", ".mc".

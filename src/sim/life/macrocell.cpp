@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -15,14 +16,15 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::size_t maxRuns = std::size_t{1} << 27;
+constexpr std::int64_t manyCells = std::int64_t{1} << 60;
 constexpr int maxLevel = 60;
 
 /// A square of 2^level cells a side. A leaf holds bits (8 x 8, lowest first, by rows) or four states.
 struct Node {
   int level = 0;
   bool leaf = false;
-  bool empty = false;  ///< nothing lives in it: never gone through, however often it is there
+  std::int64_t cells = 0;  ///< that live, or manyCells; one of none is never gone through, however often
+                           ///< it is there
   std::uint64_t bits = 0;
   std::array<int, 4> children{};  ///< nodes or states: north-west, north-east, south-west, south-east
 };
@@ -31,7 +33,7 @@ class MacrocellReader : public PatternText {
  public:
   using PatternText::PatternText;
 
-  CellPattern read() {
+  CellPattern read(std::size_t maxCells) {
     nodes_.emplace_back();  // 0: nothing lives there
     while (at_ < text_.size()) {
       const std::size_t end = std::min(text_.find('\n', at_), text_.size());
@@ -44,6 +46,8 @@ class MacrocellReader : public PatternText {
     for (std::size_t i = 1; i + 1 < nodes_.size(); ++i)
       if (nodes_[i].level > nodes_.back().level)
         wrong(text_.size(), "the last square is not the largest one; the file may be cut off");
+    if (static_cast<std::uint64_t>(nodes_.back().cells) > maxCells)
+      wrong(0, fmt::format("more than {} living cells", maxCells));
     collect(static_cast<int>(nodes_.size()) - 1, 0, 0);
     return fitted();
   }
@@ -88,7 +92,7 @@ class MacrocellReader : public PatternText {
       if (line[i] == '*') node.bits |= std::uint64_t{1} << (y * 8 + x);
       ++x;
     }
-    node.empty = node.bits == 0;
+    node.cells = std::popcount(node.bits);
     nodes_.push_back(node);
   }
 
@@ -108,10 +112,11 @@ class MacrocellReader : public PatternText {
     Node node;
     node.level = static_cast<int>(values[0]);
     node.leaf = node.level == 1;
-    node.empty = true;
     for (std::size_t n = 0; n < 4; ++n) {
       const int child = node.children[n] = static_cast<int>(values[n + 1]);
-      if (child != 0 && (node.leaf || !nodes_[static_cast<std::size_t>(child)].empty)) node.empty = false;
+      const std::int64_t more =
+          node.leaf ? (child != 0 ? 1 : 0) : nodes_[static_cast<std::size_t>(child)].cells;
+      node.cells = std::min(node.cells + more, manyCells);
     }
     nodes_.push_back(node);
   }
@@ -131,7 +136,6 @@ class MacrocellReader : public PatternText {
   }
 
   void cell(std::int64_t x, std::int64_t y, int state) {
-    if (pattern_.runs.size() >= maxRuns) wrong(0, fmt::format("more than {} living cells", maxRuns));
     if (pattern_.runs.empty()) origin_ = {x, y};
     const std::int64_t dx = x - origin_.first, dy = y - origin_.second;
     if (std::max(std::abs(dx), std::abs(dy)) > maxLifeSide)
@@ -141,7 +145,7 @@ class MacrocellReader : public PatternText {
 
   void collect(int index, std::int64_t x, std::int64_t y) {
     const Node& node = nodes_[static_cast<std::size_t>(index)];
-    if (index == 0 || node.empty) return;
+    if (index == 0 || node.cells == 0) return;
     if (node.level == 3 && node.leaf) {
       for (int i = 0; i < 64; ++i)
         if ((node.bits >> i & 1U) != 0) cell(x + i % 8, y + i / 8, 1);
@@ -183,8 +187,8 @@ class MacrocellReader : public PatternText {
 
 }  // namespace
 
-CellPattern parseMacrocell(std::string_view text, const std::string& name) {
-  return MacrocellReader(text, name).read();
+CellPattern parseMacrocell(std::string_view text, const std::string& name, std::size_t maxCells) {
+  return MacrocellReader(text, name).read(maxCells);
 }
 
 }  // namespace simreel::sim

@@ -1,6 +1,7 @@
 #include "sim/life/plan.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "sim/automata/rule_file.hpp"
 #include "sim/core/shader_code.hpp"
 
@@ -84,8 +85,11 @@ void setRun(std::vector<std::uint32_t>& words, std::size_t row, int x, int lengt
 
 LifePlan::LifePlan(LifeParameters parameters, const std::string& object, int seed, double frameSeconds)
     : parameters_(std::move(parameters)), seed_(seed), frameSeconds_(frameSeconds) {
-  for (const LifePattern& pattern : parameters_.patterns)
-    if (!files_.contains(pattern.file)) files_.emplace(pattern.file, readPattern(pattern.file));
+  for (const LifePattern& pattern : parameters_.patterns) {
+    if (files_.contains(pattern.file)) continue;
+    const CellPattern& read = files_.emplace(pattern.file, readPattern(pattern.file)).first->second;
+    if (!read.remark.empty()) warn("{}", read.remark);
+  }
   resolveNames();
   if (parameters_.fitted) fitGrid();
   takeRule(object);

@@ -1,6 +1,5 @@
 #include "sim/life/rle.hpp"
 
-#include "base/log.hpp"
 #include "base/text.hpp"
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <cstdlib>
 #include <iterator>
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 
 namespace simreel::sim {
@@ -32,7 +32,8 @@ class RleReader : public PatternText {
       skipBlanks();
       if (at_ == text_.size()) {
         if (!headed_ && empty_) wrong(0, "no pattern: neither a header nor a cell");
-        if (headed_) warn("{}: the pattern ends without '!'; the file may be cut off", name_);
+        if (headed_)
+          pattern_.remark = fmt::format("{}: the pattern ends without '!'; the file may be cut off", name_);
         return std::move(pattern_);
       }
       if (text_[at_] == '#' && atLineStart())

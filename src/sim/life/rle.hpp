@@ -24,7 +24,7 @@ struct CellRows {
 
 /// Reads RLE: comments (#), a header "x = 3, y = 3, rule = B3/S23" (all of it or the rule may be missing),
 /// runs of b or . (0), o (1), A to X (1 to 24), pA to yO (25 to 255) and $ (end of row) over any number of
-/// lines, and the final !, after which anything may follow; where a file with a header lacks it, a warning
+/// lines, and the final !, after which anything may follow; where a file with a header lacks it, `remark`
 /// says so. `name` is what messages call it. Throws UserError with file:line:column for a malformed one,
 /// one cut off within a run, cells outside the header's size, or sides above maxLifeSide.
 [[nodiscard]] CellPattern parseRle(std::string_view text, const std::string& name);

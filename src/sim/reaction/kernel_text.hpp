@@ -13,10 +13,14 @@ struct RuleCut {
   int stepsPerPass = 1;   ///< more than 1: several steps a pass in strips, of what stripsCan
   int stripElements = 1;  ///< elements (four cells) across a strip that each of its invocations takes
   int stripRows = 0;      ///< and rows that they go down; 0: as the grid's size asks
+  int stripSpecies = maxSpecies;  ///< rules of more go one step a pass: of each, four rows of every step
+                                  ///< are held in registers
+  double stripsAfter = 0;  ///< cells times steps that go one a pass before strips are worth compiling
 };
 
-/// Whether a rule's steps can go several a pass: by Euler's method on a torus whose width is a multiple of
-/// four, with stencils of species alone, and no place, time or noise in it.
+/// Whether a rule's steps can go several a pass: by Euler's method on a grid whose width is a multiple of
+/// four and whose edges are not fixed, with stencils of species alone, on a torus ddy among them, and no
+/// place, time or noise in it.
 [[nodiscard]] bool stripsCan(const Rule& rule, const RuleProgram& program, RuleSpace space,
                              RuleBoundary boundary, int width);
 

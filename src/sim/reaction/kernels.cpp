@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "gl/limits.hpp"
 #include "sim/reaction/model.hpp"
+#include "sim/reaction/sampling.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -77,6 +78,9 @@ RuleCut ReactionKernels::bestCut() {
   cut.rows = texel ? 2 : 1;
   cut.stepsPerPass = texel ? 4 : 2;
   cut.stripElements = texel ? 6 : 1;
+  cut.stripSpecies = 2;  // more have the same bits; what they gain is not measured yet
+  // Strips take a software driver seconds to compile, and save it some 3 ns a cell and step.
+  cut.stripsAfter = texel ? 5e8 : 0;
   return cut;
 }
 
@@ -116,6 +120,16 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
   status_ = gl::Buffer::of<unsigned>(name + " status", fine);
 
   gl::Defines defines = gl::kernelDefines(fast);
+  const RuleSpace space = plan.parameters().space();
+  if (space == RuleSpace::volume) defines.emplace_back("VOLUME", "1");
+  if (space == RuleSpace::mesh) defines.emplace_back("MESH", "1");
+  if (space != RuleSpace::plane && !plan.parameters().strokes.empty()) {
+    paint_ = gl::Program::compute("reaction/brush.comp", defines);
+    paint_.set("size", size_);
+    paint_.set("depth", depth_);
+    paint_.set("columns", columns_);
+    paint_.set("places", static_cast<int>(plan.parameters().parameters.size()));
+  }
   if (!plan.strokes().empty()) {
     stamps_ = gl::WordsArray(name + " brush images", stampElements(plan.strokes().imageBits()));
     paint_ = gl::Program::compute("reaction/paint.comp", defines);
@@ -124,9 +138,6 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
   }
   defines.emplace_back("BOUNDARY", std::to_string(static_cast<int>(plan.parameters().boundary)));
   defines.emplace_back("TAIL", std::to_string((size_.x - 1) % 4));
-  const RuleSpace space = plan.parameters().space();
-  if (space == RuleSpace::volume) defines.emplace_back("VOLUME", "1");
-  if (space == RuleSpace::mesh) defines.emplace_back("MESH", "1");
   for (std::size_t i = 0; i < program.passes.size(); ++i) {
     const RulePass& pass = program.passes[i];
     Kernel kernel;
@@ -141,11 +152,14 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
     kernel.told = gl::Buffer(name + " told", toldVectors(pass) * sizeof(glm::vec4));
     kernels_.push_back(std::move(kernel));
   }
-  if (cut_.stepsPerPass > 1 && stripsCan(plan.rule(), program, space, plan.parameters().boundary, size_.x))
-    makeStrips(name, std::move(defines));
+  mayStrip_ = cut_.stepsPerPass > 1 && static_cast<int>(plan.rule().rates.size()) <= cut_.stripSpecies &&
+              stripsCan(plan.rule(), program, space, plan.parameters().boundary, size_.x);
+  name_ = name;
+  stripDefines_ = std::move(defines);
 }
 
-void ReactionKernels::makeStrips(const std::string& name, gl::Defines defines) {
+void ReactionKernels::makeStrips() {
+  gl::Defines defines = stripDefines_;
   if (cut_.stripRows == 0) cut_.stripRows = stripRowsFor(cut_, columns_, size_.y);
   lost_ = gl::Program::compute("reaction/lost.comp", defines);
   if (gl::limits().shuffle32) defines.emplace_back("SUBGROUPS", "1");
@@ -155,7 +169,7 @@ void ReactionKernels::makeStrips(const std::string& name, gl::Defines defines) {
   strips_.set("size", size_);
   strips_.set("columns", columns_);
   const std::vector<unsigned> none(lostSteps, 0xffffffffU);
-  lostCells_ = gl::Buffer::of<unsigned>(name + " lost cells", none);
+  lostCells_ = gl::Buffer::of<unsigned>(name_ + " lost cells", none);
 }
 
 std::vector<glm::vec4> ReactionKernels::packed(const RulePlanes& planes) const {
@@ -211,6 +225,8 @@ void ReactionKernels::run(int pass, const gl::Vec4Array& stage, const gl::Vec4Ar
 }
 
 void ReactionKernels::advance(long number, int steps, long first) {
+  if (mayStrip_ && strips_.name() == 0 && cellSteps_ >= cut_.stripsAfter) makeStrips();
+  cellSteps_ += static_cast<double>(steps) * size_.x * size_.y;
   const int together = strips_.name() != 0 ? cut_.stepsPerPass : steps + 1;
   for (int begun = 0; steps >= together; steps -= together, number += together) {
     strips_.set("lostFirst", static_cast<int>(number) - begun);
@@ -267,15 +283,67 @@ void ReactionKernels::show(long number, long first) {
   gl::barrier();
 }
 
-void ReactionKernels::paint(const shader::Stroke& stroke, int species) {
+const gl::Program& ReactionKernels::samplerOf(Field::Cells cells) {
+  const auto found = samplers_.find(cells);
+  if (found != samplers_.end()) return found->second;
+  gl::Defines defines = gl::kernelDefines(false);
+  defines.emplace_back("CELLS", std::to_string(static_cast<int>(cells)));
+  gl::Program program = gl::Program::compute("reaction/sample.comp", defines);
+  program.set("size", size_);
+  program.set("columns", columns_);
+  program.set("depth", depth_);
+  program.set("storedGrain", storedGrain);
+  return samplers_.emplace(cells, std::move(program)).first->second;
+}
+
+void ReactionKernels::take(int parameter, const Field& field) {
+  if (std::max(field.size.x, field.size.y) > maxSampledSide)
+    fail(ExitCode::usage, "the field \"{}\" has {}x{} cells; as a parameter it may have up to {} across",
+         *field.name, field.size.x, field.size.y, maxSampledSide);
+  const gl::Program& sampler = samplerOf(field.cells);
+  sampler.set("plane", parameter);
+  sampler.set("fieldSize", field.size);
+  sampler.set("rowWords", field.rowWords);
+  sampler.set("firstWord", field.firstWord);
+  sampler.set("cellWords", field.cellWords);
+  field.words->bind(bindings::stageBinding);
+  weights_.bindState(bindings::nextBinding);
+  gl::barrier();
+  sampler.dispatch(columns_, size_.y);
+}
+
+void ReactionKernels::paint(const ReactionPlan::Painted& painted) {
+  if (plan_.parameters().space() != RuleSpace::plane) return paintInSpace(painted);
+  const shader::Stroke& stroke = painted.stroke;
   const glm::ivec4 box = Strokes::box(stroke, size_);
   if (box.z == 0) return;
   setStroke(paint_, stroke, box);
-  paint_.set("plane", species);
+  paint_.set("plane", painted.species);
   cells_[0].bindState(bindings::nextBinding);
   stamps_.bindInput(bindings::stampsBinding);
   gl::barrier();
   paint_.dispatch(columns_, box.w);
+}
+
+void ReactionKernels::paintInSpace(const ReactionPlan::Painted& painted) {
+  const Brush& brush = painted.brush;
+  const bool mesh = plan_.links() != nullptr;
+  const glm::ivec2 rows = mesh ? glm::ivec2(0, 1) : brushRange(brush, 1, size_.y);
+  const glm::ivec2 layers = mesh ? glm::ivec2(0, 1) : brushRange(brush, 2, depth_);
+  if (rows.y * layers.y == 0) return;
+  paint_.set("stroke.value", painted.stroke.value);
+  paint_.set("stroke.seed", painted.stroke.seed);
+  paint_.set("stroke.picked", painted.stroke.picked);
+  paint_.set("brush.from", brush.from);
+  paint_.set("brush.to", brush.to);
+  paint_.set("brush.radius2", brush.radius2);
+  paint_.set("brush.perLength2", brush.perLength2);
+  paint_.set("boxRows", glm::ivec4(rows, layers));
+  paint_.set("plane", painted.species);
+  cells_[0].bindState(bindings::nextBinding);
+  if (mesh) weights_.bindInput(bindings::weightsBinding);
+  gl::barrier();
+  paint_.dispatch(columns_, rows.y * layers.y);
 }
 
 }  // namespace simreel::sim

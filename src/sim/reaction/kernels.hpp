@@ -1,9 +1,11 @@
 #pragma once
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
+#include "sim/core/drawable.hpp"
 #include "sim/reaction/kernel_text.hpp"
 #include "sim/reaction/plan.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,7 +24,11 @@ class ReactionKernels {
   void setValues(const std::vector<float>& values);
   /// Steps from that number on; `first`: that of the first state, where the model's time is 0.
   void advance(long number, int steps, long first);
-  void paint(const shader::Stroke& stroke, int species);
+  /// Takes a field as the map of a parameter. Throws UserError(usage) where it is too wide.
+  void take(int parameter, const Field& field);
+  /// Maps of parameters; empty without any.
+  [[nodiscard]] gl::Vec4Array& maps() { return weights_; }
+  void paint(const ReactionPlan::Painted& painted);
   /// Computes what is shown of the state at a step, where that is no species.
   void show(long number, long first);
 
@@ -44,10 +50,12 @@ class ReactionKernels {
     gl::Buffer told;
     std::vector<float> written;
   };
+  void paintInSpace(const ReactionPlan::Painted& painted);
   void step(long number, long first);
   /// Several steps, in strips.
   void strips(long number);
-  void makeStrips(const std::string& name, gl::Defines defines);
+  const gl::Program& samplerOf(Field::Cells cells);
+  void makeStrips();
   void tellLost(long first, int steps);
   void run(int pass, const gl::Vec4Array& stage, const gl::Vec4Array& next, long number);
   void tell(int pass);
@@ -58,6 +66,10 @@ class ReactionKernels {
   int depth_, layerItems_;
   int columns_;
   RuleCut cut_;
+  std::string name_;
+  bool mayStrip_ = false;
+  gl::Defines stripDefines_;
+  double cellSteps_ = 0;    ///< so far
   gl::Vec4Array cells_[2];  ///< now, and where the next step writes
   gl::Texture words_[2];
   gl::Vec4Array stages_[2];  ///< between the stages of a step
@@ -66,7 +78,8 @@ class ReactionKernels {
   gl::WordsArray stamps_, links_;
   gl::Buffer status_;
   gl::Program paint_;
-  std::vector<Kernel> kernels_;  ///< one a pass
+  std::map<Field::Cells, gl::Program> samplers_;  ///< of other objects' fields
+  std::vector<Kernel> kernels_;                   ///< one a pass
   gl::Program strips_, lost_;
   gl::Buffer lostCells_;  ///< the lowest that is lost in each of some steps
   std::vector<float> values_;

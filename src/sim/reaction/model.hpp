@@ -6,6 +6,7 @@
 namespace simreel::shader::reaction {
 #include "glsl/reaction/bindings.glsl"
 #include "glsl/reaction/functions.glsl"
+#include "glsl/reaction/sampling.glsl"
 }  // namespace simreel::shader::reaction
 #undef precise
 #undef FUNCTION

@@ -83,6 +83,15 @@ void ReactionParameters::describe(scene::Fields& f) {
               p.asset("image", parameter.image,
                       "Picture that sets it: \"value\" where it is black, \"white\" where white.");
               p.number("white", parameter.white, scene::anyNumber, "", "Value where \"image\" is white.");
+              p.text("field", parameter.field,
+                     "Name of another object's field whose values it has, NAME or NAME.u, as that is when "
+                     "the frame begins; both grids cover the same, bilinear between cells.");
+              p.leftOut("field", "none");
+              for (const char* other : {"value", "across", "down", "image", "white"})
+                if (!parameter.field.empty() && p.given(other))
+                  p.error(
+                      other,
+                      fmt::format("the parameter has the values of a \"field\"; leave out \"{}\"", other));
               if (parameter.across.has_value() + parameter.down.has_value() + !parameter.image.empty() > 1)
                 p.error(parameter.image.empty() ? "down" : "image",
                         "\"across\", \"down\" and \"image\" exclude each other");
@@ -106,11 +115,15 @@ void ReactionParameters::describe(scene::Fields& f) {
             });
   f.text("show", show, "What is drawn: a species, or any expression.");
   f.leftOut("show", "the preset's, or the first species");
-  f.list("strokes", strokes, "Timed strokes of a brush.", [](scene::Fields& s, ReactionStroke& stroke) {
-    stroke.describe(s, 1e9, "What is painted.");
-    s.text("species", stroke.species, "Which species is painted.");
-    s.leftOut("species", "the first");
-  });
+  f.list(
+      "strokes", strokes,
+      "Timed strokes of a brush. In a volume places have three numbers, and circles are balls; on a mesh "
+      "places and radii are m of the world, where the mesh is then.",
+      [](scene::Fields& s, ReactionStroke& stroke) {
+        stroke.describe(s, 1e9, "What is painted.");
+        s.text("species", stroke.species, "Which species is painted.");
+        s.leftOut("species", "the first");
+      });
   f.group("display", "How what is shown is laid over the picture; of a volume its colours alone count.",
           [&](scene::Fields& d) { display.describe(d); });
   f.group("surface", "How a volume is drawn: as a surface where what is shown has a certain value.",
@@ -120,6 +133,11 @@ void ReactionParameters::describe(scene::Fields& f) {
       "The cells are the vertices of a mesh, in place of a grid: \"spacing\" is their mean distance.",
       [&](scene::Fields& g) { mesh.describe(g); });
   checkSpace(f);
+  if (presteps > 0 && !readsFields().empty())
+    f.error(
+        "presteps",
+        "no other object has a field before the first frame; leave out \"presteps\" and give the scene's "
+        "\"time\" a \"start\", which steps all of them");
 
   if (species.empty()) {
     f.error("species", "there are no equations: give a \"preset\" or \"species\"");
@@ -171,22 +189,28 @@ void ReactionParameters::checkSpace(scene::Fields& f) const {
   if (const std::int64_t cells = std::int64_t{size.x} * size.y * depth; cells > maxVolume)
     f.error("depth",
             fmt::format("{} are {} cells; a volume has at most {}", cellsText(), cells, maxVolume));
-  if (!strokes.empty())
-    f.error("strokes", "strokes paint flat grids; what a volume begins with is its species' \"start\"");
+  checkBrushes(f);
 }
 
 void ReactionParameters::checkMesh(scene::Fields& f) const {
   for (const char* name : {"size", "depth", "boundary", "surface"})
     if (f.given(name))
       f.error(name, fmt::format("\"{}\" is for a grid; the cells of a \"mesh\" are its vertices", name));
-  if (!strokes.empty())
-    f.error("strokes", "strokes paint flat grids; what a mesh begins with is its species' \"start\"");
+  checkBrushes(f);
+  if (!readsFields().empty())
+    f.error("parameters", "a mesh has no grid to take another object's \"field\" on");
   for (const ReactionParameter& parameter : parameters)
     if (!parameter.image.empty())
       f.error("parameters",
               fmt::format("the parameter {} is mapped by an image, which a mesh does not know; use "
                           "\"across\", \"down\" or x, y and z",
                           scene::inQuotes(parameter.name)));
+}
+
+void ReactionParameters::checkBrushes(scene::Fields& f) const {
+  for (const ReactionStroke& stroke : strokes)
+    if (stroke.shape == StrokeParameters::Shape::image)
+      f.error("strokes", "an \"image\" is painted on flat grids alone; use a circle, which is a ball here");
 }
 
 std::string ReactionParameters::cellsText() const {
@@ -210,12 +234,27 @@ RuleText ReactionParameters::ruleText() const {
     text.species.push_back(
         {one.name, one.rate, one.start, one.next, one.diffusion.moves() || one.diffusion.at(0) != 0});
   for (const ReactionParameter& parameter : parameters)
-    text.parameters.push_back({parameter.name, parameter.isMapped(), parameter.isPresets});
+    text.parameters.push_back(
+        {parameter.name, parameter.isMapped(), parameter.isPresets, !parameter.field.empty()});
   for (const ReactionLet& let : lets) text.lets.push_back({let.name, let.is});
   text.show = show;
   text.tint = surface.color;
   text.space = space();
   return text;
+}
+
+std::vector<std::string> ReactionParameters::fieldParts() const {
+  std::vector<std::string> parts;
+  for (const ReactionSpecies& one : species) parts.push_back(one.name);
+  return parts;
+}
+
+std::vector<FieldReading::From> ReactionParameters::readsFields() const {
+  std::vector<From> fields;
+  for (const ReactionParameter& parameter : parameters)
+    if (!parameter.field.empty())
+      fields.push_back({parameter.field, {"parameters", parameter.name, "field"}});
+  return fields;
 }
 
 int ReactionParameters::painted(const ReactionStroke& stroke) const {

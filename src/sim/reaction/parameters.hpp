@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/fields.hpp"
+#include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
@@ -32,6 +33,7 @@ struct ReactionParameter {
   std::optional<double> across, down;  ///< value at the right, or at the bottom edge
   std::filesystem::path image;         ///< share of the way to `white`
   double white = 1;
+  std::string field;       ///< another object's, whose values it has
   bool isPresets = false;  ///< so that expressions may do without it
 
   [[nodiscard]] bool isMapped() const { return across || down || !image.empty(); }
@@ -77,7 +79,7 @@ struct ReactionMesh {
 };
 
 /// Equations of one's own as a scene says them: du/dt = D lap(u) + rate for each species.
-struct ReactionParameters : ObjectParameters {
+struct ReactionParameters : ObjectParameters, FieldParts, FieldReading {
   glm::ivec2 size{256, 256};  ///< cells
   int depth = 1;              ///< layers of them; more than one: a volume
   int preset = -1;
@@ -100,6 +102,8 @@ struct ReactionParameters : ObjectParameters {
   ReactionParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return space() == RuleSpace::plane; }
+  [[nodiscard]] std::vector<std::string> fieldParts() const override;
+  [[nodiscard]] std::vector<From> readsFields() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
@@ -118,6 +122,7 @@ struct ReactionParameters : ObjectParameters {
  private:
   void checkSpace(scene::Fields& fields) const;
   void checkMesh(scene::Fields& fields) const;
+  void checkBrushes(scene::Fields& fields) const;
 };
 
 }  // namespace simreel::sim

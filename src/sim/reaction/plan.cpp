@@ -49,9 +49,12 @@ ReactionPlan::ReactionPlan(ReactionParameters parameters, const std::string& obj
       rule_(understandRule(parameters_.ruleText())),
       program_(programOf(rule_, parameters_.method)),
       strokes_(
-          plainStrokes(parameters_.strokes), seed,
+          parameters_.space() == RuleSpace::plane ? plainStrokes(parameters_.strokes)
+                                                  : std::vector<StrokeParameters>(),
+          seed,
           {parameters_.size, parameters_.boundary == RuleBoundary::torus, "reaction \"" + object + "\""}) {
   if (parameters_.space() == RuleSpace::mesh) readMesh(object);
+  if (parameters_.space() != RuleSpace::plane) checkBrushes(object);
   warnOfSteps(object);
 }
 
@@ -178,8 +181,9 @@ RuleField ReactionPlan::firstField() const {
   field.edges = edges();
   field.seed = noiseSeed();
   const auto cells = static_cast<std::size_t>(p.size.x) * static_cast<std::size_t>(field.rows());
-  const bool mapped = std::any_of(p.parameters.begin(), p.parameters.end(),
-                                  [](const ReactionParameter& parameter) { return parameter.isMapped(); });
+  const bool mapped = std::any_of(
+      p.parameters.begin(), p.parameters.end(),
+      [](const ReactionParameter& parameter) { return parameter.isMapped() || !parameter.field.empty(); });
   if (mapped || onMesh_)
     for (const ReactionParameter& parameter : p.parameters) field.weights.push_back(weightsOf(parameter));
   field.links = links();
@@ -237,16 +241,17 @@ float ReactionPlan::modelTime(long step, long first, double later) const {
 }
 
 std::vector<ReactionPlan::Painted> ReactionPlan::strokesAt(double time, int step) const {
-  if (strokes_.empty()) return {};
   const double seconds = frameSeconds_ / std::max(parameters_.steps, 1);
   const double now = time + step * seconds;
+  if (parameters_.space() != RuleSpace::plane) return brushesAt(now, seconds);
+  if (strokes_.empty()) return {};
   std::vector<int> numbers;
   const std::vector<shader::Stroke> active =
       strokes_.into(now, seconds, std::lround(now / seconds), &numbers);
   std::vector<Painted> painted;
   for (std::size_t i = 0; i < active.size(); ++i)
     painted.push_back(
-        {active[i], parameters_.painted(parameters_.strokes[static_cast<std::size_t>(numbers[i])])});
+        {active[i], parameters_.painted(parameters_.strokes[static_cast<std::size_t>(numbers[i])]), {}});
   return painted;
 }
 

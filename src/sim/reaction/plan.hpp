@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/mesh_cells/cells.hpp"
+#include "sim/reaction/brushes.hpp"
 #include "sim/reaction/parameters.hpp"
 
 #include <string>
@@ -20,6 +21,7 @@ class ReactionPlan {
   [[nodiscard]] const ReactionParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Rule& rule() const { return rule_; }
   [[nodiscard]] const RuleProgram& program() const { return program_; }
+  /// Of a plane.
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
   /// Of a mesh; null: there is none.
   [[nodiscard]] const RuleLinks* links() const { return onMesh_ ? &links_ : nullptr; }
@@ -42,12 +44,17 @@ class ReactionPlan {
   struct Painted {
     shader::Stroke stroke;
     int species;
+    Brush brush;  ///< of a volume, in cells, or a mesh, as ReactionPlan::firstField has its cells' places
   };
   /// Strokes that paint into the state after `step` steps of the frame that starts at `time` (s).
   [[nodiscard]] std::vector<Painted> strokesAt(double time, int step) const;
 
  private:
   void warnOfSteps(const std::string& object) const;
+  void checkBrushes(const std::string& object) const;
+  [[nodiscard]] bool reaches(const Brush& brush) const;
+  [[nodiscard]] std::vector<Painted> brushesAt(double now, double seconds) const;
+  [[nodiscard]] Brush onMesh(StrokeWay way, float radius, double from, double to) const;
   void readMesh(const std::string& object);
   [[nodiscard]] std::vector<float> placesAlong(int axis) const;
   [[nodiscard]] std::vector<float> weightsOf(const ReactionParameter& parameter) const;
@@ -69,6 +76,8 @@ class ReactionPlan {
 /// ReactionPlan::valuesAt.
 void evaluateStep(const ReactionPlan& plan, std::vector<float> values, long number, long first,
                   RuleField& field);
+/// A stroke in a volume or on a mesh.
+void evaluateBrush(const ReactionPlan::Painted& painted, RuleField& field);
 /// What is shown of the state in field.stage, which step `number` begins with.
 [[nodiscard]] std::vector<float> evaluateShown(const ReactionPlan& plan, std::vector<float> values,
                                                long number, long first, RuleField& field);

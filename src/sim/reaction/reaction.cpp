@@ -1,6 +1,7 @@
 #include "sim/reaction/reaction.hpp"
 
 #include "base/error.hpp"
+#include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/gray_scott/quantities.hpp"
 #include "sim/grid/field_values.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -22,12 +24,13 @@ namespace simreel::sim {
 
 namespace {
 
-class Reaction : public Simulation {
+class Reaction : public Simulation, public FieldReader {
  public:
   Reaction(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
         frameSeconds_(setting.frameSeconds),
+        fieldNamed_(setting.fieldNamed),
         plan_(parametersOf<ReactionParameters>(object), object.name, setting.seed, setting.frameSeconds),
         kernels_(name_, plan_, setting.fast),
         colors_(plan_.parameters().display.colors()),
@@ -43,12 +46,21 @@ class Reaction : public Simulation {
                           plan_.parameters().surface.color.empty() ? std::vector<glm::vec3>() : colors_);
     kernels_.setValues(plan_.valuesAt(0));
     prestep(setting);
-    for (const auto& [stroke, species] : plan_.strokesAt(setting.startTime, 0))
-      kernels_.paint(stroke, species);
+    for (const auto& painted : plan_.strokesAt(setting.startTime, 0)) kernels_.paint(painted);
     gl::barrier();
     look(setting.startTime);
   }
 
+  void readOthers() override {
+    const std::vector<ReactionParameter>& parameters = plan_.parameters().parameters;
+    bool reads = false;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      if (parameters[i].field.empty()) continue;
+      reads = true;
+      kernels_.take(static_cast<int>(i), fieldNamed_(parameters[i].field));
+    }
+    if (reads && !std::exchange(hasRead_, true)) look(shownTime_);
+  }
   void step(double time, const StepWatch& watch) override {
     advance(time, watch);
     look(time + frameSeconds_);
@@ -106,7 +118,11 @@ class Reaction : public Simulation {
     drawables.surfaces.push_back(surface);
   }
 
-  void carryOver(CarryOver& carry) override { carry.array("cells", kernels_.cells().buffer()); }
+  void carryOver(CarryOver& carry) override {
+    carry.array("cells", kernels_.cells().buffer());
+    // What is shown may tell of them.
+    if (!plan_.parameters().readsFields().empty()) carry.array("fields", kernels_.maps().buffer());
+  }
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"cells", &kernels_.cells().buffer()}};
   }
@@ -220,7 +236,7 @@ class Reaction : public Simulation {
       const auto strokes = plan_.strokesAt(time, i);
       if (strokes.empty() && !watch) continue;
       go();
-      for (const auto& [stroke, species] : strokes) kernels_.paint(stroke, species);
+      for (const auto& painted : strokes) kernels_.paint(painted);
       if (!watch) continue;
       gl::barrier();
       watch(i);
@@ -247,6 +263,8 @@ class Reaction : public Simulation {
   std::string name_;
   scene::Material material_;
   double frameSeconds_;
+  std::function<Field(const std::string& name)> fieldNamed_;
+  bool hasRead_ = false;  ///< fields of others, ever
   std::vector<std::string> speciesNames_;
   ReactionPlan plan_;
   ReactionKernels kernels_;

@@ -156,6 +156,12 @@ class Understanding {
       if (text_.parameters[i].name != name) continue;
       used_.push_back(name);
       const auto index = static_cast<int>(i);
+      if (text_.parameters[i].isField) {
+        if (starting_)
+          throw RuleMistake{path, node.begin, node.end,
+                            "no other object has a field yet when \"start\" is made"};
+        return g.input(RuleOp::weight, index);
+      }
       const int value = g.told(ToldPlaces::value(index));
       if (!text_.parameters[i].isMapped) return value;
       return g.sum(value, g.product(g.told(rule_.told.span(index)), g.input(RuleOp::weight, index)));

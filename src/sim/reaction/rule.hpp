@@ -21,6 +21,7 @@ struct RuleText {
     std::string name;
     bool isMapped = false;
     bool mayBeIdle = false;  ///< no expression need have it
+    bool isField = false;    ///< another object's values, cell by cell
   };
   struct Let {
     std::string name, text;

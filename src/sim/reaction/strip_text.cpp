@@ -140,11 +140,15 @@ class StripWriter {
   }
 
   void writeMain() {
-    line("Row loadRow(int columnsOf[ELEMENTS], int row) {{");
+    line("Row loadRow(int columnsOf[ELEMENTS], bool back[ELEMENTS], int unfolded) {{");
     line("  Row loaded;");
+    line("  int row = folded(unfolded, size.y);");
     line("  for (int k = 0; k < ELEMENTS; ++k) {{");
     for (int p = 0; p < planes_; ++p)
-      line("    loaded.p{0}[k] = LOAD_INPUT(stage, ({0} * size.y + row) * columns + columnsOf[k]);", p);
+      line(
+          "    loaded.p{0}[k] = facing(LOAD_INPUT(stage, ({0} * size.y + row) * columns + columnsOf[k]), "
+          "back[k]);",
+          p);
     line("  }}");
     line("  return loaded;");
     line("}}");
@@ -162,25 +166,28 @@ class StripWriter {
     line("#endif");
     line("  lostColumn = x;");
     line("  int columnsOf[ELEMENTS];");
+    line("  bool back[ELEMENTS];");
     line("  Row nothing;");
     line("  for (int k = 0; k < ELEMENTS; ++k) {{");
     line("    int place = lane * ELEMENTS + k;");
-    line("    columnsOf[k] = wrapped(x + k, columns);");
+    line("    int unfolded = wrapped(x + k, folds * columns);");
+    line("    columnsOf[k] = folded(unfolded, columns);");
+    line("    back[k] = unfolded >= columns;");
     line("    sound[k] = place >= border && place < border + inside && x + k < columns;");
     for (int p = 0; p < planes_; ++p) line("    nothing.p{}[k] = vec4(0);", p);
     line("  }}");
     line("  Level empty = Level(nothing, nothing, nothing, nothing);");
     for (int s = 0; s < cut_.stepsPerPass; ++s) line("  Level level{} = empty;", s);
-    line("  int row = wrapped(top - STEPS, size.y);");
-    line("  Row pending = loadRow(columnsOf, row);");
+    line("  int row = wrapped(top - STEPS, folds * size.y);");
+    line("  Row pending = loadRow(columnsOf, back, row);");
     // Three rows a round: what is above comes to lie where it was, so nothing is copied.
     line("  for (int i = 0; i < count; i += 3) {{");
     for (int turn = 0; turn < 3; ++turn) {
       line("    {{");
       line("      int now = i + {};", turn);
       line("      Row made = pending;");
-      line("      row = row + 1 < size.y ? row + 1 : 0;");
-      line("      pending = loadRow(columnsOf, row);");
+      line("      row = row + 1 < folds * size.y ? row + 1 : 0;");
+      line("      pending = loadRow(columnsOf, back, row);");
       for (int s = 0; s < cut_.stepsPerPass; ++s) {
         line("      int at{0} = now - STEPS - {1};", s, s + 1);
         line("      made = advanced(level{0}, made, top + at{0}, {0}, at{0} >= 0 && at{0} < rows);", s);
@@ -211,14 +218,14 @@ class StripWriter {
 
 bool stripsCan(const Rule& rule, const RuleProgram& program, RuleSpace space, RuleBoundary boundary,
                int width) {
-  if (space != RuleSpace::plane || boundary != RuleBoundary::torus || width % 4 != 0) return false;
+  if (space != RuleSpace::plane || boundary == RuleBoundary::fixed || width % 4 != 0) return false;
   if (program.stages.size() != 1 || program.stages[0].passes.size() != 1) return false;
-  // Registers: of each species four rows of every step are held.
-  if (rule.rates.size() > 2) return false;
   const RulePass& pass = program.passes[static_cast<std::size_t>(program.stages[0].passes[0])];
   if (pass.usesTime) return false;
-  const bool reads = std::all_of(pass.reads.begin(), pass.reads.end(), [](const RulePass::Read& read) {
-    return read.plane.array == RuleArray::stage && isOfStrips(read.op);
+  const bool reads = std::all_of(pass.reads.begin(), pass.reads.end(), [&](const RulePass::Read& read) {
+    // What is odd steps differently in a mirror.
+    const bool odd = read.op == RuleOp::down && boundary != RuleBoundary::torus;
+    return read.plane.array == RuleArray::stage && isOfStrips(read.op) && !odd;
   });
   return reads && std::none_of(pass.nodes.begin(), pass.nodes.end(), [&](int node) {
            const RuleOp op = rule.graph.at(node).op;

@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/fields.hpp"
+#include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
@@ -65,7 +66,7 @@ struct WaterSwell {
 };
 
 /// Shallow water over a terrain as a scene says it.
-struct WaterParameters : ObjectParameters {
+struct WaterParameters : ObjectParameters, FieldParts {
   glm::ivec2 size{193, 193};  ///< cells along x and z
   float cell = 0.035F;        ///< m
   glm::vec3 position{0};      ///< m, the grid's middle at level 0
@@ -109,6 +110,7 @@ struct WaterParameters : ObjectParameters {
   WaterParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::vector<std::string> fieldParts() const override { return {"speed", "level"}; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool publishesHeights() const override { return collides; }
   [[nodiscard]] std::optional<scene::Box> framed() const override;

@@ -1,6 +1,7 @@
 #include "sim/world/relations.hpp"
 
 #include "scene/words.hpp"
+#include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 
 #include <algorithm>
@@ -18,20 +19,29 @@ const ObjectParameters* parametersAt(const scene::Object& object) {
 }
 
 /// What a name of a field leads to: nothing where there is one, else what is wrong with it.
-std::string fieldMistake(const std::string& name, const char* unnamed,
+/// `parts`: fields of parts count, too, as NAME.u.
+std::string fieldMistake(const std::string& name, const char* unnamed, bool parts,
                          std::span<const scene::Object> objects) {
   std::vector<std::string> fields;
-  for (const scene::Object& candidate : objects)
-    if (const auto* parameters = parametersAt(candidate); parameters != nullptr && parameters->isField())
-      fields.push_back(candidate.name);
+  for (const scene::Object& candidate : objects) {
+    const auto* parameters = parametersAt(candidate);
+    if (parameters == nullptr || !parameters->isField()) continue;
+    fields.push_back(candidate.name);
+    if (!parts) continue;
+    if (const auto* more = dynamic_cast<const FieldParts*>(parameters))
+      for (const std::string& part : more->fieldParts()) fields.push_back(candidate.name + "." + part);
+  }
   if (std::find(fields.begin(), fields.end(), name) != fields.end()) return {};
+  const std::string owner = parts ? name.substr(0, name.find('.')) : name;
   const auto named =
-      std::find_if(objects.begin(), objects.end(), [&](const auto& other) { return other.name == name; });
+      std::find_if(objects.begin(), objects.end(), [&](const auto& other) { return other.name == owner; });
   if (named != objects.end() && named->parameters == nullptr) return {};  // a mistake of its own
-  const std::string what = name.empty() ? unnamed
-                           : named == objects.end()
-                               ? fmt::format("no object is named {}", scene::inQuotes(name))
-                               : fmt::format("object \"{}\" is a {}, not a field", name, named->kind);
+  const auto* of = named == objects.end() ? nullptr : parametersAt(*named);
+  const std::string what = name.empty()    ? unnamed
+                           : of == nullptr ? fmt::format("no object is named {}", scene::inQuotes(owner))
+                           : of->isField()
+                               ? fmt::format("object \"{}\" has no field {}", owner, scene::inQuotes(name))
+                               : fmt::format("object \"{}\" is a {}, not a field", owner, named->kind);
   return fmt::format("{}; {}", what,
                      fields.empty() ? "the scene has no field" : scene::suggestion(name, fields));
 }
@@ -40,14 +50,21 @@ void checkFields(const scene::Object& object, std::span<const scene::Object> obj
                  const scene::Report& report) {
   if (object.material.hasSkin) {
     const std::string mistake =
-        fieldMistake(object.material.skin.field, "the skin has no \"field\"", objects);
+        fieldMistake(object.material.skin.field, "the skin has no \"field\"", false, objects);
     if (!mistake.empty()) report(object, {"material", "skin", "field"}, mistake);
   }
   const auto* parameters = parametersAt(object);
-  if (parameters == nullptr || !parameters->needsField()) return;
-  const std::string name = parameters->readsField();
-  const std::string mistake = fieldMistake(name.substr(0, name.find('.')), "it has no \"field\"", objects);
-  if (!mistake.empty()) report(object, {object.kind, "field"}, mistake);
+  if (parameters == nullptr) return;
+  const auto check = [&](const std::string& name, const std::vector<std::string>& path) {
+    const std::string mistake = fieldMistake(name, "it has no \"field\"", true, objects);
+    if (mistake.empty()) return;
+    std::vector<std::string> whole = {object.kind};
+    whole.insert(whole.end(), path.begin(), path.end());
+    report(object, whole, mistake);
+  };
+  if (parameters->needsField()) check(parameters->readsField(), {"field"});
+  if (const auto* reading = dynamic_cast<const FieldReading*>(parameters))
+    for (const FieldReading::From& from : reading->readsFields()) check(from.name, from.path);
 }
 
 /// The solid that an object collides with.

@@ -5,6 +5,7 @@
 #include "sim/body/bones.hpp"
 #include "sim/collide/distance_fields.hpp"
 #include "sim/contact/lock_step.hpp"
+#include "sim/core/field_reader.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/relations.hpp"
 #include "sim/world/setup.hpp"
@@ -34,6 +35,8 @@ struct World::State {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> quantities;  ///< that each object measures
   std::optional<std::size_t> tracked;                ///< the object that the camera looks at
+  std::vector<FieldReader*> readers;  ///< objects that take in fields of others before each frame
+  std::vector<bool> isRead;           ///< whether an object is one of these others
   std::unique_ptr<SummaryQueue> summaries;
   std::function<void(const Drawables& before)> hearBefore;
   bool passed = false;  ///< whether nobody may look at the present frame
@@ -81,7 +84,28 @@ struct World::State {
     keepInStep(scene, setting);
     for (std::size_t i = 0; i < names.size(); ++i)
       if (scene.camera.tracks && scene.camera.track.object == names[i]) tracked = i;
+    findRead(scene);
+    readOthers();
     summaries = std::make_unique<SummaryQueue>(objects, names);
+  }
+
+  [[nodiscard]] static bool isOf(const std::string& field, const std::string& object) {
+    return field == object || field.starts_with(object + ".");
+  }
+
+  void findRead(const scene::Scene& scene) {
+    isRead.resize(names.size());
+    for (const scene::Object& object : scene.objects)
+      if (const auto* reading = dynamic_cast<const FieldReading*>(object.parameters.get()))
+        for (const FieldReading::From& from : reading->readsFields())
+          for (std::size_t i = 0; i < names.size(); ++i)
+            if (isOf(from.name, names[i])) isRead[i] = true;
+    for (const std::size_t i : order)
+      if (auto* reader = dynamic_cast<FieldReader*>(objects[i].get())) readers.push_back(reader);
+  }
+
+  void readOthers() const {
+    for (FieldReader* reader : readers) reader->readOthers();
   }
 
   void makeFields(const scene::Scene& scene) {
@@ -121,8 +145,7 @@ struct World::State {
   [[nodiscard]] Field fieldNamed(const std::string& name) const {
     Drawables drawables;
     for (std::size_t i = 0; i < objects.size(); ++i)
-      if (objects[i] && (name == names[i] || name.starts_with(names[i] + ".")))
-        objects[i]->publish((done - preroll) / fps, drawables);
+      if (objects[i] && isOf(name, names[i])) objects[i]->publish((done - preroll) / fps, drawables);
     for (const Field& field : drawables.fields)
       if (*field.name == name) return field;
     fail(ExitCode::usage, "no object has a field named \"{}\"", name);
@@ -174,6 +197,7 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
     if (state_->hearBefore && state_->done + 1 == frame + state_->preroll) tellBefore();
     state_->passed = false;
     const double time = (state_->done - state_->preroll) / state_->fps;
+    state_->readOthers();
     for (const std::size_t i : state_->order) {
       if (state_->isTouching(i)) continue;
       const StepWatch one = watch ? StepWatch([&](int step) { watch(i, step); }) : StepWatch();
@@ -202,8 +226,14 @@ void World::tellBefore() {
 void World::passTo(int frame) {
   if (state_->done < frame + state_->preroll) state_->passed = true;
   for (; state_->done < frame + state_->preroll; ++state_->done) {
-    for (const std::size_t i : state_->order)
-      if (!state_->isTouching(i)) state_->objects[i]->pass(time());
+    state_->readOthers();
+    for (const std::size_t i : state_->order) {
+      if (state_->isTouching(i)) continue;
+      if (state_->isRead[i])
+        state_->objects[i]->step(time(), {});
+      else
+        state_->objects[i]->pass(time());
+    }
     if (state_->contact) state_->contact->step(time(), {});
   }
 }

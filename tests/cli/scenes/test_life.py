@@ -1,56 +1,16 @@
 """Automata as a user meets them: RLE in and out, and Golly's bgolly (Debian package golly) run beside the program."""
-import re
 import shutil
 import subprocess
 import unittest
 
+import golly
 from common import SOURCE, Case, main
-
-GOLLY = shutil.which("bgolly") or shutil.which("bgolly", path="/usr/games")
 
 
 def read_rle(text):
-    """(width, height, rule, set of living cells) of an RLE file that is taken at its word."""
-    lines = [line for line in text.splitlines() if not line.startswith("#")]
-    width, height, rule = re.fullmatch(r"x = (\d+), y = (\d+), rule = (\S+)", lines[0]).groups()
-    cells, x, y = set(), 0, 0
-    for count, kind in re.findall(r"(\d*)([bo$!])", "".join(lines[1:])):
-        count = int(count or 1)
-        if kind == "$":
-            x, y = 0, y + count
-        elif kind == "o":
-            cells.update((x + i, y) for i in range(count))
-        if kind in "bo":
-            x += count
-    return int(width), int(height), rule, cells
-
-
-def read_macrocell(text):
-    """Living cells of a macrocell file, about its middle: the only one of Golly's formats that tells where they are."""
-    nodes = [None]
-    for line in text.splitlines():
-        if line[:1] in ("[", "#", ""):
-            continue
-        if line[0] in ".*$":
-            rows = line.split("$")
-            nodes.append([(x, y) for y, row in enumerate(rows) for x, c in enumerate(row) if c == "*"])
-        else:
-            nodes.append(tuple(map(int, line.split())))
-    cells = set()
-
-    def add(node, left, top):
-        if isinstance(node, list):
-            cells.update((left + x, top + y) for x, y in node)
-            return
-        half = 1 << (node[0] - 1)
-        for child, (dx, dy) in zip(node[1:], ((0, 0), (half, 0), (0, half), (half, half))):
-            if child:
-                add(nodes[child], left + dx, top + dy)
-
-    if nodes[-1]:
-        half = 1 << (nodes[-1][0] - 1) if isinstance(nodes[-1], tuple) else 4
-        add(nodes[-1], -half, -half)
-    return cells
+    """(width, height, rule, set of living cells) of an RLE file of two states."""
+    *said, cells = golly.read_rle(text)
+    return *said, set(cells)
 
 
 def scene(size, generations, **life):
@@ -67,12 +27,12 @@ def with_object(**life):
     return values
 
 
-@unittest.skipUnless(GOLLY, "bgolly is not installed (Debian package golly; tools/setup installs it)")
+@unittest.skipUnless(golly.GOLLY, "bgolly is not installed (Debian package golly; tools/setup installs it)")
 class Golly(Case):
     def run_golly(self, file, generations):
-        subprocess.run([GOLLY, "-q", "-q", "-h", "-m", str(generations), "-i", "1", "-o", "golly.mc", file],
+        subprocess.run([golly.GOLLY, "-q", "-q", "-h", "-m", str(generations), "-i", "1", "-o", "golly.mc", file],
                        cwd=self.folder, stdout=subprocess.DEVNULL, check=True, timeout=200)
-        return read_macrocell((self.folder / "golly.mc").read_text(encoding="ascii"))
+        return set(golly.read_macrocell((self.folder / "golly.mc").read_text(encoding="ascii")))
 
     def compare(self, size, rule, generations):
         self.write("s.json", scene(size, generations, rule=rule, fill=0.3))
@@ -122,8 +82,8 @@ class Golly(Case):
                     ours = read_rle((self.folder / f"out/cells_{frame:06}.rle").read_text(encoding="ascii"))
                     self.assertEqual(ours[2], ("B36" if "swapped" in name else "B3") + "/S23:P400,300")
                     # bgolly needs a header.
-                    golly = self.run_golly("gun.cells" if name == "bare.rle" else name, generations)
-                    self.assertEqual(put(ours[3]), put(golly))
+                    theirs = self.run_golly("gun.cells" if name == "bare.rle" else name, generations)
+                    self.assertEqual(put(ours[3]), put(theirs))
 
     def test_a_bounded_grid_of_a_file(self):
         """Dead borders tell where in the grid the pattern lies."""

@@ -31,18 +31,22 @@ class Reaction(Case):
         super().setUp()
         self.write_rule(RULE)
 
-    def write_rule(self, rule):
-        self.write("scene.json", with_values({"objects": {"r": {"reaction": rule}}, "time.duration": 10 / 30}, SCENE))
+    def write_rule(self, rule, **others):
+        objects = {"r": {"reaction": rule}, **{name: {"reaction": other} for name, other in others.items()}}
+        self.write("scene.json", with_values({"objects": objects, "time.duration": 10 / 30}, SCENE))
 
     def render(self, *more):
         return ["render", "scene.json", "-o", "out/", "--fields", "npy", *more]
 
     def test_fields_of_each_species_on_both_memory_paths_in_pieces_too(self):
+        # Beside one that reads it, and itself.
+        self.write_rule(RULE, reader={"size": [22, 30], "parameters": {"f": {"field": "r.v"}, "own": {"field": "reader"}},
+                                      "show": "w + f", "species": {"w": {"rate": "f - w*own"}}})
         self.good(*self.render())
         whole = self.content("out")
         names = {name.split(".", 1)[1] for name in whole if name.startswith("000004")}
         names.discard("csv")
-        self.assertEqual(names, {"png", "r.npy", "r.u.npy", "r.v.npy"})
+        self.assertEqual(names, {"png", "r.npy", "r.u.npy", "r.v.npy", "reader.npy", "reader.w.npy"})
         self.assertEqual(whole["000004.r.npy"], whole["000004.r.u.npy"])
         self.assertEqual(len(values_of(whole["000004.r.v.npy"])), 37 * 21)
         # The stroke, of v alone.
@@ -59,8 +63,10 @@ class Reaction(Case):
                 self.assertEqual(data, whole[name], name)
 
     def test_volumes_and_meshes_on_both_memory_paths_in_pieces_too(self):
-        volume = {"size": [13, 9], "depth": 7, "preset": "cahnHilliard", "steps": 5, "surface": {"color": "mu"}}
-        mesh = {"mesh": {"shape": "torus", "resolution": [24, 13], "refine": 1}, "preset": "barkley", "steps": 5}
+        volume = {"size": [13, 9], "depth": 7, "preset": "cahnHilliard", "steps": 5, "surface": {"color": "mu"},
+                  "strokes": [{"at": 0.1, "until": 0.3, "from": [3, 4, 2], "to": [12, 8, 9], "radius": 2.5}]}
+        mesh = {"mesh": {"shape": "torus", "resolution": [24, 13], "refine": 1}, "preset": "barkley", "steps": 5,
+                "strokes": [{"at": 0.1, "until": 0.3, "from": [1, 0.3, 0], "to": [-1, 0.3, 0.2], "radius": 0.4}]}
         for rule, name, cells in ((volume, "c", 13 * 9 * 7), (mesh, "u", 4 * 23 * 12)):
             self.write_rule(rule)
             for path in ("texel", "storage"):
@@ -81,13 +87,15 @@ class Reaction(Case):
         rule = {"size": [132, 37], "steps": 11, "dt": 1, "species": {
             "u": {"diffusion": 0.06, "start": "1 - 0.5*abs(random(1))", "rate": "0.04*(1 - u) - u*v^2"},
             "v": {"diffusion": 0.03, "start": "0.4*abs(random(2))", "rate": "u*v^2 - 0.1*v"}}}
-        self.write_rule(rule)
-        for path in ("texel", "storage"):
-            self.good(*self.render("--overwrite", "--memory-path", path))
-            files = {k: v for k, v in self.content("out").items() if k.endswith("npy")}
-            if path == "texel":
-                whole = files
-            self.assertEqual(files, whole)
+        closed = {**rule, "boundary": "no-flux", "species": {**rule["species"], "w": {"rate": "laplacian(u) - w"}}}
+        for one in (closed, rule):
+            self.write_rule(one)
+            for path in ("texel", "storage"):
+                self.good(*self.render("--overwrite", "--memory-path", path))
+                files = {k: v for k, v in self.content("out").items() if k.endswith("npy")}
+                if path == "texel":
+                    whole = files
+                self.assertEqual(files, whole)
         self.assertNotEqual(whole["000009.r.u.npy"], whole["000008.r.u.npy"])
         # The first cell, and its step, is told from within a pass.
         self.write_rule({**rule, "species": {"u": {"start": "1 + 0.3*random(1)", "rate": "u^3"}}})

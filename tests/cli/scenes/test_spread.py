@@ -54,6 +54,19 @@ class Strokes(SpreadCase):
                            {"shape": "line", "from": [-9, 30, 0], "to": [9, 44, 0], "radius": 3}):
                 self.assertEqual(self.warnings(kind, name, bounded, stroke), [])
 
+    def test_in_space(self):
+        """Of rules in volumes and on meshes."""
+        for space, stroke, said in (({"size": [8, 8], "depth": 8, "boundary": "no-flux"}, {"from": [4, 4, 19]},
+                                     "lies wholly outside the volume of 8x8x8 cells"),
+                                    ({"mesh": {"shape": "torus"}}, {"from": [0, 0, 0], "radius": 0.1},
+                                     "reaches no vertex of the mesh")):
+            self.write("space.json", {"version": 1, "objects": {"r": {"reaction": {
+                "preset": "heat", **space, "strokes": [{"from": [1, 0, 0], "radius": 3}, stroke]}}}})
+            done = self.good("validate", "space.json")
+            lines = [line for line in done.err.splitlines() if "paints nothing" in line]
+            self.assertEqual(len(lines), 1, lines)
+            self.assertIn(f"reaction \"r\": strokes[1] paints nothing, it {said}", lines[0])
+
 
 class Counts(SpreadCase):
     def test_table(self):

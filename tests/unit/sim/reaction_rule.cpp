@@ -92,6 +92,47 @@ TEST_CASE("reaction: what is wrong with a rule as a whole") {
   CHECK(rate("l30", "\"lets\": {" + lets + "}, ") == "none");
 }
 
+TEST_CASE("reaction: fields of others are there, alone, and not before the first frame") {
+  const auto with = [](const std::string& parameter, const std::string& more = "") {
+    return R"X("a": {"reaction": {"size": [8, 8], )X" + more + R"X("parameters": {"f": )X" + parameter +
+           R"X(}, "species": {"u": {"rate": "f"}}}}, "smoke": {"fluid": {"size": [16, 8]}}, "ball": {"sphere": {}})X";
+  };
+  const auto refused = [](const std::string& objects) -> std::string {
+    try {
+      static_cast<void>(
+          scene::parseScene(R"({"version": 1, "objects": {)" + objects + "}}", "s.json", {}, sim::kinds()));
+      return "none";
+    } catch (const UserError& error) {
+      return error.what();
+    }
+  };
+  CHECK(refused(with(R"({"field": "smoke.temperature"})")) == "none");
+  CHECK(refused(with(R"({"field": "smoke"})")) == "none");
+  CHECK(refused(with(R"({"field": "a.u"})")) == "none");
+  const std::string unknown = refused(with(R"({"field": "smoke.temprature"})"));
+  CHECK(shows(unknown,
+              "object \"smoke\" has no field \"smoke.temprature\"; did you mean \"smoke.temperature\"?",
+              "\"smoke.temprature\""));
+  CHECK(
+      refused(with(R"({"field": "smok"})")).find("no object is named \"smok\"; did you mean \"smoke\"?") !=
+      std::string::npos);
+  CHECK(refused(with(R"({"field": "ball"})")).find("object \"ball\" is a sphere, not a field") !=
+        std::string::npos);
+  CHECK(refused(with(R"({"field": "smoke", "value": 2})")).find("leave out \"value\"") !=
+        std::string::npos);
+  CHECK(refused(with(R"({"field": "smoke", "down": 2})")).find("leave out \"down\"") != std::string::npos);
+  CHECK(refused(with(R"({"field": "smoke"})", R"("presteps": 3, )")).find("leave out \"presteps\"") !=
+        std::string::npos);
+  CHECK(
+      refusal(
+          R"X("mesh": {"shape": "torus"}, "parameters": {"f": {"field": "r"}}, "species": {"u": {"rate": "f"}})X")
+          .find("a mesh has no grid to take") != std::string::npos);
+  CHECK(shows(rate("u", R"X("parameters": {"f": {"field": "r"}}, "lets": {"l": "f"}, )X") == "none"
+                  ? refusal(R"X("parameters": {"f": {"field": "r"}}, "species": {"u": {"start": "f"}})X")
+                  : "",
+              "no other object has a field yet when \"start\" is made", "f"));
+}
+
 TEST_CASE("reaction: a preset is what its page shows, and a scene changes parts of it") {
   const auto read = [](const std::string& members) {
     const auto scene =

@@ -166,7 +166,6 @@ TEST_CASE("reaction in a volume: what is wrong is said in a line") {
              "2048x2048x512 are 2147483648 cells; a volume has at most 268435456"));
   CHECK(says(volumeRefusal(heat + R"X("surface": {"level": 0.5})X"), "a flat grid has no surface"));
   CHECK(says(volumeRefusal(heat + R"X("depth": 8, "surface": {"color": "w"})X"), "unknown name \"w\""));
-  CHECK(says(volumeRefusal(heat + R"X("depth": 8, "strokes": [{"at": 1}])X"), "strokes paint flat grids"));
   CHECK(says(volumeRefusal(R"X("species": {"u": {"rate": "ddz(u)"}})X"), "a flat grid has no z"));
   CHECK(says(volumeRefusal(R"X("species": {"u": {"rate": "z"}})X"), "unknown name \"z\""));
   CHECK(

@@ -1,4 +1,5 @@
-// The field's values, as its simulation keeps them. CELLS: 0 bits, 1 bytes, 2 floats.
+// The field's values, as its simulation keeps them (src/sim/core/drawable.hpp). CELLS: 0 bits, 1 bytes, 2 floats, 3 colours
+// with the value behind them.
 layout(binding = fieldUnit) uniform usamplerBuffer fieldWords;
 uniform ivec2 fieldSize;  // cells
 uniform int rowWords;     // from one row to the next
@@ -19,7 +20,8 @@ float valueAt(ivec2 cell) {
 #elif CELLS == 1
   return float(fieldWord(row + (cell.x >> 2)) >> uint(8 * (cell.x & 3)) & 255u);
 #else
-  float value = uintBitsToFloat(fieldWord(row + cell.x * cellWords));
+  const int behind = CELLS == 3 ? 3 : 0;
+  float value = uintBitsToFloat(fieldWord(row + cell.x * cellWords + behind));
   return isNumber(value) ? clamp(value, -1e20, 1e20) : -1e20;
 #endif
 }

@@ -1,0 +1,33 @@
+// Another object's field on the grid of a rule, as the map of a parameter: bilinear between the middles of its cells, in all
+// layers of a volume alike. An invocation takes an element, four cells, of one layer's rows.
+#include "common/exact.glsl"
+#include "common/memory.glsl"
+#include "reaction/bindings.glsl"
+#include "reaction/functions.glsl"
+#include "reaction/sampling.glsl"
+layout(local_size_x = 16, local_size_y = 4) in;
+STATE_ARRAY(nextBinding, MapBlock, maps)
+const int fieldUnit = stageBinding;
+#include "grid/field.glsl"
+uniform ivec2 size;
+uniform int columns, depth, plane;
+uniform float storedGrain;
+
+float storedValueAt(int x, int y) {
+  return grained(valueAt(ivec2(x, y)), storedGrain);
+}
+
+void main() {
+  int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
+  if (x >= columns || y >= size.y) return;
+  Between down = betweenCells(y, size.y, fieldSize.y);
+  vec4 four = vec4(0);
+  for (int i = 0; i < 4; ++i) {
+    if (4 * x + i >= size.x) continue;
+    Between across = betweenCells(4 * x + i, size.x, fieldSize.x);
+    float above = betweenOf(storedValueAt(across.before, down.before), storedValueAt(across.after, down.before), across.share);
+    float below = betweenOf(storedValueAt(across.before, down.after), storedValueAt(across.after, down.after), across.share);
+    four[i] = grained(betweenOf(above, below, down.share), storedGrain);
+  }
+  for (int z = 0; z < depth; ++z) STORE_STATE(maps, ((plane * depth + z) * size.y + y) * columns + x, four);
+}
