@@ -36,8 +36,8 @@ REST = "globalThis.simreel && simreel.state.picture && !simreel.state.picture.dr
 class PageOfServe(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.browser = Browser(CHROMIUM, CHROMEDRIVER)
-        cls.browser.size(1280, 800)
+        cls.browser = Browser(CHROMIUM, CHROMEDRIVER, requests=False)
+        cls.browser.size(1000, 640)
 
     @classmethod
     def tearDownClass(cls):

@@ -26,9 +26,9 @@ class ServeCase(Case):
         self.assertIn(code, expected, err)
         self.assertNotIn("error", err)
 
-    def rendered(self, frame, *arguments):
+    def rendered(self, frame, *arguments, file="scene.json"):
         out = self.folder / f"rendered_{frame}.png"
-        self.good("render", "scene.json", "-o", out, "--frames", frame, "--overwrite", *arguments)
+        self.good("render", file, "-o", out, "--frames", frame, "--overwrite", *arguments)
         return self.pixels(out.read_bytes())
 
     def pixels(self, png):
