@@ -152,8 +152,8 @@ class PageOfServe(unittest.TestCase):
         box = b.box("#picture")
         x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
         b.drag(x, y, x + 120, y + 40)
-        self.assertTrue(b.until("simreel.state.scene.edits.length > 0"))
-        self.at(0)
+        at = "(simreel.state.scene.edits.find(([path]) => path === 'camera.position') ?? [])[1]"
+        self.assertTrue(b.until(f"{at} === JSON.stringify(simreel.screen.panes[0].view.eye)"))
         edits = b.value("simreel.state.scene.edits.map(([path, value]) => `${path}=${value}`)")
         self.assertEqual(sorted(edit.split("=")[0] for edit in edits), ["camera.fieldOfView", "camera.position", "camera.target"])
         self.shows(0, *[word for edit in edits for word in ("-D", edit)])

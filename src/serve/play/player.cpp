@@ -297,7 +297,7 @@ void Player::adaptDetail(double milliseconds) {
   constexpr double newest = 0.4, hardlyMore = 1.25, sure = 0.8, leastForPicture = 20;
   double& known = costs_[level_];
   known = known > 0 ? (1 - newest) * known + newest * milliseconds : milliseconds;
-  const double simulated = playing_ ? took().simulate : 0;
+  const double simulated = playing_ || isCarried() ? took().simulate : 0;
   const double budget = std::max(leastForPicture, mostMilliseconds - simulated);
   const auto pixels = [&](std::size_t level) {
     const DetailLevel& detail = detailLevels[level];

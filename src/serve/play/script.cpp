@@ -145,7 +145,7 @@ bool drawsAlike(const Script& before, const Script& after) {
   });
 }
 
-int firstOther(const Script& before, const Script& after) {
+int firstOther(const Simulated& before, const Script& after) {
   if (before.simulation == after.simulation) return farFrame;
   const double seconds = secondsAlike(before.asRun, after.asRun);
   // A frame's state has heard of what is before its time; one at that very time need not have.

@@ -23,7 +23,7 @@ glm::ivec2 scaledSize(glm::ivec2 size, float scale) {
 }  // namespace
 
 Stage::Stage(std::shared_ptr<Script> script, std::size_t memory)
-    : script_(std::move(script)), made_(script_), memory_(memory), kept_(memory), keptOf_(script_) {
+    : script_(std::move(script)), made_(script_), memory_(memory), kept_(memory), keptOf_(simulatedOf(*script_)) {
   makeWorld();
 }
 
@@ -133,7 +133,7 @@ bool Stage::approach(int frame) {
   if (world_->frame() == frame) {
     lookAt();
     glFinish();
-    took_.simulate = perSecond * secondsSince(begun);
+    took_.simulate = perSecond * secondsSince(begun) + std::exchange(making_, 0);
   }
   if (!carried_ && kept_.wants(world_->frame())) {
     lookAt();  // no state that is lost is kept

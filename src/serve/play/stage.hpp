@@ -102,7 +102,7 @@ class Stage {
 
   /// States of a simulation that may come back.
   struct Past {
-    std::shared_ptr<const Script> of;
+    std::string simulation;  ///< Script::simulation
     KeptStates kept;
     std::vector<Series> series;
   };
@@ -131,7 +131,7 @@ class Stage {
   std::shared_ptr<Script> made_;  ///< that the world was made of
   std::size_t memory_;  ///< bytes, of kept_ and past_
   KeptStates kept_;
-  std::shared_ptr<const Script> keptOf_;  ///< whose states they are
+  Simulated keptOf_;  ///< whose states they are
   std::optional<Past> past_;
   std::unique_ptr<sim::World> world_;
   std::unique_ptr<frame::Summaries> summaries_;
@@ -145,6 +145,7 @@ class Stage {
   std::string stateHash_;
   std::vector<std::string> arrayHashes_;  ///< of each state array
   StageMilliseconds took_;
+  double making_ = 0;  ///< ms, of the world that goes on with other values
   std::vector<Series> series_;
   std::size_t measured_ = 0;  ///< where measured quantities begin in series_
 };

@@ -1,3 +1,4 @@
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "serve/play/stage.hpp"
 
@@ -31,7 +32,7 @@ bool Stage::become(std::shared_ptr<Script> script, bool moving) {
 /// something moves.
 bool Stage::isNear(const Script& script) const {
   constexpr int fewFrames = 2;
-  const frame::WorldState* from = keptBefore(firstOther(*keptOf_, script) - 1);
+  const frame::WorldState* from = keptBefore(firstOther(keptOf_, script) - 1);
   return from != nullptr && world_->frame() - from->frame <= fewFrames;
 }
 
@@ -47,7 +48,7 @@ void Stage::allow(std::size_t memory) {
 
 void Stage::startLike(const Stage& other, int frame) {
   if (started_ || other.carried_) return;
-  const int last = std::min(frame, firstOther(*other.keptOf_, *script_) - 1);
+  const int last = std::min(frame, firstOther(other.keptOf_, *script_) - 1);
   const frame::WorldState* nearest = other.kept_.before(last);
   if (nearest != nullptr) kept_.keep(*nearest);
 }
@@ -100,6 +101,7 @@ bool Stage::carryOverTo(std::shared_ptr<Script> script) {
     return true;
   }
   summaries_->takeAll();
+  const auto begun = Clock::now();
   const frame::WorldState state = frame::stateOf(*world_);
   auto world = std::make_unique<sim::World>(script->scene);
   try {
@@ -107,7 +109,10 @@ bool Stage::carryOverTo(std::shared_ptr<Script> script) {
   } catch (const UserError&) {
     return false;
   }
-  if (script->simulation != script_->simulation) carried_ = true;
+  if (script->simulation != script_->simulation) {
+    carried_ = true;
+    making_ = 1000 * secondsSince(begun);
+  }
   take(std::move(world), std::move(script));
   return true;
 }
@@ -130,20 +135,20 @@ void Stage::simulateAs(std::shared_ptr<Script> script) {
 /// States from before the two differ stay. Where there are none, those of now are put aside, since a change
 /// is often taken back.
 void Stage::keepWhatIsAlike(const std::shared_ptr<Script>& script) {
-  const int first = firstOther(*keptOf_, *script);
+  const int first = firstOther(keptOf_, *script);
   if (kept_.before(first - 1) != nullptr) {
     kept_.forgetFrom(first);
     for (Series& series : series_)
       series.values.erase(series.values.lower_bound(first), series.values.end());
   } else {
     std::optional<Past> back;
-    if (past_ && past_->of->simulation == script->simulation) back = std::move(past_);
+    if (past_ && past_->simulation == script->simulation) back = std::move(past_);
     past_.reset();
-    if (!kept_.frames().empty()) past_ = Past{keptOf_, std::move(kept_), std::move(series_)};
+    if (!kept_.frames().empty()) past_ = Past{keptOf_.simulation, std::move(kept_), std::move(series_)};
     kept_ = back ? std::move(back->kept) : KeptStates(memory_);
     series_ = back ? std::move(back->series) : std::vector<Series>{};
   }
-  keptOf_ = script;
+  keptOf_ = simulatedOf(*script);
 }
 
 }  // namespace simreel::serve
