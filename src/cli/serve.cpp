@@ -34,8 +34,7 @@ struct ServePageOptions {
 
 /// What stands beside the scene: another one, with the same options, or the same with other values.
 serve::CounterpartOptions counterpart(const ServePageOptions& o) {
-  if (o.other == "-")
-    fail(ExitCode::usage, "serve watches both files; standard input cannot be watched");
+  if (o.other == "-") fail(ExitCode::usage, "serve watches both files; standard input cannot be watched");
   serve::CounterpartOptions other;
   other.ownFile = !o.other.empty();
   other.on = other.ownFile || !o.beside.empty();
@@ -78,9 +77,10 @@ void addServe(CLI::App& app) {
   command->add_option("other", o->other,
                       "A second scene, side by side with the first: at the same frame, drawn when it is");
   command
-      ->add_option("--beside", o->beside,
-                   "Value of the right side alone: path=value, repeatable; without a second scene the same one "
-                   "stands there")
+      ->add_option(
+          "--beside", o->beside,
+          "Value of the right side alone: path=value, repeatable; without a second scene the same one "
+          "stands there")
       ->allow_extra_args(false);
   command->add_option("--port", o->port, "Port to listen at; 0: any that is free")
       ->check(CLI::Range(0, 65535))

@@ -22,22 +22,27 @@ constexpr double never = -always;
 
 /// Of an object's kind, what only shows it.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 21> showing = {{
-    {"life", "display"},      {"lenia", "display"},     {"grayScott", "display"}, {"reaction", "display"},
-    {"epidemic", "display"},  {"epidemic", "colors"},   {"wildfire", "display"},  {"wildfire", "colors"},
-    {"fluid", "display"},     {"fluid", "look"},        {"fluid", "brightness"},  {"fluid", "paper"},
-    {"water", "display"},     {"water", "look"},        {"water", "visible"},     {"particles", "look"},
-    {"sphere", "visible"},    {"capsule", "visible"},   {"plane", "visible"},     {"mesh", "visible"},
+    {"life", "display"},     {"lenia", "display"},   {"grayScott", "display"}, {"reaction", "display"},
+    {"epidemic", "display"}, {"epidemic", "colors"}, {"wildfire", "display"},  {"wildfire", "colors"},
+    {"fluid", "display"},    {"fluid", "look"},      {"fluid", "brightness"},  {"fluid", "paper"},
+    {"water", "display"},    {"water", "look"},      {"water", "visible"},     {"particles", "look"},
+    {"sphere", "visible"},   {"capsule", "visible"}, {"plane", "visible"},     {"mesh", "visible"},
     {"cave", "display"},
 }};
 
 /// Values whose keyframes are asked for at their time alone. Of others the greatest decides how many
 /// substeps there are, at all times.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 20> timed = {{
-    {"cloth", "pins"},      {"grayScott", "feed"},    {"grayScott", "kill"},    {"epidemic", "beta"},
-    {"epidemic", "gamma"},  {"epidemic", "waning"},   {"wildfire", "moisture"}, {"wildfire", "spread"},
-    {"wildfire", "wind"},   {"sphere", "position"},   {"sphere", "rotation"},   {"capsule", "position"},
-    {"capsule", "rotation"}, {"plane", "position"},   {"plane", "rotation"},    {"particles", "acceleration"},
-    {"particles", "attractor"}, {"reaction", "parameters"}, {"water", "rainfall"}, {"water", "drag"},
+    {"cloth", "pins"},          {"grayScott", "feed"},
+    {"grayScott", "kill"},      {"epidemic", "beta"},
+    {"epidemic", "gamma"},      {"epidemic", "waning"},
+    {"wildfire", "moisture"},   {"wildfire", "spread"},
+    {"wildfire", "wind"},       {"sphere", "position"},
+    {"sphere", "rotation"},     {"capsule", "position"},
+    {"capsule", "rotation"},    {"plane", "position"},
+    {"plane", "rotation"},      {"particles", "acceleration"},
+    {"particles", "attractor"}, {"reaction", "parameters"},
+    {"water", "rainfall"},      {"water", "drag"},
 }};
 
 template <std::size_t size>
@@ -52,7 +57,8 @@ double keysAlike(const ordered_json& before, const ordered_json& after) {
   const ordered_json &a = before.at("keys"), &b = after.at("keys");
   if (!a.is_array() || !b.is_array()) return never;
   for (const auto& member : before.items())
-    if (member.key() != "keys" && (!after.contains(member.key()) || after.at(member.key()) != member.value()))
+    if (member.key() != "keys" &&
+        (!after.contains(member.key()) || after.at(member.key()) != member.value()))
       return never;
   if (before.size() != after.size()) return never;
   std::size_t same = 0;
@@ -129,7 +135,8 @@ double objectsAlike(const ordered_json& before, const ordered_json& after) {
 std::string withoutWhatShows(std::string_view asRun) {
   ordered_json scene = ordered_json::parse(asRun);
   if (const auto ground = scene.find("ground"); ground != scene.end() && ground->is_object())
-    for (const char* member : {"visible", "color", "roughness", "fadeStart", "fadeEnd"}) ground->erase(member);
+    for (const char* member : {"visible", "color", "roughness", "fadeStart", "fadeEnd"})
+      ground->erase(member);
   const auto objects = scene.find("objects");
   if (objects != scene.end() && objects->is_object())
     for (const auto& object : objects->items())

@@ -16,10 +16,10 @@ namespace simreel::serve {
 /// What stands beside the scene: another scene, or the same with other values.
 struct CounterpartOptions {
   SceneSource source;
-  bool ownFile = false;                 ///< whether that is another scene's
-  bool on = false;                      ///< from the start
-  std::vector<scene::Override> edits;   ///< its values alone
-  std::vector<std::string> arguments;   ///< as words of a command line
+  bool ownFile = false;                ///< whether that is another scene's
+  bool on = false;                     ///< from the start
+  std::vector<scene::Override> edits;  ///< its values alone
+  std::vector<std::string> arguments;  ///< as words of a command line
 };
 
 /// The other side: at the frame of the scene, drawn when it is. Nothing of it is ever written.

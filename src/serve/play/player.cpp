@@ -152,8 +152,7 @@ void Player::watch() {
 int Player::lastFrame() const {
   if (stage_ == nullptr) return 0;
   const int last = stage_->script().scene.frameCount() - 1;
-  return other_.stage() == nullptr ? last
-                                   : std::min(last, other_.stage()->script().scene.frameCount() - 1);
+  return other_.stage() == nullptr ? last : std::min(last, other_.stage()->script().scene.frameCount() - 1);
 }
 
 bool Player::isThere() const {

@@ -42,20 +42,15 @@ json pictureJson(Stage& stage, const frame::Image& image) {
   json view;
   try {
     const double time = stage.world().time();
-    const draw::View seen =
-        draw::viewAt(scene.camera, time, scene.render.size, stage.world().drawables());
+    const draw::View seen = draw::viewAt(scene.camera, time, scene.render.size, stage.world().drawables());
     view = {{"eye", pointJson(seen.eye)},
             {"target", pointJson(seen.target)},
             {"angle", scene::shortest(scene.camera.fieldOfView.at(time))}};
   } catch (const UserError&) {
     view = nullptr;
   }
-  return {{"width", image.width},
-          {"height", image.height},
-          {"carried", stage.carried()},
-          {"stepped", stage.stepped()},
-          {"state", stage.stateHash()},
-          {"view", view}};
+  return {{"width", image.width},       {"height", image.height},     {"carried", stage.carried()},
+          {"stepped", stage.stepped()}, {"state", stage.stateHash()}, {"view", view}};
 }
 
 /// Of one side's scene.

@@ -16,7 +16,8 @@ using Json = nlohmann::ordered_json;
 constexpr double all = std::numeric_limits<double>::infinity();
 
 Json dish() {
-  return Json::parse(R"({"time": {"fps": 30}, "sun": {"intensity": 3}, "ground": {"height": 0, "color": [1, 1, 1]},
+  return Json::parse(
+      R"({"time": {"fps": 30}, "sun": {"intensity": 3}, "ground": {"height": 0, "color": [1, 1, 1]},
     "objects": {"dish": {"grayScott": {"size": [8, 8], "kill": 0.06, "display": {"opacity": 0.5},
       "feed": {"keys": [[0, 1], [1, 2], [2, 3], [3, 4]]},
       "strokes": [{"radius": 2}, {"at": 2, "radius": 2}, {"at": 1.5, "radius": 2}]}},
