@@ -23,7 +23,11 @@ glm::ivec2 scaledSize(glm::ivec2 size, float scale) {
 }  // namespace
 
 Stage::Stage(std::shared_ptr<Script> script, std::size_t memory)
-    : script_(std::move(script)), made_(script_), memory_(memory), kept_(memory), keptOf_(simulatedOf(*script_)) {
+    : script_(std::move(script)),
+      made_(script_),
+      memory_(memory),
+      kept_(memory),
+      keptOf_(simulatedOf(*script_)) {
   makeWorld();
 }
 
@@ -124,8 +128,7 @@ bool Stage::approach(int frame) {
       makeWorld();
       return false;
     }
-    putBack(*nearest);
-    return world_->frame() == frame;
+    return putBack(*nearest) && world_->frame() == frame;
   }
   const auto begun = Clock::now();
   const bool counts = measured_ > 0;
@@ -143,12 +146,21 @@ bool Stage::approach(int frame) {
   return world_->frame() == frame;
 }
 
-void Stage::putBack(const frame::WorldState& state) {
-  frame::putBack(*world_, state.frame, state.parts, state.bytes, "a state that was kept");
+/// False where it does not fit, as of a fluid that has had no dye before: then none does, and it begins
+/// anew.
+bool Stage::putBack(const frame::WorldState& state) {
+  try {
+    frame::putBack(*world_, state.frame, state.parts, state.bytes, "a state that was kept");
+  } catch (const UserError&) {
+    kept_.clear();
+    makeWorld();
+    return false;
+  }
   started_ = true;
   seen_ = true;
   forgetBefore();
   summaries_->start();
+  return true;
 }
 
 /// None while the state is one of other values.

@@ -115,7 +115,7 @@ class Stage {
   void keepWhatIsAlike(const std::shared_ptr<Script>& script);
   [[nodiscard]] bool isNear(const Script& script) const;
   [[nodiscard]] const frame::WorldState* keptBefore(int frame) const;
-  void putBack(const frame::WorldState& state);
+  bool putBack(const frame::WorldState& state);
   void makeWorld();
   void begin();
   void take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script);
@@ -129,7 +129,7 @@ class Stage {
 
   std::shared_ptr<Script> script_;
   std::shared_ptr<Script> made_;  ///< that the world was made of
-  std::size_t memory_;  ///< bytes, of kept_ and past_
+  std::size_t memory_;            ///< bytes, of kept_ and past_
   KeptStates kept_;
   Simulated keptOf_;  ///< whose states they are
   std::optional<Past> past_;

@@ -129,7 +129,7 @@ void Stage::simulateAs(std::shared_ptr<Script> script) {
   summaries_ = nullptr;
   world_ = std::move(world);
   begin();
-  if (const frame::WorldState* nearest = kept_.before(before)) putBack(*nearest);
+  if (const frame::WorldState* nearest = kept_.before(before)) static_cast<void>(putBack(*nearest));
 }
 
 /// States from before the two differ stay. Where there are none, those of now are put aside, since a change

@@ -18,9 +18,9 @@ class TwoSides(ServeCase):
         self.assertIn("beside", picture[0])
         return [self.pixels(file) for file in files_of(picture)]
 
-    def shows(self, viewer, frame, left, right, file="scene.json"):
+    def shows(self, viewer, frame, left, right, file="scene.json", frames=None):
         """Waits for both sides' pictures of the frame: those of render with these values."""
-        wanted = [self.rendered(frame, *left), self.rendered(frame, *right, file=file)]
+        wanted = [self.rendered(frame, *left, frames=frames), self.rendered(frame, *right, file=file, frames=frames)]
         while (found := self.sides(viewer, frame))[:2] != wanted:
             pass  # rest() ends it
         self.assertEqual(viewer.pictures[-1][0]["beside"]["different"], self.differing(*wanted))
@@ -43,7 +43,7 @@ class TwoSides(ServeCase):
         viewer = server.viewer()
         for frame in (0, 5, 2):
             viewer.send(do="seek", frame=frame)
-            self.shows(viewer, frame, left, right)
+            self.shows(viewer, frame, left, right, frames="0-5")
         self.assertGreater(viewer.pictures[-1][0]["beside"]["different"], 0)
         # What both have, the mouse's camera too, changes both; what the right has alone goes before.
         viewer.send(do="camera", position=[0.5, 1, 3], target=[0, 1, 0])
@@ -149,7 +149,16 @@ class Changes(ServeCase):
         for frame in (1, 7, 3, 10):
             viewer.send(do="seek", frame=frame)
             given = [word for path, value in viewer.latest["scene"]["edits"] for word in ("-D", f"{path}={value}")]
-            self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, *given), frame)
+            self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, *given, frames="1-10"), frame)
+
+    def test_states_that_do_not_fit(self):
+        """The first dye makes arrays that there were not."""
+        self.write("scene.json", {**FIELD, "objects": {"pool": {"fluid": {"size": [32, 32], "sides": {"left": {"velocity": [1, 0, 0]}}}}}})
+        server = self.serve()
+        viewer = server.viewer()
+        viewer.send(do="seek", frame=6)
+        viewer.rest(6)
+        self.change(viewer, 6, {"objects.pool.fluid.strokes": [{"at": 0.1, "from": [16, 16, 0], "radius": 5, "dye": [1, 0, 0]}]}, 7)
 
     def test_what_is_taken_back_needs_no_steps(self):
         server = self.serve()
