@@ -120,6 +120,8 @@ double objectsAlike(const ordered_json& before, const ordered_json& after) {
     const auto strokes = [](const ordered_json& of) { return of.value("strokes", ordered_json::array()); };
     const std::size_t strokesOfOne = a.contains("strokes") != b.contains("strokes") ? 1 : 0;
     if (a.size() + b.size() - 2 * both != strokesOfOne) return never;
+    // A fluid that is given none is stirred from the start.
+    if (kind == "fluid" && strokesOfOne > 0) return never;
     alike = std::min(alike, strokesAlike(strokes(a), strokes(b)));
     for (const auto& one : b.items()) {
       if (one.key() == "strokes" || one.value() == a.at(one.key())) continue;

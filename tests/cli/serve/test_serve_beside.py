@@ -151,8 +151,8 @@ class Changes(ServeCase):
             given = [word for path, value in viewer.latest["scene"]["edits"] for word in ("-D", f"{path}={value}")]
             self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, *given, frames="1-10"), frame)
 
-    def test_states_that_do_not_fit(self):
-        """The first dye makes arrays that there were not."""
+    def test_a_first_stroke_of_a_fluid(self):
+        """Without any it is stirred from the start."""
         self.write("scene.json", {**FIELD, "objects": {"pool": {"fluid": {"size": [32, 32], "sides": {"left": {"velocity": [1, 0, 0]}}}}}})
         server = self.serve()
         viewer = server.viewer()

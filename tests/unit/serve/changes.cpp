@@ -56,6 +56,11 @@ TEST_CASE("changes of strokes leave a simulation as it was before the first of t
   CHECK(secondsAlike(dish().dump(), less.dump()) == 1.5);
   less[Json::json_pointer(field)].erase("strokes");
   CHECK(secondsAlike(dish().dump(), less.dump()) == 0);
+  const std::string still = R"({"objects": {"pool": {"fluid": {}}}})";  // stirred, as nothing else is
+  const std::string one = R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}]}}}})";
+  const std::string two = R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}, {"at": 2}]}}}})";
+  CHECK(secondsAlike(still, one) < 0);
+  CHECK(secondsAlike(one, two) == 2);
 }
 
 TEST_CASE("changes of keyframes leave a simulation as it was before the first that is another one") {
