@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -27,7 +28,24 @@ struct ServePageOptions {
   int memory = 1024;
   bool edit = false;
   std::string output;
+  std::string other;
+  std::vector<std::string> beside;
 };
+
+/// What stands beside the scene: another one, with the same options, or the same with other values.
+serve::CounterpartOptions counterpart(const ServePageOptions& o) {
+  if (o.other == "-") fail(ExitCode::usage, "serve watches both files; standard input cannot be watched");
+  serve::CounterpartOptions other;
+  other.ownFile = !o.other.empty();
+  other.on = other.ownFile || !o.beside.empty();
+  other.edits = parseOverrides(o.beside);
+  other.arguments = o.scene.arguments();
+  if (other.ownFile) other.arguments.front() = o.other;
+  if (other.ownFile && !std::filesystem::exists(o.other))
+    fail(ExitCode::usage, "{}: there is no such file", o.other);
+  other.source = {other.ownFile ? o.other : o.scene.file, o.scene.changes(), assetFolders(o.scene.assets)};
+  return other;
+}
 
 void servePage(const ServePageOptions& o) {
   if (o.scene.file == "-")
@@ -40,6 +58,7 @@ void servePage(const ServePageOptions& o) {
   options.player.memory = static_cast<std::size_t>(o.memory) << 20;
   options.player.edit = o.edit;
   options.player.output = o.output;
+  options.player.other = counterpart(o);
   options.address = o.address;
   options.port = o.port;
   frame::catchInterrupts();
@@ -55,6 +74,14 @@ void addServe(CLI::App& app) {
   auto o = std::make_shared<ServePageOptions>();
   auto* command = app.add_subcommand("serve", "Show a scene in a browser while it is written");
   o->scene.add(*command);
+  command->add_option("other", o->other,
+                      "A second scene, side by side with the first: at the same frame, drawn when it is");
+  command
+      ->add_option(
+          "--beside", o->beside,
+          "Value of the right side alone: path=value, repeatable; without a second scene the same one "
+          "stands there")
+      ->allow_extra_args(false);
   command->add_option("--port", o->port, "Port to listen at; 0: any that is free")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();

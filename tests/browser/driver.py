@@ -11,15 +11,16 @@ from selenium.webdriver.common.by import By
 
 
 class Browser:
-    def __init__(self, chromium, chromedriver):
+    def __init__(self, chromium, chromedriver, requests=True):
+        """`requests`: whether it keeps what pages ask for, of a WebSocket every message."""
         options = Options()
         options.binary_location = chromium
         for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
                          "--force-device-scale-factor=1", "--no-first-run"):
             options.add_argument(argument)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"} | ({"performance": "ALL"} if requests else {}))
         self.driver = webdriver.Chrome(service=Service(chromedriver), options=options)
-        self.driver.set_script_timeout(30)
+        self.driver.set_script_timeout(180)
         self.size(1280, 800)
 
     def quit(self):
@@ -111,11 +112,11 @@ class Browser:
         self.settle()
 
     def until(self, expression, seconds=5):
-        """Waits for a change that comes by itself; its last value."""
-        end = time.monotonic() + seconds
-        while not (value := self.value(expression)) and time.monotonic() < end:
-            time.sleep(0.02)
-        return value
+        """Waits for a change that comes by itself; its last value. The page looks for itself: asking it again and again
+        takes three processes each time."""
+        return self.run("""const done = arguments[1], end = performance.now() + arguments[0];
+            const look = () => { const value = (%s); return value || performance.now() > end ? done(value) : setTimeout(look, 15); };
+            look();""" % expression, 1000 * seconds, wait=True)
 
     def transform(self, pane=0):
         """Scale and offset of the first picture of a pane."""

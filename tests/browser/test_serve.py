@@ -27,7 +27,7 @@ if not missing():
     from serve_client import PROGRAM, Server
 
 # What is on the screen: size and RGB of every pixel.
-PIXELS = """const canvas = document.getElementById("picture");
+PIXELS = """const canvas = document.getElementById(arguments[0] ?? "picture");
     const bytes = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
     return [canvas.width, canvas.height, [...bytes].filter((_, i) => i % 4 !== 3)];"""
 REST = "globalThis.simreel && simreel.state.picture && !simreel.state.picture.draft && !simreel.state.picture.carried"
@@ -36,8 +36,8 @@ REST = "globalThis.simreel && simreel.state.picture && !simreel.state.picture.dr
 class PageOfServe(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.browser = Browser(CHROMIUM, CHROMEDRIVER)
-        cls.browser.size(1280, 800)
+        cls.browser = Browser(CHROMIUM, CHROMEDRIVER, requests=False)
+        cls.browser.size(1000, 640)
 
     @classmethod
     def tearDownClass(cls):
@@ -62,8 +62,8 @@ class PageOfServe(unittest.TestCase):
     def at(self, frame):
         self.assertTrue(self.browser.until(f"{REST} && simreel.state.picture.frame === {frame}", 60), frame)
 
-    def pixels(self):
-        width, height, rgb = self.browser.run(PIXELS)
+    def pixels(self, canvas="picture"):
+        width, height, rgb = self.browser.run(PIXELS, canvas)
         return width, height, bytes(rgb)
 
     def rendered(self, frame, *arguments):
@@ -72,11 +72,11 @@ class PageOfServe(unittest.TestCase):
         width, height, rows = png_rows(out.read_bytes())
         return width, height, b"".join(unfiltered(rows, 3 * width, 3))
 
-    def shows(self, frame, *arguments):
+    def shows(self, frame, *arguments, canvas="picture"):
         """Waits until the picture is render's."""
         wanted = self.rendered(frame, *arguments)
         end = 100
-        while self.pixels() != wanted:
+        while self.pixels(canvas) != wanted:
             end -= 1
             self.assertGreater(end, 0, "the picture is another one")
             self.browser.until("false", 0.1)
@@ -152,8 +152,8 @@ class PageOfServe(unittest.TestCase):
         box = b.box("#picture")
         x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
         b.drag(x, y, x + 120, y + 40)
-        self.assertTrue(b.until("simreel.state.scene.edits.length > 0"))
-        self.at(0)
+        at = "(simreel.state.scene.edits.find(([path]) => path === 'camera.position') ?? [])[1]"
+        self.assertTrue(b.until(f"{at} === JSON.stringify(simreel.screen.panes[0].view.eye)"))
         edits = b.value("simreel.state.scene.edits.map(([path, value]) => `${path}=${value}`)")
         self.assertEqual(sorted(edit.split("=")[0] for edit in edits), ["camera.fieldOfView", "camera.position", "camera.target"])
         self.shows(0, *[word for edit in edits for word in ("-D", edit)])
@@ -255,6 +255,45 @@ class PageOfServe(unittest.TestCase):
         subprocess.run([PROGRAM, "test", self.scene], check=True, stdout=subprocess.DEVNULL)
         b.click("#compare")
         self.assertTrue(b.until("document.getElementById('golden').hidden"))
+
+    def test_two_sides_in_step(self):
+        b = self.open(scene=with_values({"objects.flag.cloth.damping": 1}))
+        self.assertFalse(b.visible("#pair, #pictureBeside"))
+        b.keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
+        self.at(2)
+        b.click("#beside")
+        self.assertTrue(b.until("document.getElementById('pairWords').textContent === 'Every pixel is the same'"))
+        self.assertTrue(b.value("document.querySelector('#pairSides [aria-pressed=true]').textContent === 'Right alone'"))
+        b.run("""const box = document.querySelector(arguments[0]); box.value = 5; box.dispatchEvent(new Event("change"));""",
+              self.row("objects.flag.cloth.damping", "number"))
+        self.assertTrue(b.until("/^[1-9][0-9]* of 2,304 pixels differ/.test(document.getElementById('pairWords').textContent)"))
+        right = ["-D", "objects.flag.cloth.damping=5"]
+        self.shows(2, *right, canvas="pictureBeside")
+        self.shows(2)
+        self.assertEqual(b.texts(".chip"), ["objects.flag.cloth.damping = 5 ×"])
+        b.click("#pairDifference")
+        self.assertTrue(b.until("!document.getElementById('pictureDifference').parentNode.hidden && simreel.state.picture.files.length === 3"))
+        boxes = [b.box(f"#{name}") for name in ("picture", "pictureBeside", "pictureDifference")]
+        room = b.box("#screen")
+        self.assertEqual(len({(round(box["width"]), round(box["height"])) for box in boxes}), 1)
+        self.assertTrue(all(box["x"] >= room["x"] and box["right"] <= room["right"] and box["bottom"] <= room["bottom"] for box in boxes))
+        b.run("""const scrub = document.getElementById("scrub"); scrub.value = 5; scrub.dispatchEvent(new Event("change"));""")
+        self.at(5)
+        self.shows(5, *right, canvas="pictureBeside")
+        self.shows(5)
+        # The mouse over either moves both.
+        x, y = boxes[1]["x"] + boxes[1]["width"] / 2, boxes[1]["y"] + boxes[1]["height"] / 2
+        b.drag(x, y, x + 50, y + 10)
+        at = "(simreel.state.scene.edits.find(([path]) => path === 'camera.position') ?? [])[1]"
+        self.assertTrue(b.until(f"{at} === JSON.stringify(simreel.screen.panes[1].view.eye)"))
+        edits = [word for path, value in b.value("simreel.state.scene.edits") for word in ("-D", f"{path}={value}")]
+        self.assertEqual(len(edits), 6)
+        self.shows(5, *edits, *right, canvas="pictureBeside")
+        self.shows(5, *edits)
+        b.click(".chip button")
+        self.assertTrue(b.until("document.getElementById('pairWords').textContent === 'Every pixel is the same'"))
+        b.click("#beside")
+        self.assertTrue(b.until("document.getElementById('pictureBeside').parentNode.hidden"))
 
     def test_hostile_texts_stay_texts(self):
         b = self.open(scene=with_values({"title": "<img src=x onerror=alert(1)>"}))

@@ -57,6 +57,17 @@ class Server:
         return self.child.returncode, out, err
 
 
+def files_of(picture):
+    """The PNG or JPEG files of a picture: one, or those of both sides and perhaps their difference."""
+    about, data = picture
+    files, at = [], 0
+    for size in about.get("files", [len(data)]):
+        files.append(data[at:at + size])
+        at += size
+    assert at == len(data), (about, len(data))
+    return files
+
+
 class Refused(Exception):
     """The server did not take the WebSocket."""
 

@@ -4,6 +4,7 @@ import { showCharts, showTimes } from "./charts.js";
 import { Compare } from "./compare.js";
 import { byId, element } from "./dom.js";
 import { Link } from "./link.js";
+import { Pair } from "./pair.js";
 import { Panel } from "./panel.js";
 import { Schema } from "./schema.js";
 import { Screen } from "./screen.js";
@@ -32,7 +33,7 @@ const link = new Link({
   golden: (message) => compare.set(message),
   refused: (message) => note(message.text, 6),
   answer: (message) => showAnswer(byId("answer"), message),
-  picture: (about, blob) => screen.show(about, blob),
+  picture: (about, files) => screen.show(about, files),
 });
 
 const screen = new Screen(byId("screen"), {
@@ -40,17 +41,19 @@ const screen = new Screen(byId("screen"), {
     state.picture = about;
     link.shown(about.number);
     compare.follow(about);
+    pair.follow(about);
     badges();
     charts();
     showTimes(byId("times"), about.took, state.status);
   },
-  camera: (view, moving) => {
+  camera: (view, other, moving) => {
     const request = { do: "camera", position: view.eye, target: view.target };
+    if (other) request.beside = { position: other.eye, target: other.target };
     if (moving) link.move("camera", request);
     else link.settle("camera", request);
   },
   paint: (from, to) => link.send({ do: "paint", from, to, radius: Number(byId("radius").value) || 1 }),
-  click: (x, y) => link.send({ asks: "pixel", x, y }),
+  click: (x, y, beside) => link.send({ asks: "pixel", x, y, beside }),
 });
 
 const timeline = new Timeline({
@@ -64,8 +67,10 @@ const compare = new Compare({
   seek: (frame) => link.settle("seek", { do: "seek", frame }),
 });
 
+const pair = new Pair({ send: (request) => link.send(request), chosen: () => parametersChanged() });
+
 function set(path, value, moving) {
-  const request = { do: "set", path, value };
+  const request = { do: "set", path, value, ...pair.flag };
   if (moving) link.move(`set ${path}`, request);
   else link.settle(`set ${path}`, request);
 }
@@ -99,17 +104,26 @@ function people() {
 
 function sceneChanged() {
   const { scene } = state;
-  byId("mistakes").textContent = scene.mistakes;
-  byId("mistakes").hidden = !scene.mistakes;
-  byId("forget").hidden = scene.edits.length === 0;
+  const mistakes = [scene.mistakes, scene.beside?.mistakes && `Right side: ${scene.beside.mistakes}`].filter(Boolean).join("\n");
+  byId("mistakes").textContent = mistakes;
+  byId("mistakes").hidden = !mistakes;
+  pair.set(scene);
   facts();
   if (!scene.scene) return;
   byId("title").textContent = scene.title;
   document.title = `${scene.title || "simreel"} — simreel serve`;
-  screen.setSize(scene.size);
-  timeline.setScene(scene);
+  const sizes = [scene.size, scene.beside?.size].filter(Boolean);
+  screen.setSizes(sizes, sizes.length > 1 ? pair.captions() : []);
   byId("brush").hidden = !Object.values(scene.scene.objects ?? {}).some((object) => paintable.some((kind) => kind in object));
-  panel?.update(scene);
+  parametersChanged();
+}
+
+// Of the side that changes go to.
+function parametersChanged() {
+  const chosen = pair.chosen;
+  byId("forget").hidden = chosen.edits.length === 0;
+  timeline.setScene(chosen);
+  panel?.update(chosen);
 }
 
 function statusChanged() {
@@ -123,7 +137,7 @@ function badges() {
   const badge = (text, warm = false) => list.push(element("span", { class: `badge${warm ? " warm" : ""}` }, text));
   if (status.frame !== undefined && status.frame !== status.target)
     badge(status.frame < 0 ? `before the first frame: ${status.frame}` : `going to ${status.target}: at ${status.frame}`, true);
-  if (picture?.carried) badge("goes on with other values", true);
+  if (picture?.carried || picture?.beside?.carried) badge("goes on with other values", true);
   if (picture?.draft) badge(`quick ${picture.width}×${picture.height}`);
   byId("badges").replaceChildren(...list);
 }
@@ -138,19 +152,19 @@ function brush(on) {
   screen.brush = on;
   byId("brush").setAttribute("aria-pressed", on);
   byId("radius").hidden = !on;
-  byId("picture").classList.toggle("brush", on);
+  byId("sides").classList.toggle("brush", on);
 }
 byId("brush").onclick = () => brush(!screen.brush);
 addEventListener("keydown", (event) => {
   if (event.key === "b" && !event.target.matches("input, select") && !byId("brush").hidden) brush(!screen.brush);
 });
-byId("render").onclick = () => link.send({ do: "render", all: false });
-byId("renderAll").onclick = () => link.send({ do: "render", all: true });
+byId("render").onclick = () => link.send({ do: "render", all: false, ...pair.flag });
+byId("renderAll").onclick = () => link.send({ do: "render", all: true, ...pair.flag });
 byId("take").onclick = () => link.takeOver();
-byId("forget").onclick = () => link.send({ do: "forget" });
+byId("forget").onclick = () => link.send({ do: "forget", ...pair.flag });
 byId("filter").oninput = (event) => panel?.find(event.target.value);
 byId("copy").onclick = async () => {
-  const text = `${state.scene.command} --frames ${state.status.target} -o frame_####.png`;
+  const text = `${pair.chosen.command} --frames ${state.status.target} -o frame_####.png`;
   try {
     await navigator.clipboard.writeText(text);
     note("Copied: " + text);
@@ -165,8 +179,8 @@ new ResizeObserver(() => screen.fit()).observe(byId("left"));
 const answer = await fetch("schema.json");
 panel = new Panel(byId("parameters"), new Schema(await answer.json()), {
   set,
-  forget: (path) => link.send({ do: "forget", path }),
+  forget: (path) => link.send({ do: "forget", path, ...pair.flag }),
   isHeld: () => state.held,
 });
-if (state.scene?.scene) panel.update(state.scene);
-globalThis.simreel = { state, link, panel, screen, compare }; // for whoever looks at the page from its console
+if (state.scene?.scene) panel.update(pair.chosen);
+globalThis.simreel = { state, link, panel, screen, compare, pair }; // for whoever looks at the page from its console

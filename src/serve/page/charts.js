@@ -53,7 +53,7 @@ export function showTimes(into, took, status) {
     const bar = element("i", {});
     bar.style.width = `${(100 * ms) / most}%`;
     return element("div", { class: "time" }, element("span", { class: "quiet" }, name),
-      element("span", { class: "bar" }, bar), element("output", {}, `${ms.toFixed(1)} ms`));
+      element("span", { class: "bar" }, bar), element("output", {}, ms < 1000 ? `${ms.toFixed(1)} ms` : `${(ms / 1000).toFixed(1)} s`));
   });
   const rate = status.moving && status.rate ? `${status.rate.toFixed(1)} pictures/s` : "at rest";
   const kept = status.kept;

@@ -32,7 +32,13 @@ export class Link {
     const bytes = new Uint8Array(data);
     const end = bytes.indexOf(10);
     const about = JSON.parse(new TextDecoder().decode(bytes.subarray(0, end)));
-    this.on.picture?.(about, new Blob([bytes.subarray(end + 1)], { type: about.type }));
+    const files = [];
+    let at = end + 1;
+    for (const size of about.files ?? [bytes.length - at]) {
+      files.push(new Blob([bytes.subarray(at, at + size)], { type: about.type }));
+      at += size;
+    }
+    this.on.picture?.(about, files);
   }
 
   // A picture is on the screen: the next may come, and what has moved meanwhile goes out.

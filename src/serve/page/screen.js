@@ -1,123 +1,164 @@
 // The picture, and what the mouse does to it.
 import { orbit, pan, zoom } from "./camera.js";
 
+const gap = 12; // between pictures, pixels
+
 export class Screen {
   constructor(element, on) {
     this.element = element;
-    this.canvas = element.querySelector("canvas");
-    this.context = this.canvas.getContext("2d", { alpha: true });
+    this.sides = element.querySelector("#sides");
+    this.panes = [...this.sides.querySelectorAll("figure")].map((figure) => ({ figure, canvas: figure.querySelector("canvas"),
+      context: figure.querySelector("canvas").getContext("2d", { alpha: true }), aspect: 16 / 9, view: null }));
     this.on = on;
     this.about = null;
-    this.view = null;
-    this.aspect = 16 / 9;
     this.busy = Promise.resolve();
     new ResizeObserver(() => this.fit()).observe(element);
-    this.canvas.addEventListener("pointerdown", (event) => this.grab(event));
-    this.canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    this.panes.slice(0, 2).forEach(({ canvas }, side) => {
+      canvas.addEventListener("pointerdown", (event) => this.grab(event, side));
+      canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    });
     element.addEventListener("wheel", (event) => this.roll(event), { passive: false });
   }
 
-  show(about, blob) {
-    // One after the other: a picture never overtakes another.
+  show(about, files) {
+    // One after the other: a picture never overtakes another. Those of both sides come at once.
     this.busy = this.busy.then(async () => {
       const options = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
-      const image = await createImageBitmap(blob, options);
-      this.canvas.width = about.width;
-      this.canvas.height = about.height;
-      this.context.clearRect(0, 0, about.width, about.height);
-      this.context.drawImage(image, 0, 0);
-      image.close();
+      const images = await Promise.all(files.map((file) => createImageBitmap(file, options)));
+      images.forEach((image, i) => {
+        const { canvas, context } = this.panes[i];
+        canvas.width = image.width;
+        canvas.height = image.height;
+        context.clearRect(0, 0, image.width, image.height);
+        context.drawImage(image, 0, 0);
+        image.close();
+      });
       this.about = about;
-      if (!this.held && about.view) this.view = about.view;
+      [about.view, about.beside?.view ?? null].forEach((view, side) => {
+        if (!this.held && (view || side > 0)) this.panes[side].view = view;
+      });
+      if (!this.held) this.arrange(files.length);
       this.on.shown(about);
     }).catch(() => this.on.shown(about));
   }
 
-  setSize([width, height]) {
-    this.aspect = width / height;
-    this.pixels = width;
+  // As many pictures as came. What is shown of a difference stays until the next whole picture.
+  arrange(count) {
+    const quick = this.about.draft && this.about.beside && !this.panes[2].figure.hidden;
+    this.panes.forEach(({ figure }, i) => { figure.hidden = i >= count && !(quick && i === 2); });
+    this.panes[2].figure.classList.toggle("stale", Boolean(quick));
     this.fit();
   }
 
-  fit() {
-    const room = this.element.getBoundingClientRect();
-    const width = Math.max(16, Math.min(room.width - 32, (room.height - 32) * this.aspect));
-    this.canvas.style.width = `${width}px`;
-    this.canvas.style.height = `${width / this.aspect}px`;
+  setSizes(sizes, captions) {
+    sizes.forEach(([width, height], i) => { this.panes[i].aspect = width / height; });
+    this.panes[2].aspect = this.panes[0].aspect;
+    this.panes.forEach(({ figure }, i) => {
+      figure.querySelector("figcaption").textContent = captions[i] ?? "";
+      figure.querySelector("figcaption").hidden = !captions[i];
+    });
+    if (sizes.length < 2) this.panes.slice(1).forEach(({ figure }) => { figure.hidden = true; });
+    this.fit();
   }
 
-  grab(event) {
-    if (this.brush) return this.paint(event);
-    if (!this.view) return;
+  // All of one height, as large as there is room for: in one row, in one column, or two and one.
+  fit() {
+    const shown = this.panes.filter(({ figure }) => !figure.hidden);
+    const room = this.element.getBoundingClientRect();
+    const wide = (row) => row.reduce((sum, { aspect }) => sum + aspect, 0);
+    const layouts = [[shown], shown.map((pane) => [pane]), [shown.slice(0, 2), shown.slice(2)]];
+    let best = { height: 9, width: 16 };
+    for (const layout of layouts) {
+      const rows = layout.filter((row) => row.length > 0);
+      const height = Math.min((room.height - 32 - gap * (rows.length - 1)) / rows.length,
+        ...rows.map((row) => (room.width - 32 - gap * (row.length - 1)) / wide(row)));
+      if (height > best.height) best = { height, width: Math.max(...rows.map((row) => wide(row) * height + gap * (row.length - 1))) };
+    }
+    this.sides.style.width = `${Math.ceil(best.width)}px`;
+    for (const { canvas, aspect } of shown) {
+      canvas.style.width = `${best.height * aspect}px`;
+      canvas.style.height = `${best.height}px`;
+    }
+  }
+
+  // Both sides' cameras, moved in the same way.
+  move(change, moving) {
+    for (const pane of this.panes) if (pane.view) pane.view = change(pane.view);
+    this.on.camera(this.panes[0].view, this.panes[1].view, moving);
+  }
+
+  grab(event, side) {
+    const { canvas } = this.panes[side];
+    if (this.brush) return this.paint(event, canvas);
+    if (!this.panes[0].view) return;
     const panning = event.button !== 0 || event.shiftKey;
     let [x, y] = [event.clientX, event.clientY];
     let moved = 0;
     this.held = true;
-    this.canvas.classList.add("held");
-    this.canvas.setPointerCapture(event.pointerId);
+    canvas.classList.add("held");
+    canvas.setPointerCapture(event.pointerId);
     const move = (e) => {
       const [dx, dy] = [e.clientX - x, e.clientY - y];
       [x, y] = [e.clientX, e.clientY];
       moved += Math.abs(dx) + Math.abs(dy);
       if (moved < 4) return;
-      const high = this.canvas.clientHeight;
-      this.view = panning ? pan(this.view, dx / high, dy / high) : orbit(this.view, (3 * dx) / high, (3 * dy) / high);
-      this.on.camera(this.view, true);
+      const high = canvas.clientHeight;
+      this.move((view) => (panning ? pan(view, dx / high, dy / high) : orbit(view, (3 * dx) / high, (3 * dy) / high)), true);
     };
     const end = (e) => {
       this.held = false;
-      this.canvas.classList.remove("held");
-      this.canvas.removeEventListener("pointermove", move);
-      this.canvas.removeEventListener("pointerup", end);
-      this.canvas.removeEventListener("pointercancel", end);
-      if (moved >= 4) this.on.camera(this.view, false);
-      else if (e.type === "pointerup" && e.button === 0) this.on.click(...this.pointAt(e));
+      canvas.classList.remove("held");
+      canvas.removeEventListener("pointermove", move);
+      canvas.removeEventListener("pointerup", end);
+      canvas.removeEventListener("pointercancel", end);
+      if (moved >= 4) this.move((view) => view, false);
+      else if (e.type === "pointerup" && e.button === 0) this.on.click(...this.pointAt(e, canvas), side === 1);
     };
-    this.canvas.addEventListener("pointermove", move);
-    this.canvas.addEventListener("pointerup", end);
-    this.canvas.addEventListener("pointercancel", end);
+    canvas.addEventListener("pointermove", move);
+    canvas.addEventListener("pointerup", end);
+    canvas.addEventListener("pointercancel", end);
   }
 
   // Strokes of the brush: one for every piece of the way.
-  paint(event) {
-    let last = this.pointAt(event);
+  paint(event, canvas) {
+    let last = this.pointAt(event, canvas);
     let time = performance.now();
-    this.canvas.setPointerCapture(event.pointerId);
+    canvas.setPointerCapture(event.pointerId);
     this.on.paint(last, last);
     const move = (e) => {
       if (performance.now() - time < 120) return;
-      const now = this.pointAt(e);
+      const now = this.pointAt(e, canvas);
       this.on.paint(last, now);
       [last, time] = [now, performance.now()];
     };
     const end = (e) => {
-      this.canvas.removeEventListener("pointermove", move);
-      this.canvas.removeEventListener("pointerup", end);
-      this.canvas.removeEventListener("pointercancel", end);
-      const now = this.pointAt(e);
+      canvas.removeEventListener("pointermove", move);
+      canvas.removeEventListener("pointerup", end);
+      canvas.removeEventListener("pointercancel", end);
+      const now = this.pointAt(e, canvas);
       if (now[0] !== last[0] || now[1] !== last[1]) this.on.paint(last, now);
     };
-    this.canvas.addEventListener("pointermove", move);
-    this.canvas.addEventListener("pointerup", end);
-    this.canvas.addEventListener("pointercancel", end);
+    canvas.addEventListener("pointermove", move);
+    canvas.addEventListener("pointerup", end);
+    canvas.addEventListener("pointercancel", end);
   }
 
   // As fractions of the picture from its top left.
-  pointAt(event) {
-    const box = this.canvas.getBoundingClientRect();
+  pointAt(event, canvas) {
+    const box = canvas.getBoundingClientRect();
     return [(event.clientX - box.x) / box.width, (event.clientY - box.y) / box.height];
   }
 
   roll(event) {
     event.preventDefault();
-    if (!this.view) return;
+    if (!this.panes[0].view) return;
     this.held = true; // until it rests
-    this.view = zoom(this.view, Math.exp(Math.max(-200, Math.min(200, event.deltaY)) * 0.0015));
-    this.on.camera(this.view, true);
+    const factor = Math.exp(Math.max(-200, Math.min(200, event.deltaY)) * 0.0015);
+    this.move((view) => zoom(view, factor), true);
     clearTimeout(this.rolling);
     this.rolling = setTimeout(() => {
       this.held = false;
-      this.on.camera(this.view, false);
+      this.move((view) => view, false);
     }, 250);
   }
 }

@@ -10,6 +10,15 @@ void KeptStates::keep(frame::WorldState state) {
   if (const auto known = states_.find(frame); known != states_.end()) bytes_ -= known->second.bytes.size();
   bytes_ += state.bytes.size();
   states_.insert_or_assign(frame, std::move(state));
+  thin();
+}
+
+void KeptStates::allow(std::size_t mostBytes) {
+  mostBytes_ = mostBytes;
+  thin();
+}
+
+void KeptStates::thin() {
   constexpr int farthest = 1 << 20;
   while (bytes_ > mostBytes_ && states_.size() > 1 && interval_ < farthest) {
     interval_ *= 2;

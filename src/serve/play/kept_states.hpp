@@ -24,12 +24,16 @@ class KeptStates {
   /// Those of this frame and later ones.
   void forgetFrom(int frame);
   void clear();
+  /// From now on.
+  void allow(std::size_t mostBytes);
 
   [[nodiscard]] std::vector<int> frames() const;
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   [[nodiscard]] int interval() const { return interval_; }
 
  private:
+  void thin();
+
   std::size_t mostBytes_;
   std::size_t bytes_ = 0;
   int interval_ = 1;

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "frame/interrupt.hpp"
+#include "golden/compare/difference_image.hpp"
 #include "scene/scene_source.hpp"
 #include "serve/play/jpeg.hpp"
 #include "sim/core/numerics.hpp"
@@ -31,7 +32,8 @@ Player::Player(PlayerOptions options, const gl::Context& context, Hub& hub)
       context_(context),
       hub_(hub),
       numerics_(sim::probeNumerics()),
-      beside_(options_.source, options_.edit, context, numerics_, hub) {
+      beside_(options_.source, options_.edit, context, numerics_, hub),
+      other_(options_.other) {
   tellAbout();
   readFile();
   if (show(text_, {}, false)) return;
@@ -51,6 +53,7 @@ void Player::turn() {
     if (files_.changed()) {
       try {
         readFile();
+        other_.readFile();
         show(text_, edits_, false);
       } catch (const UserError& error) {
         report(error.what());
@@ -81,53 +84,53 @@ void Player::report(const std::string& text) {
 }
 
 bool Player::show(const std::string& text, std::vector<scene::Override> edits, bool moving) {
-  std::shared_ptr<Script> script;
+  bool carries = false;
   try {
-    script = readScript(options_.source, text, std::move(edits));
+    auto script = readScript(options_.source, text, std::move(edits));
     sim::requireExact(script->scene, numerics_);
-    adopt(std::move(script), moving);
+    if (stage_ == nullptr)
+      stage_ = std::make_unique<Stage>(std::move(script), memoryOfEach());
+    else
+      carries = stage_->become(std::move(script), moving);
   } catch (const UserError& error) {
     report(error.what());
     return false;
   }
   edits_ = stage_->script().edits;
   mistakes_.clear();
+  showOther(moving, carries);
+  return true;
+}
+
+void Player::showOther(bool moving, bool carries) {
+  if (stage_ == nullptr) return;
+  stage_->allow(memoryOfEach());
+  carries = other_.show(*stage_, numerics_, memoryOfEach(), moving, target_) || carries;
+  keepPace(carries);
   failed_ = false;
   shown_ = rest_ = false;
   target_ = std::min(target_, lastFrame());
   watch();
   tellScene();
-  return true;
 }
 
-/// What may stay, stays: renderers, the world, its states.
-void Player::adopt(std::shared_ptr<Script> script, bool moving) {
-  if (stage_ == nullptr) return replay(std::move(script));
-  switch (changeBetween(stage_->script(), *script)) {
-    case Change::nothing:
-    case Change::look:
-      return stage_->takeLookOf(*script);
-    case Change::drawing:
-      return stage_->drawAs(std::move(script));
-    case Change::dress:
-      return stage_->dressAs(std::move(script));
-    case Change::simulation:
-      // While a slider moves there is no time to begin at the start: what is there goes on with its values.
-      // What they do shows as it goes on; let go of, it is made good at the frame where it was.
-      if (moving && stage_->carryOverTo(script)) {
-        if (!held_) held_ = target_;
-        if (target_ < lastFrame()) ++target_;
-        return;
-      }
-      return replay(std::move(script));
+/// While a slider moves there is no time to begin at the start: what is there goes on with its values.
+/// What they do shows as it goes on; let go of, it is made good at the frame where it was.
+void Player::keepPace(bool carries) {
+  if (carries) {
+    if (!held_) held_ = target_;
+    if (target_ < lastFrame()) ++target_;
+  } else if (!isCarried()) {
+    if (held_) target_ = *held_;
+    held_.reset();
   }
 }
 
-void Player::replay(std::shared_ptr<Script> script) {
-  stage_ = std::make_unique<Stage>(std::move(script), options_.memory);
-  costs_ = {};
-  if (held_) target_ = *held_;
-  held_.reset();
+void Player::makeGood() {
+  stage_->makeGood();
+  if (other_.stage() != nullptr) other_.stage()->makeGood();
+  keepPace(false);
+  shown_ = rest_ = false;
 }
 
 void Player::watch() {
@@ -136,12 +139,45 @@ void Player::watch() {
     const auto& named = stage_->script().scene.files;
     files.insert(files.end(), named.begin(), named.end());
   }
+  if (other_.on() && other_.ownFile()) files.push_back(options_.other.source.file);
+  if (other_.stage() != nullptr) {
+    const auto& named = other_.stage()->script().scene.files;
+    files.insert(files.end(), named.begin(), named.end());
+  }
   for (const std::filesystem::path& file : beside_.files()) files.push_back(file);
   files_.watch(files);
 }
 
+/// As far as both sides go.
 int Player::lastFrame() const {
-  return stage_ == nullptr ? 0 : stage_->script().scene.frameCount() - 1;
+  if (stage_ == nullptr) return 0;
+  const int last = stage_->script().scene.frameCount() - 1;
+  return other_.stage() == nullptr ? last : std::min(last, other_.stage()->script().scene.frameCount() - 1);
+}
+
+bool Player::isThere() const {
+  return stage_->frame() == target_ && (other_.stage() == nullptr || other_.stage()->frame() == target_);
+}
+
+bool Player::isCarried() const {
+  return stage_->carried() || other_.carried();
+}
+
+/// Both sides, so that neither is ever shown without the other. Whether they are there.
+bool Player::approach() {
+  const bool there = stage_->approach(target_);
+  return (other_.stage() == nullptr || other_.stage()->approach(target_)) && there;
+}
+
+StageMilliseconds Player::took() const {
+  StageMilliseconds all = stage_->took();
+  if (other_.stage() == nullptr) return all;
+  const StageMilliseconds& more = other_.stage()->took();
+  return {all.simulate + more.simulate, all.draw + more.draw, all.readBack + more.readBack};
+}
+
+std::size_t Player::memoryOfEach() const {
+  return other_.on() ? options_.memory / 2 : options_.memory;
 }
 
 bool Player::isMoving() const {
@@ -150,23 +186,20 @@ bool Player::isMoving() const {
 
 double Player::secondsToWait() const {
   if (stage_ == nullptr || failed_ || hub_.viewers() == 0) return secondsBetweenLooks;
-  if (stage_->frame() != target_ || !shown_) return 0;
+  if (!isThere() || !shown_) return 0;
   if (playing_) {
     const double left = -secondsSince(due_);
     return std::clamp(left, 0.0, secondsBetweenLooks);
   }
-  return isMoving() ? 0.02 : rest_ && !stage_->carried() ? secondsBetweenLooks : 0;
+  return isMoving() ? 0.02 : rest_ && !isCarried() ? secondsBetweenLooks : 0;
 }
 
 void Player::work() {
   // What came out of other values is made good as soon as nobody moves anything.
-  if (stage_->carried() && !isMoving()) {
-    replay(readScript(options_.source, text_, edits_));
-    shown_ = rest_ = false;
-  }
+  if (isCarried() && !isMoving()) makeGood();
   const auto begun = Clock::now();
   bool there = false;
-  while (!(there = stage_->approach(target_)) && secondsSince(begun) < sliceSeconds)
+  while (!(there = approach()) && secondsSince(begun) < sliceSeconds)
     if (frame::interruptSignal() != 0) return;
   if (!there) {
     if (secondsSince(told_) > 0.1) tellStatus();
@@ -198,28 +231,39 @@ void Player::goOn() {
   shown_ = rest_ = false;
 }
 
+namespace {
+
+std::string encoded(const frame::Image& image, bool draft) {
+  if (draft) return encodeJpeg(image, jpegQuality);
+  const auto png = frame::encodePng(image, {});
+  return {reinterpret_cast<const char*>(png.data()), png.size()};
+}
+
+}  // namespace
+
 void Player::drawPicture(bool draft) {
   const std::size_t level = draft ? level_ : 0;
-  const frame::Image image = stage_->draw(level);
-  const auto drawn = Clock::now();
-  Picture picture;
-  picture.number = ++pictures_;
-  std::string bytes;
-  if (draft) {
-    bytes = encodeJpeg(image, jpegQuality);
-  } else {
-    const auto png = frame::encodePng(image, {});
-    bytes.assign(reinterpret_cast<const char*>(png.data()), png.size());
+  Drawn drawn;
+  drawn.number = ++pictures_;
+  drawn.draft = draft;
+  drawn.image = stage_->draw(level);
+  if (other_.stage() != nullptr) drawn.other = other_.stage()->draw(level);
+  const auto begun = Clock::now();
+  drawn.files.push_back(encoded(drawn.image, draft));
+  if (drawn.other) {
+    drawn.files.push_back(encoded(*drawn.other, draft));
+    if (!draft && drawn.image.width == drawn.other->width && drawn.image.height == drawn.other->height) {
+      drawn.different = differingPixels(drawn.image, *drawn.other);
+      if (difference_)
+        drawn.files.push_back(encoded(golden::differenceImage(drawn.image, *drawn.other), false));
+    }
   }
-  encodeMs_ = 1000 * secondsSince(drawn);
-  if (draft) {
-    const StageMilliseconds& took = stage_->took();
-    adaptDetail(took.draw + took.readBack + encodeMs_);
-  }
+  encodeMs_ = 1000 * secondsSince(begun);
+  if (draft) adaptDetail(took().draw + took().readBack + encodeMs_);
   if (!draft || measureMs_ < mostToMeasure) {
-    const auto begun = Clock::now();
+    const auto before = Clock::now();
     stage_->measure();
-    measureMs_ = 1000 * secondsSince(begun);
+    measureMs_ = 1000 * secondsSince(before);
   }
   times_.push_back(Clock::now());
   while (times_.size() > 20) times_.pop_front();
@@ -227,7 +271,10 @@ void Player::drawPicture(bool draft) {
   if (draft && !playing_) moved_ = Clock::now();
   shown_ = true;
   rest_ = !draft;
-  picture.message = describe(image, picture.number, draft) + "\n" + bytes;
+  Picture picture;
+  picture.number = drawn.number;
+  picture.message = describe(drawn) + "\n";
+  for (const std::string& file : drawn.files) picture.message += file;
   hub_.show(std::move(picture));
   tellStatus();
   if (!draft || secondsSince(told_) > 0.25) tellSeries();
@@ -236,7 +283,7 @@ void Player::drawPicture(bool draft) {
 
 /// Where the whole picture stands, its baseline may stand beside it.
 void Player::lookBeside() {
-  if (rest_ && stage_ != nullptr && stage_->frame() == target_ && !stage_->carried()) beside_.look(*stage_);
+  if (rest_ && stage_ != nullptr && isThere() && !stage_->carried()) beside_.look(*stage_);
 }
 
 /// The finest level whose pictures come in time; where none do, the finest of those that cost hardly more
@@ -249,7 +296,7 @@ void Player::adaptDetail(double milliseconds) {
   constexpr double newest = 0.4, hardlyMore = 1.25, sure = 0.8, leastForPicture = 20;
   double& known = costs_[level_];
   known = known > 0 ? (1 - newest) * known + newest * milliseconds : milliseconds;
-  const double simulated = playing_ ? stage_->took().simulate : 0;
+  const double simulated = playing_ || isCarried() ? took().simulate : 0;
   const double budget = std::max(leastForPicture, mostMilliseconds - simulated);
   const auto pixels = [&](std::size_t level) {
     const DetailLevel& detail = detailLevels[level];

@@ -4,6 +4,7 @@
 #include "gl/context.hpp"
 #include "serve/net/hub.hpp"
 #include "serve/play/beside.hpp"
+#include "serve/play/counterpart.hpp"
 #include "serve/play/render_child.hpp"
 #include "serve/play/script.hpp"
 #include "serve/play/stage.hpp"
@@ -30,6 +31,7 @@ struct PlayerOptions {
   std::size_t memory = 0;              ///< for states that are kept, bytes
   bool edit = false;                   ///< whether the scene file may be written
   std::filesystem::path output;        ///< folder for what is rendered from the page; empty: nothing is
+  CounterpartOptions other;            ///< what stands beside the scene
 };
 
 /// Makes the pictures: does what viewers ask for, watches the scene's files, steps, draws. On the thread of
@@ -56,6 +58,8 @@ class Player {
   void setValue(const Json& request);
   void forget(const Json& request);
   void paint(const Json& request);
+  void setBeside(const Json& request);
+  void setOther(std::vector<scene::Override> edits, bool moving);
   void renderIt(const Json& request);
   void compare(const Json& request);
   void testThisFrame();
@@ -66,8 +70,10 @@ class Player {
   void readFile();
   /// Shows the text with these edits, or says what is wrong with it. Whether it does.
   bool show(const std::string& text, std::vector<scene::Override> edits, bool moving);
-  void adopt(std::shared_ptr<Script> script, bool moving);
-  void replay(std::shared_ptr<Script> script);
+  /// The other side, beside what is shown; where that went on with other values, `carries`.
+  void showOther(bool moving, bool carries);
+  void keepPace(bool carries);
+  void makeGood();
   /// `edit`: the path of the edit that is in the file then.
   void writeFile(const scene::Override& change, const std::string& edit);
   void report(const std::string& text);
@@ -81,13 +87,27 @@ class Player {
   [[nodiscard]] bool isMoving() const;
   [[nodiscard]] double secondsToWait() const;
   [[nodiscard]] int lastFrame() const;
+  [[nodiscard]] bool isThere() const;
+  [[nodiscard]] bool isCarried() const;
+  bool approach();
+  [[nodiscard]] StageMilliseconds took() const;
+  [[nodiscard]] std::size_t memoryOfEach() const;
 
-  [[nodiscard]] std::string describe(const frame::Image& image, std::uint64_t number, bool draft) const;
+  /// What goes out at once: the picture, that of the other side, and how they differ.
+  struct Drawn {
+    std::uint64_t number = 0;
+    bool draft = false;
+    frame::Image image;
+    std::optional<frame::Image> other;
+    std::optional<std::size_t> different;  ///< pixels, of whole pictures of one size
+    std::vector<std::string> files;
+  };
+  [[nodiscard]] std::string describe(const Drawn& drawn) const;
   void tellAbout();
   void tellScene();
   void tellStatus();
   void tellSeries();
-  [[nodiscard]] std::string commandLine() const;
+  [[nodiscard]] std::vector<std::string> wordsOf(bool other) const;
 
   PlayerOptions options_;
   const gl::Context& context_;
@@ -117,6 +137,8 @@ class Player {
   std::uint64_t pictures_ = 0;
   double encodeMs_ = 0, measureMs_ = 0;
   Beside beside_;
+  Counterpart other_;
+  bool difference_ = false;  ///< whether that of both sides is shown
   RenderChild child_;
   RenderChild::Progress rendered_;       ///< as it was told
   std::deque<Clock::time_point> times_;  ///< of the latest pictures

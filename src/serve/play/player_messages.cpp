@@ -34,34 +34,76 @@ json rounded(double milliseconds) {
 
 }  // namespace
 
-std::string Player::describe(const frame::Image& image, std::uint64_t number, bool draft) const {
-  const scene::Scene& scene = stage_->script().scene;
-  const StageMilliseconds& took = stage_->took();
+namespace {
+
+/// Of one side's picture.
+json pictureJson(Stage& stage, const frame::Image& image) {
+  const scene::Scene& scene = stage.script().scene;
   json view;
   try {
-    const double time = stage_->world().time();
-    const draw::View seen =
-        draw::viewAt(scene.camera, time, scene.render.size, stage_->world().drawables());
+    const double time = stage.world().time();
+    const draw::View seen = draw::viewAt(scene.camera, time, scene.render.size, stage.world().drawables());
     view = {{"eye", pointJson(seen.eye)},
             {"target", pointJson(seen.target)},
             {"angle", scene::shortest(scene.camera.fieldOfView.at(time))}};
   } catch (const UserError&) {
     view = nullptr;
   }
-  return dumped({{"number", number},
-                 {"frame", stage_->frame()},
-                 {"type", draft ? "image/jpeg" : "image/png"},
-                 {"width", image.width},
-                 {"height", image.height},
-                 {"draft", draft},
-                 {"carried", stage_->carried()},
-                 {"state", stage_->stateHash()},
-                 {"view", view},
-                 {"took",
-                  {{"simulate", rounded(took.simulate)},
-                   {"draw", rounded(took.draw)},
-                   {"read back", rounded(took.readBack)},
-                   {"encode", rounded(encodeMs_)}}}});
+  return {{"width", image.width},       {"height", image.height},     {"carried", stage.carried()},
+          {"stepped", stage.stepped()}, {"state", stage.stateHash()}, {"view", view}};
+}
+
+/// Of one side's scene.
+json sceneJson(const Stage& stage, const std::vector<std::string>& words) {
+  const scene::Scene& scene = stage.script().scene;
+  std::string command = "simreel render";
+  for (const std::string& word : words) command += " " + inShellQuotes(word);
+  json message = {{"title", scene.title},
+                  {"frames", scene.frameCount()},
+                  {"fps", scene.time.fps},
+                  {"size", {scene.render.size.x, scene.render.size.y}},
+                  {"samples", scene.render.samples},
+                  {"numerics", scene.numerics == scene::Numerics::exact ? "exact" : "fast"},
+                  {"rasterizer", scene.render.rasterizer == scene::Rasterizer::exact ? "exact" : "driver"},
+                  {"staged", scene.staged},
+                  {"scene", nlohmann::ordered_json::parse(stage.script().asRun)},
+                  {"command", command},
+                  {"checks", json::array()}};
+  for (const scene::Check& check : scene.checks)
+    message["checks"].push_back({{"what", check.what},
+                                 {"object", check.object},
+                                 {"of", check.of},
+                                 {"min", check.min ? json(*check.min) : json()},
+                                 {"max", check.max ? json(*check.max) : json()}});
+  return message;
+}
+
+json editsJson(const std::vector<scene::Override>& edits) {
+  json list = json::array();
+  for (const scene::Override& edit : edits) list.push_back({edit.path, edit.value});
+  return list;
+}
+
+}  // namespace
+
+std::string Player::describe(const Drawn& drawn) const {
+  const StageMilliseconds spent = took();
+  json message = pictureJson(*stage_, drawn.image);
+  message["number"] = drawn.number;
+  message["frame"] = stage_->frame();
+  message["type"] = drawn.draft ? "image/jpeg" : "image/png";
+  message["draft"] = drawn.draft;
+  message["took"] = {{"simulate", rounded(spent.simulate)},
+                     {"draw", rounded(spent.draw)},
+                     {"read back", rounded(spent.readBack)},
+                     {"encode", rounded(encodeMs_)}};
+  if (drawn.other) {
+    message["beside"] = pictureJson(*other_.stage(), *drawn.other);
+    message["beside"]["different"] = drawn.different ? json(*drawn.different) : json();
+    message["files"] = json::array();
+    for (const std::string& file : drawn.files) message["files"].push_back(file.size());
+  }
+  return dumped(message);
 }
 
 void Player::tellAbout() {
@@ -77,38 +119,34 @@ void Player::tellAbout() {
 }
 
 void Player::tellScene() {
-  json message = {{"kind", "scene"}, {"mistakes", mistakes_}, {"edits", json::array()}};
-  for (const scene::Override& edit : edits_) message["edits"].push_back({edit.path, edit.value});
+  json message = json::object();
+  if (stage_ != nullptr) message = sceneJson(*stage_, wordsOf(false));
+  message["kind"] = "scene";
+  message["mistakes"] = mistakes_;
+  message["edits"] = editsJson(edits_);
   message["given"] = json::array();
   for (const scene::Override& given : options_.source.given) message["given"].push_back(given.path);
-  if (stage_ != nullptr) {
-    const scene::Scene& scene = stage_->script().scene;
-    message["title"] = scene.title;
-    message["frames"] = scene.frameCount();
-    message["fps"] = scene.time.fps;
-    message["size"] = {scene.render.size.x, scene.render.size.y};
-    message["samples"] = scene.render.samples;
-    message["numerics"] = scene.numerics == scene::Numerics::exact ? "exact" : "fast";
-    message["rasterizer"] = scene.render.rasterizer == scene::Rasterizer::exact ? "exact" : "driver";
-    message["staged"] = scene.staged;
-    message["scene"] = nlohmann::ordered_json::parse(stage_->script().asRun);
-    message["command"] = commandLine();
-    message["checks"] = json::array();
-    for (const scene::Check& check : scene.checks)
-      message["checks"].push_back({{"what", check.what},
-                                   {"object", check.object},
-                                   {"of", check.of},
-                                   {"min", check.min ? json(*check.min) : json()},
-                                   {"max", check.max ? json(*check.max) : json()}});
+  if (other_.on()) {
+    json other = json::object();
+    if (other_.stage() != nullptr) other = sceneJson(*other_.stage(), wordsOf(true));
+    other["mistakes"] = other_.mistakes();
+    other["edits"] = editsJson(other_.edits());
+    other["file"] = options_.other.source.file.string();
+    other["ownFile"] = other_.ownFile();
+    other["difference"] = difference_;
+    message["beside"] = std::move(other);
   }
   hub_.tell("scene", dumped(message));
 }
 
-std::string Player::commandLine() const {
-  std::string line = "simreel render";
-  for (const std::string& word : options_.arguments) line += " " + inShellQuotes(word);
-  for (const scene::Override& edit : edits_) line += " -D " + inShellQuotes(edit.path + "=" + edit.value);
-  return line;
+/// What renders one side, or the other: scene, options, values.
+std::vector<std::string> Player::wordsOf(bool other) const {
+  std::vector<std::string> words = other ? other_.options().arguments : options_.arguments;
+  const Stage* stage = other ? other_.stage() : stage_.get();
+  if (stage != nullptr)
+    for (const scene::Override& edit : stage->script().edits)
+      words.insert(words.end(), {"-D", edit.path + "=" + edit.value});
+  return words;
 }
 
 void Player::tellStatus() {
@@ -121,7 +159,8 @@ void Player::tellStatus() {
                   {"rate", rounded(rate)}};
   if (stage_ != nullptr) {
     const KeptStates& kept = stage_->kept();
-    message["frame"] = stage_->frame();
+    const Stage* other = other_.stage();
+    message["frame"] = other == nullptr || stage_->frame() != target_ ? stage_->frame() : other->frame();
     message["kept"] = {{"count", kept.frames().size()},
                        {"every", kept.interval()},
                        {"last", kept.frames().empty() ? -1 : kept.frames().back()},

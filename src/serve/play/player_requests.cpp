@@ -82,6 +82,8 @@ void Player::obey(const Json& json) {
     renderIt(json);
   } else if (what == "compare") {
     compare(json);
+  } else if (what == "beside") {
+    setBeside(json);
   } else if (what == "accept") {
     beside_.accept(edits_);
   } else if (what == "testThis") {
@@ -127,6 +129,37 @@ bool isPlain(const nlohmann::json& camera) {
 
 }  // namespace
 
+namespace {
+
+/// What makes a scene's camera stand there and look at that, in its present state.
+std::vector<scene::Override> cameraChanges(const Stage& stage, const nlohmann::json& position,
+                                           const nlohmann::json& target) {
+  const scene::Scene& shown = stage.script().scene;
+  const nlohmann::json scene = parseStrictJson(stage.script().asRun);
+  nlohmann::json camera = scene.contains("camera") ? scene.at("camera") : nlohmann::json::object();
+  if (!isPlain(camera)) {
+    for (const char* other : {"follow", "track", "orbit"}) camera.erase(other);
+    camera["position"] = position;
+    camera["target"] = target;
+    return {{"camera", camera.dump()}};
+  }
+  std::vector<scene::Override> changes = {{"camera.position", position.dump()},
+                                          {"camera.target", target.dump()}};
+  // A scene that says nothing of its camera has another angle than one that does.
+  if (!shown.camera.hasAngle)
+    changes.push_back({"camera.fieldOfView",
+                       fmt::format("{}", shown.camera.fieldOfView.at(stage.frame() / shown.time.fps))});
+  return changes;
+}
+
+std::vector<scene::Override> withEdits(std::vector<scene::Override> edits,
+                                       const std::vector<scene::Override>& changes) {
+  for (const scene::Override& change : changes) edits = withEdit(edits, change);
+  return edits;
+}
+
+}  // namespace
+
 void Player::moveCamera(const Json& json) {
   if (stage_ == nullptr) return;
   const JsonValue request(json);
@@ -134,25 +167,18 @@ void Player::moveCamera(const Json& json) {
   const auto position = pointOf(request.at("position"));
   const auto target = pointOf(request.at("target"));
   if (moving) moved_ = Clock::now();
-  const scene::Scene& shown = stage_->script().scene;
-  const nlohmann::json scene = parseStrictJson(stage_->script().asRun);
-  nlohmann::json camera = scene.contains("camera") ? scene.at("camera") : nlohmann::json::object();
-  std::vector<scene::Override> edits = edits_;
-  std::vector<scene::Override> changes;
-  const double time = stage_->frame() / shown.time.fps;
-  if (isPlain(camera)) {
-    changes = {{"camera.position", position.dump()}, {"camera.target", target.dump()}};
-    // A scene that says nothing of its camera has another angle than one that does.
-    if (!shown.camera.hasAngle)
-      changes.push_back({"camera.fieldOfView", fmt::format("{}", shown.camera.fieldOfView.at(time))});
-  } else {
-    for (const char* other : {"follow", "track", "orbit"}) camera.erase(other);
-    camera["position"] = position;
-    camera["target"] = target;
-    changes = {{"camera", camera.dump()}};
+  const auto changes = cameraChanges(*stage_, position, target);
+  if (other_.stage() != nullptr) {
+    // The same, or what the mouse made of a view of its own.
+    const auto own = request.find("beside");
+    const auto otherPosition = own ? pointOf(own->at("position")) : position;
+    const auto otherTarget = own ? pointOf(own->at("target")) : target;
+    if (other_.ownFile() || other_.hasOwnView() || otherPosition != position || otherTarget != target)
+      other_.setEdits(
+          withEdits(other_.edits(), cameraChanges(*other_.stage(), otherPosition, otherTarget)));
   }
-  for (const scene::Override& change : changes) edits = withEdit(edits, change);
-  if (!show(text_, edits, moving) || moving || !options_.edit || changes.size() < 2) return;
+  if (!show(text_, withEdits(edits_, changes), moving) || moving || !options_.edit || changes.size() < 2)
+    return;
   for (const scene::Override& change : changes) writeFile(change, change.path);
 }
 
@@ -161,28 +187,60 @@ void Player::setValue(const Json& json) {
   const bool moving = isSet(request, "moving");
   const scene::Override change{request.at("path").text(), request.at("value").json().dump()};
   if (moving) moved_ = Clock::now();
-  if (std::any_of(options_.source.given.begin(), options_.source.given.end(),
-                  [&](const scene::Override& given) { return given.path == change.path; }))
-    fail(ExitCode::usage, "{} is given on the command line, which goes before", change.path);
-  const auto before = edits_;
-  if (!show(text_, withEdit(edits_, change), moving)) {
-    // What was there before is still shown.
-    const std::string said = mistakes_;
-    mistakes_.clear();
-    throw UserError(ExitCode::usage, said, UserError::Form::report);
+  if (isSet(request, "beside")) {
+    setOther(withEdit(other_.edits(), change), moving);
+  } else {
+    if (std::any_of(options_.source.given.begin(), options_.source.given.end(),
+                    [&](const scene::Override& given) { return given.path == change.path; }))
+      fail(ExitCode::usage, "{} is given on the command line, which goes before", change.path);
+    if (!show(text_, withEdit(edits_, change), moving)) {
+      // What was there before is still shown.
+      const std::string said = mistakes_;
+      mistakes_.clear();
+      throw UserError(ExitCode::usage, said, UserError::Form::report);
+    }
+    if (!moving && options_.edit) writeFile(change, change.path);
   }
   if (moving) moved_ = Clock::now();  // making a world may have taken longer than a rest
-  if (!moving && options_.edit) writeFile(change, change.path);
+}
+
+/// Values of the other side alone, which comes with the first of them.
+void Player::setOther(std::vector<scene::Override> edits, bool moving) {
+  if (stage_ == nullptr) return;
+  const bool was = other_.on();
+  const auto before = other_.edits();
+  other_.turn(true);
+  other_.setEdits(std::move(edits));
+  showOther(moving, false);
+  if (other_.mistakes().empty()) return;
+  const std::string said = other_.mistakes();
+  other_.setEdits(before);
+  other_.turn(was);
+  showOther(moving, false);
+  throw UserError(ExitCode::usage, said, UserError::Form::report);
+}
+
+/// The other side is there, or no longer.
+void Player::setBeside(const Json& json) {
+  const JsonValue request(json);
+  const bool on = request.at("on").boolean();
+  difference_ = isSet(request, "difference");
+  other_.turn(on);
+  showOther(false, false);
 }
 
 /// Edits that are to be undone: all, or one with those below it.
 void Player::forget(const Json& json) {
   const JsonValue request(json);
+  const bool beside = isSet(request, "beside");
   std::vector<scene::Override> left;
   if (const auto path = request.find("path"))
-    for (const scene::Override& edit : edits_)
+    for (const scene::Override& edit : beside ? other_.edits() : edits_)
       if (edit.path != path->text() && !edit.path.starts_with(path->text() + ".")) left.push_back(edit);
-  show(text_, std::move(left), false);
+  if (!beside)
+    show(text_, std::move(left), false);
+  else if (other_.on())
+    setOther(std::move(left), false);
 }
 
 /// The value goes from the edits into the file.
@@ -240,12 +298,7 @@ void Player::paint(const Json& json) {
   if (const auto value = request.find("value")) stroke["value"] = value->number();
   const scene::Override written{fmt::format("{}.{}", path, strokes.size()), stroke.dump()};
   strokes.push_back(std::move(stroke));
-  auto script = readScript(options_.source, text_, withEdit(edits_, {path, strokes.dump()}));
-  if (!stage_->goOnAs(script, target_)) replay(script);
-  edits_ = script->edits;
-  shown_ = rest_ = false;
-  tellScene();
-  if (!options_.edit) return;
+  if (!show(text_, withEdit(edits_, {path, strokes.dump()}), false) || !options_.edit) return;
   // The states are those of this scene already: the file says the same as the edit.
   if (strokes.size() == 1)
     writeFile({path, strokes.dump()}, path);
@@ -271,11 +324,12 @@ void Player::renderIt(const Json& json) {
   if (options_.output.empty())
     fail(ExitCode::usage, "nothing is rendered from here; start with simreel serve --output FOLDER");
   if (stage_ == nullptr) return;
-  std::vector<std::string> words = options_.arguments;
-  for (const scene::Override& edit : edits_)
-    words.insert(words.end(), {"-D", edit.path + "=" + edit.value});
-  const std::string name = options_.source.file.stem().string();
-  if (isSet(JsonValue(json), "all"))
+  const JsonValue request(json);
+  const bool other = isSet(request, "beside") && other_.stage() != nullptr;
+  std::vector<std::string> words = wordsOf(other);
+  std::string name = (other ? options_.other.source.file : options_.source.file).stem().string();
+  if (other && !other_.ownFile()) name += "_beside";
+  if (isSet(request, "all"))
     child_.start(std::move(words), fmt::format("0-{}", lastFrame()), options_.output / name);
   else
     child_.start(std::move(words), std::to_string(target_),
@@ -309,8 +363,9 @@ void Player::pick(std::uint64_t viewer, const Json& json) {
   const JsonValue request(json);
   if (!request.at("asks").is("pixel")) request.at("asks").wrong("is nothing that can be asked");
   const glm::dvec2 place(request.at("x").number(), request.at("y").number());
-  if (stage_ == nullptr || stage_->frame() != target_) return;
-  const PixelAnswer answer = stage_->ask(place);
+  if (stage_ == nullptr || !isThere()) return;
+  const bool other = isSet(request, "beside") && other_.stage() != nullptr;
+  const PixelAnswer answer = (other ? *other_.stage() : *stage_).ask(place);
   nlohmann::json rows = nlohmann::json::array();
   for (const PixelAnswer::Row& row : answer.rows)
     rows.push_back(row.value ? nlohmann::json{row.name, *row.value, row.text}

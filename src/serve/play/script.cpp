@@ -1,10 +1,12 @@
 #include "serve/play/script.hpp"
 
 #include "scene/as_run.hpp"
+#include "serve/play/changes.hpp"
 #include "sim/world/list.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -108,7 +110,7 @@ std::shared_ptr<Script> readScript(const SceneSource& source, const std::string&
   if (script->draft.render.quality == scene::Quality::high)
     script->draft.render.quality = scene::Quality::draft;
   script->asRun = scene::textAsRun(text, source.file, all);
-  script->simulation = scene::simulationHash(script->asRun);
+  script->simulation = scene::simulationHash(withoutWhatShows(script->asRun));
   return script;
 }
 
@@ -133,6 +135,23 @@ Change changeBetween(const Script& before, const Script& after) {
   const bool look = std::all_of(paths.begin(), paths.end(),
                                 [](const std::string& path) { return path == "camera" || isLook(path); });
   return look && !whole ? Change::look : Change::drawing;
+}
+
+bool drawsAlike(const Script& before, const Script& after) {
+  if (before.scene.staged != after.scene.staged || addsGroup(before, after)) return false;
+  const std::set<std::string> paths = differingPaths(before.asRun, after.asRun);
+  return std::all_of(paths.begin(), paths.end(), [](const std::string& path) {
+    return path.starts_with("objects.") && scene::touchesSimulation(path);
+  });
+}
+
+int firstOther(const Simulated& before, const Script& after) {
+  if (before.simulation == after.simulation) return farFrame;
+  const double seconds = secondsAlike(before.asRun, after.asRun);
+  // A frame's state has heard of what is before its time; one at that very time need not have.
+  constexpr double rounding = 1e-9;
+  const double frames = std::floor(seconds * after.scene.time.fps + rounding);
+  return static_cast<int>(std::clamp(frames, 0.0, static_cast<double>(farFrame)));
 }
 
 void takeLook(Script& shown, Script& from) {

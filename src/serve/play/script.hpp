@@ -25,7 +25,7 @@ struct Script {
   scene::Scene scene;
   scene::Scene draft;      ///< the same without lens, shutter and rays: for pictures that have to be quick
   std::string asRun;       ///< scene::sceneAsRun
-  std::string simulation;  ///< scene::simulationHash
+  std::string simulation;  ///< scene::simulationHash of it without what only shows (withoutWhatShows)
 };
 
 /// Reads it. Throws UserError(usage) with every mistake.
@@ -41,6 +41,18 @@ enum class Change {
   simulation,
 };
 [[nodiscard]] Change changeBetween(const Script& before, const Script& after);
+/// Whether a renderer made for one draws the other's objects, too.
+[[nodiscard]] bool drawsAlike(const Script& before, const Script& after);
+/// What states come from. Of its own: scripts that are shown take over what others look like.
+struct Simulated {
+  std::string asRun, simulation;  ///< as in Script
+};
+[[nodiscard]] inline Simulated simulatedOf(const Script& script) {
+  return {script.asRun, script.simulation};
+}
+/// The first frame whose state may be another one; farFrame: none.
+[[nodiscard]] int firstOther(const Simulated& before, const Script& after);
+inline constexpr int farFrame = 1 << 30;
 /// For Change::look: takes over those values, in place.
 void takeLook(Script& shown, Script& from);
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <set>
 #include <utility>
 
 namespace simreel::serve {
@@ -24,7 +23,11 @@ glm::ivec2 scaledSize(glm::ivec2 size, float scale) {
 }  // namespace
 
 Stage::Stage(std::shared_ptr<Script> script, std::size_t memory)
-    : script_(std::move(script)), made_(script_), kept_(memory) {
+    : script_(std::move(script)),
+      made_(script_),
+      memory_(memory),
+      kept_(memory),
+      keptOf_(simulatedOf(*script_)) {
   makeWorld();
 }
 
@@ -32,12 +35,17 @@ Stage::~Stage() {
   if (world_) world_->onFrameBefore({});
 }
 
+/// To the state before the first one.
 void Stage::makeWorld() {
   summaries_ = nullptr;
   world_ = std::make_unique<sim::World>(script_->scene);
+  begin();
+}
+
+/// With a world that has not stepped yet.
+void Stage::begin() {
   made_ = script_;
-  started_ = false;
-  seen_ = false;
+  started_ = seen_ = carried_ = false;
   forgetBefore();
   summaries_ = std::make_unique<frame::Summaries>(*world_, [this](const auto& summary) { hear(summary); });
   if (series_.empty()) {
@@ -93,6 +101,7 @@ void Stage::step(bool seen) {
     world_->advanceTo(next);
   else
     world_->passTo(next);
+  ++stepped_;
   started_ = true;
   seen_ = seen;
   if (seen) summaries_->start();
@@ -110,20 +119,16 @@ void Stage::lookAt() {
 
 bool Stage::approach(int frame) {
   if (started_ && world_->frame() == frame) return true;
-  const frame::WorldState* nearest = kept_.before(frame);
+  if (carried_ && world_->frame() > frame) simulateAs(script_);
   const bool back = started_ && world_->frame() > frame;
+  const frame::WorldState* nearest = keptBefore(frame);
   if (back || (nearest != nullptr && (!started_ || world_->frame() < nearest->frame))) {
     summaries_->takeAll();
     if (nearest == nullptr) {
       makeWorld();
       return false;
     }
-    frame::putBack(*world_, nearest->frame, nearest->parts, nearest->bytes, "a state that was kept");
-    started_ = true;
-    seen_ = true;
-    forgetBefore();
-    summaries_->start();
-    return world_->frame() == frame;
+    return putBack(*nearest) && world_->frame() == frame;
   }
   const auto begun = Clock::now();
   const bool counts = measured_ > 0;
@@ -131,13 +136,36 @@ bool Stage::approach(int frame) {
   if (world_->frame() == frame) {
     lookAt();
     glFinish();
-    took_.simulate = perSecond * secondsSince(begun);
+    took_.simulate = perSecond * secondsSince(begun) + std::exchange(making_, 0);
   }
   if (!carried_ && kept_.wants(world_->frame())) {
     lookAt();  // no state that is lost is kept
     kept_.keep(frame::stateOf(*world_));
+    if (past_ && kept_.bytes() + past_->kept.bytes() > memory_) past_.reset();
   }
   return world_->frame() == frame;
+}
+
+/// False where it does not fit, as of a fluid that has had no dye before: then none does, and it begins
+/// anew.
+bool Stage::putBack(const frame::WorldState& state) {
+  try {
+    frame::putBack(*world_, state.frame, state.parts, state.bytes, "a state that was kept");
+  } catch (const UserError&) {
+    kept_.clear();
+    makeWorld();
+    return false;
+  }
+  started_ = true;
+  seen_ = true;
+  forgetBefore();
+  summaries_->start();
+  return true;
+}
+
+/// None while the state is one of other values.
+const frame::WorldState* Stage::keptBefore(int frame) const {
+  return carried_ ? nullptr : kept_.before(frame);
 }
 
 Stage::Drawer& Stage::drawerOf(std::size_t level) {
@@ -164,7 +192,7 @@ void Stage::prepareMotion(Drawer& drawer) {
     return;
   }
   summaries_->takeAll();
-  const frame::WorldState* nearest = kept_.before(frame - 1);
+  const frame::WorldState* nearest = keptBefore(frame - 1);
   if (nearest != nullptr) {
     frame::putBack(*world_, nearest->frame, nearest->parts, nearest->bytes, "a state that was kept");
     started_ = true;
@@ -241,81 +269,6 @@ void Stage::measure() {
 PixelAnswer Stage::ask(glm::dvec2 place) {
   lookAt();
   return askPixel(script_->draft, *world_, place);
-}
-
-void Stage::takeLookOf(Script& from) {
-  // Renderers and world may have been made of another one each.
-  std::set<Script*> all = {script_.get(), made_.get()};
-  for (const Drawer& drawer : drawers_)
-    if (drawer.script) all.insert(drawer.script.get());
-  for (Script* one : all) takeLook(*one, from);
-  setTestScene(nullptr);
-}
-
-void Stage::drawAs(std::shared_ptr<Script> script) {
-  drawers_ = {};
-  setTestScene(nullptr);
-  script_ = std::move(script);
-  forgetBefore();
-  follow();
-}
-
-void Stage::dressAs(std::shared_ptr<Script> script) {
-  SIMREEL_CHECK(carryOverTo(std::move(script)));
-  drawers_ = {};
-}
-
-/// Who draws stays: what of a scene it knows has not changed.
-void Stage::take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script) {
-  script_ = std::move(script);
-  made_ = script_;
-  summaries_ = nullptr;
-  world_ = std::move(world);
-  summaries_ = std::make_unique<frame::Summaries>(*world_, [this](const auto& summary) { hear(summary); });
-  setTestScene(nullptr);
-  forgetBefore();
-  started_ = true;
-  seen_ = true;
-  follow();
-  summaries_->start();
-}
-
-bool Stage::carryOverTo(std::shared_ptr<Script> script) {
-  summaries_->takeAll();
-  if (!started_) {
-    drawAs(std::move(script));
-    makeWorld();
-    return true;
-  }
-  const frame::WorldState state = frame::stateOf(*world_);
-  auto world = std::make_unique<sim::World>(script->scene);
-  try {
-    frame::putBack(*world, state.frame, state.parts, state.bytes, "the present state");
-  } catch (const UserError&) {
-    return false;
-  }
-  if (script->simulation != script_->simulation) {
-    carried_ = true;
-    kept_.clear();
-  }
-  take(std::move(world), std::move(script));
-  return true;
-}
-
-bool Stage::goOnAs(std::shared_ptr<Script> script, int frame) {
-  const frame::WorldState* nearest = kept_.before(frame - 1);
-  if (carried_ || !started_ || nearest == nullptr) return false;
-  summaries_->takeAll();
-  auto world = std::make_unique<sim::World>(script->scene);
-  try {
-    frame::putBack(*world, nearest->frame, nearest->parts, nearest->bytes, "a state that was kept");
-  } catch (const UserError&) {
-    return false;
-  }
-  kept_.forgetFrom(frame);
-  for (Series& series : series_) series.values.erase(series.values.lower_bound(frame), series.values.end());
-  take(std::move(world), std::move(script));
-  return true;
 }
 
 }  // namespace simreel::serve

@@ -54,7 +54,9 @@ class Stage {
   [[nodiscard]] sim::World& world() { return *world_; }
   [[nodiscard]] int frame() const { return world_->frame(); }
   [[nodiscard]] const KeptStates& kept() const { return kept_; }
-  /// Whether its state came out of other values (carryOverTo): not what `simreel render` comes to.
+  /// Frames that were simulated since there is the stage.
+  [[nodiscard]] long stepped() const { return stepped_; }
+  /// Whether its state came out of other values (become): not what `simreel render` comes to.
   [[nodiscard]] bool carried() const { return carried_; }
   [[nodiscard]] const std::string& stateHash() const { return stateHash_; }
   [[nodiscard]] const StageMilliseconds& took() const { return took_; }
@@ -76,18 +78,18 @@ class Stage {
   /// What is at a place of the present picture (askPixel).
   [[nodiscard]] PixelAnswer ask(glm::dvec2 place);
 
-  /// For Change::look.
-  void takeLookOf(Script& from);
-  /// For Change::drawing.
-  void drawAs(std::shared_ptr<Script> script);
-  /// For Change::dress: the world is made anew, in its present state.
-  void dressAs(std::shared_ptr<Script> script);
-  /// For Change::simulation: the same, although that state is one of other values; false where it does not
-  /// fit, and nothing has happened.
-  [[nodiscard]] bool carryOverTo(std::shared_ptr<Script> script);
-  /// For another script whose simulation is the same up to before `frame`: goes on from the latest state
-  /// that is kept from before; false where there is none, and nothing has happened.
-  [[nodiscard]] bool goOnAs(std::shared_ptr<Script> script, int frame);
+  /// Shows another script, and makes no more anew than it has to (changeBetween). Of a simulation that is
+  /// another one from some time on, the states before that stay; then approach() goes on from there.
+  /// `moving`: it changes again at once, so the present state may go on with its values, though
+  /// `simreel render` comes to another one. Whether it does.
+  bool become(std::shared_ptr<Script> script, bool moving);
+  /// What came out of other values is forgotten: approach() begins anew.
+  void makeGood();
+  /// Bytes for states that are kept.
+  void allow(std::size_t memory);
+  /// Of a stage that shows the same up to some time: takes over its nearest state at or before `frame`, so
+  /// that a new stage need not begin at the start.
+  void startLike(const Stage& other, int frame);
 
  private:
   struct Drawer {
@@ -98,7 +100,24 @@ class Stage {
     std::optional<int> toldBefore;   ///< frame whose frame before it knows
   };
 
+  /// States of a simulation that may come back.
+  struct Past {
+    std::string simulation;  ///< Script::simulation
+    KeptStates kept;
+    std::vector<Series> series;
+  };
+
+  void takeLookOf(Script& from);
+  void drawAs(std::shared_ptr<Script> script);
+  void dressAs(std::shared_ptr<Script> script);
+  [[nodiscard]] bool carryOverTo(std::shared_ptr<Script> script);
+  void simulateAs(std::shared_ptr<Script> script);
+  void keepWhatIsAlike(const std::shared_ptr<Script>& script);
+  [[nodiscard]] bool isNear(const Script& script) const;
+  [[nodiscard]] const frame::WorldState* keptBefore(int frame) const;
+  bool putBack(const frame::WorldState& state);
   void makeWorld();
+  void begin();
   void take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script);
   void step(bool seen);
   void hear(const sim::World::Summary& summary);
@@ -110,18 +129,23 @@ class Stage {
 
   std::shared_ptr<Script> script_;
   std::shared_ptr<Script> made_;  ///< that the world was made of
+  std::size_t memory_;            ///< bytes, of kept_ and past_
   KeptStates kept_;
+  Simulated keptOf_;  ///< whose states they are
+  std::optional<Past> past_;
   std::unique_ptr<sim::World> world_;
   std::unique_ptr<frame::Summaries> summaries_;
   std::array<Drawer, detailLevels.size()> drawers_;
   std::unique_ptr<scene::Scene> testScene_;
   Drawer tester_;  ///< of testScene_
+  long stepped_ = 0;
   bool started_ = false;
   bool carried_ = false;
   bool seen_ = false;  ///< whether the present frame may be looked at
   std::string stateHash_;
   std::vector<std::string> arrayHashes_;  ///< of each state array
   StageMilliseconds took_;
+  double making_ = 0;  ///< ms, of the world that goes on with other values
   std::vector<Series> series_;
   std::size_t measured_ = 0;  ///< where measured quantities begin in series_
 };

@@ -26,10 +26,17 @@ class ServeCase(Case):
         self.assertIn(code, expected, err)
         self.assertNotIn("error", err)
 
-    def rendered(self, frame, *arguments):
-        out = self.folder / f"rendered_{frame}.png"
-        self.good("render", "scene.json", "-o", out, "--frames", frame, "--overwrite", *arguments)
-        return self.pixels(out.read_bytes())
+    def rendered(self, frame, *arguments, file="scene.json", frames=None):
+        """What render makes of a frame. `frames`, "2-8": those that the test asks for, too, by one process; each is rendered
+        once."""
+        text = (self.folder / file).read_bytes()
+        known = self.__dict__.setdefault("pictures", {})
+        if (text, arguments, frame) not in known:
+            self.good("render", file, "-o", self.folder / "rendered_####.png", "--frames", frames or frame, "--overwrite", *arguments)
+            for picture in self.folder.glob("rendered_*.png"):
+                known[text, arguments, int(picture.stem[-4:])] = self.pixels(picture.read_bytes())
+                picture.unlink()
+        return known[text, arguments, frame]
 
     def pixels(self, png):
         from common import png_rows, unfiltered
@@ -123,7 +130,7 @@ class Safety(ServeCase):
         other.rest(0)
 
     def test_viewers_that_are_slow_or_vanish(self):
-        server = self.serve("--size", "640x360")
+        server = self.serve("--size", "320x180")
         quick, slow = server.viewer(), server.viewer(acknowledges=False)
         quick.rest(0)
         for _ in range(5):  # gone in the middle of a picture
@@ -132,10 +139,10 @@ class Safety(ServeCase):
             viewer.close()
         quick.send(do="play")
         before = len(quick.pictures)
-        end = time.monotonic() + 4
-        while time.monotonic() < end:
+        end = time.monotonic() + 30
+        while len(quick.pictures) - before < 12:
+            self.assertLess(time.monotonic(), end)
             quick.receive()
-        self.assertGreater(len(quick.pictures) - before, 8)
         quick.send(do="pause")
         quick.send(do="seek", frame=3)
         last = quick.rest(3)[0]["number"]
@@ -203,7 +210,7 @@ class Pictures(ServeCase):
         viewer = server.viewer()
         for frame in (0, 5, 2, 4, 0):
             viewer.send(do="seek", frame=frame)
-            self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame))
+            self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, frames="0-5"))
         viewer.send(do="play")
         viewer.until(lambda kind, message: kind == "status" and message.get("frame", 0) == 5)
         viewer.send(do="pause")
@@ -230,7 +237,7 @@ class Pictures(ServeCase):
         viewer = server.viewer()
         for frame in (3, 0, 1, 0, 4):
             viewer.send(do="seek", frame=frame)
-            self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame), frame)
+            self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, frames="0-4"), frame)
 
     def test_values_that_change(self):
         """In place, with another renderer, another world or from the start: always what render makes of them."""
@@ -396,7 +403,7 @@ class Painting(ServeCase):
                 self.assertEqual(json.loads(path.read_text()), FIELD)
                 given = [word for at, text in viewer.latest["scene"]["edits"] for word in ("-D", f"{at}={text}")]
             self.assertNotEqual(painted, before)
-            self.assertEqual(painted, self.rendered(4, *given))
+            self.assertEqual(painted, self.rendered(4, *given, frames="2-8"))
             for frame in (8, 2, 6):
                 viewer.send(do="seek", frame=frame)
                 self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, *given), frame)

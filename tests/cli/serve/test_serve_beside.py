@@ -1,0 +1,189 @@
+"""`simreel serve` with two sides in step, and changes of a simulation that keep what they can: every picture is that of
+`simreel render` with the values of its side."""
+import json
+import os
+import unittest
+
+from common import PROGRAM, SCENE, with_values
+from serve_client import files_of
+from test_serve import FIELD, ServeCase
+
+os.environ.setdefault("SIMREEL", PROGRAM)
+DAMPING = "objects.flag.cloth.damping"
+
+
+class TwoSides(ServeCase):
+    def sides(self, viewer, frame):
+        picture = viewer.rest(frame, 20)
+        self.assertIn("beside", picture[0])
+        return [self.pixels(file) for file in files_of(picture)]
+
+    def shows(self, viewer, frame, left, right, file="scene.json", frames=None):
+        """Waits for both sides' pictures of the frame: those of render with these values."""
+        wanted = [self.rendered(frame, *left, frames=frames), self.rendered(frame, *right, file=file, frames=frames)]
+        while (found := self.sides(viewer, frame))[:2] != wanted:
+            pass  # rest() ends it
+        self.assertEqual(viewer.pictures[-1][0]["beside"]["different"], self.differing(*wanted))
+        return found
+
+    def differing(self, a, b):
+        if a[:2] != b[:2]:
+            return None
+        step = len(a[2]) // (a[0] * a[1])
+        return sum(a[2][i:i + step] != b[2][i:i + step] for i in range(0, len(a[2]), step))
+
+    def in_step(self, viewer):
+        """Every picture had both sides from the moment on when the second was there."""
+        both = ["beside" in about for about, _ in viewer.pictures]
+        self.assertEqual(both, sorted(both))
+
+    def test_one_scene_with_two_values(self):
+        left, right = ["-D", "sun.intensity=2"], ["-D", "sun.intensity=2", "-D", f"{DAMPING}=3"]
+        server = self.serve(*left, "--beside", f"{DAMPING}=3")
+        viewer = server.viewer()
+        for frame in (0, 5, 2):
+            viewer.send(do="seek", frame=frame)
+            self.shows(viewer, frame, left, right, frames="0-5")
+        self.assertGreater(viewer.pictures[-1][0]["beside"]["different"], 0)
+        # What both have, the mouse's camera too, changes both; what the right has alone goes before.
+        viewer.send(do="camera", position=[0.5, 1, 3], target=[0, 1, 0])
+        viewer.send(do="set", path="camera.fieldOfView", value=30)
+        view = ["-D", "camera.position=[0.5,1,3]", "-D", "camera.target=[0,1,0]", "-D", "camera.fieldOfView=30"]
+        viewer.until(lambda kind, m: kind == "scene" and len(m["edits"]) == 3)
+        self.shows(viewer, 2, left + view, right + view)
+        viewer.send(do="set", path=DAMPING, value=1)
+        self.shows(viewer, 2, left + view + ["-D", f"{DAMPING}=1"], right + view)
+        self.assertEqual(viewer.latest["scene"]["beside"]["edits"], [[DAMPING, "3"]])
+        self.in_step(viewer)
+
+    def test_in_step_while_they_play(self):
+        server = self.serve("--beside", "objects.flag.cloth.substeps=200")
+        viewer = server.viewer()
+        viewer.rest(0)
+        viewer.send(do="play")
+        viewer.until(lambda kind, m: kind == "picture" and m[0]["frame"] == 5)
+        viewer.send(do="pause")
+        viewer.send(do="seek", frame=3, moving=True)
+        self.shows(viewer, 3, [], ["-D", "objects.flag.cloth.substeps=200"])
+        self.in_step(viewer)
+        self.assertTrue(all(len(about["files"]) == 2 for about, _ in viewer.pictures))
+
+    def test_from_the_page(self):
+        server = self.serve("--edit")
+        viewer = server.viewer()
+        viewer.send(do="seek", frame=4)
+        viewer.rest(4)
+        viewer.send(do="beside", on=True, difference=True)
+        self.shows(viewer, 4, [], [])
+        self.assertEqual(viewer.pictures[-1][0]["beside"]["different"], 0)
+        for moving in (True, False):
+            viewer.send(do="set", path="sun.intensity", value=9, moving=moving, beside=True)
+        files = self.shows(viewer, 4, [], ["-D", "sun.intensity=9"])
+        self.assertEqual(files[2][:2], (64, 36))  # the difference
+        self.assertGreater(viewer.pictures[-1][0]["beside"]["different"], 50)
+        viewer.send(do="set", path=DAMPING, value=4, beside=True)
+        self.shows(viewer, 4, [], ["-D", "sun.intensity=9", "-D", f"{DAMPING}=4"])
+        viewer.send(do="set", path=DAMPING, value="much", beside=True)
+        self.assertIn("damping", viewer.until(lambda kind, _: kind == "refused")["text"])
+        self.shows(viewer, 4, [], ["-D", "sun.intensity=9", "-D", f"{DAMPING}=4"])
+        viewer.send(do="forget", path=DAMPING, beside=True)
+        self.shows(viewer, 4, [], ["-D", "sun.intensity=9"])
+        self.assertIn("-D sun.intensity=9", viewer.latest["scene"]["beside"]["command"])
+        viewer.send(do="beside", on=False)
+        while "beside" in viewer.rest(4)[0]:
+            pass
+        self.assertEqual(json.loads((self.folder / "scene.json").read_text()), SCENE)  # nothing of it is written
+
+    def test_two_scenes(self):
+        other = with_values({"camera.position": [1, 1, 2], "time.duration": 0.1, "render.size": [48, 40], DAMPING: 2})
+        self.write("other.json", other)
+        server = self.serve("other.json", "--beside", "sun.intensity=1")
+        viewer = server.viewer()
+        viewer.send(do="seek", frame=5)
+        self.shows(viewer, 2, [], ["-D", "sun.intensity=1"], file="other.json")  # as far as both go
+        self.assertIsNone(viewer.pictures[-1][0]["beside"]["different"])
+        viewer.send(do="camera", position=[0, 1, 4], target=[0, 1, 0], beside={"position": [2, 1, 2], "target": [0, 1, 0]})
+        view = ["-D", "camera.target=[0,1,0]", "-D", "camera.fieldOfView=40"]
+        viewer.until(lambda kind, m: kind == "scene" and m["edits"])
+        self.shows(viewer, 2, ["-D", "camera.position=[0,1,4]", *view],
+                   ["-D", "sun.intensity=1", "-D", "camera.position=[2,1,2]", *view], file="other.json")
+        self.write("other.json", "{")  # the last good one stays, beside what is wrong
+        viewer.until(lambda kind, m: kind == "scene" and "other.json:1" in m["beside"]["mistakes"])
+        self.write("other.json", {**other, "ground": {"height": 0.2}})
+        viewer.until(lambda kind, m: kind == "scene" and not m["beside"]["mistakes"])
+        self.shows(viewer, 2, ["-D", "camera.position=[0,1,4]", *view],
+                   ["-D", "sun.intensity=1", "-D", "camera.position=[2,1,2]", *view], file="other.json")
+        self.assertEqual(self.run_program("serve", "scene.json", "none.json").returncode, 2)
+
+
+class Changes(ServeCase):
+    """Of a simulation: frames before the change stay; where nothing is known to stay, it runs to the frame on the screen."""
+
+    def change(self, viewer, frame, edits, most):
+        """Gives these values at once; no picture but of that frame comes, and at most so many frames are simulated."""
+        before = viewer.pictures[-1][0]["stepped"]
+        for path, value in edits.items():
+            viewer.send(do="set", path=path, value=value)
+        viewer.until(lambda kind, m: kind == "scene" and {path for path, _ in m["edits"]} >= set(edits))
+        given = [word for path, value in viewer.latest["scene"]["edits"] for word in ("-D", f"{path}={value}")]
+        wanted = self.rendered(frame, *given)
+        while self.pixels(viewer.rest(seconds=20)[1]) != wanted:
+            self.assertEqual(viewer.pictures[-1][0]["frame"], frame)
+        self.assertLessEqual(viewer.pictures[-1][0]["stepped"] - before, most, edits)
+
+    def test_keys_and_strokes_keep_what_is_before_them(self):
+        feed, strokes = "objects.dish.grayScott.feed", "objects.dish.grayScott.strokes"
+        scene = with_values({feed: {"keys": [[0, 0.03], [0.2, 0.03], [0.3, 0.05]]},
+                             strokes: [{"at": 0.1, "from": [20, 20, 0], "radius": 4}]}, FIELD)
+        self.write("scene.json", scene)
+        server = self.serve()
+        viewer = server.viewer()
+        for frame in range(0, 12, 11):
+            viewer.send(do="seek", frame=frame)
+            viewer.rest(frame)
+        self.change(viewer, 11, {f"{feed}.keys": [[0, 0.03], [0.2, 0.03], [0.3, 0.02]]}, 6)
+        self.change(viewer, 11, {strokes: scene["objects"]["dish"]["grayScott"]["strokes"] +
+                                 [{"at": 0.3, "from": [40, 30, 0], "radius": 6}]}, 3)
+        self.change(viewer, 11, {strokes: [{"at": 0.1, "from": [20, 20, 0], "radius": 5}]}, 9)
+        self.change(viewer, 11, {"objects.dish.grayScott.kill": 0.061}, 12)
+        for frame in (1, 7, 3, 10):
+            viewer.send(do="seek", frame=frame)
+            given = [word for path, value in viewer.latest["scene"]["edits"] for word in ("-D", f"{path}={value}")]
+            self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, *given, frames="1-10"), frame)
+
+    def test_a_first_stroke_of_a_fluid(self):
+        """Without any it is stirred from the start."""
+        self.write("scene.json", {**FIELD, "objects": {"pool": {"fluid": {"size": [32, 32], "sides": {"left": {"velocity": [1, 0, 0]}}}}}})
+        server = self.serve()
+        viewer = server.viewer()
+        viewer.send(do="seek", frame=6)
+        viewer.rest(6)
+        self.change(viewer, 6, {"objects.pool.fluid.strokes": [{"at": 0.1, "from": [16, 16, 0], "radius": 5, "dye": [1, 0, 0]}]}, 7)
+
+    def test_what_is_taken_back_needs_no_steps(self):
+        server = self.serve()
+        viewer = server.viewer()
+        viewer.send(do="seek", frame=5)
+        before = viewer.rest(5)[1]
+        self.change(viewer, 5, {DAMPING: 3}, 6)
+        stepped = viewer.pictures[-1][0]["stepped"]
+        viewer.send(do="forget")
+        while viewer.rest(5, 20)[1] != before:
+            pass
+        self.assertEqual(viewer.pictures[-1][0]["stepped"], stepped)
+
+    def test_what_only_shows_restarts_nothing(self):
+        scene = with_values({"ground": {"height": -1, "color": [0.2, 0.2, 0.2]},
+                             "objects.dish.grayScott.display": {"extent": [0.5, 1, 0]}}, FIELD)
+        self.write("scene.json", scene)
+        server = self.serve()
+        viewer = server.viewer()
+        viewer.send(do="seek", frame=6)
+        viewer.rest(6)
+        for edits in ({"ground.color": [0.5, 0.1, 0.1]}, {"ground.roughness": 0.2}, {"objects.dish.grayScott.display.extent": [0.4, 0.5, 0]},
+                      {"objects.dish.grayScott.display.opacity": 0.5}):
+            self.change(viewer, 6, edits, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

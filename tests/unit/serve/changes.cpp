@@ -1,0 +1,89 @@
+#include "serve/play/changes.hpp"
+
+#include <limits>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+using simreel::serve::secondsAlike;
+using simreel::serve::withoutWhatShows;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double all = std::numeric_limits<double>::infinity();
+
+Json dish() {
+  return Json::parse(
+      R"({"time": {"fps": 30}, "sun": {"intensity": 3}, "ground": {"height": 0, "color": [1, 1, 1]},
+    "objects": {"dish": {"grayScott": {"size": [8, 8], "kill": 0.06, "display": {"opacity": 0.5},
+      "feed": {"keys": [[0, 1], [1, 2], [2, 3], [3, 4]]},
+      "strokes": [{"radius": 2}, {"at": 2, "radius": 2}, {"at": 1.5, "radius": 2}]}},
+      "ball": {"sphere": {"radius": 1, "position": {"keys": [[0, [0, 0, 0]], [2, [1, 0, 0]]]}}, "material": {"ior": 2}}}})");
+}
+
+/// How long the dish and one with this instead simulate the same.
+double alikeWith(const std::string& pointer, const Json& value) {
+  Json other = dish();
+  other[Json::json_pointer(pointer)] = value;
+  return secondsAlike(dish().dump(), other.dump());
+}
+
+const std::string field = "/objects/dish/grayScott";
+
+}  // namespace
+
+TEST_CASE("changes of what only draws or shows leave all of a simulation") {
+  CHECK(secondsAlike(dish().dump(), dish().dump()) == all);
+  CHECK(alikeWith("/sun/intensity", 4) == all);
+  CHECK(alikeWith("/ground/color", {0, 0, 0}) == all);
+  CHECK(alikeWith("/objects/ball/material/ior", 1.5) == all);
+  CHECK(alikeWith("/objects/ball/sphere/visible", false) == all);
+  CHECK(alikeWith(field + "/display/opacity", 1) == all);
+  CHECK(withoutWhatShows(dish().dump()).find("opacity") == std::string::npos);
+}
+
+TEST_CASE("changes of strokes leave a simulation as it was before the first of them") {
+  CHECK(alikeWith(field + "/strokes/1/radius", 3) == 2);
+  CHECK(alikeWith(field + "/strokes/1/at", 1) == 1);
+  CHECK(alikeWith(field + "/strokes/1/at", 3) == 2);
+  CHECK(alikeWith(field + "/strokes/0/radius", 3) == 0);
+  CHECK(alikeWith(field + "/strokes/3", {{"at", 2.5}}) == 2.5);
+  Json less = dish();
+  less[Json::json_pointer(field + "/strokes")].erase(1);  // the last is another one then: by its place
+  CHECK(secondsAlike(dish().dump(), less.dump()) == 1.5);
+  less[Json::json_pointer(field)].erase("strokes");
+  CHECK(secondsAlike(dish().dump(), less.dump()) == 0);
+  const std::string still = R"({"objects": {"pool": {"fluid": {}}}})";  // stirred, as nothing else is
+  const std::string one = R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}]}}}})";
+  const std::string two = R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}, {"at": 2}]}}}})";
+  CHECK(secondsAlike(still, one) < 0);
+  CHECK(secondsAlike(one, two) == 2);
+}
+
+TEST_CASE("changes of keyframes leave a simulation as it was before the first that is another one") {
+  const std::string keys = field + "/feed/keys/";
+  CHECK(alikeWith(keys + "2", {2, 5}) == 1);
+  CHECK(alikeWith(keys + "3/1", 5) == 2);
+  CHECK(alikeWith(keys + "4", {5, 5}) == 3);
+  CHECK(alikeWith(keys + "0/1", 5) < 0);
+  CHECK(alikeWith(field + "/feed/ease", "hold") < 0);
+  Json spline = dish(), other = dish();
+  for (Json* one : {&spline, &other}) (*one)[Json::json_pointer(field + "/feed/ease")] = "spline";
+  other[Json::json_pointer(keys + "3/1")] = 5;
+  CHECK(secondsAlike(spline.dump(), other.dump()) == 1);  // the speed in a key comes from both beside it
+  CHECK(alikeWith("/objects/ball/sphere/position/keys/1/1/0", 2) == 0);
+}
+
+TEST_CASE("of other changes nothing is known") {
+  CHECK(alikeWith(field + "/kill", 0.05) < 0);
+  CHECK(alikeWith(field + "/feed", 0.05) < 0);
+  CHECK(alikeWith(field + "/seeds", 1) < 0);
+  CHECK(alikeWith("/objects/ball/sphere/radius", 2) < 0);
+  CHECK(alikeWith("/objects/more", {{"sphere", Json::object()}}) < 0);
+  CHECK(alikeWith("/time/fps", 60) < 0);
+  CHECK(alikeWith("/ground/height", 1) < 0);
+  CHECK(alikeWith("/seed", 1) < 0);
+}
