@@ -118,7 +118,7 @@ nlohmann::json pointOf(const JsonValue& value) {
 
 /// Whether it stands and looks where two points say, which do not move.
 bool isPlain(const nlohmann::json& camera) {
-  for (const char* other : {"follow", "track", "orbit"})
+  for (const char* other : {"follow", "track", "orbit", "gltf"})
     if (camera.contains(other)) return false;
   for (const char* point : {"position", "target"})
     if (camera.contains(point) && !camera.at(point).is_array()) return false;
@@ -146,7 +146,9 @@ void Player::moveCamera(const Json& json) {
     if (!shown.camera.hasAngle)
       changes.push_back({"camera.fieldOfView", fmt::format("{}", shown.camera.fieldOfView.at(time))});
   } else {
-    for (const char* other : {"follow", "track", "orbit"}) camera.erase(other);
+    if (shown.camera.filed && !shown.camera.hasAngle)
+      camera["fieldOfView"] = shown.camera.fieldOfView.at(time);
+    for (const char* other : {"follow", "track", "orbit", "gltf"}) camera.erase(other);
     camera["position"] = position;
     camera["target"] = target;
     changes = {{"camera", camera.dump()}};
