@@ -124,9 +124,9 @@ class Chart(Case):
 
     def test_a_value_lies_where_the_scale_says_up_to_the_present(self):
         self.write("scene.json", self.SCENE)
+        self.good("render", "scene.json", "-o", "all/", "--frames", "0,5,9", "-q")
         for frame, share in ((0, 0), (5, 0.5), (9, 0.9)):
-            self.good("render", "scene.json", "-o", "a.png", "--frames", str(frame), "-q", "--overwrite")
-            picture = pixels((self.folder / "a.png").read_bytes())
+            picture = pixels((self.folder / f"all/{frame:06}.png").read_bytes())
             red = [(at % 200, at // 200) for at, (r, g, b) in enumerate(picture) if r > 200 and g < 90 and b < 90 and 30 <= at // 200 <= 72]
             # Half way up a plot that reaches from 29 to 171 and from 30 to 72, as chartLayout() has it.
             rows = [y + 0.5 for _, y in red]
