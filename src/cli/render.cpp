@@ -173,7 +173,8 @@ void addRender(CLI::App& app) {
       ->add_option(
           "--layers", o->layers,
           "Of OpenEXR pictures (-o NAME_####.exr), besides light before lens and film: depth (Z), position "
-          "(P.X, P.Y, P.Z), normal (N.X, N.Y, N.Z), albedo (albedo.R, .G, .B), object (Cryptomatte)")
+          "(P.X, P.Y, P.Z), normal (N.X, N.Y, N.Z), albedo (albedo.R, .G, .B), velocity (velocity.X, .Y, "
+          ".Z: m/s in the world), object (Cryptomatte)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(draw::layerNames.begin(), draw::layerNames.end())));
   command

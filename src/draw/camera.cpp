@@ -60,16 +60,26 @@ Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow, d
 
 View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const sim::Drawables& drawables) {
   View view;
-  const Stand stand = standOf(camera, seconds, drawables);
-  view.eye = stand.eye;
-  view.target = stand.target;
-  const glm::vec3 along = view.target - view.eye;
-  view.forward = glm::length(along) > 1e-6F ? glm::normalize(along) : glm::vec3(0, 0, -1);
-  // Looking straight up or down, the picture's top is -z.
-  const bool steep = std::abs(view.forward.y) > 0.9999F;
-  const glm::vec3 right =
-      glm::normalize(glm::cross(view.forward, steep ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0)));
-  const glm::vec3 up = glm::cross(right, view.forward);
+  glm::vec3 right, up;
+  if (camera.filed) {
+    SIMREEL_CHECK(camera.gltf.shot != nullptr);
+    const scene::CameraPose pose = camera.gltf.shot->at(seconds);
+    view.eye = glm::vec3(pose.eye);
+    view.forward = glm::vec3(-pose.back);
+    view.target = glm::vec3(pose.eye - static_cast<double>(camera.gltf.distance) * pose.back);
+    right = glm::vec3(pose.right);
+    up = glm::vec3(pose.up);
+  } else {
+    const Stand stand = standOf(camera, seconds, drawables);
+    view.eye = stand.eye;
+    view.target = stand.target;
+    const glm::vec3 along = view.target - view.eye;
+    view.forward = glm::length(along) > 1e-6F ? glm::normalize(along) : glm::vec3(0, 0, -1);
+    // Looking straight up or down, the picture's top is -z.
+    const bool steep = std::abs(view.forward.y) > 0.9999F;
+    right = glm::normalize(glm::cross(view.forward, steep ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0)));
+    up = glm::cross(right, view.forward);
+  }
   // Sines of our own: a library's differ from machine to machine.
   const float roll = radiansPerDegree * camera.roll.at(seconds);
   const glm::vec3 r = shader::exactCos(roll) * right - shader::exactSin(roll) * up;

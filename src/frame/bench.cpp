@@ -46,7 +46,7 @@ struct BenchRun::State {
         world(scene, timing != Timing::whole),
         renderer(scene, scene.render.size, scene.render.samples),
         readback(scene.render.size) {
-    followMotion(scene, renderer, world);
+    followMotion(renderer, world);
     for (std::size_t i = 0; timing != Timing::whole && i < world.objectCount(); ++i)
       stepStage.push_back(stage("step " + world.stepName(i)));
   }

@@ -4,10 +4,10 @@
 
 namespace simreel::frame {
 
-/// From now on the renderer hears of the frame before each that the world advances to, as motion blur asks
-/// for.
-inline void followMotion(const scene::Scene& scene, draw::Renderer& renderer, sim::World& world) {
-  if (scene.camera.hasShutter)
+/// From now on the renderer hears of the frame before each that the world advances to, as motion blur and
+/// velocities ask for: after keepLayers().
+inline void followMotion(draw::Renderer& renderer, sim::World& world) {
+  if (renderer.hearsBefore())
     world.onFrameBefore([&renderer](const sim::Drawables& before) { renderer.keepBefore(before); });
 }
 

@@ -141,6 +141,9 @@ std::vector<std::byte> encodeExr(const PictureLayers& picture, const ImageText& 
     for (std::size_t c = 0; c < 3; ++c)
       channels.add(header, fmt::format("P.{}", "XYZ"[c]), picture.position.data() + c, 3, Imf::FLOAT);
   for (std::size_t c = 0; c < 3; ++c) {
+    if (!picture.velocity.empty())
+      channels.add(header, fmt::format("velocity.{}", "XYZ"[c]), picture.velocity.data() + c, 3,
+                   Imf::FLOAT);
     if (!picture.normal.empty())
       channels.add(header, fmt::format("N.{}", "XYZ"[c]), picture.normal.data() + c, 3, Imf::FLOAT);
     if (!picture.albedo.empty())
@@ -183,6 +186,7 @@ std::string pixelHash(const PictureLayers& picture) {
   addTo(all, "position", picture.position);
   addTo(all, "normal", picture.normal);
   addTo(all, "albedo", picture.albedo);
+  addTo(all, "velocity", picture.velocity);
   for (const std::string& object : picture.objects) all += " " + object;
   std::vector<float> shares;
   for (const PictureLayers::Share& share : picture.shares) {

@@ -10,9 +10,9 @@
 namespace simreel::frame {
 
 /// -> OpenEXR file: R, G, B and, where there is one, A as halves or floats; of layers that it has depth as
-/// Z, position as P.X, P.Y, P.Z, normal and albedo as N.X ... and albedo.R ..., and objects as Cryptomatte
-/// "CryptoObject" (Friedman and Jones, specification 1.2), in floats. Texts are attributes of the header.
-/// Safe to call from several threads.
+/// Z, position as P.X, P.Y, P.Z, normal, albedo and velocity as N.X ..., albedo.R ... and velocity.X ...,
+/// and objects as Cryptomatte "CryptoObject" (Friedman and Jones, specification 1.2), in floats. Texts are
+/// attributes of the header. Safe to call from several threads.
 [[nodiscard]] std::vector<std::byte> encodeExr(const draw::PictureLayers& picture, const ImageText& text);
 /// -> PNG file of 16 bits a number, RGBA where alpha is part of it, else RGB, of a picture that is filmed.
 [[nodiscard]] std::vector<std::byte> encodeDeepPng(const draw::PictureLayers& picture,

@@ -18,7 +18,7 @@ namespace simreel::scene {
 
 namespace {
 
-/// Members of a scene that no simulation hears of.
+/// Members of a scene that no simulation hears of, but for a camera's track with damping.
 constexpr std::array<std::string_view, 9> drawingMembers = {"$schema", "title",  "render", "camera", "sun",
                                                             "sky",     "lights", "test",   "checks"};
 
@@ -78,6 +78,20 @@ void remove(Node& object, std::string_view key) {
   std::erase_if(object.children, [&](const Node& child) { return child.key == key; });
 }
 
+/// Leaves of a camera what a world carries from frame to frame: where it lags behind what it looks at.
+/// Nothing of one that does not.
+void leaveLag(Node& root) {
+  Node* camera = root.find("camera");
+  if (camera == nullptr) return;
+  Node* track = camera->kind == Node::Kind::object ? camera->find("track") : nullptr;
+  const Node* damping =
+      track != nullptr && track->kind == Node::Kind::object ? track->find("damping") : nullptr;
+  if (damping == nullptr || (damping->kind == Node::Kind::number && damping->number == 0))
+    return remove(root, "camera");
+  std::erase_if(camera->children, [](const Node& child) { return child.key != "track"; });
+  remove(camera->children.front(), "offset");
+}
+
 }  // namespace
 
 std::string sceneAsRun(const std::filesystem::path& file, std::span<const Override> overrides,
@@ -102,7 +116,9 @@ std::string simulationHash(std::string_view asRun) {
   Diagnostics diagnostics("scene", asRun);
   std::optional<Node> root = parseJson(asRun, 0, 0, diagnostics);
   if (!root) fail(ExitCode::usage, "the scene as run is no JSON");
-  for (const std::string_view key : drawingMembers) remove(*root, key);
+  for (const std::string_view key : drawingMembers)
+    if (key != "camera") remove(*root, key);
+  leaveLag(*root);
   if (Node* time = root->find("time")) {
     remove(*time, "duration");
     if (time->children.empty()) remove(*root, "time");
@@ -116,6 +132,8 @@ std::string simulationHash(std::string_view asRun) {
 
 bool touchesSimulation(std::string_view path) {
   if (path == "time.duration") return false;
+  if (path == "camera" || path == "camera.track") return true;  // which may bring a lag, or end it
+  if (path == "camera.track.object" || path == "camera.track.damping") return true;
   const std::string_view first = path.substr(0, path.find('.'));
   if (std::find(drawingMembers.begin(), drawingMembers.end(), first) != drawingMembers.end()) return false;
   if (first != "objects") return true;

@@ -167,6 +167,28 @@ bool changesTime(std::span<const Override> overrides) {
   });
 }
 
+/// Reads the file of the scene's camera, whose angle and reach apply where the scene gives none.
+void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camera& camera) {
+  const Node* section = root.find("camera");
+  const Node* group = section == nullptr ? nullptr : section->find("gltf");
+  if (!camera.filed || group == nullptr || !kinds.openCamera) return;
+  CameraFile& gltf = camera.gltf;
+  try {
+    gltf.shot = kinds.openCamera(gltf);
+  } catch (const UserError& error) {
+    if (error.code() != ExitCode::usage) throw;
+    context.diagnostics.add(group->place(), error.what());
+    return;
+  }
+  if (!camera.hasAngle) camera.fieldOfView = static_cast<float>(gltf.shot->fieldOfView());
+  if (!gltf.hasNear) camera.near = static_cast<float>(gltf.shot->near());
+  if (!gltf.hasFar && gltf.shot->far()) camera.far = static_cast<float>(*gltf.shot->far());
+  if (camera.near < camera.far) return;
+  context.diagnostics.add(group->place(),
+                          fmt::format("with its file's camera \"near\" is {} m and \"far\" {} m; give both",
+                                      camera.near, camera.far));
+}
+
 /// `heldToLength`: whether frames of tests beyond the scene's end are mistakes.
 void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool heldToLength, Scene& scene) {
   if (!ValueReader("", context.diagnostics).expect(root, Node::Kind::object, "a scene in { }")) return;
@@ -178,6 +200,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   // A length that could not be read says nothing about the frames.
   const bool lengthKnown = heldToLength && context.diagnostics.count() == errorsBefore;
   if (const Node* objects = fields.take("objects")) readObjects(*objects, context, kinds, scene.objects);
+  if (context.diagnostics.count() == 0) openCamera(root, context, kinds, scene.camera);
   if (context.diagnostics.count() == 0) {
     const std::vector<Box> boxes = framedBoxes(scene);  // which may read files that the scene names
     if (givesNoStage(root)) setStage(scene, boxes);

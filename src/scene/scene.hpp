@@ -107,6 +107,37 @@ struct Follow : PathPlace {
 struct Track {
   std::string object;
   glm::vec3 offset{0};  ///< m, from its middle to what is looked at
+  double damping = 0;   ///< s: what moves steadily is looked at where it was so long ago; 0: where it is
+  void describe(Fields& fields);
+};
+
+/// Where a camera stands at a moment, and how it is turned.
+struct CameraPose {
+  glm::dvec3 eye{0};
+  glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};  ///< unit, square to each other
+};
+
+/// A camera of a file, by the time alone. May be asked by several threads at once.
+class CameraShot {
+ public:
+  virtual ~CameraShot() = default;
+  /// At a time of the scene (s).
+  [[nodiscard]] virtual CameraPose at(double seconds) const = 0;
+  [[nodiscard]] virtual double fieldOfView() const = 0;         ///< degrees, vertical
+  [[nodiscard]] virtual double near() const = 0;                ///< m
+  [[nodiscard]] virtual std::optional<double> far() const = 0;  ///< m; none: it has no end
+};
+
+/// A camera that stands and turns as that of a glTF file does.
+struct CameraFile {
+  std::filesystem::path file;
+  std::string name;       ///< of the camera's node; empty: the only one
+  std::string animation;  ///< empty: the first that moves it
+  double speed = 1, start = 0;
+  bool loop = false;
+  float distance = 6;                           ///< m along its line of sight to its target
+  bool hasNear = false, hasFar = false;         ///< whether the scene gives these itself
+  std::shared_ptr<const CameraShot> shot = {};  ///< the file's, where it has been read
   void describe(Fields& fields);
 };
 
@@ -146,7 +177,9 @@ struct Camera {
   bool tracks = false;
   Track track;  ///< instead of target
   bool orbits = false;
-  Orbit orbit;            ///< instead of position
+  Orbit orbit;  ///< instead of position
+  bool filed = false;
+  CameraFile gltf;        ///< instead of position and target
   bool placed = false;    ///< whether the scene says where it stands or what it looks at
   bool hasAngle = false;  ///< whether the scene gives its field of view
   bool hasLens = false;   ///< else all is sharp
@@ -213,6 +246,8 @@ using Report = std::function<void(const Object& object, const std::vector<std::s
 struct Kinds {
   std::span<const Kind> list;
   std::function<void(std::span<const Object>, const Report&)> check = {};
+  /// Reads the file of a camera. Throws UserError, usage for what the scene says wrongly of it.
+  std::function<std::shared_ptr<const CameraShot>(const CameraFile&)> openCamera = {};
 };
 
 struct Scene {

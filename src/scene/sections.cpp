@@ -151,6 +151,29 @@ void Follow::describe(Fields& fields) {
 void Track::describe(Fields& fields) {
   fields.text("object", object, "Name of the object; its middle is what is looked at.");
   fields.vector("offset", offset, anyNumber, "m", "From its middle to what is looked at.");
+  fields.number(
+      "damping", damping, {0, 1000}, "s",
+      "How far behind the object it looks, smoothly: what moves steadily is looked at where it was "
+      "so long ago (a critically damped spring). 0: where it is.");
+  constexpr double least = 1e-3;
+  if (damping > 0 && damping < least)
+    fields.error("damping",
+                 fmt::format("a damping of {:g} s is none; give 0, or {} s at least", damping, least));
+}
+
+void CameraFile::describe(Fields& fields) {
+  fields.asset("file", file, "glTF or GLB with a perspective camera.");
+  fields.text("name", name, "Name of the camera, or of its node; a file with one camera needs none.");
+  fields.text("animation", animation, "Name of the file's motion that the camera goes through.");
+  fields.leftOut("animation", "the first that moves it; it stands where none does");
+  fields.number("speed", speed, {-100, 100}, "", "Of the motion; 2 is twice as fast, -1 backwards.");
+  fields.number("start", start, {-1e6, 1e6}, "s", "How far into the motion it is at time 0.");
+  fields.boolean("loop", loop,
+                 "Whether the motion begins anew when it has ended; else the last pose stays.");
+  fields.number("distance", distance, positive, "m",
+                "Along its line of sight to its target, which a lens is focused on and the ground fades "
+                "around.");
+  if (file.empty()) fields.error("file", "a camera of a file needs \"file\": the glTF to read");
 }
 
 void Lens::describe(Fields& fields) {
@@ -200,7 +223,7 @@ void Camera::describe(Fields& fields) {
   fields.vector("target", target, anyNumber, "m", "What it looks at.");
   fields.leftOut("target", "[0,0,0], or its middle");
   fields.number("fieldOfView", fieldOfView, {1, 170}, "degrees", "Vertical angle of view.");
-  fields.leftOut("fieldOfView", "40, or 26 on a stage that is in view as a whole");
+  fields.leftOut("fieldOfView", "40, 26 on a stage that is in view as a whole, or that of \"gltf\"");
   fields.number("roll", roll, anyNumber, "degrees", "Turn about the line of sight.");
   fields.optionalGroup("follow", follows, "Goes along a path that an object has found.",
                        [&](Fields& f) { follow.describe(f); });
@@ -219,6 +242,17 @@ void Camera::describe(Fields& fields) {
     fields.error("orbit", "\"follow\" says where the camera is; leave out \"orbit\"");
   else if (orbits && fields.given("position"))
     fields.error("position", "\"orbit\" says where the camera is; leave out \"position\"");
+  fields.shorthand("gltf", "file");
+  fields.optionalGroup(
+      "gltf", filed,
+      "Stands, turns and moves as the camera of a glTF file. Its vertical angle of view is "
+      "kept; how wide the picture is, \"render.size\" says.",
+      [&](Fields& f) { gltf.describe(f); });
+  for (const char* name : {"position", "target", "track", "follow", "orbit"})
+    if (filed && fields.given(name))
+      fields.error(name, fmt::format("\"gltf\" says where the camera is; leave out \"{}\"", name));
+  gltf.hasNear = fields.given("near");
+  gltf.hasFar = fields.given("far");
   fields.switchable("lens");
   fields.optionalGroup("lens", hasLens,
                        "Depth of field: what is nearer or farther than the focus is blurred. The driver's "
@@ -231,17 +265,20 @@ void Camera::describe(Fields& fields) {
                        "frame. The driver's rasterizer has none.",
                        [&](Fields& f) { shutter.describe(f); });
   hasAngle = fields.given("fieldOfView");
-  placed = follows || tracks || fields.given("position") || fields.given("target") ||
+  placed = follows || tracks || filed || fields.given("position") || fields.given("target") ||
            (orbits && orbit.distanced);
   for (const char* name : {"position", "target"})
     if (follows && fields.given(name))
       fields.error(name, fmt::format("\"follow\" says where the camera is; leave out \"{}\"", name));
   fields.number("near", near, positive, "m", "Nearest distance drawn.");
+  fields.leftOut("near", "0.05, or that of \"gltf\"");
   fields.number("far", far, positive, "m", "Farthest distance drawn.");
+  fields.leftOut("far", "200, or that of \"gltf\"");
   if (!(near < far))
     fields.error(fields.given("near") ? "near" : "far",
                  fmt::format("\"near\" ({} m) must be less than \"far\" ({} m)", near, far));
-  if (!orbits && !tracks && !position.moves() && !target.moves() && position.at(0) == target.at(0))
+  if (!orbits && !tracks && !filed && !position.moves() && !target.moves() &&
+      position.at(0) == target.at(0))
     fields.error(fields.given("target") ? "target" : "position",
                  "\"position\" and \"target\" are the same point; the camera looks nowhere");
 }

@@ -14,6 +14,7 @@
 #include "draw/screen/targets.hpp"
 #include "sim/grid/field_display.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 
@@ -90,10 +91,14 @@ void Renderer::State::tellFrame(double seconds, const sim::Drawables& drawables)
 /// Moments in the middles of equal parts of the time that the shutter is open; the first one is the latest.
 void Renderer::State::drawExactly(const ExactScene::Moment& shown, const StageWatch& watch) {
   ExactScene::Exposure exposure{1, [&](int) { return shown; }};
+  const double frameSeconds = 1.0 / scene.time.fps;
   if (motion) {
-    const scene::Shutter& shutter = scene.camera.shutter;
-    const double frameSeconds = 1.0 / scene.time.fps;
     motion->begin(*shown.drawables, frameSeconds);
+    exposure.motion = &*motion;
+    exposure.frameSeconds = frameSeconds;
+  }
+  if (scene.camera.hasShutter) {
+    const scene::Shutter& shutter = scene.camera.shutter;
     exposure.moments = shutter.samples;
     exposure.at = [=, this](int i) -> ExactScene::Moment {
       const double open = static_cast<double>(shutter.angle) / 360;
@@ -103,6 +108,8 @@ void Renderer::State::drawExactly(const ExactScene::Moment& shown, const StageWa
       tellFrame(moment.seconds, *moment.drawables);
       return moment;
     };
+    exposure.part =
+        static_cast<float>(1 - static_cast<double>(shutter.angle) / 360 * 0.5 / shutter.samples);
     exposure.close = [=, this] { tellFrame(shown.seconds, *shown.drawables); };
   }
   exact->draw(exposure, shown, {fieldTextures, fields}, picture.color, watch);
@@ -153,6 +160,10 @@ void Renderer::keepBefore(const sim::Drawables& before) {
   if (state_->motion) state_->motion->keep(before);
 }
 
+bool Renderer::hearsBefore() const {
+  return state_->motion.has_value();
+}
+
 void Renderer::keepPasses(PassPicture* passes) {
   SIMREEL_CHECK(state_->exact.has_value());
   state_->passes = passes;
@@ -162,6 +173,9 @@ void Renderer::keepPasses(PassPicture* passes) {
 void Renderer::keepLayers(const LightRequest& wanted) {
   SIMREEL_CHECK(state_->exact.has_value());
   state_->filmed = wanted.filmed;
+  if (!state_->motion &&
+      std::find(wanted.layers.begin(), wanted.layers.end(), Layer::velocity) != wanted.layers.end())
+    state_->motion.emplace(state_->scene.numerics == scene::Numerics::fast);
   state_->exact->keepLayers(wanted);
 }
 

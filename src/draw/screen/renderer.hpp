@@ -40,9 +40,12 @@ class Renderer {
   /// Issues the commands for the frame at `seconds` (of scene time); does not wait.
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});
 
-  /// What there was to be drawn of the frame before that which draw() is called for next: where the scene's
-  /// camera has a shutter, things move from there. Without it they stand still.
+  /// What there was to be drawn of the frame before that which draw() is called for next: where
+  /// hearsBefore(), things move from there. Without it they stand still.
   void keepBefore(const sim::Drawables& before);
+
+  /// Whether it wants to hear so: for a shutter, or for the velocities of keepLayers().
+  [[nodiscard]] bool hearsBefore() const;
 
   /// From now on the passes of a picture are kept there as it is drawn, in place of those before; null:
   /// nowhere. They are copied to the CPU, which waits for the device. The rasterizer must be the exact one.

@@ -50,7 +50,7 @@ std::optional<Checkpoint> CheckpointKeeper::given(const std::vector<int>& frames
       fail(ExitCode::usage, "cannot begin at checkpoint {}: {}", how_.from.string(), *difference);
     if (needsBefore_ && !frames.empty() && !mayDraw(frames.front(), checkpoint)) {
       info(
-          "motion blur of frame {} needs the frame before it, and the checkpoint is of frame {}: "
+          "frame {} needs the frame before it, for what moves, and the checkpoint is of frame {}: "
           "simulating "
           "from the start",
           frames.front(), checkpoint.frame());

@@ -20,8 +20,8 @@ FramesUnderWay::FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const
       renderer_(scene, scene.render.size, scene.render.samples),
       readback_(scene.render.size) {}
 
-void FramesUnderWay::follow(const scene::Scene& scene, sim::World& world) {
-  followMotion(scene, renderer_, world);
+void FramesUnderWay::follow(sim::World& world) {
+  followMotion(renderer_, world);
 }
 
 void FramesUnderWay::keepLayers(const draw::LightRequest& wanted) {

@@ -32,8 +32,8 @@ class FramesUnderWay {
   FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields, Progress& progress,
                  StageTimers& timers, std::function<void()> awaitSummary);
 
-  /// From now on draws know of the frame before theirs, where the scene's pictures have motion blur.
-  void follow(const scene::Scene& scene, sim::World& world);
+  /// From now on draws know of the frame before theirs, where pictures have motion blur or velocities.
+  void follow(sim::World& world);
   /// From now on pictures have their light, and layers.
   void keepLayers(const draw::LightRequest& wanted);
   /// Who hears of each picture before the sink gets it.

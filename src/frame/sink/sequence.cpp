@@ -19,6 +19,12 @@ namespace simreel::frame {
 
 namespace {
 
+/// Whether pictures tell how fast things are, which takes the frame before.
+bool keepsVelocity(const BesideFrames& beside) {
+  return beside.layers && std::find(beside.layers->layers.begin(), beside.layers->layers.end(),
+                                    draw::Layer::velocity) != beside.layers->layers.end();
+}
+
 /// A run: steps the world, looks at the summary of each frame, and has the wanted ones drawn.
 class Run {
  public:
@@ -29,15 +35,16 @@ class Run {
         progress_(progress),
         fields_(beside.fields),
         writesCounts_(beside.counts),
-        keeper_(beside.checkpoints, sink, scene.frameCount() - 1, scene.camera.hasShutter),
+        keeper_(beside.checkpoints, sink, scene.frameCount() - 1,
+                scene.camera.hasShutter || keepsVelocity(beside)),
         world_(scene, false, [this](long done, long total) { prestepped(done, total); }),
         counts_(scene.time.fps, world_.countNames()),
         counting_(!world_.countNames().empty()),
         summaries_(world_, [this](const auto& summary) { hear(summary); }),
         frames_(scene, sink, beside.fields, progress, timers_, [this] { summaries_.takeOldest(); }),
         watch_(beside.watch) {
-    frames_.follow(scene, world_);
     if (beside.layers) frames_.keepLayers(*beside.layers);
+    frames_.follow(world_);
     if (watch_ != nullptr)
       frames_.onPicture([this](int frame, const Image& image) { watch_->drawn(frame, image); });
   }

@@ -26,7 +26,7 @@ class Runner {
         size_(scene.render.size),
         alpha_(scene.render.transparent),
         checker_(scene, world_, frames) {
-    frame::followMotion(scene, renderer_, world_);
+    frame::followMotion(renderer_, world_);
   }
 
   SceneRun run(std::span<const int> frames) {

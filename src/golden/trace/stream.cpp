@@ -23,7 +23,7 @@ class PassDrawer {
  public:
   PassDrawer(const scene::Scene& scene, sim::World& world) : world_(world), renderer_(made(scene)) {
     renderer_.keepPasses(&passes_);
-    frame::followMotion(scene, renderer_, world_);
+    frame::followMotion(renderer_, world_);
   }
   ~PassDrawer() { world_.onFrameBefore({}); }
   PassDrawer(const PassDrawer&) = delete;

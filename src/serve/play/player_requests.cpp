@@ -120,7 +120,7 @@ nlohmann::json pointOf(const JsonValue& value) {
 
 /// Whether it stands and looks where two points say, which do not move.
 bool isPlain(const nlohmann::json& camera) {
-  for (const char* other : {"follow", "track", "orbit"})
+  for (const char* other : {"follow", "track", "orbit", "gltf"})
     if (camera.contains(other)) return false;
   for (const char* point : {"position", "target"})
     if (camera.contains(point) && !camera.at(point).is_array()) return false;
@@ -137,8 +137,10 @@ std::vector<scene::Override> cameraChanges(const Stage& stage, const nlohmann::j
   const scene::Scene& shown = stage.script().scene;
   const nlohmann::json scene = parseStrictJson(stage.script().asRun);
   nlohmann::json camera = scene.contains("camera") ? scene.at("camera") : nlohmann::json::object();
+  const std::string angle = fmt::format("{}", shown.camera.fieldOfView.at(stage.frame() / shown.time.fps));
   if (!isPlain(camera)) {
-    for (const char* other : {"follow", "track", "orbit"}) camera.erase(other);
+    if (shown.camera.filed && !shown.camera.hasAngle) camera["fieldOfView"] = parseStrictJson(angle);
+    for (const char* other : {"follow", "track", "orbit", "gltf"}) camera.erase(other);
     camera["position"] = position;
     camera["target"] = target;
     return {{"camera", camera.dump()}};
@@ -146,9 +148,7 @@ std::vector<scene::Override> cameraChanges(const Stage& stage, const nlohmann::j
   std::vector<scene::Override> changes = {{"camera.position", position.dump()},
                                           {"camera.target", target.dump()}};
   // A scene that says nothing of its camera has another angle than one that does.
-  if (!shown.camera.hasAngle)
-    changes.push_back({"camera.fieldOfView",
-                       fmt::format("{}", shown.camera.fieldOfView.at(stage.frame() / shown.time.fps))});
+  if (!shown.camera.hasAngle) changes.push_back({"camera.fieldOfView", angle});
   return changes;
 }
 

@@ -65,6 +65,7 @@ bool addsGroup(const Script& before, const Script& after) {
   return before.scene.staged != after.scene.staged || before.scene.hasGround != after.scene.hasGround ||
          before.scene.camera.follows != after.scene.camera.follows ||
          before.scene.camera.tracks != after.scene.camera.tracks ||
+         before.scene.camera.filed != after.scene.camera.filed ||
          before.scene.camera.hasLens != after.scene.camera.hasLens ||
          before.scene.camera.hasShutter != after.scene.camera.hasShutter;
 }

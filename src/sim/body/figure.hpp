@@ -1,40 +1,16 @@
 #pragma once
 #include "sim/mesh/file.hpp"
+#include "sim/nodes/node_tree.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
-#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 namespace simreel::sim {
-
-/// A node of a glTF file: a bone, or what hangs on one. Nodes stand after their parents.
-struct FigureNode {
-  std::string name;
-  int parent = -1;         ///< -1: none
-  bool hasMatrix = false;  ///< instead of the three below; such a node is not animated
-  glm::dmat4 matrix{1};
-  glm::dvec3 translation{0};  ///< m
-  glm::dquat rotation{1, 0, 0, 0};
-  glm::dvec3 scale{1};
-
-  template <class Archive>
-  void pack(Archive& archive) {
-    archive(name);
-    archive(parent);
-    archive(hasMatrix);
-    archive(matrix);
-    archive(translation);
-    archive(rotation);
-    archive(scale);
-  }
-};
 
 /// What vertices follow: a node, and what takes them from the mesh into the node's own space (the inverse
 /// bind matrix of a joint; of a mesh without a skin, which is carried whole by its node, none).
@@ -42,39 +18,6 @@ struct FigureJoint {
   int node = 0;
   bool bone = true;  ///< of a skin
   glm::dmat4 inverseBind{1};
-};
-
-/// How one property of a node changes (glTF 2.0, 3.11 and appendix C).
-struct FigureChannel {
-  enum class Path { translation, rotation, scale };
-  enum class Way { step, linear, cubic };
-  int node = 0;
-  Path path = Path::translation;
-  Way way = Way::linear;
-  std::vector<float> times;   ///< s, growing
-  std::vector<float> values;  ///< 3 or 4 (x y z w) a key; `cubic`: tangent in, value, tangent out
-
-  template <class Archive>
-  void pack(Archive& archive) {
-    archive(node);
-    archive(path);
-    archive(way);
-    archive(times);
-    archive(values);
-  }
-};
-
-struct FigureAnimation {
-  std::string name;
-  double seconds = 0;  ///< the last key of all channels
-  std::vector<FigureChannel> channels;
-
-  template <class Archive>
-  void pack(Archive& archive) {
-    archive(name);
-    archive(seconds);
-    archive(channels);
-  }
 };
 
 /// A skinned mesh with its bones and motions, as a glTF file has them.

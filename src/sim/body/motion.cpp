@@ -1,7 +1,7 @@
 #include "sim/body/motion.hpp"
 
-#include "sim/body/sample.hpp"
 #include "sim/core/collider.hpp"
+#include "sim/nodes/sample.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +12,6 @@
 namespace simreel::sim {
 
 namespace {
-
-/// Properties of a node before they are a matrix.
-struct Local {
-  glm::dvec3 translation;
-  glm::dquat rotation;
-  glm::dvec3 scale;
-};
 
 double inSteps(double time) {
   constexpr double perSecond = 16'777'216;
@@ -46,34 +39,17 @@ double BodyMotion::motionTime(double time) const {
 }
 
 std::vector<glm::dmat4> BodyMotion::pose(double time) const {
-  const std::vector<FigureNode>& nodes = figure_->nodes;
-  std::vector<Local> locals;
-  locals.reserve(nodes.size());
-  for (const FigureNode& node : nodes) locals.push_back({node.translation, node.rotation, node.scale});
+  std::vector<FigureNode> nodes = figure_->nodes;
   if (animation_ != nullptr) {
     const double at = motionTime(time);
-    for (const FigureChannel& channel : animation_->channels) {
-      const glm::dvec4 value = sample(channel, at);
-      Local& local = locals[static_cast<std::size_t>(channel.node)];
-      switch (channel.path) {
-        case FigureChannel::Path::translation:
-          local.translation = glm::dvec3(value);
-          break;
-        case FigureChannel::Path::rotation:
-          local.rotation = glm::dquat(value.w, value.x, value.y, value.z);
-          break;
-        case FigureChannel::Path::scale:
-          local.scale = glm::dvec3(value);
-          break;
-      }
-    }
+    for (const FigureChannel& channel : animation_->channels)
+      move(nodes[static_cast<std::size_t>(channel.node)], channel, at);
   }
   std::vector<glm::dmat4> matrices;
   matrices.reserve(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    matrices.push_back(nodes[i].hasMatrix
-                           ? nodes[i].matrix
-                           : transformOf(locals[i].translation, locals[i].rotation, locals[i].scale));
+  for (const FigureNode& node : nodes)
+    matrices.push_back(node.hasMatrix ? node.matrix
+                                      : transformOf(node.translation, node.rotation, node.scale));
   for (std::size_t i = 0; i < keyed_.size(); ++i) {
     glm::dmat4& matrix = matrices[static_cast<std::size_t>(keyed_[i])];
     matrix = matrix * glm::dmat4(rotationMatrix(parameters_.bones[i].rotate.at(time)));

@@ -17,7 +17,7 @@ namespace {
 
 using scene::ExpressionTree;
 using scene::Operation;
-using Path = std::vector<std::string>;
+using RulePath = std::vector<std::string>;
 
 class Understanding {
  public:
@@ -32,7 +32,7 @@ class Understanding {
   Rule whole() {
     std::vector<ExpressionTree> rates;
     for (const RuleText::Species& species : text_.species) {
-      const Path path = {"species", species.name, "rate"};
+      const RulePath path = {"species", species.name, "rate"};
       rates.push_back(parsed(path, species.rate));
       const auto i = static_cast<int>(rates.size()) - 1;
       int rate = nodeOf(path, rates.back());
@@ -43,7 +43,7 @@ class Understanding {
       rule_.rates.push_back(rate);
       rule_.nexts.push_back(-1);
       if (species.next.empty()) continue;
-      const Path next = {"species", species.name, "next"};
+      const RulePath next = {"species", species.name, "next"};
       if (species.diffuses || species.rate != "0")
         throw RuleMistake{next, 0, species.next.size(),
                           fmt::format("{} becomes \"next\", so it has neither \"rate\" nor \"diffusion\"",
@@ -55,11 +55,11 @@ class Understanding {
       static_cast<void>(letNode(let.name, {"lets", let.name, "is"}, 0, 1));
     const std::string show = text_.show.empty() ? text_.species[0].name : text_.show;
     rule_.shown = nodeOf({"show"}, parsed({"show"}, show));
-    const Path tint = {"surface", "color"};
+    const RulePath tint = {"surface", "color"};
     if (!text_.tint.empty()) rule_.tint = nodeOf(tint, parsed(tint, text_.tint));
     starting_ = true;
     for (const RuleText::Species& species : text_.species) {
-      const Path path = {"species", species.name, "start"};
+      const RulePath path = {"species", species.name, "start"};
       rule_.starts.push_back(nodeOf(path, parsed(path, species.start)));
     }
     for (const RuleText::Parameter& parameter : text_.parameters)
@@ -116,7 +116,7 @@ class Understanding {
     for (const auto& let : text_.lets) check(let.name, "lets");
   }
 
-  static ExpressionTree parsed(const Path& path, const std::string& text) {
+  static ExpressionTree parsed(const RulePath& path, const std::string& text) {
     try {
       return scene::parseExpression(text);
     } catch (const scene::ExpressionMistake& mistake) {
@@ -125,7 +125,7 @@ class Understanding {
   }
 
   /// Of all nodes of a tree, whose arguments stand before them, so nothing recurs but lets.
-  int nodeOf(const Path& path, const ExpressionTree& tree) {
+  int nodeOf(const RulePath& path, const ExpressionTree& tree) {
     std::vector<int> nodes;
     nodes.reserve(tree.nodes.size());
     for (const ExpressionTree::Node& node : tree.nodes) {
@@ -139,7 +139,7 @@ class Understanding {
     return nodes.back();
   }
 
-  int named(const Path& path, const ExpressionTree::Node& node) {
+  int named(const RulePath& path, const ExpressionTree::Node& node) {
     const std::string& name = node.name;
     RuleGraph& g = graph();
     if (isMesh() && (name == "x" || name == "y" || name == "z"))
@@ -184,7 +184,7 @@ class Understanding {
         fmt::format("unknown name {}; {}", scene::inQuotes(name), scene::suggestion(name, known))};
   }
 
-  int letNode(const std::string& name, const Path& path, std::size_t begin, std::size_t end) {
+  int letNode(const std::string& name, const RulePath& path, std::size_t begin, std::size_t end) {
     LetState& let = lets_.at(name);
     if (starting_) throw RuleMistake{path, begin, end, "\"start\" knows parameters, x, y and random alone"};
     if (let.isOpen) {
@@ -205,7 +205,7 @@ class Understanding {
 
   int truth(int a) { return graph().choose(a, graph().constant(1), graph().constant(0)); }
 
-  int combined(const Path& path, const ExpressionTree& tree, const ExpressionTree::Node& node,
+  int combined(const RulePath& path, const ExpressionTree& tree, const ExpressionTree::Node& node,
                const int (&n)[3]) {
     RuleGraph& g = graph();
     const auto refuse = [&](const char* message) -> int {
@@ -323,7 +323,7 @@ class Understanding {
     return g.product(g.product(g.constant(0.5), g.told(ToldPlaces::perLaplacian)), twice);
   }
 
-  int power(const Path& path, const ExpressionTree::Node& written, int base, int exponent) {
+  int power(const RulePath& path, const ExpressionTree::Node& written, int base, int exponent) {
     RuleGraph& g = graph();
     if (!g.isConstant(exponent)) return g.function(RuleOp::power, base, exponent);
     const float number = g.at(exponent).number;

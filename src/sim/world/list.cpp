@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "sim/body/body.hpp"
 #include "sim/cave/cave.hpp"
+#include "sim/chart/chart.hpp"
 #include "sim/contour/contour.hpp"
 #include "sim/fluid/fluid.hpp"
 #include "sim/garment/garment.hpp"
@@ -10,6 +11,7 @@
 #include "sim/lenia/lenia.hpp"
 #include "sim/life/life.hpp"
 #include "sim/mesh/mesh.hpp"
+#include "sim/nodes/camera_shot.hpp"
 #include "sim/particles/particles.hpp"
 #include "sim/reaction/reaction.hpp"
 #include "sim/shape/shape.hpp"
@@ -26,9 +28,10 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(),    particlesKind(), lifeKind(),   leniaKind(),   grayScottKind(), reactionKind(),
-      epidemicKind(), wildfireKind(),  fluidKind(),  waterKind(),   caveKind(),      contourKind(),
-      meshKind(),     bodyKind(),      sphereKind(), capsuleKind(), planeKind(),     textKind(),
+      clothKind(),    particlesKind(), lifeKind(),     leniaKind(), grayScottKind(),
+      reactionKind(), epidemicKind(),  wildfireKind(), fluidKind(), waterKind(),
+      caveKind(),     contourKind(),   meshKind(),     bodyKind(),  sphereKind(),
+      capsuleKind(),  planeKind(),     textKind(),     chartKind(),
   };
   return list;
 }
@@ -47,7 +50,7 @@ const scene::Kinds& kinds() {
     for (const SimulationKind& simulation : simulations()) all.push_back(simulation.kind);
     return all;
   }();
-  static const scene::Kinds all{list, checkRelations};
+  static const scene::Kinds all{list, checkRelations, openCamera};
   return all;
 }
 

@@ -6,6 +6,8 @@
 #include "sim/collide/distance_fields.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/core/field_reader.hpp"
+#include "sim/core/frame_observer.hpp"
+#include "sim/world/lag.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/relations.hpp"
 #include "sim/world/setup.hpp"
@@ -13,6 +15,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -37,6 +40,9 @@ struct World::State {
   std::optional<std::size_t> tracked;                ///< the object that the camera looks at
   std::vector<FieldReader*> readers;  ///< objects that take in fields of others before each frame
   std::vector<bool> isRead;           ///< whether an object is one of these others
+  std::optional<Lag> lag;                            ///< of the camera behind that, if it is damped
+  std::vector<FrameObserver*> observers;             ///< among the objects
+  std::vector<std::size_t> observed;                 ///< objects that these, or the lag, look at
   std::unique_ptr<SummaryQueue> summaries;
   std::function<void(const Drawables& before)> hearBefore;
   bool passed = false;  ///< whether nobody may look at the present frame
@@ -87,6 +93,50 @@ struct World::State {
     findRead(scene);
     readOthers();
     summaries = std::make_unique<SummaryQueue>(objects, names);
+    const double damping = scene.camera.track.damping;
+    if (tracked && damping > 0) lag.emplace(damping, setting.frameSeconds);
+    findObservers();
+    observe();
+  }
+
+  /// Who notes something of every frame, and of which objects.
+  void findObservers() {
+    std::set<std::size_t> seen;
+    if (lag) seen.insert(*tracked);
+    for (const auto& object : objects) {
+      auto* observer = dynamic_cast<FrameObserver*>(object.get());
+      if (observer == nullptr) continue;
+      observers.push_back(observer);
+      for (const std::string& name : observer->observed())
+        seen.insert(static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()));
+    }
+    observed.assign(seen.begin(), seen.end());
+  }
+
+  [[nodiscard]] double now() const { return (done - preroll) / fps; }
+
+  /// What the camera looks at, which may lag behind its object.
+  [[nodiscard]] std::optional<glm::vec3> trackedPlace() const {
+    if (lag) return lag->place();
+    return objects[*tracked]->middle(now());
+  }
+
+  /// Tells those who note something of every frame. What they look at is as it is drawn, and what is made
+  /// only to be drawn is made here, so that it does not matter which frames are.
+  void observe() {
+    for (const std::size_t i : observed) {
+      if (passed) objects[i]->resumed(now());
+      do {
+        Drawables unseen;
+        objects[i]->publish(now(), unseen);
+      } while (objects[i]->settle());
+    }
+    for (FrameObserver* observer : observers) observer->observe(now());
+    if (!lag) return;
+    if (const auto place = objects[*tracked]->middle(now()))
+      lag->follow(glm::dvec3(*place));
+    else
+      lag->lose();
   }
 
   [[nodiscard]] static bool isOf(const std::string& field, const std::string& object) {
@@ -193,7 +243,7 @@ World& World::operator=(World&&) noexcept = default;
 
 void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
   SIMREEL_CHECK(frame + state_->preroll >= state_->done);
-  for (; state_->done < frame + state_->preroll; ++state_->done) {
+  while (state_->done < frame + state_->preroll) {
     if (state_->hearBefore && state_->done + 1 == frame + state_->preroll) tellBefore();
     state_->passed = false;
     const double time = (state_->done - state_->preroll) / state_->fps;
@@ -204,12 +254,15 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
       state_->objects[i]->step(time, one);
       if (stepped) stepped(i);
     }
-    if (state_->contact == nullptr) continue;
-    state_->contact->step(
-        time, !watch ? ContactGroup::Watch()
-                     : [&](std::size_t member, int step) { watch(state_->touching[member], step); });
-    for (const std::size_t i : state_->touching)
-      if (stepped) stepped(i);
+    if (state_->contact != nullptr) {
+      state_->contact->step(
+          time, !watch ? ContactGroup::Watch()
+                       : [&](std::size_t member, int step) { watch(state_->touching[member], step); });
+      for (const std::size_t i : state_->touching)
+        if (stepped) stepped(i);
+    }
+    ++state_->done;
+    state_->observe();
   }
 }
 
@@ -234,7 +287,12 @@ void World::passTo(int frame) {
       else
         state_->objects[i]->pass(time());
     }
+  while (state_->done < frame + state_->preroll) {
+    for (const std::size_t i : state_->order)
+      if (!state_->isTouching(i)) state_->objects[i]->pass(time());
     if (state_->contact) state_->contact->step(time(), {});
+    ++state_->done;
+    state_->observe();
   }
 }
 
@@ -248,6 +306,9 @@ void World::carryOver(CarryOver& carry, const std::function<void(const std::stri
     begin(state_->names[i]);
     state_->objects[i]->carryOver(carry);
   }
+  if (!state_->lag) return;
+  begin("camera");
+  state_->lag->carryOver(carry);
 }
 
 void World::resumeAt(int frame) {
@@ -298,7 +359,7 @@ Drawables World::drawables() const {
       if (writing.object == nullptr) writing.object = &state_->names[i];
   }
   if (const auto tracked = state_->tracked)
-    if (const auto middle = state_->objects[*tracked]->middle(time()))
+    if (const auto middle = state_->trackedPlace())
       all.places.push_back({&state_->names[*tracked], *middle});
   return all;
 }

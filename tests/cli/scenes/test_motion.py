@@ -86,13 +86,64 @@ class Track(Case):
         at, _ = self.middle("--frames", "5")
         self.assertLess(max(map(abs, at)), 6)
 
+    def test_a_damped_camera_lags_and_does_not_depend_on_which_frames_are_drawn(self):
+        scene = json.loads(json.dumps(self.SCENE))
+        scene["objects"] = {"ball": {"cloth": {"size": [9, 9], "pins": []}}}
+        scene["camera"] = {"track": {"object": "ball", "damping": 0.1}, "orbit": {"distance": 4}}
+        scene["time"] = {"fps": 10, "duration": 1, "start": 0.2}
+        self.write("scene.json", scene)
+        self.good("render", "scene.json", "-o", "all/", "-q")
+        frame = lambda folder, number: png_rows((self.folder / folder / f"{number:06}.png").read_bytes())
+        for folder, arguments in (("one", ("--frames", "7")), ("part", ("--frames", "0-3", "--checkpoint-at", "3")),
+                                  ("part", ("--resume",))):
+            self.good("render", "scene.json", "-o", f"{folder}/", "-q", *arguments)
+        self.assertEqual(frame("one", 7), frame("all", 7))
+        for number in (0, 4, 9):
+            self.assertEqual(frame("part", number), frame("all", number), number)
+        # It falls, and the camera is behind: what is tracked is below the middle.
+        (_, low), _ = self.middle("--frames", "7")
+        (_, level), _ = self.middle("--frames", "7", "-D", "camera.track.damping=0")
+        self.assertGreater(low, level + 3)
+
     def test_mistakes(self):
+        self.write("scene.json", {**self.SCENE, "camera": {"track": {"object": "ball", "damping": 1e-5}}})
+        self.bad_scene("a damping of 1e-05 s is none", "render", "scene.json", "-o", "a.png", "--frames", "0")
         self.write("scene.json", {**self.SCENE, "camera": {"track": "bal"}})
         self.bad(2, "camera.track.object: no object is named \"bal\"; did you mean \"ball\"?", "render", "scene.json", "-o", "a.png", "--frames", "0")
         for camera, said in (({"track": "ball", "target": [0, 0, 0]}, "\"track\" says what the camera looks at"),
                              ({"track": "ball", "follow": {"object": "ball"}}, "leave out \"track\"")):
             self.write("scene.json", {**self.SCENE, "camera": camera})
             self.bad_scene(said, "render", "scene.json", "-o", "a.png", "--frames", "0")
+
+
+class Chart(Case):
+    SCENE = {"version": 1, "render": {"size": [200, 100], "samples": 1}, "time": {"fps": 10, "duration": 1, "start": 0.2},
+             "objects": {"sheet": {"cloth": {"size": [9, 9]}},
+                         "curves": {"chart": {"curves": [{"of": "sheet.population", "color": [1, 0, 0]}, {"of": "sheet.kineticEnergy", "color": [0, 0, 1]}],
+                                              "low": 0, "high": 162, "seconds": 1, "x": 0.1, "y": 0.1, "width": 0.8, "height": 0.8}}}}
+
+    def test_a_value_lies_where_the_scale_says_up_to_the_present(self):
+        self.write("scene.json", self.SCENE)
+        self.good("render", "scene.json", "-o", "all/", "--frames", "0,5,9", "-q")
+        for frame, share in ((0, 0), (5, 0.5), (9, 0.9)):
+            picture = pixels((self.folder / f"all/{frame:06}.png").read_bytes())
+            red = [(at % 200, at // 200) for at, (r, g, b) in enumerate(picture) if r > 200 and g < 90 and b < 90 and 30 <= at // 200 <= 72]
+            # Half way up a plot that reaches from 29 to 171 and from 30 to 72, as chartLayout() has it.
+            rows = [y + 0.5 for _, y in red]
+            self.assertAlmostEqual(sum(rows) / len(rows), 51, delta=0.6)
+            self.assertAlmostEqual(max(x for x, _ in red), 29 + share * 142, delta=3)
+
+    def test_it_does_not_depend_on_which_frames_are_drawn(self):
+        scene = json.loads(json.dumps(self.SCENE))
+        for end in ("low", "high"):
+            del scene["objects"]["curves"]["chart"][end]
+        self.write("scene.json", scene)
+        self.good("render", "scene.json", "-o", "all/", "-q")
+        for folder, arguments in (("one", ("--frames", "7")), ("part", ("--frames", "0-3", "--checkpoint-at", "3")), ("part", ("--resume",))):
+            self.good("render", "scene.json", "-o", f"{folder}/", "-q", *arguments)
+        for folder, number in (("one", 7), ("part", 0), ("part", 4), ("part", 9)):
+            drawn = [pixels((self.folder / each / f"{number:06}.png").read_bytes()) for each in (folder, "all")]
+            self.assertEqual(*drawn, (folder, number))
 
 
 class Text(Case):

@@ -51,15 +51,17 @@ TEST_CASE("scene as run: what drawing alone hears of leaves the simulation the s
       R"({"version": 1, "time": {"fps": 30}, "objects": {"dish": {"grayScott": {"size": [16, 16]}}}})";
   const auto hash = [&](const std::string& change) { return scene::simulationHash(asRun(text, {change})); };
   const std::string plain = scene::simulationHash(asRun(text));
-  for (const char* path :
-       {"title=x", "render.size=[64,36]", "render.samples=1", "camera.roll=3", "sun.intensity=2",
-        "sky.ambient=0.5", "time.duration=9", "objects.dish.material.roughness=0.3"}) {
+  for (const char* path : {"title=x", "render.size=[64,36]", "render.samples=1", "camera.roll=3",
+                           "sun.intensity=2", "sky.ambient=0.5", "time.duration=9",
+                           "objects.dish.material.roughness=0.3", "camera.track.offset=[0,1,0]"}) {
     CAPTURE(path);
     CHECK(hash(path) == plain);
     CHECK(!scene::touchesSimulation(std::string(path).substr(0, std::string(path).find('='))));
   }
   for (const char* path : {"seed=2", "time.fps=60", "time.start=1", "numerics=fast", "ground={}",
-                           "objects.dish.grayScott.feed=0.04", "objects.b={\"sphere\":{}}"}) {
+                           "objects.dish.grayScott.feed=0.04", "objects.b={\"sphere\":{}}",
+                           // Where a camera lags behind an object, that is carried from frame to frame.
+                           "camera.track={\"object\": \"dish\", \"damping\": 0.5}"}) {
     CAPTURE(path);
     CHECK(hash(path) != plain);
     CHECK(scene::touchesSimulation(std::string(path).substr(0, std::string(path).find('='))));

@@ -1,6 +1,6 @@
 // Motions of bones against closed values.
 #include "sim/body/motion.hpp"
-#include "sim/body/sample.hpp"
+#include "sim/nodes/sample.hpp"
 #include "unit/figure_text.hpp"
 #include "unit/help.hpp"
 

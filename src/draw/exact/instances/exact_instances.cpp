@@ -92,12 +92,19 @@ void ExactInstances::drawNumbers(const Visibility& picture) {
   copyRaster_.drawNumbers(picture);
 }
 
-void ExactInstances::describe(std::vector<DrawnThing>& things) const {
-  for (std::size_t i = 0; i < balls_.size(); ++i)
-    things.push_back({objectName(*balls_[i]), "ball", ballIds_[i], 1});
+std::vector<ExactInstances::Numbered> ExactInstances::numbered() const {
+  std::vector<Numbered> all;
+  for (std::size_t i = 0; i < balls_.size(); ++i) all.push_back({balls_[i], ballIds_[i], 1});
   for (std::size_t i = 0; i < copies_.size(); ++i)
-    things.push_back(
-        {objectName(*copies_[i].instances), "instance", copyIds_[i], std::max(copies_[i].triangles(), 1U)});
+    all.push_back({copies_[i].instances, copyIds_[i], std::max(copies_[i].triangles(), 1U)});
+  return all;
+}
+
+void ExactInstances::describe(std::vector<DrawnThing>& things) const {
+  const std::vector<Numbered> all = numbered();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    things.push_back({objectName(*all[i].instances), i < balls_.size() ? "ball" : "instance",
+                      all[i].firstId, all[i].each});
 }
 
 const gl::Program& ExactInstances::shading(const char* path, const sim::Instances& instances) {

@@ -42,6 +42,11 @@ class ExactInstances {
   void drawNumbers(const Visibility& picture);
   /// What has these numbers.
   void describe(std::vector<DrawnThing>& things) const;
+  struct Numbered {
+    const sim::Instances* instances;
+    unsigned firstId, each;  ///< of the first; of each of them
+  };
+  [[nodiscard]] std::vector<Numbered> numbered() const;
   /// Adds the light of what is opaque, whose draws are things of the tiles from `firstThing` on.
   void shade(const ShadedTiles& tiles, int firstThing);
   /// Whether some add light: then the ground lies in the picture's keys, too.

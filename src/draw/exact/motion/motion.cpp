@@ -53,6 +53,15 @@ void Motion::toWorld(const sim::Surface& surface, const Elements& into) {
   dispatchRows(kernel, verticesOf(surface));
 }
 
+void Motion::copy(const sim::Instances& instances, const Elements& into) {
+  const gl::Program& kernel = program("keep_elements.comp");
+  instances.positions->bind(positionUnit);
+  instances.velocities->bind(velocityUnit);
+  into.bindOutput();
+  kernel.set("elementCount", instances.capacity);
+  dispatchRows(kernel, instances.capacity);
+}
+
 void Motion::keep(const sim::Drawables& before) {
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   surfaces_.resize(before.surfaces.size());
@@ -76,12 +85,7 @@ void Motion::keep(const sim::Drawables& before) {
     moving.count = instances.capacity;
     if (moving.count == 0) continue;
     moving.before.makeRoom(moving.count);
-    const gl::Program& kernel = program("keep_elements.comp");
-    instances.positions->bind(positionUnit);
-    instances.velocities->bind(velocityUnit);
-    moving.before.bindOutput();
-    kernel.set("elementCount", moving.count);
-    dispatchRows(kernel, moving.count);
+    copy(instances, moving.before);
   }
   places_ = before.places;
   gl::barrier();
@@ -147,6 +151,25 @@ void Motion::place(sim::Instances& instances, Moving& moving, float part) {
   dispatchRows(kernel, moving.count);
   instances.positions = &moving.shown.firstView;
   instances.velocities = &moving.shown.secondView;
+}
+
+Motion::Way Motion::wayOf(std::size_t surface) const {
+  const Moving& moving = surfaces_.at(surface);
+  if (!moving.moves) return {};
+  Way way{moving.before.first.readAll<glm::vec4>(), moving.now.first.readAll<glm::vec4>()};
+  for (auto* places : {&way.before, &way.now}) places->resize(static_cast<std::size_t>(moving.count));
+  return way;
+}
+
+std::vector<glm::vec4> Motion::velocitiesOf(std::size_t number) {
+  SIMREEL_CHECK(drawables_ != nullptr);
+  const sim::Instances& instances = drawables_->instances.at(number);
+  if (instances.capacity == 0) return {};
+  copied_.makeRoom(instances.capacity);
+  copy(instances, copied_);
+  std::vector<glm::vec4> velocities = copied_.second.readAll<glm::vec4>();
+  velocities.resize(static_cast<std::size_t>(instances.capacity));
+  return velocities;
 }
 
 const sim::Drawables& Motion::between(float part) {

@@ -31,6 +31,15 @@ class Motion {
   /// were not there before are as they are.
   [[nodiscard]] const sim::Drawables& between(float part);
 
+  /// Where the vertices of a surface were and are, in the world (m): xyz. Empty for what does not move.
+  struct Way {
+    std::vector<glm::vec4> before, now;
+  };
+  /// Of surface i of the frame; after begin(). Waits for the device, as the next one does.
+  [[nodiscard]] Way wayOf(std::size_t surface) const;
+  /// Velocities of instances i of the frame: xyz in m/s.
+  [[nodiscard]] std::vector<glm::vec4> velocitiesOf(std::size_t instances);
+
  private:
   /// Two vec4 an element: places and normals, or places and velocities.
   struct Elements {
@@ -51,6 +60,7 @@ class Motion {
 
   const gl::Program& program(const std::string& name, const gl::Defines& defines = {});
   void toWorld(const sim::Surface& surface, const Elements& into);
+  void copy(const sim::Instances& instances, const Elements& into);
   void place(sim::Surface& surface, Moving& moving, float part);
   void place(sim::Instances& instances, Moving& moving, float part);
 
@@ -59,6 +69,7 @@ class Motion {
   std::map<std::string, gl::Program> programs_;
   std::vector<Moving> surfaces_, instances_;
   std::vector<sim::Place> places_;             ///< of the frame before
+  Elements copied_;                            ///< instances whose velocities are asked for
   const sim::Drawables* drawables_ = nullptr;  ///< of the frame
   sim::Drawables shown_;
 };

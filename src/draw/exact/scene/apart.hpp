@@ -46,6 +46,7 @@ class ApartSurfaces {
   void drawNearest(const Visibility& picture) { cut_.drawNearest(picture); }
   void drawNumbers(const Visibility& picture) { cut_.drawNumbers(picture); }
   void describe(std::vector<DrawnThing>& things) const;
+  [[nodiscard]] const std::vector<TriangleRaster::Drawn>& drawn() const { return cut_.drawn(); }
   [[nodiscard]] int things() const { return static_cast<int>(cutSurfaces_.size()); }
   void shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing);
 

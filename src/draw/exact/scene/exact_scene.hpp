@@ -16,6 +16,8 @@
 
 namespace simreel::draw {
 
+class Motion;
+
 /// Draws all but what lies over the finished picture by kernels in exact arithmetic: the same bytes on
 /// every device.
 class ExactScene {
@@ -48,6 +50,9 @@ class ExactScene {
     /// Number i, which lives until the next is asked for; the frame's uniform block is that moment's then.
     std::function<Moment(int i)> at;
     std::function<void()> close = {};  ///< after the last: the uniform block is to be the frame's again
+    Motion* motion = nullptr;  ///< since the frame before, which has begun; null: nobody asks for it
+    double frameSeconds = 1;   ///< between the two frames
+    float part = 1;            ///< of the way that the first moment stands at
   };
   /// Into an RGBA8 picture, row 0 at the top. `frame`: what fields, bloom and film are of. The frame's
   /// uniform block is bound.

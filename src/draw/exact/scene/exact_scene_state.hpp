@@ -4,6 +4,7 @@
 #include "draw/exact/instances/exact_instances.hpp"
 #include "draw/exact/joined_surfaces.hpp"
 #include "draw/exact/light_pictures.hpp"
+#include "draw/exact/motion/velocities.hpp"
 #include "draw/exact/occlusion.hpp"
 #include "draw/exact/rays/ray_light.hpp"
 #include "draw/exact/scene/apart.hpp"
@@ -86,6 +87,7 @@ struct ExactScene::State {
   void shadeAll();
   void keepVisibility(glm::ivec2 rows) const;
   void keepLayers(const shader::ExactView& values);
+  [[nodiscard]] std::optional<Velocities> velocitiesNow() const;
   void keepLight();
   void shadeThings();
   void shadeShown();
@@ -128,7 +130,9 @@ struct ExactScene::State {
   PassPicture* passes = nullptr;                      ///< where they are kept
   std::optional<LightRequest> wanted;                 ///< besides pictures
   PictureLayers layers;
-  std::optional<LayerKeeper> layerKeeper;  ///< while the layers' view is drawn
+  std::optional<LayerKeeper> layerKeeper;  ///< while the layers' view is drawn,
+  const Exposure* exposed = nullptr;       ///< and of what that is the first moment,
+  const sim::Drawables* there = nullptr;   ///< of which these are
   gl::Program linear;                      ///< of those alone
   gl::Texture light;
   gl::Texture sums;          ///< light of each pixel, and in alpha how much of it is covered

@@ -85,6 +85,8 @@ bool ExactScene::State::expose(const Exposure& exposure, const Watch& watch) {
   sim::Drawables drawables;
   for (int m = 0; m < moments; ++m) {
     const Moment moment = exposure.at(m);
+    exposed = &exposure;
+    there = moment.drawables;
     const View seen = prepare(moment, drawables, watch);
     const std::vector<LensPoint> opening = lensPoints(scene.camera, seen, moment.seconds);
     // Each moment through points that lie evenly over all of the lens; each point and each moment once at

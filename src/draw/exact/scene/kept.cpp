@@ -1,6 +1,8 @@
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/scene/exact_scene_state.hpp"
 
+#include <algorithm>
+
 namespace simreel::draw {
 
 void ExactScene::State::clearShown() const {
@@ -35,13 +37,45 @@ void ExactScene::State::keepVisibility(glm::ivec2 rows) const {
   instances.describe(passes->things);
 }
 
+/// Of all that has numbers. What is drawn of the moment's surfaces are copies, which share their places.
+std::optional<Velocities> ExactScene::State::velocitiesNow() const {
+  const std::vector<Layer>& layersWanted = wanted->layers;
+  if (exposed->motion == nullptr ||
+      std::find(layersWanted.begin(), layersWanted.end(), Layer::velocity) == layersWanted.end())
+    return std::nullopt;
+  Velocities velocities(*exposed->motion, exposed->frameSeconds, exposed->part);
+  const auto add = [&](const TriangleRaster::Drawn& drawn) {
+    const auto same = [&](const sim::Surface& surface) {
+      return surface.positions == drawn.surface->positions && surface.indices == drawn.surface->indices &&
+             surface.model == drawn.surface->model && surface.object == drawn.surface->object;
+    };
+    const auto found = std::find_if(there->surfaces.begin(), there->surfaces.end(), same);
+    if (found != there->surfaces.end())
+      velocities.addSurface(*found, static_cast<std::size_t>(found - there->surfaces.begin()),
+                            drawn.firstId, drawn.maxTriangles);
+  };
+  for (const TriangleRaster::Drawn& drawn : triangles.drawn()) add(drawn);
+  for (const TriangleRaster::Drawn& drawn : apart.drawn()) add(drawn);
+  for (const ExactInstances::Numbered& drawn : instances.numbered()) {
+    const auto same = [&](const sim::Instances& one) {
+      return one.positions == drawn.instances->positions && one.object == drawn.instances->object;
+    };
+    const auto found = std::find_if(there->instances.begin(), there->instances.end(), same);
+    if (found != there->instances.end())
+      velocities.addInstances(static_cast<std::size_t>(found - there->instances.begin()), drawn.firstId,
+                              drawn.each);
+  }
+  return velocities;
+}
+
 void ExactScene::State::keepLayers(const shader::ExactView& values) {
   std::vector<DrawnThing> things;
   for (const TriangleRaster::Drawn& drawn : triangles.drawn())
     things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
   apart.describe(things);
   instances.describe(things);
-  layerKeeper->add(visibility, values, things);
+  const std::optional<Velocities> velocities = velocitiesNow();
+  layerKeeper->add(visibility, values, things, velocities ? &*velocities : nullptr);
 }
 
 /// What picture.comp makes a picture of.

@@ -1,6 +1,7 @@
 #include "draw/exact/scene/picture_layers.hpp"
 
 #include "draw/exact/exact_view.hpp"
+#include "draw/exact/motion/velocities.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -39,6 +40,7 @@ LayerKeeper::LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm
   const bool places = wants(Layer::position);
   if (wants(Layer::depth)) layers_.depth.assign(pixels, std::numeric_limits<float>::infinity());
   if (places) layers_.position.assign(3 * pixels, 0.0F);
+  if (wants(Layer::velocity)) layers_.velocity.assign(3 * pixels, 0.0F);
   if (!wants(Layer::object)) return;
   layers_.ranks = std::min(samples, PictureLayers::mostRanks);
   layers_.shares.resize(pixels * static_cast<std::size_t>(layers_.ranks));
@@ -67,17 +69,18 @@ std::uint32_t LayerKeeper::objectOf(unsigned number, std::span<const DrawnThing>
 
 // A key is less the nearer it is: most - the bits of near / depth.
 void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& view,
-                      std::span<const DrawnThing> things) {
+                      std::span<const DrawnThing> things, const Velocities* velocities) {
   const std::vector<GLuint> keys = visibility.readKeys();
   const std::vector<GLuint> numbers =
-      wants(Layer::object) ? visibility.readNumbers() : std::vector<GLuint>();
+      wants(Layer::object) || velocities != nullptr ? visibility.readNumbers() : std::vector<GLuint>();
   const auto each = static_cast<std::size_t>(samples_), wide = static_cast<std::size_t>(view.size.x);
   std::vector<PictureLayers::Share> found;
   for (int y = view.rows.x; y < view.rows.y; ++y)
     for (std::size_t x = 0; x < wide; ++x) {
       const std::size_t pixel = static_cast<std::size_t>(y) * wide + x;
       const std::size_t first = (static_cast<std::size_t>(y - view.rows.x) * wide + x) * each;
-      const unsigned key = *std::min_element(&keys[first], &keys[first] + each);
+      const GLuint* const nearest = std::min_element(&keys[first], &keys[first] + each);
+      const unsigned key = *nearest;
       if (key <= farthestKey) {
         const float depth = view.near / std::bit_cast<float>(farthestKey - key);
         const glm::vec3 place =
@@ -87,8 +90,15 @@ void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& vie
         if (!layers_.depth.empty()) layers_.depth[pixel] = depth;
         for (int i = 0; i < 3 && !layers_.position.empty(); ++i)
           layers_.position[3 * pixel + static_cast<std::size_t>(i)] = place[i];
+        const unsigned number =
+            velocities == nullptr ? groundNumber : numbers[static_cast<std::size_t>(nearest - keys.data())];
+        if (number < groundNumber) {
+          const glm::vec3 velocity = velocities->at(number, glm::dvec3(place));
+          for (int i = 0; i < 3; ++i)
+            layers_.velocity[3 * pixel + static_cast<std::size_t>(i)] = velocity[i] + 0.0F;
+        }
       }
-      if (numbers.empty()) continue;
+      if (layers_.ranks == 0) continue;
       found.clear();
       for (std::size_t s = 0; s < each; ++s) {
         if (numbers[first + s] == noNumber) continue;

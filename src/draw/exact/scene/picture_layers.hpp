@@ -11,6 +11,9 @@
 
 #include <glm/vec2.hpp>
 
+namespace simreel::draw {
+class Velocities;
+}  // namespace simreel::draw
 namespace simreel::shader {
 struct ExactView;
 }  // namespace simreel::shader
@@ -18,9 +21,9 @@ struct ExactView;
 namespace simreel::draw {
 
 /// What may be known of a picture besides its colour, and what it is called.
-enum class Layer { depth, position, object, normal, albedo };
-inline constexpr std::array<const char*, 5> layerNames = {"depth", "position", "object", "normal",
-                                                          "albedo"};
+enum class Layer { depth, position, object, normal, albedo, velocity };
+inline constexpr std::array<const char*, 6> layerNames = {"depth",  "position", "object",
+                                                          "normal", "albedo",   "velocity"};
 /// Of those that are shaded instead of light, as shaders know them (SHOWN of
 /// glsl/draw/surface/lighting.glsl).
 inline constexpr std::array<Layer, 2> shownLayers = {Layer::normal, Layer::albedo};
@@ -52,6 +55,10 @@ struct PictureLayers {
   std::vector<float>
       normal;  ///< three a pixel: unit, as shading sees it, the mean of what is opaque; else 0
   std::vector<float> albedo;  ///< three a pixel: linear RGB of what is opaque, the mean of what is there
+  /// Three a pixel: how fast what is nearest moves in the world (m/s), whatever the camera does. Of
+  /// surfaces the mean since the frame before, of instances their own; 0 where nothing moves, before the
+  /// first step, and of surfaces that are made anew in each frame.
+  std::vector<float> velocity;
   std::vector<std::string> objects;
   int ranks = 0;  ///< shares of a pixel in `shares`, the largest first; what is left over covers nothing
   std::vector<Share> shares;
@@ -65,7 +72,9 @@ class LayerKeeper {
  public:
   LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm::ivec2 size, int samples);
   /// Waits for the device. `things`: what has numbers, their first ones ascending.
-  void add(const Visibility& visibility, const shader::ExactView& view, std::span<const DrawnThing> things);
+  /// `velocities`: of all that moves, where they are wanted.
+  void add(const Visibility& visibility, const shader::ExactView& view, std::span<const DrawnThing> things,
+           const Velocities* velocities);
 
  private:
   [[nodiscard]] bool wants(Layer layer) const;

@@ -1,4 +1,4 @@
-#include "sim/body/sample.hpp"
+#include "sim/nodes/sample.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +84,21 @@ glm::dvec4 sample(const FigureChannel& channel, double seconds) {
   const glm::dquat q = slerp(unitOf(glm::dquat(from.w, from.x, from.y, from.z)),
                              unitOf(glm::dquat(to.w, to.x, to.y, to.z)), u);
   return {q.x, q.y, q.z, q.w};
+}
+
+void move(FigureNode& node, const FigureChannel& channel, double seconds) {
+  const glm::dvec4 value = sample(channel, seconds);
+  switch (channel.path) {
+    case FigureChannel::Path::translation:
+      node.translation = glm::dvec3(value);
+      break;
+    case FigureChannel::Path::rotation:
+      node.rotation = glm::dquat(value.w, value.x, value.y, value.z);
+      break;
+    case FigureChannel::Path::scale:
+      node.scale = glm::dvec3(value);
+      break;
+  }
 }
 
 glm::dmat4 transformOf(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale) {

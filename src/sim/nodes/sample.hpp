@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/body/figure.hpp"
+#include "sim/nodes/node_tree.hpp"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec4.hpp>
@@ -16,6 +16,9 @@ namespace simreel::sim {
 /// The value of a channel at `seconds`, before the first and after the last key that of the key: xyz, or a
 /// unit quaternion's x y z w. Linear rotations by slerp, cubic ones componentwise, then made unit.
 [[nodiscard]] glm::dvec4 sample(const FigureChannel& channel, double seconds);
+
+/// Takes a property of a node to where a channel of it is at that time (s) of its motion.
+void move(FigureNode& node, const FigureChannel& channel, double seconds);
 
 /// Translation times rotation times scale of a node.
 [[nodiscard]] glm::dmat4 transformOf(const glm::dvec3& translation, const glm::dquat& rotation,

@@ -1,0 +1,81 @@
+#include "sim/chart/parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr scene::Range anyValue{-1e12, 1e12};
+
+}  // namespace
+
+std::string ChartParameters::Curve::object() const {
+  return of.substr(0, of.rfind('.'));
+}
+
+std::string ChartParameters::Curve::quantity() const {
+  return of.substr(of.rfind('.') + 1);
+}
+
+void ChartParameters::describe(scene::Fields& f) {
+  f.list(
+      "curves", curves, "What is drawn, a value each frame, from time 0 on.",
+      [](scene::Fields& c, Curve& curve) {
+        c.text("of", curve.of, "OBJECT.QUANTITY, as \"checks\" know it.");
+        c.text("label", curve.label, "What the chart calls it; ASCII.");
+        c.leftOut("label", "the quantity");
+        c.number("per", curve.per, {1e-12, 1e12}, "", "What the chart shows as 1.");
+        glm::vec3 color = curve.color.value_or(glm::vec3(0));
+        c.vector("color", color, scene::fraction, "linear RGB", "Of the curve.");
+        c.leftOut("color", "orange, blue, green, violet");
+        if (c.given("color")) curve.color = color;
+        const std::size_t point = curve.of.rfind('.');
+        if (point == std::string::npos || point == 0 || point + 1 == curve.of.size())
+          c.error("of", fmt::format("say which quantity of which object as \"OBJECT.QUANTITY\", not \"{}\"",
+                                    curve.of));
+      },
+      mostCurves);
+  f.optionalNumber("low", low, anyValue, "", "At the chart's foot.");
+  f.leftOut("low", "a round number below what was so far");
+  f.optionalNumber("high", high, anyValue, "", "At its top, more than \"low\".");
+  f.leftOut("high", "a round number above what was so far");
+  if (low && high && !(*low < *high)) f.error("high", "\"high\" is not above \"low\"");
+  f.number("seconds", seconds, {0, 1e6}, "s", "Length of its time axis, which grows when it is over.");
+  f.number("x", x, {-10, 10}, "",
+           "Where its left side is: fraction of the picture's width, from the left.");
+  f.number("y", y, {-10, 10}, "", "The same of its top, of the picture's height.");
+  f.number("width", width, {0.01, 10}, "", "Fraction of the picture's.");
+  f.number("height", height, {0.01, 10}, "", "Fraction of the picture's.");
+  if (curves.empty()) f.error("curves", "a chart needs \"curves\": [{\"of\": \"OBJECT.QUANTITY\"}]");
+}
+
+std::vector<ObjectParameters::Named> ChartParameters::namesQuantities() const {
+  std::vector<Named> named;
+  for (const Curve& curve : curves) named.push_back({curve.object(), curve.quantity(), {"curves"}});
+  return named;
+}
+
+ChartRange roundRange(double least, double most) {
+  const double size = std::max(std::abs(least), std::abs(most));
+  if (!(most - least > std::max(1e-9 * size, 1e-30))) {
+    const double around = std::max(0.5 * size, 1e-30);
+    least -= around;
+    most += around;
+  }
+  // The least step of which the ends lie four apart at most; powers of ten as products.
+  double decade = 1;
+  while (decade * 10 <= most - least) decade *= 10;
+  while (decade > most - least) decade /= 10;
+  decade /= 10;
+  for (;; decade *= 10)
+    for (const double step : {decade, 2 * decade, 5 * decade}) {
+      const double low = std::floor(least / step), high = std::ceil(most / step);
+      if (high - low <= 4) return {low * step, high * step};
+    }
+}
+
+}  // namespace simreel::sim

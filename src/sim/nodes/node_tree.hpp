@@ -1,0 +1,66 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+/// A node of a glTF file: a bone, or what hangs on one. Nodes stand after their parents.
+struct FigureNode {
+  std::string name;
+  int parent = -1;         ///< -1: none
+  bool hasMatrix = false;  ///< instead of the three below; such a node is not animated
+  glm::dmat4 matrix{1};
+  glm::dvec3 translation{0};  ///< m
+  glm::dquat rotation{1, 0, 0, 0};
+  glm::dvec3 scale{1};
+
+  template <class Archive>
+  void pack(Archive& archive) {
+    archive(name);
+    archive(parent);
+    archive(hasMatrix);
+    archive(matrix);
+    archive(translation);
+    archive(rotation);
+    archive(scale);
+  }
+};
+
+/// How one property of a node changes (glTF 2.0, 3.11 and appendix C).
+struct FigureChannel {
+  enum class Path { translation, rotation, scale };
+  enum class Way { step, linear, cubic };
+  int node = 0;
+  Path path = Path::translation;
+  Way way = Way::linear;
+  std::vector<float> times;   ///< s, growing
+  std::vector<float> values;  ///< 3 or 4 (x y z w) a key; `cubic`: tangent in, value, tangent out
+
+  template <class Archive>
+  void pack(Archive& archive) {
+    archive(node);
+    archive(path);
+    archive(way);
+    archive(times);
+    archive(values);
+  }
+};
+
+struct FigureAnimation {
+  std::string name;
+  double seconds = 0;  ///< the last key of all channels
+  std::vector<FigureChannel> channels;
+
+  template <class Archive>
+  void pack(Archive& archive) {
+    archive(name);
+    archive(seconds);
+    archive(channels);
+  }
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,129 @@
+// The layer of velocities: held to what is known of turning, falling and standing things.
+#include "draw/exact/motion/velocities.hpp"
+
+#include "draw/screen/renderer.hpp"
+#include "frame/draw_world.hpp"
+#include "gpu/context.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;  // NOLINT
+
+namespace {
+
+constexpr double fps = 30;
+
+scene::Scene sceneOf(const std::string& objects, const std::string& camera = "") {
+  return scene::parseScene(
+      fmt::format(R"({{"version": 1, "render": {{"size": [96, 54], "samples": 1}}, "time": {{"fps": {}}},
+                  "camera": {{"position": [0, 0.3, 3], "target": [0, 0, 0]{}}}, "sun": {{"shadow": false}},
+                  "objects": {{{}}}}})",
+                  fps, camera, objects),
+      "scene.json", {}, sim::kinds());
+}
+
+draw::PictureLayers layersAt(const scene::Scene& scene, int frame) {
+  sim::World world(scene);
+  draw::Renderer renderer(scene, scene.render.size, scene.render.samples);
+  renderer.keepLayers({{draw::Layer::velocity, draw::Layer::position, draw::Layer::depth}, false, 32});
+  frame::followMotion(renderer, world);
+  world.advanceTo(frame);
+  frame::drawWorld(renderer, world);
+  return renderer.takeLayers();
+}
+
+glm::dvec3 at(const std::vector<float>& three, std::size_t pixel) {
+  return {static_cast<double>(three[3 * pixel]), static_cast<double>(three[3 * pixel + 1]),
+          static_cast<double>(three[3 * pixel + 2])};
+}
+
+/// The greatest difference to what `expected` says of the place of each pixel that shows something.
+template <class Expected>
+double worst(const draw::PictureLayers& layers, int& seen, const Expected& expected) {
+  double most = 0;
+  for (std::size_t i = 0; i < layers.depth.size(); ++i) {
+    const glm::dvec3 velocity = at(layers.velocity, i);
+    if (!std::isfinite(layers.depth[i])) {
+      CHECK(velocity == glm::dvec3(0));
+      continue;
+    }
+    ++seen;
+    most = std::max(most, glm::length(velocity - expected(at(layers.position, i))));
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("velocities: a turning rod's are omega x r, by how far it has come in a frame") {
+  testContext();
+  constexpr double omega = 5.235987755982988;  // 300 degrees a second about z
+  const std::string rod =
+      R"("rod": {"capsule": {"rotation": {"keys": [[0, [0, 0, 0]], [1, [0, 0, 300]]]}, "radius": 0.1, "length": 0.8}})";
+  const auto expected = [&](const glm::dvec3& p) {
+    // Where it was a frame before: turned back.
+    const double c = std::cos(omega / fps), s = std::sin(omega / fps);
+    return (p - glm::dvec3(c * p.x + s * p.y, -s * p.x + c * p.y, p.z)) * fps;
+  };
+  const draw::PictureLayers layers = layersAt(sceneOf(rod), 7);
+  int seen = 0;
+  CHECK(worst(layers, seen, expected) < 2e-3);
+  CHECK(seen > 100);
+  // omega x r itself, to the second order of the angle of a frame.
+  int again = 0;
+  const double off =
+      worst(layers, again, [&](const glm::dvec3& p) { return omega * glm::dvec3(-p.y, p.x, 0); });
+  CHECK(off < 0.55 * omega * omega / fps * 0.5);
+  CHECK(off > 0.1);  // which the chord is not
+  int still = 0;
+  CHECK(worst(layersAt(sceneOf(rod), 0), still, [](const auto&) { return glm::dvec3(0); }) == 0);
+  CHECK(still > 80);
+}
+
+TEST_CASE("velocities: balls have their own, what stands none, whatever the camera does") {
+  testContext();
+  const std::string moved =
+      R"("ball": {"sphere": {"radius": 0.3, "position": {"keys": [[0, [-0.5, 0, 0]], [2, [1.5, 1, -1]]]}}})";
+  int seen = 0;
+  CHECK(worst(layersAt(sceneOf(moved), 9), seen, [](const auto&) { return glm::dvec3(1, 0.5, -0.5); }) <
+        2e-4);
+  CHECK(seen > 100);
+  // The same at the middle of the moments that a shutter is open at, and from a moving camera.
+  int blurred = 0;
+  CHECK(worst(layersAt(
+                  sceneOf(moved, R"(, "shutter": {"samples": 3}, "roll": {"keys": [[0, 0], [1, 90]]})"), 9),
+              blurred, [](const auto&) { return glm::dvec3(1, 0.5, -0.5); }) < 2e-4);
+  CHECK(blurred > 100);
+  int standing = 0;
+  CHECK(worst(layersAt(sceneOf(R"("ball": {"sphere": {"radius": 0.5}})"), 5), standing,
+              [](const auto&) { return glm::dvec3(0); }) == 0);
+  CHECK(standing > 100);
+}
+
+TEST_CASE("velocities: a falling sheet's are those of its particles") {
+  testContext();
+  const draw::PictureLayers layers = layersAt(
+      sceneOf(
+          R"("sheet": {"cloth": {"size": [9, 9], "pins": [], "damping": 0, "wind": [0, 0, 0], "substeps": 32}})"),
+      6);
+  int seen = 0;
+  // Between frames 5 and 6: g times the middle of that time.
+  const double off =
+      worst(layers, seen, [](const glm::dvec3& /*p*/) { return glm::dvec3(0, -9.8 * 5.5 / fps, 0); });
+  CHECK(off < 0.03);
+  CHECK(seen > 20);
+}
+
+TEST_CASE("velocities: shares of corners") {
+  const glm::dvec3 a(0), b(2, 0, 0), c(0, 0, 3);
+  CHECK(glm::length(draw::sharesOf(a, b, c, {0.5, 7, 0.75}) - glm::dvec3(0.5, 0.25, 0.25)) < 1e-12);
+  CHECK(draw::sharesOf(a, b, c, {-4, 0, -1}) == glm::dvec3(1, 0, 0));
+  CHECK(draw::sharesOf(a, b, b, {1, 0, 0}) == glm::dvec3(1, 0, 0));
+}

@@ -1,0 +1,165 @@
+// Cameras of glTF files: where they stand, how they are turned, and one clear line for each mistake.
+#include "sim/nodes/camera_shot.hpp"
+
+#include "base/error.hpp"
+#include "draw/camera.hpp"
+#include "sim/world/list.hpp"
+#include "unit/figure_text.hpp"
+#include "unit/help.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;
+using simreel::test::checkHas;
+using simreel::test::TemporaryFile;
+
+namespace {
+
+constexpr double eighth = 0.70710678118654752;
+
+/// An arm, moved by (0, 0, 4) m and scaled by (2, 2, 3), that turns about y by 0, 90 degrees from 1 to 3 s,
+/// with "wide" at (0.5, 0, 0) on it, 60 degrees high; and a "flat" orthographic camera.
+test::GltfText shotText() {
+  test::GltfText gltf;
+  auto& d = gltf.document;
+  d["scene"] = 0;
+  d["scenes"] = {{{"nodes", {0, 2}}}};
+  d["nodes"] = {{{"name", "arm"}, {"children", {1}}, {"translation", {0, 0, 4}}, {"scale", {2, 2, 3}}},
+                {{"name", "wide"}, {"camera", 0}, {"translation", {0.5, 0, 0}}},
+                {{"name", "flat"}, {"camera", 1}}};
+  d["cameras"] = {{{"type", "perspective"},
+                   {"name", "lens"},
+                   {"perspective", {{"yfov", 1.0471975511965976}, {"znear", 0.2}, {"aspectRatio", 9}}}},
+                  {{"type", "orthographic"},
+                   {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", 0.1}, {"zfar", 9}}}}};
+  const std::size_t times = gltf.floats({1, 3}, "SCALAR", 1);
+  const std::size_t turns =
+      gltf.floats({0, 0, 0, 1, 0, static_cast<float>(eighth), 0, static_cast<float>(eighth)}, "VEC4", 4);
+  const std::size_t moves = gltf.floats({0, 0, 0, 0, 9, 0}, "VEC3", 3);
+  d["animations"] = {{{"name", "other"},
+                      {"samplers", {{{"input", times}, {"output", moves}}}},
+                      {"channels", {{{"sampler", 0}, {"target", {{"node", 2}, {"path", "translation"}}}}}}},
+                     {{"name", "turn"},
+                      {"samplers", {{{"input", times}, {"output", turns}}}},
+                      {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "rotation"}}}}}}}};
+  return gltf;
+}
+
+scene::CameraFile asked(const std::string& name) {
+  scene::CameraFile wanted;
+  wanted.file = "shot.gltf";
+  wanted.name = name;
+  return wanted;
+}
+
+std::string mistakeOf(const scene::CameraFile& wanted, const test::GltfText& gltf) {
+  try {
+    static_cast<void>(sim::readCamera(wanted, gltf.text()));
+  } catch (const UserError& error) {
+    CHECK(error.code() == ExitCode::usage);
+    return error.what();
+  }
+  return "none";
+}
+
+}  // namespace
+
+TEST_CASE("glTF cameras: one goes with its node and those above it, scales left out") {
+  const auto shot = sim::readCamera(asked("wide"), shotText().text());
+  CHECK(shot->fieldOfView() == doctest::Approx(60));
+  CHECK(shot->near() == 0.2);
+  CHECK(!shot->far());
+  for (const double time : {0.0, 1.0, 1.7, 2.0, 3.0, 8.0}) {
+    CAPTURE(time);
+    // The arm turns x towards -z; the camera is a metre out on it.
+    const double angle = std::min(std::max((time - 1) / 2, 0.0), 1.0) * 1.5707963267948966;
+    const glm::dvec3 right(std::cos(angle), 0, -std::sin(angle)), back(std::sin(angle), 0, std::cos(angle));
+    const scene::CameraPose pose = shot->at(time);
+    CHECK(glm::length(pose.eye - (glm::dvec3(0, 0, 4) + right)) < 1e-6);
+    CHECK(glm::length(pose.right - right) < 1e-6);
+    CHECK(glm::length(pose.up - glm::dvec3(0, 1, 0)) < 1e-6);
+    CHECK(glm::length(pose.back - back) < 1e-6);
+  }
+  scene::CameraFile still = asked("lens");  // the camera's own name
+  still.animation = "other";
+  CHECK(glm::length(sim::readCamera(still, shotText().text())->at(2).eye - glm::dvec3(1, 0, 4)) < 1e-6);
+  scene::CameraFile fast = asked("wide");
+  fast.speed = 2;
+  fast.start = -1;
+  fast.loop = true;
+  const auto round = sim::readCamera(fast, shotText().text());
+  CHECK(glm::length(round->at(1.35).eye - shot->at(1.7).eye) < 1e-6);
+  CHECK(glm::length(round->at(2.85).eye - shot->at(1.7).eye) < 1e-6);
+}
+
+TEST_CASE("glTF cameras: a view is that of the file, as high as that says and as wide as the picture is") {
+  scene::Camera camera;
+  camera.filed = true;
+  camera.gltf.shot = sim::readCamera(asked("wide"), shotText().text());
+  camera.gltf.distance = 3;
+  camera.fieldOfView = static_cast<float>(camera.gltf.shot->fieldOfView());
+  const draw::View view = draw::viewAt(camera, 3, {300, 100}, {});
+  CHECK(glm::length(view.forward - glm::vec3(-1, 0, 0)) < 1e-6F);
+  CHECK(glm::length(view.target - glm::vec3(-3, 0, 3)) < 1e-5F);
+  CHECK(view.reach.y == doctest::Approx(std::tan(0.5235987755982988)));
+  CHECK(view.reach.x == doctest::Approx(3 * std::tan(0.5235987755982988)));
+  CHECK(glm::length(glm::normalize(view.right) - glm::vec3(0, 0, -1)) < 1e-6F);
+}
+
+TEST_CASE("glTF cameras: mistakes") {
+  const test::GltfText gltf = shotText();
+  checkHas(mistakeOf(asked(""), gltf), "has 2 cameras; say which by its \"name\": flat, wide");
+  checkHas(mistakeOf(asked("wid"), gltf), "has no camera \"wid\"; did you mean \"wide\"?");
+  checkHas(mistakeOf(asked("flat"), gltf), "\"flat\" of the file is no perspective one");
+  scene::CameraFile moved = asked("wide");
+  moved.animation = "tur";
+  checkHas(mistakeOf(moved, gltf), "no animation \"tur\"; did you mean \"turn\"?");
+  test::GltfText none = gltf, narrow = gltf, nothing = gltf;
+  none.document["scenes"][0]["nodes"] = {2};
+  none.document["nodes"][2].erase("camera");
+  checkHas(mistakeOf(asked(""), none), "has no camera in its default scene");
+  narrow.document["cameras"][0]["perspective"]["yfov"] = 3.1;
+  checkHas(mistakeOf(asked("wide"), narrow), "sees 177.6 degrees from top to bottom");
+  nothing.document["nodes"][0]["scale"] = {0, 1, 0};
+  CHECK_THROWS_WITH_AS(static_cast<void>(sim::readCamera(asked("wide"), nothing.text())->at(0.5)),
+                       "camera \"wide\" of the file looks nowhere at 0.5 s: a node is scaled to nothing",
+                       UserError);
+}
+
+TEST_CASE("glTF cameras: a scene takes angle and reach of the file where it gives none") {
+  test::GltfText gltf = shotText();
+  gltf.document["cameras"][0]["perspective"]["zfar"] = 70;
+  const TemporaryFile file("shot.gltf", gltf.text());
+  const auto parsed = [&](const std::string& more) {
+    return scene::parseScene(
+        fmt::format(R"({{"version": 1, "camera": {{"gltf": {{"file": "{}", "name": "wide"}}{}}}}})",
+                    file.path().filename().string(), more),
+        file.path().parent_path() / "scene.json", {}, sim::kinds());
+  };
+  const scene::Camera camera = parsed("").camera;
+  CHECK(camera.fieldOfView.at(0) == doctest::Approx(60));
+  CHECK(camera.near == 0.2F);
+  CHECK(camera.far == 70);
+  const scene::Camera own = parsed(R"(, "fieldOfView": 30, "near": 1, "far": 2)").camera;
+  CHECK(own.fieldOfView.at(0) == 30);
+  CHECK(own.near == 1);
+  CHECK(own.far == 2);
+  for (const auto& [more, said] :
+       {std::pair(R"(, "near": 80)", "\"near\" is 80 m and \"far\" 70 m; give both"),
+        std::pair(R"(, "target": [0, 0, 0])", "leave out \"target\""),
+        std::pair(R"(, "orbit": {})", "leave out \"orbit\"")}) {
+    std::string message = "none";
+    try {
+      static_cast<void>(parsed(more));
+    } catch (const UserError& error) {
+      message = error.what();
+    }
+    checkHas(message, said);
+  }
+}

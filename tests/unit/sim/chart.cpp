@@ -1,0 +1,63 @@
+// Charts of what objects measure: round scales, and what a scene may say.
+#include "base/error.hpp"
+#include "sim/chart/parameters.hpp"
+#include "sim/world/list.hpp"
+#include "unit/help.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+using namespace simreel;
+using simreel::test::checkHas;
+
+TEST_CASE("chart: scales are round, hold what they are of, and are no wider than they must be") {
+  struct Known {
+    double least, most, low, high;
+  };
+  for (const Known& known : {Known{0, 1, 0, 1},
+                             {0.1, 1.9, 0, 2},
+                             {-3, 17, -10, 20},
+                             {0, 0.07, 0, 0.08},
+                             {1234, 1260, 1230, 1260},
+                             {5, 5, 2, 8},
+                             {0, 0, -1e-30, 1e-30}}) {
+    CAPTURE(known.least);
+    CAPTURE(known.most);
+    const sim::ChartRange range = sim::roundRange(known.least, known.most);
+    CHECK(range.low == doctest::Approx(known.low));
+    CHECK(range.high == doctest::Approx(known.high));
+  }
+  double least = 1e-9, most = 1.3e-9;
+  for (int i = 0; i < 200; ++i) {
+    const sim::ChartRange range = sim::roundRange(-least, most);
+    CHECK(range.low <= -least * (1 - 1e-12));
+    CHECK(range.high >= most * (1 - 1e-12));
+    CHECK(range.high - range.low < 3 * (least + most));
+    least *= 1.37;
+    most *= 1.21;
+  }
+}
+
+TEST_CASE("chart: mistakes") {
+  const auto mistakeOf = [](const std::string& chart) {
+    try {
+      static_cast<void>(scene::parseScene(
+          fmt::format(R"({{"version": 1, "objects": {{"flag": {{"cloth": {{}}}}, "c": {{"chart": {}}}}}}})",
+                      chart),
+          "scene.json", {}, sim::kinds()));
+    } catch (const UserError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  checkHas(mistakeOf(R"({"curves": [{"of": "flag.kineticEnergy"}]})"), "none");
+  checkHas(mistakeOf("{}"), "a chart needs \"curves\"");
+  checkHas(mistakeOf(R"({"curves": [{"of": "flag"}]})"), "as \"OBJECT.QUANTITY\", not \"flag\"");
+  checkHas(mistakeOf(R"({"curves": [{"of": "flag.kinetic"}]})"), "does not measure \"kinetic\"");
+  checkHas(mistakeOf(R"({"curves": [{"of": "fag.kineticEnergy"}]})"), "no object is named \"fag\"");
+  checkHas(mistakeOf(R"({"curves": [{"of": "flag.kineticEnergy"}], "low": 1, "high": 1})"),
+           "\"high\" is not above \"low\"");
+}
