@@ -127,10 +127,6 @@ bool isPlain(const nlohmann::json& camera) {
   return true;
 }
 
-}  // namespace
-
-namespace {
-
 /// What makes a scene's camera stand there and look at that, in its present state.
 std::vector<scene::Override> cameraChanges(const Stage& stage, const nlohmann::json& position,
                                            const nlohmann::json& target) {

@@ -278,7 +278,7 @@ void World::tellBefore() {
 
 void World::passTo(int frame) {
   if (state_->done < frame + state_->preroll) state_->passed = true;
-  for (; state_->done < frame + state_->preroll; ++state_->done) {
+  while (state_->done < frame + state_->preroll) {
     state_->readOthers();
     for (const std::size_t i : state_->order) {
       if (state_->isTouching(i)) continue;
@@ -287,9 +287,6 @@ void World::passTo(int frame) {
       else
         state_->objects[i]->pass(time());
     }
-  while (state_->done < frame + state_->preroll) {
-    for (const std::size_t i : state_->order)
-      if (!state_->isTouching(i)) state_->objects[i]->pass(time());
     if (state_->contact) state_->contact->step(time(), {});
     ++state_->done;
     state_->observe();
