@@ -38,11 +38,11 @@ struct World::State {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> quantities;  ///< that each object measures
   std::optional<std::size_t> tracked;                ///< the object that the camera looks at
-  std::vector<FieldReader*> readers;  ///< objects that take in fields of others before each frame
-  std::vector<bool> isRead;           ///< whether an object is one of these others
-  std::optional<Lag> lag;                            ///< of the camera behind that, if it is damped
-  std::vector<FrameObserver*> observers;             ///< among the objects
-  std::vector<std::size_t> observed;                 ///< objects that these, or the lag, look at
+  std::vector<FieldReader*> readers;      ///< objects that take in fields of others before each frame
+  std::vector<bool> isRead;               ///< whether an object is one of these others
+  std::optional<Lag> lag;                 ///< of the camera behind that, if it is damped
+  std::vector<FrameObserver*> observers;  ///< among the objects
+  std::vector<std::size_t> observed;      ///< objects that these, or the lag, look at
   std::unique_ptr<SummaryQueue> summaries;
   std::function<void(const Drawables& before)> hearBefore;
   bool passed = false;  ///< whether nobody may look at the present frame
