@@ -1,5 +1,7 @@
 #include "sim/lenia/plan.hpp"
 
+#include "base/ieee.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,8 +19,8 @@ double kernelHeight(const LeniaKernel& kernel, double r) {
   const double within = at - std::floor(at);
   const double q = within * (1 - within);
   if (q <= 0) return 0;
-  const double core =
-      kernel.core == LeniaKernel::Core::polynomial ? std::pow(4 * q, 4) : std::exp(4 - 1 / q);
+  const double square = 16 * q * q;
+  const double core = kernel.core == LeniaKernel::Core::polynomial ? square * square : ieee::exp(4 - 1 / q);
   return kernel.rings[ring] / 100.0 * core;
 }
 

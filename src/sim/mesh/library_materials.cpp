@@ -110,7 +110,7 @@ class LibraryReader {
     } else if (key == "Ns") {
       // Blinn and Phong's exponent n has about the lobe of alpha^2 = 2 / (n + 2).
       if (hasRoughness_.count(name_) == 0)
-        material.roughness = std::pow(2.0F / (numbersIn(rest, 1e6F)[0] + 2), 0.25F);
+        material.roughness = std::sqrt(std::sqrt(2.0F / (numbersIn(rest, 1e6F)[0] + 2)));
     } else if (key == "Pc") {
       material.coat = numbersIn(rest, 1)[0];
     } else if (key == "Pcr") {

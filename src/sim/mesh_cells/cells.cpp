@@ -1,6 +1,7 @@
 #include "sim/mesh_cells/cells.hpp"
 
 #include "base/error.hpp"
+#include "base/ieee.hpp"
 
 #include <algorithm>
 #include <array>
@@ -149,7 +150,7 @@ Mesh refined(const Mesh& mesh) {
   std::vector<glm::dvec3> moved;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const int n = neighbours[i];
-    const double c = 0.375 + 0.25 * std::cos(2 * std::numbers::pi / std::max(n, 1));
+    const double c = 0.375 + 0.25 * ieee::cos(2 * std::numbers::pi / std::max(n, 1));
     const double b = (0.625 - c * c) / std::max(n, 1);
     if (borders[i] == 0)
       moved.push_back(places[i] * (1 - n * b) + around[i] * b);

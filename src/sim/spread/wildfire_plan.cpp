@@ -1,6 +1,7 @@
 #include "sim/spread/wildfire_plan.hpp"
 
 #include "base/error.hpp"
+#include "base/ieee.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -186,18 +187,19 @@ std::vector<glm::vec4> WildfirePlan::climbFactors() const {
   for (int i = 0; i < 512; ++i) {
     const double tangent = (i % 256 - 128) / 16.0 / (i < 256 ? 1.0 : std::numbers::sqrt2);
     factors[static_cast<std::size_t>(i / 4)][i % 4] =
-        static_cast<float>(std::exp(parameters_.slope * tangent));
+        static_cast<float>(ieee::exp(parameters_.slope * tangent));
   }
   return factors;
 }
 
 shader::WildfireStep WildfirePlan::stepAt(double time) const {
   const WildfireParameters& p = parameters_;
-  const double angle = static_cast<double>(p.windDirection.at(time)) * std::numbers::pi / 180;
+  const double angle =
+      std::fmod(static_cast<double>(p.windDirection.at(time)), 360.0) * std::numbers::pi / 180;
   const double given = static_cast<double>(p.windStrength.at(time));
   const double strength = p.windFluid.empty() ? given : 0.0;
-  const double windX = std::cos(angle);
-  const double windY = -std::sin(angle);
+  const double windX = ieee::cos(angle);
+  const double windY = -ieee::sin(angle);
   const double base =
       static_cast<double>(p.spread.at(time)) * (1 - static_cast<double>(p.moisture.at(time)));
   shader::WildfireStep data{};
@@ -209,7 +211,7 @@ shader::WildfireStep WildfirePlan::stepAt(double time) const {
       // that.
       const double length = std::sqrt(static_cast<double>(x * x + y * y));
       const double along = -(x * windX + y * windY) / length;
-      const double chance = std::min(1.0, base * std::exp(strength * along) / length);
+      const double chance = std::min(1.0, base * ieee::exp(strength * along) / length);
       data.spread[d / 4][static_cast<int>(d % 4)] = static_cast<unsigned>(std::lround(65536 * chance));
       ++d;
     }
