@@ -269,6 +269,7 @@ TEST_CASE("checks: every kind measures as many numbers as it names") {
   testContext();
   const std::map<std::string, std::string> needs = {{"particles", R"("groups": [{}])"},
                                                     {"body", R"("file": "meshes/walker.gltf")"},
+                                                    {"chart", R"("curves": [{"of": "cells.population"}])"},
                                                     {"contour", R"("field": "cells")"},
                                                     {"epidemic", R"("infected": 0.01)"},
                                                     {"mesh", R"("deform": [{"ripple": {}}])"},

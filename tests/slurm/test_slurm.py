@@ -62,7 +62,7 @@ class OnCluster(Case):
             if reason == "BeginTime":
                 self.cluster.call("scontrol", "update", f"JobId={job}", "StartTime=now")
 
-    def wait_for(self, until, seconds=60):
+    def wait_for(self, until, seconds=240):
         end = time.monotonic() + seconds
         while not until():
             self.assertLess(time.monotonic(), end, self.cluster.call("squeue", "-r") + self.cluster.logs()[-3000:])

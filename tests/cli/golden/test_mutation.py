@@ -34,7 +34,7 @@ MUTATIONS = {
 }
 # Scenes that other shaders of their kind run.
 OTHERS = {"wireworld": ("life", ("automata/step.comp", "node = child(node, cellOf(here, j + 1));", "node = child(node, cellOf(here, j));"))}
-SCENERY = {"sphere", "capsule", "plane", "text"}  # nothing of theirs is simulated
+SCENERY = {"sphere", "capsule", "plane", "text", "chart"}  # nothing of theirs is simulated
 FRAMES = 3  # after the first one
 LATER = {"cave_map": 24, "wireworld": 24}  # rock that is still for some time, electrons far from each other
 # Seconds to their first frame where there is no GPU; each has kinds that other scenes have, too.

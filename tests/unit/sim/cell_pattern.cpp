@@ -95,11 +95,18 @@ TEST_CASE("mistakes in patterns have line and column") {
   checkHas(mistake("[M2]\n1 0 0 0 256\n"), "p:2:9: states go from 0 to 255");
   checkHas(mistake("[M2]\n1 0 0 0 5 6\n"), "p:2:10: ' ' after the five numbers");
   checkHas(mistake("[M2]\n#R B3/S29\n"), "p:2:9: a cell has 8 neighbours");
-  std::string deep = "[M2]\n*$\n";
-  for (int level = 4; level < 40; ++level)
-    deep += std::to_string(level) + " " + std::to_string(level - 3) + " 0 0 " + std::to_string(level - 3) +
-            "\n";
-  checkHas(mistake(deep), "apart, the most there is room for");
+  // Each level is twice the one before; what stands in one corner of it, or in two, is there again.
+  const auto deep = [](int levels, bool twice) {
+    std::string text = "[M2]\n*$\n";
+    for (int level = 4; level < levels; ++level) {
+      const std::string below = std::to_string(level - 3);
+      text += std::to_string(level) + " " + below + " 0 0 " + (twice || level + 1 == levels ? below : "0") +
+              "\n";
+    }
+    return text;
+  };
+  checkHas(mistake(deep(40, false)), "apart, the most there is room for");
+  checkHas(mistake(deep(40, true)), "more than 134217728 living cells");
 }
 
 TEST_CASE("names of pattern files") {
