@@ -109,7 +109,8 @@ class Golden(ServeCase):
         viewer.send(do="accept")
         done = viewer.until(lambda kind, m: kind == "golden" and m["accept"] in ("done", "failed"))
         self.assertEqual(done["accept"], "done", done["said"])
-        self.verdict(viewer, 0, "pass")
+        if done["verdict"] != "pass":  # the new baseline may have been seen before its writer had ended
+            self.verdict(viewer, 0, "pass")
         self.good("test", "scene.json")
         self.assertEqual(json.loads((self.folder / "golden/scene/any/baseline.json").read_text())["reason"], "accepted in simreel serve")
 
