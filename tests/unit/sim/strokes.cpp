@@ -15,9 +15,9 @@ using namespace simreel::sim;
 
 namespace {
 
-using Brush = StrokeParameters::Shape;
+using StrokeShape = StrokeParameters::Shape;
 
-StrokeParameters stroke(Brush shape, glm::vec3 from, glm::vec3 to, float radius) {
+StrokeParameters stroke(StrokeShape shape, glm::vec3 from, glm::vec3 to, float radius) {
   StrokeParameters p;
   p.shape = shape;
   p.from = from;
@@ -69,13 +69,15 @@ double distance(glm::ivec2 cell, glm::dvec2 a, glm::dvec2 b) {
 
 TEST_CASE("a circle and a line paint the cells whose middle is within the radius") {
   struct {
-    Brush shape;
+    StrokeShape shape;
     glm::dvec2 from, to;
     double radius;
-  } const cases[] = {
-      {Brush::circle, {30.3, 20.1}, {30.3, 20.1}, 7.2}, {Brush::line, {5.7, 40.2}, {55.1, 3.9}, 3.3},
-      {Brush::line, {-20, 10}, {90, 10}, 0.7},          {Brush::circle, {0, 0}, {0, 0}, 11.9},
-      {Brush::line, {12.4, 13.6}, {12.4, 13.6}, 2.6},   {Brush::circle, {500, 500}, {500, 500}, 30}};
+  } const cases[] = {{StrokeShape::circle, {30.3, 20.1}, {30.3, 20.1}, 7.2},
+                     {StrokeShape::line, {5.7, 40.2}, {55.1, 3.9}, 3.3},
+                     {StrokeShape::line, {-20, 10}, {90, 10}, 0.7},
+                     {StrokeShape::circle, {0, 0}, {0, 0}, 11.9},
+                     {StrokeShape::line, {12.4, 13.6}, {12.4, 13.6}, 2.6},
+                     {StrokeShape::circle, {500, 500}, {500, 500}, 30}};
   for (const auto& c : cases) {
     const auto cells = paintedAtOnce(
         stroke(c.shape, glm::vec3(c.from, 0), glm::vec3(c.to, 0), static_cast<float>(c.radius)));
@@ -92,21 +94,21 @@ TEST_CASE("a circle and a line paint the cells whose middle is within the radius
 TEST_CASE("on a torus a stroke goes on at the opposite border") {
   struct {
     glm::ivec2 size;
-    Brush shape;
+    StrokeShape shape;
     glm::dvec2 from, to;
     double radius;
-  } const cases[] = {{{61, 47}, Brush::circle, {0.3, 46.2}, {0.3, 46.2}, 5.2},
-                     {{61, 47}, Brush::circle, {30.1, 20.2}, {30.1, 20.2}, 7.7},
-                     {{61, 47}, Brush::circle, {-300.4, 512.9}, {-300.4, 512.9}, 11.3},
-                     {{61, 47}, Brush::line, {55.1, 40.2}, {70.3, 60.9}, 3.1},
-                     {{61, 47}, Brush::line, {-100.7, -90.1}, {150.2, 10.4}, 1.3},
-                     {{61, 47}, Brush::circle, {10.2, 5.1}, {10.2, 5.1}, 29.7},
-                     {{61, 47}, Brush::circle, {10.2, 5.1}, {10.2, 5.1}, 400},
-                     {{5, 64}, Brush::circle, {2.2, 63.1}, {2.2, 63.1}, 20.4},
-                     {{5, 64}, Brush::line, {4.1, 1.2}, {17.3, 30.8}, 0.9},
-                     {{1, 33}, Brush::circle, {0.5, 0.6}, {0.5, 0.6}, 7.2},
-                     {{33, 1}, Brush::line, {30.2, 0.3}, {39.7, 2.8}, 2.3},
-                     {{3, 3}, Brush::circle, {0.1, 2.9}, {0.1, 2.9}, 1.2}};
+  } const cases[] = {{{61, 47}, StrokeShape::circle, {0.3, 46.2}, {0.3, 46.2}, 5.2},
+                     {{61, 47}, StrokeShape::circle, {30.1, 20.2}, {30.1, 20.2}, 7.7},
+                     {{61, 47}, StrokeShape::circle, {-300.4, 512.9}, {-300.4, 512.9}, 11.3},
+                     {{61, 47}, StrokeShape::line, {55.1, 40.2}, {70.3, 60.9}, 3.1},
+                     {{61, 47}, StrokeShape::line, {-100.7, -90.1}, {150.2, 10.4}, 1.3},
+                     {{61, 47}, StrokeShape::circle, {10.2, 5.1}, {10.2, 5.1}, 29.7},
+                     {{61, 47}, StrokeShape::circle, {10.2, 5.1}, {10.2, 5.1}, 400},
+                     {{5, 64}, StrokeShape::circle, {2.2, 63.1}, {2.2, 63.1}, 20.4},
+                     {{5, 64}, StrokeShape::line, {4.1, 1.2}, {17.3, 30.8}, 0.9},
+                     {{1, 33}, StrokeShape::circle, {0.5, 0.6}, {0.5, 0.6}, 7.2},
+                     {{33, 1}, StrokeShape::line, {30.2, 0.3}, {39.7, 2.8}, 2.3},
+                     {{3, 3}, StrokeShape::circle, {0.1, 2.9}, {0.1, 2.9}, 1.2}};
   for (const auto& c : cases) {
     CAPTURE(c.size.x);
     CAPTURE(c.from.x);
@@ -142,7 +144,7 @@ TEST_CASE(
   const simreel::test::TemporaryFile file("stamp.pgm", text);
   for (const glm::ivec2 size : {glm::ivec2(20, 11), glm::ivec2(9, 7), glm::ivec2(4, 3)})
     for (const glm::ivec2 at : {glm::ivec2(-5, 3), glm::ivec2(17, 9), glm::ivec2(1000, -999)}) {
-      auto p = stroke(Brush::image, {at.x, at.y, 0}, {at.x, at.y, 0}, 0);
+      auto p = stroke(StrokeShape::image, {at.x, at.y, 0}, {at.x, at.y, 0}, 0);
       p.image = file.path();
       const Strokes strokes({p}, 1, {size, true, "field"});
       std::vector<char> expected(static_cast<std::size_t>(size.x * size.y));
@@ -162,7 +164,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a stroke that goes round a torus too often is refused in one line") {
-  auto p = stroke(Brush::line, {0, 0, 0}, {1e6, 0, 0}, 1);
+  auto p = stroke(StrokeShape::line, {0, 0, 0}, {1e6, 0, 0}, 1);
   try {
     const Strokes strokes({p}, 1, {{64, 64}, true, "field \"f\""});
     FAIL("accepted");
@@ -177,7 +179,7 @@ TEST_CASE("a stroke that goes round a torus too often is refused in one line") {
 TEST_CASE("a stroke of no duration paints into exactly one state, the first that is not before it") {
   for (const double rate : {10.0, 7.0, 60.0, 29.97})
     for (const double at : {0.0, 0.1, 0.25, 0.7, 1.0, -0.3, 2.999}) {
-      auto p = stroke(Brush::circle, {5, 5, 0}, {5, 5, 0}, 2);
+      auto p = stroke(StrokeShape::circle, {5, 5, 0}, {5, 5, 0}, 2);
       p.at = p.until = at;
       const Strokes strokes({p}, 1, bounded);
       int times = 0;
@@ -193,7 +195,7 @@ TEST_CASE("a stroke of no duration paints into exactly one state, the first that
 }
 
 TEST_CASE("a long stroke paints into every state that it has reached and none after its end is shown") {
-  auto p = stroke(Brush::line, {5, 5, 0}, {9, 5, 0}, 2);
+  auto p = stroke(StrokeShape::line, {5, 5, 0}, {9, 5, 0}, 2);
   p.at = 0.35;
   p.until = 0.8;
   const Strokes strokes({p}, 1, bounded);
@@ -202,7 +204,7 @@ TEST_CASE("a long stroke paints into every state that it has reached and none af
 }
 
 TEST_CASE("a moving circle leaves no gap between steps") {
-  auto p = stroke(Brush::circle, {3.2, 40.1, 0}, {57.6, 5.4, 0}, 2.3F);
+  auto p = stroke(StrokeShape::circle, {3.2, 40.1, 0}, {57.6, 5.4, 0}, 2.3F);
   p.at = 0;
   p.until = 1;
   for (const int rate : {4, 10, 37}) {
@@ -222,7 +224,7 @@ TEST_CASE("a moving circle leaves no gap between steps") {
 }
 
 TEST_CASE("a sparse stroke paints its fraction, others in each step and for each seed") {
-  auto p = stroke(Brush::circle, {30, 23, 0}, {30, 23, 0}, 100);
+  auto p = stroke(StrokeShape::circle, {30, 23, 0}, {30, 23, 0}, 100);
   const std::size_t all = paintedAtOnce(p).size();
   CHECK(all == static_cast<std::size_t>(grid.x * grid.y));
   p.fraction = 0;
@@ -242,7 +244,7 @@ TEST_CASE("a sparse stroke paints its fraction, others in each step and for each
 }
 
 TEST_CASE("an image stamps its light pixels at its place") {
-  auto p = stroke(Brush::image, {-3, 5, 0}, {-3, 5, 0}, 2);
+  auto p = stroke(StrokeShape::image, {-3, 5, 0}, {-3, 5, 0}, 2);
   p.image = sourceFolder() + "/assets/textures/gingham.png";
   const auto here = paintedAtOnce(p);
   CHECK_FALSE(here.empty());
