@@ -148,6 +148,7 @@ class FileShot final : public scene::CameraShot {
     const std::vector<FileCamera>& cameras = read.cameras;
     if (cameras.empty()) fail(ExitCode::usage, "the file has no camera in its default scene");
     std::vector<std::string> names;
+    names.reserve(cameras.size());
     for (const FileCamera& camera : cameras)
       names.push_back(read.nodes[static_cast<std::size_t>(camera.node)].name);
     if (name.empty()) {
