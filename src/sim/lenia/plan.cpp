@@ -81,8 +81,8 @@ int LeniaPlan::reach(int dy) const {
 
 float LeniaPlan::weight(int k, int dx, int dy) const {
   if (std::abs(dx) > range_ || std::abs(dy) > range_) return 0;
-  return static_cast<float>(weights_[static_cast<std::size_t>(k)][static_cast<std::size_t>(
-      (dy + range_) * (2 * range_ + 1) + dx + range_)]);
+  const int at = (dy + range_) * (2 * range_ + 1) + dx + range_;
+  return static_cast<float>(weights_[static_cast<std::size_t>(k)][static_cast<std::size_t>(at)]);
 }
 
 std::vector<glm::vec4> LeniaPlan::weights() const {
