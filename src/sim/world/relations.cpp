@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace simreel::sim {
 
@@ -37,10 +38,17 @@ std::string fieldMistake(const std::string& name, const char* unnamed, bool part
       std::find_if(objects.begin(), objects.end(), [&](const auto& other) { return other.name == owner; });
   if (named != objects.end() && named->parameters == nullptr) return {};  // a mistake of its own
   const auto* of = named == objects.end() ? nullptr : parametersAt(*named);
-  const std::string what = name.empty()    ? unnamed
-                           : of == nullptr ? fmt::format("no object is named {}", scene::inQuotes(owner))
-                           : of->isField()
-                               ? fmt::format("object \"{}\" has no field {}", owner, scene::inQuotes(name))
+  if (of != nullptr && of->isField()) {
+    // All of its own: what it is best known by may have the object's name alone.
+    std::erase_if(fields, [&](const std::string& field) {
+      return field != owner && !field.starts_with(owner + ".");
+    });
+    return fmt::format("object \"{}\" has no field {}; known here: {}", owner, scene::inQuotes(name),
+                       fmt::join(fields, ", "));
+  }
+  const std::string what = name.empty() ? unnamed
+                           : of == nullptr
+                               ? fmt::format("no object is named {}", scene::inQuotes(owner))
                                : fmt::format("object \"{}\" is a {}, not a field", owner, named->kind);
   return fmt::format("{}; {}", what,
                      fields.empty() ? "the scene has no field" : scene::suggestion(name, fields));
