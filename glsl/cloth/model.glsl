@@ -116,16 +116,15 @@ FUNCTION vec3 pinnedPosition(ivec2 at, int group) {
 FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, vec3 trend, bool springs, bool air, bool fabric, bool touch,
                         bool lands, bool walled) {
   Motion m;
-  if (here.w == 0.0f) {
-    m.position = velocity.w < 0.0f ? vec3(velocity) : pinnedPosition(at, int(velocity.w));  // cloth/hold.comp
-    m.velocity = vec3(0.0f);
-    return m;
-  }
   m.velocity = newVelocity(at, here, vec3(velocity), springs, air, fabric);
   precise vec3 moved = vec3(here) + m.velocity * stepData.dt;
   m.position = moved;
   if (!springs) m.position = ledTo(vec3(here), m.velocity, trend);
   if (touch) m = contact(m, vec3(here), lands, walled);
+  if (here.w == 0.0f) {  // last, so that a card need not wait for the weight before it asks for the neighbours
+    m.position = velocity.w < 0.0f ? vec3(velocity) : pinnedPosition(at, int(velocity.w));  // cloth/hold.comp
+    m.velocity = vec3(0.0f);
+  }
   return m;
 }
 

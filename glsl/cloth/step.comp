@@ -4,7 +4,7 @@
 #ifdef TEXEL_PATH
 layout(local_size_x = 8, local_size_y = 8) in;
 #else
-layout(local_size_x = 16, local_size_y = 8) in;
+layout(local_size_x = 32, local_size_y = 8) in;
 #endif
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)

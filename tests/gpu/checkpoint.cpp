@@ -63,13 +63,17 @@ constexpr const char* fire = R"({"version": 1, "objects": {"hill": {"wildfire": 
 
 }  // namespace
 
-TEST_CASE("checkpoint: every shipped scene goes on as if it had not been stopped") {
+TEST_CASE("checkpoint: every shipped scene but the long ones goes on as if it had not been stopped") {
   testContext();
   const test::TemporaryFile place("checkpoint", "");
   ::setenv("SIMREEL_ASSETS", (fs::path(sourceFolder()) / "assets").c_str(), 1);
+  // Each long one has kinds that others have, too.
+  const std::string longOnes = "\n" + readFile(fs::path(sourceFolder()) / "tests/long_scenes.txt", "list") + "\n";
   std::vector<fs::path> scenes;
   for (const auto& entry : fs::directory_iterator(fs::path(sourceFolder()) / "assets/scenes"))
-    if (entry.path().extension() == ".json") scenes.push_back(entry.path());
+    if (entry.path().extension() == ".json" &&
+        longOnes.find("\n" + entry.path().stem().string() + "\n") == std::string::npos)
+      scenes.push_back(entry.path());
   std::sort(scenes.begin(), scenes.end());
   REQUIRE(scenes.size() >= 19);
   int changed = 0;

@@ -1,6 +1,7 @@
 """The shipped scenes guard the shipped simulations: one constant of a simulation 1 % off, and `simreel test` fails
 for every scene that has one. A simulation that is not listed here has its first number with a point put 1 % off."""
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -37,8 +38,12 @@ OTHERS = {"wireworld": ("life", ("automata/step.comp", "node = child(node, cellO
 SCENERY = {"sphere", "capsule", "plane", "text", "chart"}  # nothing of theirs is simulated
 FRAMES = 3  # after the first one
 LATER = {"cave_map": 24, "wireworld": 24}  # rock that is still for some time, electrons far from each other
+# A quick scene or two of each kind; all of them where SIMREEL_LONG says so.
+FEW = {"alloy", "cape", "cave_map", "contour", "epidemic", "flag", "ink", "leather", "lenia", "life", "rain", "ripple",
+       "sparks", "wildfire", "wireworld"}
+EVERY = os.environ.get("SIMREEL_LONG") == "1"
 # Seconds to their first frame where there is no GPU; each has kinds that other scenes have, too.
-LONG = set((SOURCE / "tests/long_scenes.txt").read_text(encoding="utf-8").split())
+LONG_SCENES = set((SOURCE / "tests/long_scenes.txt").read_text(encoding="utf-8").split())
 
 
 def derived_mutation(kind):
@@ -57,7 +62,7 @@ def derived_mutation(kind):
 
 class Mutation(GoldenCase):
     def scenes(self):
-        return sorted(f for f in (SOURCE / "assets/scenes").glob("*.json") if f.stem not in LONG)
+        return sorted(f for f in (SOURCE / "assets/scenes").glob("*.json") if f.stem not in LONG_SCENES and (EVERY or f.stem in FEW))
 
     def read(self, file):
         # A string is kept, a comment goes.
