@@ -166,6 +166,10 @@ void ReactionParameters::describe(scene::Fields& f) {
 }
 
 void ReactionSurface::describe(scene::Fields& f) {
+  f.choice(
+      "draw", draw, {"isosurface", "cubes"},
+      "Smoothly, where what is shown passes \"level\"; or every cell that is at that level or above as a "
+      "cube.");
   f.number("level", level, scene::anyNumber, "", "What is shown is at least this within the surface.");
   f.leftOut("level", "the middle between the display's \"low\" and \"high\"");
   hasLevel = f.given("level");

@@ -47,8 +47,10 @@ struct ReactionStroke : StrokeParameters {
   std::string species;  ///< empty: the first
 };
 
-/// How a volume is drawn: where what is shown passes a level.
+/// How a volume is drawn: where what is shown passes a level, or its cells from that level on.
 struct ReactionSurface {
+  enum class Draw { isosurface, cubes };
+  Draw draw = Draw::isosurface;
   scene::Animated<float> level = 0.5F;
   bool hasLevel = false;  ///< else it is the middle of the display's range
   std::string color;      ///< an expression; empty: the material's colour
