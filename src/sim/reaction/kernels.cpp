@@ -87,7 +87,9 @@ RuleCut ReactionKernels::bestCut() {
   cut.rows = texel ? 2 : 1;
   cut.stepsPerPass = texel ? 4 : 2;
   cut.stripElements = texel ? 6 : 1;
-  cut.stripSpecies = 2;  // more have the same bits; what they gain is not measured yet
+  // More have the same bits. A software driver takes 7 s of a processor to compile strips of 3 species and
+  // 50 s of 8; what a card gains is not measured.
+  cut.stripSpecies = texel ? 4 : 2;
   // Strips take a software driver seconds to compile, and save it some 3 ns a cell and step.
   cut.stripsAfter = texel ? 5e8 : 0;
   return cut;
