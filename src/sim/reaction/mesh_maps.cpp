@@ -21,6 +21,7 @@ double repeated(double at) {
 
 int partsOf(double share) {
   constexpr int parts = shader::reaction::mapParts;
+  if (!std::isfinite(share)) return 0;  // files may say so
   return static_cast<int>(std::clamp(std::floor(share * parts), 0.0, double(parts - 1)));
 }
 
