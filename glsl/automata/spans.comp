@@ -1,4 +1,4 @@
-// Larger than Life on a neighbourhood of rows of any length, which are convex: from a cell to the next one comes the right
+// Larger than Life on a neighbourhood of rows of any length, circles, diamonds and squares beyond the range of rows.comp: from a cell to the next one comes the right
 // end of each row and goes the left one. Defines: as rows.comp; REACHES: how far each row reaches to both sides, from the
 // top.
 #include "common/words.glsl"

@@ -1,7 +1,9 @@
 // Another object's field on the grid of a rule, as the map of a parameter: bilinear between the middles of its cells, in all
-// layers of a volume alike. An invocation takes an element, four cells, of one layer's rows.
+// layers of a volume alike. An invocation takes an element, four cells, of one layer's rows. On a mesh (MESH) its cells lie on
+// the field at places of their own, or are the field's own cells (`byCell`).
 #include "common/exact.glsl"
 #include "common/memory.glsl"
+#include "common/words.glsl"
 #include "reaction/bindings.glsl"
 #include "reaction/functions.glsl"
 #include "reaction/sampling.glsl"
@@ -12,6 +14,10 @@ const int fieldUnit = stageBinding;
 uniform ivec2 size;
 uniform int columns, depth, plane;
 uniform float storedGrain;
+#ifdef MESH
+INPUT_WORDS(linksBinding, PlaceBlock, places)  // of four cells: from the left in the lower, from the top in the upper 16 bits
+uniform int byCell;
+#endif
 
 float storedValueAt(int x, int y) {
   return grained(valueAt(ivec2(x, y)), storedGrain);
@@ -20,11 +26,24 @@ float storedValueAt(int x, int y) {
 void main() {
   int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
   if (x >= columns || y >= size.y) return;
-  Between down = betweenCells(y, size.y, fieldSize.y);
   vec4 four = vec4(0);
+#ifdef MESH
+  uvec4 places4 = LOAD_INPUT_WORDS(places, x);
+#else
+  Between down = betweenCells(y, size.y, fieldSize.y);
+#endif
   for (int i = 0; i < 4; ++i) {
     if (4 * x + i >= size.x) continue;
+#ifdef MESH
+    if (byCell != 0) {
+      four[i] = storedValueAt(4 * x + i, 0);
+      continue;
+    }
+    Between across = betweenAt(int(places4[i] & 65535u), fieldSize.x);
+    Between down = betweenAt(int(places4[i] >> 16u), fieldSize.y);
+#else
     Between across = betweenCells(4 * x + i, size.x, fieldSize.x);
+#endif
     float above = betweenOf(storedValueAt(across.before, down.before), storedValueAt(across.after, down.before), across.share);
     float below = betweenOf(storedValueAt(across.before, down.after), storedValueAt(across.after, down.after), across.share);
     four[i] = grained(betweenOf(above, below, down.share), storedGrain);

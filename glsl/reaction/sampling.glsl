@@ -20,6 +20,18 @@ FUNCTION Between betweenCells(int i, int count, int sources) {
   return b;
 }
 
+// The same of a place in `mapParts` of the whole side, from 0 to mapParts - 1: at sources / mapParts - 1/2.
+const int mapParts = 65536;
+FUNCTION Between betweenAt(int at, int sources) {
+  int place = max(at * sources - mapParts / 2, 0);
+  Between b;
+  b.before = place / mapParts;
+  b.after = min(b.before + 1, sources - 1);
+  precise float share = float(place % mapParts) * 1.52587890625e-5f;
+  b.share = share;
+  return b;
+}
+
 FUNCTION float betweenOf(float a, float b, float share) {
   precise float difference = b - a;
   precise float part = difference * share;

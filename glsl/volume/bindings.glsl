@@ -13,6 +13,7 @@ const int masksBinding = 5;      // of 32 samples: crossed edges along x, y and 
 const int positionsBinding = 6;
 const int normalsBinding = 7;
 const int indicesBinding = 6;
+const int boxIndicesBinding = 2;  // of cubes, which need no table
 
 // Vertices before the points: the corners of the volume's box, for whoever asks how far the surface may reach.
 const int boxCorners = 8;

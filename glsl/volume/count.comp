@@ -1,7 +1,10 @@
-// Of 32 samples: the crossings of the edges that begin at them, and the triangles of the cubes that do.
+// Of 32 samples: the crossings of the edges that begin at them, and the triangles of the cubes that do. CUBES: instead of a
+// point a crossing has a square of four points and two triangles.
 #include "volume/samples.glsl"
 layout(local_size_x = 64) in;
+#ifndef CUBES
 INPUT_WORDS(cubesBinding, CubeBlock, cubes)
+#endif
 INPUT_WORDS(classesBinding, ClassBlock, classes)
 STATE_WORDS(talliesBinding, TallyBlock, tallies)
 STATE_WORDS(masksBinding, MaskBlock, masks)
@@ -26,6 +29,11 @@ void main() {
   uint within = pairs >= 32 ? 0xffffffffu : (1u << uint(max(pairs, 0))) - 1u;
   uint alongX = (a.x ^ a.y) & within;
   uint alongY = up ? a.x ^ b.x : 0u, alongZ = back ? a.x ^ c.x : 0u;
+  uint points = uint(bitCount(alongX) + bitCount(alongY) + bitCount(alongZ));
+#ifdef CUBES
+  STORE_WORDS(masks, place.w, uvec4(alongX, alongY, alongZ, 0u));
+  STORE_WORDS(tallies, place.w, uvec4(4u * points, 0u, 2u * points, 0u));
+#else
   uint any = a.x | a.y | b.x | b.y | c.x | c.y | d.x | d.y, all = a.x & a.y & b.x & b.y & c.x & c.y & d.x & d.y;
   uint crossed = up && back ? any & ~all & within : 0u;
   uint triangles = 0u;
@@ -35,7 +43,7 @@ void main() {
     uint kind = low.x | low.y << 1u | low.z << 2u | low.w << 3u | high.x << 4u | high.y << 5u | high.z << 6u | high.w << 7u;
     triangles += LOAD_INPUT_WORDS(cubes, int(kind)).x;
   }
-  uint points = uint(bitCount(alongX) + bitCount(alongY) + bitCount(alongZ));
   STORE_WORDS(masks, place.w, uvec4(alongX, alongY, alongZ, crossed));
   STORE_WORDS(tallies, place.w, uvec4(points, 0u, triangles, 0u));
+#endif
 }

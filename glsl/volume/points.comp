@@ -10,16 +10,7 @@ layout(std430, binding = positionsBinding) restrict writeonly buffer PositionBlo
 layout(std430, binding = normalsBinding) restrict writeonly buffer NormalBlock { vec4 normals[]; };
 uniform uint pointRoom;
 uniform vec4 corner;  // m: where cell (0, 0, 0) is; w: m between cells
-#ifdef TINTED
-layout(binding = tintsUnit) uniform usamplerBuffer tintWords;
-uniform ivec2 tintLayout;
-uniform vec2 tintRange;  // the lowest value, and one through the range
-
-float tintAt(ivec3 cell) {
-  int word = cellWord(clamp(cell, ivec3(0), volume.xyz - 1), tintLayout);
-  return numberOf(wordOf(texelFetch(tintWords, word >> 2), word & 3));
-}
-#endif
+#include "volume/tint.glsl"
 
 float slopeAlong(ivec3 cell, ivec3 axis) {
   ivec3 before = max(cell - axis, ivec3(0)), after = min(cell + axis, volume.xyz - 1);

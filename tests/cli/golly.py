@@ -130,11 +130,14 @@ def random_case(family, rng):
     elif family == "shapes":
         most, suffix = rng.choice([(4, "V"), (6, "H")])
         case["rule"] = f"B{digits(most, rng)}/S{digits(most, rng, 0)}{suffix}"
+    elif family == "life":
+        case["rule"] = f"B{digits(8, rng)}/S{digits(8, rng, 0)}"
     elif family == "map":
-        bits = [rng.random() < 0.4 for _ in range(516)]
-        bits[0] = bits[511] = False
+        # Any function of nine cells, of seven (hexagonal) or of five (von Neumann).
+        count = rng.choice([512, 128, 32])
+        bits = [i not in (0, count - 1) and i < count and rng.random() < 0.4 for i in range((count + 5) // 6 * 6)]
         base = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
-        case["rule"] = "MAP" + "".join(base[sum(bits[i + j] << (5 - j) for j in range(6))] for i in range(0, 516, 6))
+        case["rule"] = "MAP" + "".join(base[sum(bits[i + j] << (5 - j) for j in range(6))] for i in range(0, len(bits), 6))
     elif family == "generations":
         kind = rng.choice(["", "V", "H", "letters"])
         most = {"V": 4, "H": 6}.get(kind, 8)
@@ -148,15 +151,55 @@ def random_case(family, rng):
         case["rule"] = (f"R{reach},C{rng.choice([0, 0, 3, 6])},M{rng.randrange(2)},S{low}..{high},"
                         f"B{born}..{min(born + most // 8 + 1, most)},N{shape}")
         case["fill"] = 0.5
+    elif family == "far":
+        # Ranges beyond 60, and squares' beyond what a byte of sums holds. Golly makes grids twice as wide as the range, at
+        # least. Half of the cells live, so limits lie about the middle.
+        shape = rng.choice("MNNNCCC")
+        reach = rng.randrange(128, 140) if shape == "M" else rng.randrange(61, 90)
+        size[0], size[1] = (2 * reach + rng.randrange(1, 30) for _ in range(2))
+        cells = {"M": (2 * reach + 1) ** 2, "N": 2 * reach * (reach + 1) + 1, "C": 3.1416 * (reach + 0.5) ** 2}[shape]
+        near = [int(cells * share) for share in (rng.uniform(0.2, 0.4), rng.uniform(0.42, 0.7), rng.uniform(0.3, 0.45), rng.uniform(0.46, 0.6))]
+        case["rule"] = f"R{reach},C{rng.choice([0, 0, 4])},M{rng.randrange(2)},S{near[0]}..{near[1]},B{near[2]}..{near[3]},N{shape}"
+        case["fill"] = 0.5
+    elif family == "tables":
+        name, text = random_table(rng)
+        case.update({"ruleFile": name, "fill": 0.5, "border": rng.choice(["torus", "dead", "klein"])})
+        case["table"] = text
     return case
 
 
-FAMILIES = ["hensel", "shapes", "map", "generations", "borders", "wide"]
+def random_table(rng):
+    """A rule file of random transitions, some of them for any state of some neighbours."""
+    neighbourhood = rng.choice(["Moore", "vonNeumann", "hexagonal"])
+    moore = neighbourhood == "Moore"  # whose diagrams grow fast
+    states = rng.randrange(2, 4 if moore else 6)
+    neighbours = {"Moore": 8, "vonNeumann": 4, "hexagonal": 6}[neighbourhood]
+    symmetries = rng.choice({"Moore": ["none", "rotate4", "rotate8", "reflect_horizontal", "rotate4reflect", "rotate8reflect", "permute"],
+                             "vonNeumann": ["none", "rotate4", "reflect_horizontal", "rotate4reflect", "permute"],
+                             "hexagonal": ["none", "rotate2", "rotate3", "rotate6", "rotate6reflect", "permute"]}[neighbourhood])
+    name = f"Soup{rng.randrange(10 ** 12)}"
+    lines = [f"@RULE {name}", "@TABLE", f"n_states:{states}", f"neighborhood:{neighbourhood}", f"symmetries:{symmetries}"]
+    everything = ",".join(map(str, range(states)))
+    lines += [f"var a{i}={{{everything}}}" for i in range(neighbours)] + [f"var b={{{','.join(map(str, range(1, states)))}}}"]
+    for _ in range(rng.randrange(6, 12) if moore else rng.randrange(12, 30)):
+        middle = rng.randrange(states)
+        around = [rng.choice([f"a{i}", f"a{i}", "a0", "b", str(rng.randrange(states))]) for i in range(neighbours)]
+        if middle == 0 and "b" not in around and not any(a.isdigit() and a != "0" for a in around):
+            around[0] = "b"  # what is empty stays so
+        lines.append(",".join([str(middle), *around, str(rng.randrange(states))]))
+    return f"{name}.rule", "\n".join(lines) + "\n"
+
+
+FAMILIES = ["life", "hensel", "shapes", "map", "generations", "borders", "wide", "far", "tables"]
 
 
 def compare(folder, simreel, cases, generations, seed=4):
     """Runs the cases as objects of one scene, then each by bgolly; returns [(name, problem or "", living cells)]. A case
-    may name a "ruleFile", which stands in `folder`."""
+    may name a "ruleFile", which stands in `folder`, or bring its text as "table"."""
+    for case in cases:
+        if "table" in case:
+            (folder / case["ruleFile"]).write_text(case["table"], encoding="ascii")
+    cases = [{key: value for key, value in case.items() if key != "table"} for case in cases]
     objects = {f"c{i:03}": {"life": {**case, "stepsPerSecond": generations}} for i, case in enumerate(cases)}
     scene = {"version": 1, "seed": seed, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 10, "duration": 1.1},
              "objects": objects}

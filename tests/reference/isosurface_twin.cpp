@@ -9,6 +9,8 @@
 #include <map>
 #include <tuple>
 
+#include <glm/vector_relational.hpp>
+
 #define FUNCTION inline
 #define precise
 namespace simreel::shader {
@@ -115,4 +117,47 @@ class Marching {
 sim::MeshTable isosurfaceTwin(const sim::IsosurfaceShape& shape, float level, const CellValue& value,
                               const CellValue& tint, glm::vec2 range) {
   return Marching(shape, level, value, tint, range).mesh;
+}
+
+sim::MeshTable cubesTwin(const sim::IsosurfaceShape& shape, float level, const CellValue& value,
+                         const CellValue& tint, glm::vec2 range) {
+  sim::MeshTable mesh;
+  const auto at = [&](const CellValue& of, glm::ivec3 c) {
+    const float v = of(c.x, c.y, c.z);
+    return std::isfinite(v) ? std::clamp(v, -1e20F, 1e20F) : -1e20F;
+  };
+  const auto exists = [&](glm::ivec3 c) {
+    return glm::all(glm::greaterThanEqual(c, glm::ivec3(0))) && glm::all(glm::lessThan(c, shape.size));
+  };
+  const auto lives = [&](glm::ivec3 c) { return exists(c) && at(value, c) >= level; };
+  const auto square = [&](glm::ivec3 cell, int axis, bool first) {
+    const auto begin = static_cast<unsigned>(mesh.positions.size());
+    glm::ivec3 way(0);
+    way[axis] = 1;
+    const float seen = at(tint, first ? cell : cell + way);
+    constexpr int around[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    for (const auto& [right, up] : around) {
+      glm::vec3 place(cell);
+      place[axis] += 0.5F;
+      place[(axis + 1) % 3] += 0.5F * static_cast<float>(right);
+      place[(axis + 2) % 3] += 0.5F * static_cast<float>(up);
+      mesh.positions.push_back(shader::volumePlace(shape.corner(), shape.spacing, place));
+      mesh.normals.push_back(first ? glm::vec3(way) : glm::vec3(-way));
+      mesh.uvs.emplace_back(shader::volumeColor(seen, seen, 0, range.x, 1 / (range.y - range.x)), 0);
+    }
+    for (const unsigned i : {0U, first ? 1U : 3U, 2U, 0U, 2U, first ? 3U : 1U})
+      mesh.indices.push_back(begin + i);
+  };
+  const int ring = shape.closed ? 1 : 0;
+  const glm::ivec3 end = shape.size + ring;
+  for (int z = -ring; z < end.z; ++z)
+    for (int y = -ring; y < end.y; ++y)
+      for (int x = -ring; x < end.x; ++x)
+        for (int axis = 0; axis < 3; ++axis) {
+          const glm::ivec3 cell(x, y, z);
+          glm::ivec3 next = cell;
+          ++next[axis];
+          if (next[axis] < end[axis] && lives(cell) != lives(next)) square(cell, axis, lives(cell));
+        }
+  return mesh;
 }

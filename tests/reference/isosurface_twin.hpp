@@ -11,3 +11,9 @@
                                                      const std::function<float(int, int, int)>& value,
                                                      const std::function<float(int, int, int)>& tint,
                                                      glm::vec2 range);
+
+/// The same of cells as cubes.
+[[nodiscard]] simreel::sim::MeshTable cubesTwin(const simreel::sim::IsosurfaceShape& shape, float level,
+                                                const std::function<float(int, int, int)>& value,
+                                                const std::function<float(int, int, int)>& tint,
+                                                glm::vec2 range);

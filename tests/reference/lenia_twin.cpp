@@ -122,3 +122,50 @@ void LeniaInDouble::step() {
     }
   cells = std::move(next);
 }
+
+SmoothLifeInDouble::SmoothLifeInDouble(const LeniaPlan& plan)
+    : size_(plan.parameters().size), p_(plan.parameters()) {
+  const auto first = plan.firstCells();
+  for (int y = 0; y < size_.y; ++y)
+    for (int x = 0; x < size_.x; ++x)
+      cells.push_back(
+          static_cast<double>(first[static_cast<std::size_t>(y * plan.rowItems() + x / 4)][x % 4]));
+}
+
+double SmoothLifeInDouble::at(int x, int y) const {
+  x = (x % size_.x + size_.x) % size_.x;
+  y = (y % size_.y + size_.y) % size_.y;
+  return cells[static_cast<std::size_t>(y * size_.x + x)];
+}
+
+void SmoothLifeInDouble::step() {
+  // A disc's edge is a ramp one cell wide, half outside.
+  const auto disc = [](double d, double radius) {
+    return d < radius - 0.5 ? 1.0 : d > radius + 0.5 ? 0.0 : radius + 0.5 - d;
+  };
+  const auto sigma1 = [](double x, double a, double alpha) {
+    return 1 / (1 + std::exp(-(x - a) * 4 / alpha));
+  };
+  const int range = static_cast<int>(std::ceil(p_.radius)) + 1;
+  std::vector<double> next(cells.size());
+  for (int y = 0; y < size_.y; ++y)
+    for (int x = 0; x < size_.x; ++x) {
+      double inner = 0, innerArea = 0, outer = 0, outerArea = 0;
+      for (int dy = -range; dy <= range; ++dy)
+        for (int dx = -range; dx <= range; ++dx) {
+          const double d = std::hypot(dx, dy), in = disc(d, p_.radius / 3), all = disc(d, p_.radius);
+          inner += in * at(x + dx, y + dy);
+          innerArea += in;
+          outer += (all - in) * at(x + dx, y + dy);
+          outerArea += all - in;
+        }
+      const double m = inner / innerArea, n = outer / outerArea;
+      const double alive = sigma1(m, 0.5, p_.alphaDisc);
+      const double low = p_.bornMin * (1 - alive) + p_.surviveMin * alive;
+      const double high = p_.bornMax * (1 - alive) + p_.surviveMax * alive;
+      const double s = sigma1(n, low, p_.alphaRing) * (1 - sigma1(n, high, p_.alphaRing));
+      next[static_cast<std::size_t>(y * size_.x + x)] =
+          std::clamp(at(x, y) + (2 * s - 1) / p_.timeScale, 0.0, 1.0);
+    }
+  cells = std::move(next);
+}

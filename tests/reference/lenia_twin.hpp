@@ -14,7 +14,21 @@ class LeniaTwin {
   simreel::sim::LeniaPlan plan_;
 };
 
-/// The same equations stated again in double, neighbour by neighbour; a value a cell, rows without gaps.
+/// SmoothLife as its paper has it (Rafler 2011, arXiv:1111.1567: eqs. of M, N, sigma_1, sigma_2, sigma_m
+/// and s; smooth steps f + dt (2 s - 1)), in double; a value a cell, rows without gaps.
+class SmoothLifeInDouble {
+ public:
+  explicit SmoothLifeInDouble(const simreel::sim::LeniaPlan& plan);
+  void step();
+  std::vector<double> cells;
+
+ private:
+  [[nodiscard]] double at(int x, int y) const;
+  glm::ivec2 size_;
+  simreel::sim::LeniaParameters p_;
+};
+
+/// Lenia's equations stated again in double, neighbour by neighbour; a value a cell, rows without gaps.
 class LeniaInDouble {
  public:
   explicit LeniaInDouble(const simreel::sim::LeniaPlan& plan);

@@ -4,8 +4,8 @@
 //
 //   bench_reaction [SIDE]     8192 on a GPU, 512 on a software driver
 //
-// Before that: what the kernel of each preset takes to compile, the driver's cache left out where
-// MESA_SHADER_CACHE_DISABLE=1.
+// Before that: what the kernels of each preset take from their text to their first steps, the driver's
+// cache left out where MESA_SHADER_CACHE_DISABLE=1.
 #include "gl/context.hpp"
 #include "plain/plain.hpp"
 #include "sim/gray_scott/kernels.hpp"
@@ -14,6 +14,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -151,13 +152,16 @@ void compileTimes() {
     p.size = {64, 64};
     const sim::ReactionPlan plan(p, preset.name, 1, frameSeconds);
     const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t worked = std::clock();
     sim::ReactionKernels kernels(preset.name, plan, false);
     kernels.setValues(plan.valuesAt(0));
     kernels.advance(0, 8, 0);
     glFinish();
     const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - begin;
-    fmt::print("{:20} {:7.1f} ms to its first steps, {} programs\n", preset.name, ms.count(),
-               plan.program().passes.size());
+    const double processor = 1e3 * static_cast<double>(std::clock() - worked) / CLOCKS_PER_SEC;
+    const std::size_t programs = plan.program().passes.size();
+    fmt::print("{:20} {:7.1f} ms to its first steps, {:6.1f} of a processor, {} programs: {:6.1f} each\n",
+               preset.name, ms.count(), processor, programs, processor / static_cast<double>(programs));
   }
 }
 

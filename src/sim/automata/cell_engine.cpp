@@ -23,6 +23,9 @@ constexpr int columnRows = 64;
 /// What a kernel may read beyond a row's last cell, elements.
 constexpr int spareItems = 64;
 
+/// Up to it 2 range + 1 cells fit a byte.
+constexpr int maxByteRange = 127;
+
 void define(gl::Defines& defines, const char* name, int value) {
   defines.emplace_back(name, std::to_string(value));
 }
@@ -125,9 +128,10 @@ void CellEngine::makeCyclic(const CellRule& rule) {
 
 void CellEngine::makeWide(const CellRule& rule) {
   const WideRule& wide = rule.wide;
-  const bool square = wide.shape == NeighbourShape::moore;
+  // A column's sum is a byte there.
+  const bool square = wide.shape == NeighbourShape::moore && range_ <= maxByteRange;
   // Long enough that the first sum of a segment costs little beside those that run.
-  items_ = bits_ ? 1 : 4;
+  items_ = bits_ ? std::max(1, range_ / 128) : std::max(4, range_ / 16);
   gl::Defines all = defines();
   define(all, "RANGE", range_);
   define(all, "MIDDLE", wide.middle ? 1 : 0);

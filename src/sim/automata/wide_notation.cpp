@@ -9,7 +9,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int maxSquareRange = 127, maxRoundRange = 60, maxCyclicRange = 10;
+constexpr int maxWideRange = 500, maxCyclicRange = 10;  // Golly's
 
 constexpr const char* wideAdvice =
     "Larger than Life is written as \"R5,C0,M1,S34..58,B34..45,NM\" (or \"5,34,45,34,58\")";
@@ -105,13 +105,12 @@ RuleProblem parseWide(std::string_view text, CellRule& rule) {
   // The neighbourhood stands last, and says what the limits before it may be.
   const char last = text.empty() ? '\0' : text.back();
   const bool named = !text.empty() && !isDigit(text[0]);
-  const int maxRange = named && last != 'M' && last != 'm' ? maxRoundRange : maxSquareRange;
   if (named) {
     wide.shape = last == 'N' || last == 'n'   ? NeighbourShape::vonNeumann
                  : last == 'C' || last == 'c' ? NeighbourShape::circular
                                               : NeighbourShape::moore;
     reader.expect('R');
-    reader.number("the range", 1, maxRange, wide.range);
+    reader.number("the range", 1, maxWideRange, wide.range);
     reader.expect(',');
     reader.expect('C');
     reader.number("the number of states", 0, 256, states);
@@ -131,7 +130,7 @@ RuleProblem parseWide(std::string_view text, CellRule& rule) {
     wide.shape = reader.shape("MNC");
   } else {
     wide.middle = true;
-    reader.number("the range", 1, maxRange, wide.range);
+    reader.number("the range", 1, maxWideRange, wide.range);
     reader.expect(',');
     const int most = reader.problem().message.empty() ? shapeCells(wide.range, wide.shape) : 0;
     reader.limits(",", "a limit of birth", most, wide.bornMin, wide.bornMax);

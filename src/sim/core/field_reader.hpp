@@ -9,6 +9,8 @@ namespace simreel::sim {
 struct FieldParts {
   virtual ~FieldParts() = default;
   [[nodiscard]] virtual std::vector<std::string> fieldParts() const = 0;
+  /// Whether its cells are no grid, but those of a mesh.
+  [[nodiscard]] virtual bool isOnMesh() const { return false; }
 
  protected:
   FieldParts() = default;
@@ -27,6 +29,8 @@ struct FieldReading {
   };
   virtual ~FieldReading() = default;
   [[nodiscard]] virtual std::vector<From> readsFields() const = 0;
+  /// Whether it takes fields of an object whose cells are no grid: cell by cell.
+  [[nodiscard]] virtual bool readsCellsOf(const FieldParts& /*other*/) const { return false; }
 
  protected:
   FieldReading() = default;

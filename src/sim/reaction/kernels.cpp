@@ -70,6 +70,15 @@ std::vector<glm::uvec4> linkWords(const RuleLinks& links) {
   return words;
 }
 
+/// As glsl/reaction/sample.comp has them.
+std::vector<glm::uvec4> placeWords(const std::vector<glm::ivec2>& places) {
+  std::vector<glm::uvec4> words((places.size() + 3) / 4, glm::uvec4(0));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    words[i / 4][static_cast<int>(i % 4)] =
+        static_cast<unsigned>(places[i].x) | static_cast<unsigned>(places[i].y) << 16;
+  return words;
+}
+
 }  // namespace
 
 RuleCut ReactionKernels::bestCut() {
@@ -78,7 +87,9 @@ RuleCut ReactionKernels::bestCut() {
   cut.rows = texel ? 2 : 1;
   cut.stepsPerPass = texel ? 4 : 2;
   cut.stripElements = texel ? 6 : 1;
-  cut.stripSpecies = 2;  // more have the same bits; what they gain is not measured yet
+  // More have the same bits. A software driver takes 7 s of a processor to compile strips of 3 species and
+  // 50 s of 8; what a card gains is not measured.
+  cut.stripSpecies = texel ? 4 : 2;
   // Strips take a software driver seconds to compile, and save it some 3 ns a cell and step.
   cut.stripsAfter = texel ? 5e8 : 0;
   return cut;
@@ -99,6 +110,8 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
                 static_cast<std::int64_t>(plan.parameters().parameters.size()) +
                     (plan.links() != nullptr ? placeMaps : 0)}));
   if (plan.links() != nullptr) links_ = gl::WordsArray(name + " links", linkWords(*plan.links()));
+  if (!plan.places().empty() && !plan.parameters().readsFields().empty())
+    places_ = gl::WordsArray(name + " places", placeWords(plan.places()));
   const RuleField field = plan.firstField();
   const std::vector<glm::vec4> first = packed(field.stage);
   cells_[0] = gl::Vec4Array(name + " cells", first);
@@ -288,6 +301,7 @@ const gl::Program& ReactionKernels::samplerOf(Field::Cells cells) {
   if (found != samplers_.end()) return found->second;
   gl::Defines defines = gl::kernelDefines(false);
   defines.emplace_back("CELLS", std::to_string(static_cast<int>(cells)));
+  if (plan_.links() != nullptr) defines.emplace_back("MESH", "1");
   gl::Program program = gl::Program::compute("reaction/sample.comp", defines);
   program.set("size", size_);
   program.set("columns", columns_);
@@ -306,6 +320,11 @@ void ReactionKernels::take(int parameter, const Field& field) {
   sampler.set("rowWords", field.rowWords);
   sampler.set("firstWord", field.firstWord);
   sampler.set("cellWords", field.cellWords);
+  if (plan_.links() != nullptr) {
+    // No grid is one row: that is the same mesh.
+    sampler.set("byCell", field.size == size_ ? 1 : 0);
+    places_.bindInput(bindings::linksBinding);
+  }
   field.words->bind(bindings::stageBinding);
   weights_.bindState(bindings::nextBinding);
   gl::barrier();

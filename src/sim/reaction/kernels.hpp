@@ -75,7 +75,7 @@ class ReactionKernels {
   gl::Vec4Array stages_[2];  ///< between the stages of a step
   gl::Vec4Array sums_, lets_, weights_;
   gl::Texture letWords_;
-  gl::WordsArray stamps_, links_;
+  gl::WordsArray stamps_, links_, places_;
   gl::Buffer status_;
   gl::Program paint_;
   std::map<Field::Cells, gl::Program> samplers_;  ///< of other objects' fields

@@ -31,6 +31,11 @@ void ReactionMesh::describe(scene::Fields& f) {
          "Of what is generated, along u and v; a sphere has as many or more, evenly spread.");
   f.integer("refine", refine, {0, 6}, "",
             "How often each face becomes four, all of it rounder (Loop's subdivision).");
+  f.choice("maps", maps, {"texture", "front", "top"},
+           "How images and other objects' fields lie on it: by texture coordinates (of a sphere longitude "
+           "and latitude), or over its box as it is seen from the front or from above.");
+  f.leftOut("maps", "\"texture\" where there are such coordinates, else \"front\"");
+  hasMaps = f.given("maps");
   f.vector("position", position, scene::anyNumber, "m", "Where the mesh's origin is.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
   f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the mesh's coordinates.");
@@ -63,6 +68,21 @@ Mesh ReactionMesh::make() const {
   if (refine > 0) check(static_cast<std::int64_t>(made.indices.size() / 3) << (2 * refine));
   for (int i = 0; i < refine; ++i) made = refined(made);
   return made;
+}
+
+bool ReactionMesh::isMadeAs(const ReactionMesh& other) const {
+  if (shape != other.shape || refine != other.refine) return false;
+  switch (shape) {
+    case Shape::file:
+      return file == other.file;
+    case Shape::plane:
+      return size == other.size && resolution == other.resolution;
+    case Shape::sphere:
+      return radius == other.radius && resolution == other.resolution;
+    case Shape::torus:
+      break;
+  }
+  return radius == other.radius && tube == other.tube && resolution == other.resolution;
 }
 
 glm::mat4 ReactionMesh::model(double time) const {

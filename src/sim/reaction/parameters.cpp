@@ -73,29 +73,30 @@ void ReactionParameters::describe(scene::Fields& f) {
            "Left meets right, top bottom and the last layer the first; nothing crosses the edges; or each "
            "species has a value beyond.");
   f.shorthand("parameters", "value");
-  completed(f, "parameters", "Numbers that expressions name.", "parameter", 64, parameters,
-            [](scene::Fields& p, ReactionParameter& parameter) {
-              p.number("value", parameter.value, scene::anyNumber, "", "Its value.");
-              p.optionalNumber("across", parameter.across, scene::anyNumber, "",
-                               "Value at the right edge; it changes evenly from \"value\" at the left.");
-              p.optionalNumber("down", parameter.down, scene::anyNumber, "",
-                               "Value at the bottom; it changes evenly from \"value\" at the top.");
-              p.asset("image", parameter.image,
-                      "Picture that sets it: \"value\" where it is black, \"white\" where white.");
-              p.number("white", parameter.white, scene::anyNumber, "", "Value where \"image\" is white.");
-              p.text("field", parameter.field,
-                     "Name of another object's field whose values it has, NAME or NAME.u, as that is when "
-                     "the frame begins; both grids cover the same, bilinear between cells.");
-              p.leftOut("field", "none");
-              for (const char* other : {"value", "across", "down", "image", "white"})
-                if (!parameter.field.empty() && p.given(other))
-                  p.error(
-                      other,
-                      fmt::format("the parameter has the values of a \"field\"; leave out \"{}\"", other));
-              if (parameter.across.has_value() + parameter.down.has_value() + !parameter.image.empty() > 1)
-                p.error(parameter.image.empty() ? "down" : "image",
-                        "\"across\", \"down\" and \"image\" exclude each other");
-            });
+  completed(
+      f, "parameters", "Numbers that expressions name.", "parameter", 64, parameters,
+      [](scene::Fields& p, ReactionParameter& parameter) {
+        p.number("value", parameter.value, scene::anyNumber, "", "Its value.");
+        p.optionalNumber("across", parameter.across, scene::anyNumber, "",
+                         "Value at the right edge; it changes evenly from \"value\" at the left.");
+        p.optionalNumber("down", parameter.down, scene::anyNumber, "",
+                         "Value at the bottom; it changes evenly from \"value\" at the top.");
+        p.asset("image", parameter.image,
+                "Picture that sets it: \"value\" where it is black, \"white\" where white.");
+        p.number("white", parameter.white, scene::anyNumber, "", "Value where \"image\" is white.");
+        p.text("field", parameter.field,
+               "Name of another object's field whose values it has, NAME or NAME.u, as that is when "
+               "the frame begins; both grids cover the same, bilinear between cells. On a mesh it lies "
+               "as \"maps\" says, or is one of the same mesh, cell by cell.");
+        p.leftOut("field", "none");
+        for (const char* other : {"value", "across", "down", "image", "white"})
+          if (!parameter.field.empty() && p.given(other))
+            p.error(other,
+                    fmt::format("the parameter has the values of a \"field\"; leave out \"{}\"", other));
+        if (parameter.across.has_value() + parameter.down.has_value() + !parameter.image.empty() > 1)
+          p.error(parameter.image.empty() ? "down" : "image",
+                  "\"across\", \"down\" and \"image\" exclude each other");
+      });
   f.shorthand("lets", "is");
   completed(f, "lets", "Names for expressions, which others may use; a stencil may be laid over them.",
             "let", 32, lets,
@@ -165,6 +166,10 @@ void ReactionParameters::describe(scene::Fields& f) {
 }
 
 void ReactionSurface::describe(scene::Fields& f) {
+  f.choice(
+      "draw", draw, {"isosurface", "cubes"},
+      "Smoothly, where what is shown passes \"level\"; or every cell that is at that level or above as a "
+      "cube.");
   f.number("level", level, scene::anyNumber, "", "What is shown is at least this within the surface.");
   f.leftOut("level", "the middle between the display's \"low\" and \"high\"");
   hasLevel = f.given("level");
@@ -197,14 +202,6 @@ void ReactionParameters::checkMesh(scene::Fields& f) const {
     if (f.given(name))
       f.error(name, fmt::format("\"{}\" is for a grid; the cells of a \"mesh\" are its vertices", name));
   checkBrushes(f);
-  if (!readsFields().empty())
-    f.error("parameters", "a mesh has no grid to take another object's \"field\" on");
-  for (const ReactionParameter& parameter : parameters)
-    if (!parameter.image.empty())
-      f.error("parameters",
-              fmt::format("the parameter {} is mapped by an image, which a mesh does not know; use "
-                          "\"across\", \"down\" or x, y and z",
-                          scene::inQuotes(parameter.name)));
 }
 
 void ReactionParameters::checkBrushes(scene::Fields& f) const {
@@ -255,6 +252,11 @@ std::vector<FieldReading::From> ReactionParameters::readsFields() const {
     if (!parameter.field.empty())
       fields.push_back({parameter.field, {"parameters", parameter.name, "field"}});
   return fields;
+}
+
+bool ReactionParameters::readsCellsOf(const FieldParts& other) const {
+  const auto* reaction = dynamic_cast<const ReactionParameters*>(&other);
+  return reaction != nullptr && mesh.present && reaction->mesh.present && mesh.isMadeAs(reaction->mesh);
 }
 
 int ReactionParameters::painted(const ReactionStroke& stroke) const {

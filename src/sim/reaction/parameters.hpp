@@ -47,8 +47,10 @@ struct ReactionStroke : StrokeParameters {
   std::string species;  ///< empty: the first
 };
 
-/// How a volume is drawn: where what is shown passes a level.
+/// How a volume is drawn: where what is shown passes a level, or its cells from that level on.
 struct ReactionSurface {
+  enum class Draw { isosurface, cubes };
+  Draw draw = Draw::isosurface;
   scene::Animated<float> level = 0.5F;
   bool hasLevel = false;  ///< else it is the middle of the display's range
   std::string color;      ///< an expression; empty: the material's colour
@@ -61,19 +63,24 @@ struct ReactionSurface {
 /// A mesh whose vertices are the cells.
 struct ReactionMesh {
   enum class Shape { file, plane, sphere, torus };
+  enum class Maps { texture, front, top };
   bool present = false;
   Shape shape = Shape::file;
   std::filesystem::path file;
-  glm::vec3 size{4, 0, 4};                             ///< m, of a plane
-  float radius = 1, tube = 0.35F;                      ///< m
-  glm::ivec2 resolution{129, 65};                      ///< vertices along u and v
-  int refine = 0;                                      ///< times that each face becomes four
+  glm::vec3 size{4, 0, 4};         ///< m, of a plane
+  float radius = 1, tube = 0.35F;  ///< m
+  glm::ivec2 resolution{129, 65};  ///< vertices along u and v
+  int refine = 0;                  ///< times that each face becomes four
+  Maps maps = Maps::texture;       ///< how pictures and fields lie on it
+  bool hasMaps = false;            ///< else by texture coordinates if it has them, or from the front
   scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
   scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
   scene::Animated<float> scale = 1.0F;
   void describe(scene::Fields& fields);
   /// Throws what loadMesh throws.
   [[nodiscard]] Mesh make() const;
+  /// Whether make() gives the same as another's, wherever both stand.
+  [[nodiscard]] bool isMadeAs(const ReactionMesh& other) const;
   [[nodiscard]] glm::mat4 model(double time) const;
   [[nodiscard]] std::optional<scene::Box> framed() const;
 };
@@ -103,7 +110,10 @@ struct ReactionParameters : ObjectParameters, FieldParts, FieldReading {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return space() == RuleSpace::plane; }
   [[nodiscard]] std::vector<std::string> fieldParts() const override;
+  [[nodiscard]] bool isOnMesh() const override { return mesh.present; }
   [[nodiscard]] std::vector<From> readsFields() const override;
+  /// Of the same mesh, cell by cell.
+  [[nodiscard]] bool readsCellsOf(const FieldParts& other) const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 

@@ -2,7 +2,9 @@
 
 #include "base/log.hpp"
 #include "sim/grid/picture_file.hpp"
+#include "sim/reaction/mesh_maps.hpp"
 #include "sim/reaction/model.hpp"
+#include "sim/reaction/sampling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +66,7 @@ void ReactionPlan::readMesh(const std::string& object) {
   onMesh_ = true;
   mesh_ = parameters_.mesh.make();
   cells_ = cellsOf(mesh_, "reaction \"" + object + "\"");
+  places_ = mapPlaces(parameters_.mesh, mesh_, cells_, "reaction \"" + object + "\"");
   parameters_.size = {cells_.count(), 1};
   if (!parameters_.hasSpacing)
     parameters_.spacing *= std::max(1.0, cells_.meanEdge * std::sqrt(fastestOf(cells_) / gridFastest));
@@ -139,6 +142,12 @@ std::vector<float> ReactionPlan::edges() const {
 std::vector<float> ReactionPlan::weightsOf(const ReactionParameter& parameter) const {
   const glm::ivec2 size = parameters_.size;
   std::vector<float> weights;
+  if (onMesh_ && !parameter.image.empty()) {
+    const Picture picture = loadPicture(parameter.image, "map of a parameter", maxRuleMapSide);
+    for (const std::uint8_t level : levelsOnGrid(picture, picture.size))
+      weights.push_back(static_cast<float>(level) / 255.0F);
+    return sampledAt(weights, picture.size, places_);
+  }
   if (onMesh_) {
     if (!parameter.across && !parameter.down) return std::vector<float>(static_cast<std::size_t>(size.x));
     const int axis = parameter.across ? 0 : 1;

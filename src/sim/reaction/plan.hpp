@@ -25,6 +25,8 @@ class ReactionPlan {
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
   /// Of a mesh; null: there is none.
   [[nodiscard]] const RuleLinks* links() const { return onMesh_ ? &links_ : nullptr; }
+  /// Of the cells of a mesh on other objects' fields; empty on grids.
+  [[nodiscard]] const std::vector<glm::ivec2>& places() const { return places_; }
   /// The mesh, and its cells.
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const MeshCells& cells() const { return cells_; }
@@ -64,6 +66,7 @@ class ReactionPlan {
   Mesh mesh_;
   MeshCells cells_;
   RuleLinks links_;
+  std::vector<glm::ivec2> places_;
   double perMetre_ = 1;  ///< units of length, on a mesh
   int seed_;
   double frameSeconds_;

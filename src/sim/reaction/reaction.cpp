@@ -178,7 +178,8 @@ class Reaction : public Simulation, public FieldReader {
                       : fmt::format("({}, {})", x, row);
   }
   [[nodiscard]] static IsosurfaceShape shapeOf(const ReactionParameters& p) {
-    return {glm::ivec3(p.size, p.depth), p.cellWidth(), p.surface.position, p.surface.closed};
+    return {glm::ivec3(p.size, p.depth), p.cellWidth(), p.surface.position, p.surface.closed,
+            p.surface.draw == ReactionSurface::Draw::cubes};
   }
   [[nodiscard]] VolumeValues valuesOf(const RulePlane& plane) const {
     const int row = 4 * kernels_.columns();

@@ -11,4 +11,10 @@ namespace simreel::sim {
                                                glm::ivec2 size);
 inline constexpr int maxSampledSide = 32768;
 
+/// The same at places in mapParts of its width and height (mapPlaces).
+[[nodiscard]] std::vector<float> sampledAt(const std::vector<float>& values, glm::ivec2 sources,
+                                           const std::vector<glm::ivec2>& places);
+/// Cell by cell.
+[[nodiscard]] std::vector<float> sampledCells(const std::vector<float>& values);
+
 }  // namespace simreel::sim

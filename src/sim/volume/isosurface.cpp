@@ -23,21 +23,24 @@ struct Isosurface::State {
         elements(std::int64_t{rowElements} * samples.y * samples.z) {
     checkBufferRoom("the surface of", name, "groups of samples", elements, 16, smaller);
     const auto count = static_cast<int>(elements);
-    cubes = gl::WordsArray(name + " cubes", cubeWords());
+    if (!shape.cubes) cubes = gl::WordsArray(name + " cubes", cubeWords());
     classes = gl::WordsArray(name + " samples", count);
     tallies = gl::WordsArray(name + " tallies", count);
     masks = gl::WordsArray(name + " masks", count);
     totals = Totals(name, count);
     gl::Defines defines = gl::kernelDefines(false);
     classify = gl::Program::compute("volume/classify.comp", defines);
-    tally = gl::Program::compute("volume/count.comp", defines);
-    triangles = gl::Program::compute("volume/triangles.comp", defines);
+    if (!shape.cubes) triangles = gl::Program::compute("volume/triangles.comp", defines);
+    gl::Defines counting = defines;
+    if (shape.cubes) counting.emplace_back("CUBES", "1");
+    tally = gl::Program::compute("volume/count.comp", counting);
     if (!colors.empty()) {
       palette = gl::Vec4Array(name + " colours", paletteOf(colors, shader::volume::volumeColors));
       defines.emplace_back("TINTED", "1");
     }
-    points = gl::Program::compute("volume/points.comp", defines);
+    points = gl::Program::compute(shape.cubes ? "volume/boxes.comp" : "volume/points.comp", defines);
     for (const gl::Program* program : {&classify, &tally, &triangles, &points}) {
+      if (program->name() == 0) continue;
       program->set("volume", glm::ivec4(shape.size, shape.closed ? 1 : 0));
       program->set("rowElements", rowElements);
     }
@@ -82,7 +85,7 @@ struct Isosurface::State {
     classes.bindState(shader::volume::classesBinding);
     classify.dispatch(across, samples.z);
     gl::barrier();
-    cubes.bindInput(shader::volume::cubesBinding);
+    if (!shape.cubes) cubes.bindInput(shader::volume::cubesBinding);
     classes.bindInput(shader::volume::classesBinding);
     tallies.bindState(shader::volume::talliesBinding);
     masks.bindState(shader::volume::masksBinding);
@@ -90,7 +93,7 @@ struct Isosurface::State {
     totals.run(tallies, {0, 0, 0, pointRoom, indexRoom});
     tallies.bindInput(shader::volume::talliesBinding);
     masks.bindInput(shader::volume::masksBinding);
-    setValues(points);
+    if (!shape.cubes) setValues(points);
     points.set("pointRoom", static_cast<unsigned>(pointRoom));
     if (tint.values.words != nullptr) {
       tint.values.words->bind(shader::volume::tintsUnit);
@@ -99,12 +102,19 @@ struct Isosurface::State {
     }
     positions.bindStorage(shader::volume::positionsBinding);
     normals.bindStorage(shader::volume::normalsBinding);
-    points.dispatch(across, samples.z);
-    cubes.bindInput(shader::volume::cubesBinding);
-    classes.bindInput(shader::volume::classesBinding);
-    indices.bindStorage(shader::volume::indicesBinding);
-    triangles.set("indexRoom", static_cast<unsigned>(indexRoom));
-    triangles.dispatch(across, samples.z);
+    if (shape.cubes) {
+      classes.bindInput(shader::volume::classesBinding);
+      indices.bindStorage(shader::volume::boxIndicesBinding);
+      points.set("indexRoom", static_cast<unsigned>(indexRoom));
+      points.dispatch(across, samples.z);
+    } else {
+      points.dispatch(across, samples.z);
+      cubes.bindInput(shader::volume::cubesBinding);
+      classes.bindInput(shader::volume::classesBinding);
+      indices.bindStorage(shader::volume::indicesBinding);
+      triangles.set("indexRoom", static_cast<unsigned>(indexRoom));
+      triangles.dispatch(across, samples.z);
+    }
     glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     gl::barrier();
   }

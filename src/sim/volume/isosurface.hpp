@@ -25,6 +25,7 @@ struct IsosurfaceShape {
   float spacing = 1.0F;      ///< m between them
   glm::vec3 middle{0};       ///< m
   bool closed = true;  ///< what is around the volume lies outside; else the surface ends at its borders
+  bool cubes = false;  ///< cells at the level or above are cubes; else the values pass the level smoothly
   [[nodiscard]] glm::vec3 corner() const { return middle - 0.5F * spacing * glm::vec3(size - 1); }
 };
 
@@ -34,7 +35,8 @@ struct IsosurfaceTint {
   glm::vec2 range{0, 1};
 };
 
-/// Where the values of a volume pass a level, as a surface: marching cubes on the GPU (glsl/volume), drawn
+/// Where the values of a volume pass a level, as a surface: marching cubes on the GPU (glsl/volume), or the
+/// squares between cells that are inside and those that are not; drawn
 /// without a readback, with normals from the gradient. Memory keeps the size that a frame needed: one that
 /// needs more draws nothing, which settle() notices. What is at the level or above is inside.
 class Isosurface {

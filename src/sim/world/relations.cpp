@@ -19,14 +19,24 @@ const ObjectParameters* parametersAt(const scene::Object& object) {
   return dynamic_cast<const ObjectParameters*>(object.parameters.get());
 }
 
+bool isOnMesh(const ObjectParameters* parameters) {
+  const auto* parts = dynamic_cast<const FieldParts*>(parameters);
+  return parts != nullptr && parts->isOnMesh();
+}
+
 /// What a name of a field leads to: nothing where there is one, else what is wrong with it.
 /// `parts`: fields of parts count, too, as NAME.u.
 std::string fieldMistake(const std::string& name, const char* unnamed, bool parts,
-                         std::span<const scene::Object> objects) {
+                         std::span<const scene::Object> objects, const FieldReading* reading = nullptr) {
+  const auto offers = [&](const ObjectParameters* parameters) {
+    const auto* more = dynamic_cast<const FieldParts*>(parameters);
+    return parameters != nullptr && (parameters->isField() || (more != nullptr && reading != nullptr &&
+                                                               reading->readsCellsOf(*more)));
+  };
   std::vector<std::string> fields;
   for (const scene::Object& candidate : objects) {
     const auto* parameters = parametersAt(candidate);
-    if (parameters == nullptr || !parameters->isField()) continue;
+    if (!offers(parameters)) continue;
     fields.push_back(candidate.name);
     if (!parts) continue;
     if (const auto* more = dynamic_cast<const FieldParts*>(parameters))
@@ -38,7 +48,7 @@ std::string fieldMistake(const std::string& name, const char* unnamed, bool part
       std::find_if(objects.begin(), objects.end(), [&](const auto& other) { return other.name == owner; });
   if (named != objects.end() && named->parameters == nullptr) return {};  // a mistake of its own
   const auto* of = named == objects.end() ? nullptr : parametersAt(*named);
-  if (of != nullptr && of->isField()) {
+  if (offers(of)) {
     // All of its own: what it is best known by may have the object's name alone.
     std::erase_if(fields, [&](const std::string& field) {
       return field != owner && !field.starts_with(owner + ".");
@@ -46,10 +56,12 @@ std::string fieldMistake(const std::string& name, const char* unnamed, bool part
     return fmt::format("object \"{}\" has no field {}; known here: {}", owner, scene::inQuotes(name),
                        fmt::join(fields, ", "));
   }
-  const std::string what = name.empty() ? unnamed
-                           : of == nullptr
-                               ? fmt::format("no object is named {}", scene::inQuotes(owner))
-                               : fmt::format("object \"{}\" is a {}, not a field", owner, named->kind);
+  const std::string what =
+      name.empty()    ? unnamed
+      : of == nullptr ? fmt::format("no object is named {}", scene::inQuotes(owner))
+                      : fmt::format("object \"{}\" is a {}{}", owner, named->kind,
+                                    isOnMesh(of) ? " on a mesh, whose field only one on the same mesh takes"
+                                                 : ", not a field");
   return fmt::format("{}; {}", what,
                      fields.empty() ? "the scene has no field" : scene::suggestion(name, fields));
 }
@@ -63,15 +75,16 @@ void checkFields(const scene::Object& object, std::span<const scene::Object> obj
   }
   const auto* parameters = parametersAt(object);
   if (parameters == nullptr) return;
+  const auto* reading = dynamic_cast<const FieldReading*>(parameters);
   const auto check = [&](const std::string& name, const std::vector<std::string>& path) {
-    const std::string mistake = fieldMistake(name, "it has no \"field\"", true, objects);
+    const std::string mistake = fieldMistake(name, "it has no \"field\"", true, objects, reading);
     if (mistake.empty()) return;
     std::vector<std::string> whole = {object.kind};
     whole.insert(whole.end(), path.begin(), path.end());
     report(object, whole, mistake);
   };
   if (parameters->needsField()) check(parameters->readsField(), {"field"});
-  if (const auto* reading = dynamic_cast<const FieldReading*>(parameters))
+  if (reading != nullptr)
     for (const FieldReading::From& from : reading->readsFields()) check(from.name, from.path);
 }
 

@@ -152,6 +152,51 @@ TEST_CASE("isosurface: a ball has the area, the volume and the normals of a ball
   }
 }
 
+TEST_CASE("cubes equal their twin bit for bit, and have the volume of the cells that live") {
+  const VolumeFunction lost = [](int x, int y, int z) {
+    return (x + y + z) % 7 == 0 ? std::nanf("") : hashedValue(x, y, z);
+  };
+  const VolumeFunction tint = [](int x, int y, int z) { return 0.03F * static_cast<float>(x + 2 * y - z); };
+  for (const glm::ivec3 size : {glm::ivec3(15, 11, 13), glm::ivec3(4, 4, 2), glm::ivec3(32, 5, 7),
+                                glm::ivec3(30, 6, 3), glm::ivec3(67, 9, 5)})
+    for (const bool closed : {true, false})
+      for (const VolumeFunction& value : {VolumeFunction(hashedValue), lost}) {
+        CAPTURE(size.x);
+        CAPTURE(closed);
+        const sim::IsosurfaceShape shape{size, 0.375F, {0.1F, -2, 5}, closed, true};
+        const SurfaceOnDevice made(shape, 0.21F, value, tint, {-0.2F, 1.3F});
+        const sim::MeshTable got = made.surface->mesh();
+        const sim::MeshTable want = cubesTwin(shape, 0.21F, value, tint, {-0.2F, 1.3F});
+        CHECK(differingItems(got.positions, want.positions) == 0);
+        CHECK(differingItems(got.normals, want.normals) == 0);
+        CHECK(differingItems(got.indices, want.indices) == 0);
+        if (!closed) continue;
+        // Gauss: the flow of the place through squares that face outwards is three times the volume.
+        int living = 0, squares = 0;
+        const auto lives = [&](int x, int y, int z) {
+          return x >= 0 && y >= 0 && z >= 0 && x < size.x && y < size.y && z < size.z &&
+                 value(x, y, z) >= 0.21F;
+        };
+        for (int z = 0; z < size.z; ++z)
+          for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+              if (!lives(x, y, z)) continue;
+              ++living;
+              squares += !lives(x - 1, y, z) + !lives(x + 1, y, z) + !lives(x, y - 1, z) +
+                         !lives(x, y + 1, z) + !lives(x, y, z - 1) + !lives(x, y, z + 1);
+            }
+        const AreaAndVolume found = areaAndVolumeOf(got);
+        CHECK(found.volume == doctest::Approx(living * 0.375 * 0.375 * 0.375).epsilon(1e-4));
+        CHECK(found.area == doctest::Approx(squares * 0.375 * 0.375).epsilon(1e-5));
+        CHECK(got.indices.size() == static_cast<std::size_t>(6 * squares));
+        for (std::size_t i = 0; i < got.indices.size(); i += 3) {
+          const glm::vec3 a = got.positions[got.indices[i]], b = got.positions[got.indices[i + 1]],
+                          c = got.positions[got.indices[i + 2]];
+          CHECK(glm::dot(glm::cross(b - a, c - a), got.normals[got.indices[i]]) > 0.1F);
+        }
+      }
+}
+
 TEST_CASE("isosurface gets the memory that it needs, and says so") {
   const sim::IsosurfaceShape shape{glm::ivec3(40), 1, {0, 0, 0}, true};
   const SurfaceOnDevice made(shape, 0, hashedValue, hashedValue, {0, 1});

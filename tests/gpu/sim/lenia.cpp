@@ -87,6 +87,34 @@ TEST_CASE("lenia on the GPU follows the equation in double") {
   CHECK(worst < 2e-5);
 }
 
+TEST_CASE("smooth life on the GPU follows its paper in double") {
+  testContext();
+  auto p = sea({44, 40});
+  p.model = LeniaParameters::Model::smoothLife;
+  p.radius = 9;
+  p.timeScale = 5;
+  // Halves at places that are no cells', and limits that tell all four apart.
+  for (const double radius : {9.0, 7.4}) {
+    p.radius = radius;
+    p.surviveMax = 0.46;
+    const auto gpu = leniaOf(p);
+    SmoothLifeInDouble twin(LeniaPlan(p, "sea", 5, 1.0 / 30));
+    for (int i = 0; i < 6; ++i) {
+      gpu->step(i / 30.0, {});
+      twin.step();
+    }
+    const auto cells = gpu->state()[0].buffer->readAll<float>();
+    double worst = 0;
+    int between = 0;
+    for (std::size_t i = 0; i < twin.cells.size(); ++i) {
+      worst = std::max(worst, std::abs(static_cast<double>(cells[i]) - twin.cells[i]));
+      between += twin.cells[i] > 0.1 && twin.cells[i] < 0.9 ? 1 : 0;
+    }
+    CHECK(between > 50);
+    CHECK_MESSAGE(worst < 1e-4, (worst));
+  }
+}
+
 TEST_CASE("an orbium keeps its shape and glides half its kernel's radius in a unit of time") {
   testContext();
   LeniaParameters p;

@@ -77,7 +77,10 @@ struct Reader {
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       if (parameters[i].field.empty()) continue;
       const sim::Field from = fieldOf(drawables, parameters[i].field);
-      field.weights[i] = sim::sampledOnGrid(sim::fieldValues(from), from.size, field.size);
+      const std::vector<float> values = sim::fieldValues(from);
+      field.weights[i] = plan.links() == nullptr   ? sim::sampledOnGrid(values, from.size, field.size)
+                         : from.size == field.size ? sim::sampledCells(values)
+                                                   : sim::sampledAt(values, from.size, plan.places());
     }
   }
   void step(double time) {
@@ -174,5 +177,79 @@ TEST_CASE("a field on another grid is where it is in the picture") {
             worst, std::abs(static_cast<double>(got[static_cast<std::size_t>(y * size.x + x)]) - want));
       }
     CHECK(worst < 4 * 0x1p-15 + 1e-5);  // shares are whole parts of 2^15
+  }
+}
+
+// Grids lie on a mesh by its texture coordinates, or from one of its sides; of the same mesh, wherever it
+// stands, cells are taken.
+TEST_CASE("reaction on a mesh reads grids and its own mesh with the bits of its twin") {
+  testContext();
+  const scene::Scene scene = ofObjects(R"X(
+    "leaf": {"reaction": {"mesh": {"shape": "plane", "resolution": [23, 14]}, "dt": 0.05, "steps": 3,
+      "parameters": {"heat": {"field": "smoke.temperature"}, "alive": {"field": "cells"}, "on": {"field": "other.w"}},
+      "species": {"u": {"start": "random(1)", "rate": "heat + 0.5*alive - u + 0.2*on"}}}},
+    "other": {"reaction": {"mesh": {"shape": "plane", "resolution": [23, 14], "position": [9, 1, 0], "maps": "top"}, "dt": 0.05,
+      "parameters": {"u": {"field": "leaf"}, "alive": {"field": "cells"}},
+      "species": {"v": {"rate": "u - v"}, "w": {"diffusion": 0.1, "rate": "laplacian(u) + alive - w"}}}},
+    "ball": {"reaction": {"mesh": {"shape": "sphere", "resolution": [16, 9], "maps": "front"}, "dt": 0.05, "steps": 1,
+      "parameters": {"heat": {"field": "smoke"}}, "species": {"u": {"rate": "heat - u"}}}},
+    "smoke": {"fluid": {"size": [31, 22], "substeps": 1, "show": "temperature",
+      "strokes": [{"until": 9, "radius": 5, "from": [15, 11, 0], "temperature": 2, "velocity": [25, 3, 0]}]}},
+    "cells": {"life": {"size": [97, 53], "stepsPerSecond": 60}}
+  )X");
+  sim::World world(scene);
+  Reader leaf(scene, "leaf"), other(scene, "other"), ball(scene, "ball");
+  for (int frame = 0; frame < 3; ++frame) {
+    for (Reader* reader : {&leaf, &other, &ball}) {
+      reader->take(world);
+      reader->step(frame * fieldFrame);
+    }
+    world.advanceTo(frame + 1);
+    sameBits(valuesOf(world, "leaf"), leaf.field.stage[0]);
+    sameBits(valuesOf(world, "other.v"), other.field.stage[0]);
+    sameBits(valuesOf(world, "other.w"), other.field.stage[1]);
+    sameBits(valuesOf(world, "ball"), ball.field.stage[0]);
+  }
+}
+
+// With one step of Euler a frame, two objects that read each other are one of two species.
+TEST_CASE("two reactions on the same mesh are one of two species, bit for bit") {
+  testContext();
+  const std::string mesh =
+      R"("mesh": {"shape": "torus", "resolution": [33, 17]}, "dt": 0.02, "steps": 1, )";
+  const std::string u = R"X("diffusion": 1, "start": "random(1)", "rate": "u - u^3 - v")X";
+  const std::string v = R"X("diffusion": 0.2, "start": "random(2)", "rate": "0.1*(u - v)")X";
+  const auto half = [&](const char* name, const std::string& species, const char* from) {
+    return fmt::format(
+        R"("{0}": {{"reaction": {{{1}"parameters": {{"{2}": {{"field": "{2}"}}}}, "species": {{"{0}": {{{3}}}}}}}}})",
+        name, mesh, from, species);
+  };
+  sim::World two(ofObjects(half("u", u, "v") + ", " + half("v", v, "u")));
+  sim::World one(ofObjects(
+      fmt::format(R"("both": {{"reaction": {{{}"species": {{"u": {{{}}}, "v": {{{}}}}}}}}})", mesh, u, v)));
+  two.advanceTo(9);
+  one.advanceTo(9);
+  sameBits(valuesOf(two, "u"), valuesOf(one, "both.u"));
+  sameBits(valuesOf(two, "v"), valuesOf(one, "both.v"));
+}
+
+// What is linear on the grid is linear on the mesh, up to the outermost cells' middles.
+TEST_CASE("a mesh takes a grid's values where it lies on it") {
+  testContext();
+  sim::World world(ofObjects(R"X(
+    "ramp": {"reaction": {"size": [40, 24], "steps": 0, "species": {"r": {"start": "x + 100*y"}}}},
+    "leaf": {"reaction": {"mesh": {"shape": "plane", "resolution": [9, 5]}, "dt": 1, "steps": 1, "parameters": {"r": {"field": "ramp"}},
+      "species": {"s": {"next": "r"}}}}
+  )X"));
+  world.advanceTo(1);
+  const std::vector<float> got = valuesOf(world, "leaf");
+  const scene::Scene scene = ofObjects(
+      R"X("leaf": {"reaction": {"mesh": {"shape": "plane", "resolution": [9, 5]}, "species": {"s": {"rate": "0"}}}})X");
+  const Reader leaf(scene, "leaf");
+  REQUIRE(got.size() == 45);
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    const glm::dvec3 share = leaf.plan.cells().places[i] / glm::dvec3(4, 1, 4) + 0.5;
+    const double x = std::clamp(40 * share.x, 0.5, 39.5), y = std::clamp(24 * share.z, 0.5, 23.5);
+    CHECK(static_cast<double>(got[i]) == doctest::Approx(x + 100 * y).epsilon(2e-5));
   }
 }

@@ -95,6 +95,12 @@ TEST_CASE("MAP says what letters say") {
       ruleOf("MAPARYXfhZofugWaH7oaIDogBZofuhogOiAaIDogIAAgAAWaH7oaIDogGiA6ICAAIAAaIDogIAAgACAAIAAAAAAAA==");
   for (unsigned i = 0; i < 512; ++i) CHECK(life.outcome(i) == CellRule().outcome(i));
   CHECK(ruleOf("MAPARYXfg/7").states == 7);
+  // Highest bits: the cell below of six, the one above of four.
+  const CellRule below = ruleOf("MAPAAAAAAAAAAD//////////w"), above = ruleOf("MAPAAD//w");
+  for (unsigned cell = 0; cell < 9; ++cell) {
+    CHECK(below.outcome(1U << cell) == (cell == 7));
+    CHECK(above.outcome(1U << cell) == (cell == 1));
+  }
 }
 
 TEST_CASE("rules that make no sense are refused at their place, of every family") {
@@ -114,7 +120,7 @@ TEST_CASE("rules that make no sense are refused at their place, of every family"
            "10: 58 to 34: the first of these limits is the greater");
   checkHas(written("R5,C0,M1,S34..580,B34..45,NM"), "14: a limit of S is 580 here; it goes from 0 to 121");
   checkHas(written("R0,C0,M1,S3..5,B3..4,NM"), "1: the range is 0");
-  checkHas(written("R61,C0,M1,S3..5,B3..4,NC"), "1: the range is 61 here; it goes from 1 to 60");
+  checkHas(written("R501,C0,M1,S3..5,B3..4,NC"), "1: the range is 501 here; it goes from 1 to 500");
   checkHas(written("R5,C300,M1,S3..5,B3..4,NM"), "4: the number of states is 300");
   checkHas(written("R5,C0,M1,S3..5,B3..4,NX"), "22: the neighbourhood is M");
   checkHas(written("R1/T9/C3/NM"), "4: the threshold is 9 here; it goes from 1 to 8");
@@ -125,7 +131,7 @@ TEST_CASE("rules that make no sense are refused at their place, of every family"
 }
 
 TEST_CASE("circles of Larger than Life hold the points nearer than the range and a half") {
-  for (int range = 1; range <= 60; ++range) {
+  for (int range = 1; range <= 500; range += 1 + range / 20) {
     WideRule rule;
     rule.range = range;
     rule.shape = NeighbourShape::circular;

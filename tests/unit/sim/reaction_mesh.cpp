@@ -2,16 +2,19 @@
 // has the five-point Laplacian, what spreads is conserved, seams are none.
 #include "base/error.hpp"
 #include "scene/scene.hpp"
+#include "sim/grid/picture_file.hpp"
 #include "sim/mesh/shapes.hpp"
 #include "sim/mesh_cells/cells.hpp"
 #include "sim/reaction/plan.hpp"
 #include "sim/reaction/presets.hpp"
 #include "sim/world/list.hpp"
+#include "source_folder.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -202,6 +205,58 @@ TEST_CASE("mesh cells: seams are none, Loop's subdivision makes four of each fac
   }
   CHECK(most == doctest::Approx(1));
   for (const glm::vec3& normal : sheet.normals) CHECK(normal.y == 1);
+}
+
+TEST_CASE("pictures lie on meshes by texture coordinates, by longitude and latitude, or over their box") {
+  const std::string gingham = "\"" + sourceFolder() + "/assets/textures/gingham.png\"";
+  const sim::Picture picture =
+      sim::loadPicture(sourceFolder() + "/assets/textures/gingham.png", "test picture", 4096);
+  const auto mapped = [&](const std::string& mesh) {
+    return OnMesh(
+        fmt::format(R"X("mesh": {}, "parameters": {{"f": {{"value": 2, "image": {}, "white": 5}}}},
+      "species": {{"u": {{"start": "f"}}}})X",
+                    mesh, gingham),
+        0);
+  };
+  /// Bilinear between the middles of pixels, in double.
+  const auto level = [&](double u, double v) {
+    const auto between = [](double at, int count) {
+      const double place = std::clamp(at * count - 0.5, 0.0, count - 1.0);
+      const int before = std::min(static_cast<int>(place), count - 2);
+      return std::pair(before, place - before);
+    };
+    const auto [x, right] = between(u, picture.size.x);
+    const auto [y, down] = between(v, picture.size.y);
+    return std::lerp(std::lerp(double(picture.level(x, y)), double(picture.level(x + 1, y)), right),
+                     std::lerp(double(picture.level(x, y + 1)), double(picture.level(x + 1, y + 1)), right),
+                     down);
+  };
+  const auto holds = [&](const OnMesh& made, const auto& place) {
+    double spread = 0;
+    for (std::size_t i = 0; i < made.field.stage[0].size(); ++i) {
+      const glm::dvec2 uv = place(made.plan.cells().places[i]);
+      // A picture's place is known to a 65536th.
+      const double want = 2 + 3 * level(uv.x, uv.y) / 255,
+                   got = static_cast<double>(made.field.stage[0][i]);
+      CHECK(std::abs(got - want) < 3.0 * picture.size.x / 65536);
+      spread = std::max(spread, std::abs(got - static_cast<double>(made.field.stage[0][0])));
+    }
+    CHECK(spread > 1);
+  };
+  const std::string sheet = R"X({"shape": "plane", "size": [3, 0, 2], "resolution": [24, 19])X";
+  const auto above = [](const glm::dvec3& p) { return glm::dvec2(p.x / 3 + 0.5, p.z / 2 + 0.5); };
+  holds(mapped(sheet + "}"), above);
+  holds(mapped(sheet + R"X(, "maps": "top"})X"), above);
+  // Subdivided it has no coordinates; seen from the front it is a line.
+  holds(mapped(sheet + R"X(, "refine": 1, "maps": "top"})X"), above);
+  holds(mapped(R"X({"shape": "sphere", "radius": 2, "resolution": [33, 17], "maps": "front"})X"),
+        [](const glm::dvec3& p) { return glm::dvec2(p.x / 4 + 0.5, 0.5 - p.y / 4); });
+  holds(mapped(R"X({"shape": "sphere", "resolution": [33, 17]})X"), [](const glm::dvec3& p) {
+    const double turn = std::atan2(p.x, p.z) / (2 * std::numbers::pi);
+    return glm::dvec2(turn < 0 ? turn + 1 : turn, std::acos(p.y) / std::numbers::pi);
+  });
+  CHECK(meshRefusal(R"X("preset": "heat", "mesh": {"shape": "plane", "refine": 1, "maps": "texture"})X")
+            .find("no texture coordinates, for \"refine\" closes its seams") != std::string::npos);
 }
 
 TEST_CASE("reaction on a mesh: what is wrong is said in a line") {

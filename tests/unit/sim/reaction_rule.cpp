@@ -124,10 +124,26 @@ TEST_CASE("reaction: fields of others are there, alone, and not before the first
   CHECK(refused(with(R"({"field": "smoke", "down": 2})")).find("leave out \"down\"") != std::string::npos);
   CHECK(refused(with(R"({"field": "smoke"})", R"("presteps": 3, )")).find("leave out \"presteps\"") !=
         std::string::npos);
-  CHECK(
-      refusal(
-          R"X("mesh": {"shape": "torus"}, "parameters": {"f": {"field": "r"}}, "species": {"u": {"rate": "f"}})X")
-          .find("a mesh has no grid to take") != std::string::npos);
+  // On a mesh: fields of grids, and of the same mesh wherever that stands; grids take none of meshes.
+  const auto onMesh = [](const char* name, const char* mesh, const char* field) {
+    return fmt::format(
+        R"X("{}": {{"reaction": {{"mesh": {}, "parameters": {{"f": {{"field": "{}"}}}}, "species": {{"u": {{"rate": "f"}}}}}}}}, )X",
+        name, mesh, field);
+  };
+  const std::string other =
+      onMesh("m", R"({"shape": "torus", "position": [3, 0, 0], "scale": 2})", "smoke");
+  CHECK(refused(onMesh("n", R"({"shape": "torus"})", "m") + other + with(R"({"field": "smoke"})")) ==
+        "none");
+  CHECK(refused(onMesh("n", R"({"shape": "torus"})", "m.u") + other + with(R"({"field": "smoke"})")) ==
+        "none");
+  CHECK(refused(onMesh("n", R"({"shape": "torus", "tube": 0.3})", "m") + other +
+                with(R"({"field": "smoke"})"))
+            .find("object \"m\" is a reaction on a mesh, whose field only one on the same mesh takes") !=
+        std::string::npos);
+  CHECK(refused(other + with(R"({"field": "m"})")).find("whose field only one on the same mesh takes") !=
+        std::string::npos);
+  CHECK(refused(onMesh("n", R"({"shape": "torus"})", "m.v") + other + with(R"({"field": "smoke"})"))
+            .find("object \"m\" has no field \"m.v\"; known here: m, m.u") != std::string::npos);
   CHECK(shows(rate("u", R"X("parameters": {"f": {"field": "r"}}, "lets": {"l": "f"}, )X") == "none"
                   ? refusal(R"X("parameters": {"f": {"field": "r"}}, "species": {"u": {"start": "f"}})X")
                   : "",

@@ -1,0 +1,11 @@
+// Values that colour a surface, TINTED.
+#ifdef TINTED
+layout(binding = tintsUnit) uniform usamplerBuffer tintWords;
+uniform ivec2 tintLayout;
+uniform vec2 tintRange;  // the lowest value, and one through the range
+
+float tintAt(ivec3 cell) {
+  int word = cellWord(clamp(cell, ivec3(0), volume.xyz - 1), tintLayout);
+  return numberOf(wordOf(texelFetch(tintWords, word >> 2), word & 3));
+}
+#endif
