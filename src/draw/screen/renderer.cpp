@@ -174,7 +174,8 @@ void Renderer::keepLayers(const LightRequest& wanted) {
   SIMREEL_CHECK(state_->exact.has_value());
   state_->filmed = wanted.filmed;
   if (!state_->motion &&
-      std::find(wanted.layers.begin(), wanted.layers.end(), Layer::velocity) != wanted.layers.end())
+      std::any_of(wanted.layers.begin(), wanted.layers.end(),
+                  [](Layer layer) { return layer == Layer::velocity || layer == Layer::vector; }))
     state_->motion.emplace(state_->scene.numerics == scene::Numerics::fast);
   state_->exact->keepLayers(wanted);
 }
