@@ -77,8 +77,8 @@ View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const 
 
   view.parallel = isParallel(camera);
   const float half = 0.5F * radiansPerDegree * camera.fieldOfView.at(seconds);
-  const float high = view.parallel ? 0.5F * camera.height.at(seconds)
-                                   : shader::exactSin(half) / shader::exactCos(half);
+  const float high =
+      view.parallel ? 0.5F * camera.height.at(seconds) : shader::exactSin(half) / shader::exactCos(half);
   const float wide = high * static_cast<float>(size.x) / static_cast<float>(size.y);
   view.right = r * wide;
   view.up = u * high;

@@ -17,9 +17,9 @@ struct View {
   glm::vec3 forward{0, 0, -1};  ///< unit; direction of the middle of the picture
   /// Whether all rays go along `forward`: of an orthographic camera.
   bool parallel = false;
-  glm::vec3 right{1, 0, 0};     ///< from the middle to the right edge at distance 1 along `forward`, or at any
-  glm::vec3 up{0, 1, 0};        ///< from the middle to the top edge
-  glm::vec2 reach{1, 1};        ///< lengths of the two
+  glm::vec3 right{1, 0, 0};  ///< from the middle to the right edge at distance 1 along `forward`, or at any
+  glm::vec3 up{0, 1, 0};     ///< from the middle to the top edge
+  glm::vec2 reach{1, 1};     ///< lengths of the two
 };
 
 /// Whether all rays of the camera's pictures go one way.

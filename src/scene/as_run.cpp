@@ -144,8 +144,8 @@ std::string simulationHash(std::string_view asRun) {
 bool touchesSimulation(std::string_view path) {
   if (path == "time.duration") return false;
   // Which may bring a lag, or end it, or lead it.
-  for (const std::string_view whole : {"camera", "camera.track", "camera.track.object", "camera.track.damping",
-                                       "camera.follow", "camera.damping"})
+  for (const std::string_view whole : {"camera", "camera.track", "camera.track.object",
+                                       "camera.track.damping", "camera.follow", "camera.damping"})
     if (path == whole) return true;
   if (path.starts_with("camera.follow.")) return true;
   const std::string_view first = path.substr(0, path.find('.'));

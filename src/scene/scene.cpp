@@ -191,9 +191,11 @@ void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camer
     if (camera.hasHeight) wrong = section->find("height");
   }
   if (wrong != nullptr)
-    context.diagnostics.add(wrong->place(), fmt::format("the file's camera is {}, which has no \"{}\"; leave it out",
-                                                        camera.projection == Projection::orthographic ? "orthographic" : "a perspective one",
-                                                        wrong->key));
+    context.diagnostics.add(
+        wrong->place(),
+        fmt::format("the file's camera is {}, which has no \"{}\"; leave it out",
+                    camera.projection == Projection::orthographic ? "orthographic" : "a perspective one",
+                    wrong->key));
   if (!gltf.hasNear) camera.near = static_cast<float>(gltf.shot->near());
   if (!gltf.hasFar && gltf.shot->far()) camera.far = static_cast<float>(*gltf.shot->far());
   if (camera.near < camera.far) return;

@@ -124,10 +124,10 @@ class CameraShot {
   virtual ~CameraShot() = default;
   /// At a time of the scene (s).
   [[nodiscard]] virtual CameraPose at(double seconds) const = 0;
-  [[nodiscard]] virtual double fieldOfView() const = 0;         ///< degrees, vertical; of perspective ones
+  [[nodiscard]] virtual double fieldOfView() const = 0;  ///< degrees, vertical; of perspective ones
   [[nodiscard]] virtual std::optional<double> height() const = 0;  ///< m: its picture's, if orthographic
-  [[nodiscard]] virtual double near() const = 0;                ///< m
-  [[nodiscard]] virtual std::optional<double> far() const = 0;  ///< m; none: it has no end
+  [[nodiscard]] virtual double near() const = 0;                   ///< m
+  [[nodiscard]] virtual std::optional<double> far() const = 0;     ///< m; none: it has no end
 };
 
 /// A camera that stands and turns as that of a glTF file does.
@@ -180,7 +180,7 @@ struct Camera {
   Animated<float> height = 4.0F;  ///< m that the picture is high, of an orthographic one
   bool hasHeight = false;         ///< whether the scene gives it
   Animated<float> roll = 0.0F;    ///< degrees
-  double damping = 0;  ///< s: what `target` does steadily it looks at so long after; 0: at once
+  double damping = 0;             ///< s: what `target` does steadily it looks at so long after; 0: at once
   bool follows = false;
   Follow follow;  ///< instead of position and target
   bool tracks = false;

@@ -235,20 +235,21 @@ void Camera::describe(Fields& fields) {
   fields.leftOut("target", "[0,0,0], or its middle");
   fields.number("fieldOfView", fieldOfView, {1, 170}, "degrees", "Vertical angle of view.");
   fields.leftOut("fieldOfView", "40, 26 on a stage that is in view as a whole, or that of \"gltf\"");
-  fields.choice("projection", projection, {"perspective", "orthographic"},
-                "perspective: what is farther away is smaller. orthographic: it is not; all rays go along the "
-                "line of sight, and \"height\" takes the place of \"fieldOfView\".");
+  fields.choice(
+      "projection", projection, {"perspective", "orthographic"},
+      "perspective: what is farther away is smaller. orthographic: it is not; all rays go along the "
+      "line of sight, and \"height\" takes the place of \"fieldOfView\".");
   fields.leftOut("projection", "perspective, or that of \"gltf\"");
   fields.number("height", height, positive, "m",
                 "Of the scene, how much the picture shows from its lower to its upper edge; orthographic.");
   fields.leftOut("height", "4, what is in view as a whole with \"position\", or that of \"gltf\"");
   hasHeight = fields.given("height");
   if (projection == Projection::orthographic && fields.given("fieldOfView"))
-    fields.error("fieldOfView",
-                 "an orthographic camera has no angle of view; give \"height\" (m) instead");
+    fields.error("fieldOfView", "an orthographic camera has no angle of view; give \"height\" (m) instead");
   if (projection == Projection::perspective && hasHeight && !fields.given("gltf"))
-    fields.error("height", "a perspective camera has no height; give \"fieldOfView\", or \"projection\": "
-                           "\"orthographic\"");
+    fields.error("height",
+                 "a perspective camera has no height; give \"fieldOfView\", or \"projection\": "
+                 "\"orthographic\"");
   fields.number("roll", roll, anyNumber, "degrees", "Turn about the line of sight.");
   fields.optionalGroup("follow", follows, "Goes along a path that an object has found.",
                        [&](Fields& f) { follow.describe(f); });
@@ -267,12 +268,14 @@ void Camera::describe(Fields& fields) {
     fields.error("orbit", "\"follow\" says where the camera is; leave out \"orbit\"");
   else if (orbits && fields.given("position"))
     fields.error("position", "\"orbit\" says where the camera is; leave out \"position\"");
-  describeDamping(fields, damping,
-                  "How far behind \"target\" it looks, smoothly: what the keys of that do steadily it does so "
-                  "long after (a critically damped spring). 0: at once.");
+  describeDamping(
+      fields, damping,
+      "How far behind \"target\" it looks, smoothly: what the keys of that do steadily it does so "
+      "long after (a critically damped spring). 0: at once.");
   for (const char* name : {"follow", "track"})
     if (damping > 0 && fields.given(name))
-      fields.error("damping", fmt::format("\"damping\" here is of \"target\"; give it in \"{0}\": {{ }}", name));
+      fields.error("damping",
+                   fmt::format("\"damping\" here is of \"target\"; give it in \"{0}\": {{ }}", name));
   fields.shorthand("gltf", "file");
   fields.optionalGroup(
       "gltf", filed,

@@ -86,10 +86,9 @@ std::optional<glm::dvec2> pixelTowards(const shader::ExactView& view, const glm:
 }
 
 glm::vec3 placeOf(const shader::ExactView& view, glm::vec2 pixel, float depth) {
-  const glm::vec3 ray = glm::vec3(view.ray) + pixel.x * glm::vec3(view.rayAcross) +
-                        pixel.y * glm::vec3(view.rayDown);
-  return glm::vec3(view.eye) +
-         (isParallel(view) ? ray + depth * glm::vec3(view.forward) : depth * ray);
+  const glm::vec3 ray =
+      glm::vec3(view.ray) + pixel.x * glm::vec3(view.rayAcross) + pixel.y * glm::vec3(view.rayDown);
+  return glm::vec3(view.eye) + (isParallel(view) ? ray + depth * glm::vec3(view.forward) : depth * ray);
 }
 
 glm::ivec2 rowsTowardsGround(const shader::ExactView& view, float height, int step) {

@@ -23,7 +23,7 @@ constexpr unsigned joinedOnes = 1U << 10U;
 constexpr const char* featureNames[] = {
     "DOUBLE_SIDED",  "TRANSLUCENT", "REFLECTIVE",   "PALETTE", "COUNTED",  "TEXTURED",   "GRID",
     "TRIPLANAR",     "BUMPED",      "SKIN",         "JOINED",  "BASE_MAP", "NORMAL_MAP", "METAL_ROUGH_MAP",
-    "OCCLUSION_MAP", "EMISSION",    "EMISSION_MAP", "COAT",    "SHEEN",    "BLENDED",     "VERTEX_COLORS"};
+    "OCCLUSION_MAP", "EMISSION",    "EMISSION_MAP", "COAT",    "SHEEN",    "BLENDED",    "VERTEX_COLORS"};
 constexpr unsigned blendedLayer = 1U << 19U;
 
 unsigned featuresOf(const sim::Surface& surface, bool skin) {
@@ -151,8 +151,8 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
 
 bool SurfaceShading::isPlain(const sim::Surface& surface, const SkinTextures& skins) {
   const scene::Material& material = *surface.material;
-  return material.texture.empty() && surface.palette == nullptr && surface.colors == nullptr && !material.finish.used() &&
-         !(material.hasSkin && skins.find(material.skin) != nullptr);
+  return material.texture.empty() && surface.palette == nullptr && surface.colors == nullptr &&
+         !material.finish.used() && !(material.hasSkin && skins.find(material.skin) != nullptr);
 }
 
 void SurfaceShading::shadeJoined(const JoinedSurfaces& joined, const TriangleRaster& raster,

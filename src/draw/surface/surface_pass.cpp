@@ -9,9 +9,9 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr const char* featureNames[] = {"GRID",    "DOUBLE_SIDED", "TEXTURED", "TRANSLUCENT", "REFLECTIVE",
-                                        "SKIN_UV", "TRIPLANAR",    "DEFORMED", "PALETTE",     "BUMPED",
-                                        "VERTEX_COLORS"};
+constexpr const char* featureNames[] = {"GRID",       "DOUBLE_SIDED", "TEXTURED",     "TRANSLUCENT",
+                                        "REFLECTIVE", "SKIN_UV",      "TRIPLANAR",    "DEFORMED",
+                                        "PALETTE",    "BUMPED",       "VERTEX_COLORS"};
 enum Feature : unsigned {
   grid = 1,
   doubleSided = 2,

@@ -152,7 +152,8 @@ std::vector<scene::Override> cameraChanges(const Stage& stage, const Placed& pla
   std::string height = fmt::format("{}", shown.camera.height.at(seconds));
   if (asked) height = fmt::format("{}", scene::shortest(static_cast<float>(*asked)));
   if (!isPlain(camera)) {
-    if (shown.camera.filed && !flat && !shown.camera.hasAngle) camera["fieldOfView"] = parseStrictJson(angle);
+    if (shown.camera.filed && !flat && !shown.camera.hasAngle)
+      camera["fieldOfView"] = parseStrictJson(angle);
     if (flat) camera["projection"] = "orthographic";
     if (flat) camera["height"] = parseStrictJson(height);
     for (const char* other : {"follow", "track", "orbit", "gltf", "damping"}) camera.erase(other);

@@ -112,8 +112,7 @@ class FigureReader {
 
   void add(const Placed& placed) {
     parts_.eachPart(placed.mesh, placed.skinned, [&](const GltfPart& part) {
-      builder_.begin(part.vertices.size(), part.triangles.size(), glm::mat4(1), part.hasUvs,
-                     part.material);
+      builder_.begin(part.vertices.size(), part.triangles.size(), glm::mat4(1), part.hasUvs, part.material);
       for (const GltfVertex& vertex : part.vertices) {
         const auto& v = vertex.values;
         const glm::vec3 position(v[0], v[1], v[2]), normal(v[3], v[4], v[5]);

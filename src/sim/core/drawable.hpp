@@ -179,8 +179,8 @@ struct Drawables {
   std::vector<Path> paths = {};
   std::vector<Writing> writings = {};
   std::vector<Place> places = {};  ///< of the object that the scene's camera looks at, if there is one
-  /// m: what the scene's camera looks at where that lags behind what the scene says (scene::Camera::damping,
-  /// scene::Follow::damping), and where it stands if that does, too.
+  /// m: what the scene's camera looks at where that lags behind what the scene says
+  /// (scene::Camera::damping, scene::Follow::damping), and where it stands if that does, too.
   std::vector<glm::vec3> lagging = {};
 };
 

@@ -40,8 +40,7 @@ Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow, d
   const glm::vec3 aside = standing.position - pointOn(path, along);
   Stand stand{standing.position, aside};
   for (int i = 1; i <= looks; ++i)
-    stand.target +=
-        pointOn(path, along + static_cast<double>(follow.ahead) * i / looks) / float(looks);
+    stand.target += pointOn(path, along + static_cast<double>(follow.ahead) * i / looks) / float(looks);
   return stand;
 }
 

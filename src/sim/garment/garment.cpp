@@ -48,7 +48,8 @@ class Garment : public Simulation, public LockStep {
         topology_(name_, plan_.mesh()),
         looks_(object, plan_.mesh()) {
     if (const std::string ignored = ignoredLooks(object, plan_.mesh()); !ignored.empty())
-      warn("cloth \"{}\": {} has what is not drawn: {}", name_, plan_.parameters().mesh.file.string(), ignored);
+      warn("cloth \"{}\": {} has what is not drawn: {}", name_, plan_.parameters().mesh.file.string(),
+           ignored);
     const ClothParameters& p = plan_.parameters();
     if (!p.walls.empty()) {
       walls_ = &setting.wallsNamed(p.walls);

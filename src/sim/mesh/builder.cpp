@@ -62,7 +62,9 @@ void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, con
 
 void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv,
                          const glm::vec3& color) {
-  const auto within = [](float part) { return part >= 0 ? std::min(part, 1e4F) : 0.0F; };  // what is no number, too
+  const auto within = [](float part) {
+    return part >= 0 ? std::min(part, 1e4F) : 0.0F;
+  };  // what is no number, too
   vertex(position, normal, uv);
   mesh_.colors.resize(mesh_.positions.size(), glm::vec3(1));
   mesh_.colors.back() = {within(color.r), within(color.g), within(color.b)};

@@ -27,7 +27,7 @@ struct GltfPart {
   bool hasUvs = false;
   bool hasColors = false;
   bool fades = false;  ///< whether a colour has an opacity below 1, which is not read
-  int material = -1;  ///< its number; -1: none
+  int material = -1;   ///< its number; -1: none
   std::vector<GltfVertex> vertices;
   std::vector<std::array<unsigned, 3>> triangles;
 };

@@ -1,6 +1,6 @@
 #pragma once
-#include "scene/scene.hpp"
 #include "gl/buffer.hpp"
+#include "scene/scene.hpp"
 #include "sim/core/drawable.hpp"
 #include "sim/mesh/file.hpp"
 

@@ -39,8 +39,8 @@ struct World::State {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> quantities;  ///< that each object measures
   std::optional<std::size_t> tracked;                ///< the object that the camera looks at
-  std::vector<FieldReader*> readers;      ///< objects that take in fields of others before each frame
-  std::vector<bool> isRead;               ///< whether an object is one of these others
+  std::vector<FieldReader*> readers;  ///< objects that take in fields of others before each frame
+  std::vector<bool> isRead;           ///< whether an object is one of these others
   scene::Camera camera;
   std::vector<Lag> lags;  ///< of the camera behind what it looks at, and behind where it would stand
   std::vector<FrameObserver*> observers;  ///< among the objects

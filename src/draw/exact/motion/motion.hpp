@@ -71,7 +71,7 @@ class Motion {
   double seconds_ = 0;
   std::map<std::string, gl::Program> programs_;
   std::vector<Moving> surfaces_, instances_;
-  std::vector<sim::Place> places_;             ///< of the frame before, and the next
+  std::vector<sim::Place> places_;  ///< of the frame before, and the next
   std::vector<glm::vec3> lagging_;
   Elements copied_;                            ///< instances whose velocities are asked for
   const sim::Drawables* drawables_ = nullptr;  ///< of the frame

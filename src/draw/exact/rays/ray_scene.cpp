@@ -67,8 +67,8 @@ const gl::Program& RayScene::gatherProgram(const sim::Surface& surface) {
   const bool counted = surface.arguments != nullptr, colored = surface.palette != nullptr;
   const bool laid = RayLooks::isLaid(surface), sides = laid && RayLooks::fromThreeSides(surface);
   const bool tinted = surface.colors != nullptr;
-  const unsigned key = (tinted ? 64U : 0U) | (grid ? 1U : 0U) | (deformed ? 2U : 0U) | (counted ? 4U : 0U) | (colored ? 8U : 0U) |
-                       (laid ? 16U : 0U) | (sides ? 32U : 0U);
+  const unsigned key = (tinted ? 64U : 0U) | (grid ? 1U : 0U) | (deformed ? 2U : 0U) | (counted ? 4U : 0U) |
+                       (colored ? 8U : 0U) | (laid ? 16U : 0U) | (sides ? 32U : 0U);
   gl::Program& kernel = gatherPrograms_[key];
   if (kernel.name() == 0) {
     gl::Defines defines;

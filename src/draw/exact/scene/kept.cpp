@@ -40,9 +40,9 @@ void ExactScene::State::keepVisibility(glm::ivec2 rows) const {
 /// Of all that has numbers. What is drawn of the moment's surfaces are copies, which share their places.
 std::optional<Velocities> ExactScene::State::velocitiesNow() const {
   const std::vector<Layer>& layersWanted = wanted->layers;
-  if (exposed->motion == nullptr ||
-      std::none_of(layersWanted.begin(), layersWanted.end(),
-                   [](Layer layer) { return layer == Layer::velocity || layer == Layer::vector; }))
+  if (exposed->motion == nullptr || std::none_of(layersWanted.begin(), layersWanted.end(), [](Layer layer) {
+        return layer == Layer::velocity || layer == Layer::vector;
+      }))
     return std::nullopt;
   Velocities velocities(*exposed->motion, exposed->frameSeconds, exposed->part);
   const auto add = [&](const TriangleRaster::Drawn& drawn) {

@@ -21,8 +21,8 @@ namespace simreel::draw {
 
 /// What may be known of a picture besides its colour, and what it is called.
 enum class Layer { depth, position, object, normal, albedo, velocity, vector };
-inline constexpr std::array<const char*, 7> layerNames = {
-    "depth", "position", "object", "normal", "albedo", "velocity", "vector"};
+inline constexpr std::array<const char*, 7> layerNames = {"depth",  "position", "object", "normal",
+                                                          "albedo", "velocity", "vector"};
 /// Of those that are shaded instead of light, as shaders know them (SHOWN of
 /// glsl/draw/surface/lighting.glsl).
 inline constexpr std::array<Layer, 2> shownLayers = {Layer::normal, Layer::albedo};

@@ -1,4 +1,5 @@
-// Orthographic cameras: places on the picture are linear in space; and light, shadows and what rays find are those of a camera far away.
+// Orthographic cameras: places on the picture are linear in space; and light, shadows and what rays find
+// are those of a camera far away.
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
 #include "gpu/draw/draw_stage.hpp"
@@ -62,8 +63,9 @@ std::string farCamera() {
   const double away = 0.5 * height / std::tan(0.5 * 0.017453292519943295);
   const glm::dvec3 there = target - away * Axes().forward;
   const double nearest = away - glm::length(target - eye) + 0.5;
-  return fmt::format(R"("position": [{}, {}, {}], "target": [{}, {}, {}], "fieldOfView": 1, "near": {}, "far": {})",
-                     there.x, there.y, there.z, target.x, target.y, target.z, nearest, nearest + 9);
+  return fmt::format(
+      R"("position": [{}, {}, {}], "target": [{}, {}, {}], "fieldOfView": 1, "near": {}, "far": {})",
+      there.x, there.y, there.z, target.x, target.y, target.z, nearest, nearest + 9);
 }
 
 draw::PictureLayers layersAt(const scene::Scene& scene, int frame, std::vector<draw::Layer> wanted) {
@@ -92,7 +94,8 @@ Apart apart(const std::string& render, const std::string& objects) {
   Apart found;
   for (std::size_t i = 0; i < flat.light.size(); ++i) {
     if (i % 4 == 3) continue;
-    found.off += std::abs(static_cast<double>(flat.light[i] - far.light[i])) / static_cast<double>(flat.light.size());
+    found.off += std::abs(static_cast<double>(flat.light[i] - far.light[i])) /
+                 static_cast<double>(flat.light.size());
     found.mean += static_cast<double>(flat.light[i]) / static_cast<double>(flat.light.size());
   }
   return found;
@@ -101,8 +104,8 @@ Apart apart(const std::string& render, const std::string& objects) {
 }  // namespace
 
 TEST_CASE("orthographic: a place's pixel is linear in it, and depth is the way along the line of sight") {
-  const draw::PictureLayers layers =
-      layersAt(sceneOf(flatCamera(), ", \"samples\": 1", things), 0, {draw::Layer::position, draw::Layer::depth});
+  const draw::PictureLayers layers = layersAt(sceneOf(flatCamera(), ", \"samples\": 1", things), 0,
+                                              {draw::Layer::position, draw::Layer::depth});
   int seen = 0, onBall = 0, onGround = 0;
   double off = 0, deep = 0, round = 0;
   for (std::size_t i = 0; i < layers.depth.size(); ++i) {
@@ -111,7 +114,8 @@ TEST_CASE("orthographic: a place's pixel is linear in it, and depth is the way a
     const glm::dvec3 p = at(layers.position, i);
     const glm::dvec2 pixel(static_cast<double>(i % size.x) + 0.5, static_cast<double>(i / size.x) + 0.5);
     off = std::max(off, glm::length(seenAt(p) - pixel));
-    deep = std::max(deep, std::abs(glm::dot(p - eye, Axes().forward) - static_cast<double>(layers.depth[i])));
+    deep =
+        std::max(deep, std::abs(glm::dot(p - eye, Axes().forward) - static_cast<double>(layers.depth[i])));
     const double away = glm::length(p - glm::dvec3(-0.5, 0.4, 0)) - 0.4;
     onBall += std::abs(away) < 0.004 ? 1 : 0;
     onGround += std::abs(p.y) < 1e-4 ? 1 : 0;
@@ -134,27 +138,31 @@ TEST_CASE("orthographic: the picture is that of a camera far away") {
     CHECK(found.mean > 0.1);
   }
   const Apart glows = apart(
-      "", R"("dust": {"particles": {"groups": [{"shape": "ball", "count": 40, "radius": 1.1}], "method": "none",
+      "",
+      R"("dust": {"particles": {"groups": [{"shape": "ball", "count": 40, "radius": 1.1}], "method": "none",
              "look": {"size": 0.2, "additive": true}}})");
   CHECK(glows.off < 0.025 * glows.mean);
 }
 
 TEST_CASE("orthographic: what has holes or is blended, and copies of meshes, are where they are") {
   const Apart found = apart(
-      "", R"("pane": {"mesh": {"shape": "plane", "size": [1, 0, 1], "position": [0.3, 0.8, 0.2], "rotation": [50, 30, 0]},
+      "",
+      R"("pane": {"mesh": {"shape": "plane", "size": [1, 0, 1], "position": [0.3, 0.8, 0.2], "rotation": [50, 30, 0]},
              "material": {"color": [0.2, 0.5, 0.9], "alpha": "blend", "opacity": 0.4}},
              "rocks": {"particles": {"groups": [{"shape": "ball", "count": 12, "radius": 1}], "method": "none",
              "look": {"size": 0.15, "shape": "sphere"}}})");
   CHECK(found.off < 0.02 * found.mean);
 }
 
-TEST_CASE("vectors: from where a point is seen to where it was a frame before, by its motion and the camera's") {
+TEST_CASE(
+    "vectors: from where a point is seen to where it was a frame before, by its motion and the camera's") {
   const std::string ball =
       R"("ball": {"sphere": {"radius": 0.4, "position": {"keys": [[0, [-0.5, 0, 0]], [2, [1.5, 1, -1]]]}}})";
   constexpr double fps = 30;
   const glm::dvec3 way = glm::dvec3(1, 0.5, -0.5) / fps;
   const auto pixelOf = [](const glm::dvec3& from, double scale, const glm::dvec3& p) {
-    const glm::dvec3 forward = glm::normalize(-from), right = glm::normalize(glm::cross(forward, {0, 1, 0}));
+    const glm::dvec3 forward = glm::normalize(-from),
+                     right = glm::normalize(glm::cross(forward, {0, 1, 0}));
     const glm::dvec3 up = glm::cross(right, forward);
     const double deep = scale > 0 ? 1 / scale : glm::dot(p - from, forward) * std::tan(0.3490658503988659);
     return 0.5 * size.y * glm::dvec2(glm::dot(p - from, right), glm::dot(p - from, up)) / deep;
@@ -162,12 +170,15 @@ TEST_CASE("vectors: from where a point is seen to where it was a frame before, b
   for (const bool flat : {false, true}) {
     CAPTURE(flat);
     const scene::Scene scene = sceneOf(
-        std::string(R"("position": {"keys": [[0, [2, 1, 3]], [1, [-1, 2, 3]]]}, "target": [0, 0, 0], "far": 20)") +
+        std::string(
+            R"("position": {"keys": [[0, [2, 1, 3]], [1, [-1, 2, 3]]]}, "target": [0, 0, 0], "far": 20)") +
             (flat ? R"(, "projection": "orthographic", "height": 2.5)" : ""),
         "", ball);
     const draw::PictureLayers layers = layersAt(
         scene, 9, {draw::Layer::vector, draw::Layer::position, draw::Layer::velocity, draw::Layer::depth});
-    const auto eyeAt = [](double frame) { return glm::dvec3(2, 1, 3) + frame / fps * glm::dvec3(-3, 1, 0); };
+    const auto eyeAt = [](double frame) {
+      return glm::dvec3(2, 1, 3) + frame / fps * glm::dvec3(-3, 1, 0);
+    };
     double off = 0;
     int moving = 0, standing = 0;
     for (std::size_t i = 0; i < layers.depth.size(); ++i) {
@@ -178,7 +189,8 @@ TEST_CASE("vectors: from where a point is seen to where it was a frame before, b
       const double scale = flat ? 2 / 2.5 : 0;
       const glm::dvec2 expected =
           pixelOf(eyeAt(8), scale, moves ? p - way : p) - pixelOf(eyeAt(9), scale, p);
-      const glm::dvec2 found(static_cast<double>(layers.vector[2 * i]), static_cast<double>(layers.vector[2 * i + 1]));
+      const glm::dvec2 found(static_cast<double>(layers.vector[2 * i]),
+                             static_cast<double>(layers.vector[2 * i + 1]));
       off = std::max(off, glm::length(found - expected));
     }
     CHECK(off < 5e-3);

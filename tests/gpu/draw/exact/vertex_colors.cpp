@@ -1,4 +1,5 @@
-// Colours of vertices and materials of files: on meshes that stand, are deformed or follow bones, and on cloth, each the same.
+// Colours of vertices and materials of files: on meshes that stand, are deformed or follow bones, and on
+// cloth, each the same.
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
 #include "gpu/context.hpp"
@@ -26,7 +27,8 @@ namespace {
 glm::dvec3 colorAt(double x, double y) {
   return {0.5 + 0.4 * x, 0.5 + 0.2 * x - 0.3 * y, 0.4 + 0.4 * y};
 }
-const glm::dvec3 left(0.5, 1, 0.75), right(1, 0.25, 0.5);  // base colours of the materials of the two halves
+const glm::dvec3 left(0.5, 1, 0.75),
+    right(1, 0.25, 0.5);  // base colours of the materials of the two halves
 
 /// A square from -1 to 1 in the xy plane that faces +z, of two materials; `bones`: it follows one, which
 /// stays.
@@ -56,8 +58,9 @@ std::string squareText(bool bones) {
                                  {"COLOR_0", gltf.add(colors, 5123, "VEC4", 4, true)}};
     if (bones) attributes["JOINTS_0"] = gltf.add(joints, 5121, "VEC4", 4);
     if (bones) attributes["WEIGHTS_0"] = gltf.floats(weights, "VEC4", 4);
-    primitives.push_back(
-        {{"attributes", attributes}, {"indices", gltf.add(corners, 5123, "SCALAR", 1)}, {"material", half}});
+    primitives.push_back({{"attributes", attributes},
+                          {"indices", gltf.add(corners, 5123, "SCALAR", 1)},
+                          {"material", half}});
   }
   auto& d = gltf.document;
   d["scene"] = 0;
@@ -70,8 +73,9 @@ std::string squareText(bool bones) {
   }
   d["meshes"] = {{{"primitives", primitives}}};
   const auto material = [](const glm::dvec3& c) {
-    return nlohmann::json{{"pbrMetallicRoughness",
-                           {{"baseColorFactor", {c.r, c.g, c.b, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}}};
+    return nlohmann::json{
+        {"pbrMetallicRoughness",
+         {{"baseColorFactor", {c.r, c.g, c.b, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}}};
   };
   d["materials"] = {material(left), material(right)};
   return gltf.text();
@@ -81,12 +85,12 @@ std::string squareText(bool bones) {
 double farthest(const std::string& object, const std::string& fileText, bool materials, int& seen) {
   testContext();
   const test::TemporaryFile file("square.gltf", fileText);
-  const scene::Scene scene = scene::parseScene(
-      fmt::format(R"({{"version": 1, "render": {{"size": [48, 48], "samples": 1}},
+  const scene::Scene scene =
+      scene::parseScene(fmt::format(R"({{"version": 1, "render": {{"size": [48, 48], "samples": 1}},
                   "camera": {{"position": [0, 0, 3], "target": [0, 0, 0], "projection": "orthographic", "height": 2.2}},
                   "objects": {{"square": {{{}}}}}}})",
-                  fmt::format(fmt::runtime(object), file.path().filename().string())),
-      file.path().parent_path() / "scene.json", {}, sim::kinds());
+                                    fmt::format(fmt::runtime(object), file.path().filename().string())),
+                        file.path().parent_path() / "scene.json", {}, sim::kinds());
   sim::World world(scene);
   draw::Renderer renderer(scene, scene.render.size, 1);
   renderer.keepLayers({{draw::Layer::albedo, draw::Layer::position, draw::Layer::depth}, false, 32});
@@ -96,12 +100,14 @@ double farthest(const std::string& object, const std::string& fileText, bool mat
   seen = 0;
   for (std::size_t i = 0; i < layers.depth.size(); ++i) {
     if (!std::isfinite(layers.depth[i])) continue;
-    const double x = static_cast<double>(layers.position[3 * i]), y = static_cast<double>(layers.position[3 * i + 1]);
+    const double x = static_cast<double>(layers.position[3 * i]),
+                 y = static_cast<double>(layers.position[3 * i + 1]);
     if (std::abs(x) < 0.03 || std::abs(x) > 0.97 || std::abs(y) > 0.97) continue;
     ++seen;
     const glm::dvec3 expected = colorAt(x, y) * (!materials ? glm::dvec3(1) : x < 0 ? left : right);
     for (int k = 0; k < 3; ++k)
-      off = std::max(off, std::abs(static_cast<double>(layers.albedo[3 * i + static_cast<std::size_t>(k)]) - expected[k]));
+      off = std::max(off, std::abs(static_cast<double>(layers.albedo[3 * i + static_cast<std::size_t>(k)]) -
+                                   expected[k]));
   }
   return off;
 }
@@ -110,11 +116,12 @@ double farthest(const std::string& object, const std::string& fileText, bool mat
 
 TEST_CASE("vertex colours multiply a file's materials, interpolated, whatever becomes of the mesh") {
   int seen = 0;
-  for (const char* object : {R"("mesh": {{"shape": "file", "file": "{}"}})",
-                             R"("mesh": {{"shape": "file", "file": "{}", "deform": [{{"ripple": {{"amplitude": 0.001}}}}]}})",
-                             R"("mesh": {{"shape": "file", "file": "{}", "technique": "vertex-shader",
+  for (const char* object :
+       {R"("mesh": {{"shape": "file", "file": "{}"}})",
+        R"("mesh": {{"shape": "file", "file": "{}", "deform": [{{"ripple": {{"amplitude": 0.001}}}}]}})",
+        R"("mesh": {{"shape": "file", "file": "{}", "technique": "vertex-shader",
                                  "deform": [{{"ripple": {{"amplitude": 0.001}}}}]}})",
-                             R"("cloth": {{"mesh": {{"file": "{}"}}, "pins": []}})"}) {
+        R"("cloth": {{"mesh": {{"file": "{}"}}, "pins": []}})"}) {
     CAPTURE(object);
     CHECK(farthest(object, squareText(false), true, seen) < 2e-3);
     CHECK(seen > 1500);
