@@ -121,9 +121,13 @@ class Track(Case):
         self.good("render", "scene.json", "-o", "whole/", "-q", "--frames", "15")
         frame = lambda folder: png_rows((self.folder / folder / "000015.png").read_bytes())
         self.assertEqual(frame("part"), frame("whole"))
-        for change, said in (("camera.track=ball", "\"damping\" here is of \"target\""),
-                             ("camera.gltf=a.glb", "leave out \"damping\"")):
-            self.bad_scene(said, "render", "scene.json", "-o", "a.png", "--frames", "0", "-D", change)
+        self.write("scene.json", {**scene, "camera": {"track": "ball", "damping": 0.2}})
+        self.bad_scene("\"damping\" here is of \"target\"", "render", "scene.json", "-o", "a.png", "--frames", "0")
+        flat = {"projection": "orthographic", "height": 3}
+        for more, said in (({"fieldOfView": 30}, "an orthographic camera has no angle of view"),
+                           ({"lens": True}, "an orthographic camera has no lens"), ({"projection": "perspective"}, "a perspective camera has no height")):
+            self.write("scene.json", {**scene, "camera": {**flat, **more}})
+            self.bad_scene(said, "render", "scene.json", "-o", "a.png", "--frames", "0")
 
     def test_mistakes(self):
         self.write("scene.json", {**self.SCENE, "camera": {"track": {"object": "ball", "damping": 1e-5}}})
