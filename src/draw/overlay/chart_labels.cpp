@@ -12,7 +12,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr float capital = 7.5F;                 // height of a capital, in units of a chart's layout
+constexpr float capital = 7.5F;                   // height of a capital, in units of a chart's layout
 constexpr glm::vec3 dim(0.342F, 0.380F, 0.448F);  // linear
 
 /// Thousands apart: 65 536.

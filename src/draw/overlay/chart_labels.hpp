@@ -11,7 +11,8 @@
 
 namespace simreel::draw {
 
-/// What is written on charts, in the font that ships with simreel, so that it has the same pixels everywhere.
+/// What is written on charts, in the font that ships with simreel, so that it has the same pixels
+/// everywhere.
 class ChartLabels {
  public:
   explicit ChartLabels(glm::ivec2 picture) : picture_(picture) {}
