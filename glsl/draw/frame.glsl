@@ -5,7 +5,8 @@
 
 struct STD140 Frame {
   mat4 viewProjection;
-  vec4 eye;                // xyz camera position
+  vec4 eye;                // xyz camera position (m), w 1; of a camera whose rays are parallel they come from there whatever place
+                           //     they go to, w 0: xyz - w p is the way from a place p to the eye
   vec4 target;             // xyz what the camera looks at
   vec4 sunDirection;       // xyz towards the light
   vec4 sunLight;           // rgb irradiance / pi

@@ -17,7 +17,8 @@ constexpr float radiansPerDegree = 0.017453293F;
 
 /// What a camera that does not follow a path looks at.
 glm::vec3 targetOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
-  if (!camera.tracks) return camera.target.at(seconds);
+  if (!camera.tracks)
+    return drawables.lagging.empty() ? camera.target.at(seconds) : drawables.lagging.front();
   for (const sim::Place& place : drawables.places)
     if (*place.object == camera.track.object) return place.middle + camera.track.offset;
   fail(ExitCode::usage, "the camera looks at \"{}\", of which nothing is there at {:g} s",
@@ -27,6 +28,7 @@ glm::vec3 targetOf(const scene::Camera& camera, double seconds, const sim::Drawa
 Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
   if (camera.orbits) return standAround(targetOf(camera, seconds, drawables), camera.orbit, seconds);
   if (!camera.follows) return {camera.position.at(seconds), targetOf(camera, seconds, drawables)};
+  if (drawables.lagging.size() == 2) return {drawables.lagging.back(), drawables.lagging.front()};
   if (const sim::Path* path = sim::pathOf(drawables, camera.follow.object))
     return standOn(*path->points, camera.follow, seconds);
   fail(ExitCode::usage,
@@ -44,18 +46,6 @@ Stand standAround(const glm::vec3& target, const scene::Orbit& orbit, double sec
   const glm::dvec3 back(ieee::cos(rise) * ieee::sin(turn), ieee::sin(rise),
                         ieee::cos(rise) * ieee::cos(turn));
   return {target + orbit.distance.at(seconds) * glm::vec3(back), target};
-}
-
-Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow, double seconds) {
-  constexpr int looks = 8;
-  const sim::Standing standing = sim::standingBy(path, follow, seconds);
-  const double along = static_cast<double>(follow.progress.at(seconds)) * sim::lengthOf(path);
-  const glm::vec3 aside = standing.position - sim::pointOn(path, along);
-  Stand stand{standing.position, aside};
-  for (int i = 1; i <= looks; ++i)
-    stand.target +=
-        sim::pointOn(path, along + static_cast<double>(follow.ahead) * i / looks) / float(looks);
-  return stand;
 }
 
 View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const sim::Drawables& drawables) {
@@ -85,8 +75,10 @@ View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const 
   const glm::vec3 r = shader::exactCos(roll) * right - shader::exactSin(roll) * up;
   const glm::vec3 u = shader::exactSin(roll) * right + shader::exactCos(roll) * up;
 
+  view.parallel = isParallel(camera);
   const float half = 0.5F * radiansPerDegree * camera.fieldOfView.at(seconds);
-  const float high = shader::exactSin(half) / shader::exactCos(half);
+  const float high =
+      view.parallel ? 0.5F * camera.height.at(seconds) : shader::exactSin(half) / shader::exactCos(half);
   const float wide = high * static_cast<float>(size.x) / static_cast<float>(size.y);
   view.right = r * wide;
   view.up = u * high;
@@ -101,7 +93,9 @@ View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const 
   const glm::mat4 project(glm::vec4(1 / wide, 0, 0, 0), glm::vec4(0, 1 / high, 0, 0),
                           glm::vec4(0, 0, -(camera.far + n) / d, -1),
                           glm::vec4(0, 0, -2 * camera.far * n / d, 0));
-  view.viewProjection = project * toCamera;
+  const glm::mat4 level(glm::vec4(1 / wide, 0, 0, 0), glm::vec4(0, 1 / high, 0, 0),
+                        glm::vec4(0, 0, -2 / d, 0), glm::vec4(0, 0, -(camera.far + n) / d, 1));
+  view.viewProjection = (view.parallel ? level : project) * toCamera;
   return view;
 }
 

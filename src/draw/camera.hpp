@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/scene.hpp"
 #include "sim/core/drawable.hpp"
+#include "sim/core/path.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -14,10 +15,17 @@ struct View {
   glm::vec3 eye{0};
   glm::vec3 target{0};
   glm::vec3 forward{0, 0, -1};  ///< unit; direction of the middle of the picture
-  glm::vec3 right{1, 0, 0};     ///< from the middle to the right edge at distance 1 along `forward`
-  glm::vec3 up{0, 1, 0};        ///< from the middle to the top edge
-  glm::vec2 reach{1, 1};        ///< lengths of the two
+  /// Whether all rays go along `forward`: of an orthographic camera.
+  bool parallel = false;
+  glm::vec3 right{1, 0, 0};  ///< from the middle to the right edge at distance 1 along `forward`, or at any
+  glm::vec3 up{0, 1, 0};     ///< from the middle to the top edge
+  glm::vec2 reach{1, 1};     ///< lengths of the two
 };
+
+/// Whether all rays of the camera's pictures go one way.
+[[nodiscard]] inline bool isParallel(const scene::Camera& camera) {
+  return camera.projection == scene::Projection::orthographic;
+}
 
 /// `size` in pixels gives the aspect ratio. +y is up; a positive roll turns the camera clockwise, so the
 /// picture turns counter-clockwise.
@@ -25,14 +33,9 @@ struct View {
                           const sim::Drawables& drawables);
 
 /// Where a camera is that goes along a path, and what it looks at.
-struct Stand {
-  glm::vec3 eye{0}, target{0};
-};
+using Stand = sim::Stand;
 /// Of one that goes round its target, at that time (s).
 [[nodiscard]] Stand standAround(const glm::vec3& target, const scene::Orbit& orbit, double seconds);
-/// At that time (s). What it looks at is the mean of the way ahead, so it turns before
-/// a corner; beyond the end the path goes straight on.
-[[nodiscard]] Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow,
-                            double seconds);
+using sim::standOn;
 
 }  // namespace simreel::draw

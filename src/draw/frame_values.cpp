@@ -70,11 +70,13 @@ shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double sec
   shader::Frame frame{};
   const View view = viewAt(scene.camera, seconds, size, drawables);
   frame.viewProjection = view.viewProjection;
-  frame.eye = glm::vec4(view.eye, 0);
+  // Parallel rays come from an eye so far away that they hardly part; eye.w says that places do not matter.
+  constexpr float far = 1e6F;
+  frame.eye = view.parallel ? glm::vec4(-far * view.forward, 0) : glm::vec4(view.eye, 1);
   frame.target = glm::vec4(view.target, 0);
   frame.rayForward = glm::vec4(view.forward, 0);
-  frame.rayRight = glm::vec4(view.right, 0);
-  frame.rayUp = glm::vec4(view.up, 0);
+  frame.rayRight = glm::vec4(view.parallel ? view.right / far : view.right, 0);
+  frame.rayUp = glm::vec4(view.parallel ? view.up / far : view.up, 0);
   setSun(frame, scene.sun, seconds);
   setSky(frame, scene.sky, seconds);
   setGround(frame, scene.ground);

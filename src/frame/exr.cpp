@@ -140,6 +140,8 @@ std::vector<std::byte> encodeExr(const PictureLayers& picture, const ImageText& 
   if (!picture.position.empty())
     for (std::size_t c = 0; c < 3; ++c)
       channels.add(header, fmt::format("P.{}", "XYZ"[c]), picture.position.data() + c, 3, Imf::FLOAT);
+  for (std::size_t c = 0; c < 2 && !picture.vector.empty(); ++c)
+    channels.add(header, fmt::format("vector.{}", "XY"[c]), picture.vector.data() + c, 2, Imf::FLOAT);
   for (std::size_t c = 0; c < 3; ++c) {
     if (!picture.velocity.empty())
       channels.add(header, fmt::format("velocity.{}", "XYZ"[c]), picture.velocity.data() + c, 3,
@@ -187,6 +189,7 @@ std::string pixelHash(const PictureLayers& picture) {
   addTo(all, "normal", picture.normal);
   addTo(all, "albedo", picture.albedo);
   addTo(all, "velocity", picture.velocity);
+  addTo(all, "vector", picture.vector);
   for (const std::string& object : picture.objects) all += " " + object;
   std::vector<float> shares;
   for (const PictureLayers::Share& share : picture.shares) {

@@ -18,7 +18,7 @@ namespace simreel::scene {
 
 namespace {
 
-/// Members of a scene that no simulation hears of, but for a camera's track with damping.
+/// Members of a scene that no simulation hears of, but for a camera with damping.
 constexpr std::array<std::string_view, 9> drawingMembers = {"$schema", "title",  "render", "camera", "sun",
                                                             "sky",     "lights", "test",   "checks"};
 
@@ -78,18 +78,29 @@ void remove(Node& object, std::string_view key) {
   std::erase_if(object.children, [&](const Node& child) { return child.key == key; });
 }
 
-/// Leaves of a camera what a world carries from frame to frame: where it lags behind what it looks at.
-/// Nothing of one that does not.
+bool isDamped(const Node& group) {
+  const Node* damping = group.kind == Node::Kind::object ? group.find("damping") : nullptr;
+  return damping != nullptr && !(damping->kind == Node::Kind::number && damping->number == 0);
+}
+
+/// Leaves of a camera what a world carries from frame to frame: where it lags behind what it looks at, or
+/// behind the path that it follows. Nothing of one that does not.
 void leaveLag(Node& root) {
   Node* camera = root.find("camera");
   if (camera == nullptr) return;
-  Node* track = camera->kind == Node::Kind::object ? camera->find("track") : nullptr;
-  const Node* damping =
-      track != nullptr && track->kind == Node::Kind::object ? track->find("damping") : nullptr;
-  if (damping == nullptr || (damping->kind == Node::Kind::number && damping->number == 0))
-    return remove(root, "camera");
-  std::erase_if(camera->children, [](const Node& child) { return child.key != "track"; });
-  remove(camera->children.front(), "offset");
+  if (camera->kind == Node::Kind::object && isDamped(*camera)) {
+    std::erase_if(camera->children,
+                  [](const Node& child) { return child.key != "damping" && child.key != "target"; });
+    return;
+  }
+  for (const char* name : {"track", "follow"}) {
+    Node* group = camera->kind == Node::Kind::object ? camera->find(name) : nullptr;
+    if (group == nullptr || !isDamped(*group)) continue;
+    std::erase_if(camera->children, [&](const Node& child) { return child.key != name; });
+    remove(camera->children.front(), "offset");
+    return;
+  }
+  remove(root, "camera");
 }
 
 }  // namespace
@@ -132,8 +143,11 @@ std::string simulationHash(std::string_view asRun) {
 
 bool touchesSimulation(std::string_view path) {
   if (path == "time.duration") return false;
-  if (path == "camera" || path == "camera.track") return true;  // which may bring a lag, or end it
-  if (path == "camera.track.object" || path == "camera.track.damping") return true;
+  // Which may bring a lag, or end it, or lead it.
+  for (const std::string_view whole : {"camera", "camera.track", "camera.track.object",
+                                       "camera.track.damping", "camera.follow", "camera.damping"})
+    if (path == whole) return true;
+  if (path.starts_with("camera.follow.")) return true;
   const std::string_view first = path.substr(0, path.find('.'));
   if (std::find(drawingMembers.begin(), drawingMembers.end(), first) != drawingMembers.end()) return false;
   if (first != "objects") return true;

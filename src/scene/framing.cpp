@@ -103,6 +103,13 @@ Look lookFrom(const glm::vec3& back, const Scene& scene) {
   return look;
 }
 
+/// An orthographic camera that shows as much as a perspective one does at its target.
+void showAsMuch(Camera& camera, float distance) {
+  if (camera.projection != Projection::orthographic || camera.hasHeight) return;
+  const double half = 0.5 * static_cast<double>(glm::radians(camera.fieldOfView.at(0)));
+  camera.height = 2 * distance * static_cast<float>(ieee::tan(half));
+}
+
 void reach(Camera& camera, float distance, float nearest, bool staged) {
   camera.near = std::min(camera.near, 0.5F * (distance - nearest));
   camera.far = std::max(camera.far, (staged ? 12.0F : 4.0F) * distance);
@@ -129,6 +136,7 @@ void frameOrbit(Scene& scene, const std::vector<Box>& boxes) {
     }
   camera.target = target;
   camera.orbit.distance = distance;
+  showAsMuch(camera, distance);
   reach(camera, distance, nearest, scene.staged);
 }
 
@@ -174,6 +182,7 @@ void frameObjects(Scene& scene, const std::vector<Box>& boxes) {
   const float distance = distanceOf(look, target, points);
   camera.target = target;
   camera.position = target + distance * look.back;
+  showAsMuch(camera, distance);
   reach(camera, distance, nearest, scene.staged);
 }
 

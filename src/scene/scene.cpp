@@ -180,7 +180,22 @@ void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camer
     context.diagnostics.add(group->place(), error.what());
     return;
   }
-  if (!camera.hasAngle) camera.fieldOfView = static_cast<float>(gltf.shot->fieldOfView());
+  const Node* wrong = nullptr;  // what the file's kind of camera has not
+  if (const std::optional<double> height = gltf.shot->height()) {
+    camera.projection = Projection::orthographic;
+    if (!camera.hasHeight) camera.height = static_cast<float>(*height);
+    if (camera.hasLens) wrong = section->find("lens");
+    if (camera.hasAngle) wrong = section->find("fieldOfView");
+  } else {
+    if (!camera.hasAngle) camera.fieldOfView = static_cast<float>(gltf.shot->fieldOfView());
+    if (camera.hasHeight) wrong = section->find("height");
+  }
+  if (wrong != nullptr)
+    context.diagnostics.add(
+        wrong->place(),
+        fmt::format("the file's camera is {}, which has no \"{}\"; leave it out",
+                    camera.projection == Projection::orthographic ? "orthographic" : "a perspective one",
+                    wrong->key));
   if (!gltf.hasNear) camera.near = static_cast<float>(gltf.shot->near());
   if (!gltf.hasFar && gltf.shot->far()) camera.far = static_cast<float>(*gltf.shot->far());
   if (camera.near < camera.far) return;

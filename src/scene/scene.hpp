@@ -100,6 +100,7 @@ struct Time {
 /// A camera that goes along the path that an object has found.
 struct Follow : PathPlace {
   float ahead = 4.0F;  ///< m along the path to what it looks at
+  double damping = 0;  ///< s: what moves steadily it follows so long behind; 0: at once
   void describe(Fields& fields);
 };
 
@@ -123,9 +124,10 @@ class CameraShot {
   virtual ~CameraShot() = default;
   /// At a time of the scene (s).
   [[nodiscard]] virtual CameraPose at(double seconds) const = 0;
-  [[nodiscard]] virtual double fieldOfView() const = 0;         ///< degrees, vertical
-  [[nodiscard]] virtual double near() const = 0;                ///< m
-  [[nodiscard]] virtual std::optional<double> far() const = 0;  ///< m; none: it has no end
+  [[nodiscard]] virtual double fieldOfView() const = 0;  ///< degrees, vertical; of perspective ones
+  [[nodiscard]] virtual std::optional<double> height() const = 0;  ///< m: its picture's, if orthographic
+  [[nodiscard]] virtual double near() const = 0;                   ///< m
+  [[nodiscard]] virtual std::optional<double> far() const = 0;     ///< m; none: it has no end
 };
 
 /// A camera that stands and turns as that of a glTF file does.
@@ -167,11 +169,18 @@ struct Orbit {
   void describe(Fields& fields);
 };
 
+/// Where a camera's rays come from: one point, or all of its picture, square to it.
+enum class Projection { perspective, orthographic };
+
 struct Camera {
   Animated<glm::vec3> position = glm::vec3(0, 1.5F, 6);
   Animated<glm::vec3> target = glm::vec3(0, 0, 0);
   Animated<float> fieldOfView = 40.0F;  ///< degrees, vertical
-  Animated<float> roll = 0.0F;          ///< degrees
+  Projection projection = Projection::perspective;
+  Animated<float> height = 4.0F;  ///< m that the picture is high, of an orthographic one
+  bool hasHeight = false;         ///< whether the scene gives it
+  Animated<float> roll = 0.0F;    ///< degrees
+  double damping = 0;             ///< s: what `target` does steadily it looks at so long after; 0: at once
   bool follows = false;
   Follow follow;  ///< instead of position and target
   bool tracks = false;

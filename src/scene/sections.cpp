@@ -143,26 +143,37 @@ void Time::describe(Fields& fields) {
                              (start + duration) * fps));
 }
 
-void Follow::describe(Fields& fields) {
-  PathPlace::describe(fields);
-  fields.number("ahead", ahead, positive, "m", "How far ahead on the path it looks.");
-}
+namespace {
 
-void Track::describe(Fields& fields) {
-  fields.text("object", object, "Name of the object; its middle is what is looked at.");
-  fields.vector("offset", offset, anyNumber, "m", "From its middle to what is looked at.");
-  fields.number(
-      "damping", damping, {0, 1000}, "s",
-      "How far behind the object it looks, smoothly: what moves steadily is looked at where it was "
-      "so long ago (a critically damped spring). 0: where it is.");
+/// s that a camera lags behind; 0: it does not.
+void describeDamping(Fields& fields, double& damping, const char* what) {
+  fields.number("damping", damping, {0, 1000}, "s", what);
   constexpr double least = 1e-3;
   if (damping > 0 && damping < least)
     fields.error("damping",
                  fmt::format("a damping of {:g} s is none; give 0, or {} s at least", damping, least));
 }
 
+}  // namespace
+
+void Follow::describe(Fields& fields) {
+  PathPlace::describe(fields);
+  fields.number("ahead", ahead, positive, "m", "How far ahead on the path it looks.");
+  describeDamping(fields, damping,
+                  "How far behind it goes and looks, smoothly: what \"progress\" does steadily it does so "
+                  "long after (a critically damped spring), and corners become curves. 0: at once.");
+}
+
+void Track::describe(Fields& fields) {
+  fields.text("object", object, "Name of the object; its middle is what is looked at.");
+  fields.vector("offset", offset, anyNumber, "m", "From its middle to what is looked at.");
+  describeDamping(fields, damping,
+                  "How far behind the object it looks, smoothly: what moves steadily is looked at where it "
+                  "was so long ago (a critically damped spring). 0: where it is.");
+}
+
 void CameraFile::describe(Fields& fields) {
-  fields.asset("file", file, "glTF or GLB with a perspective camera.");
+  fields.asset("file", file, "glTF or GLB with a camera, perspective or orthographic.");
   fields.text("name", name, "Name of the camera, or of its node; a file with one camera needs none.");
   fields.text("animation", animation, "Name of the file's motion that the camera goes through.");
   fields.leftOut("animation", "the first that moves it; it stands where none does");
@@ -224,6 +235,21 @@ void Camera::describe(Fields& fields) {
   fields.leftOut("target", "[0,0,0], or its middle");
   fields.number("fieldOfView", fieldOfView, {1, 170}, "degrees", "Vertical angle of view.");
   fields.leftOut("fieldOfView", "40, 26 on a stage that is in view as a whole, or that of \"gltf\"");
+  fields.choice(
+      "projection", projection, {"perspective", "orthographic"},
+      "perspective: what is farther away is smaller. orthographic: it is not; all rays go along the "
+      "line of sight, and \"height\" takes the place of \"fieldOfView\".");
+  fields.leftOut("projection", "perspective, or that of \"gltf\"");
+  fields.number("height", height, positive, "m",
+                "Of the scene, how much the picture shows from its lower to its upper edge; orthographic.");
+  fields.leftOut("height", "4, what is in view as a whole with \"position\", or that of \"gltf\"");
+  hasHeight = fields.given("height");
+  if (projection == Projection::orthographic && fields.given("fieldOfView"))
+    fields.error("fieldOfView", "an orthographic camera has no angle of view; give \"height\" (m) instead");
+  if (projection == Projection::perspective && hasHeight && !fields.given("gltf"))
+    fields.error("height",
+                 "a perspective camera has no height; give \"fieldOfView\", or \"projection\": "
+                 "\"orthographic\"");
   fields.number("roll", roll, anyNumber, "degrees", "Turn about the line of sight.");
   fields.optionalGroup("follow", follows, "Goes along a path that an object has found.",
                        [&](Fields& f) { follow.describe(f); });
@@ -242,15 +268,25 @@ void Camera::describe(Fields& fields) {
     fields.error("orbit", "\"follow\" says where the camera is; leave out \"orbit\"");
   else if (orbits && fields.given("position"))
     fields.error("position", "\"orbit\" says where the camera is; leave out \"position\"");
+  describeDamping(
+      fields, damping,
+      "How far behind \"target\" it looks, smoothly: what the keys of that do steadily it does so "
+      "long after (a critically damped spring). 0: at once.");
+  for (const char* name : {"follow", "track"})
+    if (damping > 0 && fields.given(name))
+      fields.error("damping",
+                   fmt::format("\"damping\" here is of \"target\"; give it in \"{0}\": {{ }}", name));
   fields.shorthand("gltf", "file");
   fields.optionalGroup(
       "gltf", filed,
       "Stands, turns and moves as the camera of a glTF file. Its vertical angle of view is "
       "kept; how wide the picture is, \"render.size\" says.",
       [&](Fields& f) { gltf.describe(f); });
-  for (const char* name : {"position", "target", "track", "follow", "orbit"})
+  for (const char* name : {"position", "target", "track", "follow", "orbit", "damping"})
     if (filed && fields.given(name))
       fields.error(name, fmt::format("\"gltf\" says where the camera is; leave out \"{}\"", name));
+  if (filed && fields.given("projection"))
+    fields.error("projection", "\"gltf\" says what kind of camera it is; leave out \"projection\"");
   gltf.hasNear = fields.given("near");
   gltf.hasFar = fields.given("far");
   fields.switchable("lens");
@@ -258,6 +294,8 @@ void Camera::describe(Fields& fields) {
                        "Depth of field: what is nearer or farther than the focus is blurred. The driver's "
                        "rasterizer has none.",
                        [&](Fields& f) { lens.describe(f); });
+  if (hasLens && projection == Projection::orthographic)
+    fields.error("lens", "an orthographic camera has no lens: all is sharp; leave out \"lens\"");
   fields.switchable("shutter");
   fields.optionalGroup("shutter", hasShutter,
                        "Motion blur: the picture is the mean over the time before its frame. Surfaces, "

@@ -2,6 +2,7 @@
 #ifndef EXACT_GROUND_PLANE
 #define EXACT_GROUND_PLANE
 #include "common/exact.glsl"
+#include "draw/exact/depth.glsl"
 
 FUNCTION vec3 rayThrough(vec2 place) {
   precise vec3 ray = vec3(view.ray) + vec3(view.rayAcross) * place.x + vec3(view.rayDown) * place.y;
@@ -10,6 +11,16 @@ FUNCTION vec3 rayThrough(vec2 place) {
 
 // Depth (m); below 0: it does not.
 FUNCTION float groundDepth(vec3 ray) {
+#ifdef PARALLEL
+  precise float down = frame.groundHeight - (view.eye.y + ray.y);
+  float steep = view.forward.y;
+  bool towards = down < 0.0f ? steep < -1e-6f : steep > 1e-6f;
+  precise float depth = down * exactReciprocal(towards ? steep : 1.0f);
+  precise float x = view.eye.x + ray.x + view.forward.x * depth - frame.target.x;
+  precise float z = view.eye.z + ray.z + view.forward.z * depth - frame.target.z;
+  bool within = max(abs(x), abs(z)) <= frame.groundReach;
+  return towards && within ? depth : -1.0f;
+#else
   precise float down = frame.groundHeight - view.eye.y;
   bool towards = down < 0.0f ? ray.y < -1e-6f : ray.y > 1e-6f;
   float perDown = exactReciprocal(towards ? ray.y : 1.0f);
@@ -18,10 +29,11 @@ FUNCTION float groundDepth(vec3 ray) {
   precise float z = view.eye.z + ray.z * depth - frame.target.z;
   bool within = max(abs(x), abs(z)) <= frame.groundReach;
   return towards && within ? depth : -1.0f;
+#endif
 }
 
 FUNCTION vec3 placeOnRay(vec3 ray, float depth) {
-  precise vec3 p = vec3(view.eye) + ray * depth;
+  precise vec3 p = vec3(view.eye) + alongRay(ray, depth);
   return p;
 }
 #endif

@@ -1,7 +1,8 @@
 // Where on a triangle a place of the picture (pixels) lies. Compiles as GLSL and as C++.
 //
 // A corner P = (x, y, 1) depth of the picture seen from the place q is P - q depth, a vector u of the plane; weights w with
-// sum w_i u_i = 0 are those of the place on the triangle in space, so w_a = u_b x u_c and so on, over their sum.
+// sum w_i u_i = 0 are those of the place on the triangle in space, so w_a = u_b x u_c and so on, over their sum. PARALLEL: a corner is
+// x, y and depth apart, seen from q at P - q.
 #ifndef EXACT_WEIGHTS
 #define EXACT_WEIGHTS
 #include "common/exact.glsl"
@@ -14,9 +15,15 @@ struct Weights {
 
 // Where the place is outside, weights are negative.
 FUNCTION vec3 weightsAround(vec3 a, vec3 b, vec3 c, vec2 place) {
+#ifdef PARALLEL
+  precise vec2 u = vec2(a) - place;
+  precise vec2 v = vec2(b) - place;
+  precise vec2 w = vec2(c) - place;
+#else
   precise vec2 u = vec2(a) - place * a.z;
   precise vec2 v = vec2(b) - place * b.z;
   precise vec2 w = vec2(c) - place * c.z;
+#endif
   precise float wa = v.x * w.y - v.y * w.x;
   precise float wb = w.x * u.y - w.y * u.x;
   precise float wc = u.x * v.y - u.y * v.x;

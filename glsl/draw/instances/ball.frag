@@ -36,7 +36,7 @@ void main() {
   gl_SampleMask[0] = inside;
 #endif
   // Where the ray from the eye through the square meets the ball: |across + t ray| = radius.
-  vec3 ray = worldPosition - frame.eye.xyz;
+  vec3 ray = frame.eye.w * worldPosition - frame.eye.xyz;
   float rr = dot(ray, ray), b = dot(across, ray);
   float t = -(b + sqrt(max(b * b - rr * (dot(across, across) - radii.x * radii.x), 0.0))) / rr;
   vec3 outwards = across + t * ray;

@@ -27,6 +27,6 @@ void main() {
   radii = vec2(radius, outline);
   worldPosition = position.xyz + outline * outwards;
   place = shadowPlace(worldPosition + lift);
-  placeRay = place - shadowPlace(frame.eye.xyz + lift);
+  placeRay = place - shadowPlace(frame.eye.xyz + (1.0 - frame.eye.w) * worldPosition + lift);
   gl_Position = frame.viewProjection * vec4(worldPosition, 1.0);
 }

@@ -65,6 +65,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 // A disk that faces the eye, pixel by pixel through the picture's rays.
 void addFacing(Glow g, ivec2 aside, ivec2 stride) {
   Facing facing = facingEye(g.middle);
+  bool parallel = frame.eye.w == 0.0;
+  vec2 seen = clipPlace(g.middle).xy;  // where rays are parallel
   vec2 low = vec2(1), high = vec2(0);
   bool before = true;
   for (int corner = 0; corner < 4; ++corner) {
@@ -90,6 +92,9 @@ void addFacing(Glow g, ivec2 aside, ivec2 stride) {
       float towards = -exactDot(ray, facing.towards);
       if (towards <= 0.0) continue;
       precise vec3 hit = frame.eye.xyz + ray * (facing.distance * exactReciprocal(towards));
+      precise vec2 beside = (onPicture - seen) * facing.distance;
+      precise vec3 level = g.middle + frame.rayRight.xyz * beside.x + frame.rayUp.xyz * beside.y;
+      hit = parallel ? level : hit;
       precise vec3 off = (hit - g.middle) * perRadius;
       vec4 clip = clipPlace(hit);
       if (abs(clip.z) <= clip.w) add(ivec2(x, y), g.light, exactDot(off, off), placed(clip).z);

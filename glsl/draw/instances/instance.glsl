@@ -42,7 +42,7 @@ float pixelsPerMetre() {
 
 // Along the view's axis (m).
 float distanceOf(vec3 p) {
-  precise vec3 aside = p - frame.eye.xyz;
+  precise vec3 aside = frame.eye.w * p - frame.eye.xyz;
   return exactDot(aside, frame.rayForward.xyz);
 }
 

@@ -22,7 +22,7 @@ void main() {
 #ifdef DOUBLE_SIDED
   normal = gl_FrontFacing ? normal : -normal;
 #endif
-  vec3 view = normalize(frame.eye.xyz - worldPosition);
+  vec3 view = normalize(frame.eye.xyz - frame.eye.w * worldPosition);
   radiance = vec4(allLight(lookOf(tint), LIT_FROM, normal, view, sunFraction(place)), 1.0);
 #endif
 }

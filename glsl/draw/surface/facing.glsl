@@ -8,7 +8,7 @@ struct Facing {
 };
 
 Facing facingEye(vec3 p) {
-  precise vec3 toEye = frame.eye.xyz - p;
+  precise vec3 toEye = frame.eye.xyz - frame.eye.w * p;
   float distance2 = max(exactDot(toEye, toEye), 1e-12);
   precise vec3 towards = toEye * exactInverseSqrt(distance2);
   vec3 across = exactCross(frame.rayUp.xyz, towards);

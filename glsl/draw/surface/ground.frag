@@ -14,5 +14,5 @@ void main() {
 #else
   const float fraction = 1.0;
 #endif
-  radiance = groundLight(worldPosition, normalize(frame.eye.xyz - worldPosition), fraction, 1.0);
+  radiance = groundLight(worldPosition, normalize(frame.eye.xyz - frame.eye.w * worldPosition), fraction, 1.0);
 }

@@ -37,6 +37,9 @@ uniform float bump;  // m
 #ifdef PALETTE
 in vec3 paletteColor;
 #endif
+#ifdef VERTEX_COLORS
+in vec3 vertexTint;
+#endif
 layout(location = 0) out vec4 radiance;
 
 void main() {
@@ -44,6 +47,9 @@ void main() {
   vec3 base = paletteColor;
 #else
   vec3 base = color;
+#endif
+#ifdef VERTEX_COLORS
+  base *= vertexTint;
 #endif
 #ifdef TEXTURED
   base *= textureColor(vec2(0));
@@ -55,7 +61,7 @@ void main() {
 #ifdef BUMPED
   normal = bumpedNormal(normal, worldPosition, bump);
 #endif
-  vec3 view = normalize(frame.eye.xyz - worldPosition);
+  vec3 view = normalize(frame.eye.xyz - frame.eye.w * worldPosition);
   Look look = lookOf(base);
   vec3 emission = vec3(0);
 #ifdef SKIN

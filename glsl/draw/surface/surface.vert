@@ -36,6 +36,10 @@ flat out vec4 passedMaterial;  // roughness, metallic, translucency, bump
 layout(binding = paletteUnit) uniform samplerBuffer palette;
 out vec3 paletteColor;
 #endif
+#ifdef VERTEX_COLORS
+layout(binding = paletteUnit) uniform samplerBuffer vertexTints;
+out vec3 vertexTint;
+#endif
 out vec3 worldPosition;
 out vec3 worldNormal;
 #ifdef SHADOW
@@ -62,6 +66,9 @@ void main() {
   vec3 p = worldPoint(i);
 #ifdef PALETTE
   paletteColor = texelFetch(palette, vertexColor(i)).rgb;
+#endif
+#ifdef VERTEX_COLORS
+  vertexTint = texelFetch(vertexTints, i).rgb;
 #endif
 #ifdef GRID
   vec3 normal = gridNormal(i);

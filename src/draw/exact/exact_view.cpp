@@ -12,6 +12,8 @@ shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::
                             const LensPoint& through) {
   // A place p has the depth d = f . (p - e); on the picture it is half the width to the right of the middle
   // where r . (p - e) = d reach.x. So its pixel times d is linear in p - e.
+  // Along parallel rays its pixel itself is linear, and how near it is, 1 - (d - near) / span, has to be
+  // more than 0 wherever it matters: up to twice the farthest distance.
   const glm::vec2 half = 0.5F * glm::vec2(size);
   const glm::vec3 across = view.right / (view.reach.x * view.reach.x);
   const glm::vec3 up = view.up / (view.reach.y * view.reach.y);
@@ -25,16 +27,72 @@ shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::
   exact.down = glm::vec4(half.y * ((1 - above) * view.forward - up), 0);
   exact.forward = glm::vec4(view.forward, 0);
   exact.ray = glm::vec4((view.forward - turned) - view.right + view.up, 0);
+  if (view.parallel) {
+    const float span = 2 * camera.far;
+    exact.across = glm::vec4(half.x * across, 0);
+    exact.down = glm::vec4(-half.y * up, 0);
+    exact.forward = glm::vec4(view.forward, 1 / span);
+    exact.ray = glm::vec4(view.up - view.right, 0);
+  }
   exact.rayAcross = glm::vec4(view.right / half.x, 0);
   exact.rayDown = glm::vec4(view.up / -half.y, 0);
   exact.size = size;
   exact.rows = {0, size.y};
   exact.near = camera.near;
-  exact.nearOverFar = camera.near / camera.far;
+  exact.nearOverFar =
+      view.parallel ? 1 - (camera.far - camera.near) / (2 * camera.far) : camera.near / camera.far;
   return exact;
 }
 
+namespace {
+
+/// Along parallel rays: the one through a pixel begins at o . y above the eye's height and goes down by
+/// -forward.y a metre, so the ground, `down` above the eye, has the depth (down - o.y) / forward.y there.
+glm::vec4 nearOfLevel(const shader::ExactView& view, float down) {
+  const float steep = view.forward.y, perSpan = view.forward.w;
+  if (std::abs(steep) < 1e-6F) return {1e30F, 0, 0, 0};
+  const float across = perSpan * view.rayAcross.y / steep, below = perSpan * view.rayDown.y / steep;
+  const float corner = 1 + perSpan * (view.near - (down - view.ray.y) / steep);
+  const float half = 0.5F * (std::abs(across) + std::abs(below));
+  const auto size = glm::vec2(view.size);
+  constexpr float slack = 1e-5F;
+  const float terms = 1 + std::abs(corner) + std::abs(across) * size.x + std::abs(below) * size.y;
+  return {corner + 0.5F * (across + below), across, below, half + slack * terms};
+}
+
+}  // namespace
+
+bool isParallel(const shader::ExactView& view) {
+  return view.forward.w > 0;
+}
+
+float depthOf(const shader::ExactView& view, float near) {
+  return isParallel(view) ? view.near + (1 - near) / view.forward.w : view.near / near;
+}
+
+std::optional<glm::dvec2> pixelOf(const shader::ExactView& view, const glm::dvec3& place) {
+  const glm::dvec3 from = place - glm::dvec3(glm::vec3(view.eye));
+  if (!isParallel(view)) return pixelTowards(view, from);
+  return 0.5 * glm::dvec2(view.size) + glm::dvec2(glm::dot(from, glm::dvec3(glm::vec3(view.across))),
+                                                  glm::dot(from, glm::dvec3(glm::vec3(view.down))));
+}
+
+std::optional<glm::dvec2> pixelTowards(const shader::ExactView& view, const glm::dvec3& direction) {
+  const double depth = glm::dot(direction, glm::dvec3(glm::vec3(view.forward)));
+  if (isParallel(view) || !(depth > 1e-9)) return std::nullopt;
+  return glm::dvec2(glm::dot(direction, glm::dvec3(glm::vec3(view.across))),
+                    glm::dot(direction, glm::dvec3(glm::vec3(view.down)))) /
+         depth;
+}
+
+glm::vec3 placeOf(const shader::ExactView& view, glm::vec2 pixel, float depth) {
+  const glm::vec3 ray =
+      glm::vec3(view.ray) + pixel.x * glm::vec3(view.rayAcross) + pixel.y * glm::vec3(view.rayDown);
+  return glm::vec3(view.eye) + (isParallel(view) ? ray + depth * glm::vec3(view.forward) : depth * ray);
+}
+
 glm::ivec2 rowsTowardsGround(const shader::ExactView& view, float height, int step) {
+  if (isParallel(view)) return {0, (view.rows.y - view.rows.x + step - 1) / step * step};
   const float side = view.eye.y > height ? -1.0F : 1.0F;  // of y, of rays that meet it
   const int count = (view.rows.y - view.rows.x + step - 1) / step;
   glm::ivec2 rows(0);
@@ -57,6 +115,7 @@ glm::vec4 nearOfGround(const shader::ExactView& view, float height) {
   // A ray of depth 1 goes down by -y, so the ground has the depth (height - eye.y) / y: near / depth is
   // affine.
   const float down = height - view.eye.y;
+  if (isParallel(view)) return nearOfLevel(view, down);
   if (std::abs(down) < 1e-6F) return {1e30F, 0, 0, 0};
   const float across = view.near * view.rayAcross.y / down;
   const float below = view.near * view.rayDown.y / down;

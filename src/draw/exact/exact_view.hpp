@@ -3,6 +3,8 @@
 #include "draw/lens.hpp"
 #include "glsl/common/cpp.hpp"
 
+#include <optional>
+
 namespace simreel::shader {
 
 #include "glsl/draw/exact/types.glsl"
@@ -15,6 +17,19 @@ namespace simreel::draw {
 /// machine.
 [[nodiscard]] shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::ivec2 size,
                                           const LensPoint& through = {});
+
+/// Whether its rays are parallel.
+[[nodiscard]] bool isParallel(const shader::ExactView& view);
+/// Depth (m) of what is so near, as keys of visibility have it.
+[[nodiscard]] float depthOf(const shader::ExactView& view, float near);
+/// What lies at that depth (m) on the ray through a place of the picture (pixels).
+[[nodiscard]] glm::vec3 placeOf(const shader::ExactView& view, glm::vec2 pixel, float depth);
+
+/// Where a place (m), or what lies infinitely far away in a direction, is seen: pixels. Nothing of what is
+/// beside or behind the eye.
+[[nodiscard]] std::optional<glm::dvec2> pixelOf(const shader::ExactView& view, const glm::dvec3& place);
+[[nodiscard]] std::optional<glm::dvec2> pixelTowards(const shader::ExactView& view,
+                                                     const glm::dvec3& direction);
 
 /// From which row of the band to before which one rays may meet a ground of that height (m); rows count
 /// from the band's first, in whole multiples of `step`.

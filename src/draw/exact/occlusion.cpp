@@ -35,11 +35,15 @@ Occlusion::Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground)
   nearest.push_back(rows);
   if (ground) nearest.emplace_back("GROUND", "1");
   nearest_ = gl::Program::compute("draw/exact/occlusion/half_nearness.comp", nearest);
-  horizons_ =
-      gl::Program::compute("draw/exact/occlusion/horizons.comp",
-                           {rows, {"SLICES", std::to_string(slices)}, {"STEPS", std::to_string(steps)}});
-  across_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", {rows});
-  down_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", {rows, {"DOWN", "1"}});
+  gl::Defines along = {rows};
+  if (visibility.layout().parallel) along.emplace_back("PARALLEL", "1");
+  gl::Defines around = along, down = along;
+  around.emplace_back("SLICES", std::to_string(slices));
+  around.emplace_back("STEPS", std::to_string(steps));
+  down.emplace_back("DOWN", "1");
+  horizons_ = gl::Program::compute("draw/exact/occlusion/horizons.comp", around);
+  across_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", along);
+  down_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", down);
   nearness_ = Kept("nearness", GL_R32F, sizeof(float), half_);
   arcs_ = Kept("light that is lost", GL_RGBA32F, sizeof(glm::vec4), half_);
   smooth_ = Kept("light that is lost, along rows", GL_RGBA32F, sizeof(glm::vec4), half_);

@@ -23,7 +23,7 @@ constexpr unsigned joinedOnes = 1U << 10U;
 constexpr const char* featureNames[] = {
     "DOUBLE_SIDED",  "TRANSLUCENT", "REFLECTIVE",   "PALETTE", "COUNTED",  "TEXTURED",   "GRID",
     "TRIPLANAR",     "BUMPED",      "SKIN",         "JOINED",  "BASE_MAP", "NORMAL_MAP", "METAL_ROUGH_MAP",
-    "OCCLUSION_MAP", "EMISSION",    "EMISSION_MAP", "COAT",    "SHEEN",    "BLENDED"};
+    "OCCLUSION_MAP", "EMISSION",    "EMISSION_MAP", "COAT",    "SHEEN",    "BLENDED",    "VERTEX_COLORS"};
 constexpr unsigned blendedLayer = 1U << 19U;
 
 unsigned featuresOf(const sim::Surface& surface, bool skin) {
@@ -62,7 +62,8 @@ unsigned featuresOf(const sim::Surface& surface, bool skin) {
       glowMap,
       finished && finish.coat > 0,
       finished && finish.sheen != glm::vec3(0),
-      finished && finish.alpha == scene::Alpha::blend};
+      finished && finish.alpha == scene::Alpha::blend,
+      !skin && surface.colors != nullptr};
   unsigned features = 0;
   for (std::size_t i = 0; i < std::size(wanted); ++i) features |= wanted[i] ? 1U << i : 0U;
   return features;
@@ -138,6 +139,7 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   }
   bindPositions(surface, shader);
   if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
+  if (surface.colors != nullptr) surface.colors->bind(paletteUnit);
   if (skin != nullptr)
     setSkin(surface, *skin, shader);
   else if (material.finish.used())
@@ -149,8 +151,8 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
 
 bool SurfaceShading::isPlain(const sim::Surface& surface, const SkinTextures& skins) {
   const scene::Material& material = *surface.material;
-  return material.texture.empty() && surface.palette == nullptr && !material.finish.used() &&
-         !(material.hasSkin && skins.find(material.skin) != nullptr);
+  return material.texture.empty() && surface.palette == nullptr && surface.colors == nullptr &&
+         !material.finish.used() && !(material.hasSkin && skins.find(material.skin) != nullptr);
 }
 
 void SurfaceShading::shadeJoined(const JoinedSurfaces& joined, const TriangleRaster& raster,

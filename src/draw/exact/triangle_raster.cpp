@@ -117,13 +117,14 @@ void TriangleRaster::reserveLists(std::size_t draws, std::int64_t triangles, int
   reserve(fans_, fanView_, "clipped triangles", static_cast<std::size_t>(fans) * 128, GL_RGBA32UI, 16);
 }
 
-const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface) {
-  const std::pair<bool, bool> key{surface.normals == nullptr, surface.deform != nullptr};
+const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface, bool parallel) {
+  const std::array<bool, 3> key{surface.normals == nullptr, surface.deform != nullptr, parallel};
   const auto found = vertexPrograms_.find(key);
   if (found != vertexPrograms_.end()) return found->second;
   gl::Defines defines;
-  if (key.first) defines.emplace_back("GRID", "1");
-  if (key.second) defines.emplace_back("DEFORMED", "1");
+  if (key[0]) defines.emplace_back("GRID", "1");
+  if (key[1]) defines.emplace_back("DEFORMED", "1");
+  if (parallel) defines.emplace_back("PARALLEL", "1");
   if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
   return vertexPrograms_.emplace(key, gl::Program::compute("draw/exact/triangles/vertices.comp", defines))
       .first->second;
@@ -158,7 +159,7 @@ void TriangleRaster::makeVertices(const Visibility& into) {
   vertices_.bindStorage(outVertexBinding);
   for (const Drawn& drawn : asked_) {
     const sim::Surface& surface = *drawn.surface;
-    const gl::Program& program = vertexProgram(surface);
+    const gl::Program& program = vertexProgram(surface, into.layout().parallel);
     program.set("model", surface.model);
     program.set("grid", surface.grid);
     program.set("vertexCount", verticesOf(surface));

@@ -5,6 +5,7 @@
 #include "sim/core/drawable.hpp"
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -112,12 +113,12 @@ class TriangleRaster {
   void bindWhole(const gl::Program& program) const { bind(whole_, program); }
 
  private:
-  const gl::Program& vertexProgram(const sim::Surface& surface);
+  const gl::Program& vertexProgram(const sim::Surface& surface, bool parallel);
   /// What suits a program.
   struct Variant {
     std::string path;
     int pass = 0;
-    SampleLayout layout = SampleLayout::apart;
+    SampleKind layout;
     bool counted = false;  ///< a surface says itself how many triangles it has
     bool clips = false;    ///< those are drawn that are not clipped yet
     bool bins = false;     ///< small ones are binned
@@ -154,7 +155,7 @@ class TriangleRaster {
   int mediumPixels_;
   int binRoom_;
   bool binned_ = false;  ///< those that are being drawn
-  std::map<std::pair<bool, bool>, gl::Program> vertexPrograms_;
+  std::map<std::array<bool, 3>, gl::Program> vertexPrograms_;
   std::map<Variant, gl::Program> programs_;
   GroupCounts groups_;
   TriangleBins bins_;

@@ -46,13 +46,16 @@ SampleLayout sampleLayout() {
   return SampleLayout::wholes;
 }
 
-gl::Defines definesOf(SampleLayout layout) {
-  if (layout == SampleLayout::apart) return {};
-  if (layout == SampleLayout::pairs) return {{"PAIRED", "1"}};
-  return {{"PAIRED", "1"},
-          {"ONE_PASS", "1"},
-          {gl::extensionDefine, "GL_ARB_gpu_shader_int64"},
-          {gl::extensionDefine, "GL_NV_shader_atomic_int64"}};
+gl::Defines definesOf(const SampleKind& kind) {
+  gl::Defines defines;
+  if (kind.parallel) defines.emplace_back("PARALLEL", "1");
+  if (kind == SampleLayout::apart) return defines;
+  defines.emplace_back("PAIRED", "1");
+  if (kind == SampleLayout::pairs) return defines;
+  defines.emplace_back("ONE_PASS", "1");
+  defines.emplace_back(gl::extensionDefine, "GL_ARB_gpu_shader_int64");
+  defines.emplace_back(gl::extensionDefine, "GL_NV_shader_atomic_int64");
+  return defines;
 }
 
 int smallTriangle() {
@@ -102,8 +105,11 @@ std::size_t Visibility::maxSamples() {
   return static_cast<std::size_t>(gl::limits().texelBufferTexels);
 }
 
-Visibility::Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids)
-    : size_(size), samples_(samples), layout_(ids ? sampleLayout() : SampleLayout::apart) {
+Visibility::Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids, bool parallel)
+    : size_(size),
+      samples_(samples),
+      layout_(ids ? sampleLayout() : SampleLayout::apart),
+      parallel_(parallel) {
   const bool together = layout_ != SampleLayout::apart;
   const std::size_t words = together ? 2 : 1;
   near_ =

@@ -3,6 +3,7 @@
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 
+#include <compare>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -18,8 +19,15 @@ enum class SampleLayout { apart, pairs, wholes };
 /// What suits the device, or what SIMREEL_SAMPLE_LAYOUT names. Throws UserError: usage for another word,
 /// device where it lacks the atomics.
 [[nodiscard]] SampleLayout sampleLayout();
+/// What whoever reads or writes samples of a picture has to know of them.
+struct SampleKind {
+  SampleLayout layout = SampleLayout::apart;
+  bool parallel = false;  ///< seen along parallel rays: keys are of depths, as shader::ExactView has them
+  auto operator<=>(const SampleKind&) const = default;
+  bool operator==(SampleLayout other) const { return layout == other; }
+};
 /// Defines of all that reads or writes such samples.
-[[nodiscard]] gl::Defines definesOf(SampleLayout layout);
+[[nodiscard]] gl::Defines definesOf(const SampleKind& kind);
 
 /// What is nearest at each sample of a picture: a key that is less the nearer it is, and the number of the
 /// primitive; or of a shadow map the keys alone. 8 bytes a sample.
@@ -31,7 +39,8 @@ class Visibility {
   Visibility() = default;
   /// `samples`: 1, 2, 4, 8 or 16. `ids`: a picture's, as sampleLayout() says. Throws UserError(device)
   /// beyond the device's limits.
-  Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids);
+  /// `parallel`: as SampleKind has it.
+  Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids, bool parallel = false);
 
   /// Nothing is visible yet.
   void clear() const;
@@ -40,7 +49,7 @@ class Visibility {
 
   [[nodiscard]] glm::ivec2 size() const { return size_; }
   [[nodiscard]] int samples() const { return samples_; }
-  [[nodiscard]] SampleLayout layout() const { return layout_; }
+  [[nodiscard]] SampleKind layout() const { return {layout_, parallel_}; }
   /// Keys, or both where they lie together.
   [[nodiscard]] const gl::Texture& nearKeys() const { return nearView_; }
   /// The numbers, where they lie apart.
@@ -56,6 +65,7 @@ class Visibility {
 
   int samples_ = 1;
   SampleLayout layout_ = SampleLayout::apart;
+  bool parallel_ = false;
   gl::Buffer near_;  ///< keys; where they lie together, numbers too
   gl::Buffer ids_;
   gl::Texture nearView_, nearFours_, idView_, idFours_;

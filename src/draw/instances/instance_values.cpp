@@ -1,5 +1,6 @@
 #include "draw/instances/instance_values.hpp"
 
+#include "base/log.hpp"
 #include "draw/draw_state.hpp"
 #include "sim/mesh/file.hpp"
 
@@ -52,6 +53,12 @@ const InstanceShape& InstanceShapes::of(const sim::Instances& instances) {
   const auto found = meshes_.find(instances.mesh);
   if (found != meshes_.end()) return found->second;
   const sim::Mesh mesh = sim::loadMesh(instances.mesh);
+  if (!mesh.materials.empty() || !mesh.colors.empty())
+    warn("{}: its copies have one colour each; {} of {} are not drawn", objectName(instances),
+         mesh.materials.empty() ? "the colours of vertices"
+         : mesh.colors.empty()  ? "the materials"
+                                : "the materials and the colours of vertices",
+         instances.mesh.string());
   return meshes_.emplace(instances.mesh, InstanceShape::mesh(mesh.positions, mesh.normals, mesh.indices))
       .first->second;
 }

@@ -14,14 +14,6 @@ namespace simreel::draw {
 
 namespace {
 
-/// Thousands apart: 65 536.
-std::string grouped(unsigned number) {
-  std::string digits = fmt::format("{}", number);
-  for (auto at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
-    digits.insert(static_cast<std::size_t>(at), " ");
-  return digits;
-}
-
 int curveCount(const sim::Chart& chart) {
   return static_cast<int>(std::min<std::size_t>({chart.names.size(), chart.colors.size(), 4}));
 }
@@ -33,38 +25,6 @@ float perTop(const sim::Chart& chart) {
 /// As the picture has it: the kernels' own approximation.
 glm::vec3 encoded(glm::vec3 linear) {
   return shader::encoded(glm::clamp(linear, 0.0F, 1.0F));
-}
-
-/// Rectangles with their colours: names in a row above the curves, the scales below.
-std::vector<glm::vec4> labels(const sim::Chart& chart, const ChartLayout& layout) {
-  if (layout.plot.x == layout.panel.x + 2) return {};  // no room
-  std::vector<glm::vec4> boxes;
-  const auto add = [&](const std::string& text, glm::ivec2 at, glm::vec3 color) {
-    for (const glm::vec4& box : textBoxes(text, at, layout.unit)) {
-      boxes.push_back(box);
-      boxes.emplace_back(color, 1.0F);
-    }
-  };
-  const int u = layout.unit;
-  const glm::vec3 dim(0.62F, 0.65F, 0.70F);
-  glm::ivec2 at(layout.plot.x, layout.panel.y + 6 * u);
-  for (int i = 0; i < curveCount(chart); ++i) {
-    const std::string& name = chart.names[static_cast<std::size_t>(i)];
-    const int width = textSize(name, u).x;
-    if (at.x + width > layout.plot.z) break;
-    add(name, at, encoded(chart.colors[static_cast<std::size_t>(i)]));
-    at.x += width + 8 * u;
-  }
-  const int below = layout.plot.w + 4 * u;
-  const std::string top = chart.range.empty() ? "max " + grouped(chart.max) : chart.range;
-  const std::string right = chart.length.empty()
-                                ? grouped(static_cast<unsigned>(std::max(chart.width - 1, 0))) + " steps"
-                                : chart.length;
-  const int left = textSize(top, u).x;
-  const int wide = textSize(right, u).x;
-  if (layout.plot.x + left + wide + 6 * u <= layout.plot.z) add(top, {layout.plot.x, below}, dim);
-  if (layout.plot.x + wide <= layout.plot.z) add(right, {layout.plot.z - wide, below}, dim);
-  return boxes;
 }
 
 }  // namespace
@@ -79,7 +39,8 @@ ChartLayout chartLayout(const sim::Chart& chart, glm::ivec2 picture) {
   layout.panel = {from, end};
   layout.plot = {from.x + 9 * u, from.y + 20 * u, end.x - 9 * u, end.y - 18 * u};
   // Too small for letters: curves alone, at least a pixel.
-  if (layout.plot.w - layout.plot.y < 12 * u || layout.plot.z - layout.plot.x < 24 * u)
+  layout.hasLetters = layout.plot.w - layout.plot.y >= 12 * u && layout.plot.z - layout.plot.x >= 24 * u;
+  if (!layout.hasLetters)
     layout.plot = {from.x + 2, from.y + 2, std::max(end.x - 2, from.x + 3),
                    std::max(end.y - 2, from.y + 3)};
   return layout;
@@ -90,8 +51,6 @@ void ChartPass::compile() {
   columns_ = gl::Program::compute("draw/overlay/chart_columns.comp");
   curves_ = exact_ ? gl::Program::compute("draw/overlay/chart.comp")
                    : gl::Program::graphics("draw/overlay/chart.vert", "draw/overlay/chart.frag");
-  text_ = exact_ ? BoxList::kernel()
-                 : gl::Program::graphics("draw/overlay/chart_text.vert", "draw/overlay/chart_text.frag");
 }
 
 void ChartPass::draw(const sim::Drawables& drawables) {
@@ -105,7 +64,6 @@ void ChartPass::draw(const sim::Drawables& drawables) {
     const ChartLayout layout = chartLayout(chart, picture_);
     condense(chart, layout, kept_[i]);
     drawCurves(chart, layout, kept_[i]);
-    drawText(chart, layout, kept_[i]);
   }
 }
 
@@ -127,7 +85,7 @@ bool ChartPass::prepare(const sim::Drawables& drawables) {
   return true;
 }
 
-void ChartPass::drawExactly(const sim::Chart& chart, const ChartLayout& layout, Kept& kept,
+void ChartPass::drawExactly(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept,
                             const gl::Texture& picture) const {
   const glm::ivec4 part = glm::clamp(layout.panel, glm::ivec4(0), glm::ivec4(picture_, picture_));
   // Nor is an image bound that no kernel uses: NVIDIA's driver 580 crashes when it reads the texture then.
@@ -137,8 +95,6 @@ void ChartPass::drawExactly(const sim::Chart& chart, const ChartLayout& layout, 
   picture.bindImage(targetImage, GL_READ_WRITE);
   imageBarrier();
   curves_.dispatch(part.z - part.x, part.w - part.y);
-  imageBarrier();
-  kept.list.paint(text_, labels(chart, layout), picture);
   imageBarrier();
 }
 
@@ -182,21 +138,6 @@ void ChartPass::drawCurves(const sim::Chart& chart, const ChartLayout& layout, c
   curves_.set("picture", glm::vec2(picture_));
   vertices_.bind();
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-}
-
-void ChartPass::drawText(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const {
-  std::vector<glm::vec4> boxes = labels(chart, layout);
-  if (boxes.empty()) return;
-  if (boxes != kept.present) {
-    kept.boxBuffer = gl::Buffer::of<glm::vec4>("chart letters", boxes);
-    kept.boxes = gl::Texture::view("chart letters", GL_RGBA32F, kept.boxBuffer);
-    kept.present = std::move(boxes);
-  }
-  text_.use();
-  text_.set("picture", glm::vec2(picture_));
-  kept.boxes.bind(boxUnit);
-  vertices_.bind();
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(kept.present.size() / 2 * 6));
 }
 
 }  // namespace simreel::draw

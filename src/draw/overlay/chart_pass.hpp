@@ -16,14 +16,15 @@ namespace simreel::draw {
 
 /// Where the parts of a chart lie in a picture: whole pixels from the top left.
 struct ChartLayout {
-  glm::ivec4 panel{0};  ///< left, top, right, bottom
-  glm::ivec4 plot{0};   ///< the same, of the curves
-  int unit = 1;         ///< magnification of letters, thickness of thin lines
+  glm::ivec4 panel{0};      ///< left, top, right, bottom
+  glm::ivec4 plot{0};       ///< the same, of the curves
+  int unit = 1;             ///< thickness of thin lines (pixels), which letters grow with
+  bool hasLetters = false;  ///< whether there is room for them (ChartLabels)
 };
 [[nodiscard]] ChartLayout chartLayout(const sim::Chart& chart, glm::ivec2 picture);
 
-/// Draws curves of counts over the finished picture. A kernel condenses the steps to columns of pixels, so
-/// a frame costs the same after a million steps.
+/// Draws curves of counts over the finished picture, without letters. A kernel condenses the steps to
+/// columns of pixels, so a frame costs the same after a million steps.
 class ChartPass {
  public:
   explicit ChartPass(glm::ivec2 picture, Rasterizer rasterizer = Rasterizer::driver)
@@ -36,26 +37,21 @@ class ChartPass {
  private:
   struct Kept {
     gl::Texture columns;
-    gl::Buffer boxBuffer;
-    gl::Texture boxes;
-    std::vector<glm::vec4> present;  ///< what the buffer holds
-    BoxList list;
   };
   /// False: nothing to draw.
   bool prepare(const sim::Drawables& drawables);
   void compile();
   void condense(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const;
   void drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const;
-  void drawText(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const;
 
-  void drawExactly(const sim::Chart& chart, const ChartLayout& layout, Kept& kept,
+  void drawExactly(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept,
                    const gl::Texture& picture) const;
   /// What is set alike for both rasterizers.
   void setChart(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const;
 
   glm::ivec2 picture_;
   bool exact_;
-  gl::Program columns_, curves_, text_;
+  gl::Program columns_, curves_;
   std::vector<Kept> kept_;
   VertexArray vertices_;
 };

@@ -6,6 +6,7 @@
 #include "draw/exact/scene/exact_scene.hpp"
 #include "draw/frame_values.hpp"
 #include "draw/overlay/axes_pass.hpp"
+#include "draw/overlay/chart_labels.hpp"
 #include "draw/overlay/chart_pass.hpp"
 #include "draw/overlay/field_pass.hpp"
 #include "draw/overlay/field_textures.hpp"
@@ -50,6 +51,7 @@ struct Renderer::State {
         fields(pixels, rasterizer),
         axes(pixels, rasterizer),
         charts(pixels, rasterizer),
+        labels(pixels),
         writings(pixels),
         frame("frame values", sizeof(shader::Frame)) {
     if (!shown.sky.picture.empty()) environment.emplace(shown.sky);
@@ -68,6 +70,7 @@ struct Renderer::State {
   FieldPass fields;
   AxesPass axes;
   ChartPass charts;
+  ChartLabels labels;
   WritingPass writings;
   gl::Buffer frame;
   std::optional<Environment> environment;
@@ -77,6 +80,13 @@ struct Renderer::State {
   PassPicture* passes = nullptr;
   bool filmed = false;  ///< whether the light that is kept is what the film shows
 
+  /// Text over the finished picture: of charts, then of objects.
+  void write(const sim::Drawables& drawables) {
+    sim::Drawables lettered;
+    lettered.writings = labels.of(drawables);
+    lettered.writings.insert(lettered.writings.end(), drawables.writings.begin(), drawables.writings.end());
+    writings.draw(lettered, picture.color);
+  }
   void tellFrame(double seconds, const sim::Drawables& drawables);
   void drawExactly(const ExactScene::Moment& shown, const StageWatch& watch);
 };
@@ -142,7 +152,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
     s.fields.drawOver(drawables, seconds, s.picture.color);
     s.axes.draw(drawables, seconds, s.picture.color);
     s.charts.draw(drawables, s.picture.color);
-    s.writings.draw(drawables, s.picture.color);
+    s.write(drawables);
     glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT |
                     GL_TEXTURE_FETCH_BARRIER_BIT);
     if (s.passes != nullptr) s.passes->keepBytes("picture", "finished", s.picture.color);
@@ -151,7 +161,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
     s.fields.draw(drawables, sim::FieldDisplay::Layer::over, seconds);
     s.axes.draw(drawables, seconds);
     s.charts.draw(drawables);
-    s.writings.draw(drawables, s.picture.color);
+    s.write(drawables);
   }
   if (watch && !(drawables.fields.empty() && drawables.charts.empty())) watch("fields");
 }
@@ -173,8 +183,9 @@ void Renderer::keepPasses(PassPicture* passes) {
 void Renderer::keepLayers(const LightRequest& wanted) {
   SIMREEL_CHECK(state_->exact.has_value());
   state_->filmed = wanted.filmed;
-  if (!state_->motion &&
-      std::find(wanted.layers.begin(), wanted.layers.end(), Layer::velocity) != wanted.layers.end())
+  if (!state_->motion && std::any_of(wanted.layers.begin(), wanted.layers.end(), [](Layer layer) {
+        return layer == Layer::velocity || layer == Layer::vector;
+      }))
     state_->motion.emplace(state_->scene.numerics == scene::Numerics::fast);
   state_->exact->keepLayers(wanted);
 }

@@ -9,8 +9,9 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr const char* featureNames[] = {"GRID",    "DOUBLE_SIDED", "TEXTURED", "TRANSLUCENT", "REFLECTIVE",
-                                        "SKIN_UV", "TRIPLANAR",    "DEFORMED", "PALETTE",     "BUMPED"};
+constexpr const char* featureNames[] = {"GRID",       "DOUBLE_SIDED", "TEXTURED",     "TRANSLUCENT",
+                                        "REFLECTIVE", "SKIN_UV",      "TRIPLANAR",    "DEFORMED",
+                                        "PALETTE",    "BUMPED",       "VERTEX_COLORS"};
 enum Feature : unsigned {
   grid = 1,
   doubleSided = 2,
@@ -22,7 +23,8 @@ enum Feature : unsigned {
   deformed = 128,
   palette = 256,
   bumped = 512,
-  lookShift = 10  ///< of the number of the skin's look
+  vertexColors = 1024,
+  lookShift = 11  ///< of the number of the skin's look
 };
 
 unsigned features(const scene::Material& material) {
@@ -92,7 +94,8 @@ void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
   const gl::Program& shader =
       program(look | (!hasUvs && (look & textured) != 0 ? triplanar : 0U) | (isGrid ? grid : 0U) |
               (surface.doubleSided ? doubleSided : 0U) | (surface.deform != nullptr ? deformed : 0U) |
-              (surface.palette != nullptr && skin == nullptr ? palette : 0U));
+              (surface.palette != nullptr && skin == nullptr ? palette : 0U) |
+              (surface.colors != nullptr && skin == nullptr ? vertexColors : 0U));
   DrawState{.depthTest = true, .cullBack = !surface.doubleSided, .depthOffset = false}.set();
   shader.use();
   shader.set("model", surface.model);
@@ -101,6 +104,7 @@ void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
   bindPositions(surface, shader);
   bindDeformation(surface);
   if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
+  if (surface.colors != nullptr) surface.colors->bind(paletteUnit);
   if (isGrid) {
     shader.set("grid", surface.grid);
   } else {

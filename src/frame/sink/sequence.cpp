@@ -21,8 +21,10 @@ namespace {
 
 /// Whether pictures tell how fast things are, which takes the frame before.
 bool keepsVelocity(const BesideFrames& beside) {
-  return beside.layers && std::find(beside.layers->layers.begin(), beside.layers->layers.end(),
-                                    draw::Layer::velocity) != beside.layers->layers.end();
+  return beside.layers &&
+         std::any_of(beside.layers->layers.begin(), beside.layers->layers.end(), [](draw::Layer layer) {
+           return layer == draw::Layer::velocity || layer == draw::Layer::vector;
+         });
 }
 
 /// A run: steps the world, looks at the summary of each frame, and has the wanted ones drawn.

@@ -47,8 +47,9 @@ const screen = new Screen(byId("screen"), {
     showTimes(byId("times"), about.took, state.status);
   },
   camera: (view, other, moving) => {
-    const request = { do: "camera", position: view.eye, target: view.target };
-    if (other) request.beside = { position: other.eye, target: other.target };
+    const placed = ({ eye, target, height }) => ({ position: eye, target, ...(height ? { height } : {}) });
+    const request = { do: "camera", ...placed(view) };
+    if (other) request.beside = placed(other);
     if (moving) link.move("camera", request);
     else link.settle("camera", request);
   },

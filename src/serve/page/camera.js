@@ -1,4 +1,4 @@
-// The camera by mouse: positions and targets in metres of the scene, y up.
+// The camera by mouse: positions and targets in metres of the scene, y up; `height`, of an orthographic one, is how much it shows.
 
 const subtract = (a, b) => a.map((value, i) => value - b[i]);
 const add = (a, b, factor = 1) => a.map((value, i) => value + factor * b[i]);
@@ -8,26 +8,27 @@ const unit = (a) => a.map((value) => value / (length(a) || 1));
 const round = (a) => a.map((value) => Number(value.toPrecision(6)));
 
 // Turned about the target by angles (radians), never over the poles.
-export function orbit({ eye, target, angle }, turn, rise) {
+export function orbit({ eye, target, ...lens }, turn, rise) {
   const arm = subtract(eye, target);
   const distance = length(arm);
   const elevation = Math.asin(Math.min(1, Math.max(-1, arm[1] / (distance || 1))));
   const about = Math.atan2(arm[0], arm[2]) - turn;
   const up = Math.min(1.55, Math.max(-1.55, elevation + rise));
   const next = [Math.cos(up) * Math.sin(about), Math.sin(up), Math.cos(up) * Math.cos(about)];
-  return { eye: round(add(target, next, distance)), target, angle };
+  return { eye: round(add(target, next, distance)), target, ...lens };
 }
 
 // Moved with its target, so that what is at the target follows the mouse: fractions of the picture's height.
-export function pan({ eye, target, angle }, right, up) {
+export function pan({ eye, target, ...lens }, right, up) {
   const arm = subtract(target, eye);
-  const high = 2 * length(arm) * Math.tan((angle * Math.PI) / 360);
+  const high = lens.height ?? 2 * length(arm) * Math.tan((lens.angle * Math.PI) / 360);
   const side = unit(cross(arm, [0, 1, 0]));
   const top = cross(side, unit(arm));
   const by = add(side.map((value) => -value * right * high), top, up * high);
-  return { eye: round(add(eye, by)), target: round(add(target, by)), angle };
+  return { eye: round(add(eye, by)), target: round(add(target, by)), ...lens };
 }
 
-export function zoom({ eye, target, angle }, factor) {
-  return { eye: round(add(target, subtract(eye, target), factor)), target, angle };
+export function zoom({ eye, target, ...lens }, factor) {
+  if (lens.height) return { eye, target, ...lens, height: Number((lens.height * factor).toPrecision(6)) };
+  return { eye: round(add(target, subtract(eye, target), factor)), target, ...lens };
 }

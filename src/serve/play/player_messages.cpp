@@ -46,6 +46,7 @@ json pictureJson(Stage& stage, const frame::Image& image) {
     view = {{"eye", pointJson(seen.eye)},
             {"target", pointJson(seen.target)},
             {"angle", scene::shortest(scene.camera.fieldOfView.at(time))}};
+    if (seen.parallel) view["height"] = scene::shortest(scene.camera.height.at(time));
   } catch (const UserError&) {
     view = nullptr;
   }

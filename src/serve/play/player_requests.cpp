@@ -120,23 +120,43 @@ nlohmann::json pointOf(const JsonValue& value) {
 
 /// Whether it stands and looks where two points say, which do not move.
 bool isPlain(const nlohmann::json& camera) {
-  for (const char* other : {"follow", "track", "orbit", "gltf"})
+  for (const char* other : {"follow", "track", "orbit", "gltf", "damping"})
     if (camera.contains(other)) return false;
   for (const char* point : {"position", "target"})
     if (camera.contains(point) && !camera.at(point).is_array()) return false;
   return true;
 }
 
+/// Where the mouse puts a camera, what that looks at, and how much an orthographic one shows (m).
+struct Placed {
+  nlohmann::json position, target;
+  std::optional<double> height = {};
+  bool operator==(const Placed&) const = default;
+};
+
+Placed placedBy(const JsonValue& view) {
+  Placed placed{pointOf(view.at("position")), pointOf(view.at("target"))};
+  if (const auto height = view.find("height")) placed.height = height->number();
+  return placed;
+}
+
 /// What makes a scene's camera stand there and look at that, in its present state.
-std::vector<scene::Override> cameraChanges(const Stage& stage, const nlohmann::json& position,
-                                           const nlohmann::json& target) {
+std::vector<scene::Override> cameraChanges(const Stage& stage, const Placed& placed) {
+  const auto& [position, target, asked] = placed;
   const scene::Scene& shown = stage.script().scene;
   const nlohmann::json scene = parseStrictJson(stage.script().asRun);
   nlohmann::json camera = scene.contains("camera") ? scene.at("camera") : nlohmann::json::object();
-  const std::string angle = fmt::format("{}", shown.camera.fieldOfView.at(stage.frame() / shown.time.fps));
+  const double seconds = stage.frame() / shown.time.fps;
+  const bool flat = shown.camera.projection == scene::Projection::orthographic;
+  const std::string angle = fmt::format("{}", shown.camera.fieldOfView.at(seconds));
+  std::string height = fmt::format("{}", shown.camera.height.at(seconds));
+  if (asked) height = fmt::format("{}", scene::shortest(static_cast<float>(*asked)));
   if (!isPlain(camera)) {
-    if (shown.camera.filed && !shown.camera.hasAngle) camera["fieldOfView"] = parseStrictJson(angle);
-    for (const char* other : {"follow", "track", "orbit", "gltf"}) camera.erase(other);
+    if (shown.camera.filed && !flat && !shown.camera.hasAngle)
+      camera["fieldOfView"] = parseStrictJson(angle);
+    if (flat) camera["projection"] = "orthographic";
+    if (flat) camera["height"] = parseStrictJson(height);
+    for (const char* other : {"follow", "track", "orbit", "gltf", "damping"}) camera.erase(other);
     camera["position"] = position;
     camera["target"] = target;
     return {{"camera", camera.dump()}};
@@ -144,7 +164,8 @@ std::vector<scene::Override> cameraChanges(const Stage& stage, const nlohmann::j
   std::vector<scene::Override> changes = {{"camera.position", position.dump()},
                                           {"camera.target", target.dump()}};
   // A scene that says nothing of its camera has another angle than one that does.
-  if (!shown.camera.hasAngle) changes.push_back({"camera.fieldOfView", angle});
+  if (flat && (asked || !shown.camera.hasHeight)) changes.push_back({"camera.height", height});
+  if (!flat && !shown.camera.hasAngle) changes.push_back({"camera.fieldOfView", angle});
   return changes;
 }
 
@@ -160,18 +181,15 @@ void Player::moveCamera(const Json& json) {
   if (stage_ == nullptr) return;
   const JsonValue request(json);
   const bool moving = isSet(request, "moving");
-  const auto position = pointOf(request.at("position"));
-  const auto target = pointOf(request.at("target"));
+  const Placed placed = placedBy(request);
   if (moving) moved_ = Clock::now();
-  const auto changes = cameraChanges(*stage_, position, target);
+  const auto changes = cameraChanges(*stage_, placed);
   if (other_.stage() != nullptr) {
     // The same, or what the mouse made of a view of its own.
     const auto own = request.find("beside");
-    const auto otherPosition = own ? pointOf(own->at("position")) : position;
-    const auto otherTarget = own ? pointOf(own->at("target")) : target;
-    if (other_.ownFile() || other_.hasOwnView() || otherPosition != position || otherTarget != target)
-      other_.setEdits(
-          withEdits(other_.edits(), cameraChanges(*other_.stage(), otherPosition, otherTarget)));
+    const Placed others = own ? placedBy(*own) : placed;
+    if (other_.ownFile() || other_.hasOwnView() || !(others == placed))
+      other_.setEdits(withEdits(other_.edits(), cameraChanges(*other_.stage(), others)));
   }
   if (!show(text_, withEdits(edits_, changes), moving) || moving || !options_.edit || changes.size() < 2)
     return;

@@ -17,18 +17,30 @@ namespace {
 
 /// What draw::frameValues, draw::viewAt and the exact scene read for each picture. Nothing that decides
 /// which shaders, textures or maps there are.
-constexpr std::array<std::string_view, 22> lookPaths = {
-    "camera.position",    "camera.target",
-    "camera.fieldOfView", "camera.roll",
-    "camera.near",        "camera.far",
-    "camera.orbit",       "sun.direction",
-    "sun.color",          "sun.temperature",
-    "sun.intensity",      "sun.shadowSoftness",
-    "sky.zenith",         "sky.horizon",
-    "sky.ground",         "sky.ambient",
-    "render.exposure",    "render.vignette",
-    "ground.color",       "title",
-    "time.duration",      "test",
+constexpr std::array<std::string_view, 23> lookPaths = {
+    "camera.position",
+    "camera.target",
+    "camera.fieldOfView",
+    "camera.roll",
+    "camera.near",
+    "camera.far",
+    "camera.orbit",
+    "camera.height",
+    "sun.direction",
+    "sun.color",
+    "sun.temperature",
+    "sun.intensity",
+    "sun.shadowSoftness",
+    "sky.zenith",
+    "sky.horizon",
+    "sky.ground",
+    "sky.ambient",
+    "render.exposure",
+    "render.vignette",
+    "ground.color",
+    "title",
+    "time.duration",
+    "test",
 };
 
 bool isBelow(std::string_view path, std::string_view group) {
@@ -66,6 +78,7 @@ bool addsGroup(const Script& before, const Script& after) {
          before.scene.camera.follows != after.scene.camera.follows ||
          before.scene.camera.tracks != after.scene.camera.tracks ||
          before.scene.camera.filed != after.scene.camera.filed ||
+         before.scene.camera.projection != after.scene.camera.projection ||
          before.scene.camera.hasLens != after.scene.camera.hasLens ||
          before.scene.camera.hasShutter != after.scene.camera.hasShutter;
 }

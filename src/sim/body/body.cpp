@@ -6,6 +6,7 @@
 #include "sim/contact/solid.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/mesh/buffers.hpp"
+#include "sim/mesh/looks.hpp"
 #include "sim/mesh/quantities.hpp"
 
 #include <utility>
@@ -20,11 +21,13 @@ class Body : public Simulation, public ContactSolid {
   Body(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         parameters_(parametersOf<BodyParameters>(object)),
-        material_(object.material),
         frameSeconds_(setting.frameSeconds),
         motion_(name_, parameters_),
         topology_(name_, motion_.figure().mesh),
+        looks_(object, motion_.figure().mesh),
         surface_(name_, motion_.figure(), setting.fast) {
+    if (const std::string ignored = ignoredLooks(object, motion_.figure().mesh); !ignored.empty())
+      warn("body \"{}\": {} has what is not drawn: {}", name_, parameters_.file.string(), ignored);
     resumed(setting.startTime);
   }
 
@@ -40,8 +43,7 @@ class Body : public Simulation, public ContactSolid {
     surface.positions = &surface_.positions().view();
     surface.normals = &surface_.normals().view();
     surface.doubleSided = parameters_.doubleSided;
-    surface.material = &material_;
-    drawables.surfaces.push_back(surface);
+    looks_.show(surface, drawables);
   }
 
   [[nodiscard]] std::vector<StateArray> state() const override {
@@ -74,10 +76,10 @@ class Body : public Simulation, public ContactSolid {
  private:
   std::string name_;
   BodyParameters parameters_;
-  scene::Material material_;
   double frameSeconds_;
   BodyMotion motion_;
   MeshTopology topology_;
+  MovingLooks looks_;
   SkinnedSurface surface_;
 };
 
@@ -89,7 +91,8 @@ SimulationKind bodyKind() {
       "A figure of a glTF file whose skin follows bones: a motion of the file, and bones that the scene "
       "moves.",
       [](const scene::Object& object, const Setting& /*setting*/) {
-        static_cast<void>(BodyMotion(object.name, parametersOf<BodyParameters>(object)));
+        const BodyMotion motion(object.name, parametersOf<BodyParameters>(object));
+        static_cast<void>(looksOf(object, motion.figure().mesh));
       },
       makeSimulation<Body>);
 }

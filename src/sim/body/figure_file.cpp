@@ -1,5 +1,6 @@
 #include "sim/body/figure.hpp"
 #include "sim/mesh/builder.hpp"
+#include "sim/mesh/gltf_materials.hpp"
 #include "sim/mesh/gltf_parts.hpp"
 #include "sim/nodes/gltf_nodes.hpp"
 
@@ -31,6 +32,12 @@ class FigureReader {
     for (const Placed& placed : placed_) parts_.count(placed.mesh);
     for (const Placed& placed : placed_) add(placed);
     figure_.mesh = builder_.finish();
+    GltfMaterials looks = readMaterials(document());
+    figure_.mesh.materials = std::move(looks.materials);
+    figure_.mesh.images = std::move(looks.images);
+    figure_.mesh.ignored = std::move(looks.ignored);
+    if (fades_) figure_.mesh.ignored.emplace_back("the opacity in COLOR_0");
+    if (figure_.mesh.materials.empty()) figure_.mesh.materialOf.clear();
     figure_.animations = nodes_.animations();
     return std::move(figure_);
   }
@@ -105,10 +112,14 @@ class FigureReader {
 
   void add(const Placed& placed) {
     parts_.eachPart(placed.mesh, placed.skinned, [&](const GltfPart& part) {
-      builder_.begin(part.vertices.size(), part.triangles.size(), glm::mat4(1), part.hasUvs);
+      builder_.begin(part.vertices.size(), part.triangles.size(), glm::mat4(1), part.hasUvs, part.material);
       for (const GltfVertex& vertex : part.vertices) {
-        const std::array<float, 8>& v = vertex.values;
-        builder_.vertex({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7]});
+        const auto& v = vertex.values;
+        const glm::vec3 position(v[0], v[1], v[2]), normal(v[3], v[4], v[5]);
+        if (part.hasColors)
+          builder_.vertex(position, normal, {v[6], v[7]}, {v[8], v[9], v[10]});
+        else
+          builder_.vertex(position, normal, {v[6], v[7]});
         glm::uvec4 follow(static_cast<unsigned>(placed.firstJoint));
         glm::vec4 weights(1, 0, 0, 0);
         for (std::size_t k = 0; placed.skinned && k < 4; ++k) {
@@ -122,6 +133,7 @@ class FigureReader {
         figure_.weights.push_back(weights);
       }
       for (const auto& triangle : part.triangles) builder_.triangle(triangle);
+      fades_ = fades_ || part.fades;
     });
   }
 
@@ -132,6 +144,7 @@ class FigureReader {
   std::map<std::size_t, std::pair<std::size_t, std::size_t>> skins_;  ///< as jointsOf() gives them
   std::vector<Placed> placed_;
   int skinned_ = 0;
+  bool fades_ = false;
 };
 
 }  // namespace

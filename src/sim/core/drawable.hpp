@@ -48,6 +48,8 @@ struct Surface {
   /// RGBA32F texel view, linear RGB by the number that positions have in w: instead of the material's
   /// colour.
   const gl::Texture* palette = nullptr;
+  /// RGBA32F texel view, one texel a vertex: linear RGB that the material's colour is multiplied with.
+  const gl::Texture* colors = nullptr;
   /// Set when the vertex shader displaces: uniform DeformStep of glsl/mesh/types.glsl, and the trail;
   /// positions and normals are those at rest, positions' w the distance between vertices.
   const gl::Buffer* deform = nullptr;
@@ -177,6 +179,9 @@ struct Drawables {
   std::vector<Path> paths = {};
   std::vector<Writing> writings = {};
   std::vector<Place> places = {};  ///< of the object that the scene's camera looks at, if there is one
+  /// m: what the scene's camera looks at where that lags behind what the scene says
+  /// (scene::Camera::damping, scene::Follow::damping), and where it stands if that does, too.
+  std::vector<glm::vec3> lagging = {};
 };
 
 }  // namespace simreel::sim

@@ -33,6 +33,17 @@ Standing standingBy(const std::vector<glm::vec3>& path, const scene::PathPlace& 
   return standing;
 }
 
+Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow, double seconds) {
+  constexpr int looks = 8;
+  const Standing standing = standingBy(path, follow, seconds);
+  const double along = static_cast<double>(follow.progress.at(seconds)) * lengthOf(path);
+  const glm::vec3 aside = standing.position - pointOn(path, along);
+  Stand stand{standing.position, aside};
+  for (int i = 1; i <= looks; ++i)
+    stand.target += pointOn(path, along + static_cast<double>(follow.ahead) * i / looks) / float(looks);
+  return stand;
+}
+
 const Path* pathOf(const Drawables& drawables, const std::string& object) {
   for (const Path& path : drawables.paths)
     if (*path.name == object) return &path;

@@ -24,6 +24,15 @@ struct Standing {
 [[nodiscard]] Standing standingBy(const std::vector<glm::vec3>& path, const scene::PathPlace& place,
                                   double seconds);
 
+/// Where a camera is that goes along a path, and what it looks at.
+struct Stand {
+  glm::vec3 eye{0}, target{0};
+};
+/// At that time (s), undamped. What it looks at is the mean of the way ahead, so it turns before
+/// a corner; beyond the end the path goes straight on.
+[[nodiscard]] Stand standOn(const std::vector<glm::vec3>& path, const scene::Follow& follow,
+                            double seconds);
+
 /// The path of the object of that name, or null.
 [[nodiscard]] const Path* pathOf(const Drawables& drawables, const std::string& object);
 

@@ -1,6 +1,7 @@
 #include "sim/garment/garment.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/cloth/cloth.hpp"
@@ -16,6 +17,7 @@
 #include "sim/garment/quantities.hpp"
 #include "sim/mesh/buffers.hpp"
 #include "sim/mesh/height_field.hpp"
+#include "sim/mesh/looks.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -37,14 +39,17 @@ class Garment : public Simulation, public LockStep {
  public:
   Garment(const scene::Object& object, const Setting& setting)
       : name_(object.name),
-        material_(object.material),
         plan_(object.name, parametersOf<ClothParameters>(object).inStep(setting.contactSubsteps),
               setting.seed, setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime,
               setting.heldBySkin),
         vertices_(static_cast<int>(plan_.vertexCount())),
         heights_(setting.heights),
         frameSeconds_(setting.frameSeconds),
-        topology_(name_, plan_.mesh()) {
+        topology_(name_, plan_.mesh()),
+        looks_(object, plan_.mesh()) {
+    if (const std::string ignored = ignoredLooks(object, plan_.mesh()); !ignored.empty())
+      warn("cloth \"{}\": {} has what is not drawn: {}", name_, plan_.parameters().mesh.file.string(),
+           ignored);
     const ClothParameters& p = plan_.parameters();
     if (!p.walls.empty()) {
       walls_ = &setting.wallsNamed(p.walls);
@@ -129,8 +134,7 @@ class Garment : public Simulation, public LockStep {
     surface.positions = &drawnPositions_.view();
     surface.normals = &drawnNormals_.view();
     surface.doubleSided = true;
-    surface.material = &material_;
-    drawables.surfaces.push_back(surface);
+    looks_.show(surface, drawables);
   }
 
   void carryOver(CarryOver& carry) override {
@@ -356,7 +360,6 @@ class Garment : public Simulation, public LockStep {
   }
 
   std::string name_;
-  scene::Material material_;
   GarmentPlan plan_;
   int vertices_;                     ///< with the ghosts of clamped edges
   const HeightField* heights_;       ///< null: none in the scene
@@ -375,6 +378,7 @@ class Garment : public Simulation, public LockStep {
   int begun_ = 0;                               ///< substeps before the present frame
   gl::Vec4Array drawnPositions_, drawnNormals_;
   MeshTopology topology_;
+  MovingLooks looks_;
   gl::Buffer status_;
   StepBlocks<shader::ClothStep> steps_;
   SkinHold hold_;

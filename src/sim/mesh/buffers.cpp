@@ -43,11 +43,15 @@ MeshTopology::MeshTopology(const std::string& name, const Mesh& mesh)
   uvs_ = gl::Buffer::of<glm::vec2>(name + " uvs", mesh.uvs.empty() ? none : mesh.uvs);
   indices_ = gl::Buffer::of<unsigned>(name + " indices", mesh.indices);
   uvView_ = gl::Texture::view(name + " uvs", GL_RG32F, uvs_, sizeof(glm::vec2));
+  if (mesh.colors.empty()) return;
+  colors_ = gl::Buffer::of<glm::vec4>(name + " colours", widened(mesh.colors, 1.0F));
+  colorView_ = gl::Texture::view(name + " colours", GL_RGBA32F, colors_);
 }
 
 Surface MeshTopology::surface() const {
   Surface surface;
   surface.uvs = &uvView_;
+  if (colors_.name() != 0) surface.colors = &colorView_;
   surface.vertexCount = vertexCount_;
   surface.indices = &indices_;
   surface.indexCount = indexCount_;

@@ -17,7 +17,8 @@ namespace simreel::sim {
 [[nodiscard]] MeshTable placed(std::span<const glm::vec4> positions, std::span<const glm::vec4> normals,
                                const glm::mat4& model);
 
-/// What stays of a mesh while it deforms: vec2 uvs (zero where it has none) and 32-bit indices.
+/// What stays of a mesh while it deforms: vec2 uvs (zero where it has none), colours if it has them and
+/// 32-bit indices.
 class MeshTopology {
  public:
   MeshTopology(const std::string& name, const Mesh& mesh);
@@ -28,8 +29,8 @@ class MeshTopology {
   void complete(MeshTable& table) const;
 
  private:
-  gl::Buffer uvs_, indices_;
-  gl::Texture uvView_;
+  gl::Buffer uvs_, colors_, indices_;
+  gl::Texture uvView_, colorView_;
   bool hasUvs_;
   int vertexCount_;
   int indexCount_;

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -56,6 +57,17 @@ void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, con
   const float length = glm::length(n);
   mesh_.normals.push_back(length > 1e-20F && length < 1e20F ? n / length : glm::vec3(0));
   mesh_.uvs.push_back(uv);
+  if (!mesh_.colors.empty()) mesh_.colors.emplace_back(1);
+}
+
+void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv,
+                         const glm::vec3& color) {
+  const auto within = [](float part) {
+    return part >= 0 ? std::min(part, 1e4F) : 0.0F;
+  };  // what is no number, too
+  vertex(position, normal, uv);
+  mesh_.colors.resize(mesh_.positions.size(), glm::vec3(1));
+  mesh_.colors.back() = {within(color.r), within(color.g), within(color.b)};
 }
 
 void MeshBuilder::triangle(const std::array<unsigned, 3>& corners) {

@@ -37,6 +37,9 @@ class MeshBuilder {
              int material = -1);
   /// The next vertex; a normal of 0 is computed from the triangles around it.
   void vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv);
+  /// The next one, with a colour (linear RGB); of others it is white.
+  void vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv,
+              const glm::vec3& color);
   /// Corners by number within the part.
   void triangle(const std::array<unsigned, 3>& corners);
   [[nodiscard]] Mesh finish();

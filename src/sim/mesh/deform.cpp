@@ -11,6 +11,7 @@
 #include "sim/mesh/deform_cpu.hpp"
 #include "sim/mesh/deform_plan.hpp"
 #include "sim/mesh/height_field.hpp"
+#include "sim/mesh/looks.hpp"
 #include "sim/mesh/quantities.hpp"
 
 #include <array>
@@ -36,12 +37,12 @@ class DeformedMesh : public Simulation, public ContactSolid {
       : name_(object.name),
         parameters_(parameters),
         technique_(parameters.deform.technique),
-        material_(object.material),
         frameSeconds_(setting.frameSeconds),
         plan_(name_, parameters, mesh, *setting.colliders),
         rest_(name_, mesh),
         cpu_(rest_, plan_.trailCells()),
         topology_(name_, mesh),
+        looks_(object, mesh),
         restPositions_(name_ + " rest positions", rest_.positions),
         restNormals_(name_ + " rest normals", rest_.normals),
         trail_(name_ + " trail", cpu_.trail()),
@@ -114,8 +115,7 @@ class DeformedMesh : public Simulation, public ContactSolid {
     surface.trail = late ? &trail_.view() : nullptr;
     surface.model = parameters_.model(time);
     surface.doubleSided = parameters_.doubleSided();
-    surface.material = &material_;
-    drawables.surfaces.push_back(surface);
+    looks_.show(surface, drawables);
   }
 
   [[nodiscard]] std::vector<StateArray> state() const override {
@@ -163,13 +163,13 @@ class DeformedMesh : public Simulation, public ContactSolid {
   std::string name_;
   MeshParameters parameters_;
   DeformTechnique technique_;
-  scene::Material material_;
   double frameSeconds_;
   double time_ = 0;  ///< s, of the present positions
   DeformPlan plan_;
   RestMesh rest_;
   mutable DeformCpu cpu_;  ///< of techniques on the device only filled when somebody asks
   MeshTopology topology_;
+  MovingLooks looks_;
   gl::Vec4Array restPositions_, restNormals_;
   gl::Vec4Array trail_;
   gl::Buffer block_;

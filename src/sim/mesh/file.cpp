@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/ieee.hpp"
 #include "base/isolated.hpp"
 #include "base/packed.hpp"
 #include "sim/mesh/before_library.hpp"
@@ -41,6 +42,12 @@ glm::vec2 pictureUv(const aiVector3D& uv) {
   return {uv.x, 1.0F - uv.y};
 }
 
+/// Linear light of what pictures and scanners write, IEC 61966-2-1.
+float linearOf(float encoded) {
+  const double c = std::clamp(static_cast<double>(encoded), 0.0, 1.0);
+  return static_cast<float>(c <= 0.04045 ? c / 12.92 : ieee::pow((c + 0.055) / 1.055, 2.4));
+}
+
 glm::mat4 toMat(const aiMatrix4x4& m) {
   return {m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
 }
@@ -58,6 +65,7 @@ class Gatherer {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
       names.emplace_back(scene_.mMaterials[i]->GetName().C_Str());
     addLibraryMaterials(file_, libraries, names, mesh);
+    if (fades_) mesh.ignored.emplace_back("the opacity of its vertices");
     return mesh;
   }
 
@@ -77,9 +85,18 @@ class Gatherer {
     const bool textured = part.HasTextureCoords(0);
     builder_.begin(part.mNumVertices, part.mNumFaces, transform, textured,
                    static_cast<int>(part.mMaterialIndex));
-    for (unsigned i = 0; i < part.mNumVertices; ++i)
-      builder_.vertex(toVec(part.mVertices[i]), part.HasNormals() ? toVec(part.mNormals[i]) : glm::vec3(0),
-                      textured ? pictureUv(part.mTextureCoords[0][i]) : glm::vec2(0));
+    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+      const glm::vec3 position = toVec(part.mVertices[i]);
+      const glm::vec3 normal = part.HasNormals() ? toVec(part.mNormals[i]) : glm::vec3(0);
+      const glm::vec2 uv = textured ? pictureUv(part.mTextureCoords[0][i]) : glm::vec2(0);
+      if (!part.HasVertexColors(0)) {
+        builder_.vertex(position, normal, uv);
+        continue;
+      }
+      const aiColor4D& color = part.mColors[0][i];
+      builder_.vertex(position, normal, uv, {linearOf(color.r), linearOf(color.g), linearOf(color.b)});
+      fades_ = fades_ || color.a < 1;
+    }
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
       const aiFace& face = part.mFaces[i];
       if (face.mNumIndices == 3) builder_.triangle({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
@@ -89,6 +106,7 @@ class Gatherer {
   const std::filesystem::path& file_;
   const aiScene& scene_;
   MeshBuilder builder_;
+  bool fades_ = false;
 };
 
 /// The library's own steps take for granted, some by assertion, what broken files do not keep.

@@ -54,17 +54,20 @@ struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;
+  /// Linear RGB of each vertex, which multiplies the base colour; empty where the file has none.
+  std::vector<glm::vec3> colors;
   std::vector<unsigned> indices;        ///< three a triangle, counter-clockwise seen from outside
   std::vector<MeshMaterial> materials;  ///< empty where the file has none
   std::vector<int> materialOf;          ///< of each triangle, -1: none; empty where there are no materials
   std::vector<MeshImage> images;
-  std::vector<std::string> ignored;  ///< what of the materials is not drawn: a key and whose it is
+  std::vector<std::string> ignored;  ///< what is not drawn: a key and whose it is
 
   template <class Archive>
   void pack(Archive& archive) {
     archive(positions);
     archive(normals);
     archive(uvs);
+    archive(colors);
     archive(indices);
     archive(materials);
     archive(materialOf);

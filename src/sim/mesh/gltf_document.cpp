@@ -53,6 +53,17 @@ std::string decodeBase64(std::string_view text) {
   return bytes;
 }
 
+/// Numbers in each value of an accessor; 0 of a kind that is not read.
+std::size_t componentsOf(const JsonValue& accessor) {
+  constexpr std::array<std::pair<std::string_view, std::size_t>, 5> types = {
+      {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}}};
+  const std::string type = accessor.at("type").text();
+  std::size_t components = 0;
+  for (const auto& [name, count] : types)
+    if (type == name) components = count;
+  return components;
+}
+
 }  // namespace
 
 std::string decodePercent(const std::string& uri) {
@@ -216,13 +227,12 @@ std::size_t GltfDocument::count(std::size_t accessor) const {
   return count;
 }
 
+std::size_t GltfDocument::components(std::size_t accessor) const {
+  return componentsOf(item("accessors", accessor));
+}
+
 GltfDocument::Values GltfDocument::values(const JsonValue& accessor) const {
-  constexpr std::array<std::pair<std::string_view, std::size_t>, 5> types = {
-      {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}}};
-  const std::string type = accessor.at("type").text();
-  std::size_t components = 0;
-  for (const auto& [name, count] : types)
-    if (type == name) components = count;
+  const std::size_t components = componentsOf(accessor);
   if (components == 0) refuse("has an accessor that is no number, vector or matrix of 4x4");
   Values values = slice(accessor, number(accessor, "componentType"), components, number(accessor, "count"));
   const auto normalised = accessor.find("normalized");

@@ -37,6 +37,8 @@ class GltfDocument {
 
   /// How many vertices or indices an accessor has; checked against its bytes.
   [[nodiscard]] std::size_t count(std::size_t accessor) const;
+  /// How many components each of them has.
+  [[nodiscard]] std::size_t components(std::size_t accessor) const;
   /// The values of an accessor with that many components each, normalised where it says so.
   [[nodiscard]] std::vector<float> floats(std::size_t accessor, std::size_t components) const;
   /// The values of an accessor of whole numbers.

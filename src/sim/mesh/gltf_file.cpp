@@ -38,6 +38,7 @@ class GltfReader {
     mesh.materials = std::move(looks.materials);
     mesh.images = std::move(looks.images);
     mesh.ignored = std::move(looks.ignored);
+    if (fades_) mesh.ignored.emplace_back("the opacity in COLOR_0");
     if (mesh.materials.empty()) mesh.materialOf.clear();
     return mesh;
   }
@@ -96,14 +97,20 @@ class GltfReader {
   void add(const GltfPart& part, const glm::mat4& transform) {
     builder_.begin(part.vertices.size(), part.triangles.size(), transform, part.hasUvs, part.material);
     for (const GltfVertex& vertex : part.vertices) {
-      const std::array<float, 8>& v = vertex.values;
-      builder_.vertex({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7]});
+      const auto& v = vertex.values;
+      const glm::vec3 position(v[0], v[1], v[2]), normal(v[3], v[4], v[5]);
+      if (part.hasColors)
+        builder_.vertex(position, normal, {v[6], v[7]}, {v[8], v[9], v[10]});
+      else
+        builder_.vertex(position, normal, {v[6], v[7]});
     }
+    fades_ = fades_ || part.fades;
     for (const auto& triangle : part.triangles) builder_.triangle(triangle);
   }
 
   GltfParts parts_;
   MeshBuilder builder_;
+  bool fades_ = false;
 };
 
 }  // namespace

@@ -94,16 +94,25 @@ GltfPart GltfParts::part(std::size_t mesh, const JsonValue& primitive, bool skin
   const std::vector<float> positions = attribute(primitive, "POSITION", 3, count);
   const std::vector<float> normals = attribute(primitive, "NORMAL", 3, count);
   const std::vector<float> uvs = attribute(primitive, "TEXCOORD_0", 2, count);
+  std::vector<float> colors;
+  std::size_t each = 3;
+  if (const JsonValue attributes = primitive.at("attributes"); attributes.has("COLOR_0")) {
+    each = document_.components(GltfDocument::number(attributes, "COLOR_0")) == 4 ? 4 : 3;
+    colors = attribute(primitive, "COLOR_0", each, count);
+  }
   std::vector<GltfVertex> all(count);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       all[i].values[k] = positions[3 * i + k];
       if (!normals.empty()) all[i].values[3 + k] = normals[3 * i + k];
       if (k < 2 && !uvs.empty()) all[i].values[6 + k] = uvs[2 * i + k];
+      if (!colors.empty()) all[i].values[8 + k] = colors[each * i + k];
     }
   if (skinned) addBones(mesh, primitive, all);
   GltfPart part;
   part.hasUvs = !uvs.empty();
+  part.hasColors = !colors.empty();
+  for (std::size_t i = 3; each == 4 && i < colors.size(); i += 4) part.fades = part.fades || colors[i] < 1;
   const std::size_t materials = document_.size("materials");
   const std::uint64_t material = GltfDocument::number(primitive, "material", materials);
   if (material > materials)

@@ -14,7 +14,8 @@ namespace simreel::sim {
 
 /// A vertex of a part of a glTF mesh.
 struct GltfVertex {
-  std::array<float, 8> values{};         ///< position, normal, texture coordinates; 0 where there are none
+  /// Position, normal, texture coordinates, colour (linear RGB); 0 where there are none, but for colours 1.
+  std::array<float, 11> values{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1};
   std::array<std::uint32_t, 4> bones{};  ///< numbers in the skin's list of joints
   std::array<float, 4> weights{};        ///< of those; sum 1
   bool operator==(const GltfVertex&) const = default;
@@ -24,7 +25,9 @@ struct GltfVertex {
 /// normals are smooth.
 struct GltfPart {
   bool hasUvs = false;
-  int material = -1;  ///< its number; -1: none
+  bool hasColors = false;
+  bool fades = false;  ///< whether a colour has an opacity below 1, which is not read
+  int material = -1;   ///< its number; -1: none
   std::vector<GltfVertex> vertices;
   std::vector<std::array<unsigned, 3>> triangles;
 };

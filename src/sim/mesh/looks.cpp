@@ -104,30 +104,75 @@ Mesh partOf(const Mesh& mesh, int material) {
       part.positions.push_back(mesh.positions[vertex]);
       part.normals.push_back(mesh.normals[vertex]);
       if (!mesh.uvs.empty()) part.uvs.push_back(mesh.uvs[vertex]);
+      if (!mesh.colors.empty()) part.colors.push_back(mesh.colors[vertex]);
     }
     part.indices.push_back(number);
   }
   return part;
 }
 
+/// The numbers of the materials that its triangles have, ascending.
+std::vector<int> usedOf(const Mesh& mesh) {
+  std::vector<int> used = mesh.materialOf;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  return used;
+}
+
 }  // namespace
+
+scene::Material plainLook(const scene::Object& object, const Mesh& mesh) {
+  scene::Material material = object.material;
+  if (!mesh.colors.empty() && !object.hasMaterial) material.color = glm::vec3(1);
+  return material;
+}
 
 std::vector<MeshLook> looksOf(const scene::Object& object, const Mesh& mesh) {
   if (object.hasMaterial || mesh.materials.empty()) return {};
   const Images images = decoded(mesh);
-  std::vector<int> used = mesh.materialOf;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const std::vector<int> used = usedOf(mesh);
   std::vector<MeshLook> looks;
   for (const int number : used) {
     MeshLook look;
-    look.material = number < 0 ? object.material
+    look.material = number < 0 ? plainLook(object, mesh)
                                : materialOf(mesh.materials.at(static_cast<std::size_t>(number)), images,
                                             object.material.castsShadow);
     if (used.size() > 1) look.mesh = partOf(mesh, number);
     looks.push_back(std::move(look));
   }
   return looks;
+}
+
+MovingLooks::MovingLooks(const scene::Object& object, const Mesh& mesh) {
+  std::vector<MeshLook> looks = looksOf(object, mesh);
+  if (looks.empty()) {
+    parts_.push_back({plainLook(object, mesh), {}, 0});
+    return;
+  }
+  const std::vector<int> used = usedOf(mesh);
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    Part part{std::move(looks[i].material), {}, 0};
+    if (used.size() > 1) {
+      std::vector<unsigned> indices;
+      for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner)
+        if (mesh.materialOf[corner / 3] == used[i]) indices.push_back(mesh.indices[corner]);
+      part.indices = gl::Buffer::of<unsigned>(object.name + " indices", indices);
+      part.indexCount = static_cast<int>(indices.size());
+    }
+    parts_.push_back(std::move(part));
+  }
+}
+
+void MovingLooks::show(const Surface& surface, Drawables& drawables) const {
+  for (const Part& part : parts_) {
+    Surface shown = surface;
+    if (part.indexCount > 0) {
+      shown.indices = &part.indices;
+      shown.indexCount = part.indexCount;
+    }
+    shown.material = &part.material;
+    drawables.surfaces.push_back(shown);
+  }
 }
 
 std::string ignoredLooks(const scene::Object& object, const Mesh& mesh) {

@@ -25,7 +25,7 @@ class RigidMesh : public Simulation, public ContactSolid {
   RigidMesh(const scene::Object& object, const MeshParameters& parameters, const Mesh& mesh,
             const Setting& setting)
       : parameters_(parameters),
-        material_(object.material),
+        material_(plainLook(object, mesh)),
         frameSeconds_(setting.frameSeconds),
         time_(setting.startTime),
         buffers_(object.name, mesh) {
@@ -102,9 +102,6 @@ Mesh readMesh(const scene::Object& object, const Setting& setting) {
          object.name, parameters.file.string());
   if (const std::string ignored = ignoredLooks(object, mesh); !ignored.empty())
     warn("mesh \"{}\": {} has what is not drawn: {}", object.name, parameters.file.string(), ignored);
-  if (!parameters.deform.list.empty() && !mesh.materials.empty() && !object.hasMaterial)
-    warn("mesh \"{}\": it is deformed, so the materials of {} are not drawn; give it a \"material\"",
-         object.name, parameters.file.string());
   return mesh;
 }
 

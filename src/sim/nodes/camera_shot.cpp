@@ -27,6 +27,7 @@ struct FileCamera {
   int node = 0;
   bool perspective = true;
   double fieldOfView = 0;    ///< radians, vertical
+  double height = 0;         ///< m, of an orthographic one
   double near = 0, far = 0;  ///< m; far 0: it has no end
 
   template <class Archive>
@@ -35,6 +36,7 @@ struct FileCamera {
     archive(node);
     archive(perspective);
     archive(fieldOfView);
+    archive(height);
     archive(near);
     archive(far);
   }
@@ -58,10 +60,15 @@ FileCamera fileCameraOf(const GltfDocument& document, std::uint64_t number, int 
   FileCamera camera;
   if (described.has("name")) camera.name = described.at("name").text();
   camera.node = node;
-  camera.perspective = described.at("type").text() == "perspective";
-  if (!camera.perspective) return camera;
-  const JsonValue lens = described.at("perspective");
-  camera.fieldOfView = lens.at("yfov").number();
+  const std::string type = described.at("type").text();
+  if (type != "perspective" && type != "orthographic")
+    throw JsonError(fmt::format("a camera of type \"{}\"", type));
+  camera.perspective = type == "perspective";
+  const JsonValue lens = described.at(camera.perspective ? "perspective" : "orthographic");
+  if (camera.perspective)
+    camera.fieldOfView = lens.at("yfov").number();
+  else
+    camera.height = 2 * std::abs(lens.at("ymag").number());
   camera.near = lens.at("znear").number();
   if (lens.has("zfar")) camera.far = lens.at("zfar").number();
   return camera;
@@ -90,15 +97,19 @@ class FileShot final : public scene::CameraShot {
       : speed_(wanted.speed), start_(wanted.start), loop_(wanted.loop) {
     const FileCamera& camera = chosen(read, wanted.name);
     name_ = read.nodes[static_cast<std::size_t>(camera.node)].name;
-    if (!camera.perspective)
-      fail(ExitCode::usage, "camera \"{}\" of the file is no perspective one; only those are drawn", name_);
     constexpr double least = 1, most = 170;
     angle_ = camera.fieldOfView * (180 / std::numbers::pi);
-    if (!(angle_ >= least && angle_ <= most))
+    if (!camera.perspective) {
+      height_ = camera.height;
+      if (!(*height_ >= scene::positive.min && *height_ < scene::positive.max))
+        fail(ExitCode::usage, "camera \"{}\" of the file shows {:g} m from top to bottom", name_, *height_);
+    } else if (!(angle_ >= least && angle_ <= most))
       fail(ExitCode::usage,
            "camera \"{}\" of the file sees {:.4g} degrees from top to bottom; {} to {} are drawn", name_,
            angle_, least, most);
     near_ = camera.near;
+    // A flat picture may begin at the eye itself, which is as far away as nothing that is drawn.
+    if (!camera.perspective) near_ = std::max(near_, 1e-4);
     if (camera.far > 0) far_ = camera.far;
     if (!(near_ >= scene::positive.min && near_ < scene::positive.max))
       fail(ExitCode::usage, "camera \"{}\" of the file begins to see at {:g} m", name_, near_);
@@ -133,6 +144,7 @@ class FileShot final : public scene::CameraShot {
     return pose;
   }
   [[nodiscard]] double fieldOfView() const override { return angle_; }
+  [[nodiscard]] std::optional<double> height() const override { return height_; }
   [[nodiscard]] double near() const override { return near_; }
   [[nodiscard]] std::optional<double> far() const override { return far_; }
 
@@ -201,7 +213,7 @@ class FileShot final : public scene::CameraShot {
   double speed_, start_;
   bool loop_;
   double angle_ = 0, near_ = 0, length_ = 0;
-  std::optional<double> far_;
+  std::optional<double> height_, far_;
   std::vector<Link> links_;  ///< the camera's node first
 };
 

@@ -7,6 +7,7 @@
 #include "sim/contact/lock_step.hpp"
 #include "sim/core/field_reader.hpp"
 #include "sim/core/frame_observer.hpp"
+#include "sim/core/path.hpp"
 #include "sim/world/lag.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/relations.hpp"
@@ -38,9 +39,10 @@ struct World::State {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> quantities;  ///< that each object measures
   std::optional<std::size_t> tracked;                ///< the object that the camera looks at
-  std::vector<FieldReader*> readers;      ///< objects that take in fields of others before each frame
-  std::vector<bool> isRead;               ///< whether an object is one of these others
-  std::optional<Lag> lag;                 ///< of the camera behind that, if it is damped
+  std::vector<FieldReader*> readers;  ///< objects that take in fields of others before each frame
+  std::vector<bool> isRead;           ///< whether an object is one of these others
+  scene::Camera camera;
+  std::vector<Lag> lags;  ///< of the camera behind what it looks at, and behind where it would stand
   std::vector<FrameObserver*> observers;  ///< among the objects
   std::vector<std::size_t> observed;      ///< objects that these, or the lag, look at
   std::unique_ptr<SummaryQueue> summaries;
@@ -53,7 +55,8 @@ struct World::State {
         bones(scene),
         colliders(collidersOf(scene, &bones)),
         objects(scene.objects.size()),
-        order(stepOrder(scene)) {
+        order(stepOrder(scene)),
+        camera(scene.camera) {
     if (const auto mistakes = relationMistakes(scene); !mistakes.empty())
       throw UserError(ExitCode::usage, mistakes.front());
     Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
@@ -93,16 +96,25 @@ struct World::State {
     findRead(scene);
     readOthers();
     summaries = std::make_unique<SummaryQueue>(objects, names);
-    const double damping = scene.camera.track.damping;
-    if (tracked && damping > 0) lag.emplace(damping, setting.frameSeconds);
+    makeLags(setting.frameSeconds);
     findObservers();
     observe();
+  }
+
+  void makeLags(double frameSeconds) {
+    const double damping = tracked          ? camera.track.damping
+                           : camera.follows ? camera.follow.damping
+                                            : camera.damping;
+    if (damping > 0) lags.assign(camera.follows ? 2 : 1, Lag(damping, frameSeconds));
   }
 
   /// Who notes something of every frame, and of which objects.
   void findObservers() {
     std::set<std::size_t> seen;
-    if (lag) seen.insert(*tracked);
+    if (!lags.empty() && tracked) seen.insert(*tracked);
+    if (!lags.empty() && camera.follows)
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (camera.follow.object == names[i]) seen.insert(i);
     for (const auto& object : objects) {
       auto* observer = dynamic_cast<FrameObserver*>(object.get());
       if (observer == nullptr) continue;
@@ -117,8 +129,23 @@ struct World::State {
 
   /// What the camera looks at, which may lag behind its object.
   [[nodiscard]] std::optional<glm::vec3> trackedPlace() const {
-    if (lag) return lag->place();
+    if (!lags.empty()) return lags.front().place();
     return objects[*tracked]->middle(now());
+  }
+
+  /// What the lags go after in this frame, as sim::Drawables::lagging has it; empty while it is not there.
+  [[nodiscard]] std::vector<glm::vec3> ahead() const {
+    if (tracked) {
+      const auto place = objects[*tracked]->middle(now());
+      return place ? std::vector<glm::vec3>{*place} : std::vector<glm::vec3>();
+    }
+    if (!camera.follows) return {camera.target.at(now())};
+    Drawables all;
+    for (const auto& object : objects) object->publish(now(), all);
+    const Path* path = pathOf(all, camera.follow.object);
+    if (path == nullptr) return {};
+    const Stand stand = standOn(*path->points, camera.follow, now());
+    return {stand.target, stand.eye};
   }
 
   /// Tells those who note something of every frame. What they look at is as it is drawn, and what is made
@@ -132,11 +159,13 @@ struct World::State {
       } while (objects[i]->settle());
     }
     for (FrameObserver* observer : observers) observer->observe(now());
-    if (!lag) return;
-    if (const auto place = objects[*tracked]->middle(now()))
-      lag->follow(glm::dvec3(*place));
-    else
-      lag->lose();
+    if (lags.empty()) return;
+    const std::vector<glm::vec3> places = ahead();
+    for (std::size_t i = 0; i < lags.size(); ++i)
+      if (i < places.size())
+        lags[i].follow(glm::dvec3(places[i]));
+      else
+        lags[i].lose();
   }
 
   [[nodiscard]] static bool isOf(const std::string& field, const std::string& object) {
@@ -303,9 +332,9 @@ void World::carryOver(CarryOver& carry, const std::function<void(const std::stri
     begin(state_->names[i]);
     state_->objects[i]->carryOver(carry);
   }
-  if (!state_->lag) return;
+  if (state_->lags.empty()) return;
   begin("camera");
-  state_->lag->carryOver(carry);
+  for (Lag& lag : state_->lags) lag.carryOver(carry);
 }
 
 void World::resumeAt(int frame) {
@@ -358,6 +387,9 @@ Drawables World::drawables() const {
   if (const auto tracked = state_->tracked)
     if (const auto middle = state_->trackedPlace())
       all.places.push_back({&state_->names[*tracked], *middle});
+  if (!state_->tracked)
+    for (const Lag& lag : state_->lags)
+      if (const auto place = lag.place()) all.lagging.push_back(*place);
   return all;
 }
 

@@ -105,6 +105,30 @@ class Track(Case):
         (_, level), _ = self.middle("--frames", "7", "-D", "camera.track.damping=0")
         self.assertGreater(low, level + 3)
 
+    def test_a_keyed_target_and_a_path_may_be_damped_too(self):
+        # What a camera with damping T looks at is T behind what goes steadily, once it has settled.
+        keys = [[0, [-3, 0, 0]], [2, [3, 0, 0]]]
+        scene = {**self.SCENE, "camera": {"position": [0, 0, 6], "target": {"keys": keys}, "damping": 0.2},
+                 "objects": {"ball": {"sphere": {"radius": 0.3}}}, "time": {"fps": 10, "duration": 2}}
+        self.write("scene.json", scene)
+        (late, _), _ = self.middle("--frames", "12")
+        (same, _), _ = self.middle("--frames", "10", "-D", "camera.damping=0")
+        (ahead, _), _ = self.middle("--frames", "12", "-D", "camera.damping=0")
+        self.assertLess(abs(late - same), 0.2)
+        self.assertGreater(abs(ahead - same), 3)
+        self.good("render", "scene.json", "-o", "part/", "-q", "--frames", "0-3", "--checkpoint-at", "3")
+        self.good("render", "scene.json", "-o", "part/", "-q", "--resume")
+        self.good("render", "scene.json", "-o", "whole/", "-q", "--frames", "15")
+        frame = lambda folder: png_rows((self.folder / folder / "000015.png").read_bytes())
+        self.assertEqual(frame("part"), frame("whole"))
+        self.write("scene.json", {**scene, "camera": {"track": "ball", "damping": 0.2}})
+        self.bad_scene("\"damping\" here is of \"target\"", "render", "scene.json", "-o", "a.png", "--frames", "0")
+        flat = {"projection": "orthographic", "height": 3}
+        for more, said in (({"fieldOfView": 30}, "an orthographic camera has no angle of view"),
+                           ({"lens": True}, "an orthographic camera has no lens"), ({"projection": "perspective"}, "a perspective camera has no height")):
+            self.write("scene.json", {**scene, "camera": {**flat, **more}})
+            self.bad_scene(said, "render", "scene.json", "-o", "a.png", "--frames", "0")
+
     def test_mistakes(self):
         self.write("scene.json", {**self.SCENE, "camera": {"track": {"object": "ball", "damping": 1e-5}}})
         self.bad_scene("a damping of 1e-05 s is none", "render", "scene.json", "-o", "a.png", "--frames", "0")

@@ -5,7 +5,7 @@ from common import SOURCE, Case, main
 class Stage(Case):
     def test_pictures_of_scenes_of_one_line(self):
         done = self.good("test", str(SOURCE / "tests/cli/scenes/stage"))
-        self.assertIn("18 scenes: 18 passed", done.stdout.decode())
+        self.assertIn("19 scenes: 19 passed", done.stdout.decode())
 
 
     def test_what_the_driver_cannot_do_is_said(self):

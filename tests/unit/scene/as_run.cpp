@@ -58,10 +58,12 @@ TEST_CASE("scene as run: what drawing alone hears of leaves the simulation the s
     CHECK(hash(path) == plain);
     CHECK(!scene::touchesSimulation(std::string(path).substr(0, std::string(path).find('='))));
   }
-  for (const char* path : {"seed=2", "time.fps=60", "time.start=1", "numerics=fast", "ground={}",
-                           "objects.dish.grayScott.feed=0.04", "objects.b={\"sphere\":{}}",
-                           // Where a camera lags behind an object, that is carried from frame to frame.
-                           "camera.track={\"object\": \"dish\", \"damping\": 0.5}"}) {
+  for (const char* path :
+       {"seed=2", "time.fps=60", "time.start=1", "numerics=fast", "ground={}",
+        "objects.dish.grayScott.feed=0.04", "objects.b={\"sphere\":{}}",
+        // Where a camera lags behind an object, that is carried from frame to frame.
+        "camera.track={\"object\": \"dish\", \"damping\": 0.5}",
+        "camera.follow={\"object\": \"dish\", \"damping\": 0.5}", "camera.damping=0.5"}) {
     CAPTURE(path);
     CHECK(hash(path) != plain);
     CHECK(scene::touchesSimulation(std::string(path).substr(0, std::string(path).find('='))));

@@ -170,8 +170,8 @@ TEST_CASE("defaults: given or left out, every one that a shipped scene may have 
   // These belong to another parameter, and the message says to which.
   const std::set<std::string> allowed = {
       "mesh.grip", "mesh.distanceCells", "mesh.file", "particles.bounce", "particles.cloths",
-      ".camera.position", ".camera.target", "particles.margin", "grayScott.preset", ".checks[].object",
-      ".checks[].of", ".test.xfail", ".test.tolerance.windowSize",
+      ".camera.position", ".camera.target", ".camera.height", "particles.margin", "grayScott.preset",
+      ".checks[].object", ".checks[].of", ".test.xfail", ".test.tolerance.windowSize",
       // What a fabric says instead.
       "cloth.mass", "cloth.stiffness", "cloth.shear", "cloth.bend", "cloth.solver", "cloth.compliance",
       "cloth.shearCompliance", "cloth.bendCompliance",

@@ -112,15 +112,55 @@ TEST_CASE("glTF cameras: a view is that of the file, as high as that says and as
   CHECK(glm::length(glm::normalize(view.right) - glm::vec3(0, 0, -1)) < 1e-6F);
 }
 
+TEST_CASE("glTF cameras: an orthographic one shows as much as the file says, along parallel rays") {
+  const TemporaryFile file("shot.gltf", shotText().text());
+  const auto parsed = [&](const std::string& more) {
+    return scene::parseScene(
+        fmt::format(R"({{"version": 1, "camera": {{"gltf": {{"file": "{}", "name": "flat"}}{}}}}})",
+                    file.path().filename().string(), more),
+        file.path().parent_path() / "scene.json", {}, sim::kinds());
+  };
+  const scene::Camera camera = parsed("").camera;
+  CHECK(camera.projection == scene::Projection::orthographic);
+  CHECK(camera.height.at(0) == 2);
+  CHECK(camera.near == 0.1F);
+  CHECK(camera.far == 9);
+  const draw::View view = draw::viewAt(camera, 0, {300, 100}, {});
+  CHECK(view.parallel);
+  CHECK(glm::length(view.up - glm::vec3(0, 1, 0)) < 1e-6F);
+  CHECK(glm::length(view.right - glm::vec3(3, 0, 0)) < 1e-6F);
+  CHECK(parsed(R"(, "height": 5)").camera.height.at(0) == 5);
+  for (const auto& [more, said] :
+       {std::pair(R"(, "fieldOfView": 30)", "orthographic, which has no \"fieldOfView\""),
+        std::pair(R"(, "lens": true)", "orthographic, which has no \"lens\""),
+        std::pair(R"(, "projection": "perspective")", "leave out \"projection\"")}) {
+    std::string message = "none";
+    try {
+      static_cast<void>(parsed(more));
+    } catch (const UserError& error) {
+      message = error.what();
+    }
+    checkHas(message, said);
+  }
+}
+
 TEST_CASE("glTF cameras: mistakes") {
   const test::GltfText gltf = shotText();
   checkHas(mistakeOf(asked(""), gltf), "has 2 cameras; say which by its \"name\": flat, wide");
   checkHas(mistakeOf(asked("wid"), gltf), "has no camera \"wid\"; did you mean \"wide\"?");
-  checkHas(mistakeOf(asked("flat"), gltf), "\"flat\" of the file is no perspective one");
   scene::CameraFile moved = asked("wide");
   moved.animation = "tur";
   checkHas(mistakeOf(moved, gltf), "no animation \"tur\"; did you mean \"turn\"?");
-  test::GltfText none = gltf, narrow = gltf, nothing = gltf;
+  test::GltfText none = gltf, narrow = gltf, nothing = gltf, level = gltf, strange = gltf;
+  level.document["cameras"][1]["orthographic"]["ymag"] = 0;
+  checkHas(mistakeOf(asked("flat"), level), "\"flat\" of the file shows 0 m from top to bottom");
+  strange.document["cameras"][1]["type"] = "fisheye";
+  try {
+    static_cast<void>(sim::readCamera(asked("flat"), strange.text()));
+    CHECK(false);
+  } catch (const UserError& error) {
+    checkHas(error.what(), "a camera of type \"fisheye\"");
+  }
   none.document["scenes"][0]["nodes"] = {2};
   none.document["nodes"][2].erase("camera");
   checkHas(mistakeOf(asked(""), none), "has no camera in its default scene");

@@ -23,6 +23,9 @@ void main() {
 #ifndef SUN_MAP
   float nearest = view.near;
 #endif
+#ifdef PARALLEL
+  if (min(c.a.z, min(c.b.z, c.c.z)) < 0.0f) return;  // beyond the span
+#endif
   if (beside(c.a, c.b, c.c, size, nearest)) return;
   bool whole = inside(c.a, size, nearest) && inside(c.b, size, nearest) && inside(c.c, size, nearest);
   Triangle t;

@@ -24,8 +24,8 @@ bool isSeen(vec4 position, float radius) {
 bool isSeen(vec4 position, float radius) {
   Ball ball = ballAt(position.xyz, radius, view.eye.xyz, view.forward.xyz);
   precise float farthest = ball.depth + radius;
-  vec2 x = ballSpan(ball, view.across.xyz, view.forward.xyz, float(view.size.x));
-  vec2 y = ballSpan(ball, view.down.xyz, view.forward.xyz, float(view.size.y));
+  vec2 x = spanOf(ball, view.across.xyz, view.size.x);
+  vec2 y = spanOf(ball, view.down.xyz, view.size.y);
   return farthest >= view.near && x.x <= x.y && y.x <= y.y;
 }
 #endif

@@ -38,7 +38,7 @@ Corner cornerAt(vec3 v, float near) {
 #else
 vec3 seenFrom(vec3 p, out float near) {
   near = 0.0f;
-  return onPicture(p);
+  return rasterPlace(onPicture(p));
 }
 Corner cornerAt(vec3 v, float near) {
   return cornerOf(v, view.near);

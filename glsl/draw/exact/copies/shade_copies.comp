@@ -46,7 +46,7 @@ vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
   vec3 across = exactCross(first, second);
   float square = exactDot(across, across);
   precise vec3 facing = square < 1e-30f ? normal : across * exactInverseSqrt(square);
-  facing = exactDot(facing, ray) > 0.0f ? -facing : facing;
+  facing = exactDot(facing, directionOf(ray)) > 0.0f ? -facing : facing;
   bool turned_ = exactDot(normal, facing) < 0.0f;
   vec3 na = unitOf(normalOf(copy, corners.x)), nb = unitOf(normalOf(copy, corners.y)), nc = unitOf(normalOf(copy, corners.z));
   bool away = turned_ != weights.turned;
@@ -60,7 +60,7 @@ vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
 #else
   const float fraction = 1.0f;
 #endif
-  precise vec3 towards = -ray;
+  precise vec3 towards = -directionOf(ray);
   vec3 tint = tintOf(texelFetch(positions, slot), texelFetch(velocities, slot));
   return vec4(allLight(Look(tint, material_.x, material_.y, material_.z, opennessOn(pixel, p)), p, normal, unitOf(towards), fraction), 1.0f);
 }

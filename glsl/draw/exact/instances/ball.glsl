@@ -38,6 +38,33 @@ FUNCTION BallHit ballHit(Ball ball, vec3 ray) {
   return hit;
 }
 
+// The same of a ray that begins at `aside` from the eye and goes along `forward` (unit): with a = aside + forward depth - middle.
+FUNCTION BallHit ballHitAlong(Ball ball, vec3 aside, vec3 forward) {
+  precise vec3 a = aside + forward * ball.depth - ball.middle;
+  float b = exactDot(a, forward), aa = exactDot(a, a);
+  precise float beyond = b * b - (aa - ball.radius * ball.radius);
+  precise float t = -(b + exactSqrt(max(beyond, 0.0f)));
+  precise vec3 outwards = a + forward * t;
+  precise float depth = ball.depth + t;
+  BallHit hit;
+  hit.found = beyond > 0.0f;
+  hit.depth = depth;
+  hit.outwards = outwards;
+  return hit;
+}
+
+// From and to where such rays meet it along one axis of the picture (pixels): `along`, the pixels for each metre. From above to where it
+// does not.
+FUNCTION vec2 ballSpanAlong(Ball ball, vec3 along, float size) {
+  precise float middle = exactDot(ball.middle, along) + 0.5f * size;
+  precise float half_ = ball.radius * exactSqrt(exactDot(along, along));
+  precise float more = half_ + 0.01f + 1e-5f * (abs(middle) + half_);
+  precise float from = middle - more;
+  precise float to = middle + more;
+  if (to < 0.0f || from > size) return vec2(1.0f, -1.0f);
+  return vec2(max(from, 0.0f), min(to, size));
+}
+
 // Where that ray meets the disc through the middle that faces the eye.
 FUNCTION float discDepth(Ball ball, vec3 ray) {
   float along = exactDot(ray, ball.middle);

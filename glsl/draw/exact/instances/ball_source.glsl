@@ -4,6 +4,23 @@
 #include "draw/exact/instances/ball.glsl"
 #include "draw/exact/instances/instance_source.glsl"
 
+#include "draw/exact/depth.glsl"
+
+BallHit hitOf(Ball ball, vec3 ray) {
+#ifdef PARALLEL
+  return ballHitAlong(ball, ray, view.forward.xyz);
+#else
+  return ballHit(ball, ray);
+#endif
+}
+vec2 spanOf(Ball ball, vec3 along, int size) {
+#ifdef PARALLEL
+  return ballSpanAlong(ball, along, float(size));
+#else
+  return ballSpan(ball, along, view.forward.xyz, float(size));
+#endif
+}
+
 Ball ballOf(vec4 position, vec4 velocity) {
   Ball ball = ballAt(position.xyz, 0.0f, view.eye.xyz, view.forward.xyz);
   float radius = radiusOf(position, velocity);

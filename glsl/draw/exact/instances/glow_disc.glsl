@@ -32,9 +32,13 @@ GlowDisc glowDiscOf(int number) {
   glow.ball = ballOf(position, velocity);
   Ball ball = glow.ball;
   if (!(ball.radius > 0.0f)) return glow;
-  float perDepth = exactReciprocal(max(ball.depth, 1e-6f));
-  precise vec2 middle = vec2(exactDot(ball.middle, view.across.xyz), exactDot(ball.middle, view.down.xyz)) * perDepth;
-  precise float near = view.near * perDepth;
+  precise vec2 middle = vec2(exactDot(ball.middle, view.across.xyz), exactDot(ball.middle, view.down.xyz));
+#ifdef PARALLEL
+  middle = middle + 0.5f * vec2(view.size);
+#else
+  middle = middle * exactReciprocal(max(ball.depth, 1e-6f));
+#endif
+  float near = nearOf(ball.depth);
   glow.disc.middle = middle;
   glow.disc.radius = pixelsOf(position.xyz, ball.radius);
   glow.near = near;
@@ -53,8 +57,8 @@ GlowDisc glowDiscOf(int number) {
   }
   precise float farthest = ball.depth + ball.radius;
   if (farthest < view.near) return glow;
-  vec2 x = ballSpan(ball, view.across.xyz, view.forward.xyz, float(view.size.x));
-  vec2 y = ballSpan(ball, view.down.xyz, view.forward.xyz, float(view.size.y));
+  vec2 x = spanOf(ball, view.across.xyz, view.size.x);
+  vec2 y = spanOf(ball, view.down.xyz, view.size.y);
   if (x.x > x.y || y.x > y.y) return glow;
   ivec2 last = min(ivec2(int(floor(x.y)), int(floor(y.y))), view.size - 1);
   glow.box = inBand(ivec4(int(floor(x.x)), int(floor(y.x)), last));
@@ -66,8 +70,8 @@ void addGlow(GlowDisc glow, Rays rays, ivec2 pixel) {
   int at = firstSample(pixel), samples = 0;
   for (int s = 0; s < SAMPLES; ++s) {
     precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
-    BallHit hit = ballHit(glow.ball, rayAt(rays, place));
-    precise float near = view.near * exactReciprocal(max(hit.depth, 1e-6f));
+    BallHit hit = hitOf(glow.ball, rayAt(rays, place));
+    float near = nearOf(hit.depth);
     bool seen = hit.found && farEnough(hit.depth, near) && nearKey(near) < keyAt(at + s);
     samples += seen ? 1 : 0;
   }
@@ -80,11 +84,16 @@ void addGlow(GlowDisc glow, Rays rays, ivec2 pixel) {
   precise vec2 place = vec2(pixel) + 0.5f;
   vec3 ray = rayAt(rays, place), middle = glow.ball.middle;
   // The disc's plane through the middle m faces the eye: the ray meets it at the depth m.m / m.ray.
+#ifdef PARALLEL
+  const float towards = 1.0f;
+  float depth = glow.ball.depth;
+#else
   float towards = exactDot(ray, middle);
   precise float depth = exactDot(middle, middle) * exactReciprocal(max(towards, 1e-12f));
-  precise vec3 off = (ray * depth - middle) * perRadius;
+#endif
+  precise vec3 off = (alongRay(ray, depth) - middle) * perRadius;
   precise float onPicture = squareFromMiddle(glow.disc, pixel) * perRadius * perRadius;
-  precise float nearInSpace = view.near * exactReciprocal(max(depth, 1e-6f));
+  float nearInSpace = nearOf(depth);
   float square = glow.round_ ? onPicture : exactDot(off, off);
   float near = glow.round_ ? glow.near : nearInSpace;
   if (square >= 1.0f || (!glow.round_ && (towards <= 0.0f || !farEnough(depth, near)))) return;

@@ -8,8 +8,8 @@
 ivec4 pixelsOfBall(Ball ball) {
   precise float farthest = ball.depth + ball.radius;
   if (!(ball.radius > 0.0f) || farthest < view.near) return ivec4(0, 0, -1, -1);
-  vec2 x = ballSpan(ball, view.across.xyz, view.forward.xyz, float(view.size.x));
-  vec2 y = ballSpan(ball, view.down.xyz, view.forward.xyz, float(view.size.y));
+  vec2 x = spanOf(ball, view.across.xyz, view.size.x);
+  vec2 y = spanOf(ball, view.down.xyz, view.size.y);
   if (x.x > x.y || y.x > y.y) return ivec4(0, 0, -1, -1);
   ivec2 last = min(ivec2(int(floor(x.y)), int(floor(y.y))), ivec2(view.size.x, view.rows.y) - 1);
   return ivec4(int(floor(x.x)), max(int(floor(y.x)), view.rows.x), last);
@@ -23,12 +23,12 @@ Rays raysOfView() {
 void putBall(Ball ball, Rays rays, ivec2 pixel, uint id) {
   for (int s = 0; s < SAMPLES; ++s) {
     precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
-    BallHit hit = ballHit(ball, rayAt(rays, place));
+    BallHit hit = hitOf(ball, rayAt(rays, place));
 #ifdef LAMP_MAP
     // The disc through its middle, as the sun sees it: the lit half lies before it, and does not shade itself.
     hit.depth = discDepth(ball, rayAt(rays, place));
 #endif
-    precise float near = view.near * exactReciprocal(max(hit.depth, 1e-6f));
+    float near = nearOf(hit.depth);
     if (!hit.found || hit.depth < view.near || near < view.nearOverFar) continue;
     int at = sampleIndex(pixel, s);
     keep(at, nearKey(near), keyAt(at), id);

@@ -31,10 +31,10 @@ struct Place {
 Place placeOn(Ball ball, ivec2 pixel, int firstSample) {
   Rays rays = Rays(view.ray.xyz, view.rayAcross.xyz, view.rayDown.xyz);
   vec3 ray = rayAt(rays, shadingPlace(pixel, -1));
-  BallHit hit = ballHit(ball, ray);
+  BallHit hit = hitOf(ball, ray);
   if (!hit.found || hit.depth < view.near) {
     ray = rayAt(rays, shadingPlace(pixel, firstSample));
-    hit = ballHit(ball, ray);
+    hit = hitOf(ball, ray);
   }
   return Place(hit.outwards, ray);
 }
@@ -42,7 +42,7 @@ Place placeOn(Ball ball, ivec2 pixel, int firstSample) {
 // How much the corner (-1 or 1) counts on a square whose half side is the third number, at the pixel's middle.
 float weightOf(Ball ball, Facing facing, vec2 corner, float perHalf, ivec2 pixel) {
   Rays rays = Rays(view.ray.xyz, view.rayAcross.xyz, view.rayDown.xyz);
-  precise vec3 aside = rayAt(rays, shadingPlace(pixel, -1)) * ball.depth - ball.middle;
+  precise vec3 aside = alongRay(rayAt(rays, shadingPlace(pixel, -1)), ball.depth) - ball.middle;
   precise vec2 at = vec2(exactDot(aside, facing.right), exactDot(aside, facing.up)) * perHalf;
   precise vec2 along = 0.5f + 0.5f * clamp(at, vec2(-1.0f), vec2(1.0f)) * corner;
   precise float weight = along.x * along.y;
@@ -63,7 +63,7 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
 #endif
   Facing facing = facingEye(position.xyz);
   Place place = placeOn(ball, pixel, sampleAt);
-  precise vec3 backwards = -place.ray;
+  precise vec3 backwards = -directionOf(place.ray);
   vec3 towards = small ? facing.towards : unitOf(backwards);
   precise vec3 middle = 0.6666667f * facing.towards;  // the part of a ball that is seen faces the eye by 2/3 in the mean
   precise vec3 lit = position.xyz + (small ? ball.radius * middle : place.outwards);

@@ -30,11 +30,14 @@ float nearnessOf(ivec2 at) {
   float near = key <= 0x7fffffffu ? intBitsToFloat(int(0x7fffffffu - key)) : 0.0f;
 #ifdef GROUND
   float depth = groundDepth(rayThrough(vec2(first + 1)));
-  float perDepth = exactReciprocal(max(depth, 1e-6f));
-  precise float ground = view.near * perDepth;
+  float ground = nearOf(depth);
   near = max(near, depth >= view.near && ground >= view.nearOverFar ? ground : 0.0f);
 #endif
+#ifdef PARALLEL
+  precise float perMetre = near * exactReciprocal(view.forward.w);  // m before what is never seen
+#else
   precise float perMetre = near * perNear;
+#endif
   return perMetre;
 }
 

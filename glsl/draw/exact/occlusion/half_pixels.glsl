@@ -4,6 +4,18 @@
 #define EXACT_HALF_PIXELS
 #include "common/exact.glsl"
 
+// What of nearness is a part of the distance: with PARALLEL rays it is in metres, and what is seen as wide from that far away at 40 degrees
+// counts as the distance: 1.37 times the picture's height. Whoever includes it has `view`.
+FUNCTION float partOf(float here, float part) {
+#ifdef PARALLEL
+  precise float height = float(view.size.y) * exactSqrt(exactDot(vec3(view.rayDown), vec3(view.rayDown)));
+  precise float most = part * 1.37f * height;
+#else
+  precise float most = part * here;
+#endif
+  return most;
+}
+
 // What a half pixel to the right, or downwards, adds to nearness, of that of one and of both its neighbours: the mean of the two
 // differences where the surface is smooth and bulges towards the eye, else the lesser, which leads over no edge. Of what is convex
 // nothing lies before the plane that this makes, nor of what is flat.
@@ -12,7 +24,7 @@ FUNCTION float slopeBetween(float before, float here, float behind) {
   precise float from = behind - here;
   precise float mean = 0.5f * (to + from);
   precise float bend = from - to;
-  precise float most = 0.01f * here;
+  float most = partOf(here, 0.01f);
   float lesser = abs(to) < abs(from) ? to : from;
   return bend < 0.0f && bend > -most ? mean : lesser;
 }

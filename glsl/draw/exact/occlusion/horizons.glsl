@@ -10,6 +10,9 @@
 //     (cos g - cos(2 h - g) + 2 h sin g) / 4
 // for each side, and cos g + g sin g in all where nothing stands. Nearness is affine on planes, so what lies between two half
 // pixels is estimated along the plane of the place itself: on that, it is right.
+//
+// PARALLEL: rays go along f, and nearness is metres before what is never seen, so the direction is that of f times how much less near the
+// place there is, and t u across.
 #include "common/exact_acos.glsl"
 #include "draw/exact/ground_plane.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
@@ -41,9 +44,15 @@ FUNCTION HalfPlace halfPlaceOf(ivec2 at, float here) {
   float left = nearnessAt(at - ivec2(1, 0)), right = nearnessAt(at + ivec2(1, 0));
   float above = nearnessAt(at - ivec2(0, 1)), below = nearnessAt(at + ivec2(0, 1));
   float depth = exactReciprocal(here);
+#ifdef PARALLEL
+  precise float asked = reach_.x * reach_.z;
+  float reach = min(asked, reach_.y);
+  float held = reach;
+#else
   precise float asked = reach_.x * reach_.z * here;
   float reach = min(asked, reach_.y);
   precise float held = reach * depth;
+#endif
   precise float perReach = reach_.z * exactReciprocal(max(held, 1e-12f));
   HalfPlace place;
   place.at = at;
@@ -81,11 +90,19 @@ FUNCTION float horizonOf(HalfPlace place, Slice slice, float side, float shift) 
     float seen = nearnessAt(place.at + ivec2(middle));
     precise vec2 beside = exact - middle;
     precise float nearness = seen + (place.slope.x * beside.x + place.slope.y * beside.y);
+#ifdef PARALLEL
+    precise float up = nearness - place.nearness;
+#else
     precise float up = (nearness * place.depth - 1.0f) * slice.ray - away * slice.forth;
+#endif
     precise float over = away * slice.across;
     precise float square = up * up + over * over;
     float perLength = exactInverseSqrt(square);
+#ifdef PARALLEL
+    float perAway = place.perReach;
+#else
     precise float perAway = place.perReach * exactReciprocal(max(nearness, 1e-9f));
+#endif
     precise float counts = 1.25f - 1.25f * square * perAway * perAway;
     float share = seen > 0.0f ? clamp(counts, 0.0f, 1.0f) : 0.0f;
     precise float higher = low + (up * perLength - low) * share;
@@ -96,6 +113,11 @@ FUNCTION float horizonOf(HalfPlace place, Slice slice, float side, float shift) 
 
 // |N| of the plane's normal N that has N . r = -nearness and N . u = -slope . along.
 FUNCTION float normalLength(HalfPlace place, vec3 ray, vec3 across, vec3 down) {
+#ifdef PARALLEL
+  precise vec2 tilt = place.slope * vec2(exactInverseSqrt(exactDot(across, across)), exactInverseSqrt(exactDot(down, down)));
+  precise float tilted = 1.0f + tilt.x * tilt.x + tilt.y * tilt.y;
+  return exactSqrt(tilted);
+#endif
   vec3 both = exactCross(across, down), overRay = exactCross(down, ray), rayOver = exactCross(ray, across);
   precise vec3 normal = place.slope.x * overRay + place.slope.y * rayOver + place.nearness * both;
   precise float length_ = exactSqrt(exactDot(normal, normal)) * exactReciprocal(exactDot(both, ray));
@@ -114,7 +136,11 @@ FUNCTION Slice sliceOf(HalfPlace place, vec3 ray, vec3 right, vec3 down, float t
   precise float acrossSquare = exactDot(more, more) - forth * forth;
   float perAcross = exactInverseSqrt(acrossSquare);
   precise float across = acrossSquare * perAcross;
+#ifdef PARALLEL
+  const float towards = 1.0f;
+#else
   precise float towards = place.nearness * perRay;
+#endif
   precise float aside = (forth * towards - (place.slope.x * along.x + place.slope.y * along.y)) * perAcross;
   precise float part = towards * towards + aside * aside;
   float perPart = exactInverseSqrt(part);
@@ -134,7 +160,7 @@ FUNCTION Slice sliceOf(HalfPlace place, vec3 ray, vec3 right, vec3 down, float t
 
 // Of a place that shows something. Any 4x4 half pixels have 16 turns, and their steps are shifted evenly.
 FUNCTION Arcs arcsOf(HalfPlace place) {
-  vec3 ray = rayThrough(vec2(2 * place.at + 1));
+  vec3 ray = directionOf(rayThrough(vec2(2 * place.at + 1)));
   precise vec3 right = 2.0f * vec3(view.rayAcross);
   precise vec3 down = 2.0f * vec3(view.rayDown);
   float perNormal = exactReciprocal(max(normalLength(place, ray, right, down), 1e-12f));

@@ -6,7 +6,7 @@
 FUNCTION vec2 smoothArcs(ivec2 at, ivec2 along) {
   float before = arcsAt(at - along).z, here = arcsAt(at).z, behind = arcsAt(at + along).z;
   float slope = slopeBetween(before, here, behind);
-  precise float far = 0.03f * here;
+  float far = partOf(here, 0.03f);
   float perFar = exactReciprocal(max(far, 1e-12f));
   precise float lost = 0.0f;
   precise float all_ = 0.0f;

@@ -1,5 +1,5 @@
 // Puts a surface's vertices in world space behind those of others, with what shading reads of them, and its triangles. A vertex's
-// words: its normal, its colour (halfs) and whose it is. Variants: GRID, DEFORMED, COUNTED, PALETTE; LAID
+// words: its normal, its colour (halfs) and whose it is. Variants: GRID, DEFORMED, COUNTED, PALETTE, VERTEX_COLORS; LAID
 // with its uv or (TRIPLANAR) its place in the surface's own space.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/bindings.glsl"
@@ -16,6 +16,10 @@ layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgum
 #endif
 #ifdef PALETTE
 layout(binding = paletteUnit) uniform samplerBuffer palette;
+#endif
+#ifdef VERTEX_COLORS
+#include "draw/bindings.glsl"
+layout(binding = paletteUnit) uniform samplerBuffer vertexTints;
 #endif
 uniform int vertexCount;
 uniform int firstVertex;
@@ -58,6 +62,10 @@ void main() {
     vec3 tint = color;
 #ifdef PALETTE
     tint = texelFetch(palette, vertexColor(i)).rgb;
+#endif
+#ifdef VERTEX_COLORS
+    precise vec3 tinted = tint * texelFetch(vertexTints, i).rgb;
+    tint = tinted;
 #endif
     vec4 held = asHalf(vec4(tint, 0.0f));
     words[firstVertex + i] =

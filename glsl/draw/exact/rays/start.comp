@@ -17,6 +17,9 @@ Facet facetAt(int at) {
   vec3 place = uintBitsToFloat(first.xyz);
   precise vec3 to = view.eye.xyz - place;
   float square = max(exactDot(to, to), 1e-12f);
+#ifdef PARALLEL
+  to = -view.forward.xyz;
+#endif
   Facet f = facetOf(place, unpackedUnit(first.w), unpackedUnit(second.w), unitOf(to), uintBitsToFloat(second.xyz),
                     uintBitsToFloat(third.xyz), exactSqrt(square));
 #ifdef FINISHED

@@ -2,8 +2,11 @@
 #include "draw/exact/rays/spots.glsl"
 #include "draw/exact/rays/rounded_place.glsl"
 
-// In the world, of a corner on the picture: pixels times depth, and depth.
+// In the world, of a corner on the picture (draw/exact/corner_place.glsl).
 vec3 cornerPlace(vec3 corner) {
+#ifdef PARALLEL
+  return placeOnRay(rayThrough(corner.xy), corner.z);
+#endif
   precise vec3 p = vec3(view.eye) + vec3(view.ray) * corner.z + vec3(view.rayAcross) * corner.x + vec3(view.rayDown) * corner.y;
   return p;
 }

@@ -37,7 +37,7 @@ void finish(ivec2 at) {
 #ifdef TRANSPARENT
   precise vec3 light = drawn.rgb;
 #else
-  vec3 direction = unitOf(rayThrough(place));
+  vec3 direction = unitOf(directionOf(rayThrough(place)));
   precise vec3 light = drawn.rgb + (1.0f - drawn.a) * skyInDirection(direction);
 #endif
 #ifdef BLOOM

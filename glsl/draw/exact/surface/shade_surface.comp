@@ -1,6 +1,6 @@
 // Light of one surface on its tiles: each primitive of a pixel once, in the pixel's middle if that is on it, else at the
 // first of its samples. JOINED: of several surfaces that have nothing laid over them. Variants: those of draw/surface/lighting.glsl,
-// SHADOW (with SHADOW_TAPS), OCCLUSION, RAYS, PALETTE, DOUBLE_SIDED, TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of
+// SHADOW (with SHADOW_TAPS), OCCLUSION, RAYS, PALETTE, VERTEX_COLORS, DOUBLE_SIDED, TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of
 // a GRID or a mesh, or TRIPLANAR; maps (surface_maps.glsl), EMISSION, COAT, SHEEN. BLENDED: of a layer. SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
@@ -93,6 +93,9 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   precise vec3 base = color_;
 #ifdef PALETTE
   base = paletteColor(spot);
+#endif
+#ifdef VERTEX_COLORS
+  base = base * tintOn(spot);
 #endif
   vec3 normal = spot.normal;
 #ifdef MAPPED

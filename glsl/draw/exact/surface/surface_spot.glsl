@@ -10,6 +10,11 @@
 layout(binding = paletteUnit) uniform samplerBuffer palette;
 #endif
 
+#ifdef VERTEX_COLORS
+#include "draw/bindings.glsl"
+layout(binding = paletteUnit) uniform samplerBuffer vertexTints;
+#endif
+
 struct Spot {
   ivec3 corners;      // vertices of the triangle
   vec3 a, b, c;       // those on the picture
@@ -47,7 +52,7 @@ Spot spotOf(ivec3 corners, ivec2 pixel, int firstSample) {
   spot.place = placeUnder(w, spot.a.z, spot.b.z, spot.c.z, ray);
   precise vec3 mean = w.x * unpackedUnit(a.w) + w.y * unpackedUnit(b.w) + w.z * unpackedUnit(c.w);
   spot.normal = unitOf(mean);
-  precise vec3 towards = -ray;
+  precise vec3 towards = -directionOf(ray);
   spot.view = unitOf(towards);
   return spot;
 }
@@ -57,6 +62,17 @@ vec3 weightsBeside(Spot spot, vec2 aside) {
   precise vec2 at = spot.at + aside;
   return ofSumOne(weightsAround(spot.a, spot.b, spot.c, at));
 }
+
+#ifdef VERTEX_COLORS
+// That the vertices have themselves.
+vec3 tintOn(Spot spot) {
+  vec3 w = spot.weight;
+  precise vec3 mean = w.x * texelFetch(vertexTints, spot.corners.x - firstVertex_).rgb +
+                      w.y * texelFetch(vertexTints, spot.corners.y - firstVertex_).rgb +
+                      w.z * texelFetch(vertexTints, spot.corners.z - firstVertex_).rgb;
+  return mean;
+}
+#endif
 
 #ifdef PALETTE
 vec3 paletteOf(int vertex) {

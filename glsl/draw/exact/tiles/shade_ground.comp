@@ -40,7 +40,7 @@ void lightGround(ivec2 pixel) {
   addLight(pixel, vec4(0.0f, 0.0f, 0.0f, alpha), samples);
   return;
 #endif
-  precise vec3 towards = -ray;
+  precise vec3 towards = -directionOf(ray);
 #ifdef SHOWN
   float there = groundLight(p, unitOf(towards), fraction, 1.0f).a;
   precise vec3 value = (SHOWN == 1 ? vec3(0, 1, 0) : frame.groundColor.rgb) * there;

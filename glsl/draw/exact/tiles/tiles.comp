@@ -150,6 +150,9 @@ int groundOf(ivec2 pixel, uvec4 keys) {
   precise float leastSteep = 3e-6f * view.near;  // groundDepth has a least, too
   precise float leastNear = view.nearOverFar * 1.001f;
   bool seen = farther >= leastNear && steep >= leastSteep && nearer <= 0.999f && within >= raysAround.x;
+#ifdef PARALLEL
+  seen = false;  // the bounds above are of rays from a point: samples are looked at one by one
+#endif
   bool all_ = seen && nearKey(max(farther, 0.0f)) < nearest;
   return none ? 0 : all_ ? kind : 3;
 }
@@ -159,8 +162,7 @@ int groundAt(ivec2 pixel, int s, int at, uint key) {
   precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
   vec3 ray = rayThrough(place);
   float depth = groundDepth(ray);
-  float perDepth = exactReciprocal(max(depth, 1e-6f));
-  precise float near = view.near * perDepth;
+  float near = nearOf(depth);
   bool seen = depth >= view.near && near >= view.nearOverFar && nearKey(near) < key;
 #ifdef GROUND_KEYS
   if (seen) PUT_KEY(at, nearKey(near));

@@ -42,12 +42,12 @@ void clipLarge(int entry) {
   uvec4 a = vertexOf(corners.x), b = vertexOf(corners.y), c = vertexOf(corners.z);
 #ifdef BINS
   seeSides(number);
-  if (binFan(placeOf(a), placeOf(b), placeOf(c), firstId + uint(number))) return;
+  if (binFan(drawnPlace(a), drawnPlace(b), drawnPlace(c), firstId + uint(number))) return;
   entry = int(atomicAdd(leftCounts[draws + draw_], 1u));
   left[firstIndex / 3 + entry] = uint(number);
   if (entry >= fanRoom) return;
 #endif
-  makeFan(entry, placeOf(a), placeOf(b), placeOf(c), vec2(view.size), view.near);
+  makeFan(entry, drawnPlace(a), drawnPlace(b), drawnPlace(c), vec2(view.size), view.near);
 }
 
 void main() {

@@ -32,7 +32,7 @@ void drawLarge(int entry) {
 #ifdef SUN_MAP
   fillTiles(drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c)), id);  // never clipped
 #else
-  fillClipped(placeOf(a), placeOf(b), placeOf(c), view.near, id);
+  fillClipped(drawnPlace(a), drawnPlace(b), drawnPlace(c), view.near, id);
 #endif
 #else
   fillFan(entry, id);

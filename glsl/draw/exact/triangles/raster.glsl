@@ -14,10 +14,10 @@ void seeSides(int number) {}
 
 Corner cornerOfVertex(uvec4 vertex) {
 #ifdef SUN_MAP
-  Corner corner = cornerOf(placeOf(vertex), 0.0f);
+  Corner corner = cornerOf(drawnPlace(vertex), 0.0f);
   corner.near = intBitsToFloat(int(vertex.w));
   return corner;
 #else
-  return cornerOf(placeOf(vertex), view.near);
+  return cornerOf(drawnPlace(vertex), view.near);
 #endif
 }

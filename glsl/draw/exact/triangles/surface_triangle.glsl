@@ -65,3 +65,15 @@ ivec3 cornersOf(int triangle) {
 vec3 placeOf(uvec4 vertex) {
   return uintBitsToFloat(vertex.xyz);
 }
+#ifdef PARALLEL
+#include "draw/exact/view_block.glsl"
+#include "draw/exact/corner_place.glsl"
+// As it is drawn.
+vec3 drawnPlace(uvec4 vertex) {
+  return rasterPlace(placeOf(vertex));
+}
+#else
+vec3 drawnPlace(uvec4 vertex) {
+  return placeOf(vertex);
+}
+#endif

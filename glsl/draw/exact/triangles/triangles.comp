@@ -37,8 +37,12 @@ void drawOrList(int number) {
 #ifndef SUN_MAP
   float nearest = view.near;
 #endif
-  if (beside(placeOf(a), placeOf(b), placeOf(c), size, nearest)) return;
-  bool whole = inside(placeOf(a), size, nearest) && inside(placeOf(b), size, nearest) && inside(placeOf(c), size, nearest);
+  vec3 pa = drawnPlace(a), pb = drawnPlace(b), pc = drawnPlace(c);
+#ifdef PARALLEL
+  if (min(pa.z, min(pb.z, pc.z)) < 0.0f) return;  // beyond the span
+#endif
+  if (beside(pa, pb, pc, size, nearest)) return;
+  bool whole = inside(pa, size, nearest) && inside(pb, size, nearest) && inside(pc, size, nearest);
   Triangle t;
   t.empty = false;
   t.low = t.high = ivec2(0);

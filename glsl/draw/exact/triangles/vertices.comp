@@ -1,5 +1,5 @@
 // Vertices of one surface as the rasterizer reads them: pixels times depth to the right and down, depth (m), and the
-// normal; lost ones are marked. SUN_MAP: texels of the sun's map, 1, and how near to the sun it is. Variants: GRID,
+// normal; lost ones are marked. PARALLEL: as draw/exact/corner_place.glsl has it. SUN_MAP: texels of the sun's map, 1, and how near to the sun it is. Variants: GRID,
 // DEFORMED.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
@@ -10,6 +10,7 @@ uniform float mapTexels;
 #else
 #include "draw/exact/unit_vector.glsl"
 #include "draw/exact/view_block.glsl"
+#include "draw/exact/corner_place.glsl"
 #endif
 layout(local_size_x = 64) in;
 layout(std430, binding = outVertexBinding) writeonly restrict buffer VertexBlock { uvec4 vertices[]; };
@@ -27,8 +28,7 @@ void main() {
   vec3 at = vec3(texel, 1.0f);
   uint word = uint(floatBitsToInt(max(near, 0.0f)));
 #else
-  precise vec3 from = p - view.eye.xyz;
-  vec3 at = vec3(exactDot(from, view.across.xyz), exactDot(from, view.down.xyz), exactDot(from, view.forward.xyz));
+  vec3 at = onPicture(p);
   uint word = packedUnit(worldNormal(i));
 #endif
   bool found = isNumber(at.x) && isNumber(at.y) && isNumber(at.z);

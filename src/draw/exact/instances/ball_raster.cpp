@@ -17,8 +17,8 @@ constexpr float ballRadius = 0.5F;  // of sprites and spheres at size 1
 BallRaster::BallRaster(Into into, int samples, int smallPixels, int mediumPixels)
     : into_(into), samples_(samples), smallPixels_(smallPixels), mediumPixels_(mediumPixels) {}
 
-const gl::Program& BallRaster::program(bool large, int pass, SampleLayout layout) {
-  const std::tuple<bool, int, SampleLayout> key{large, pass, layout};
+const gl::Program& BallRaster::program(bool large, int pass, SampleKind layout) {
+  const std::tuple<bool, int, SampleKind> key{large, pass, layout};
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};

@@ -29,7 +29,7 @@ class BallRaster {
 
  private:
   [[nodiscard]] bool anyMedium() const { return into_ != Into::sunMap && mediumPixels_ > smallPixels_; }
-  const gl::Program& program(bool large, int pass, SampleLayout layout);
+  const gl::Program& program(bool large, int pass, SampleKind layout);
   void prepare();
   void run(bool large, int pass, const Visibility& into, const MapPart& part = {});
 
@@ -39,7 +39,7 @@ class BallRaster {
   int mediumPixels_;
   std::vector<const sim::Instances*> balls_;
   std::vector<unsigned> firstIds_;
-  std::map<std::tuple<bool, int, SampleLayout>, gl::Program> programs_;
+  std::map<std::tuple<bool, int, SampleKind>, gl::Program> programs_;
   GroupCounts groups_;
   gl::Buffer large_, counters_, largeGroups_;
   gl::Texture largeView_, counterView_;

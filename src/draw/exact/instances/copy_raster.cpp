@@ -40,8 +40,8 @@ unsigned CopyRaster::Copies::triangles() const {
   return static_cast<unsigned>(level.indexCount / level.batch / 3);
 }
 
-const gl::Program& CopyRaster::program(const char* path, Pass pass, SampleLayout layout) {
-  const std::tuple<std::string, Pass, SampleLayout> key{path, pass, layout};
+const gl::Program& CopyRaster::program(const char* path, Pass pass, SampleKind layout) {
+  const std::tuple<std::string, Pass, SampleKind> key{path, pass, layout};
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)},

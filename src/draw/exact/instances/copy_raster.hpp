@@ -57,7 +57,7 @@ class CopyRaster {
     int skipped;
     int most;
   };
-  const gl::Program& program(const char* path, Pass pass, SampleLayout layout);
+  const gl::Program& program(const char* path, Pass pass, SampleKind layout);
   void list(const std::vector<Copies>& copies, const Visibility& into);
   void run(Pass pass, const Visibility& into, const MapPart& map);
   void runPart(std::size_t part, Pass pass, const Visibility& into, const MapPart& map);
@@ -72,7 +72,7 @@ class CopyRaster {
   std::vector<int> firstListed_;
   std::vector<Part> parts_;
   std::vector<InstanceColors> colors_;
-  std::map<std::tuple<std::string, Pass, SampleLayout>, gl::Program> programs_;
+  std::map<std::tuple<std::string, Pass, SampleKind>, gl::Program> programs_;
   std::map<const InstanceShape*, gl::Texture> indices_;
   gl::Program cull_;
   GroupCounts groups_;

@@ -31,8 +31,8 @@ void GlowRaster::prepare(glm::ivec2 size) {
   add_ = gl::Program::compute("draw/exact/instances/add_glows.comp");
 }
 
-const gl::Program& GlowRaster::program(bool large, bool ball, SampleLayout layout) {
-  const std::tuple<bool, bool, SampleLayout> key{large, ball, layout};
+const gl::Program& GlowRaster::program(bool large, bool ball, SampleKind layout) {
+  const std::tuple<bool, bool, SampleKind> key{large, ball, layout};
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}};

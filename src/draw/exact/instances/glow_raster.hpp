@@ -31,7 +31,7 @@ class GlowRaster {
 
  private:
   [[nodiscard]] bool anyMedium() const { return mediumPixels_ > smallPixels_; }
-  const gl::Program& program(bool large, bool ball, SampleLayout layout);
+  const gl::Program& program(bool large, bool ball, SampleKind layout);
   void run(bool large, const Visibility& picture);
 
   int samples_;
@@ -39,7 +39,7 @@ class GlowRaster {
   int mediumPixels_;
   std::vector<const sim::Instances*> glows_;
   std::vector<InstanceColors> colors_;
-  std::map<std::tuple<bool, bool, SampleLayout>, gl::Program> programs_;
+  std::map<std::tuple<bool, bool, SampleKind>, gl::Program> programs_;
   GroupCounts groups_;
   gl::Program add_;
   gl::Buffer sums_, large_, counters_, largeGroups_;

@@ -88,6 +88,7 @@ void Motion::keep(const sim::Drawables& before) {
     copy(instances, moving.before);
   }
   places_ = before.places;
+  lagging_ = before.lagging;
   gl::barrier();
 }
 
@@ -172,6 +173,19 @@ std::vector<glm::vec4> Motion::velocitiesOf(std::size_t number) {
   return velocities;
 }
 
+sim::Drawables Motion::cameraAt(float part) const {
+  SIMREEL_CHECK(drawables_ != nullptr);
+  sim::Drawables camera;
+  camera.places = drawables_->places;
+  camera.lagging = drawables_->lagging;
+  camera.paths = drawables_->paths;
+  for (std::size_t i = 0; i < std::min(places_.size(), camera.places.size()); ++i)
+    camera.places[i].middle = glm::mix(places_[i].middle, camera.places[i].middle, part);
+  for (std::size_t i = 0; i < std::min(lagging_.size(), camera.lagging.size()); ++i)
+    camera.lagging[i] = glm::mix(lagging_[i], camera.lagging[i], part);
+  return camera;
+}
+
 const sim::Drawables& Motion::between(float part) {
   SIMREEL_CHECK(drawables_ != nullptr);
   shown_ = *drawables_;
@@ -180,8 +194,9 @@ const sim::Drawables& Motion::between(float part) {
     if (surfaces_[i].moves) place(shown_.surfaces[i], surfaces_[i], part);
   for (std::size_t i = 0; i < instances_.size(); ++i)
     if (instances_[i].moves) place(shown_.instances[i], instances_[i], part);
-  for (std::size_t i = 0; i < std::min(places_.size(), shown_.places.size()); ++i)
-    shown_.places[i].middle = glm::mix(places_[i].middle, shown_.places[i].middle, part);
+  const sim::Drawables camera = cameraAt(part);
+  shown_.places = camera.places;
+  shown_.lagging = camera.lagging;
   gl::barrier();
   return shown_;
 }

@@ -39,6 +39,9 @@ class Motion {
   [[nodiscard]] Way wayOf(std::size_t surface) const;
   /// Velocities of instances i of the frame: xyz in m/s.
   [[nodiscard]] std::vector<glm::vec4> velocitiesOf(std::size_t instances);
+  /// What a camera asks of drawables (draw::viewAt), at another part of the way between the frames: -0.5 is
+  /// as long before the frame before.
+  [[nodiscard]] sim::Drawables cameraAt(float part) const;
 
  private:
   /// Two vec4 an element: places and normals, or places and velocities.
@@ -68,7 +71,8 @@ class Motion {
   double seconds_ = 0;
   std::map<std::string, gl::Program> programs_;
   std::vector<Moving> surfaces_, instances_;
-  std::vector<sim::Place> places_;             ///< of the frame before
+  std::vector<sim::Place> places_;  ///< of the frame before, and the next
+  std::vector<glm::vec3> lagging_;
   Elements copied_;                            ///< instances whose velocities are asked for
   const sim::Drawables* drawables_ = nullptr;  ///< of the frame
   sim::Drawables shown_;

@@ -66,8 +66,9 @@ const gl::Program& RayScene::gatherProgram(const sim::Surface& surface) {
   const bool grid = surface.normals == nullptr, deformed = surface.deform != nullptr;
   const bool counted = surface.arguments != nullptr, colored = surface.palette != nullptr;
   const bool laid = RayLooks::isLaid(surface), sides = laid && RayLooks::fromThreeSides(surface);
-  const unsigned key = (grid ? 1U : 0U) | (deformed ? 2U : 0U) | (counted ? 4U : 0U) | (colored ? 8U : 0U) |
-                       (laid ? 16U : 0U) | (sides ? 32U : 0U);
+  const bool tinted = surface.colors != nullptr;
+  const unsigned key = (tinted ? 64U : 0U) | (grid ? 1U : 0U) | (deformed ? 2U : 0U) | (counted ? 4U : 0U) |
+                       (colored ? 8U : 0U) | (laid ? 16U : 0U) | (sides ? 32U : 0U);
   gl::Program& kernel = gatherPrograms_[key];
   if (kernel.name() == 0) {
     gl::Defines defines;
@@ -75,6 +76,7 @@ const gl::Program& RayScene::gatherProgram(const sim::Surface& surface) {
     if (deformed) defines.emplace_back("DEFORMED", "1");
     if (counted) defines.emplace_back("COUNTED", "1");
     if (colored) defines.emplace_back("PALETTE", "1");
+    if (tinted) defines.emplace_back("VERTEX_COLORS", "1");
     if (laid) defines.emplace_back("LAID", "1");
     if (sides) defines.emplace_back("TRIPLANAR", "1");
     kernel = gl::Program::compute("draw/exact/rays/gather.comp", defines);
@@ -99,6 +101,7 @@ void RayScene::gatherSurface(const sim::Surface& surface, int firstVertex, int f
   indices.bind(indexUnit);
   if (counted) surface.arguments->bindStorage(drawArgumentBinding);
   if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
+  if (surface.colors != nullptr) surface.colors->bind(paletteUnit);
   kernel.set("model", surface.model);
   kernel.set("grid", surface.grid);
   kernel.set("vertexCount", verticesOf(surface));

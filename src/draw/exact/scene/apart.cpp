@@ -20,9 +20,10 @@ std::vector<const sim::Surface*> pointersTo(const std::vector<sim::Surface>& sur
 
 }  // namespace
 
-ApartSurfaces::ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading)
+ApartSurfaces::ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading, bool parallel)
     : band_(band),
       samples_(samples),
+      parallel_(parallel),
       shading_(shading),
       cut_(TriangleRaster::ofFragments(TriangleRaster::Into::picture, samples)),
       layer_(TriangleRaster::ofFragments(TriangleRaster::Into::picture, samples)) {
@@ -103,7 +104,7 @@ void ApartSurfaces::bind() const {
 
 void ApartSurfaces::makeRoom() {
   if (through_.name() != 0) return;
-  for (auto& layer : layers_) layer.emplace("a layer", band_, samples_, true);
+  for (auto& layer : layers_) layer.emplace("a layer", band_, samples_, true, parallel_);
   tiles_.emplace(*layers_[0], false, false, false);
   const std::size_t samples = static_cast<std::size_t>(band_.x) * static_cast<std::size_t>(band_.y) *
                               static_cast<std::size_t>(samples_);

@@ -26,8 +26,8 @@ namespace simreel::draw {
 class ApartSurfaces {
  public:
   static constexpr int most = 16;
-  /// `band`: the pixels whose visibility is found at once.
-  ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading);
+  /// `band`: the pixels whose visibility is found at once. `parallel`: as SampleKind has it.
+  ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading, bool parallel = false);
 
   /// Takes from a picture's surfaces those that are drawn here.
   void take(std::vector<sim::Surface>& surfaces);
@@ -67,6 +67,7 @@ class ApartSurfaces {
 
   glm::ivec2 band_;
   int samples_;
+  bool parallel_;
   SurfaceShading& shading_;
   std::vector<sim::Surface> cutSurfaces_, blended_, casting_;
   TriangleRaster cut_, layer_;

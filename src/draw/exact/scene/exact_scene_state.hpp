@@ -62,6 +62,7 @@ struct ExactScene::State {
   }
   [[nodiscard]] gl::Defines pictureDefines() const {
     gl::Defines defines = lightDefines();
+    if (isParallel(scene.camera)) defines.emplace_back("PARALLEL", "1");
     for (auto& define : aroundDefines()) defines.push_back(std::move(define));
     for (auto& define : filmDefines(scene.render)) defines.push_back(std::move(define));
     if (scene.render.transparent) defines.emplace_back("TRANSPARENT", "1");
@@ -88,6 +89,7 @@ struct ExactScene::State {
   void keepVisibility(glm::ivec2 rows) const;
   void keepLayers(const shader::ExactView& values);
   [[nodiscard]] std::optional<Velocities> velocitiesNow() const;
+  [[nodiscard]] std::optional<CameraWay> cameraWayNow() const;
   void keepLight();
   void shadeThings();
   void shadeShown();
@@ -132,7 +134,8 @@ struct ExactScene::State {
   PictureLayers layers;
   std::optional<LayerKeeper> layerKeeper;  ///< while the layers' view is drawn,
   const Exposure* exposed = nullptr;       ///< and of what that is the first moment,
-  const sim::Drawables* there = nullptr;   ///< of which these are
+  const sim::Drawables* there = nullptr;   ///< of which these are,
+  double exposedSeconds = 0;               ///< at that time
   gl::Program linear;                      ///< of those alone
   gl::Texture light;
   gl::Texture sums;          ///< light of each pixel, and in alpha how much of it is covered

@@ -13,7 +13,9 @@ namespace {
 
 float occlusionRadiusOf(const scene::Scene& scene, const View& view) {
   if (scene.render.occlusionRadius) return static_cast<float>(*scene.render.occlusionRadius);
-  return std::max(glm::distance(view.eye, view.target) / 6.0F, 1e-6F);
+  // Of what is seen at 40 degrees from so far away the height is 0.73 times that.
+  const float away = view.parallel ? 2 * view.reach.y / 0.73F : glm::distance(view.eye, view.target);
+  return std::max(away / 6.0F, 1e-6F);
 }
 
 }  // namespace
@@ -87,6 +89,7 @@ bool ExactScene::State::expose(const Exposure& exposure, const Watch& watch) {
     const Moment moment = exposure.at(m);
     exposed = &exposure;
     there = moment.drawables;
+    exposedSeconds = moment.seconds;
     const View seen = prepare(moment, drawables, watch);
     const std::vector<LensPoint> opening = lensPoints(scene.camera, seen, moment.seconds);
     // Each moment through points that lie evenly over all of the lens; each point and each moment once at

@@ -40,8 +40,9 @@ void ExactScene::State::keepVisibility(glm::ivec2 rows) const {
 /// Of all that has numbers. What is drawn of the moment's surfaces are copies, which share their places.
 std::optional<Velocities> ExactScene::State::velocitiesNow() const {
   const std::vector<Layer>& layersWanted = wanted->layers;
-  if (exposed->motion == nullptr ||
-      std::find(layersWanted.begin(), layersWanted.end(), Layer::velocity) == layersWanted.end())
+  if (exposed->motion == nullptr || std::none_of(layersWanted.begin(), layersWanted.end(), [](Layer layer) {
+        return layer == Layer::velocity || layer == Layer::vector;
+      }))
     return std::nullopt;
   Velocities velocities(*exposed->motion, exposed->frameSeconds, exposed->part);
   const auto add = [&](const TriangleRaster::Drawn& drawn) {
@@ -68,6 +69,19 @@ std::optional<Velocities> ExactScene::State::velocitiesNow() const {
   return velocities;
 }
 
+/// How the camera moved during the frame, where somebody asks for it.
+std::optional<CameraWay> ExactScene::State::cameraWayNow() const {
+  const std::vector<Layer>& layersWanted = wanted->layers;
+  if (exposed->motion == nullptr ||
+      std::find(layersWanted.begin(), layersWanted.end(), Layer::vector) == layersWanted.end())
+    return std::nullopt;
+  const double seconds = exposed->frameSeconds;
+  const View now = viewAt(scene.camera, exposedSeconds, size, *there);
+  const View before =
+      viewAt(scene.camera, exposedSeconds - seconds, size, exposed->motion->cameraAt(exposed->part - 1));
+  return CameraWay{exactView(now, scene.camera, size), exactView(before, scene.camera, size), seconds};
+}
+
 void ExactScene::State::keepLayers(const shader::ExactView& values) {
   std::vector<DrawnThing> things;
   for (const TriangleRaster::Drawn& drawn : triangles.drawn())
@@ -75,7 +89,8 @@ void ExactScene::State::keepLayers(const shader::ExactView& values) {
   apart.describe(things);
   instances.describe(things);
   const std::optional<Velocities> velocities = velocitiesNow();
-  layerKeeper->add(visibility, values, things, velocities ? &*velocities : nullptr);
+  const std::optional<CameraWay> way = cameraWayNow();
+  layerKeeper->add(visibility, values, things, velocities ? &*velocities : nullptr, way ? &*way : nullptr);
 }
 
 /// What picture.comp makes a picture of.

@@ -41,6 +41,7 @@ LayerKeeper::LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm
   if (wants(Layer::depth)) layers_.depth.assign(pixels, std::numeric_limits<float>::infinity());
   if (places) layers_.position.assign(3 * pixels, 0.0F);
   if (wants(Layer::velocity)) layers_.velocity.assign(3 * pixels, 0.0F);
+  if (wants(Layer::vector)) layers_.vector.assign(2 * pixels, 0.0F);
   if (!wants(Layer::object)) return;
   layers_.ranks = std::min(samples, PictureLayers::mostRanks);
   layers_.shares.resize(pixels * static_cast<std::size_t>(layers_.ranks));
@@ -67,9 +68,18 @@ std::uint32_t LayerKeeper::objectOf(unsigned number, std::span<const DrawnThing>
   return numbered((after - 1)->object);
 }
 
+/// From where it is seen to where it was; rows count downwards.
+void LayerKeeper::keepVector(std::size_t pixel, const std::optional<glm::dvec2>& now,
+                             const std::optional<glm::dvec2>& before) {
+  if (!now || !before) return;
+  layers_.vector[2 * pixel] = static_cast<float>(before->x - now->x) + 0.0F;
+  layers_.vector[2 * pixel + 1] = static_cast<float>(now->y - before->y) + 0.0F;
+}
+
 // A key is less the nearer it is: most - the bits of near / depth.
 void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& view,
-                      std::span<const DrawnThing> things, const Velocities* velocities) {
+                      std::span<const DrawnThing> things, const Velocities* velocities,
+                      const CameraWay* way) {
   const std::vector<GLuint> keys = visibility.readKeys();
   const std::vector<GLuint> numbers =
       wants(Layer::object) || velocities != nullptr ? visibility.readNumbers() : std::vector<GLuint>();
@@ -82,21 +92,27 @@ void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& vie
       const GLuint* const nearest = std::min_element(&keys[first], &keys[first] + each);
       const unsigned key = *nearest;
       if (key <= farthestKey) {
-        const float depth = view.near / std::bit_cast<float>(farthestKey - key);
+        const float depth = depthOf(view, std::bit_cast<float>(farthestKey - key));
         const glm::vec3 place =
-            glm::vec3(view.eye) +
-            depth * (glm::vec3(view.ray) + (static_cast<float>(x) + 0.5F) * glm::vec3(view.rayAcross) +
-                     (static_cast<float>(y) + 0.5F) * glm::vec3(view.rayDown));
+            placeOf(view, {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F}, depth);
         if (!layers_.depth.empty()) layers_.depth[pixel] = depth;
         for (int i = 0; i < 3 && !layers_.position.empty(); ++i)
           layers_.position[3 * pixel + static_cast<std::size_t>(i)] = place[i];
         const unsigned number =
             velocities == nullptr ? groundNumber : numbers[static_cast<std::size_t>(nearest - keys.data())];
+        glm::vec3 velocity(0);
         if (number < groundNumber) {
-          const glm::vec3 velocity = velocities->at(number, glm::dvec3(place));
-          for (int i = 0; i < 3; ++i)
+          velocity = velocities->at(number, glm::dvec3(place));
+          for (int i = 0; i < 3 && !layers_.velocity.empty(); ++i)
             layers_.velocity[3 * pixel + static_cast<std::size_t>(i)] = velocity[i] + 0.0F;
         }
+        if (way != nullptr)
+          keepVector(pixel, pixelOf(way->now, glm::dvec3(place)),
+                     pixelOf(way->before, glm::dvec3(place) - way->seconds * glm::dvec3(velocity)));
+      } else if (way != nullptr && !isParallel(way->now)) {
+        const glm::vec2 at(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+        const glm::dvec3 away(placeOf(way->now, at, 1) - glm::vec3(way->now.eye));
+        keepVector(pixel, pixelTowards(way->now, away), pixelTowards(way->before, away));
       }
       if (layers_.ranks == 0) continue;
       found.clear();

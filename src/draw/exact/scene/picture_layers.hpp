@@ -1,10 +1,12 @@
 #pragma once
+#include "draw/exact/exact_view.hpp"
 #include "draw/exact/passes.hpp"
 #include "draw/exact/visibility.hpp"
-#include "glsl/common/cpp.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,16 +16,13 @@
 namespace simreel::draw {
 class Velocities;
 }  // namespace simreel::draw
-namespace simreel::shader {
-struct ExactView;
-}  // namespace simreel::shader
 
 namespace simreel::draw {
 
 /// What may be known of a picture besides its colour, and what it is called.
-enum class Layer { depth, position, object, normal, albedo, velocity };
-inline constexpr std::array<const char*, 6> layerNames = {"depth",  "position", "object",
-                                                          "normal", "albedo",   "velocity"};
+enum class Layer { depth, position, object, normal, albedo, velocity, vector };
+inline constexpr std::array<const char*, 7> layerNames = {"depth",  "position", "object", "normal",
+                                                          "albedo", "velocity", "vector"};
 /// Of those that are shaded instead of light, as shaders know them (SHOWN of
 /// glsl/draw/surface/lighting.glsl).
 inline constexpr std::array<Layer, 2> shownLayers = {Layer::normal, Layer::albedo};
@@ -59,6 +58,10 @@ struct PictureLayers {
   /// surfaces the mean since the frame before, of instances their own; 0 where nothing moves, before the
   /// first step, and of surfaces that are made anew in each frame.
   std::vector<float> velocity;
+  /// Two a pixel: pixels, to the right and up, from where what is nearest is seen to where it was seen in
+  /// the frame before, by its velocity and by what the camera did. Of the sky, which is infinitely far
+  /// away, by the camera's turning.
+  std::vector<float> vector;
   std::vector<std::string> objects;
   int ranks = 0;  ///< shares of a pixel in `shares`, the largest first; what is left over covers nothing
   std::vector<Share> shares;
@@ -67,17 +70,25 @@ struct PictureLayers {
   void keepShown(Layer layer, std::span<const float> sums);
 };
 
+/// How the camera sees, without a lens, and saw a frame before.
+struct CameraWay {
+  shader::ExactView now, before;
+  double seconds = 1;  ///< between the two
+};
+
 /// Makes layers of what is visible, band by band, on the CPU.
 class LayerKeeper {
  public:
   LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm::ivec2 size, int samples);
   /// Waits for the device. `things`: what has numbers, their first ones ascending.
-  /// `velocities`: of all that moves, where they are wanted.
+  /// `velocities`: of all that moves, where they are wanted; `way`: where vectors are.
   void add(const Visibility& visibility, const shader::ExactView& view, std::span<const DrawnThing> things,
-           const Velocities* velocities);
+           const Velocities* velocities, const CameraWay* way);
 
  private:
   [[nodiscard]] bool wants(Layer layer) const;
+  void keepVector(std::size_t pixel, const std::optional<glm::dvec2>& now,
+                  const std::optional<glm::dvec2>& before);
   std::uint32_t objectOf(unsigned number, std::span<const DrawnThing> things);
   std::uint32_t numbered(const std::string& name);
 

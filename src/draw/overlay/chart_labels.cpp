@@ -1,0 +1,84 @@
+#include "draw/overlay/chart_labels.hpp"
+
+#include "base/file.hpp"
+#include "draw/overlay/chart_pass.hpp"
+#include "sim/text/layout.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr float capital = 7.5F;                   // height of a capital, in units of a chart's layout
+constexpr glm::vec3 dim(0.342F, 0.380F, 0.448F);  // linear
+
+/// Thousands apart: 65 536.
+std::string groupedDigits(unsigned number) {
+  std::string digits = fmt::format("{}", number);
+  for (auto at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+    digits.insert(static_cast<std::size_t>(at), " ");
+  return digits;
+}
+
+}  // namespace
+
+const ChartLabels::Word& ChartLabels::word(const std::string& text) {
+  const auto found = words_.find(text);
+  if (found != words_.end()) return found->second;
+  if (!font_) font_ = std::make_unique<sim::Font>(assetFolder() / "fonts/OpenSans-Regular.ttf");
+  constexpr std::size_t most = 64;  // characters
+  constexpr sim::TextAnchor anchor{sim::TextAnchor::Across::left, sim::TextAnchor::Down::baseline};
+  Word made;
+  for (const auto& polygon : sim::written(*font_, text.substr(0, most), anchor, 1)) {
+    auto& kept = made.outlines.emplace_back();
+    for (const glm::dvec2& point : polygon) {
+      kept.emplace_back(point);
+      made.width = std::max(made.width, kept.back().x);
+    }
+  }
+  return words_.emplace(text, std::move(made)).first->second;
+}
+
+std::vector<sim::Writing> ChartLabels::of(const sim::Drawables& drawables) {
+  constexpr std::size_t enough = 500;  // words that no picture shows any more
+  if (words_.size() > enough) words_.clear();
+  std::vector<sim::Writing> all;
+  for (const sim::Chart& chart : drawables.charts) {
+    const ChartLayout layout = chartLayout(chart, picture_);
+    if (!layout.hasLetters) continue;
+    const auto u = static_cast<float>(layout.unit);
+    const auto left = static_cast<float>(layout.plot.x), right = static_cast<float>(layout.plot.z);
+    const auto add = [&](const Word& word, glm::vec2 at, glm::vec3 color) {
+      sim::Writing writing;
+      writing.outlines = &word.outlines;
+      writing.place = at / glm::vec2(picture_);
+      writing.height = capital * u / static_cast<float>(picture_.y);
+      writing.color = color;
+      all.push_back(writing);
+    };
+    const float above = static_cast<float>(layout.panel.y) + 15 * u;
+    const float below = static_cast<float>(layout.plot.w) + 13 * u;
+    float at = left;
+    for (std::size_t i = 0; i < std::min<std::size_t>({chart.names.size(), chart.colors.size(), 4}); ++i) {
+      const Word& name = word(chart.names[i]);
+      const float width = capital * u * name.width;
+      if (at + width > right) break;
+      add(name, {at, above}, chart.colors[i]);
+      at += width + 8 * u;
+    }
+    const Word& top = word(chart.range.empty() ? "max " + groupedDigits(chart.max) : chart.range);
+    const Word& end =
+        word(!chart.length.empty()
+                 ? chart.length
+                 : groupedDigits(static_cast<unsigned>(std::max(chart.width - 1, 0))) + " steps");
+    const float wide = capital * u * end.width;
+    if (left + capital * u * top.width + wide + 6 * u <= right) add(top, {left, below}, dim);
+    if (left + wide <= right) add(end, {right - wide, below}, dim);
+  }
+  return all;
+}
+
+}  // namespace simreel::draw

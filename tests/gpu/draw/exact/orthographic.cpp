@@ -1,0 +1,200 @@
+// Orthographic cameras: places on the picture are linear in space; and light, shadows and what rays find
+// are those of a camera far away.
+#include "draw/screen/renderer.hpp"
+#include "frame/draw_world.hpp"
+#include "gpu/draw/draw_stage.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;  // NOLINT
+
+namespace {
+
+constexpr glm::ivec2 size(96, 54);
+constexpr double height = 2.4;
+const glm::dvec3 eye(2.1, 1.8, 3.2), target(0.1, 0.1, 0);
+
+struct Axes {
+  glm::dvec3 forward = glm::normalize(target - eye);
+  glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
+  glm::dvec3 up = glm::cross(right, forward);
+};
+
+/// Pixels, from the top left corner.
+glm::dvec2 seenAt(const glm::dvec3& p) {
+  const Axes axes;
+  const double perMetre = size.y / height;
+  return {0.5 * size.x + perMetre * glm::dot(p - eye, axes.right),
+          0.5 * size.y - perMetre * glm::dot(p - eye, axes.up)};
+}
+
+constexpr const char* things =
+    R"("ball": {"sphere": {"radius": 0.4, "position": [-0.5, 0.4, 0]}, "material": {"color": [0.7, 0.3, 0.2], "roughness": 0.4}},
+       "ring": {"mesh": {"shape": "torus", "radius": 0.45, "tube": 0.14, "position": [0.6, 0.5, -0.2], "rotation": [70, 20, 0]}},
+       "dust": {"particles": {"groups": [{"shape": "ball", "count": 60, "radius": 1.1}], "method": "none", "look": {"size": 0.09}}})";
+
+/// `camera`: its members; `render`: more of those.
+scene::Scene sceneOf(const std::string& camera, const std::string& render, const std::string& objects) {
+  return scene::parseScene(
+      fmt::format(R"({{"version": 1, "render": {{"size": [{}, {}]{}}}, "time": {{"fps": 30}},
+                  "camera": {{{}}}, "sun": {{"direction": [0.5, 0.9, 0.2]}},
+                  "ground": {{"height": 0, "fadeStart": 2, "fadeEnd": 2.6}}, "objects": {{{}}}}})",
+                  size.x, size.y, render, camera, objects),
+      "scene.json", {}, sim::kinds());
+}
+
+std::string flatCamera(const std::string& more = "") {
+  return fmt::format(R"("position": [{}, {}, {}], "target": [{}, {}, {}], "projection": "orthographic",
+                        "height": {}, "near": 0.5, "far": 9{})",
+                     eye.x, eye.y, eye.z, target.x, target.y, target.z, height, more);
+}
+
+/// At the angle of a degree, so far away that it sees as much around the target.
+std::string farCamera() {
+  const double away = 0.5 * height / std::tan(0.5 * 0.017453292519943295);
+  const glm::dvec3 there = target - away * Axes().forward;
+  const double nearest = away - glm::length(target - eye) + 0.5;
+  return fmt::format(
+      R"("position": [{}, {}, {}], "target": [{}, {}, {}], "fieldOfView": 1, "near": {}, "far": {})",
+      there.x, there.y, there.z, target.x, target.y, target.z, nearest, nearest + 9);
+}
+
+draw::PictureLayers layersAt(const scene::Scene& scene, int frame, std::vector<draw::Layer> wanted) {
+  testContext();
+  sim::World world(scene);
+  draw::Renderer renderer(scene, scene.render.size, scene.render.samples);
+  renderer.keepLayers({std::move(wanted), false, 32});
+  frame::followMotion(renderer, world);
+  world.advanceTo(frame);
+  frame::drawWorld(renderer, world);
+  return renderer.takeLayers();
+}
+
+glm::dvec3 at(const std::vector<float>& three, std::size_t pixel) {
+  return {static_cast<double>(three[3 * pixel]), static_cast<double>(three[3 * pixel + 1]),
+          static_cast<double>(three[3 * pixel + 2])};
+}
+
+/// Means of the differences of light, and of light.
+struct Apart {
+  double off = 0, mean = 0;
+};
+Apart apart(const std::string& render, const std::string& objects) {
+  const draw::PictureLayers flat = layersAt(sceneOf(flatCamera(), render, objects), 0, {});
+  const draw::PictureLayers far = layersAt(sceneOf(farCamera(), render, objects), 0, {});
+  Apart found;
+  for (std::size_t i = 0; i < flat.light.size(); ++i) {
+    if (i % 4 == 3) continue;
+    found.off += std::abs(static_cast<double>(flat.light[i] - far.light[i])) /
+                 static_cast<double>(flat.light.size());
+    found.mean += static_cast<double>(flat.light[i]) / static_cast<double>(flat.light.size());
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("orthographic: a place's pixel is linear in it, and depth is the way along the line of sight") {
+  const draw::PictureLayers layers = layersAt(sceneOf(flatCamera(), ", \"samples\": 1", things), 0,
+                                              {draw::Layer::position, draw::Layer::depth});
+  int seen = 0, onBall = 0, onGround = 0;
+  double off = 0, deep = 0, round = 0;
+  for (std::size_t i = 0; i < layers.depth.size(); ++i) {
+    if (!std::isfinite(layers.depth[i])) continue;
+    ++seen;
+    const glm::dvec3 p = at(layers.position, i);
+    const glm::dvec2 pixel(static_cast<double>(i % size.x) + 0.5, static_cast<double>(i / size.x) + 0.5);
+    off = std::max(off, glm::length(seenAt(p) - pixel));
+    deep =
+        std::max(deep, std::abs(glm::dot(p - eye, Axes().forward) - static_cast<double>(layers.depth[i])));
+    const double away = glm::length(p - glm::dvec3(-0.5, 0.4, 0)) - 0.4;
+    onBall += std::abs(away) < 0.004 ? 1 : 0;
+    onGround += std::abs(p.y) < 1e-4 ? 1 : 0;
+    round = std::min(round, away);
+  }
+  CHECK(off < 1e-3);
+  CHECK(deep < 1e-5);
+  CHECK(seen > 2500);
+  CHECK(onBall > 150);
+  CHECK(onGround > 700);
+  CHECK(round > -0.03);  // facets, and what samples of a pixel's edge show nearer
+}
+
+TEST_CASE("orthographic: the picture is that of a camera far away") {
+  for (const char* quality : {"draft", "standard", "high"}) {
+    CAPTURE(quality);
+    const Apart found = apart(
+        fmt::format(R"(, "quality": "{}", "raySamples": 16, "occlusionRadius": 0.5)", quality), things);
+    CHECK(found.off < 0.025 * found.mean);
+    CHECK(found.mean > 0.1);
+  }
+  const Apart glows = apart(
+      "",
+      R"("dust": {"particles": {"groups": [{"shape": "ball", "count": 40, "radius": 1.1}], "method": "none",
+             "look": {"size": 0.2, "additive": true}}})");
+  CHECK(glows.off < 0.025 * glows.mean);
+}
+
+TEST_CASE("orthographic: what has holes or is blended, and copies of meshes, are where they are") {
+  const Apart found = apart(
+      "",
+      R"("pane": {"mesh": {"shape": "plane", "size": [1, 0, 1], "position": [0.3, 0.8, 0.2], "rotation": [50, 30, 0]},
+             "material": {"color": [0.2, 0.5, 0.9], "alpha": "blend", "opacity": 0.4}},
+             "rocks": {"particles": {"groups": [{"shape": "ball", "count": 12, "radius": 1}], "method": "none",
+             "look": {"size": 0.15, "shape": "sphere"}}})");
+  CHECK(found.off < 0.02 * found.mean);
+}
+
+TEST_CASE(
+    "vectors: from where a point is seen to where it was a frame before, by its motion and the camera's") {
+  const std::string ball =
+      R"("ball": {"sphere": {"radius": 0.4, "position": {"keys": [[0, [-0.5, 0, 0]], [2, [1.5, 1, -1]]]}}})";
+  constexpr double fps = 30;
+  const glm::dvec3 way = glm::dvec3(1, 0.5, -0.5) / fps;
+  const auto pixelOf = [](const glm::dvec3& from, double scale, const glm::dvec3& p) {
+    const glm::dvec3 forward = glm::normalize(-from),
+                     right = glm::normalize(glm::cross(forward, {0, 1, 0}));
+    const glm::dvec3 up = glm::cross(right, forward);
+    const double deep = scale > 0 ? 1 / scale : glm::dot(p - from, forward) * std::tan(0.3490658503988659);
+    return 0.5 * size.y * glm::dvec2(glm::dot(p - from, right), glm::dot(p - from, up)) / deep;
+  };
+  for (const bool flat : {false, true}) {
+    CAPTURE(flat);
+    const scene::Scene scene = sceneOf(
+        std::string(
+            R"("position": {"keys": [[0, [2, 1, 3]], [1, [-1, 2, 3]]]}, "target": [0, 0, 0], "far": 20)") +
+            (flat ? R"(, "projection": "orthographic", "height": 2.5)" : ""),
+        "", ball);
+    const draw::PictureLayers layers = layersAt(
+        scene, 9, {draw::Layer::vector, draw::Layer::position, draw::Layer::velocity, draw::Layer::depth});
+    const auto eyeAt = [](double frame) {
+      return glm::dvec3(2, 1, 3) + frame / fps * glm::dvec3(-3, 1, 0);
+    };
+    double off = 0;
+    int moving = 0, standing = 0;
+    for (std::size_t i = 0; i < layers.depth.size(); ++i) {
+      if (!std::isfinite(layers.depth[i])) continue;
+      const glm::dvec3 p = at(layers.position, i);
+      const bool moves = glm::length(at(layers.velocity, i)) > 0;
+      (moves ? moving : standing) += 1;
+      const double scale = flat ? 2 / 2.5 : 0;
+      const glm::dvec2 expected =
+          pixelOf(eyeAt(8), scale, moves ? p - way : p) - pixelOf(eyeAt(9), scale, p);
+      const glm::dvec2 found(static_cast<double>(layers.vector[2 * i]),
+                             static_cast<double>(layers.vector[2 * i + 1]));
+      off = std::max(off, glm::length(found - expected));
+    }
+    CHECK(off < 5e-3);
+    CHECK(moving > 100);
+    CHECK(standing > 500);
+  }
+}
