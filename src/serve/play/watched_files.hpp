@@ -7,6 +7,10 @@
 
 namespace simreel::serve {
 
+/// What the system says of a file, which is another one once that was written or replaced; none: {}.
+using FileStamp = std::tuple<std::uint64_t, std::uint64_t, std::int64_t, std::int64_t, std::int64_t>;
+[[nodiscard]] FileStamp stampOf(const std::filesystem::path& file);
+
 /// Notices that files were written, replaced or removed, by what the system says of them: so it does on
 /// network file systems too, which tell nobody of what other machines write.
 class WatchedFiles {
@@ -17,9 +21,7 @@ class WatchedFiles {
   [[nodiscard]] bool changed();
 
  private:
-  using Stamp = std::tuple<std::uint64_t, std::uint64_t, std::int64_t, std::int64_t, std::int64_t>;
-  [[nodiscard]] static Stamp stampOf(const std::filesystem::path& file);
-  std::map<std::filesystem::path, Stamp> stamps_;
+  std::map<std::filesystem::path, FileStamp> stamps_;
 };
 
 }  // namespace simreel::serve
