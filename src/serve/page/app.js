@@ -191,6 +191,8 @@ panel = new Panel(byId("parameters"), new Schema(await answer.json()), {
   set,
   forget: (path) => link.send({ do: "forget", path, ...pair.flag }),
   isHeld: () => state.held,
+  frame: () => state.status.target ?? 0,
+  fps: () => pair.chosen.fps,
 });
 if (state.scene?.scene) panel.update(pair.chosen);
 globalThis.simreel = { state, link, panel, screen, compare, pair }; // for whoever looks at the page from its console

@@ -21,10 +21,10 @@ namespace {
 constexpr double secondsBetweenLooks = 0.1;  ///< at the files
 constexpr double leastToRest = 0.25;         ///< s after the last drag, before the whole picture is drawn
 constexpr double mostToRest = 2;
-constexpr double secondsToReread = 1;        ///< what names files that are not there
-constexpr double sliceSeconds = 0.04;        ///< of stepping, before requests are heard again
-constexpr double mostMilliseconds = 85;      ///< of a picture while things move
-constexpr double mostToMeasure = 6;          ///< ms of a picture while things move
+constexpr double secondsToReread = 1;    ///< what names files that are not there
+constexpr double sliceSeconds = 0.04;    ///< of stepping, before requests are heard again
+constexpr double mostMilliseconds = 85;  ///< of a picture while things move
+constexpr double mostToMeasure = 6;      ///< ms of a picture while things move
 constexpr int jpegQuality = 87;
 
 }  // namespace
@@ -54,7 +54,7 @@ void Player::turn() {
     looked_ = Clock::now();
     if (files_.changed()) {
       showFiles();
-    } else if (unread_ && secondsSince(reread_) >= secondsToReread) {
+    } else if (secondsSince(reread_) >= secondsToReread) {
       tryAgain();
     }
   }
@@ -86,6 +86,10 @@ void Player::showFiles() {
 /// A file that a scene names and that was not there can be watched by nobody: it may have come.
 void Player::tryAgain() {
   reread_ = Clock::now();
+  if (!unread_) {
+    if (stage_ != nullptr && other_.isBetter(*stage_)) showFiles();
+    return;
+  }
   try {
     static_cast<void>(readScript(options_.source, text_, edits_));
   } catch (const UserError&) {
@@ -203,14 +207,16 @@ std::size_t Player::memoryOfEach() const {
 }
 
 bool Player::isMoving() const {
-  return playing_ || secondsSince(moved_) < toRest_;
+  if (playing_) return true;
+  return toRest_ > 0 && (!shown_ || secondsSince(moved_) < toRest_);
 }
 
 /// Who is slow, far away, or beside much else drags at a slow pace: that is no rest, and the whole picture
 /// would only make it slower.
 void Player::hearOfMoving() {
   const double apart = secondsSince(moved_);
-  toRest_ = toRest_ > 0 && apart < mostToRest ? std::clamp(2 * apart, leastToRest, mostToRest) : leastToRest;
+  toRest_ =
+      toRest_ > 0 && apart < mostToRest ? std::clamp(2 * apart, leastToRest, mostToRest) : leastToRest;
   moved_ = Clock::now();
 }
 

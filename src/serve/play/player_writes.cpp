@@ -27,7 +27,8 @@ void replaceText(const std::filesystem::path& named, const std::string& text) {
   written.finish();
 }
 
-std::vector<scene::Override> editsWithout(const std::vector<scene::Override>& edits, const std::string& path) {
+std::vector<scene::Override> editsWithout(const std::vector<scene::Override>& edits,
+                                          const std::string& path) {
   std::vector<scene::Override> left;
   for (const scene::Override& edit : edits)
     if (edit.path != path) left.push_back(edit);
@@ -54,6 +55,8 @@ void Player::writeOther(const scene::Override& change, const std::string& edited
                   [&](const scene::Override& given) { return given.path == change.path; }))
     fail(ExitCode::usage, "{} is given on the command line, which goes before", change.path);
   other_.readFile();
+  if (!other_.unreadable().empty())
+    throw UserError(ExitCode::usage, other_.unreadable(), UserError::Form::report);
   const std::string text = withValue(other_.text(), change);
   std::vector<scene::Override> left = editsWithout(other_.edits(), edited);
   static_cast<void>(readScript(source, text, left));

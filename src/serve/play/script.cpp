@@ -78,8 +78,9 @@ std::vector<std::filesystem::path> writtenFiles(const std::map<std::filesystem::
 bool namesFile(const ordered_json& value, const std::filesystem::path& file) {
   if (value.is_string())
     return std::filesystem::path(value.get<std::string>()).filename() == file.filename();
-  return value.is_structured() &&
-         std::any_of(value.begin(), value.end(), [&](const ordered_json& one) { return namesFile(one, file); });
+  return value.is_structured() && std::any_of(value.begin(), value.end(), [&](const ordered_json& one) {
+           return namesFile(one, file);
+         });
 }
 
 /// Whether a state may come from one of the files: not where materials, sky and camera alone name them.
