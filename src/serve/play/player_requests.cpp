@@ -181,7 +181,7 @@ void Player::moveCamera(const Json& json) {
   }
   if (!show(text_, withEdits(edits_, changes), moving) || moving || !options_.edit) return;
   // One that was no plain camera stays an edit: what it was is not to be lost.
-  const bool right = isSet(request, "right") && other_.ownFile();
+  const bool right = isSet(request, "right") && other_.stage() != nullptr && other_.ownFile();
   const auto& written = right ? otherChanges : changes;
   if (written.size() < 2) return;
   for (const scene::Override& change : written)

@@ -133,6 +133,12 @@ class RightSide(ViewerCase):
         self.assertEqual((written["camera"]["position"], written["sun"]["intensity"]), ([0, 1, 2], 4))
         self.assertEqual((self.folder / "scene.json").read_text(), left)  # the mouse's camera is an edit there
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["other.json", "scene.json"])
+        # One that somebody has taken away is not made again.
+        (self.folder / "other.json").unlink()
+        viewer.until(lambda kind, m: kind == "scene" and m["beside"]["mistakes"])
+        viewer.send(do="set", path="sun.intensity", value=5, beside=True)
+        self.assertIn("other.json", viewer.until(lambda kind, _: kind == "refused")["text"])
+        self.assertFalse((self.folder / "other.json").exists())
 
     def test_nothing_is_written_without_edit(self):
         viewer = self.begin()
