@@ -96,8 +96,7 @@ class Dragged(ViewerCase):
             viewer = self.viewer()
             viewer.send(do="seek", frame=5)
             viewer.rest(5)
-            viewer.send(do="set", path=path, value=value, moving=True)
-            carried = viewer.until(lambda kind, m: kind == "picture" and m[0]["carried"] and m[0]["frame"] == 6)[0]
+            carried = self.dragged(viewer, path, value)
             self.assertTrue(carried["draft"])
             viewer.send(do="set", path=path, value=value, moving=False)  # made good, from the start
             let_go = viewer.rest(5)
@@ -106,6 +105,18 @@ class Dragged(ViewerCase):
             viewer.send(do="seek", frame=6)
             self.assertEqual(viewer.rest(6)[0]["state"], carried["state"], path)
             self.assertNotEqual(let_go[0]["state"], carried["state"])
+
+
+    def dragged(self, viewer, path, value):
+        """The picture of frame 6 while the value moves; a quarter of a second later it has been made good."""
+        for _ in range(10):
+            viewer.send(do="set", path=path, value=value, moving=True)
+            try:
+                return viewer.until(lambda kind, m: kind == "picture" and m[0]["carried"] and m[0]["frame"] == 6, 6)[0]
+            except AssertionError:  # this machine was too busy to read it
+                viewer.send(do="forget")
+                viewer.rest(5)
+        self.fail("no picture of a drag came")
 
 
 class RightSide(ViewerCase):
@@ -150,7 +161,7 @@ class RightSide(ViewerCase):
 
     def test_its_charts_and_baselines(self):
         viewer = self.begin("--edit")
-        if not viewer.latest["series"].get("beside"):  # or they were told already
+        if not viewer.latest.get("series", {}).get("beside"):  # or they were told already
             viewer.until(lambda kind, m: kind == "series" and m.get("beside"))
         self.assertEqual([one["name"] for one in viewer.latest["series"]["beside"]], [one["name"] for one in viewer.latest["series"]["series"]])
         viewer.send(do="compare", on=True, beside=True)
