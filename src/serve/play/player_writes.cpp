@@ -44,9 +44,9 @@ void Player::writeFile(const scene::Override& change, const std::string& edited)
   std::vector<scene::Override> left = editsWithout(edits_, edited);
   static_cast<void>(readScript(options_.source, text, left));  // throws where it would not be good
   replaceText(options_.source.file, text);
+  files_.know(options_.source.file);  // at once: whoever writes it from here on is heard
   text_ = text;
   show(text_, std::move(left), false);
-  static_cast<void>(files_.changed());
 }
 
 void Player::writeOther(const scene::Override& change, const std::string& edited) {
@@ -61,10 +61,10 @@ void Player::writeOther(const scene::Override& change, const std::string& edited
   std::vector<scene::Override> left = editsWithout(other_.edits(), edited);
   static_cast<void>(readScript(source, text, left));
   replaceText(source.file, text);
+  files_.know(source.file);
   other_.setText(text);
   other_.setEdits(std::move(left));
   showOther(false, false);
-  static_cast<void>(files_.changed());
 }
 
 /// A stroke of the brush from one place of the picture to another, at the present frame: an entry of the

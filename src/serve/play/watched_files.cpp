@@ -20,6 +20,10 @@ void WatchedFiles::watch(std::span<const std::filesystem::path> files) {
   stamps_ = std::move(stamps);
 }
 
+void WatchedFiles::know(const std::filesystem::path& file) {
+  if (const auto known = stamps_.find(file); known != stamps_.end()) known->second = stampOf(file);
+}
+
 bool WatchedFiles::changed() {
   bool any = false;
   for (auto& [file, stamp] : stamps_) {

@@ -17,6 +17,8 @@ class WatchedFiles {
  public:
   /// From here on these alone, as they are now.
   void watch(std::span<const std::filesystem::path> files);
+  /// One is known as it is now: what has just been written by ourselves.
+  void know(const std::filesystem::path& file);
   /// Whether one is another than before; it counts as known from then on.
   [[nodiscard]] bool changed();
 
