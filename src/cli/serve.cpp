@@ -52,6 +52,8 @@ void servePage(const ServePageOptions& o) {
     fail(ExitCode::usage, "serve watches the scene's file; standard input cannot be watched");
   if (o.edit && std::filesystem::path(o.scene.file).extension() != ".json")
     fail(ExitCode::usage, "--edit {}: only scenes can be edited", o.scene.file);
+  if (o.edit && !o.other.empty() && std::filesystem::path(o.other).extension() != ".json")
+    fail(ExitCode::usage, "--edit {}: only scenes can be edited", o.other);
   serve::ServeOptions options;
   options.player.source = {o.scene.file, o.scene.changes(), assetFolders(o.scene.assets)};
   options.player.arguments = o.scene.arguments();
@@ -97,8 +99,8 @@ void addServe(CLI::App& app) {
       ->capture_default_str();
   command->add_flag(
       "--edit", o->edit,
-      "Values that are changed on the page are written into the scene file; without it nothing "
-      "is ever written");
+      "Values that are changed on the page are written into the scene file, those of the right side into "
+      "its own; without it nothing is ever written");
   command->add_option("-o,--output", o->output,
                       "Folder for what is rendered from the page; without it nothing is");
   addDevice(*command, o->on);

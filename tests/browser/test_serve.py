@@ -295,6 +295,85 @@ class PageOfServe(unittest.TestCase):
         b.click("#beside")
         self.assertTrue(b.until("document.getElementById('pictureBeside').parentNode.hidden"))
 
+    def test_the_right_side_has_its_own_file(self):
+        other = self.folder / "other.json"
+        other.write_text(json.dumps(with_values({"objects.flag.cloth.damping": 2}), indent=2))
+        b = self.open(other, "--edit", scene=with_values({"objects.flag.cloth.damping": 1}))
+        left, right = self.scene.read_text(), other.read_text()
+        b.click("#pairSides [data-side='right']")
+        row = self.row("objects.flag.cloth.damping", "number")
+        self.assertEqual(b.value(f"document.querySelector(\"{row}\").value"), "2")
+        b.run("const box = document.querySelector(arguments[0]); box.value = 3; box.dispatchEvent(new Event('change'));", row)
+        self.assertTrue(b.until("simreel.state.scene.beside.scene.objects.flag.cloth.damping === 3 && simreel.state.scene.beside.edits.length === 0"))
+        b.click("#compare")
+        self.assertTrue(b.until("document.getElementById('verdict').textContent.startsWith('Right side: This scene has no baseline yet')"))
+        b.click("#pairSides [data-side='left']")
+        self.assertTrue(b.until("document.getElementById('verdict').textContent.startsWith('This scene has no baseline yet')"))
+        self.assertEqual((self.scene.read_text(), other.read_text()), (left, right.replace('"damping": 2', '"damping": 3')))
+
+    def test_colours_are_picked_and_other_numbers_stay(self):
+        b = self.open(scene=with_values({"sun.color": [1, 0.9, 0.8], "camera.position": [0.1234567, 1, 3]}))
+        b.one("#filter").send_keys("camera.position")
+        box = ".row[data-path='camera.position'] input[type='number']"
+        self.assertTrue(b.until(f"document.querySelector(\"{box}\")"))
+        b.run("const box = document.querySelectorAll(arguments[0])[1]; box.value = 1.5; box.dispatchEvent(new Event('change'));", box)
+        self.assertTrue(b.until("simreel.state.scene.edits.length === 1"))
+        self.assertEqual(b.value("simreel.state.scene.edits[0]"), ["camera.position", "[0.1234567,1.5,3]"])
+        b.run("const filter = document.getElementById('filter'); filter.value = 'sun.color'; filter.dispatchEvent(new Event('input'));")
+        self.assertTrue(b.until(f"document.querySelector(\"{self.row('sun.color', 'color')}\")"))
+        b.run("""const picker = document.querySelector(arguments[0]); picker.value = "#ff8000";
+            picker.dispatchEvent(new Event("input")); picker.dispatchEvent(new Event("change"));""", self.row("sun.color", "color"))
+        self.assertTrue(b.until("simreel.state.scene.edits.length === 2 && simreel.state.scene.edits[1][1] === '[1,0.216,0]'"))
+        self.shows(0, "-D", "camera.position=[0.1234567,1.5,3]", "-D", "sun.color=[1,0.216,0]")
+
+    def test_keys_come_and_go(self):
+        b = self.open("--edit", scene=with_values({"camera.fieldOfView": 40}))
+        key, value = ".row[data-path='camera.fieldOfView'] .key", "simreel.state.scene.scene.camera.fieldOfView"
+        b.click(key)
+        self.assertTrue(b.until(f"JSON.stringify({value}) === '{{\"keys\":[[0,40]]}}'"))
+        b.keys(Keys.END)
+        self.at(5)
+        b.click(key)
+        self.assertTrue(b.until(f"{value}.keys?.length === 2"))
+        b.run("""const box = document.querySelectorAll(arguments[0])[3]; box.value = 60; box.dispatchEvent(new Event("change"));""",
+              self.row("camera.fieldOfView", "number"))
+        self.assertTrue(b.until(f"{value}.keys[1][1] === 60 && simreel.state.scene.edits.length === 0"))
+        self.assertEqual(json.loads(self.scene.read_text())["camera"]["fieldOfView"], {"keys": [[0, 40], [0.166667, 60]]})
+        self.assertEqual(b.value("document.querySelectorAll('#keys i').length"), 2)
+        b.keys(Keys.HOME)
+        self.at(0)
+        b.click(key)
+        self.assertTrue(b.until(f"{value}.keys?.length === 1"))
+        b.keys(Keys.END)
+        self.at(5)
+        b.click(key)
+        self.assertTrue(b.until(f"{value} === 60"))
+        self.shows(5)
+
+    def test_a_brush_leaves_strokes(self):
+        b = self.open("--edit", scene={"version": 1, "render": {"size": [64, 64], "samples": 1}, "time": {"fps": 30, "duration": 0.2},
+                                       "objects": {"dish": {"grayScott": {"size": [64, 64], "steps": 4}}}})
+        b.keys(Keys.ARROW_RIGHT)
+        self.at(1)
+        before, box = self.pixels(), b.box("#picture")
+        b.click("#brush")
+        y = box["y"] + 0.3 * box["height"]
+        b.drag(box["x"] + 0.2 * box["width"], y, box["x"] + 0.7 * box["width"], y)
+        strokes = "simreel.state.scene.scene.objects.dish.grayScott.strokes"
+        self.assertTrue(b.until(f"{strokes}?.length >= 2 && simreel.state.scene.edits.length === 0", 20))
+        self.shows(1)
+        self.assertNotEqual(self.pixels(), before)
+        self.assertEqual(len(json.loads(self.scene.read_text())["objects"]["dish"]["grayScott"]["strokes"]), b.value(f"{strokes}.length"))
+
+    def test_charts_show_checks_that_fail(self):
+        b = self.open(scene=with_values({"checks": [{"what": "mass", "min": 60, "max": 70}, {"what": "speed", "max": 0.01}]}))
+        b.keys(Keys.ARROW_RIGHT)
+        self.at(1)
+        self.assertTrue(b.until("document.querySelectorAll('.chart.bad').length === 1"))
+        self.assertEqual(b.texts(".chart header span")[:2], ["flag · mass", "flag · speed"])
+        self.assertIn("flag · speed", b.text(".chart.bad header"))
+        self.assertGreater(b.value("document.querySelectorAll('.chart line.bound').length"), 0)
+
     def test_hostile_texts_stay_texts(self):
         b = self.open(scene=with_values({"title": "<img src=x onerror=alert(1)>"}))
         self.assertEqual(b.text("#title"), "<img src=x onerror=alert(1)>")

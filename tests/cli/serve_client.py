@@ -17,9 +17,9 @@ PROGRAM = os.environ.get("SIMREEL", "simreel")
 class Server:
     """`simreel serve` with these arguments, on a port of its own choosing."""
 
-    def __init__(self, *arguments, cwd=None):
-        command = [PROGRAM, "serve", *map(str, arguments)]
-        self.child = subprocess.Popen(command, cwd=cwd, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    def __init__(self, *arguments, cwd=None, env=None, program=PROGRAM):
+        command = [str(program), "serve", *map(str, arguments)]
+        self.child = subprocess.Popen(command, cwd=cwd, env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.lines = [self.child.stdout.readline() for _ in range(3)]
         found = re.match(r"Open http://([\d.]+):(\d+)/([0-9a-f]{32})/$", self.lines[0].strip())
         if not found:

@@ -9,6 +9,7 @@ import unittest
 
 import common
 from common import PROGRAM, Case, main, png_rows
+from serve_client import Server
 
 BUILD = pathlib.Path(PROGRAM).parent
 COMMANDS = ["render", "sweep", "pieces", "reproduce", "validate", "schema", "list", "doctor", "bake", "test", "trace",
@@ -49,6 +50,15 @@ class Installed(Case):
         run(str(prefix / "bin/simreel"), "render", "scene.json", "-o", "out/", "--frames", "0,1", cwd=self.work,
             env=environment)
         self.assertEqual(png_rows((self.work / "out/000001.png").read_bytes())[:2], (64, 36))
+        server = Server("scene.json", cwd=self.work, env=environment, program=prefix / "bin/simreel")
+        self.addCleanup(server.stop)
+        status, headers, page = server.get(f"/{server.token}/")
+        self.assertEqual((status, headers["content-type"]), (200, "text/html; charset=utf-8"))
+        for name in re.findall(rb'(?:src|href)="([^"]+)"', page):
+            self.assertEqual(server.get(f"/{server.token}/{name.decode()}")[0], 200, name)
+        viewer = server.viewer()
+        self.addCleanup(viewer.close)
+        self.assertEqual(png_rows(viewer.rest(0)[1])[:2], (64, 36))
 
     def test_the_tree_works_where_it_was_moved_to(self):
         shutil.copytree(self.installed(), self.root)

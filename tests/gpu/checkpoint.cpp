@@ -68,7 +68,8 @@ TEST_CASE("checkpoint: every shipped scene but the long ones goes on as if it ha
   const test::TemporaryFile place("checkpoint", "");
   ::setenv("SIMREEL_ASSETS", (fs::path(sourceFolder()) / "assets").c_str(), 1);
   // Each long one has kinds that others have, too.
-  const std::string longOnes = "\n" + readFile(fs::path(sourceFolder()) / "tests/long_scenes.txt", "list") + "\n";
+  const std::string longOnes =
+      "\n" + readFile(fs::path(sourceFolder()) / "tests/long_scenes.txt", "list") + "\n";
   std::vector<fs::path> scenes;
   for (const auto& entry : fs::directory_iterator(fs::path(sourceFolder()) / "assets/scenes"))
     if (entry.path().extension() == ".json" &&

@@ -32,6 +32,7 @@ T texelFetch(const std::vector<T>& texels, int i) {
 #include "glsl/draw/overlay/pixel.glsl"
 
 struct FieldModel : FieldInputs {
+  static constexpr bool magnified = false;  // loops, which the kernels without them are held against
   const std::vector<vec4>& reduced;
 
   [[nodiscard]] vec4 reducedAt(ivec2 at) const {

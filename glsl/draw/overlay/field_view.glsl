@@ -34,6 +34,11 @@ const bool tiled = true;
 #else
 const bool tiled = false;
 #endif
+#ifdef MAGNIFIED
+const bool magnified = true;
+#else
+const bool magnified = false;
+#endif
 #ifdef RELIEF
 const bool relief = true;
 #else

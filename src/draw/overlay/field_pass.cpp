@@ -37,6 +37,13 @@ bool hasRelief(const sim::Field& field) {
   return field.display->relief != 0 && !field.categories;
 }
 
+/// Whether no pixel covers more than an element: boxes then have two on a side at most.
+bool isMagnified(const sim::Field& field, int reduction, glm::ivec2 picture, double seconds) {
+  const glm::dvec2 perPixel = fieldView(*field.display, field.size, picture, seconds).perPixel;
+  constexpr double most = 0.999;  // of floats that were rounded on the way
+  return reduction == 1 && perPixel.x <= most && perPixel.y <= most;
+}
+
 /// Pixels of an invocation, one below the other. Relief takes eight means over up to 42 elements a side
 /// more, and drivers end loops in silence after 65,535 turns.
 int rowsFor(const sim::Field& field) {
@@ -84,18 +91,20 @@ void FieldPass::draw(const sim::Drawables& drawables, FieldLayer layer, double s
 const gl::Program& FieldPass::program(const sim::Field& field, const Kept& kept, double seconds) {
   const bool reduced = kept.reduction > 1;
   const bool over = field.display->layer == FieldLayer::over;
+  const bool magnified = isMagnified(field, kept.reduction, picture_, seconds);
   // Software drivers would read what nobody sees: they run both sides of a branch.
   const bool opaque = exact_ && over && field.display->opacity.at(seconds) >= 1;
   const int variant = static_cast<int>(field.cells) + (field.categories ? 4 : 0) + (kept.colored ? 8 : 0) +
                       (reduced ? 16 : 0) + (over ? 32 : 0) + (hasRelief(field) ? 64 : 0) +
                       (field.display->tiled ? 128 : 0) + (hasSmoothColors(field) ? 256 : 0) +
-                      (opaque ? 512 : 0);
+                      (opaque ? 512 : 0) + (magnified ? 1024 : 0);
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = fieldDefines(field, kept.colored);
   if (reduced) defines.emplace_back("REDUCED", "1");
   if (over) defines.emplace_back("OVER", "1");
   if (opaque) defines.emplace_back("OPAQUE", "1");
+  if (magnified) defines.emplace_back("MAGNIFIED", "1");
   if (exact_) defines.emplace_back("ROWS", std::to_string(rowsFor(field)));
   if (hasSmoothColors(field)) defines.emplace_back("SMOOTH_COLORS", "1");
   if (field.display->tiled) defines.emplace_back("TILED", "1");

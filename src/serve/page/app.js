@@ -10,7 +10,7 @@ import { Schema } from "./schema.js";
 import { Screen } from "./screen.js";
 import { Timeline } from "./timeline.js";
 
-const state = { me: 0, editor: 0, about: null, scene: null, status: {}, picture: null, series: [], held: false };
+const state = { me: 0, editor: 0, about: null, scene: null, status: {}, picture: null, series: [], seriesBeside: [], held: false };
 let panel = null;
 
 function note(text, seconds = 4) {
@@ -28,7 +28,7 @@ const link = new Link({
   about: (message) => { state.about = message; facts(); },
   scene: (message) => { state.scene = message; sceneChanged(); },
   status: (message) => { state.status = message; statusChanged(); },
-  series: (message) => { state.series = message.series; charts(); },
+  series: (message) => { Object.assign(state, { series: message.series, seriesBeside: message.beside ?? [] }); charts(); },
   render: (message) => rendered(message),
   golden: (message) => compare.set(message),
   refused: (message) => note(message.text, 6),
@@ -49,11 +49,11 @@ const screen = new Screen(byId("screen"), {
   camera: (view, other, moving) => {
     const placed = ({ eye, target, height }) => ({ position: eye, target, ...(height ? { height } : {}) });
     const request = { do: "camera", ...placed(view) };
-    if (other) request.beside = placed(other);
+    if (other) Object.assign(request, { beside: placed(other), right: pair.right });
     if (moving) link.move("camera", request);
     else link.settle("camera", request);
   },
-  paint: (from, to) => link.send({ do: "paint", from, to, radius: Number(byId("radius").value) || 1 }),
+  paint: (from, to, beside) => link.send({ do: "paint", from, to, radius: Number(byId("radius").value) || 1, beside }),
   click: (x, y, beside) => link.send({ asks: "pixel", x, y, beside }),
 });
 
@@ -65,10 +65,11 @@ const timeline = new Timeline({
 
 const compare = new Compare({
   send: (request) => link.send(request),
+  side: () => pair.flag,
   seek: (frame) => link.settle("seek", { do: "seek", frame }),
 });
 
-const pair = new Pair({ send: (request) => link.send(request), chosen: () => parametersChanged() });
+const pair = new Pair({ send: (request) => link.send(request), chosen: () => sideChosen() });
 
 function set(path, value, moving) {
   const request = { do: "set", path, value, ...pair.flag };
@@ -119,6 +120,13 @@ function sceneChanged() {
   parametersChanged();
 }
 
+function sideChosen() {
+  parametersChanged();
+  charts();
+  compare.follow(state.picture);
+  if (compare.message.on) link.send({ do: "compare", on: true, ...pair.flag });
+}
+
 // Of the side that changes go to.
 function parametersChanged() {
   const chosen = pair.chosen;
@@ -144,8 +152,10 @@ function badges() {
 }
 
 function charts() {
-  const { scene, picture } = state;
-  if (scene?.scene && picture) showCharts(byId("charts"), state.series, scene.checks, picture.frame, scene.frames);
+  const { picture } = state;
+  const scene = pair.chosen;
+  const series = pair.flag.beside ? state.seriesBeside : state.series;
+  if (scene?.scene && picture) showCharts(byId("charts"), series, scene.checks, picture.frame, scene.frames);
 }
 
 const paintable = ["life", "grayScott", "epidemic", "wildfire", "reaction", "water", "fluid"];
@@ -182,6 +192,8 @@ panel = new Panel(byId("parameters"), new Schema(await answer.json()), {
   set,
   forget: (path) => link.send({ do: "forget", path, ...pair.flag }),
   isHeld: () => state.held,
+  frame: () => state.status.target ?? 0,
+  fps: () => pair.chosen.fps,
 });
 if (state.scene?.scene) panel.update(pair.chosen);
 globalThis.simreel = { state, link, panel, screen, compare, pair }; // for whoever looks at the page from its console

@@ -13,7 +13,7 @@ export class Compare {
     this.mode = "beside";
     this.message = { on: false };
     this.split = 0.5;
-    byId("compare").onclick = () => on.send({ do: "compare", on: !this.message.on });
+    byId("compare").onclick = () => on.send({ do: "compare", on: !this.message.on, ...on.side() });
     byId("accept").onclick = () => on.send({ do: "accept" });
     byId("testThis").onclick = () => on.send({ do: "testThis" });
     byId("modes").replaceChildren(...Object.entries(modes).map(([mode, name]) =>
@@ -58,7 +58,7 @@ export class Compare {
       button.setAttribute("aria-pressed", button.dataset.mode === this.mode);
       button.disabled = !message.difference && (button.dataset.mode === "difference" || button.dataset.mode === "swipe");
     }
-    byId("verdict").textContent = current ? message.words : "…";
+    byId("verdict").textContent = current ? `${message.right ? "Right side: " : ""}${message.words}` : "…";
     byId("verdict").dataset.verdict = current ? message.verdict : "";
     this.buttons(current);
     const said = { none: "", running: "Writing baselines…", done: message.said, failed: message.said }[message.accept];

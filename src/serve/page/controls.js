@@ -47,20 +47,23 @@ function severalControl(schema, on, color) {
   const boxes = Array.from({ length: count }, () =>
     element("input", { type: "number", step: schema.items.type === "integer" ? 1 : "any" }));
   const picker = color ? element("input", { type: "color", "aria-label": "Colour" }) : null;
-  const read = () => boxes.map((box) => Number(box.value));
-  for (const box of boxes) box.addEventListener("change", () => {
-    if (picker) picker.value = hex(read());
-    on(read(), false);
-  });
+  let now = Array.from({ length: count }, () => 0); // boxes show less of them
+  boxes.forEach((box, i) => box.addEventListener("change", () => {
+    now[i] = Number(box.value);
+    if (picker) picker.value = hex(now);
+    on([...now], false);
+  }));
   const pick = (moving) => {
     const rgb = [1, 3, 5].map((at) => Number(linear(parseInt(picker.value.slice(at, at + 2), 16)).toPrecision(3)));
     boxes.forEach((box, i) => { box.value = number(rgb[i]); });
-    on(rgb, moving);
+    now = rgb;
+    on([...now], moving);
   };
   picker?.addEventListener("input", () => pick(true));
   picker?.addEventListener("change", () => pick(false));
   return { node: element("span", { class: "value three" }, picker, ...boxes), set: (value) => {
     const known = Array.isArray(value) && value.length === count;
+    now = known ? [...value] : now.map(() => 0);
     boxes.forEach((box, i) => { box.value = known ? number(value[i]) : ""; });
     if (picker) picker.value = hex(known ? value : [0, 0, 0]);
   } };
@@ -84,7 +87,7 @@ function choiceControl(schema, on) {
 
 // A value that moves: a row for each key.
 function framesControl(plain, value, on) {
-  const node = element("span", { class: "frames" });
+  const list = element("span", { class: "frames" });
   let now = structuredClone(value);
   const read = (text) => Number(text);
   const show = () => {
@@ -100,10 +103,10 @@ function framesControl(plain, value, on) {
         } }));
       return element("span", {}, ...boxes);
     });
-    node.replaceChildren(...rows);
+    list.replaceChildren(...rows);
   };
   show();
-  return { node, set: (next) => { now = structuredClone(next); show(); } };
+  return { node: element("span", { class: "value" }, list), set: (next) => { now = structuredClone(next); show(); } };
 }
 
 export function control(schema, value, on) {

@@ -1,6 +1,7 @@
 // Every parameter of the scene, from the schema: what the scene gives stands out, the rest has its default.
 import { element } from "./dom.js";
 import { control } from "./controls.js";
+import { withKey } from "./keys.js";
 import { forms, isGroup, wordsOf } from "./schema.js";
 
 const skipped = new Set(["$schema", "version", "test", "checks"]);
@@ -96,6 +97,10 @@ export class Panel {
     const made = control(schema, value, (next, moving) => this.on.set(path, next, moving));
     const undo = element("button", { class: "undo", title: "Take back", "aria-label": `Take back ${name}`,
       onclick: () => this.on.forget(path) }, "↺");
+    const known = () => valueAt(this.scene, path) ?? schema.default;
+    if (forms(schema).moving && known() !== undefined)
+      made.node.append(element("button", { class: "key", title: "A key at this frame, or none", "aria-label": `Key of ${name} at this frame`,
+        onclick: () => this.on.set(path, withKey(known(), this.on.frame(), this.on.fps()), false) }, "◆"));
     if (words.unit) made.node.append(element("span", { class: "unit" }, words.unit));
     const node = element("div", { class: "row", "data-path": path },
       element("label", { title: path }, name), made.node, undo, element("div", { class: "doc" }, words.text));

@@ -89,7 +89,7 @@ export class Screen {
 
   grab(event, side) {
     const { canvas } = this.panes[side];
-    if (this.brush) return this.paint(event, canvas);
+    if (this.brush) return this.paint(event, canvas, side === 1);
     if (!this.panes[0].view) return;
     const panning = event.button !== 0 || event.shiftKey;
     let [x, y] = [event.clientX, event.clientY];
@@ -120,15 +120,15 @@ export class Screen {
   }
 
   // Strokes of the brush: one for every piece of the way.
-  paint(event, canvas) {
+  paint(event, canvas, beside) {
     let last = this.pointAt(event, canvas);
     let time = performance.now();
     canvas.setPointerCapture(event.pointerId);
-    this.on.paint(last, last);
+    this.on.paint(last, last, beside);
     const move = (e) => {
       if (performance.now() - time < 120) return;
       const now = this.pointAt(e, canvas);
-      this.on.paint(last, now);
+      this.on.paint(last, now, beside);
       [last, time] = [now, performance.now()];
     };
     const end = (e) => {
@@ -136,7 +136,7 @@ export class Screen {
       canvas.removeEventListener("pointerup", end);
       canvas.removeEventListener("pointercancel", end);
       const now = this.pointAt(e, canvas);
-      if (now[0] !== last[0] || now[1] !== last[1]) this.on.paint(last, now);
+      if (now[0] !== last[0] || now[1] !== last[1]) this.on.paint(last, now, beside);
     };
     canvas.addEventListener("pointermove", move);
     canvas.addEventListener("pointerup", end);

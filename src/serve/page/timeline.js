@@ -45,10 +45,10 @@ export class Timeline {
     if (this.dragging) return; // or the mark would go away under the pointer
     const times = new Map();
     keysOf(scene.scene, "", times);
-    byId("keys").replaceChildren(...[...times].filter(([time]) => time >= 0 && time * this.fps <= this.last).map(([time, keys]) => {
+    byId("keys").replaceChildren(...[...times].filter(([time]) => time >= 0 && time * this.fps < this.last + 1.5).map(([time, keys]) => {
       const mark = element("i", { title: `${time} s: ${keys.map((key) => key.path).join(", ")}; drag to move`,
         onpointerdown: (event) => this.drag(event, mark, time, keys) });
-      mark.style.left = this.at(time * this.fps);
+      mark.style.left = this.at(Math.min(this.last, time * this.fps)); // one at the very end is after the last frame
       return mark;
     }));
   }

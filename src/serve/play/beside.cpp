@@ -42,11 +42,19 @@ void Beside::turn(bool on) {
   tell();
 }
 
+void Beside::choose(SceneSource source, bool right) {
+  source_ = std::move(source);
+  right_ = right;
+  verdict_.clear();
+  tell();
+}
+
 void Beside::tell() {
   json message = verdict_.empty() ? json::object() : json::parse(verdict_);
   message["kind"] = "golden";
   message["on"] = on_;
   message["edit"] = edit_;
+  message["right"] = right_;
   message["accept"] = accepted_;
   message["said"] = said_;
   hub_.tell("golden", message.dump(-1, ' ', false, json::error_handler_t::replace));

@@ -28,6 +28,9 @@ class Beside {
 
   [[nodiscard]] bool on() const { return on_; }
   void turn(bool on);
+  /// Whose baselines they are from now on; `right`: those of the other side.
+  void choose(SceneSource source, bool right);
+  [[nodiscard]] bool right() const { return right_; }
   /// Draws the stage's frame, which has to be the script's own, and tells viewers how it came out.
   void look(Stage& stage);
 
@@ -55,6 +58,7 @@ class Beside {
   const sim::Numerics& numerics_;
   Hub& hub_;
   bool on_ = false;
+  bool right_ = false;
   std::optional<golden::Origin> driver_;  ///< of what the driver draws; found out when it is asked for
   std::uint64_t pictures_ = 0;
   std::string verdict_;  ///< JSON of the latest look

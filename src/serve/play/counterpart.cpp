@@ -39,18 +39,32 @@ void Counterpart::readFile() {
   }
 }
 
+std::shared_ptr<Script> Counterpart::scriptBeside(const Stage& scene) const {
+  std::vector<scene::Override> edits;
+  if (!options_.ownFile) edits = scene.script().edits;
+  for (const scene::Override& edit : options_.edits) edits = withEdit(edits, edit);
+  return readScript(options_.source, options_.ownFile ? text_ : scene.script().text, std::move(edits));
+}
+
+bool Counterpart::isBetter(const Stage& scene) const {
+  if (!on_ || !unread_ || !unreadable_.empty()) return false;
+  try {
+    return scriptBeside(scene) != nullptr;
+  } catch (const UserError&) {
+    return false;
+  }
+}
+
 bool Counterpart::show(const Stage& scene, const sim::Numerics& numerics, std::size_t memory, bool moving,
                        int frame) {
   if (!on_) return false;
   if (options_.ownFile && text_.empty()) readFile();
   mistakes_ = unreadable_;
   if (!mistakes_.empty()) return false;
+  unread_ = true;
   try {
-    std::vector<scene::Override> edits;
-    if (!options_.ownFile) edits = scene.script().edits;
-    for (const scene::Override& edit : options_.edits) edits = withEdit(edits, edit);
-    auto script =
-        readScript(options_.source, options_.ownFile ? text_ : scene.script().text, std::move(edits));
+    auto script = scriptBeside(scene);
+    unread_ = false;
     sim::requireExact(script->scene, numerics);
     if (stage_ != nullptr) return stage_->become(std::move(script), moving);
     stage_ = std::make_unique<Stage>(std::move(script), memory);

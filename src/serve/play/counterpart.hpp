@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace simreel::serve {
@@ -22,7 +23,7 @@ struct CounterpartOptions {
   std::vector<std::string> arguments;  ///< as words of a command line
 };
 
-/// The other side: at the frame of the scene, drawn when it is. Nothing of it is ever written.
+/// The other side: at the frame of the scene, drawn when it is.
 class Counterpart {
  public:
   explicit Counterpart(CounterpartOptions options) : options_(std::move(options)), on_(options_.on) {}
@@ -45,13 +46,24 @@ class Counterpart {
   /// where that one's states are its own, too. Whether its state is one of other values (Stage::become).
   bool show(const Stage& scene, const sim::Numerics& numerics, std::size_t memory, bool moving, int frame);
   void readFile();
+  /// Why its own file could not be read, or nothing.
+  [[nodiscard]] const std::string& unreadable() const { return unreadable_; }
+  /// Whether what was wrong in it, or with files that it names, is so no longer.
+  [[nodiscard]] bool isBetter(const Stage& scene) const;
+  /// Of its own file, as it was last read.
+  [[nodiscard]] const std::string& text() const { return text_; }
+  /// That file has this text now.
+  void setText(std::string text) { text_ = std::move(text); }
 
  private:
+  [[nodiscard]] std::shared_ptr<Script> scriptBeside(const Stage& scene) const;
+
   CounterpartOptions options_;
   bool on_;
   std::string text_;  ///< of its own file
   std::string unreadable_;
   std::string mistakes_;
+  bool unread_ = false;  ///< whether they are of the text, or of files that are not there
   std::unique_ptr<Stage> stage_;
 };
 

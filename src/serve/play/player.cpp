@@ -19,10 +19,12 @@ namespace simreel::serve {
 namespace {
 
 constexpr double secondsBetweenLooks = 0.1;  ///< at the files
-constexpr double secondsToRest = 0.25;       ///< after the last drag, before the whole picture is drawn
-constexpr double sliceSeconds = 0.04;        ///< of stepping, before requests are heard again
-constexpr double mostMilliseconds = 85;      ///< of a picture while things move
-constexpr double mostToMeasure = 6;          ///< ms of a picture while things move
+constexpr double leastToRest = 0.25;         ///< s after the last drag, before the whole picture is drawn
+constexpr double mostToRest = 2;
+constexpr double secondsToReread = 1;    ///< what names files that are not there
+constexpr double sliceSeconds = 0.04;    ///< of stepping, before requests are heard again
+constexpr double mostMilliseconds = 85;  ///< of a picture while things move
+constexpr double mostToMeasure = 6;      ///< ms of a picture while things move
 constexpr int jpegQuality = 87;
 
 }  // namespace
@@ -51,13 +53,9 @@ void Player::turn() {
   if (secondsSince(looked_) >= secondsBetweenLooks) {
     looked_ = Clock::now();
     if (files_.changed()) {
-      try {
-        readFile();
-        other_.readFile();
-        show(text_, edits_, false);
-      } catch (const UserError& error) {
-        report(error.what());
-      }
+      showFiles();
+    } else if (secondsSince(reread_) >= secondsToReread) {
+      tryAgain();
     }
   }
   lookAtRender();
@@ -74,6 +72,32 @@ void Player::turn() {
   }
 }
 
+/// As they are now.
+void Player::showFiles() {
+  try {
+    readFile();
+    other_.readFile();
+    show(text_, edits_, false);
+  } catch (const UserError& error) {
+    report(error.what());
+  }
+}
+
+/// A file that a scene names and that was not there can be watched by nobody: it may have come.
+void Player::tryAgain() {
+  reread_ = Clock::now();
+  if (!unread_) {
+    if (stage_ != nullptr && other_.isBetter(*stage_)) showFiles();
+    return;
+  }
+  try {
+    static_cast<void>(readScript(options_.source, text_, edits_));
+  } catch (const UserError&) {
+    return;
+  }
+  showFiles();
+}
+
 void Player::readFile() {
   text_ = scene::readSceneSource(options_.source.file, sim::kinds()).first;
 }
@@ -85,8 +109,10 @@ void Player::report(const std::string& text) {
 
 bool Player::show(const std::string& text, std::vector<scene::Override> edits, bool moving) {
   bool carries = false;
+  unread_ = true;
   try {
     auto script = readScript(options_.source, text, std::move(edits));
+    unread_ = false;
     sim::requireExact(script->scene, numerics_);
     if (stage_ == nullptr)
       stage_ = std::make_unique<Stage>(std::move(script), memoryOfEach());
@@ -181,7 +207,21 @@ std::size_t Player::memoryOfEach() const {
 }
 
 bool Player::isMoving() const {
-  return playing_ || secondsSince(moved_) < secondsToRest;
+  if (playing_) return true;
+  return toRest_ > 0 && (!shown_ || secondsSince(moved_) < toRest_);
+}
+
+/// Who is slow, far away, or beside much else drags at a slow pace: that is no rest, and the whole picture
+/// would only make it slower.
+void Player::hearOfMoving() {
+  const double apart = secondsSince(moved_);
+  toRest_ =
+      toRest_ > 0 && apart < mostToRest ? std::clamp(2 * apart, leastToRest, mostToRest) : leastToRest;
+  moved_ = Clock::now();
+}
+
+void Player::letGo() {
+  toRest_ = 0;
 }
 
 double Player::secondsToWait() const {
@@ -263,12 +303,13 @@ void Player::drawPicture(bool draft) {
   if (!draft || measureMs_ < mostToMeasure) {
     const auto before = Clock::now();
     stage_->measure();
+    if (other_.stage() != nullptr) other_.stage()->measure();
     measureMs_ = 1000 * secondsSince(before);
   }
   times_.push_back(Clock::now());
   while (times_.size() > 20) times_.pop_front();
   // Whoever drags has had no time yet to drag on.
-  if (draft && !playing_) moved_ = Clock::now();
+  if (draft && !playing_ && toRest_ > 0) moved_ = Clock::now();
   shown_ = true;
   rest_ = !draft;
   Picture picture;
@@ -283,7 +324,13 @@ void Player::drawPicture(bool draft) {
 
 /// Where the whole picture stands, its baseline may stand beside it.
 void Player::lookBeside() {
-  if (rest_ && stage_ != nullptr && isThere() && !stage_->carried()) beside_.look(*stage_);
+  if (beside_.right() && other_.stage() == nullptr) beside_.choose(options_.source, false);
+  if (rest_ && stage_ != nullptr && isThere() && !compared().carried()) beside_.look(compared());
+}
+
+/// The side whose baseline is shown.
+Stage& Player::compared() {
+  return beside_.right() && other_.stage() != nullptr ? *other_.stage() : *stage_;
 }
 
 /// The finest level whose pictures come in time; where none do, the finest of those that cost hardly more

@@ -68,6 +68,8 @@ class Player {
 
   /// The file as it is now.
   void readFile();
+  void showFiles();
+  void tryAgain();
   /// Shows the text with these edits, or says what is wrong with it. Whether it does.
   bool show(const std::string& text, std::vector<scene::Override> edits, bool moving);
   /// The other side, beside what is shown; where that went on with other values, `carries`.
@@ -76,6 +78,8 @@ class Player {
   void makeGood();
   /// `edit`: the path of the edit that is in the file then.
   void writeFile(const scene::Override& change, const std::string& edit);
+  /// The same of the other side's own file.
+  void writeOther(const scene::Override& change, const std::string& edit);
   void report(const std::string& text);
   void watch();
 
@@ -83,7 +87,10 @@ class Player {
   void goOn();
   void drawPicture(bool draft);
   void lookBeside();
+  [[nodiscard]] Stage& compared();
   void adaptDetail(double milliseconds);
+  void hearOfMoving();
+  void letGo();
   [[nodiscard]] bool isMoving() const;
   [[nodiscard]] double secondsToWait() const;
   [[nodiscard]] int lastFrame() const;
@@ -118,7 +125,9 @@ class Player {
   std::unique_ptr<Stage> stage_;
   WatchedFiles files_;
   std::string mistakes_;
-  bool failed_ = false;  ///< what there is to do would fail again
+  bool unread_ = false;       ///< whether they are of the text, or of files that are not there
+  Clock::time_point reread_;  ///< when it was tried again
+  bool failed_ = false;       ///< what there is to do would fail again
 
   bool playing_ = false;
   bool loop_ = true;
@@ -126,6 +135,7 @@ class Player {
   std::optional<int> held_;   ///< where to go back to after states that came out of other values
   Clock::time_point due_;     ///< when the next frame is to be shown
   Clock::time_point moved_;   ///< when somebody has last dragged something
+  double toRest_ = 0;         ///< s after that, before the whole picture is drawn
   Clock::time_point looked_;  ///< at the files
   Clock::time_point told_;    ///< the series
   bool rest_ = false;         ///< whether the picture is whole and of what there is

@@ -87,6 +87,34 @@ json editsJson(const std::vector<scene::Override>& edits) {
 
 }  // namespace
 
+namespace {
+
+/// At most so many of their values as a chart has room for, and the latest.
+json seriesJson(const std::vector<Series>& all) {
+  constexpr std::size_t mostPoints = 240;
+  json list = json::array();
+  for (const Series& series : all) {
+    const std::size_t stride =
+        std::max<std::size_t>(1, (series.values.size() + mostPoints - 1) / mostPoints);
+    json frames = json::array(), values = json::array();
+    std::size_t at = 0;
+    for (const auto& [frame, value] : series.values) {
+      const bool last = at + 1 == series.values.size();
+      if (at++ % stride != 0 && !last) continue;
+      frames.push_back(frame);
+      values.push_back(std::isfinite(value) ? json(value) : json());
+    }
+    list.push_back({{"object", series.object},
+                    {"name", series.name},
+                    {"unit", series.unit},
+                    {"frames", std::move(frames)},
+                    {"values", std::move(values)}});
+  }
+  return list;
+}
+
+}  // namespace
+
 std::string Player::describe(const Drawn& drawn) const {
   const StageMilliseconds spent = took();
   json message = pictureJson(*stage_, drawn.image);
@@ -174,26 +202,9 @@ void Player::tellStatus() {
 void Player::tellSeries() {
   told_ = Clock::now();
   if (stage_ == nullptr) return;
-  constexpr std::size_t mostPoints = 240;
-  json all = json::array();
-  for (const Series& series : stage_->series()) {
-    const std::size_t stride =
-        std::max<std::size_t>(1, (series.values.size() + mostPoints - 1) / mostPoints);
-    json frames = json::array(), values = json::array();
-    std::size_t at = 0;
-    for (const auto& [frame, value] : series.values) {
-      const bool last = at + 1 == series.values.size();
-      if (at++ % stride != 0 && !last) continue;
-      frames.push_back(frame);
-      values.push_back(std::isfinite(value) ? json(value) : json());
-    }
-    all.push_back({{"object", series.object},
-                   {"name", series.name},
-                   {"unit", series.unit},
-                   {"frames", std::move(frames)},
-                   {"values", std::move(values)}});
-  }
-  hub_.tell("series", dumped({{"kind", "series"}, {"series", std::move(all)}}));
+  json message = {{"kind", "series"}, {"series", seriesJson(stage_->series())}};
+  if (other_.stage() != nullptr) message["beside"] = seriesJson(other_.stage()->series());
+  hub_.tell("series", dumped(message));
 }
 
 }  // namespace simreel::serve

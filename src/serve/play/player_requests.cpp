@@ -2,12 +2,10 @@
 #include "base/file.hpp"
 #include "base/strict_json.hpp"
 #include "draw/camera.hpp"
-#include "serve/edit/place_value.hpp"
 #include "serve/play/player.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -85,7 +83,7 @@ void Player::obey(const Json& json) {
   } else if (what == "beside") {
     setBeside(json);
   } else if (what == "accept") {
-    beside_.accept(edits_);
+    if (stage_ != nullptr) beside_.accept(compared().script().edits);
   } else if (what == "testThis") {
     testThisFrame();
   } else {
@@ -99,7 +97,10 @@ void Player::seek(const Json& json) {
   const int frame = std::clamp(request.at("frame").integer(), 0, lastFrame());
   playing_ = false;
   failed_ = false;
-  if (isSet(request, "moving")) moved_ = Clock::now();
+  if (isSet(request, "moving"))
+    hearOfMoving();
+  else
+    letGo();
   held_.reset();
   if (frame == target_) return;
   target_ = frame;
@@ -182,27 +183,44 @@ void Player::moveCamera(const Json& json) {
   const JsonValue request(json);
   const bool moving = isSet(request, "moving");
   const Placed placed = placedBy(request);
-  if (moving) moved_ = Clock::now();
+  if (moving)
+    hearOfMoving();
+  else
+    letGo();
   const auto changes = cameraChanges(*stage_, placed);
+  std::vector<scene::Override> otherChanges;
   if (other_.stage() != nullptr) {
     // The same, or what the mouse made of a view of its own.
     const auto own = request.find("beside");
     const Placed others = own ? placedBy(*own) : placed;
-    if (other_.ownFile() || other_.hasOwnView() || !(others == placed))
-      other_.setEdits(withEdits(other_.edits(), cameraChanges(*other_.stage(), others)));
+    if (other_.ownFile() || other_.hasOwnView() || !(others == placed)) {
+      otherChanges = cameraChanges(*other_.stage(), others);
+      other_.setEdits(withEdits(other_.edits(), otherChanges));
+    }
   }
-  if (!show(text_, withEdits(edits_, changes), moving) || moving || !options_.edit || changes.size() < 2)
-    return;
-  for (const scene::Override& change : changes) writeFile(change, change.path);
+  if (!show(text_, withEdits(edits_, changes), moving) || moving || !options_.edit) return;
+  // One that was no plain camera stays an edit: what it was is not to be lost.
+  const bool right = isSet(request, "right") && other_.stage() != nullptr && other_.ownFile();
+  const auto& written = right ? otherChanges : changes;
+  if (written.size() < 2) return;
+  for (const scene::Override& change : written)
+    if (right)
+      writeOther(change, change.path);
+    else
+      writeFile(change, change.path);
 }
 
 void Player::setValue(const Json& json) {
   const JsonValue request(json);
   const bool moving = isSet(request, "moving");
   const scene::Override change{request.at("path").text(), request.at("value").json().dump()};
-  if (moving) moved_ = Clock::now();
+  if (moving)
+    hearOfMoving();
+  else
+    letGo();
   if (isSet(request, "beside")) {
     setOther(withEdit(other_.edits(), change), moving);
+    if (!moving && options_.edit && other_.ownFile()) writeOther(change, change.path);
   } else {
     if (std::any_of(options_.source.given.begin(), options_.source.given.end(),
                     [&](const scene::Override& given) { return given.path == change.path; }))
@@ -211,6 +229,7 @@ void Player::setValue(const Json& json) {
       // What was there before is still shown.
       const std::string said = mistakes_;
       mistakes_.clear();
+      unread_ = false;
       throw UserError(ExitCode::usage, said, UserError::Form::report);
     }
     if (!moving && options_.edit) writeFile(change, change.path);
@@ -257,80 +276,25 @@ void Player::forget(const Json& json) {
     setOther(std::move(left), false);
 }
 
-/// The value goes from the edits into the file.
-void Player::writeFile(const scene::Override& change, const std::string& edited) {
-  const std::filesystem::path file = std::filesystem::weakly_canonical(options_.source.file);
-  readFile();  // an editor may have written it since
-  const std::string text = withValue(text_, change);
-  std::vector<scene::Override> left;
-  for (const scene::Override& edit : edits_)
-    if (edit.path != edited) left.push_back(edit);
-  static_cast<void>(readScript(options_.source, text, left));  // throws where it would not be good
-  const auto mode = std::filesystem::status(file).permissions();
-  {
-    PartFile written(file);
-    written.append(std::as_bytes(std::span(text)));
-    std::error_code ignored;
-    std::filesystem::permissions(file.string() + ".part", mode, ignored);
-    written.finish();
-  }
-  text_ = text;
-  show(text_, std::move(left), false);
-  static_cast<void>(files_.changed());
-}
-
-/// A stroke of the brush from one place of the picture to another, at the present frame: an entry of the
-/// "strokes" of the field there. The states before that frame stay what they are.
-void Player::paint(const Json& json) {
-  if (stage_ == nullptr) return;
-  const JsonValue request(json);
-  const auto placeAt = [&](const char* name) {
-    const JsonValue value = request.at(name);
-    return fieldAt(stage_->script().scene, stage_->world(), {value.at(0).number(), value.at(1).number()});
-  };
-  const auto from = placeAt("from"), to = placeAt("to");
-  if (!from || !to || from->object != to->object)
-    fail(ExitCode::usage, "there is no field to paint; cells that lie over the picture can be painted");
-  moved_ = Clock::now();
-  playing_ = false;
-  const nlohmann::json scene = parseStrictJson(stage_->script().asRun);
-  const nlohmann::json& object = scene.at("objects").at(from->object);
-  std::string kind;
-  for (const auto& member : object.items())
-    if (member.key() != "material") kind = member.key();
-  const std::string path = fmt::format("objects.{}.{}.strokes", from->object, kind);
-  nlohmann::json strokes = object.at(kind).value("strokes", nlohmann::json::array());
-  const auto rounded = [](glm::dvec2 cell) {
-    constexpr double tenth = 10;
-    return nlohmann::json{std::round(cell.x * tenth) / tenth, std::round(cell.y * tenth) / tenth, 0};
-  };
-  nlohmann::json stroke = {{"at", target_ / stage_->script().scene.time.fps},
-                           {"shape", from->cell == to->cell ? "circle" : "line"},
-                           {"from", rounded(from->cell)},
-                           {"to", rounded(to->cell)},
-                           {"radius", request.at("radius").number()}};
-  if (const auto value = request.find("value")) stroke["value"] = value->number();
-  const scene::Override written{fmt::format("{}.{}", path, strokes.size()), stroke.dump()};
-  strokes.push_back(std::move(stroke));
-  if (!show(text_, withEdit(edits_, {path, strokes.dump()}), false) || !options_.edit) return;
-  // The states are those of this scene already: the file says the same as the edit.
-  if (strokes.size() == 1)
-    writeFile({path, strokes.dump()}, path);
-  else
-    writeFile(written, path);
-}
-
 /// Baselines stand beside the picture, or do no longer.
 void Player::compare(const Json& json) {
-  beside_.turn(JsonValue(json).at("on").boolean());
+  const JsonValue request(json);
+  const bool on = request.at("on").boolean();
+  const bool right = isSet(request, "beside") && other_.stage() != nullptr;
+  if (right != beside_.right()) beside_.choose(right ? other_.options().source : options_.source, right);
+  beside_.turn(on);
+  watch();
   lookBeside();
 }
 
 /// The shown frame becomes one of those that `simreel test` draws.
 void Player::testThisFrame() {
   if (stage_ == nullptr) return;
-  const scene::Override change = beside_.withFrame(*stage_, target_);
-  writeFile(change, change.path);
+  const scene::Override change = beside_.withFrame(compared(), target_);
+  if (beside_.right() && other_.ownFile())
+    writeOther(change, change.path);
+  else
+    writeFile(change, change.path);
 }
 
 /// What is on the screen, or the whole sequence, by a process of its own.

@@ -2,6 +2,7 @@
 
 #include "scene/as_run.hpp"
 #include "serve/play/changes.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/world/list.hpp"
 
 #include <algorithm>
@@ -53,6 +54,10 @@ bool isLook(const std::string& path) {
          isBelow(path, "checks");
 }
 
+/// Of an object's kind, values that simulations take over on their way.
+constexpr std::array<std::string_view, 3> retunable = {"grayScott.feed", "grayScott.kill",
+                                                       "reaction.parameters"};
+
 using nlohmann::ordered_json;
 
 void findDifferences(const ordered_json& before, const ordered_json& after, const std::string& path,
@@ -70,6 +75,44 @@ void findDifferences(const ordered_json& before, const ordered_json& after, cons
       findDifferences(member.value(), after.at(member.key()), prefix + member.key(), found);
   for (const auto& member : after.items())
     if (!before.contains(member.key())) found.insert(prefix + member.key());
+}
+
+/// Files that both name, and that were written in between.
+std::vector<std::filesystem::path> writtenFiles(const std::map<std::filesystem::path, FileStamp>& before,
+                                                const std::map<std::filesystem::path, FileStamp>& after) {
+  std::vector<std::filesystem::path> written;
+  for (const auto& [file, stamp] : after)
+    if (const auto known = before.find(file); known != before.end() && known->second != stamp)
+      written.push_back(file);
+  return written;
+}
+
+bool namesFile(const ordered_json& value, const std::filesystem::path& file) {
+  if (value.is_string())
+    return std::filesystem::path(value.get<std::string>()).filename() == file.filename();
+  return value.is_structured() && std::any_of(value.begin(), value.end(), [&](const ordered_json& one) {
+           return namesFile(one, file);
+         });
+}
+
+/// Whether a state may come from one of the files: not where materials, sky and camera alone name them.
+bool simulatesFrom(const std::vector<std::filesystem::path>& files, std::string_view asRun) {
+  if (files.empty()) return false;
+  ordered_json scene = ordered_json::parse(withoutWhatShows(asRun));
+  for (const char* shown : {"camera", "sky", "lights", "render", "test"}) scene.erase(shown);
+  if (const auto objects = scene.find("objects"); objects != scene.end() && objects->is_object())
+    for (const auto& object : objects->items())
+      if (object.value().is_object()) object.value().erase("material");
+  return std::any_of(files.begin(), files.end(),
+                     [&](const std::filesystem::path& file) { return namesFile(scene, file); });
+}
+
+bool drawsFieldsAlone(const scene::Scene& scene) {
+  return !scene.objects.empty() && !scene.render.transparent && scene.sky.picture.empty() &&
+         std::all_of(scene.objects.begin(), scene.objects.end(), [](const scene::Object& object) {
+           const auto* parameters = dynamic_cast<const sim::ObjectParameters*>(object.parameters.get());
+           return parameters != nullptr && parameters->isField();
+         });
 }
 
 /// Groups that may come with a member of theirs, without anything else that depends on their being there.
@@ -125,6 +168,12 @@ std::shared_ptr<Script> readScript(const SceneSource& source, const std::string&
     script->draft.render.quality = scene::Quality::draft;
   script->asRun = scene::textAsRun(text, source.file, all);
   script->simulation = scene::simulationHash(withoutWhatShows(script->asRun));
+  for (const std::filesystem::path& file : script->scene.files) script->files[file] = stampOf(file);
+  script->fieldsAlone = drawsFieldsAlone(script->scene);
+  if (script->fieldsAlone) {  // as the driver's rasterizer has it (Stage::drawerOf)
+    script->draft.sun.diameter = 0;
+    script->draft.render.quality = scene::Quality::draft;
+  }
   return script;
 }
 
@@ -136,6 +185,8 @@ std::set<std::string> differingPaths(std::string_view before, std::string_view a
 
 Change changeBetween(const Script& before, const Script& after) {
   if (before.simulation != after.simulation) return Change::simulation;
+  if (const auto written = writtenFiles(before.files, after.files); !written.empty())
+    return simulatesFrom(written, after.asRun) ? Change::simulation : Change::dress;
   const std::set<std::string> paths = differingPaths(before.asRun, after.asRun);
   if (paths.empty()) return Change::nothing;
   if (before.scene.staged != after.scene.staged) return Change::dress;
@@ -153,6 +204,7 @@ Change changeBetween(const Script& before, const Script& after) {
 
 bool drawsAlike(const Script& before, const Script& after) {
   if (before.scene.staged != after.scene.staged || addsGroup(before, after)) return false;
+  if (!writtenFiles(before.files, after.files).empty()) return false;
   const std::set<std::string> paths = differingPaths(before.asRun, after.asRun);
   return std::all_of(paths.begin(), paths.end(), [](const std::string& path) {
     return path.starts_with("objects.") && scene::touchesSimulation(path);
@@ -160,12 +212,32 @@ bool drawsAlike(const Script& before, const Script& after) {
 }
 
 int firstOther(const Simulated& before, const Script& after) {
+  if (simulatesFrom(writtenFiles(before.files, after.files), after.asRun)) return 0;
   if (before.simulation == after.simulation) return farFrame;
   const double seconds = secondsAlike(before.asRun, after.asRun);
   // A frame's state has heard of what is before its time; one at that very time need not have.
   constexpr double rounding = 1e-9;
   const double frames = std::floor(seconds * after.scene.time.fps + rounding);
   return static_cast<int>(std::clamp(frames, 0.0, static_cast<double>(farFrame)));
+}
+
+std::vector<std::size_t> retunedObjects(const Script& before, const Script& after) {
+  const std::set<std::string> paths = differingPaths(before.asRun, after.asRun);
+  if (!writtenFiles(before.files, after.files).empty()) return {};
+  std::set<std::size_t> objects;
+  for (const std::string& path : paths) {
+    bool known = false;
+    for (std::size_t i = 0; i < after.scene.objects.size() && !known; ++i) {
+      const std::string place = "objects." + after.scene.objects[i].name + ".";
+      known = path.starts_with(place) &&
+              std::any_of(retunable.begin(), retunable.end(), [&](std::string_view value) {
+                return isBelow(std::string_view(path).substr(place.size()), value);
+              });
+      if (known) objects.insert(i);
+    }
+    if (!known) return {};
+  }
+  return {objects.begin(), objects.end()};
 }
 
 void takeLook(Script& shown, Script& from) {

@@ -1,7 +1,10 @@
 #pragma once
 #include "scene/scene.hpp"
+#include "serve/play/watched_files.hpp"
 
+#include <cstddef>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 #include <span>
@@ -26,6 +29,8 @@ struct Script {
   scene::Scene draft;      ///< the same without lens, shutter and rays: for pictures that have to be quick
   std::string asRun;       ///< scene::sceneAsRun
   std::string simulation;  ///< scene::simulationHash of it without what only shows (withoutWhatShows)
+  std::map<std::filesystem::path, FileStamp> files;  ///< that it names, as they were when it was read
+  bool fieldsAlone = false;                          ///< whether nothing but fields is drawn
 };
 
 /// Reads it. Throws UserError(usage) with every mistake.
@@ -46,13 +51,17 @@ enum class Change {
 /// What states come from. Of its own: scripts that are shown take over what others look like.
 struct Simulated {
   std::string asRun, simulation;  ///< as in Script
+  std::map<std::filesystem::path, FileStamp> files;
 };
 [[nodiscard]] inline Simulated simulatedOf(const Script& script) {
-  return {script.asRun, script.simulation};
+  return {script.asRun, script.simulation, script.files};
 }
 /// The first frame whose state may be another one; farFrame: none.
 [[nodiscard]] int firstOther(const Simulated& before, const Script& after);
 inline constexpr int farFrame = 1 << 30;
+/// Objects that differ in values that a world takes over as it goes (sim::Retunable), where nothing else
+/// differs; else none.
+[[nodiscard]] std::vector<std::size_t> retunedObjects(const Script& before, const Script& after);
 /// For Change::look: takes over those values, in place.
 void takeLook(Script& shown, Script& from);
 

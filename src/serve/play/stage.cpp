@@ -3,6 +3,7 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "frame/draw_world.hpp"
+#include "gl/context.hpp"
 #include "gl/limits.hpp"
 
 #include <algorithm>
@@ -175,8 +176,12 @@ Stage::Drawer& Stage::drawerOf(std::size_t level) {
   const DetailLevel& detail = detailLevels[level];
   drawer.size = scaledSize(shown.render.size, detail.scale);
   drawer.script = script_;
+  // Of fields alone a software driver makes its own picture at a third of the exact one's cost.
+  draw::RendererOptions how;
+  if (level > 0 && script_->fieldsAlone && gl::memoryPath() == gl::MemoryPath::texel)
+    how.rasterizer = scene::Rasterizer::driver;
   drawer.renderer = std::make_unique<draw::Renderer>(
-      shown, drawer.size, detail.samples > 0 ? detail.samples : shown.render.samples);
+      shown, drawer.size, detail.samples > 0 ? detail.samples : shown.render.samples, how);
   drawer.readback = std::make_unique<draw::Readback>(drawer.size);
   return drawer;
 }

@@ -102,7 +102,7 @@ class Stage {
 
   /// States of a simulation that may come back.
   struct Past {
-    std::string simulation;  ///< Script::simulation
+    Simulated of;
     KeptStates kept;
     std::vector<Series> series;
   };
@@ -110,6 +110,7 @@ class Stage {
   void takeLookOf(Script& from);
   void drawAs(std::shared_ptr<Script> script);
   void dressAs(std::shared_ptr<Script> script);
+  [[nodiscard]] bool retuneTo(const std::shared_ptr<Script>& script);
   [[nodiscard]] bool carryOverTo(std::shared_ptr<Script> script);
   void simulateAs(std::shared_ptr<Script> script);
   void keepWhatIsAlike(const std::shared_ptr<Script>& script);

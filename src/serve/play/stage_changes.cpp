@@ -23,7 +23,7 @@ bool Stage::become(std::shared_ptr<Script> script, bool moving) {
     case Change::simulation:
       break;
   }
-  if (moving && started_ && !isNear(*script) && carryOverTo(script)) return true;
+  if (moving && started_ && !isNear(*script) && (retuneTo(script) || carryOverTo(script))) return true;
   simulateAs(std::move(script));
   return false;
 }
@@ -94,6 +94,18 @@ void Stage::take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> scri
   summaries_->start();
 }
 
+/// The present state goes on in the same world, with other values; false where that cannot be.
+bool Stage::retuneTo(const std::shared_ptr<Script>& script) {
+  const std::vector<std::size_t> objects = retunedObjects(*script_, *script);
+  for (const std::size_t i : objects)
+    if (!world_->retune(i, *script->scene.objects[i].parameters)) return false;
+  if (objects.empty()) return false;
+  script_ = script;
+  carried_ = true;
+  setTestScene(nullptr);
+  return true;
+}
+
 /// The present state goes on in the other's world; false where it does not fit, and nothing has happened.
 bool Stage::carryOverTo(std::shared_ptr<Script> script) {
   if (!started_) {
@@ -142,9 +154,9 @@ void Stage::keepWhatIsAlike(const std::shared_ptr<Script>& script) {
       series.values.erase(series.values.lower_bound(first), series.values.end());
   } else {
     std::optional<Past> back;
-    if (past_ && past_->simulation == script->simulation) back = std::move(past_);
+    if (past_ && firstOther(past_->of, *script) == farFrame) back = std::move(past_);
     past_.reset();
-    if (!kept_.frames().empty()) past_ = Past{keptOf_.simulation, std::move(kept_), std::move(series_)};
+    if (!kept_.frames().empty()) past_ = Past{keptOf_, std::move(kept_), std::move(series_)};
     kept_ = back ? std::move(back->kept) : KeptStates(memory_);
     series_ = back ? std::move(back->series) : std::vector<Series>{};
   }

@@ -2,6 +2,7 @@
 
 #include "base/clock.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/core/retunable.hpp"
 #include "sim/gray_scott/kernels.hpp"
 #include "sim/gray_scott/quantities.hpp"
 
@@ -14,7 +15,7 @@ namespace simreel::sim {
 
 namespace {
 
-class GrayScott : public Simulation {
+class GrayScott : public Simulation, public Retunable {
  public:
   GrayScott(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -42,6 +43,11 @@ class GrayScott : public Simulation {
     }
     kernels_.advance(together);
     gl::barrier();
+  }
+
+  [[nodiscard]] bool retune(const scene::Parameters& now) override {
+    plan_.retune(dynamic_cast<const GrayScottParameters&>(now));
+    return true;
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.parameters().steps; }

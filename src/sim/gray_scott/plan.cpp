@@ -135,6 +135,11 @@ shader::GrayScottRates GrayScottPlan::ratesAt(double time) const {
   return rates;
 }
 
+void GrayScottPlan::retune(const GrayScottParameters& now) {
+  parameters_.feed = now.feed;
+  parameters_.kill = now.kill;
+}
+
 std::vector<shader::Stroke> GrayScottPlan::strokesAt(double time, int step) const {
   if (strokes_.empty()) return {};
   const double seconds = frameSeconds_ / parameters_.steps;

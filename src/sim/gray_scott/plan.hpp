@@ -39,6 +39,9 @@ class GrayScottPlan {
   /// Strokes that paint into the state after `step` steps of the frame that starts at `time` (s).
   [[nodiscard]] std::vector<shader::Stroke> strokesAt(double time, int step) const;
 
+  /// Takes over the rates that do not vary in space.
+  void retune(const GrayScottParameters& now);
+
   [[nodiscard]] const GrayScottParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
   [[nodiscard]] int columns() const { return (parameters_.size.x + 1) / 2; }

@@ -205,6 +205,17 @@ RuleField ReactionPlan::firstField() const {
   return field;
 }
 
+bool ReactionPlan::retune(const ReactionParameters& now) {
+  std::vector<ReactionParameter>& ours = parameters_.parameters;
+  const bool alike = std::equal(ours.begin(), ours.end(), now.parameters.begin(), now.parameters.end(),
+                                [](const ReactionParameter& a, const ReactionParameter& b) {
+                                  return a.name == b.name && a.across == b.across && a.down == b.down &&
+                                         a.image == b.image && a.white == b.white && a.field == b.field;
+                                });
+  if (alike) ours = now.parameters;
+  return alike;
+}
+
 std::vector<float> ReactionPlan::valuesAt(double time) const {
   const ReactionParameters& p = parameters_;
   std::vector<float> values(static_cast<std::size_t>(rule_.told.count()));

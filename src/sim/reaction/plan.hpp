@@ -18,6 +18,9 @@ class ReactionPlan {
   /// Reads the pictures that the parameters name. Throws UserError: what loadPicture says.
   void checkPictures() const;
 
+  /// Takes over the values of parameters. False: they are not the same ones, or vary in space otherwise.
+  [[nodiscard]] bool retune(const ReactionParameters& now);
+
   [[nodiscard]] const ReactionParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Rule& rule() const { return rule_; }
   [[nodiscard]] const RuleProgram& program() const { return program_; }

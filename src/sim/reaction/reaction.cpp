@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/core/retunable.hpp"
 #include "sim/gray_scott/quantities.hpp"
 #include "sim/grid/field_values.hpp"
 #include "sim/grid/tally.hpp"
@@ -24,7 +25,7 @@ namespace simreel::sim {
 
 namespace {
 
-class Reaction : public Simulation, public FieldReader {
+class Reaction : public Simulation, public FieldReader, public Retunable {
  public:
   Reaction(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -75,6 +76,10 @@ class Reaction : public Simulation, public FieldReader {
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
     if (painted_) return painted_->table(plan_.parameters().mesh.model(shownTime_));
     return isosurface_ ? std::optional(isosurface_->mesh()) : std::nullopt;
+  }
+
+  [[nodiscard]] bool retune(const scene::Parameters& now) override {
+    return plan_.retune(dynamic_cast<const ReactionParameters&>(now));
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.parameters().steps; }

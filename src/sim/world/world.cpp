@@ -8,6 +8,7 @@
 #include "sim/core/field_reader.hpp"
 #include "sim/core/frame_observer.hpp"
 #include "sim/core/path.hpp"
+#include "sim/core/retunable.hpp"
 #include "sim/world/lag.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/relations.hpp"
@@ -409,6 +410,11 @@ std::vector<World::CountNames> World::countNames() const {
 
 const Simulation& World::object(std::size_t index) const {
   return *state_->objects.at(index);
+}
+
+bool World::retune(std::size_t index, const scene::Parameters& now) {
+  auto* retunable = dynamic_cast<Retunable*>(state_->objects.at(index).get());
+  return retunable != nullptr && retunable->retune(now);
 }
 
 void World::startSummary() {

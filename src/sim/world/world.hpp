@@ -50,6 +50,8 @@ class World {
   void carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin);
   /// After it was put back: the present frame is `frame`, which must not be before the first.
   void resumeAt(int frame);
+  /// Gives an object other values on the way (Retunable). Whether it could.
+  [[nodiscard]] bool retune(std::size_t index, const scene::Parameters& now);
   /// The frame in which it starts: 0, or below it by the pre-roll.
   [[nodiscard]] int firstFrame() const;
   [[nodiscard]] std::size_t objectCount() const;

@@ -148,7 +148,8 @@ TEST_CASE("defaults: given or left out, every one that a shipped scene may have 
   const Json schema = Json::parse(scene::schemaText(sim::kinds().list));
   int same = 0;
   std::set<std::string> refused;
-  std::map<std::string, int> asked;  // in so many scenes: two, since what belongs to another parameter depends on that
+  std::map<std::string, int>
+      asked;  // in so many scenes: two, since what belongs to another parameter depends on that
   for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
     if (entry.path().extension() != ".json" || entry.path().string().ends_with(".test.json")) continue;
     CAPTURE(entry.path().string());

@@ -1,0 +1,117 @@
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/strict_json.hpp"
+#include "serve/edit/place_value.hpp"
+#include "serve/play/player.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace simreel::serve {
+
+namespace {
+
+/// Whole or not at all, with the permissions of before.
+void replaceText(const std::filesystem::path& named, const std::string& text) {
+  const std::filesystem::path file = std::filesystem::weakly_canonical(named);
+  const auto mode = std::filesystem::status(file).permissions();
+  PartFile written(file);
+  written.append(std::as_bytes(std::span(text)));
+  std::error_code ignored;
+  std::filesystem::permissions(file.string() + ".part", mode, ignored);
+  written.finish();
+}
+
+std::vector<scene::Override> editsWithout(const std::vector<scene::Override>& edits,
+                                          const std::string& path) {
+  std::vector<scene::Override> left;
+  for (const scene::Override& edit : edits)
+    if (edit.path != path) left.push_back(edit);
+  return left;
+}
+
+}  // namespace
+
+/// The value goes from the edits into the file.
+void Player::writeFile(const scene::Override& change, const std::string& edited) {
+  readFile();  // an editor may have written it since
+  const std::string text = withValue(text_, change);
+  std::vector<scene::Override> left = editsWithout(edits_, edited);
+  static_cast<void>(readScript(options_.source, text, left));  // throws where it would not be good
+  replaceText(options_.source.file, text);
+  files_.know(options_.source.file);  // at once: whoever writes it from here on is heard
+  text_ = text;
+  show(text_, std::move(left), false);
+}
+
+void Player::writeOther(const scene::Override& change, const std::string& edited) {
+  const SceneSource source = other_.options().source;
+  if (std::any_of(source.given.begin(), source.given.end(),
+                  [&](const scene::Override& given) { return given.path == change.path; }))
+    fail(ExitCode::usage, "{} is given on the command line, which goes before", change.path);
+  other_.readFile();
+  if (!other_.unreadable().empty())
+    throw UserError(ExitCode::usage, other_.unreadable(), UserError::Form::report);
+  const std::string text = withValue(other_.text(), change);
+  std::vector<scene::Override> left = editsWithout(other_.edits(), edited);
+  static_cast<void>(readScript(source, text, left));
+  replaceText(source.file, text);
+  files_.know(source.file);
+  other_.setText(text);
+  other_.setEdits(std::move(left));
+  showOther(false, false);
+}
+
+/// A stroke of the brush from one place of the picture to another, at the present frame: an entry of the
+/// "strokes" of the field there. The states before that frame stay what they are.
+void Player::paint(const Json& json) {
+  if (stage_ == nullptr) return;
+  const JsonValue request(json);
+  const auto beside = request.find("beside");
+  const bool right = beside && beside->boolean() && other_.stage() != nullptr;
+  Stage& stage = right ? *other_.stage() : *stage_;
+  const auto placeAt = [&](const char* name) {
+    const JsonValue value = request.at(name);
+    return fieldAt(stage.script().scene, stage.world(), {value.at(0).number(), value.at(1).number()});
+  };
+  const auto from = placeAt("from"), to = placeAt("to");
+  if (!from || !to || from->object != to->object)
+    fail(ExitCode::usage, "there is no field to paint; cells that lie over the picture can be painted");
+  hearOfMoving();
+  playing_ = false;
+  const nlohmann::json scene = parseStrictJson(stage.script().asRun);
+  const nlohmann::json& object = scene.at("objects").at(from->object);
+  std::string kind;
+  for (const auto& member : object.items())
+    if (member.key() != "material") kind = member.key();
+  const std::string path = fmt::format("objects.{}.{}.strokes", from->object, kind);
+  nlohmann::json strokes = object.at(kind).value("strokes", nlohmann::json::array());
+  const auto rounded = [](glm::dvec2 cell) {
+    constexpr double tenth = 10;
+    return nlohmann::json{std::round(cell.x * tenth) / tenth, std::round(cell.y * tenth) / tenth, 0};
+  };
+  nlohmann::json stroke = {{"at", target_ / stage.script().scene.time.fps},
+                           {"shape", from->cell == to->cell ? "circle" : "line"},
+                           {"from", rounded(from->cell)},
+                           {"to", rounded(to->cell)},
+                           {"radius", request.at("radius").number()}};
+  if (const auto value = request.find("value")) stroke["value"] = value->number();
+  const scene::Override written{fmt::format("{}.{}", path, strokes.size()), stroke.dump()};
+  strokes.push_back(std::move(stroke));
+  const scene::Override whole{path, strokes.dump()};
+  // The states are those of this scene already: the file says the same as the edit.
+  const scene::Override& change = strokes.size() == 1 ? whole : written;
+  if (right) {
+    setOther(withEdit(other_.edits(), whole), false);
+    if (options_.edit && other_.ownFile()) writeOther(change, path);
+    return;
+  }
+  if (show(text_, withEdit(edits_, whole), false) && options_.edit) writeFile(change, path);
+}
+
+}  // namespace simreel::serve
