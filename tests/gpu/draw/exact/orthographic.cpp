@@ -19,7 +19,7 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-constexpr glm::ivec2 size(96, 54);
+constexpr glm::ivec2 frameSize(96, 54);
 constexpr double height = 2.4;
 const glm::dvec3 eye(2.1, 1.8, 3.2), target(0.1, 0.1, 0);
 
@@ -32,9 +32,9 @@ struct Axes {
 /// Pixels, from the top left corner.
 glm::dvec2 seenAt(const glm::dvec3& p) {
   const Axes axes;
-  const double perMetre = size.y / height;
-  return {0.5 * size.x + perMetre * glm::dot(p - eye, axes.right),
-          0.5 * size.y - perMetre * glm::dot(p - eye, axes.up)};
+  const double perMetre = frameSize.y / height;
+  return {0.5 * frameSize.x + perMetre * glm::dot(p - eye, axes.right),
+          0.5 * frameSize.y - perMetre * glm::dot(p - eye, axes.up)};
 }
 
 constexpr const char* things =
@@ -48,7 +48,7 @@ scene::Scene sceneOf(const std::string& camera, const std::string& render, const
       fmt::format(R"({{"version": 1, "render": {{"size": [{}, {}]{}}}, "time": {{"fps": 30}},
                   "camera": {{{}}}, "sun": {{"direction": [0.5, 0.9, 0.2]}},
                   "ground": {{"height": 0, "fadeStart": 2, "fadeEnd": 2.6}}, "objects": {{{}}}}})",
-                  size.x, size.y, render, camera, objects),
+                  frameSize.x, frameSize.y, render, camera, objects),
       "scene.json", {}, sim::kinds());
 }
 
@@ -112,7 +112,8 @@ TEST_CASE("orthographic: a place's pixel is linear in it, and depth is the way a
     if (!std::isfinite(layers.depth[i])) continue;
     ++seen;
     const glm::dvec3 p = at(layers.position, i);
-    const glm::dvec2 pixel(static_cast<double>(i % size.x) + 0.5, static_cast<double>(i / size.x) + 0.5);
+    const glm::dvec2 pixel(static_cast<double>(i % frameSize.x) + 0.5,
+                           static_cast<double>(i / frameSize.x) + 0.5);
     off = std::max(off, glm::length(seenAt(p) - pixel));
     deep =
         std::max(deep, std::abs(glm::dot(p - eye, Axes().forward) - static_cast<double>(layers.depth[i])));
@@ -165,7 +166,7 @@ TEST_CASE(
                      right = glm::normalize(glm::cross(forward, {0, 1, 0}));
     const glm::dvec3 up = glm::cross(right, forward);
     const double deep = scale > 0 ? 1 / scale : glm::dot(p - from, forward) * std::tan(0.3490658503988659);
-    return 0.5 * size.y * glm::dvec2(glm::dot(p - from, right), glm::dot(p - from, up)) / deep;
+    return 0.5 * frameSize.y * glm::dvec2(glm::dot(p - from, right), glm::dot(p - from, up)) / deep;
   };
   for (const bool flat : {false, true}) {
     CAPTURE(flat);
