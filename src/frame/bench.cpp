@@ -2,6 +2,7 @@
 
 #include "base/clock.hpp"
 #include "base/error.hpp"
+#include "draw/exact/rays/ray_count.hpp"
 #include "draw/screen/readback.hpp"
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
@@ -217,6 +218,12 @@ void BenchRun::run(int warmUp, int frames, const std::function<bool()>& done) {
   }
   for (Pending& frame : s.pending) frame.timed = false;
   while (!s.pending.empty()) s.deliver();
+}
+
+void BenchRun::countRays() {
+  const draw::RayCount count;
+  drawWorld(state_->renderer, state_->world);
+  state_->times.rays = count.rays();
 }
 
 const FrameTimes& BenchRun::times() const {

@@ -2,6 +2,7 @@
 #include "gl/context.hpp"
 #include "scene/scene.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -40,6 +41,8 @@ struct FrameTimes {
   /// ms of processor time in it, of all threads: a software driver's too.
   std::vector<double> processor;
   std::vector<StageSeries> stages;
+  std::uint64_t rays =
+      0;  ///< of the last frame, those that went any way: of quality "high" (BenchRun::countRays)
 };
 
 /// One scene, kept ready to run further frames. Frames go on beyond the scene's end.
@@ -57,6 +60,8 @@ class BenchRun {
   /// `done` after each of either; leaves early, with what it has, once it returns false. Throws
   /// UserError(device) when the state is lost.
   void run(int warmUp, int frames, const std::function<bool()>& done);
+  /// Draws the last frame once more, untimed, for times().rays.
+  void countRays();
   [[nodiscard]] const FrameTimes& times() const;
   [[nodiscard]] const scene::Scene& scene() const;
 

@@ -122,7 +122,10 @@ void measure(BenchReport& report, std::vector<scene::Scene> scenes, const gl::Co
     }
   report.interrupted = frame::interruptSignal() != 0;
   progress.finish(report.interrupted ? "interrupted" : "ok");
-  for (std::size_t i = 0; i < runs.size(); ++i) report.rows[i].times = runs[i].times();
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!report.interrupted && runs[i].scene().render.quality == scene::Quality::high) runs[i].countRays();
+    report.rows[i].times = runs[i].times();
+  }
 }
 
 void bench(const BenchOptions& o) {

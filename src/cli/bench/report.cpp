@@ -188,7 +188,26 @@ ordered_json rowJson(const BenchRow& row, const BenchReport& report) {
           {"outliers", outliersJson(figures, row.times)},
           {"boundBy", figures.bound},
           {"stages", stages},
+          {"rays", row.times.rays},
           {"samples", {{"frame", row.times.frames}, {"ms", samples}}}};
+}
+
+/// Of pictures of quality "high": what the stage that shades them follows.
+std::string raysText(const BenchReport& report, const std::vector<RowFigures>& rows) {
+  std::string text;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto rays = static_cast<double>(report.rows[i].times.rays);
+    if (rays == 0) continue;
+    text += fmt::format("\n{}: {:.4g} million rays in the last frame", oneLine(report.rows[i].asked.name),
+                        1e-6 * rays);
+    for (const StageFigures& stage : rows[i].stages) {
+      const double took = report.timing == frame::Timing::query ? stage.gpu : stage.cpu;
+      if (stage.name == "surfaces" && took > 0)
+        text += fmt::format(", with all that shades it {:.4g} million a second", 1e-3 * rays / took);
+    }
+    text += "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -202,7 +221,7 @@ std::string benchText(const BenchReport& report) {
   std::string text = fmt::format(
       "{}, {}{}; {}\n", report.scene, oneSize ? fmt::format("{}x{}", size.x, size.y) : "several sizes",
       report.timing == frame::Timing::whole ? ", frames as a whole" : "", report.device);
-  text += frameTable(report, rows) + stageTable(report, rows);
+  text += frameTable(report, rows) + stageTable(report, rows) + raysText(report, rows);
   if (report.timing == frame::Timing::wait)
     text +=
         "Each stage is waited for, so that it can be told apart; with --timing whole they overlap as in "

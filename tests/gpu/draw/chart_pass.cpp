@@ -104,7 +104,8 @@ TEST_CASE("charts: names stand in the colours of their curves; the rest of the p
         outside += !in && picture.brightness(x, y) > 0;
       }
     // As much of them as the area within the outlines.
-    const std::vector<sim::Writing> written = draw::ChartLabels(size).of({.charts = {stage.chart}});
+    draw::ChartLabels labels(size);  // keeps the outlines
+    const std::vector<sim::Writing> written = labels.of({.charts = {stage.chart}});
     REQUIRE(written.size() == 4);  // names, and two scales
     double area = 0;
     for (const auto& polygon : *written[0].outlines)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdlib>
 #include <span>
 #include <utility>
 
@@ -23,7 +24,9 @@ constexpr int mostClear = 24;
 
 /// Paths that are followed at once: dispatches of software drivers stay short.
 int pathsAtOnce() {
-  return gl::softwareDriver() ? 1 << 15 : 1 << 18;
+  return gl::softwareDriver()           ? 1 << 15
+         : std::getenv("SIMREEL_PATHS") ? 1 << std::atoi(std::getenv("SIMREEL_PATHS"))
+                                        : 1 << 18;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "draw/draw_state.hpp"
 #include "draw/exact/rays/bindings.hpp"
+#include "draw/exact/rays/ray_count.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/triangle_raster.hpp"
 #include "gl/element_array.hpp"
@@ -244,6 +245,7 @@ gl::Program& RayScene::tracer(bool any, bool listed) {
 
 void RayScene::traceListed(const gl::Texture& rays, const gl::Buffer& hits, int first,
                            const gl::Texture& list, int count) {
+  if (RayCount* counted = RayCount::current()) counted->add(count);
   const gl::Program& kernel = tracer(false, true);
   rays.bind(rayUnit);
   list.bind(rayListUnit);
@@ -254,6 +256,7 @@ void RayScene::traceListed(const gl::Texture& rays, const gl::Buffer& hits, int 
 }
 
 void RayScene::trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count, bool any) {
+  if (RayCount* counted = RayCount::current()) counted->add(rays, first, count);
   const gl::Program& kernel = tracer(any, false);
   rays.bind(rayUnit);
   hits.bindStorage(outHitBinding);

@@ -21,7 +21,7 @@ inline simreel::shader::Frame writtenFrame() {
   frame.viewProjection[1] = glm::vec4(0, 1.6F, 0, 0);
   frame.viewProjection[2] = glm::vec4(0, 0, -1.002F, -1);
   frame.viewProjection[3] = glm::vec4(0, 0, 6.8138F, 7);
-  frame.eye = glm::vec4(0, 0, 7, 0);
+  frame.eye = glm::vec4(0, 0, 7, 1);
   frame.rayForward = glm::vec4(0, 0, -1, 0);
   frame.rayRight = glm::vec4(1 / 0.9F, 0, 0, 0);
   frame.rayUp = glm::vec4(0, 0.625F, 0, 0);
