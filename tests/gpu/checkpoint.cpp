@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -63,7 +64,7 @@ constexpr const char* fire = R"({"version": 1, "objects": {"hill": {"wildfire": 
 
 }  // namespace
 
-TEST_CASE("checkpoint: every shipped scene but the long ones goes on as if it had not been stopped") {
+TEST_CASE("checkpoint: shipped scenes of every kind go on as if they had not been stopped") {
   testContext();
   const test::TemporaryFile place("checkpoint", "");
   ::setenv("SIMREEL_ASSETS", (fs::path(sourceFolder()) / "assets").c_str(), 1);
@@ -78,13 +79,18 @@ TEST_CASE("checkpoint: every shipped scene but the long ones goes on as if it ha
   std::sort(scenes.begin(), scenes.end());
   REQUIRE(scenes.size() >= 19);
   int changed = 0;
+  std::set<std::string> kinds;
   for (const fs::path& file : scenes) {
     CAPTURE(file.filename().string());
     // Nothing before the first frame, which takes seconds.
     std::vector<scene::Override> atOnce = {scene::parseOverride("time.start=0")};
-    for (const scene::Object& object : scene::loadScene(file, {}, sim::kinds()).objects)
+    const std::size_t before = kinds.size();
+    for (const scene::Object& object : scene::loadScene(file, {}, sim::kinds()).objects) {
+      kinds.insert(object.kind);
       if (object.kind == "grayScott")
         atOnce.push_back(scene::parseOverride("objects." + object.name + ".grayScott.presteps=0"));
+    }
+    if (kinds.size() == before) continue;  // other scenes had all of them
     const scene::Scene scene = scene::loadScene(file, atOnce, sim::kinds());
     sim::World whole(scene);
     const auto at = summaryAt(whole, 1);
@@ -106,7 +112,8 @@ TEST_CASE("checkpoint: every shipped scene but the long ones goes on as if it ha
     CHECK((pictureOf(scene, resumed) == pictureOf(scene, whole)));
     changed += later.stateHash == at.stateHash ? 0 : 1;
   }
-  CHECK(changed >= 15);  // or the test would prove nothing
+  CHECK(kinds.size() >= 15);
+  CHECK(changed >= 9);  // or the test would prove nothing
   ::unsetenv("SIMREEL_ASSETS");
 }
 

@@ -4,6 +4,7 @@ import concurrent.futures
 import json
 import os
 import subprocess
+import unittest
 
 import exact_pictures
 from common import PROGRAM, Case, main
@@ -18,13 +19,14 @@ FINE = (75, 42, 16)
 FINE_SCENES = {"cascade", "cave", "cave_map", "leather", "meadow", "raft", "sparks", "swarm", "waves"}
 FLIP = 0.01
 # One scene of each way of drawing; all of them where SIMREEL_LONG says so.
-FEW = ["cascade", "cave", "contour", "flag", "lanterns", "meadow", "skin", "smoke", "sparks", "waves_in_heart"]
+FEW = ["cave", "contour", "flag", "lanterns", "smoke", "sparks"]
 LONG = os.environ.get("SIMREEL_LONG") == "1"
 # Frames of scenes that show little in their first.
 LATER = dict.fromkeys(("collision", "contour", "raft", "ripple", "snow", "tablecloth", "waves"), 8)
 
 
 class Pictures(Case):
+    @unittest.skipUnless(LONG, "test_storage_path.py has a scene of each simulation")
     def test_memory_paths_draw_the_same_bytes(self):
         frames = dict.fromkeys(BOTH_PATHS, 0)
         texel, storage = (exact_pictures.drawn_all(PROGRAM, frames, "--memory-path", path) for path in ("texel", "storage"))
