@@ -9,7 +9,8 @@ makes; and the same command again, undisturbed, ends with that folder byte for b
 
 Without --all: every call for files and processes; of threads and the display, which every command starts in the same
 way, every one of the first command's and every fifth of the others'; the first 100 allocations and GL calls, then every
-613th. --stride N: of files and processes of all commands but the first every Nth. --runs and --classes choose."""
+613th. --stride N: of files and processes of all commands but the first every Nth. --first N: of the first
+command's every Nth. --runs and --classes choose."""
 import argparse
 import concurrent.futures
 import hashlib
@@ -121,8 +122,8 @@ def different(found, wanted, forgiven=()):
 class Disturbed:
     """The state that all disturbed runs of one command share."""
 
-    def __init__(self, name, scratch, stride):
-        self.name, self.run, self.stride = name, RUNS[name], stride
+    def __init__(self, name, scratch, first, stride):
+        self.name, self.run, self.first, self.stride = name, RUNS[name], first, stride
         self.before = None
         self.tried = {}  # what was wrong after the next run, by the signature of the folder that it found
         if self.run.before:
@@ -151,7 +152,9 @@ class Disturbed:
     def chosen(self, kind, number):
         if kind in MANY:
             return number <= FIRST or (number - FIRST) % STRIDE == 0
-        return self.name == next(iter(RUNS)) or number % (5 if kind in ALIKE else self.stride) == 0
+        if self.name == next(iter(RUNS)):
+            return (number - 1) % self.first == 0
+        return number % (5 if kind in ALIKE else self.stride) == 0
 
     def problem(self, fault, scratch):
         """What is wrong after this call failed, with what failed and what was said; None where nothing is."""
@@ -204,6 +207,7 @@ class Disturbed:
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--all", action="store_true", help="every call")
+    parser.add_argument("--first", type=int, default=1)
     parser.add_argument("--stride", type=int, default=1)
     parser.add_argument("--runs", nargs="+", choices=RUNS, default=list(RUNS))
     parser.add_argument("--classes", nargs="+", help="open, write, alloc, gl ...; few: all but alloc and gl")
@@ -219,7 +223,7 @@ def main():
                 if run == "video" and not shutil.which("ffmpeg"):
                     print("video: skipped, ffmpeg is not installed")
                     continue
-                disturbed = Disturbed(run, scratch, options.stride)
+                disturbed = Disturbed(run, scratch, options.first, options.stride)
                 faults = [options.fault] if options.fault else list(disturbed.faults(options.all, options.classes))
                 found = [p for p in pool.map(lambda f: disturbed.problem(f, scratch), faults) if p]
                 kinds = {}
