@@ -217,8 +217,11 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   if (const Node* objects = fields.take("objects")) readObjects(*objects, context, kinds, scene.objects);
   if (context.diagnostics.count() == 0) openCamera(root, context, kinds, scene.camera);
   if (context.diagnostics.count() == 0) {
-    const std::vector<Box> boxes = framedBoxes(scene);  // which may read files that the scene names
-    if (givesNoStage(root)) setStage(scene, boxes);
+    // Boxes may take reading files that the scene names, and making what they hold finer.
+    const bool needsStage = givesNoStage(root);
+    std::vector<Box> boxes;
+    if (needsStage || !scene.camera.placed) boxes = framedBoxes(scene);
+    if (needsStage) setStage(scene, boxes);
     frameObjects(scene, boxes);
   }
   describeTests(fields, scene, lengthKnown ? std::optional(scene.frameCount()) : std::nullopt);
