@@ -66,6 +66,21 @@ class Bench(BenchCase):
         self.assertIn("step pole", self.names(row))
         self.assertIn("visibility", self.names(row))
 
+    def test_rays_of_quality_high(self):
+        def rays(sun, quality="high"):
+            self.write("sheet.json", {"version": 1, "sun": {"intensity": sun},
+                                      "render": {"size": [65, 37], "samples": 1, "quality": quality, "raySamples": 8},
+                                      "camera": {"position": [0, 2, 0.01], "target": [0, 0, 0], "fieldOfView": 40},
+                                      "objects": {"sheet": {"mesh": {"shape": "plane", "size": [50, 0, 50]}}}})
+            return self.bench("sheet.json", "--frames", "1", "--warm-up", "0", "--rounds", "1")["rows"][0]["rays"]
+
+        each = 65 * 37 * 8  # pixels that all show the sheet, and samples
+        dark = rays(0)
+        self.assertGreaterEqual(dark, each)  # one into the sky, and what a few of them mirror
+        self.assertLess(dark, 1.1 * each)
+        self.assertEqual(rays(3), dark + each)  # and one to the sun
+        self.assertEqual(rays(3, "draft"), 0)
+
     def test_instances_and_bloom(self):
         self.write("stars.json", {"version": 1, "render": {"size": [64, 36], "bloom": {"strength": 0.2}},
                                   "objects": {"stars": {"particles": {"groups": [{"count": 77}]}}}})

@@ -114,12 +114,7 @@ class FigureReader {
     parts_.eachPart(placed.mesh, placed.skinned, [&](const GltfPart& part) {
       builder_.begin(part.vertices.size(), part.triangles.size(), glm::mat4(1), part.hasUvs, part.material);
       for (const GltfVertex& vertex : part.vertices) {
-        const auto& v = vertex.values;
-        const glm::vec3 position(v[0], v[1], v[2]), normal(v[3], v[4], v[5]);
-        if (part.hasColors)
-          builder_.vertex(position, normal, {v[6], v[7]}, {v[8], v[9], v[10]});
-        else
-          builder_.vertex(position, normal, {v[6], v[7]});
+        addVertex(builder_, part, vertex);
         glm::uvec4 follow(static_cast<unsigned>(placed.firstJoint));
         glm::vec4 weights(1, 0, 0, 0);
         for (std::size_t k = 0; placed.skinned && k < 4; ++k) {

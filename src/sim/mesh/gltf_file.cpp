@@ -96,14 +96,7 @@ class GltfReader {
 
   void add(const GltfPart& part, const glm::mat4& transform) {
     builder_.begin(part.vertices.size(), part.triangles.size(), transform, part.hasUvs, part.material);
-    for (const GltfVertex& vertex : part.vertices) {
-      const auto& v = vertex.values;
-      const glm::vec3 position(v[0], v[1], v[2]), normal(v[3], v[4], v[5]);
-      if (part.hasColors)
-        builder_.vertex(position, normal, {v[6], v[7]}, {v[8], v[9], v[10]});
-      else
-        builder_.vertex(position, normal, {v[6], v[7]});
-    }
+    for (const GltfVertex& vertex : part.vertices) addVertex(builder_, part, vertex);
     fades_ = fades_ || part.fades;
     for (const auto& triangle : part.triangles) builder_.triangle(triangle);
   }

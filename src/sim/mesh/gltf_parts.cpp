@@ -188,4 +188,13 @@ std::vector<std::array<unsigned, 3>> GltfParts::trianglesOf(const JsonValue& pri
   return triangles;
 }
 
+void addVertex(MeshBuilder& builder, const GltfPart& part, const GltfVertex& vertex) {
+  const auto& v = vertex.values;
+  const glm::vec3 position(v[0], v[1], v[2]), normal(v[3], v[4], v[5]);
+  if (part.hasColors)
+    builder.vertex(position, normal, {v[6], v[7]}, {v[8], v[9], v[10]});
+  else
+    builder.vertex(position, normal, {v[6], v[7]});
+}
+
 }  // namespace simreel::sim

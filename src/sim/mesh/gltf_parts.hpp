@@ -32,6 +32,10 @@ struct GltfPart {
   std::vector<std::array<unsigned, 3>> triangles;
 };
 
+class MeshBuilder;
+/// The part's vertex as the file has it is the builder's next one.
+void addVertex(MeshBuilder& builder, const GltfPart& part, const GltfVertex& vertex);
+
 /// The triangles of a glTF 2.0 or GLB file, whatever becomes of them. Throws as GltfDocument does.
 class GltfParts {
  public:

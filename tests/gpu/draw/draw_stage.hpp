@@ -50,8 +50,15 @@ struct GridStage {
   GridStage& operator=(GridStage&&) = delete;
   ~GridStage() = default;
 
-  simreel::gl::Buffer buffer, indices;
-  simreel::gl::Texture view;
+  /// Linear RGB of each vertex, row by row.
+  void tint(const std::vector<glm::vec4>& colors) {
+    colorBuffer = simreel::gl::Buffer::of<glm::vec4>("grid colours", colors);
+    colorView = simreel::gl::Texture::view("grid colours", GL_RGBA32F, colorBuffer);
+    surface.colors = &colorView;
+  }
+
+  simreel::gl::Buffer buffer, indices, colorBuffer;
+  simreel::gl::Texture view, colorView;
   simreel::scene::Material material;
   simreel::sim::Surface surface;
 };

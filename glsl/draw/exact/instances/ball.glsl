@@ -22,13 +22,8 @@ FUNCTION Ball ballAt(vec3 p, float radius, vec3 eye, vec3 forward) {
   return ball;
 }
 
-// Where a ray of depth 1 from the eye first meets the ball. With a = ray depth - middle, |a + t ray| = radius: the numbers
-// are no larger than the ball, so little is lost in the differences of their squares.
-FUNCTION BallHit ballHit(Ball ball, vec3 ray) {
-  precise vec3 a = ray * ball.depth - ball.middle;
-  float rr = exactDot(ray, ray), b = exactDot(a, ray), aa = exactDot(a, a);
-  precise float beyond = b * b - rr * (aa - ball.radius * ball.radius);
-  precise float t = -(b + exactSqrt(max(beyond, 0.0f))) * exactReciprocal(rr);
+// At `t` along a ray that is `a` from the middle where it is as deep as that.
+FUNCTION BallHit ballHitAfter(Ball ball, vec3 a, vec3 ray, float beyond, float t) {
   precise vec3 outwards = a + ray * t;
   precise float depth = ball.depth + t;
   BallHit hit;
@@ -38,19 +33,23 @@ FUNCTION BallHit ballHit(Ball ball, vec3 ray) {
   return hit;
 }
 
+// Where a ray of depth 1 from the eye first meets the ball. With a = ray depth - middle, |a + t ray| = radius: the numbers
+// are no larger than the ball, so little is lost in the differences of their squares.
+FUNCTION BallHit ballHit(Ball ball, vec3 ray) {
+  precise vec3 a = ray * ball.depth - ball.middle;
+  float rr = exactDot(ray, ray), b = exactDot(a, ray), aa = exactDot(a, a);
+  precise float beyond = b * b - rr * (aa - ball.radius * ball.radius);
+  precise float t = -(b + exactSqrt(max(beyond, 0.0f))) * exactReciprocal(rr);
+  return ballHitAfter(ball, a, ray, beyond, t);
+}
+
 // The same of a ray that begins at `aside` from the eye and goes along `forward` (unit): with a = aside + forward depth - middle.
 FUNCTION BallHit ballHitAlong(Ball ball, vec3 aside, vec3 forward) {
   precise vec3 a = aside + forward * ball.depth - ball.middle;
   float b = exactDot(a, forward), aa = exactDot(a, a);
   precise float beyond = b * b - (aa - ball.radius * ball.radius);
   precise float t = -(b + exactSqrt(max(beyond, 0.0f)));
-  precise vec3 outwards = a + forward * t;
-  precise float depth = ball.depth + t;
-  BallHit hit;
-  hit.found = beyond > 0.0f;
-  hit.depth = depth;
-  hit.outwards = outwards;
-  return hit;
+  return ballHitAfter(ball, a, forward, beyond, t);
 }
 
 // From and to where such rays meet it along one axis of the picture (pixels): `along`, the pixels for each metre. From above to where it

@@ -61,10 +61,13 @@ TEST_CASE("rays see: what shines lights the ground by its form factor") {
   CHECK(found.z == 0);
 }
 
-TEST_CASE("rays see: maps of colour and of light are in mirrors as the eye sees them") {
+TEST_CASE(
+    "rays see: maps of colour and of light, and vertices' colours, are in mirrors as the eye sees them") {
   testContext();
-  for (const bool shines : {false, true}) {
-    CAPTURE(shines);
+  enum class Of { map, light, vertices };
+  for (const Of of : {Of::map, Of::light, Of::vertices}) {
+    CAPTURE(static_cast<int>(of));
+    const bool shines = of == Of::light;
     scene::Scene scene = lightless(64);
     scene.sun.intensity = shines ? 0.0F : 3.0F;
     scene.sun.direction = glm::vec3(0, 0.3F, 1);
@@ -76,7 +79,8 @@ TEST_CASE("rays see: maps of colour and of light are in mirrors as the eye sees 
       sheet.material.finish.emissionMap = texels;
     } else {
       sheet.material.color = glm::vec3(0.9F);
-      sheet.material.finish.color = texels;
+      if (of == Of::map) sheet.material.finish.color = texels;
+      if (of == Of::vertices) sheet.tint({{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}});
     }
     TriangleStage mirror({{-9, 0, -9}, {9, 0, -9}, {-9, 0, 9}, {9, 0, 9}}, {0, 2, 1, 1, 2, 3});
     mirror.material.color = glm::vec3(1);

@@ -3,6 +3,7 @@
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
 #include "gpu/context.hpp"
+#include "gpu/draw/draw_stage.hpp"
 #include "sim/mesh/file.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
@@ -158,4 +159,26 @@ end_header
   CHECK(mesh.colors[0].r == doctest::Approx(0.50289));  // ((188 / 255 + 0.055) / 1.055)^2.4
   CHECK(mesh.colors[0].g == 1);
   CHECK(mesh.colors[0].b == 0);
+}
+
+TEST_CASE("vertex colours: the driver's picture is the exact one within its rounding, edges apart") {
+  testContext();
+  GridStage sheet({3, 3}, {-1, 1, 0}, {2, 0, 0}, {0, -2, 0});
+  sheet.material.color = glm::vec3(0.8F, 0.9F, 1);
+  sheet.material.roughness = 1;
+  std::vector<glm::vec4> colors(9, glm::vec4(0.2F, 0.6F, 0.4F, 1));
+  colors[0] = {1, 0.1F, 0, 1};
+  sheet.tint(colors);
+  const auto by = [&](scene::Rasterizer rasterizer) {
+    return drawn(darkScene(), {.surfaces = {sheet.surface}}, {64, 64}, 4, {.rasterizer = rasterizer});
+  };
+  const Picture exact = by(scene::Rasterizer::exact), driver = by(scene::Rasterizer::driver);
+  int worst = 0;
+  for (int y = 24; y < 40; ++y)
+    for (int x = 24; x < 40; ++x)
+      for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(exact.at(x, y)[k] - driver.at(x, y)[k]));
+  CHECK(worst <= 2);
+  // Towards the corner whose colour is another one.
+  CHECK(driver.at(24, 24).r > driver.at(39, 39).r + 5);
+  CHECK(driver.at(24, 24).g < driver.at(39, 39).g - 5);
 }
