@@ -104,7 +104,7 @@ TEST_CASE(
           most = std::max(most, b[i]);
         }
       }
-    CHECK(most > 0.6);
+    CHECK(most > 0.5);  // something bright is there
     CHECK(worst < 0.05);
   }
 }
