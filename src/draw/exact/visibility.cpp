@@ -89,11 +89,15 @@ int fansOfTriangles() {
 gl::Defines laneDefines() {
   gl::Defines defines;
   if (!gl::softwareDriver()) defines.emplace_back("BRANCHES", "1");
-  if (!gl::limits().ballot) return defines;
+  addBallot(defines);
+  return defines;
+}
+
+void addBallot(gl::Defines& defines) {
+  if (!gl::limits().ballot) return;
   defines.emplace_back("BALLOT", "1");
   defines.emplace_back(gl::extensionDefine, "GL_KHR_shader_subgroup_basic");
   defines.emplace_back(gl::extensionDefine, "GL_KHR_shader_subgroup_ballot");
-  return defines;
 }
 
 void dispatchRows(const gl::Program& program, int items) {

@@ -100,6 +100,8 @@ int mediumBall();
 int fansOfTriangles();
 /// Defines of kernels that draw or list one thing an invocation, as suits the device.
 [[nodiscard]] gl::Defines laneDefines();
+/// Of kernels that list one thing an invocation (glsl/draw/exact/list_place.glsl), as suits the device.
+void addBallot(gl::Defines& defines);
 
 /// Runs `items` invocations of a kernel whose groups of 64 stand in rows of at most 32,768.
 void dispatchRows(const gl::Program& program, int items);

@@ -1,6 +1,8 @@
 // What the rays onwards meet: the sky, whose light counts; or a place of the scene, from where a ray goes towards a light and another
-// onwards, which brings the sky's light if nothing is in its way. SAMPLES; LAMPS and so on; ENVIRONMENT; TRIANGLES, BALLS, GROUND; LAID and so on.
+// onwards, which brings the sky's light if nothing is in its way. SAMPLES; LAMPS and so on; ENVIRONMENT; TRIANGLES, BALLS, GROUND; LAID and so on;
+// BALLOT.
 #define EXACT_PICTURE
+#define LISTS_RAYS
 #include "draw/frame_block.glsl"
 #include "draw/exact/rays/spot_read.glsl"
 #include "draw/exact/rays/lights.glsl"
@@ -44,8 +46,7 @@ vec3 towardsLight(int path, Facet f, vec3 weight, vec3 u) {
     if (emitter) {
       Emitting e = emittingTowards(f.place, u);
       precise vec3 lit = emittedLight(f, e, false) * weight;
-      bool shines = max(lit.x, max(lit.y, lit.z)) > 0.0f;
-      putRay(nextLightKind, path, beginning(f, e.direction), 0.0f, e.direction, shines ? e.far : 0.0f, vec4(lit, 0.0f));
+      putLightRay(0, nextLightKind, path, beginning(f, e.direction), e.direction, e.far, lit);
       return vec3(0);
     }
   }
@@ -89,8 +90,7 @@ vec3 towardsLight(int path, Facet f, vec3 weight, vec3 u) {
     return brings;
   }
 #endif
-  bool any_ = max(brings.x, max(brings.y, brings.z)) > 0.0f;
-  putRay(nextLightKind, path, beginning(f, direction), 0.0f, direction, any_ ? far : 0.0f, vec4(brings, 0.0f));
+  putLightRay(0, nextLightKind, path, beginning(f, direction), direction, far, brings);
   return vec3(0);
 }
 
@@ -134,7 +134,7 @@ void main() {
   float ownRoughness = f.roughness;
 #endif
   precise vec3 brings = through * onward.weight * skyLight(onward.direction, skyFactor(ownRoughness, onward.share), ownRoughness, onward.share);
-  putRay(nextOnwardKind, path, beginning(f, onward.direction), 0.0f, onward.direction, farAway, vec4(brings, 0.0f));
+  putLightRay(1, nextOnwardKind, path, beginning(f, onward.direction), onward.direction, farAway, brings);
   sure = sure + certain + through * openLamps(f);
 #ifdef EMITTERS
   if (max(f.emission.x, max(f.emission.y, f.emission.z)) > 0.0f) {

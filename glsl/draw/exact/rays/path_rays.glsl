@@ -1,6 +1,6 @@
 // The rays of paths, kind after kind, `paths` of each: towards the sun and a lamp from the spot, onwards, from what that meets towards a light
 // and onwards. Of each what it brings if nothing is in the way (or what part of the light it meets counts); and behind those, what each path
-// brings for certain: from the spot, and from what its ray meets.
+// brings for certain: from the spot, and from what its ray meets. LISTS_RAYS: those that bring light are listed; others are not traced.
 #include "draw/exact/rays/hits.glsl"
 const int sunKind = 0, lampKind = 1, onwardKind = 2, nextLightKind = 3, nextOnwardKind = 4;
 const int spotSure = 5, nextSure = 6;
@@ -11,6 +11,11 @@ layout(std430, binding = outRayLightBinding) restrict buffer RayLightBlock { vec
 layout(std430, binding = outRayBinding) writeonly restrict buffer RayBlock { vec4 outRays[]; };
 layout(std430, binding = outRayLightBinding) writeonly restrict buffer RayLightBlock { vec4 rayLight[]; };
 #endif
+#ifdef LISTS_RAYS
+layout(std430, binding = outListBinding) writeonly restrict buffer RayListBlock { uint listedRays[]; };
+layout(std430, binding = outCountBinding) restrict buffer RayListCountBlock { uint counters[2]; };
+#include "draw/exact/list_place.glsl"
+#endif
 uniform int paths;
 
 void putRay(int kind, int path, vec3 origin, float note, vec3 direction, float far, vec4 light) {
@@ -20,5 +25,18 @@ void putRay(int kind, int path, vec3 origin, float note, vec3 direction, float f
   rayLight[i] = light;
 }
 void putNone(int kind, int path) {
-  putRay(kind, path, vec3(0), 0.0f, vec3(0, 1, 0), 0.0f, vec4(0));
+  int i = kind * paths + path;
+  outRays[2 * i + 1] = vec4(0, 1, 0, 0);
+  rayLight[i] = vec4(0);
 }
+#ifdef LISTS_RAYS
+// A ray that a light may shine along, in the first or the second list, each of as many as there are paths.
+void putLightRay(int list, int kind, int path, vec3 origin, vec3 direction, float far, vec3 light) {
+  if (max(light.x, max(light.y, light.z)) <= 0.0f) {
+    putNone(kind, path);
+    return;
+  }
+  putRay(kind, path, origin, 0.0f, direction, far, vec4(light, 0.0f));
+  listedRays[uint(list * paths) + nextPlace(list)] = uint(kind * paths + path);
+}
+#endif

@@ -1,5 +1,6 @@
-// Paths begin at what pixels show: rays towards the sun, towards a lamp, and onwards. SAMPLES; LAMPS and so on; ENVIRONMENT.
+// Paths begin at what pixels show: rays towards the sun, towards a lamp, and onwards. SAMPLES; LAMPS and so on; ENVIRONMENT; BALLOT.
 #define EXACT_PICTURE
+#define LISTS_RAYS
 #include "draw/frame_block.glsl"
 #include "draw/exact/rays/spot_read.glsl"
 #include "draw/exact/rays/lights.glsl"
@@ -46,8 +47,7 @@ vec3 towardsSun(int path, Facet f, vec3 u) {
   putNone(sunKind, path);
   return light;
 #endif
-  bool any_ = max(light.x, max(light.y, light.z)) > 0.0f;
-  putRay(sunKind, path, beginning(f, direction), 0.0f, direction, any_ ? farAway : 0.0f, vec4(light, 0.0f));
+  putLightRay(0, sunKind, path, beginning(f, direction), direction, farAway, light);
   return vec3(0);
 }
 
@@ -67,8 +67,7 @@ void towardsLamp(int path, Facet f, vec3 u) {
     if (emitter) {
       Emitting e = emittingTowards(f.place, u);
       precise vec3 light = emittedLight(f, e, true) * times;
-      bool any_ = max(light.x, max(light.y, light.z)) > 0.0f;
-      putRay(lampKind, path, beginning(f, e.direction), 0.0f, e.direction, any_ ? e.far : 0.0f, vec4(light, 0.0f));
+      putLightRay(1, lampKind, path, beginning(f, e.direction), e.direction, e.far, light);
       return;
     }
   }
@@ -80,7 +79,7 @@ void towardsLamp(int path, Facet f, vec3 u) {
     vec3 direction = unitOf(to);
     precise float far = exactSqrt(exactDot(to, to)) * 0.9999f;
     precise vec3 brings = chosen.light * times;
-    putRay(lampKind, path, beginning(f, direction), 0.0f, direction, far, vec4(brings, 0.0f));
+    putLightRay(1, lampKind, path, beginning(f, direction), direction, far, brings);
     return;
   }
 #endif

@@ -16,10 +16,12 @@ uniform float most;
 
 vec3 arriving(int kind, int path) {
   int i = kind * paths + path;
+  vec3 brought = texelFetch(light, i).rgb;
+  if (max(brought.x, max(brought.y, brought.z)) <= 0.0f) return vec3(0);  // not traced
 #ifdef PASSAGES
-  precise vec3 found = texelFetch(light, i).rgb * uintBitsToFloat(texelFetch(rayHits, i).xyz);
+  precise vec3 found = brought * uintBitsToFloat(texelFetch(rayHits, i).xyz);
 #else
-  precise vec3 found = texelFetch(light, i).rgb * uintBitsToFloat(texelFetch(rayHits, i).x);
+  precise vec3 found = brought * uintBitsToFloat(texelFetch(rayHits, i).x);
 #endif
   return found;
 }

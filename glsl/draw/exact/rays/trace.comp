@@ -1,7 +1,7 @@
 // What rays meet: an invocation each. A ray is its origin and a number that is not read here, its unit direction and how far it goes (m;
 // 0: it is none). Of each: how far, the place in the order of triangles (-1: nothing; from ballBit on: of balls; groundHit) and
 // weights of the triangle's second and third corner. ANY_HIT: instead, how much of the light gets through (x; PASSAGES: of each
-// colour), what casts no shadow being passed. GOES_ON: rays of a list. Variants: TRIANGLES, BALLS, GROUND; PASSAGES, LAID.
+// colour), what casts no shadow being passed. GOES_ON: rays of a list; LISTED: of two, as many as counted. Variants: TRIANGLES, BALLS, GROUND; PASSAGES, LAID.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/rays/bindings.glsl"
@@ -15,17 +15,26 @@ uniform int solidCount, solidLeaves, ballCount, ballLeaves;
 int solidCount_ = once(solidCount), solidLeaves_ = once(solidLeaves), ballCount_ = once(ballCount), ballLeaves_ = once(ballLeaves);
 uniform int firstRay;
 uniform int rayCount;
-#ifdef GOES_ON
+#if defined GOES_ON || defined LISTED
 layout(binding = rayListUnit) uniform usamplerBuffer goingOn;
+#endif
+#ifdef LISTED
+layout(std430, binding = outCountBinding) readonly restrict buffer RayListCountBlock { uint counters[2]; };
 #endif
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
+#ifdef LISTED  // the second list begins at firstRay
+  int first = int(counters[0]);
+  if (i >= first + int(counters[1])) return;
+  i = int(texelFetch(goingOn, i < first ? i : firstRay + i - first).x);
+#else
   if (i >= rayCount) return;
 #ifdef GOES_ON
   i = int(texelFetch(goingOn, i).x);
 #endif
   i += firstRay;
+#endif
   vec4 from = texelFetch(rays, 2 * i), towards = texelFetch(rays, 2 * i + 1);
   Ray ray = rayOf(from.xyz, towards.xyz);
   RayPlanes planes = rayPlanes(gridOfAll(), from.xyz, towards.xyz);

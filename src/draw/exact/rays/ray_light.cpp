@@ -1,6 +1,7 @@
 #include "draw/exact/rays/ray_light.hpp"
 
 #include "draw/exact/rays/bindings.hpp"
+#include "draw/exact/rays/ray_count.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 /// glsl/draw/exact/rays/path_rays.glsl: rays of a path, and what it brings for certain.
 constexpr int kinds = 5, sure = 2;
-constexpr int onwardRays = 2, nextRays = 3;
+constexpr int onwardRays = 2, nextRays = 3;  // behind two kinds towards lights; two more of those
 /// How often a path is mirrored by clear surfaces or goes through them at most.
 constexpr int mostClear = 24;
 
@@ -42,6 +43,8 @@ RayLight::RayLight(const Options& options, gl::Defines defines, std::size_t samp
   const auto paths = std::min(static_cast<std::size_t>(pathsAtOnce()),
                               samples * static_cast<std::size_t>(options.raySamples));
   reserve(rays_, rayView_, "rays", kinds * paths * 32, GL_RGBA32F, 16);
+  reserve(lightRays_, lightRayView_, "rays that light may take", 2 * paths * sizeof(GLuint), GL_R32UI,
+          sizeof(GLuint));
   reserve(hits_, hitView_, "what rays meet", kinds * paths * 16, GL_RGBA32UI, 16);
   reserve(light_, lightView_, "light that rays bring", (kinds + sure) * paths * 16, GL_RGBA32F, 16);
   seeThrough(0, 1);
@@ -65,12 +68,19 @@ const gl::Program& RayLight::program(const char* path, bool listed) {
   gl::Defines defines = defines_;
   for (auto& define : scene_.defines()) defines.push_back(std::move(define));
   if (listed) defines.emplace_back("GOES_ON", "1");
+  addBallot(defines);
   return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
 }
 
-int RayLight::listSpots(const Visibility& visibility, int rows) {
+/// Of what the kernel before has listed.
+void RayLight::clearCounts() {
   constexpr GLuint zero = 0;
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glClearNamedBufferData(count_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+}
+
+int RayLight::listSpots(const Visibility& visibility, int rows) {
+  clearCounts();
   visibility.bind();
   list_.bindStorage(outListBinding);
   count_.bindStorage(outCountBinding);
@@ -96,6 +106,8 @@ const gl::Program& RayLight::prepared(const char* path, bool listed, int firstSp
   lightView_.bind(rayLightUnit);
   rays_.bindStorage(outRayBinding);
   light_.bindStorage(outRayLightBinding);
+  lightRays_.bindStorage(outListBinding);
+  count_.bindStorage(outCountBinding);
   kernel.set("paths", paths);
   kernel.set("firstSpot", firstSpot);
   kernel.set("spotCount", spots);
@@ -111,10 +123,9 @@ void RayLight::goOn(int firstSpot, int spots, int firstSample, int paths) {
   int going = paths;
   for (int round = 0; round < mostClear && going > 0; ++round) {
     const auto now = static_cast<std::size_t>(round % 2);
-    constexpr GLuint zero = 0;
     reserve(goingOn_[now], goingOnView_[now], "paths that go on",
             static_cast<std::size_t>(pathsAtOnce()) * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
-    glClearNamedBufferData(count_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+    clearCounts();
     const gl::Program& kernel =
         prepared("draw/exact/rays/go_on.comp", round > 0, firstSpot, spots, firstSample, paths);
     if (round > 0) goingOnView_[1 - now].bind(rayListUnit);
@@ -134,19 +145,26 @@ void RayLight::goOn(int firstSpot, int spots, int firstSample, int paths) {
   }
 }
 
+/// Rays of two kinds that the kernel before has listed.
+void RayLight::traceLight(int firstKind, int paths) {
+  if (RayCount* counted = RayCount::current()) counted->add(rayView_, firstKind * paths, 2 * paths);
+  scene_.traceLight(rayView_, hits_, lightRayView_, count_, paths);
+}
+
 void RayLight::follow(int firstSpot, int spots, int firstSample, int samples, float white) {
   const int paths = spots * samples;
   const auto run = [&](const char* path) {
+    clearCounts();
     dispatchRows(prepared(path, false, firstSpot, spots, firstSample, paths), paths);
     gl::barrier();
   };
   run("draw/exact/rays/start.comp");
-  scene_.trace(rayView_, hits_, 0, onwardRays * paths, true);
-  scene_.trace(rayView_, hits_, onwardRays * paths, paths, false);
+  traceLight(0, paths);
+  scene_.trace(rayView_, hits_, onwardRays * paths, paths);
   gl::barrier();
   if (looks().anyGlass()) goOn(firstSpot, spots, firstSample, paths);
   run("draw/exact/rays/bounce.comp");
-  scene_.trace(rayView_, hits_, nextRays * paths, 2 * paths, true);
+  traceLight(nextRays, paths);
   gl::barrier();
   const gl::Program& kernel = program("draw/exact/rays/sum.comp");
   listView_.bind(spotListUnit);

@@ -42,8 +42,10 @@ class RayLight {
 
  private:
   const gl::Program& program(const char* path, bool listed = false);
+  void clearCounts();
   [[nodiscard]] int listSpots(const Visibility& visibility, int rows);
   void follow(int firstSpot, int spots, int firstSample, int samples, float white);
+  void traceLight(int firstKind, int paths);
   void goOn(int firstSpot, int spots, int firstSample, int paths);
   const gl::Program& prepared(const char* path, bool listed, int firstSpot, int spots, int firstSample,
                               int paths);
@@ -54,8 +56,9 @@ class RayLight {
   int raySamples_;  ///< through this point of the lens
   unsigned sampleMask_ = 0, samplesBefore_ = 0;
   std::map<std::string, gl::Program> programs_;
-  gl::Buffer spots_, spotLight_, list_, count_, rays_, hits_, light_, goingOn_[2];
-  gl::Texture spotView_, spotLightView_, listView_, rayView_, hitView_, lightView_, goingOnView_[2];
+  gl::Buffer spots_, spotLight_, list_, count_, rays_, hits_, light_, lightRays_, goingOn_[2];
+  gl::Texture spotView_, spotLightView_, listView_, rayView_, hitView_, lightView_, lightRayView_,
+      goingOnView_[2];
 };
 
 }  // namespace simreel::draw

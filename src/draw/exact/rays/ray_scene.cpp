@@ -231,12 +231,15 @@ void RayScene::bind(const gl::Program& program) const {
   ballLookView_.bind(ballLookUnit);
 }
 
-gl::Program& RayScene::tracer(bool any, bool listed) {
-  gl::Program& kernel = tracePrograms_[features() << 2U | (any ? 1U : 0U) | (listed ? 2U : 0U)];
+gl::Program& RayScene::tracer(Way way) {
+  gl::Program& kernel = tracePrograms_[features() << 2U | static_cast<unsigned>(way)];
   if (kernel.name() == 0) {
     gl::Defines found = defines();
-    if (any) found.emplace_back("ANY_HIT", "1");
-    if (listed) found.emplace_back("GOES_ON", "1");
+    if (way == Way::nearestListed) found.emplace_back("GOES_ON", "1");
+    if (way == Way::light) {
+      found.emplace_back("ANY_HIT", "1");
+      found.emplace_back("LISTED", "1");
+    }
     kernel = gl::Program::compute("draw/exact/rays/trace.comp", found);
   }
   bind(kernel);
@@ -246,7 +249,7 @@ gl::Program& RayScene::tracer(bool any, bool listed) {
 void RayScene::traceListed(const gl::Texture& rays, const gl::Buffer& hits, int first,
                            const gl::Texture& list, int count) {
   if (RayCount* counted = RayCount::current()) counted->add(count);
-  const gl::Program& kernel = tracer(false, true);
+  const gl::Program& kernel = tracer(Way::nearestListed);
   rays.bind(rayUnit);
   list.bind(rayListUnit);
   hits.bindStorage(outHitBinding);
@@ -255,9 +258,20 @@ void RayScene::traceListed(const gl::Texture& rays, const gl::Buffer& hits, int 
   dispatchRows(kernel, count);
 }
 
-void RayScene::trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count, bool any) {
+void RayScene::traceLight(const gl::Texture& rays, const gl::Buffer& hits, const gl::Texture& lists,
+                          const gl::Buffer& counters, int most) {
+  const gl::Program& kernel = tracer(Way::light);
+  rays.bind(rayUnit);
+  lists.bind(rayListUnit);
+  counters.bindStorage(outCountBinding);
+  hits.bindStorage(outHitBinding);
+  kernel.set("firstRay", most);
+  dispatchRows(kernel, 2 * most);
+}
+
+void RayScene::trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count) {
   if (RayCount* counted = RayCount::current()) counted->add(rays, first, count);
-  const gl::Program& kernel = tracer(any, false);
+  const gl::Program& kernel = tracer(Way::nearest);
   rays.bind(rayUnit);
   hits.bindStorage(outHitBinding);
   kernel.set("firstRay", first);

@@ -23,9 +23,12 @@ class RayScene {
   /// The frame's uniform block is bound. Throws UserError(device) where there is more than the device
   /// holds.
   void build(const sim::Drawables& drawables);
-  /// Traces rays `first` to before `first + count` of a buffer; `hits` as large. `any`: whether light gets
-  /// through.
-  void trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count, bool any);
+  /// What rays `first` to before `first + count` of a buffer meet first; `hits` as large.
+  void trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count);
+  /// Whether light gets along those whose numbers are in two lists, of as many as two counters say, `most`
+  /// each; the second list lies behind `most` places for the first.
+  void traceLight(const gl::Texture& rays, const gl::Buffer& hits, const gl::Texture& lists,
+                  const gl::Buffer& counters, int most);
   /// The nearest of those behind `first` whose numbers are in a list.
   void traceListed(const gl::Texture& rays, const gl::Buffer& hits, int first, const gl::Texture& list,
                    int count);
@@ -46,7 +49,8 @@ class RayScene {
                     int firstTriangle, unsigned owner);
   const gl::Program& gatherProgram(const sim::Surface& surface);
   void findEmitters(const sim::Drawables& drawables);
-  gl::Program& tracer(bool any, bool listed);
+  enum class Way { nearest, nearestListed, light };
+  gl::Program& tracer(Way way);
   void gatherBalls(const sim::Instances& balls, InstanceColors& colors, int firstBall, unsigned owner);
   [[nodiscard]] CopyRaster::Copies copiesOf(const sim::Instances& instances) {
     return {&instances, &shapes_.of(instances)};
