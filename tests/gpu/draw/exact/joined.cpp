@@ -23,16 +23,6 @@ using namespace simreel;  // NOLINT
 
 namespace {
 
-/// As long as it lives, surfaces are joined or stay apart.
-struct JoiningAsked {
-  explicit JoiningAsked(const char* word) { setenv("SIMREEL_JOIN_SURFACES", word, 1); }
-  ~JoiningAsked() { unsetenv("SIMREEL_JOIN_SURFACES"); }
-  JoiningAsked(const JoiningAsked&) = delete;
-  JoiningAsked& operator=(const JoiningAsked&) = delete;
-  JoiningAsked(JoiningAsked&&) = delete;
-  JoiningAsked& operator=(JoiningAsked&&) = delete;
-};
-
 /// Sheets and heaps of triangles through one another, so that pixels show many: rough, mirroring,
 /// translucent, seen from one side or both, textured; under a sun and a lamp with shadows.
 struct HeapStage {

@@ -65,6 +65,16 @@ inline simreel::shader::ExactView exactViewFrom(glm::vec3 eye, glm::vec3 target,
   return simreel::draw::exactView(simreel::draw::viewAt(camera, 0, size, {}), camera, size);
 }
 
+/// As long as it lives, surfaces are joined or stay apart.
+struct JoiningAsked {
+  explicit JoiningAsked(const char* word) { setenv("SIMREEL_JOIN_SURFACES", word, 1); }
+  ~JoiningAsked() { unsetenv("SIMREEL_JOIN_SURFACES"); }
+  JoiningAsked(const JoiningAsked&) = delete;
+  JoiningAsked& operator=(const JoiningAsked&) = delete;
+  JoiningAsked(JoiningAsked&&) = delete;
+  JoiningAsked& operator=(JoiningAsked&&) = delete;
+};
+
 /// As long as it lives, samples lie in memory as this word says (draw::sampleLayout).
 struct LayoutAsked {
   explicit LayoutAsked(const char* word) { setenv("SIMREEL_SAMPLE_LAYOUT", word, 1); }
