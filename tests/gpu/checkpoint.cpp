@@ -283,7 +283,8 @@ TEST_CASE("checkpoint: one that does not fit its world is refused") {
   CHECK_THROWS_WITH_AS(checkpoint->restore(none), doctest::Contains("it holds more"), UserError);
 }
 
-TEST_CASE("checkpoint: a camera damped by T that follows a path is where one without was T ago, resumed too") {
+TEST_CASE(
+    "checkpoint: a camera damped by T that follows a path is where one without was T ago, resumed too") {
   testContext();
   // An open hall, whose path goes straight along it.
   const scene::Scene scene = ofText(R"({"version": 1, "time": {"fps": 20, "duration": 3},

@@ -374,7 +374,8 @@ SimulationKind waterKind() {
         const auto& parameters = parametersOf<WaterParameters>(object);
         const WaterPlan plan(parameters, object.name, setting.seed, setting.frameSeconds);
         for (std::size_t i = 0; i < parameters.floats.size(); ++i)
-          static_cast<void>(looksOf(parameters.floats[i].shownAs(object.name), plan.floats().hulls()[i].mesh));
+          static_cast<void>(
+              looksOf(parameters.floats[i].shownAs(object.name), plan.floats().hulls()[i].mesh));
         if (!parameters.groundTexture.empty())
           static_cast<void>(loadPicture(parameters.groundTexture, "texture", 16384));
       },

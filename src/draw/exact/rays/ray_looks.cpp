@@ -191,7 +191,7 @@ unsigned RayLooks::features() const {
 
 gl::Defines RayLooks::defines() const {
   static constexpr std::array<const char*, 6> names = {"LAID",     "SKINS",    "EMITTERS",
-                                                        "FINISHED", "PASSAGES", "RAISED"};
+                                                       "FINISHED", "PASSAGES", "RAISED"};
   gl::Defines defines;
   for (std::size_t i = 0; i < names.size(); ++i)
     if ((features() >> i & 1U) != 0) defines.emplace_back(names[i], "1");

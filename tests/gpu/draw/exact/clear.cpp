@@ -234,7 +234,8 @@ TEST_CASE("clear: rough glass spreads what lies behind it, and keeps its light")
   CHECK(steps[2] < 0.5 * steps[1]);
 }
 
-TEST_CASE("clear: a coat on glass mirrors what it keeps from the glass, where rays meet it on their way, too") {
+TEST_CASE(
+    "clear: a coat on glass mirrors what it keeps from the glass, where rays meet it on their way, too") {
   testContext();
   const double cosine = std::cos(glm::radians(70.0)), sine = std::sin(glm::radians(70.0));
   const auto x = static_cast<float>(cosine), z = static_cast<float>(sine);

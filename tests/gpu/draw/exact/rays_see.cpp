@@ -63,7 +63,8 @@ TEST_CASE("rays see: what shines lights the ground by its form factor") {
 }
 
 TEST_CASE(
-    "rays see: maps of colour and of light, a texture's relief, and vertices' colours, are in mirrors as the "
+    "rays see: maps of colour and of light, a texture's relief, and vertices' colours, are in mirrors as "
+    "the "
     "eye sees them") {
   testContext();
   enum class Of { map, light, vertices, relief };
@@ -113,7 +114,7 @@ TEST_CASE(
           most = std::max(most, b[i]);
         }
       }
-    CHECK(most > 0.5);  // something bright is there
+    CHECK(most > 0.5);                                // something bright is there
     CHECK(worst < (of == Of::relief ? 0.03 : 0.05));  // where the mirror's is flat 0.11
   }
 }

@@ -1,5 +1,5 @@
-// Colours of vertices and materials of files: on meshes that stand, are deformed, follow bones or float, and
-// on cloth, each the same.
+// Colours of vertices and materials of files: on meshes that stand, are deformed, follow bones or float,
+// and on cloth, each the same.
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
 #include "gpu/context.hpp"
