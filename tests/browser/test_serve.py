@@ -166,6 +166,18 @@ class PageOfServe(unittest.TestCase):
         b.click("#forget")
         self.shows(0)
 
+    def test_the_wheel_zooms_an_orthographic_camera_by_its_height(self):
+        b = self.open(scene=with_values({"camera.projection": "orthographic", "camera.height": 2}))
+        before = b.value("simreel.screen.panes[0].view")
+        box = b.box("#picture")
+        b.wheel(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, 300)
+        self.assertTrue(b.until("simreel.state.scene.edits.some(([path]) => path === 'camera.height')"))
+        self.assertTrue(b.until("!simreel.screen.held"))
+        after = b.value("simreel.screen.panes[0].view")
+        self.assertGreater(after["height"], before["height"])
+        self.assertEqual((after["eye"], after["target"]), (before["eye"], before["target"]))
+        self.shows(0, *[word for path, value in b.value("simreel.state.scene.edits") for word in ("-D", f"{path}={value}")])
+
     def test_a_click_asks(self):
         b = self.open()
         box = b.box("#picture")

@@ -8,6 +8,7 @@
 #include "draw/screen/renderer.hpp"
 #include "frame/file/run_info.hpp"
 #include "gpu/context.hpp"
+#include "sim/core/path.hpp"
 #include "sim/world/list.hpp"
 #include "source_folder.hpp"
 #include "unit/help.hpp"
@@ -22,6 +23,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <glm/geometric.hpp>
 
 using namespace simreel;
 namespace fs = std::filesystem;
@@ -279,4 +281,37 @@ TEST_CASE("checkpoint: one that does not fit its world is refused") {
   CHECK_THROWS_WITH_AS(checkpoint->restore(cloth), doctest::Contains("does not fit"), UserError);
   sim::World none(ofText(R"({"version": 1})"));
   CHECK_THROWS_WITH_AS(checkpoint->restore(none), doctest::Contains("it holds more"), UserError);
+}
+
+TEST_CASE(
+    "checkpoint: a camera damped by T that follows a path is where one without was T ago, resumed too") {
+  testContext();
+  // An open hall, whose path goes straight along it.
+  const scene::Scene scene = ofText(R"({"version": 1, "time": {"fps": 20, "duration": 3},
+    "camera": {"follow": {"object": "hall", "progress": {"keys": [[0, 0.1], [3, 0.9]], "ease": "linear"},
+                          "damping": 0.3}},
+    "objects": {"hall": {"cave": {"size": [80, 7], "fill": 0}}}})");
+  const auto laggingAt = [](sim::World& world, int frame) {
+    world.advanceTo(frame);
+    return world.drawables().lagging;
+  };
+  const test::TemporaryFile place("checkpoint", "");
+  sim::World whole(scene), alone(scene), resumed(scene);
+  for (int frame = 0; frame < 20; ++frame) CHECK(laggingAt(whole, frame).size() == 2);
+  const auto at = summaryAt(whole, 20);
+  frame::Checkpoint::write(place.path(), runOf(scene), at.stateHash, "rows", whole);
+  frame::Checkpoint::read(place.path(), runOf(scene), lastFrame)->restore(resumed);
+  const std::vector<glm::vec3> found = laggingAt(whole, 40);
+  CHECK(laggingAt(alone, 40) == found);
+  CHECK(laggingAt(resumed, 40) == found);
+  const sim::Drawables drawables = whole.drawables();
+  const sim::Path* path = sim::pathOf(drawables, "hall");
+  REQUIRE(path != nullptr);
+  const double seconds = 40 / 20.0;
+  const sim::Stand before = sim::standOn(*path->points, scene.camera.follow, seconds - 0.3);
+  const sim::Stand now = sim::standOn(*path->points, scene.camera.follow, seconds);
+  REQUIRE(found.size() == 2);
+  CHECK(glm::distance(found[0], before.target) < 0.01F);  // the way ahead bends a little at its end
+  CHECK(glm::distance(found[1], before.eye) < 1e-3F);
+  CHECK(glm::distance(now.eye, before.eye) > 0.25F);
 }

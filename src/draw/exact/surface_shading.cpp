@@ -85,6 +85,10 @@ void setSeen(const sim::Surface& surface, glm::vec2 repeats, const gl::Program& 
 
 }  // namespace
 
+bool SurfaceShading::textureRepeats(const sim::Surface& surface) {
+  return surface.normals != nullptr || glm::vec2(surface.material->textureScale) != glm::vec2(1);
+}
+
 scene::Map SurfaceShading::colorMapOf(const scene::Material& material) {
   if (!material.finish.color.empty()) return material.finish.color;
   return {material.texture, nullptr, true};
@@ -219,12 +223,10 @@ void SurfaceShading::setSkin(const sim::Surface& surface, const SkinTextures::En
 void SurfaceShading::setTexture(const sim::Surface& surface, const TexelLists::List& albedo,
                                 const gl::Program& shader) {
   const scene::Material& material = *surface.material;
-  // A sheet that shows the picture once must not blend its border with the opposite one.
-  const bool once = surface.normals == nullptr && glm::vec2(material.textureScale) == glm::vec2(1);
   setSeen(surface, glm::vec2(material.textureScale), shader);
   shader.set("albedoSize", albedo.size);
   shader.set("albedoLevels", albedo.levels);
-  shader.set("albedoRepeats", static_cast<int>(!once));
+  shader.set("albedoRepeats", static_cast<int>(textureRepeats(surface)));
   shader.set("bump", material.bump);
   albedo.view.bind(albedoUnit);
 }

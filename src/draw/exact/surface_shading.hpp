@@ -46,6 +46,9 @@ class SurfaceShading {
   }
   /// The map of a material's colour: its finish's own, or its texture.
   [[nodiscard]] static scene::Map colorMapOf(const scene::Material& material);
+  /// Whether a texture alone goes on beyond its border; on a sheet that shows the picture once it must not
+  /// blend with the opposite one.
+  [[nodiscard]] static bool textureRepeats(const sim::Surface& surface);
   /// How rays, for which places are kept instead of being lit, number what those are made of.
   void ownBy(std::function<unsigned(const scene::Material&)> owner) { owner_ = std::move(owner); }
   [[nodiscard]] MapTexels& maps() { return maps_; }

@@ -152,7 +152,7 @@ std::vector<scene::Override> cameraChanges(const Stage& stage, const Placed& pla
   const bool flat = shown.camera.projection == scene::Projection::orthographic;
   const std::string angle = fmt::format("{}", shown.camera.fieldOfView.at(seconds));
   std::string height = fmt::format("{}", shown.camera.height.at(seconds));
-  if (asked) height = fmt::format("{}", scene::shortest(static_cast<float>(*asked)));
+  if (asked) height = scene::shortest(static_cast<float>(*asked)).dump();
   if (!isPlain(camera)) {
     if (shown.camera.filed && !flat && !shown.camera.hasAngle)
       camera["fieldOfView"] = parseStrictJson(angle);

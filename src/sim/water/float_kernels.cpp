@@ -1,7 +1,10 @@
 #include "sim/water/float_kernels.hpp"
 
+#include "base/log.hpp"
 #include "sim/water/bindings.hpp"
 
+#include <filesystem>
+#include <map>
 #include <utility>
 
 namespace simreel::sim {
@@ -9,6 +12,7 @@ namespace simreel::sim {
 namespace {
 
 namespace at = shader::water;
+namespace fs = std::filesystem;
 
 std::vector<glm::vec4> texelsOf(const std::vector<glm::vec3>& vectors) {
   std::vector<glm::vec4> texels;
@@ -31,10 +35,22 @@ FloatKernels::FloatKernels(const std::string& name, const WaterPlan& plan, bool 
     : plan_(&plan), steps_(name + " floats' step", 1) {
   const FloatPlan& floats = plan.floats();
   const glm::ivec2 size = plan.parameters().size;
+  std::map<fs::path, std::shared_ptr<const MovingLooks>> ofFiles;
   for (std::size_t i = 0; i < floats.hulls().size(); ++i) {
-    drawn_.emplace_back(name + " float " + std::to_string(i), floats.hulls()[i]);
-    drawn_.back().material = plan.parameters().floats[i].material;
-    drawn_.back().doubleSided = !plan.parameters().floats[i].drawn.empty();
+    const WaterFloat& body = plan.parameters().floats[i];
+    const Mesh& mesh = floats.hulls()[i].mesh;
+    const std::string its = name + " float " + std::to_string(i);
+    const scene::Object object = body.shownAs(its);
+    Drawn& drawn = drawn_.emplace_back(its, floats.hulls()[i]);
+    drawn.doubleSided = !body.drawn.empty();
+    const bool own = body.hasMaterial || body.drawnFile().empty();
+    if (!own) drawn.looks = ofFiles[body.drawnFile()];
+    if (drawn.looks) continue;
+    drawn.looks = std::make_shared<const MovingLooks>(object, mesh);
+    if (own) continue;
+    ofFiles[body.drawnFile()] = drawn.looks;
+    if (const std::string ignored = ignoredLooks(object, mesh); !ignored.empty())
+      warn("water \"{}\": {} has what is not drawn: {}", name, body.drawnFile().string(), ignored);
   }
   for (gl::Vec4Array& bodies : bodies_) bodies = gl::Vec4Array(name + " floats", floats.first());
   points_ = gl::Vec4Array(name + " floats' points", floats.points());
@@ -110,9 +126,8 @@ void FloatKernels::publish(Drawables& drawables) const {
     Surface surface = drawn.topology.surface();
     surface.positions = &drawn.positions.view();
     surface.normals = &drawn.normals.view();
-    surface.material = &drawn.material;
     surface.doubleSided = drawn.doubleSided;
-    drawables.surfaces.push_back(surface);
+    drawn.looks->show(surface, drawables);
   }
 }
 

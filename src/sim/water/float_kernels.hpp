@@ -5,8 +5,10 @@
 #include "sim/core/simulation.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/mesh/buffers.hpp"
+#include "sim/mesh/looks.hpp"
 #include "sim/water/plan.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,7 +41,7 @@ class FloatKernels {
     Drawn(const std::string& name, const Hull& hull);
     MeshTopology topology;
     gl::Vec4Array rest, restNormals, positions, normals;
-    scene::Material material;
+    std::shared_ptr<const MovingLooks> looks;  ///< bodies of one file share them
     int count;
     bool doubleSided = false;
   };

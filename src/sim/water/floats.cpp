@@ -60,12 +60,23 @@ void WaterFloat::describe(scene::Fields& f) {
     t.number("pull", pull, {1e-2, 50}, "1/s",
              "How fast it follows: the tow is a critically damped spring.");
   });
-  f.vector("color", material.color, scene::fraction, "linear RGB", "Of it.");
+  f.vector("color", material.color, scene::fraction, "linear RGB",
+           "Of it. Where none of this and what follows is given, a file's own materials show.");
   f.asset("texture", material.texture, "Picture laid over it by its uv, multiplied with the colour.");
   f.number("roughness", material.roughness, scene::fraction, "", "0 mirrors, 1 is matt.");
   f.number("translucency", material.translucency, scene::fraction, "",
            "Fraction of the light from behind that shines through.");
   f.number("metallic", material.metallic, scene::fraction, "", "1 for metal.");
+  for (const char* name : {"color", "texture", "roughness", "translucency", "metallic"})
+    hasMaterial = hasMaterial || f.given(name);
+}
+
+scene::Object WaterFloat::shownAs(const std::string& name) const {
+  scene::Object object;
+  object.name = name;
+  object.material = material;
+  object.hasMaterial = hasMaterial;
+  return object;
 }
 
 }  // namespace simreel::sim

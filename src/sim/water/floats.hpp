@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include <glm/vec3.hpp>
 
@@ -39,9 +40,14 @@ struct WaterFloat {
   bool turns = true;                              ///< a towed one: its z along its way
   float pull = 2;                                 ///< 1/s
   scene::Material material;                       ///< colour, roughness, metal and texture of it
+  bool hasMaterial = false;                       ///< whether the scene gives any of that
 
   WaterFloat();
   void describe(scene::Fields& fields);
+  /// Of the mesh that is drawn; empty: it is made.
+  [[nodiscard]] const std::filesystem::path& drawnFile() const { return drawn.empty() ? file : drawn; }
+  /// As an object of its own, for what it looks like.
+  [[nodiscard]] scene::Object shownAs(const std::string& name) const;
 };
 
 }  // namespace simreel::sim

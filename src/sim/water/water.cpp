@@ -10,6 +10,7 @@
 #include "sim/grid/picture_file.hpp"
 #include "sim/grid/tally.hpp"
 #include "sim/mesh/height_field.hpp"
+#include "sim/mesh/looks.hpp"
 #include "sim/water/bindings.hpp"
 #include "sim/water/float_kernels.hpp"
 #include "sim/water/ground.hpp"
@@ -371,7 +372,10 @@ SimulationKind waterKind() {
       "water", "Shallow water that flows over a terrain, wets and leaves it dry; rain, sources, dams.",
       [](const scene::Object& object, const Setting& setting) {
         const auto& parameters = parametersOf<WaterParameters>(object);
-        static_cast<void>(WaterPlan(parameters, object.name, setting.seed, setting.frameSeconds));
+        const WaterPlan plan(parameters, object.name, setting.seed, setting.frameSeconds);
+        for (std::size_t i = 0; i < parameters.floats.size(); ++i)
+          static_cast<void>(
+              looksOf(parameters.floats[i].shownAs(object.name), plan.floats().hulls()[i].mesh));
         if (!parameters.groundTexture.empty())
           static_cast<void>(loadPicture(parameters.groundTexture, "texture", 16384));
       },

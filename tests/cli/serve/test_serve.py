@@ -328,6 +328,24 @@ class Files(ServeCase):
         self.assertIn('"intensity": 3', path.read_text())
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["scene.json"])
 
+    def test_the_height_of_an_orthographic_camera_is_set_and_saved(self):
+        """What the mouse wheel sends of one: its height, and places that stay."""
+        camera = {"position": [0, 1, 3], "target": [0, 1, 0], "projection": "orthographic", "height": 2}
+        self.write("scene.json", with_values({"camera": camera}))
+        server = self.serve("--edit")
+        viewer = server.viewer()
+        self.assertEqual(self.pixels(viewer.rest(0)[1]), self.rendered(0))
+        wide = self.rendered(0, "-D", "camera.height=3.5")
+        self.assertNotEqual(wide, self.rendered(0))
+        viewer.send(do="camera", position=camera["position"], target=camera["target"], height=3.5, moving=False)
+        end = time.monotonic() + 15
+        while self.pixels(viewer.rest(0, 15)[1]) != wide:
+            self.assertLess(time.monotonic(), end)
+        while json.loads((self.folder / "scene.json").read_text())["camera"] == camera:
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.02)
+        self.assertEqual(json.loads((self.folder / "scene.json").read_text())["camera"], {**camera, "height": 3.5})
+
     def test_a_kill_while_saving_leaves_a_whole_file(self):
         filler = "".join(f"// {i:06} {'x' * 60}\n" for i in range(20_000))
         for round_ in range(4):

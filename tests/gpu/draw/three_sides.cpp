@@ -1,7 +1,6 @@
 // Textures of surfaces without uv, and the relief of their brightness.
-#include "frame/image.hpp"
 #include "gpu/draw/ball_stage.hpp"
-#include "unit/help.hpp"
+#include "gpu/draw/image_file.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -13,20 +12,6 @@
 using namespace simreel;
 
 namespace {
-
-class ImageFile {
- public:
-  ImageFile(int width, int height, const std::vector<std::uint8_t>& rgba)
-      : file_("texture.png", encoded({width, height, rgba})) {}
-  [[nodiscard]] std::string path() const { return file_.path(); }
-
- private:
-  static std::string encoded(const frame::Image& image) {
-    const auto png = frame::encodePng(image, {});
-    return {reinterpret_cast<const char*>(png.data()), png.size()};
-  }
-  test::TemporaryFile file_;
-};
 
 /// A ball of radius 1 without uv, its texture once in two metres.
 struct Ball {

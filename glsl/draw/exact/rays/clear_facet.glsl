@@ -39,3 +39,29 @@ FUNCTION Onward clearOnward(Facet f, vec3 u) {
   onward.roughness = f.roughness;
   return onward;
 }
+
+// Where light that meets a coat over a clear surface goes on, mirrored by the coat's lobe: as facetOf() and finishedLobes() have it,
+// over how often samples take the lobe, of which `coats` is another factor.
+FUNCTION Onward coatOnward(Facet f, vec2 u) {
+  vec3 right = rightOf(f.coatNormal), up = upOf(f.coatNormal);
+  vec3 own = vec3(exactDot(right, f.view), exactDot(up, f.view), f.coatNv);
+  vec3 h = visibleNormal(own, f.coatAlpha, u.x, u.y);
+  precise vec3 found = right * h.x + up * h.y + f.coatNormal * h.z;
+  vec3 facet = unitOf(found);
+  float cosine = clamp(exactDot(f.view, facet), 0.0f, 1.0f);
+  precise vec3 mirrored = facet * (2.0f * cosine) - f.view;
+  float nl = exactDot(f.coatNormal, mirrored);
+  float seen = ggxLambda(f.coatNv, f.coatAlpha), lit = ggxLambda(max(nl, 1e-3f), f.coatAlpha);
+  precise float one = 1.0f + seen;
+  precise float both = 1.0f + seen + lit;
+  precise vec3 weight = fresnel(vec3(0.04f), cosine) * (f.coat * one * exactReciprocal(both) * exactReciprocal(max(f.coats, 1e-6f)));
+  float wrong = min(exactDot(f.facing, mirrored), 0.0f);
+  precise vec3 outside = mirrored - f.facing * (2.0f * wrong);
+  Onward onward;
+  onward.direction = unitOf(outside);
+  onward.weight = nl > 0.0f ? weight : vec3(0.0f);
+  onward.density = surely;
+  onward.share = 1.0f;
+  onward.roughness = exactSqrt(f.coatAlpha);
+  return onward;
+}

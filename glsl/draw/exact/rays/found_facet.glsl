@@ -1,4 +1,4 @@
-// What a ray has met, as shading needs it. TRIANGLES, BALLS, GROUND; LAID, SKINS, EMITTERS, FINISHED.
+// What a ray has met, as shading needs it. TRIANGLES, BALLS, GROUND; LAID, RAISED, SKINS, EMITTERS, FINISHED.
 #include "draw/exact/rays/rounded_place.glsl"
 #include "draw/exact/rays/looks.glsl"
 #ifdef TRIANGLES
@@ -72,6 +72,9 @@ Found foundTriangle(int at, vec3 p, vec3 along, float t, vec2 weight, float leas
     normal = turned ? -relief.normal : relief.normal;
     look.x = spreadRoughness(look.x, relief.mean);
   }
+#ifdef RAISED
+  normal = normalRaised(laid, normal, colorMap, lookOf(found.owner, glassLook).z);
+#endif
 #ifdef EMITTERS
   ivec4 emissionMap = ivec4(lookWords(found.owner, emissionMapLook));
   if (emissionMap.x > 0) {

@@ -41,9 +41,14 @@ void main() {
   PathStart start = pathStart(path);
   vec3 u = samplePoint(start.number, sampleMask, start.seed, uint(5 + round_));
   if (u.z >= f.glass) return;  // what is not clear of it ends the way
-  f.coats = 0.0f;
   precise float own = u.z * exactReciprocal(f.glass);
-  Onward onward = clearOnward(f, vec3(u.xy, min(own, 0.999999f)));
+  bool byCoat = own < f.coats;  // as much of it as of the clear surface; the rest is where ways end
+  precise float rest = 1.0f - f.coats;
+  precise float after = (own - f.coats) * exactReciprocal(rest);
+  own = f.coats > 0.0f ? after : own;
+  Onward onward;
+  if (byCoat) onward = coatOnward(f, u.xy);
+  else onward = clearOnward(f, vec3(u.xy, clamp(own, 0.0f, 0.999999f)));
   precise vec3 absorbed = lookOf(found.owner, absorbLook).xyz * t;
   vec3 left = f.inside ? vec3(exactExp(-absorbed.x), exactExp(-absorbed.y), exactExp(-absorbed.z)) : vec3(1);
   precise vec3 counts = weight.rgb * onward.weight * left;

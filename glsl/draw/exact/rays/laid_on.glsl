@@ -137,6 +137,44 @@ LaidNormal normalLaid(int owner, Laid laid, vec3 normal, ivec4 map) {
   precise vec3 raised = normal * outwards - riseLaid(owner, laid, normal, riseX, riseY, riseZ);
   return LaidNormal(unitOf(raised), mean);
 }
+#ifdef RAISED
+// By the relief of its texture's brightness, as pixels see it (draw/exact/surface/surface_texture.glsl): the height's change over the ray's
+// width, taken over a texel where that is more. `white`: m; `normal` on the side that is seen.
+vec3 normalRaised(Laid laid, vec3 normal, ivec4 map, float white) {
+  TextureShape shape = mapShape(map);
+  precise float texels = 0.0f;
+  int sides = white != 0.0f ? laidSides(laid.weight) : 0, left = sides;
+  while (left != 0) {
+    int side = findLSB(left);
+    left &= left - 1;
+    texels = texels + laidWeight(laid, side) * footprintOf(laidSide(laid, side), shape).longer;
+  }
+  float aside = pixelsAside(texels);
+  precise float across = 0.0f;
+  precise float up = 0.0f;
+  while (sides != 0) {
+    int side = findLSB(sides);
+    sides &= sides - 1;
+    Seen seen = laidSide(laid, side);
+    Footprint print = footprintOf(seen, shape);
+    precise vec2 right = seen.across * aside;
+    precise vec2 above = seen.up * aside;
+    // The first two along `across`; a loop, so that software drivers have these reads once.
+    for (int i = 0; i < 4; ++i) {
+      precise float sign_ = (i & 1) == 0 ? laidWeight(laid, side) : -laidWeight(laid, side);
+      precise vec2 end_ = (i & 1) == 0 ? seen.at + (i < 2 ? right : above) : seen.at - (i < 2 ? right : above);
+      float height = brightness(mapWithin(end_, print, map).rgb);
+      precise float more = sign_ * height;
+      across = across + (i < 2 ? more : 0.0f);
+      up = up + (i < 2 ? 0.0f : more);
+    }
+  }
+  precise float per = 0.5f * white * exactReciprocal(aside);
+  precise vec2 rises = vec2(across, up) * per;
+  vec3 raised = raisedNormal(normal, laid.right, laid.above, rises);
+  return white != 0.0f ? raised : normal;
+}
+#endif
 #ifdef SKINS
 #include "draw/exact/rays/skin_hit.glsl"
 #endif

@@ -7,7 +7,7 @@ const int plainLook = 0;     // roughness, metallic, translucency, whether it ca
 const int lightLook = 1;     // emission; strength of its coat
 const int layerLook = 2;     // roughness of coat and of sheen, opacity, and what decides: its limit of holes, -1: it blends, 0: nothing
 const int sheenLook = 3;     // colour of its sheen; transmission
-const int glassLook = 4;     // index of refraction; 1: thin; height of a texture's white (m); what of its emission the map is a factor on
+const int glassLook = 4;     // index of refraction; 1: thin; height of a texture's white (m), 0 of what is flat
 const int absorbLook = 5;    // what a solid absorbs (1/m)
 const int colorMapLook = 6, normalMapLook = 7, metalRoughMapLook = 8, emissionMapLook = 9;  // as map_read.glsl has them
 const int laidLook = 10;     // repeats along u and v, strength of normals; scale of lengths where laid on from three sides, else 0

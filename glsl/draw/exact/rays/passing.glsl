@@ -2,6 +2,7 @@
 // LAID.
 #include "draw/exact/rays/met_triangle.glsl"
 #include "draw/exact/rays/dielectric.glsl"
+#include "draw/surface/shading.glsl"
 #include "draw/exact/unit_vector.glsl"
 #include "common/hash.glsl"
 #ifdef LAID
@@ -64,7 +65,11 @@ void passGlass(Ray ray, int at, ivec3 vertices, int owner, vec2 weight, float t,
   precise float all_ = 1.0f + once_;
   precise float both = 2.0f * once_ * exactReciprocal(all_);
   vec3 own = thin ? tint : vec3(exactSqrt(tint.x), exactSqrt(tint.y), exactSqrt(tint.z));
-  precise vec3 passed = passed_ * own * (share * (1.0f - (thin ? both : once_)));
+  // What a coat mirrors of it as a lobe (finished_facet.glsl).
+  vec2 coated_ = ambientLobe(lookOf(owner, layerLook).x, clamp(unit_, 1e-3f, 1.0f));
+  precise float taken = lookOf(owner, lightLook).w * (0.04f * coated_.x + coated_.y);
+  precise float left = 1.0f - clamp(taken, 0.0f, 1.0f);
+  precise vec3 passed = passed_ * own * (share * (1.0f - (thin ? both : once_))) * left;
   passed_ = passed;
   precise vec3 depths = depths_ + lookOf(owner, absorbLook).xyz * (leaves ? t : -t);
   depths_ = thin ? depths_ : depths;

@@ -49,7 +49,7 @@ void RayLooks::begin() {
   owners_.clear();
   skinFirsts_.clear();
   skinCount_ = 0;
-  laid_ = skinned_ = emits_ = finished_ = glass_ = holes_ = false;
+  laid_ = skinned_ = emits_ = finished_ = glass_ = holes_ = raised_ = false;
 }
 
 bool RayLooks::isLaid(const sim::Surface& surface) {
@@ -82,13 +82,16 @@ unsigned RayLooks::add(const scene::Material& particles) {
   return static_cast<unsigned>(words_.size() / lookTexels) - 1;
 }
 
-void RayLooks::putMaps(const scene::Material& material, glm::uvec4* look) {
+void RayLooks::putMaps(const sim::Surface& surface, glm::uvec4* look) {
   using Holds = MapTexels::Holds;
+  const scene::Material& material = *surface.material;
   const scene::Finish& finish = material.finish;
   const auto place = [&](int which, const scene::Map& map, Holds holds) {
     look[which] = glm::uvec4(maps_.place(map, holds));
   };
-  place(colorMapLook, SurfaceShading::colorMapOf(material), Holds::color);
+  scene::Map color = SurfaceShading::colorMapOf(material);
+  color.repeats = finish.used() ? color.repeats : SurfaceShading::textureRepeats(surface);
+  place(colorMapLook, color, Holds::color);
   if (!finish.used()) return;
   place(normalMapLook, finish.normals, Holds::numbers);
   place(metalRoughMapLook, finish.metalRough, Holds::numbers);
@@ -133,7 +136,7 @@ unsigned RayLooks::add(const sim::Surface& surface) {
   if (skin != nullptr)
     putSkin(material.skin, *skin, threeSided, look);
   else
-    putMaps(material, look);
+    putMaps(surface, look);
   if (isLaid(surface)) {
     laid_ = true;
     if (threeSided) look[laidLook].w = std::bit_cast<unsigned>(scaleOf(surface));
@@ -145,7 +148,9 @@ unsigned RayLooks::add(const sim::Surface& surface) {
   look[lightLook] = bitsOf({emission, finish.coat});
   look[layerLook] = bitsOf({finish.coatRoughness, finish.sheenRoughness, finish.opacity, limitOf(finish)});
   look[sheenLook] = bitsOf({finish.sheen, finish.transmission});
-  look[glassLook] = bitsOf({finish.ior, finish.thin ? 1.0F : 0.0F, 0, 0});
+  const bool raised = !finish.used() && !material.texture.empty() && material.bump != 0;
+  look[glassLook] = bitsOf({finish.ior, finish.thin ? 1.0F : 0.0F, raised ? material.bump : 0.0F, 0});
+  raised_ = raised_ || raised;
   look[absorbLook] = bitsOf({absorptionOf(finish), 0});
   emits_ = emits_ || finish.emits();
   glass_ = glass_ || finish.transmission > 0;
@@ -181,11 +186,12 @@ void RayLooks::finish() {
 
 unsigned RayLooks::features() const {
   return (laid_ ? 1U : 0U) | (skinned_ ? 2U : 0U) | (emits_ ? 4U : 0U) | (finished_ ? 8U : 0U) |
-         (glass_ || holes_ ? 16U : 0U);
+         (glass_ || holes_ ? 16U : 0U) | (raised_ ? 32U : 0U);
 }
 
 gl::Defines RayLooks::defines() const {
-  static constexpr std::array<const char*, 5> names = {"LAID", "SKINS", "EMITTERS", "FINISHED", "PASSAGES"};
+  static constexpr std::array<const char*, 6> names = {"LAID",     "SKINS",    "EMITTERS",
+                                                       "FINISHED", "PASSAGES", "RAISED"};
   gl::Defines defines;
   for (std::size_t i = 0; i < names.size(); ++i)
     if ((features() >> i & 1U) != 0) defines.emplace_back(names[i], "1");

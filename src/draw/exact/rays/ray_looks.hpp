@@ -46,7 +46,7 @@ class RayLooks {
 
  private:
   glm::uvec4* put(const scene::Material& material);
-  void putMaps(const scene::Material& material, glm::uvec4* look);
+  void putMaps(const sim::Surface& surface, glm::uvec4* look);
   void putSkin(const scene::Skin& skin, const SkinTextures::Entry& entry, bool threeSided,
                glm::uvec4* look);
   void gatherSkins();
@@ -58,7 +58,8 @@ class RayLooks {
   std::map<const scene::Material*, unsigned> owners_;
   std::map<const SkinTextures::Entry*, unsigned> skinFirsts_;
   unsigned skinCount_ = 0;
-  bool laid_ = false, skinned_ = false, emits_ = false, finished_ = false, glass_ = false, holes_ = false;
+  bool laid_ = false, skinned_ = false, emits_ = false, finished_ = false, glass_ = false, holes_ = false,
+       raised_ = false;
   gl::Buffer table_, skinBuffer_;
   gl::Texture view_, skinView_;
 };

@@ -233,3 +233,40 @@ TEST_CASE("clear: rough glass spreads what lies behind it, and keeps its light")
   CHECK(steps[1] < 0.5 * steps[0]);
   CHECK(steps[2] < 0.5 * steps[1]);
 }
+
+TEST_CASE(
+    "clear: a coat on glass mirrors what it keeps from the glass, where rays meet it on their way, too") {
+  testContext();
+  const double cosine = std::cos(glm::radians(70.0)), sine = std::sin(glm::radians(70.0));
+  const auto x = static_cast<float>(cosine), z = static_cast<float>(sine);
+  GridStage mirror({2, 2}, {-9, 9, 0}, {18, 0, 0}, {0, -18, 0});
+  mirror.material.color = glm::vec3(1);
+  mirror.material.metallic = 1;
+  mirror.material.roughness = 0;
+  GridStage pane({2, 2}, glm::vec3(-8 * x, 9, 12 - 8 * z), {16 * x, 0, 16 * z}, {0, -18, 0});
+  GridStage roof({2, 2}, {-40, 1, -40}, {80, 0, 0}, {0, 0, 80});
+  for (GridStage* clear : {&pane, &roof}) {
+    clear->material.color = glm::vec3(1);
+    clear->material.roughness = 0;
+    clear->material.finish.transmission = 1;
+    clear->material.finish.thin = true;
+    clear->material.finish.coat = 1;
+    clear->material.finish.coatRoughness = 0;
+  }
+  scene::Scene scene = furnace(256);
+  scene.camera.fieldOfView = 1;
+  const RayPicture picture = rayPicture(scene, {.surfaces = {mirror.surface, pane.surface}}, {8, 8});
+  CHECK(std::abs(picture.mean({0, 0}, {8, 8}).x - 1) < 0.012);
+  // Of the sun's light the coat keeps what it mirrors from what is below (Schlick).
+  scene = night(64);
+  scene.sun.intensity = 3.0F;
+  scene.sun.direction = glm::vec3(0, x, z);
+  setGround(scene, 0.05F);
+  lookDown(scene, 0.8F, 20);
+  const auto light = [&](float coat) {
+    roof.material.finish.coat = coat;
+    return rayPicture(scene, {.surfaces = {roof.surface}}, {8, 8}).mean({0, 0}, {8, 8}).x;
+  };
+  const double schlick = 0.04 + 0.96 * std::pow(1 - cosine, 5);
+  CHECK(light(1) / light(0) == doctest::Approx(1 - schlick).epsilon(0.015));
+}

@@ -1,5 +1,5 @@
-// Colours of vertices and materials of files: on meshes that stand, are deformed or follow bones, and on
-// cloth, each the same.
+// Colours of vertices and materials of files: on meshes that stand, are deformed, follow bones or float,
+// and on cloth, each the same.
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
 #include "gpu/context.hpp"
@@ -122,7 +122,9 @@ TEST_CASE("vertex colours multiply a file's materials, interpolated, whatever be
         R"("mesh": {{"shape": "file", "file": "{}", "deform": [{{"ripple": {{"amplitude": 0.001}}}}]}})",
         R"("mesh": {{"shape": "file", "file": "{}", "technique": "vertex-shader",
                                  "deform": [{{"ripple": {{"amplitude": 0.001}}}}]}})",
-        R"("cloth": {{"mesh": {{"file": "{}"}}, "pins": []}})"}) {
+        R"("cloth": {{"mesh": {{"file": "{}"}}, "pins": []}})",
+        R"("water": {{"size": [8, 8], "cell": 1, "position": [0, -5, 0],
+                      "floats": [{{"shape": "box", "drawn": "{}", "position": [0, 5, 0]}}]}})"}) {
     CAPTURE(object);
     CHECK(farthest(object, squareText(false), true, seen) < 2e-3);
     CHECK(seen > 1500);
@@ -134,6 +136,10 @@ TEST_CASE("vertex colours multiply a file's materials, interpolated, whatever be
 TEST_CASE("vertex colours multiply the scene's own material instead, and those of PLY are sRGB") {
   int seen = 0;
   CHECK(farthest(R"("mesh": {{"shape": "file", "file": "{}"}}, "material": {{"color": [1, 1, 1]}})",
+                 squareText(false), false, seen) < 2e-3);
+  CHECK(seen > 1500);
+  CHECK(farthest(R"("water": {{"size": [8, 8], "cell": 1, "position": [0, -5, 0],
+      "floats": [{{"shape": "box", "drawn": "{}", "position": [0, 5, 0], "color": [1, 1, 1]}}]}})",
                  squareText(false), false, seen) < 2e-3);
   CHECK(seen > 1500);
   testContext();
