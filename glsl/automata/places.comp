@@ -1,6 +1,6 @@
 // Larger than Life where a list says which cells count, and how often: sixteen cells an invocation go through the list
-// together. Defines: as wide.glsl; PLACES: items of the list, two words each: column + 512 and, from bit 10 on, row + 512
-// from the cell, then the weight; FLIPPED: rows count the other way round where column + row of the cell is odd;
+// together. An item of it is two words: column + 512 and, from bit 10 on, row + 512 from the cell, then the weight. Defines: as
+// wide.glsl; FLIPPED: rows count the other way round where column + row of the cell is odd;
 // STATE_WEIGHTS: how often a cell of each state counts stands behind the list, else those of state 1 count once.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
@@ -13,12 +13,13 @@ uniform int rowItems;
 uniform int rowWords;
 uniform int marginX;
 uniform int range;  // padded rows above the grid
+uniform int places;  // in the list
 #include "automata/wide.glsl"
 #include "automata/sixteen.glsl"
 
 #ifdef STATE_WEIGHTS
 int stateWeight(uint state) {
-  return int(texelFetch(list, 2 * PLACES + int(state)).x);
+  return int(texelFetch(list, 2 * places + int(state)).x);
 }
 ivec4 counted(uint bytes) {
   return ivec4(stateWeight(bytes & 255u), stateWeight(bytes >> 8u & 255u), stateWeight(bytes >> 16u & 255u),
@@ -50,7 +51,7 @@ void main() {
     int row = rowWords * 4;
     int first = (at.y + range) * row + marginX + at.x * 16;
     ivec4 total0 = ivec4(0), total1 = ivec4(0), total2 = ivec4(0), total3 = ivec4(0);
-    for (int i = 0; i < PLACES; ++i) {
+    for (int i = 0; i < places; ++i) {
       int where = int(texelFetch(list, 2 * i).x);
       int weight = int(texelFetch(list, 2 * i + 1).x);
       int dx = (where & 1023) - 512, dy = (where >> 10) - 512;

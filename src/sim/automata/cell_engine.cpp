@@ -233,11 +233,11 @@ void CellEngine::makeFar(const WideRule& rule, gl::Defines all) {
 
 void CellEngine::makePlaces(const WideRule& rule, gl::Defines all) {
   lanes_ = bits_ ? 8 : 1;
-  define(all, "PLACES", static_cast<int>(rule.places.size()));
   if (rule.flips) define(all, "FLIPPED", 1);
   if (!rule.stateWeights.empty()) define(all, "STATE_WEIGHTS", 1);
   rule_ = gl::Program::compute("automata/places.comp", all);
   rule_.set("range", range_);
+  rule_.set("places", static_cast<int>(rule.places.size()));
   setCommon(rule_);
   std::vector<std::uint32_t> list;
   for (const NeighbourPlace& place : rule.places) {

@@ -154,18 +154,15 @@ TEST_CASE("ranges of whose cells no loop of a software driver gets to the end") 
 }
 
 TEST_CASE("neighbourhoods of any shape equal their twins") {
-  static constexpr const char* forms[] = {"R3,C0,M1,S4..9,B4..7,N", "R2,C4,S2-3,6,B3-5,N",
-                                          "R5,C0,S3-9,B4-8,10,N"};
+  // Counts are all alike, so that few kernels are compiled.
   int turn = 0;
-  for (const char* shape : {"2", "+", "X", "*", "#", "B", "D", "H", "A", "3", "L"}) {
-    const std::string rule = std::string(forms[turn++ % 3]) + shape;
+  for (const char* shape : {"2", "+", "X", "*", "#", "B", "D", "H", "A", "3", "L", "@891ABC891891", "@891A91891891L"}) {
+    const std::string rule = std::string(turn++ % 4 == 1 ? "R3,C4,S3-6,B3-5,N" : "R3,C0,S3-6,B3-5,N") + shape;
     compareStates(soupOf(rule.c_str(), GridBorder::torus, {67, 41}));
     compareStates(soupOf(rule.c_str(), GridBorder::dead, {131, 23}), 2);
   }
-  for (const char* rule :
-       {"R3,C0,M0,S44..71,B24..58,NG", "R2,C3,M1,S14..31,B14..28,NG", "R1,C0,S2-5,B3,4,NW123401323",
-        "R1,C0,S20-60,B24-50,NW0810080a850a081008", "R1,C4,S5-30,B7-19,NW1234813a3,01a2",
-        "R2,C0,S2-4,B3-4,N@891891", "R2,C3,S2-4,B3-4,N@891a91L", "R1,C0,M0,S3..9,B4..6,NW123401f23L"})
+  for (const char* rule : {"R1,C0,S3-6,B3-5,NG", "R1,C0,S3-6,B3-5,NW123401323", "R1,C0,S3-6,B3-5,NW000201030a8401020A",
+                           "R1,C4,S3-6,B3-5,NW1234813a3,01a2", "R1,C0,S3-6,B3-5,NW123401f23L"})
     for (const glm::ivec2 size : {glm::ivec2(67, 41), {130, 18}})
       compareStates(soupOf(rule, GridBorder::torus, size));
 }
