@@ -48,13 +48,15 @@ int nextMap(const Around& around, int x, int y, const CellRule& rule) {
 }
 
 bool counted(const std::vector<CountRange>& ranges, int count) {
-  return std::ranges::any_of(ranges, [&](const CountRange& r) { return r.low <= count && count <= r.high; });
+  return std::ranges::any_of(ranges,
+                             [&](const CountRange& r) { return r.low <= count && count <= r.high; });
 }
 
 int nextWide(const Around& around, int x, int y, const CellRule& rule) {
   const WideRule& wide = rule.wide;
   const auto worth = [&](int state) {
-    return wide.stateWeights.empty() ? state == 1 ? 1 : 0 : wide.stateWeights[static_cast<std::size_t>(state)];
+    return wide.stateWeights.empty() ? state == 1 ? 1 : 0
+                                     : wide.stateWeights[static_cast<std::size_t>(state)];
   };
   const bool listed = wide.shape == NeighbourShape::places, flipped = wide.flips && (x + y) % 2 == 1;
   int count = 0;

@@ -29,8 +29,8 @@ constexpr int spareItems = 64;
 /// Up to it 2 range + 1 cells fit a byte.
 constexpr int maxByteRange = 127;
 
-/// Beyond it an invocation of spans.comp may take more than 65,535 turns of its loops: a software driver ends them
-/// there, and says nothing.
+/// Beyond it an invocation of spans.comp may take more than 65,535 turns of its loops: a software driver
+/// ends them there, and says nothing.
 constexpr int maxSpansRange = 90;
 
 /// What wide.glsl asks of `count`.

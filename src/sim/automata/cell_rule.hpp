@@ -43,7 +43,7 @@ struct WideRule {
   NeighbourShape shape = NeighbourShape::moore;
   std::vector<NeighbourPlace> places;  ///< the middle among them; of shape `places` alone
   bool flips = false;                  ///< dy the other way round where x + y is odd (triangles)
-  std::vector<int> stateWeights;       ///< how often cells of each state count; empty: those of state 1 once
+  std::vector<int> stateWeights;  ///< how often cells of each state count; empty: those of state 1 once
   /// Columns from the middle's to the first and to the last of a row's neighbours; first > last: none.
   struct Span {
     int first, last;
@@ -120,9 +120,10 @@ struct RuleProblem {
 ///                        cells above decide whether one is born
 ///   R5,C0,M1,S34..58,B34..45,NM    Larger than Life; also 5,34,45,34,58
 ///   R2,C0,S2-3,8,B3,12-14,NN       the same with lists of counts; NM may be left out
-///                        NN von Neumann, NC circular, N2 Euclidean, N+ cross, NX saltire, N* star, N# hash, NB and
-///                        ND checkerboards, NH hexagonal, NA asterisk, N3 tripod, NL triangular, NG Gaussian,
-///                        N@ and hexadecimal digits: a bit a cell; NW: its weight, then ",012A": those of states
+///                        NN von Neumann, NC circular, N2 Euclidean, N+ cross, NX saltire, N* star, N#
+///                        hash, NB and ND checkerboards, NH hexagonal, NA asterisk, N3 tripod, NL
+///                        triangular, NG Gaussian, N@ and hexadecimal digits: a bit a cell; NW: its weight,
+///                        then ",012A": those of states
 ///   R1/T3/C3/NM          cyclic: range, threshold, states, neighbourhood
 /// and the names of rulePresets().
 [[nodiscard]] RuleProblem parseCellRule(std::string_view text, CellRule& rule);

@@ -79,8 +79,10 @@ RuleProblem parseWolfram(std::string_view text, CellRule& rule) {
     return problem;
   if (at < text.size()) return {at, fmt::format("{} after the end of the rule", shownCharacter(text, at))};
   if (number % 2 != 0)
-    return {1, fmt::format("{} is odd: all rows would be born at once; Wolfram's rules of a row have even numbers here",
-                           number)};
+    return {
+        1, fmt::format(
+               "{} is odd: all rows would be born at once; Wolfram's rules of a row have even numbers here",
+               number)};
   rule = CellRule();
   rule.family = CellRule::Family::map;
   for (unsigned i = 0; i < 512; ++i) {

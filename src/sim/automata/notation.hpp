@@ -14,8 +14,9 @@ namespace simreel::sim {
 [[nodiscard]] RuleProblem parseWide(std::string_view text, CellRule& rule);
 [[nodiscard]] RuleProblem parseCyclic(std::string_view text, CellRule& rule);
 
-/// The cells around one that count in a shape of Larger than Life that is no row of spans: 'X', '*', '#', 'B', 'D',
-/// 'A', '3', 'L' (its rows reach to `range`, columns twice as far) and 'G' (whose middle counts once more).
+/// The cells around one that count in a shape of Larger than Life that is no row of spans: 'X', '*', '#',
+/// 'B', 'D', 'A', '3', 'L' (its rows reach to `range`, columns twice as far) and 'G' (whose middle counts
+/// once more).
 [[nodiscard]] std::vector<NeighbourPlace> placesOfShape(char letter, int range);
 
 /// A character as messages show it.

@@ -12,10 +12,11 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int maxWideRange = 500, maxTriangleRange = 250, maxGaussianRange = 50, maxCyclicRange = 10;  // Golly's
+constexpr int maxWideRange = 500, maxTriangleRange = 250, maxGaussianRange = 50,
+              maxCyclicRange = 10;  // Golly's
 
-/// What the kernel that goes through a list can do in one go (glsl/automata/places.comp), and what is written
-/// into a kernel's text.
+/// What the kernel that goes through a list can do in one go (glsl/automata/places.comp), and what is
+/// written into a kernel's text.
 constexpr std::size_t maxPlaces = 60000, maxRanges = 200;
 
 constexpr const char* wideAdvice =
@@ -82,8 +83,8 @@ class FieldReader {
         number(what, 0, max, range.high);
       }
       if (good() && range.low > range.high)
-        wrong(first, fmt::format("{} to {}: the first of these limits is the greater one", range.low,
-                                 range.high));
+        wrong(first,
+              fmt::format("{} to {}: the first of these limits is the greater one", range.low, range.high));
       counts.push_back(range);
       if (here() == ',' && at_ + 1 < text_.size() && isDigit(text_[at_ + 1])) ++at_;
     }
@@ -100,8 +101,7 @@ class FieldReader {
   NeighbourShape cyclicShape() {
     if (!good()) return NeighbourShape::moore;
     const char letter = here();
-    if (letter != 'M' && letter != 'N')
-      wrong(at_, "the neighbourhood is M (Moore) or N (von Neumann)");
+    if (letter != 'M' && letter != 'N') wrong(at_, "the neighbourhood is M (Moore) or N (von Neumann)");
     ++at_;
     return letter == 'N' ? NeighbourShape::vonNeumann : NeighbourShape::moore;
   }
@@ -179,10 +179,12 @@ class NeighbourhoodReader {
         named(letter, at);
         break;
       default:
-        reader_.wrong(at,
-                      "the neighbourhood is M (Moore), N (von Neumann), C (circular), 2 (Euclidean), + (cross), X "
-                      "(saltire), * (star), # (hash), B or D (checkerboards), H (hexagonal), A (asterisk), 3 (tripod), "
-                      "L (triangular), G (Gaussian), @ (custom) or W (weighted)");
+        reader_.wrong(
+            at,
+            "the neighbourhood is M (Moore), N (von Neumann), C (circular), 2 (Euclidean), + (cross), X "
+            "(saltire), * (star), # (hash), B or D (checkerboards), H (hexagonal), A (asterisk), 3 "
+            "(tripod), "
+            "L (triangular), G (Gaussian), @ (custom) or W (weighted)");
         return;
     }
     rule_.shape = NeighbourShape::places;
@@ -208,8 +210,9 @@ class NeighbourhoodReader {
     const std::vector<int> digits = reader_.hexDigits();
     const int side = 2 * rule_.range + 1, cells = side * side;
     if (digits.size() * 4 != static_cast<std::size_t>(cells) - 1) {
-      reader_.wrong(at + 1, fmt::format("{} hexadecimal digits where {} tell which of the {} cells of range {} count",
-                                        digits.size(), (cells - 1) / 4, cells - 1, rule_.range));
+      reader_.wrong(
+          at + 1, fmt::format("{} hexadecimal digits where {} tell which of the {} cells of range {} count",
+                              digits.size(), (cells - 1) / 4, cells - 1, rule_.range));
       return;
     }
     for (int i = 0; i < cells; ++i) {
@@ -226,8 +229,10 @@ class NeighbourhoodReader {
     const int side = 2 * rule_.range + 1, cells = side * side;
     const bool two = digits.size() == 2 * static_cast<std::size_t>(cells);
     if (!two && digits.size() != static_cast<std::size_t>(cells)) {
-      reader_.wrong(at + 1, fmt::format("{} hexadecimal digits where {} or {} are the weights of the cells of range {}",
-                                        digits.size(), cells, 2 * cells, rule_.range));
+      reader_.wrong(
+          at + 1,
+          fmt::format("{} hexadecimal digits where {} or {} are the weights of the cells of range {}",
+                      digits.size(), cells, 2 * cells, rule_.range));
       return;
     }
     for (int i = 0; i < cells; ++i) {
@@ -242,8 +247,8 @@ class NeighbourhoodReader {
       reader_.moveTo(first);
       rule_.stateWeights = reader_.hexDigits();
       if (rule_.stateWeights.size() != static_cast<std::size_t>(states_))
-        reader_.wrong(first, fmt::format("{} weights of states; the rule has {} states", rule_.stateWeights.size(),
-                                         states_));
+        reader_.wrong(first, fmt::format("{} weights of states; the rule has {} states",
+                                         rule_.stateWeights.size(), states_));
     }
     suffix();
   }
@@ -343,7 +348,8 @@ class WideReader {
       reader_.expect('N');
     }
     name_ = fmt::format("R{},C{},M{},S{}..{},B{}..{},N{}", range_, states_ < 3 ? 0 : states_, middle,
-                        wide_.survive[0].low, wide_.survive[0].high, wide_.born[0].low, wide_.born[0].high, hood_);
+                        wide_.survive[0].low, wide_.survive[0].high, wide_.born[0].low, wide_.born[0].high,
+                        hood_);
   }
 
   void lists() {
@@ -355,7 +361,8 @@ class WideReader {
     reader_.list("a count of B", most() - (own ? 0 : 1), wide_.born);
     tellAfter();
     name_ = fmt::format("R{},C{},S{},B{}{}{}", range_, states_ < 3 ? 0 : states_, listText(wide_.survive),
-                        listText(wide_.born), hood_.empty() || hood_ == "M" ? "" : ",N", hood_ == "M" ? "" : hood_);
+                        listText(wide_.born), hood_.empty() || hood_ == "M" ? "" : ",N",
+                        hood_ == "M" ? "" : hood_);
   }
 
   std::string_view text_;
@@ -419,8 +426,8 @@ RuleProblem parseWide(std::string_view text, CellRule& rule) {
   rule = CellRule();
   rule.family = CellRule::Family::wide;
   rule.wide = wide;
-  rule.name = fmt::format("R{},C0,M1,S{}..{},B{}..{},NM", wide.range, wide.survive[0].low, wide.survive[0].high,
-                          wide.born[0].low, wide.born[0].high);
+  rule.name = fmt::format("R{},C0,M1,S{}..{},B{}..{},NM", wide.range, wide.survive[0].low,
+                          wide.survive[0].high, wide.born[0].low, wide.born[0].high);
   return {};
 }
 

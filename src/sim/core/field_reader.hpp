@@ -9,8 +9,8 @@ namespace simreel::sim {
 struct FieldParts {
   virtual ~FieldParts() = default;
   [[nodiscard]] virtual std::vector<std::string> fieldParts() const = 0;
-  /// Where its cells are no grid of the picture: what an object is on, and who takes its field, as " on a mesh, whose
-  /// field only one on the same mesh takes".
+  /// Where its cells are no grid of the picture: what an object is on, and who takes its field, as " on a
+  /// mesh, whose field only one on the same mesh takes".
   [[nodiscard]] virtual std::string takenBy() const { return {}; }
 
  protected:
@@ -30,8 +30,8 @@ struct FieldReading {
   };
   virtual ~FieldReading() = default;
   [[nodiscard]] virtual std::vector<From> readsFields() const = 0;
-  /// Whether it takes fields of an object whose cells are no grid of the picture: of the same mesh cell by cell, of
-  /// a volume of the same proportions.
+  /// Whether it takes fields of an object whose cells are no grid of the picture: of the same mesh cell by
+  /// cell, of a volume of the same proportions.
   [[nodiscard]] virtual bool readsCellsOf(const FieldParts& /*other*/) const { return false; }
 
  protected:

@@ -25,8 +25,8 @@ class ReactionKernels {
   void setValues(const std::vector<float>& values);
   /// Steps from that number on; `first`: that of the first state, where the model's time is 0.
   void advance(long number, int steps, long first);
-  /// Takes a field as the map of a parameter; one of more than one layer is a volume's. Throws UserError(usage) where
-  /// it is too wide.
+  /// Takes a field as the map of a parameter; one of more than one layer is a volume's. Throws
+  /// UserError(usage) where it is too wide.
   void take(int parameter, const Field& field, int layers = 1);
   /// Maps of parameters; empty without any.
   [[nodiscard]] gl::Vec4Array& maps() { return weights_; }
@@ -81,7 +81,7 @@ class ReactionKernels {
   gl::Buffer status_;
   gl::Program paint_;
   std::map<std::pair<Field::Cells, bool>, gl::Program> samplers_;  ///< of other objects' fields; of volumes
-  std::vector<Kernel> kernels_;                   ///< one a pass
+  std::vector<Kernel> kernels_;                                    ///< one a pass
   gl::Program strips_, lost_;
   gl::Buffer lostCells_;  ///< the lowest that is lost in each of some steps
   std::vector<float> values_;

@@ -84,11 +84,12 @@ void ReactionParameters::describe(scene::Fields& f) {
         p.asset("image", parameter.image,
                 "Picture that sets it: \"value\" where it is black, \"white\" where white.");
         p.number("white", parameter.white, scene::anyNumber, "", "Value where \"image\" is white.");
-        p.text("field", parameter.field,
-               "Name of another object's field whose values it has, NAME or NAME.u, as that is when "
-               "the frame begins; both grids cover the same, bilinear between cells. On a mesh it lies "
-               "as \"maps\" says, or is one of the same mesh, cell by cell. In a volume it is the same in all "
-               "layers, or that of a volume of the same proportions, trilinear.");
+        p.text(
+            "field", parameter.field,
+            "Name of another object's field whose values it has, NAME or NAME.u, as that is when "
+            "the frame begins; both grids cover the same, bilinear between cells. On a mesh it lies "
+            "as \"maps\" says, or is one of the same mesh, cell by cell. In a volume it is the same in all "
+            "layers, or that of a volume of the same proportions, trilinear.");
         p.leftOut("field", "none");
         for (const char* other : {"value", "across", "down", "image", "white"})
           if (!parameter.field.empty() && p.given(other))

@@ -278,7 +278,7 @@ class Reaction : public Simulation, public FieldReader, public Retunable {
   scene::Material material_;
   double frameSeconds_;
   std::function<Field(const std::string& name)> fieldNamed_;
-  bool hasRead_ = false;  ///< fields of others, ever
+  bool hasRead_ = false;                 ///< fields of others, ever
   std::map<std::string, int> layersOf_;  ///< of volumes that it reads, by the fields' names
   std::vector<std::string> speciesNames_;
   ReactionPlan plan_;

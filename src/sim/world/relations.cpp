@@ -58,10 +58,10 @@ std::string fieldMistake(const std::string& name, const char* unnamed, bool part
     return fmt::format("object \"{}\" has no field {}; known here: {}", owner, scene::inQuotes(name),
                        fmt::join(fields, ", "));
   }
-  const std::string what =
-      name.empty()    ? unnamed
-      : of == nullptr ? fmt::format("no object is named {}", scene::inQuotes(owner))
-                      : fmt::format("object \"{}\" is a {}{}", owner, named->kind, noFieldOf(of));
+  const std::string what = name.empty() ? unnamed
+                           : of == nullptr
+                               ? fmt::format("no object is named {}", scene::inQuotes(owner))
+                               : fmt::format("object \"{}\" is a {}{}", owner, named->kind, noFieldOf(of));
   return fmt::format("{}; {}", what,
                      fields.empty() ? "the scene has no field" : scene::suggestion(name, fields));
 }

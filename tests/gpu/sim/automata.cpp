@@ -156,13 +156,16 @@ TEST_CASE("ranges of whose cells no loop of a software driver gets to the end") 
 TEST_CASE("neighbourhoods of any shape equal their twins") {
   // Counts are all alike, so that few kernels are compiled.
   int turn = 0;
-  for (const char* shape : {"2", "+", "X", "*", "#", "B", "D", "H", "A", "3", "L", "@891ABC891891", "@891A91891891L"}) {
-    const std::string rule = std::string(turn++ % 4 == 1 ? "R3,C4,S3-6,B3-5,N" : "R3,C0,S3-6,B3-5,N") + shape;
+  for (const char* shape :
+       {"2", "+", "X", "*", "#", "B", "D", "H", "A", "3", "L", "@891ABC891891", "@891A91891891L"}) {
+    const std::string rule =
+        std::string(turn++ % 4 == 1 ? "R3,C4,S3-6,B3-5,N" : "R3,C0,S3-6,B3-5,N") + shape;
     compareStates(soupOf(rule.c_str(), GridBorder::torus, {67, 41}));
     compareStates(soupOf(rule.c_str(), GridBorder::dead, {131, 23}), 2);
   }
-  for (const char* rule : {"R1,C0,S3-6,B3-5,NG", "R1,C0,S3-6,B3-5,NW123401323", "R1,C0,S3-6,B3-5,NW000201030a8401020A",
-                           "R1,C4,S3-6,B3-5,NW1234813a3,01a2", "R1,C0,S3-6,B3-5,NW123401f23L"})
+  for (const char* rule :
+       {"R1,C0,S3-6,B3-5,NG", "R1,C0,S3-6,B3-5,NW123401323", "R1,C0,S3-6,B3-5,NW000201030a8401020A",
+        "R1,C4,S3-6,B3-5,NW1234813a3,01a2", "R1,C0,S3-6,B3-5,NW123401f23L"})
     for (const glm::ivec2 size : {glm::ivec2(67, 41), {130, 18}})
       compareStates(soupOf(rule, GridBorder::torus, size));
 }

@@ -78,7 +78,8 @@ struct Reader {
       if (parameters[i].field.empty()) continue;
       const sim::Field from = fieldOf(drawables, parameters[i].field);
       const std::vector<float> values = sim::fieldValues(from);
-      if (plan.parameters().depth > 1 && from.display == nullptr) {  // all that volumes read here are volumes
+      if (plan.parameters().depth > 1 &&
+          from.display == nullptr) {  // all that volumes read here are volumes
         const glm::ivec3 size(field.size, field.depth);
         const glm::ivec3 sources(from.size.x, glm::ivec2(size.y, size.z) * from.size.x / size.x);
         field.weights[i] = sim::sampledInVolume(values, sources, size);
@@ -263,8 +264,9 @@ TEST_CASE("a volume reads another one of the same proportions, trilinear, with t
     for (int y = 0; y < 14; ++y)
       for (int x = 0; x < 21; ++x) {
         const double want = trilinear(source, {9, 6, 12}, (glm::dvec3(x, y, z) + 0.5) * (9.0 / 21));
-        worst = std::max(worst,
-                         std::abs(static_cast<double>(got[static_cast<std::size_t>((z * 14 + y) * 21 + x)]) - want));
+        worst = std::max(
+            worst,
+            std::abs(static_cast<double>(got[static_cast<std::size_t>((z * 14 + y) * 21 + x)]) - want));
       }
   CHECK(worst < 60 * 0x1p-15);  // shares are whole parts of 2^15, neighbours up to 15 apart
 }

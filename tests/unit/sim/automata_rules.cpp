@@ -136,7 +136,8 @@ TEST_CASE("rules that make no sense are refused at their place, of every family"
   checkHas(written("R1,C0,S3,x"), "9: 'B' is expected here");
   checkHas(written("R251,C0,S3,B3,NL"), "15: the range of this neighbourhood is 250");
   checkHas(written("R51,C0,S3,B3,NG"), "14: the range of this neighbourhood is 50");
-  checkHas(written("R200,C0,S3,B3,NB"), "15: of this range this neighbourhood has 80401 cells; there may be 60000");
+  checkHas(written("R200,C0,S3,B3,NB"),
+           "15: of this range this neighbourhood has 80401 cells; there may be 60000");
   checkHas(written("R2,C0,S3,B3,N@89189"), "14: 5 hexadecimal digits where 6 tell which of the 24 cells");
   checkHas(written("R1,C0,S3,B3,NW12340132"), "14: 8 hexadecimal digits where 9 or 18 are the weights");
   checkHas(written("R1,C3,S3,B3,NW123401323,01"), "24: 2 weights of states; the rule has 3 states");

@@ -154,7 +154,8 @@ TEST_CASE("reaction: fields of others are there, alone, and not before the first
   CHECK(refused(inVolume("w", R"([9, 6], "depth": 12)", "v.u") + volume + with(R"({"field": "smoke"})")) ==
         "none");
   CHECK(refused(inVolume("w", R"([9, 6], "depth": 11)", "v") + volume + with(R"({"field": "smoke"})"))
-            .find("object \"v\" is a reaction in a volume of 12x8x16 cells, whose field only a volume of the same "
+            .find("object \"v\" is a reaction in a volume of 12x8x16 cells, whose field only a volume of "
+                  "the same "
                   "proportions takes") != std::string::npos);
   CHECK(refused(volume + with(R"({"field": "v"})")).find("only a volume of the same proportions takes") !=
         std::string::npos);

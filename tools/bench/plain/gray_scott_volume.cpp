@@ -6,16 +6,16 @@ namespace plain {
 
 namespace {
 
-/// The Laplacian along a row `e`: a to c lie in the layer before, g to i in the one behind. `__restrict`, or no compiler
-/// vectorises it. `left` and `right`: of the first cell and of the last.
+/// The Laplacian along a row `e`: a to c lie in the layer before, g to i in the one behind. `__restrict`,
+/// or no compiler vectorises it. `left` and `right`: of the first cell and of the last.
 void laplacian(const float* __restrict a, const float* __restrict b, const float* __restrict c,
                const float* __restrict d, const float* __restrict e, const float* __restrict f,
                const float* __restrict g, const float* __restrict h, const float* __restrict i,
                float* __restrict lap, int side) {
   const auto at = [&](int left, int x, int right) {
     const float faces = e[left] + e[right] + d[x] + f[x] + b[x] + h[x];
-    const float edges = d[left] + d[right] + f[left] + f[right] + b[left] + b[right] + h[left] + h[right] + a[x] +
-                        c[x] + g[x] + i[x];
+    const float edges = d[left] + d[right] + f[left] + f[right] + b[left] + b[right] + h[left] + h[right] +
+                        a[x] + c[x] + g[x] + i[x];
     return (2 * faces + edges - 24 * e[x]) * (1.0F / 6);
   };
   for (int x = 1; x < side - 1; ++x) lap[x] = at(x - 1, x, x + 1);
@@ -57,8 +57,8 @@ void GrayScottVolume::step(float diffuseU, float diffuseV, float feed, float kil
         const auto row = [&](int dy, int dz) {
           return &field[(std::size_t((z + dz + n) % n) * n + std::size_t((y + dy + n) % n)) * n];
         };
-        laplacian(row(-1, -1), row(0, -1), row(1, -1), row(-1, 0), row(0, 0), row(1, 0), row(-1, 1), row(0, 1),
-                  row(1, 1), to.data(), n);
+        laplacian(row(-1, -1), row(0, -1), row(1, -1), row(-1, 0), row(0, 0), row(1, 0), row(-1, 1),
+                  row(0, 1), row(1, 1), to.data(), n);
       };
       lap(u, lapU);
       lap(v, lapV);
