@@ -9,5 +9,6 @@ const int treeBinding = 4;
 const int wordsBinding = 5;
 const int bytesBinding = 6;
 const int stampsBinding = 7;
+const int rowSumsBinding = 0;
 
 #endif

@@ -1,6 +1,6 @@
 // Larger than Life on a neighbourhood of rows of any length, circles, diamonds and squares beyond the range of rows.comp: from a cell to the next one comes the right
-// end of each row and goes the left one. Defines: as rows.comp; REACHES: how far each row reaches to both sides, from the
-// top.
+// end of each row and goes the left one. Defines: as rows.comp; LEFTS, RIGHTS: columns from a cell's own to the first
+// and the last cell of each row, from the top.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
@@ -12,7 +12,8 @@ uniform int rowWords;
 uniform int marginX;
 #include "automata/wide.glsl"
 #include "automata/output.glsl"
-const int reaches[2 * RANGE + 1] = int[](REACHES);
+const int lefts[2 * RANGE + 1] = int[](LEFTS);
+const int rights[2 * RANGE + 1] = int[](RIGHTS);
 
 int aliveAt(int i) {
   return texelFetch(paddedBytes, i).x == 1u ? 1 : 0;
@@ -26,7 +27,7 @@ void main() {
   int top = at.y * rowBytes + marginX + firstItem * CELLS;
   int total = 0;
   for (int i = 0; i <= 2 * RANGE; ++i)
-    for (int dx = -reaches[i]; dx <= reaches[i]; ++dx) total += aliveAt(top + i * rowBytes + dx);
+    for (int dx = lefts[i]; dx <= rights[i]; ++dx) total += aliveAt(top + i * rowBytes + dx);
   for (int item = 0; item < ITEMS; ++item) {
     uvec4 block = uvec4(0u);
     for (int word = 0; word < CELLS / 4; ++word) {
@@ -35,7 +36,7 @@ void main() {
         int x = top + item * CELLS + word * 4 + j;
         bytes |= wideNext(texelFetch(paddedBytes, x + RANGE * rowBytes).x, total) << uint(8 * j);
         for (int i = 0; i <= 2 * RANGE; ++i)
-          total += aliveAt(x + i * rowBytes + reaches[i] + 1) - aliveAt(x + i * rowBytes - reaches[i]);
+          total += aliveAt(x + i * rowBytes + rights[i] + 1) - aliveAt(x + i * rowBytes + lefts[i]);
       }
       collect(block, word, bytes, size.x - (firstItem + item) * CELLS - word * 4);
     }

@@ -1,5 +1,6 @@
 // Another object's field on the grid of a rule, as the map of a parameter: bilinear between the middles of its cells, in all
-// layers of a volume alike. An invocation takes an element, four cells, of one layer's rows. On a mesh (MESH) its cells lie on
+// layers of a volume alike; of another volume (LAYERS) trilinear. An invocation takes an element, four cells, of one layer's
+// rows. On a mesh (MESH) its cells lie on
 // the field at places of their own, or are the field's own cells (`byCell`).
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -13,6 +14,9 @@ const int fieldUnit = stageBinding;
 #include "grid/field.glsl"
 uniform ivec2 size;
 uniform int columns, depth, plane;
+#ifdef LAYERS
+uniform int fieldLayers;  // one after the other in the field's rows
+#endif
 uniform float storedGrain;
 #ifdef MESH
 INPUT_WORDS(linksBinding, PlaceBlock, places)  // of four cells: from the left in the lower, from the top in the upper 16 bits
@@ -23,6 +27,30 @@ float storedValueAt(int x, int y) {
   return grained(valueAt(ivec2(x, y)), storedGrain);
 }
 
+// Between the rows of one layer, which begins at row `top`.
+float inLayer(Between across, Between down, int top) {
+  float above = betweenOf(storedValueAt(across.before, top + down.before), storedValueAt(across.after, top + down.before), across.share);
+  float below = betweenOf(storedValueAt(across.before, top + down.after), storedValueAt(across.after, top + down.after), across.share);
+  return betweenOf(above, below, down.share);
+}
+
+#ifdef LAYERS
+void main() {
+  int x = int(gl_GlobalInvocationID.x), row = int(gl_GlobalInvocationID.y);
+  if (x >= columns || row >= size.y * depth) return;
+  int rows = fieldSize.y / fieldLayers;
+  Between down = betweenCells(row % size.y, size.y, rows);
+  Between deep = betweenCells(row / size.y, depth, fieldLayers);
+  vec4 four = vec4(0);
+  for (int i = 0; i < 4; ++i) {
+    if (4 * x + i >= size.x) continue;
+    Between across = betweenCells(4 * x + i, size.x, fieldSize.x);
+    float before = inLayer(across, down, deep.before * rows), after = inLayer(across, down, deep.after * rows);
+    four[i] = grained(betweenOf(before, after, deep.share), storedGrain);
+  }
+  STORE_STATE(maps, (plane * depth * size.y + row) * columns + x, four);
+}
+#else
 void main() {
   int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
   if (x >= columns || y >= size.y) return;
@@ -44,9 +72,8 @@ void main() {
 #else
     Between across = betweenCells(4 * x + i, size.x, fieldSize.x);
 #endif
-    float above = betweenOf(storedValueAt(across.before, down.before), storedValueAt(across.after, down.before), across.share);
-    float below = betweenOf(storedValueAt(across.before, down.after), storedValueAt(across.after, down.after), across.share);
-    four[i] = grained(betweenOf(above, below, down.share), storedGrain);
+    four[i] = grained(inLayer(across, down, 0), storedGrain);
   }
   for (int z = 0; z < depth; ++z) STORE_STATE(maps, ((plane * depth + z) * size.y + y) * columns + x, four);
 }
+#endif

@@ -1,11 +1,21 @@
 """Golly's bgolly (Debian package golly) beside the program: the same soup, cell for cell."""
+import functools
 import json
+import os
 import random
 import re
 import shutil
 import subprocess
 
-GOLLY = shutil.which("bgolly") or shutil.which("bgolly", path="/usr/games")
+GOLLY = os.environ.get("BGOLLY") or shutil.which("bgolly") or shutil.which("bgolly", path="/usr/games")
+
+
+@functools.cache
+def version():
+    """As (3, 3); one built by hand, which does not tell, counts as new."""
+    said = subprocess.run([GOLLY], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout.decode()
+    told = re.search(r"bgolly (\d+)\.(\d+)", said)
+    return tuple(int(n) for n in told.groups()) if told else (5, 0)
 
 
 def read_rle(text):
@@ -66,7 +76,7 @@ def run_golly(folder, file, generations, rules=None):
     of all that live."""
     rule = re.search(r"(?:rule *= *|#R +)([^\s:]+)", (folder / file).read_text(encoding="latin-1"))[1]
     algorithm = ("Larger than Life" if "," in rule else "Generations" if rule.count("/") == 2 else
-                 "HashLife" if "/" in rule or rule.startswith("MAP") else "RuleLoader")
+                 "HashLife" if "/" in rule or re.match(r"MAP|W\d", rule) else "RuleLoader")
     output = "golly.rle" if "," in rule else "golly.mc"
     (folder / output).unlink(missing_ok=True)
     command = [GOLLY, "-a", algorithm, "-q", "-q", "-m", str(generations), "-i", "1", "-o", output]
@@ -151,12 +161,20 @@ def random_case(family, rng):
         case["rule"] = (f"R{reach},C{rng.choice([0, 0, 3, 6])},M{rng.randrange(2)},S{low}..{high},"
                         f"B{born}..{min(born + most // 8 + 1, most)},N{shape}")
         case["fill"] = 0.5
+    elif family == "wolfram":
+        case["rule"] = f"W{2 * rng.randrange(128)}"
+        case["fill"] = rng.choice([0.003, 0.01, 0.05])
+    elif family == "shaped":
+        # What Golly has since 4.0: neighbourhoods of other shapes, weights, lists of counts.
+        case["rule"] = shaped_rule(rng)
+        size[:] = (max(s, 24) for s in size)
+        case["fill"] = rng.choice([0.3, 0.5])
     elif family == "far":
-        # Ranges beyond 60, and squares' beyond what a byte of sums holds. Golly makes grids twice as wide as the range, at
-        # least. Half of the cells live, so limits lie about the middle.
-        shape = rng.choice("MNNNCCC")
-        reach = rng.randrange(128, 140) if shape == "M" else rng.randrange(61, 90)
-        size[0], size[1] = (2 * reach + rng.randrange(1, 30) for _ in range(2))
+        # Most within 50, some beyond what a byte of sums holds and what loops of a software driver get through. Golly makes
+        # grids twice as wide as the range, at least. Half of the cells live, so limits lie about the middle.
+        shape = rng.choice("MNC")
+        reach = rng.choice([*[rng.randrange(1, 51) for _ in range(8)], rng.randrange(51, 140), rng.randrange(200, 501)])
+        size[0], size[1] = (2 * reach + rng.randrange(11, 40) for _ in range(2))
         cells = {"M": (2 * reach + 1) ** 2, "N": 2 * reach * (reach + 1) + 1, "C": 3.1416 * (reach + 0.5) ** 2}[shape]
         near = [int(cells * share) for share in (rng.uniform(0.2, 0.4), rng.uniform(0.42, 0.7), rng.uniform(0.3, 0.45), rng.uniform(0.46, 0.6))]
         case["rule"] = f"R{reach},C{rng.choice([0, 0, 4])},M{rng.randrange(2)},S{near[0]}..{near[1]},B{near[2]}..{near[3]},N{shape}"
@@ -166,6 +184,39 @@ def random_case(family, rng):
         case.update({"ruleFile": name, "fill": 0.5, "border": rng.choice(["torus", "dead", "klein"])})
         case["table"] = text
     return case
+
+
+def shaped_rule(rng):
+    reach, kind = rng.choice([1, 2, 3, 4, 6]), rng.choice("2+X*#BDHA3LG@W")
+    states = rng.choice([0, 0, 3, 5])
+    side = 2 * reach + 1
+    tail = kind
+    if kind == "@":
+        tail += "".join(rng.choice("0123456789ABCDEF") for _ in range(reach * (reach + 1))) + rng.choice(["", "H", "L"])
+    elif kind == "W":
+        reach = min(reach, 3)
+        side = 2 * reach + 1
+        two = rng.random() < 0.4
+        weights = [rng.choice([0, 1, 1, 2, 3, 9, 10] if not two else [0, 5, 17, 40, 130, 2]) for _ in range(side * side)]
+        tail += "".join(f"{w:02X}" if two else f"{w:X}" for w in weights)
+        if rng.random() < 0.4:
+            tail += "," + "0" + "".join(rng.choice("0123A") for _ in range(max(states, 2) - 1))
+        tail += rng.choice(["", "H", "L"])
+    cells = {"2": 3 * reach * reach, "+": 4 * reach, "X": 4 * reach, "*": 8 * reach, "#": 8 * reach, "B": side * side // 2, "D": side * side // 2,
+             "H": 3 * reach * (reach + 1), "A": 6 * reach, "3": 3 * reach, "L": 6 * reach * reach, "G": (reach + 1) ** 4}.get(kind)
+    if kind == "@":
+        cells = sum(bin(int(c, 16)).count("1") for c in tail[1:] if c != "H" and c != "L")
+    elif kind == "W":
+        cells = sum(w for w in weights if w < (128 if two else 8))
+    cells = max(2, cells)
+
+    def some(most):
+        low = rng.randrange(1, max(2, most // 2))
+        return low, min(low + rng.randrange(0, most // 3 + 1), most)
+    (s0, s1), (b0, b1), extra = some(cells), some(cells), rng.randrange(1, cells + 1)
+    if rng.random() < 0.5:
+        return f"R{reach},C{states},M{rng.randrange(2)},S{s0}..{s1},B{b0}..{b1},N{tail}"
+    return f"R{reach},C{states},S{s0}-{s1},{extra},B{b0}-{b1},N{tail}"
 
 
 def random_table(rng):
@@ -190,7 +241,8 @@ def random_table(rng):
     return f"{name}.rule", "\n".join(lines) + "\n"
 
 
-FAMILIES = ["life", "hensel", "shapes", "map", "generations", "borders", "wide", "far", "tables"]
+FAMILIES = ["life", "hensel", "shapes", "map", "wolfram", "generations", "borders", "wide", "far", "tables"]
+NEWER = ["shaped"]  # not of Golly 3
 
 
 def compare(folder, simreel, cases, generations, seed=4):

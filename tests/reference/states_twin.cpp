@@ -32,6 +32,9 @@ int aged(int state, bool born, bool survives, int states) {
 
 bool near(NeighbourShape shape, int range, int dx, int dy) {
   if (shape == NeighbourShape::vonNeumann) return std::abs(dx) + std::abs(dy) <= range;
+  if (shape == NeighbourShape::hexagonal) return std::abs(dx - dy) <= range;
+  if (shape == NeighbourShape::euclidean) return dx * dx + dy * dy <= range * range;
+  if (shape == NeighbourShape::cross) return dx == 0 || dy == 0;
   if (shape == NeighbourShape::circular) return 4 * (dx * dx + dy * dy) < (2 * range + 1) * (2 * range + 1);
   return true;
 }
@@ -44,15 +47,27 @@ int nextMap(const Around& around, int x, int y, const CellRule& rule) {
   return aged(around.at(x, y), holds, holds, rule.states);
 }
 
+bool counted(const std::vector<CountRange>& ranges, int count) {
+  return std::ranges::any_of(ranges,
+                             [&](const CountRange& r) { return r.low <= count && count <= r.high; });
+}
+
 int nextWide(const Around& around, int x, int y, const CellRule& rule) {
   const WideRule& wide = rule.wide;
+  const auto worth = [&](int state) {
+    return wide.stateWeights.empty() ? state == 1 ? 1 : 0
+                                     : wide.stateWeights[static_cast<std::size_t>(state)];
+  };
+  const bool listed = wide.shape == NeighbourShape::places, flipped = wide.flips && (x + y) % 2 == 1;
   int count = 0;
-  for (int dy = -wide.range; dy <= wide.range; ++dy)
+  for (const NeighbourPlace& place : wide.places)
+    count += place.weight * worth(around.at(x + place.dx, y + (flipped ? -place.dy : place.dy)));
+  if (listed && !wide.middle) count -= worth(around.at(x, y));
+  for (int dy = -wide.range; !listed && dy <= wide.range; ++dy)
     for (int dx = -wide.range; dx <= wide.range; ++dx)
       if (near(wide.shape, wide.range, dx, dy) && (wide.middle || dx != 0 || dy != 0))
         count += around.at(x + dx, y + dy) == 1 ? 1 : 0;
-  return aged(around.at(x, y), count >= wide.bornMin && count <= wide.bornMax,
-              count >= wide.surviveMin && count <= wide.surviveMax, rule.states);
+  return aged(around.at(x, y), counted(wide.born, count), counted(wide.survive, count), rule.states);
 }
 
 int nextCyclic(const Around& around, int x, int y, const CellRule& rule) {
@@ -77,18 +92,22 @@ int nextTree(const Around& around, int x, int y, const RuleTree& tree) {
 
 }  // namespace
 
+std::uint8_t nextState(const std::vector<std::uint8_t>& cells, glm::ivec2 size, const CellRule& rule,
+                       const GridShape& shape, glm::ivec2 at) {
+  const Around around(cells, size, shape);
+  return static_cast<std::uint8_t>(
+      rule.family == CellRule::Family::wide     ? nextWide(around, at.x, at.y, rule)
+      : rule.family == CellRule::Family::cyclic ? nextCyclic(around, at.x, at.y, rule)
+      : rule.family == CellRule::Family::tree   ? nextTree(around, at.x, at.y, *rule.tree)
+                                                : nextMap(around, at.x, at.y, rule));
+}
+
 std::vector<std::uint8_t> nextStates(const std::vector<std::uint8_t>& cells, glm::ivec2 size,
                                      const CellRule& rule, const GridShape& shape) {
-  const Around around(cells, size, shape);
   std::vector<std::uint8_t> next;
   next.reserve(cells.size());
   for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x)
-      next.push_back(static_cast<std::uint8_t>(
-          rule.family == CellRule::Family::wide     ? nextWide(around, x, y, rule)
-          : rule.family == CellRule::Family::cyclic ? nextCyclic(around, x, y, rule)
-          : rule.family == CellRule::Family::tree   ? nextTree(around, x, y, *rule.tree)
-                                                    : nextMap(around, x, y, rule)));
+    for (int x = 0; x < size.x; ++x) next.push_back(nextState(cells, size, rule, shape, {x, y}));
   return next;
 }
 

@@ -12,6 +12,11 @@ std::vector<std::uint8_t> nextStates(const std::vector<std::uint8_t>& cells, glm
                                      const simreel::sim::CellRule& rule,
                                      const simreel::sim::GridShape& shape);
 
+/// Of one cell of it.
+std::uint8_t nextState(const std::vector<std::uint8_t>& cells, glm::ivec2 size,
+                       const simreel::sim::CellRule& rule, const simreel::sim::GridShape& shape,
+                       glm::ivec2 at);
+
 /// An automaton of several states on the CPU.
 class StatesTwin {
  public:

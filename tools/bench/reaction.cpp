@@ -4,6 +4,8 @@
 //
 //   bench_reaction [SIDE]     8192 on a GPU, 512 on a software driver
 //
+// "volume": the same in a volume of as many cells or fewer, 64 along each side or 256 on a GPU.
+//
 // Before that: what the kernels of each preset take from their text to their first steps, the driver's
 // cache left out where MESA_SHADER_CACHE_DISABLE=1.
 #include "gl/context.hpp"
@@ -58,6 +60,12 @@ sim::ReactionPlan asRule(int side) {
   return {p, "dish", 1, frameSeconds};
 }
 
+sim::ReactionPlan inVolume(int side) {
+  sim::ReactionParameters p = asRule(side).parameters();
+  p.depth = side;
+  return {p, "tank", 1, frameSeconds};
+}
+
 sim::ReactionPlan closed(int side) {
   sim::ReactionParameters p = asRule(side).parameters();
   p.boundary = sim::RuleBoundary::noFlux;
@@ -80,8 +88,8 @@ sim::ReactionPlan inCircle(int side, int species) {
   return {p, "dish", 1, frameSeconds};
 }
 
-void report(benchmark::State& state, int side, int steps) {
-  const double cells = static_cast<double>(state.iterations()) * steps * side * side;
+void report(benchmark::State& state, int side, int steps, int depth = 1) {
+  const double cells = static_cast<double>(state.iterations()) * steps * side * side * depth;
   state.counters["cell-steps/s"] = benchmark::Counter(cells, benchmark::Counter::kIsRate);
 }
 
@@ -110,7 +118,16 @@ void rule(benchmark::State& state, sim::ReactionPlan (*make)(int side), sim::Rul
     kernels.advance(0, steps, 0);
     glFinish();
   }
-  report(state, side, steps);
+  report(state, side, steps, plan.parameters().depth);
+}
+
+void plainVolume(benchmark::State& state) {
+  const int side = static_cast<int>(state.range(0));
+  plain::GrayScottVolume field(side);
+  const auto n = static_cast<std::size_t>(side);
+  for (std::size_t i = 0; i < n; ++i) field.v[(i * n + i) * n + n / 2] = 0.5F;
+  for (auto _ : state) field.step(0.21F, 0.105F, 0.04F, 0.06F, 1);
+  report(state, side, 1, side);
 }
 
 void evaluator(benchmark::State& state) {
@@ -132,9 +149,10 @@ void plainLoop(benchmark::State& state) {
 }
 
 /// Four planes copied by the processor: the bytes of a step and nothing else.
-void bytesAlone(benchmark::State& state) {
-  const int side = static_cast<int>(state.range(0));
-  const std::size_t cells = 2 * static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+void bytesAlone(benchmark::State& state, bool volume) {
+  const int side = static_cast<int>(state.range(0)), depth = volume ? side : 1;
+  const std::size_t cells =
+      2 * static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * static_cast<std::size_t>(depth);
   std::vector<float> from(cells, 1.0F), to(cells);
   for (auto _ : state) {
     for (std::size_t i = 0; i < cells; ++i) to[i] = from[i];
@@ -142,7 +160,7 @@ void bytesAlone(benchmark::State& state) {
     benchmark::ClobberMemory();
     std::swap(from, to);
   }
-  report(state, side, 1);
+  report(state, side, 1, depth);
 }
 
 void compileTimes() {
@@ -221,6 +239,14 @@ int main(int argc, char** argv) {
   }
   add("evaluator, one thread", side, evaluator);
   add("plain loop, one thread", side, plainLoop);
-  add("bytes alone, one thread", side, bytesAlone);
+  add("bytes alone, one thread", side, bytesAlone, false);
+  const int tank = software ? 64 : 256;
+  for (const int rows : {1, 2, 4, 8, 16, 32}) {
+    sim::RuleCut cut = sim::ReactionKernels::bestCut();
+    cut.volumeRows = rows;
+    add(fmt::format("volume, {} rows", rows), tank, rule, inVolume, cut, steps);
+  }
+  add("volume, plain loop, one thread", tank, plainVolume);
+  add("volume, bytes alone, one thread", tank, bytesAlone, true);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <cstring>
 #include <utility>
+#include <vector>
+
+#include <fmt/format.h>
 
 namespace simreel::shader::automata {
 #include "glsl/automata/bindings.glsl"
@@ -26,6 +29,29 @@ constexpr int spareItems = 64;
 /// Up to it 2 range + 1 cells fit a byte.
 constexpr int maxByteRange = 127;
 
+/// Beyond it an invocation of spans.comp may take more than 65,535 turns of its loops: a software driver
+/// ends them there, and says nothing.
+constexpr int maxSpansRange = 90;
+
+/// What wide.glsl asks of `count`.
+std::string anyOf(const std::vector<CountRange>& counts) {
+  std::string text;
+  for (const CountRange& range : counts)
+    text += fmt::format("{}(count>={}&&count<={})", text.empty() ? "" : "||", range.low, range.high);
+  return text.empty() ? "false" : "(" + text + ")";
+}
+
+/// How spans.comp and far.comp take the rows around a cell.
+void defineSpans(gl::Defines& defines, const std::vector<WideRule::Span>& spans) {
+  std::string lefts, rights;
+  for (const WideRule::Span& span : spans) {
+    lefts += (lefts.empty() ? "" : ",") + std::to_string(span.first);
+    rights += (rights.empty() ? "" : ",") + std::to_string(span.last);
+  }
+  defines.emplace_back("LEFTS", lefts);
+  defines.emplace_back("RIGHTS", rights);
+}
+
 void define(gl::Defines& defines, const char* name, int value) {
   defines.emplace_back(name, std::to_string(value));
 }
@@ -41,7 +67,10 @@ CellEngine::CellEngine(const CellRule& rule, const GridShape& shape, glm::ivec2 
       rowItems_(bits ? (size.x + 127) / 128 : (size.x + 15) / 16),
       paddedItems_((size.x + 15) / 16 + 2 * marginX_ / 16),
       states_(rule.states) {
-  const long items = long{paddedItems_} * (size.y + 2L * range_) + spareItems;
+  // Four times as much where sums are whole words (makeFar).
+  const bool far = rule.family == CellRule::Family::wide && rule.wide.shape != NeighbourShape::places &&
+                   range_ > (rule.wide.shape == NeighbourShape::moore ? maxByteRange : maxSpansRange);
+  const long items = long{paddedItems_} * (far ? 4 : 1) * (size.y + 2L * range_) + spareItems;
   // Single bytes are texels, too.
   const long max = std::min<long>(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels / 16);
   if (items > max)
@@ -49,7 +78,7 @@ CellEngine::CellEngine(const CellRule& rule, const GridShape& shape, glm::ivec2 
          "{} of {} x {} cells needs {} bytes in one buffer for this rule, this device allows {} "
          "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, GL_MAX_TEXTURE_BUFFER_SIZE); make \"size\" smaller",
          object, size.x, size.y, items * 16, max * 16);
-  padded_ = gl::WordsArray("padded cells", static_cast<int>(items));
+  padded_ = gl::WordsArray("padded cells", paddedItems_ * (size.y + 2 * range_) + spareItems);
   paddedWords_ = gl::Texture::view("padded words", GL_R32UI, padded_.buffer(), 4);
   paddedBytes_ = gl::Texture::view("padded bytes", GL_R8UI, padded_.buffer(), 1);
   gl::Defines pad = gl::kernelDefines(false);
@@ -128,27 +157,35 @@ void CellEngine::makeCyclic(const CellRule& rule) {
 
 void CellEngine::makeWide(const CellRule& rule) {
   const WideRule& wide = rule.wide;
-  // A column's sum is a byte there.
-  const bool square = wide.shape == NeighbourShape::moore && range_ <= maxByteRange;
-  // Long enough that the first sum of a segment costs little beside those that run.
-  items_ = bits_ ? std::max(1, range_ / 128) : std::max(4, range_ / 16);
   gl::Defines all = defines();
-  define(all, "RANGE", range_);
   define(all, "MIDDLE", wide.middle ? 1 : 0);
-  define(all, "SURVIVE_MIN", wide.surviveMin);
-  define(all, "SURVIVE_MAX", wide.surviveMax);
-  define(all, "BORN_MIN", wide.bornMin);
-  define(all, "BORN_MAX", wide.bornMax);
-  define(all, "ITEMS", items_);
-  if (!square) {
-    std::string reaches;
-    for (int dy = -range_; dy <= range_; ++dy)
-      reaches += (dy == -range_ ? "" : ",") + std::to_string(wide.reach(dy));
-    all.emplace_back("REACHES", reaches);
+  all.emplace_back("SURVIVES", anyOf(wide.survive));
+  all.emplace_back("BORN", anyOf(wide.born));
+  if (wide.shape == NeighbourShape::places) {
+    makePlaces(wide, std::move(all));
+  } else if (wide.shape == NeighbourShape::moore && range_ <= maxByteRange) {
+    makeRows(std::move(all));
+  } else {
+    // Long enough that the first sum of a segment costs little beside those that run.
+    items_ = bits_ ? std::max(1, range_ / 128) : std::max(4, range_ / 16);
+    if (range_ > maxSpansRange) {
+      makeFar(wide, std::move(all));
+      return;
+    }
+    std::vector<WideRule::Span> spans;
+    for (int dy = -range_; dy <= range_; ++dy) spans.push_back(wide.span(dy));
+    defineSpans(all, spans);
+    define(all, "RANGE", range_);
+    define(all, "ITEMS", items_);
     rule_ = gl::Program::compute("automata/spans.comp", all);
     setCommon(rule_);
-    return;
   }
+}
+
+void CellEngine::makeRows(gl::Defines all) {
+  items_ = bits_ ? std::max(1, range_ / 128) : std::max(4, range_ / 16);
+  define(all, "RANGE", range_);
+  define(all, "ITEMS", items_);
   rule_ = gl::Program::compute("automata/rows.comp", all);
   setCommon(rule_);
   gl::Defines down = defines();
@@ -161,23 +198,83 @@ void CellEngine::makeWide(const CellRule& rule) {
   sumWords_ = gl::Texture::view("sums of columns", GL_R32UI, sums_.buffer(), 4);
 }
 
+void CellEngine::makeFar(const WideRule& rule, gl::Defines all) {
+  items_ = 1;
+  lanes_ = bits_ ? 8 : 1;
+  const bool square = rule.shape == NeighbourShape::moore;
+  std::vector<WideRule::Span> spans;
+  if (square)
+    spans.push_back(rule.span(0));
+  else
+    for (int dy = -range_; dy <= range_; ++dy) spans.push_back(rule.span(dy));
+  defineSpans(all, spans);
+  define(all, "ROWS", static_cast<int>(spans.size()));
+  rule_ = gl::Program::compute("automata/far.comp", all);
+  rule_.set("range", range_);
+  setCommon(rule_);
+  rowSum_ = gl::Program::compute("automata/row_sums.comp", defines());
+  rowSum_.set("rows", size_.y + 2 * range_);
+  rowSum_.set("paddedItems", paddedItems_);
+  const auto array = [&](const char* name, int rows) {
+    return gl::WordsArray(name, paddedItems_ * 4 * rows + spareItems);
+  };
+  rowSums_ = array("sums of rows", size_.y + 2 * range_);
+  if (square) {
+    gl::Defines down = defines();
+    define(down, "RANGE", range_);
+    define(down, "ROWS", columnRows);
+    columns_ = gl::Program::compute("automata/window_sums.comp", down);
+    columns_.set("height", size_.y);
+    columns_.set("paddedItems", paddedItems_);
+    sums_ = array("sums of squares", size_.y);
+  }
+  sumWords_ = gl::Texture::view("sums", GL_R32UI, (square ? sums_ : rowSums_).buffer(), 4);
+}
+
+void CellEngine::makePlaces(const WideRule& rule, gl::Defines all) {
+  lanes_ = bits_ ? 8 : 1;
+  if (rule.flips) define(all, "FLIPPED", 1);
+  if (!rule.stateWeights.empty()) define(all, "STATE_WEIGHTS", 1);
+  rule_ = gl::Program::compute("automata/places.comp", all);
+  rule_.set("range", range_);
+  rule_.set("places", static_cast<int>(rule.places.size()));
+  setCommon(rule_);
+  std::vector<std::uint32_t> list;
+  for (const NeighbourPlace& place : rule.places) {
+    list.push_back(static_cast<std::uint32_t>(place.dx + 512 + (place.dy + 512) * 1024));
+    list.push_back(static_cast<std::uint32_t>(place.weight));
+  }
+  for (const int weight : rule.stateWeights) list.push_back(static_cast<std::uint32_t>(weight));
+  if (list.empty()) list.push_back(0);
+  tree_ = gl::Buffer::of<std::uint32_t>("places", list);
+  treeItems_ = gl::Texture::view("places", GL_R32UI, tree_, 4);
+}
+
 void CellEngine::run(const gl::WordsArray& from, const gl::WordsArray& to) {
   from.bindInput(bind::cellsBinding);
   padded_.bindState(bind::paddedBinding);
   pad_.dispatch(paddedItems_, size_.y + 2 * range_);
   gl::barrier();
-  if (sumWords_) {
+  const bool sumsRows = rowSum_.name() != 0;
+  if (sumsRows) {
+    padded_.bindInput(bind::paddedBinding);
+    rowSums_.bindState(bind::sumsBinding);
+    rowSum_.dispatch(size_.y + 2 * range_);
+    gl::barrier();
+    rowSums_.bindInput(bind::rowSumsBinding);
+  }
+  if (columns_.name() != 0) {
     padded_.bindInput(bind::paddedBinding);
     sums_.bindState(bind::sumsBinding);
-    columns_.dispatch(paddedItems_, (size_.y + columnRows - 1) / columnRows);
+    columns_.dispatch(paddedItems_ * (sumsRows ? 4 : 1), (size_.y + columnRows - 1) / columnRows);
     gl::barrier();
-    sumWords_.bind(bind::sumsBinding);
   }
+  if (sumWords_) sumWords_.bind(bind::sumsBinding);
   paddedWords_.bind(bind::wordsBinding);
   paddedBytes_.bind(bind::bytesBinding);
   if (treeItems_) treeItems_.bind(bind::treeBinding);
   to.bindState(bind::nextCellsBinding);
-  rule_.dispatch((rowItems_ + items_ - 1) / items_, size_.y);
+  rule_.dispatch((rowItems_ + items_ - 1) / items_ * lanes_, size_.y);
 }
 
 }  // namespace simreel::sim

@@ -26,12 +26,17 @@ class CellEngine {
   void run(const gl::WordsArray& from, const gl::WordsArray& to);
 
   /// Bytes of the padded cells, and of the sums of columns where there are any.
-  [[nodiscard]] std::size_t bytes() const { return padded_.buffer().bytes() + sums_.buffer().bytes(); }
+  [[nodiscard]] std::size_t bytes() const {
+    return padded_.buffer().bytes() + sums_.buffer().bytes() + rowSums_.buffer().bytes();
+  }
 
  private:
   void makeNine(const CellRule& rule);
   void makeCyclic(const CellRule& rule);
   void makeWide(const CellRule& rule);
+  void makeRows(gl::Defines all);
+  void makeFar(const WideRule& rule, gl::Defines all);
+  void makePlaces(const WideRule& rule, gl::Defines all);
   void setCommon(const gl::Program& program) const;
   [[nodiscard]] gl::Defines defines() const;
 
@@ -39,10 +44,11 @@ class CellEngine {
   bool bits_;
   int range_, marginX_, rowItems_, paddedItems_, items_ = 1;
   int states_;
-  gl::WordsArray padded_, sums_;
+  int lanes_ = 1;  ///< invocations that write an element
+  gl::WordsArray padded_, rowSums_, sums_;
   gl::Texture paddedWords_, paddedBytes_, sumWords_, treeItems_;
   gl::Buffer tree_;
-  gl::Program pad_, columns_, rule_;
+  gl::Program pad_, rowSum_, columns_, rule_;
 };
 
 }  // namespace simreel::sim

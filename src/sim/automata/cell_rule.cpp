@@ -30,7 +30,6 @@ std::string bareName(std::string_view text) {
 /// Notations of Golly's help and of the LifeWiki.
 const char* otherKind(std::string_view text) {
   const std::string low = lowerText(text);
-  if (low.size() > 1 && low[0] == 'w' && isDigit(low[1])) return "one of Wolfram's rules of a single row";
   if ((low.size() > 1 && low[0] == 'm' && isDigit(low[1])) || low.starts_with("margolus"))
     return "a rule of blocks (Margolus)";
   if ((low[0] == 'b' || low[0] == 's' || isDigit(low[0])) && low.back() == 'l' &&
@@ -42,6 +41,7 @@ const char* otherKind(std::string_view text) {
 RuleProblem parseAnyNotation(std::string_view text, const std::string& low, CellRule& rule) {
   const bool digit = isDigit(low[0]);
   if (low.starts_with("map")) return parseMap(text, rule);
+  if (low.size() > 1 && low[0] == 'w' && isDigit(low[1])) return parseWolfram(text, rule);
   if (low.size() > 1 && low[0] == 'r' && isDigit(low[1]))
     return low.find(',') != std::string::npos ? parseWide(text, rule) : parseCyclic(text, rule);
   if (digit && low.find(',') != std::string::npos) return parseWide(text, rule);
@@ -117,7 +117,9 @@ RuleProblem takeRuleNumber(std::string_view text, std::size_t& at, const char* w
 bool isRuleName(std::string_view text) {
   const std::string low = lowerText(text);
   if (low.empty() || low[0] < 'a' || low[0] > 'z' || otherKind(text) != nullptr) return false;
-  if (low.size() > 1 && (low[0] == 'b' || low[0] == 's' || low[0] == 'r') && isDigit(low[1])) return false;
+  if (low.size() > 1 && (low[0] == 'b' || low[0] == 's' || low[0] == 'r' || low[0] == 'w') &&
+      isDigit(low[1]))
+    return false;
   return std::all_of(low.begin(), low.end(),
                      [](char c) {
                        return isDigit(c) || (c >= 'a' && c <= 'z') || c == '-' || c == '_' || c == '+' ||
@@ -145,7 +147,8 @@ RuleProblem parseCellRule(std::string_view text, CellRule& rule) {
   const bool letter = low[0] >= 'a' && low[0] <= 'z';
   if (const char* kind = otherKind(text))
     problem.message = fmt::format("this is {}, which is not known", kind);
-  else if (letter && low[0] != 'b' && low[0] != 's' && low[0] != 'r' && !low.starts_with("map"))
+  else if (letter && low[0] != 'b' && low[0] != 's' && low[0] != 'r' && !low.starts_with("map") &&
+           !(low[0] == 'w' && low.size() > 1 && isDigit(low[1])))
     problem = {0,
                "this names a rule that is not known: neither a notation nor one of those that "
                "`simreel list life` names; a .rule file is given as \"ruleFile\""};

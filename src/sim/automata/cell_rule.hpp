@@ -20,19 +20,37 @@ struct LifeRule {
 };
 
 /// Which cells around one are its neighbours: all within the range r in both directions; |dx| + |dy| <= r;
-/// (r = 1 only) those of Moore but the upper right and the lower left one; dx^2 + dy^2 < (r + 1/2)^2.
-enum class NeighbourShape { moore, vonNeumann, hexagonal, circular };
+/// |dx - dy| <= r, too (a hexagon of cells that lie askew); dx^2 + dy^2 < (r + 1/2)^2; dx^2 + dy^2 <= r^2;
+/// dx = 0 or dy = 0; those that a list names.
+enum class NeighbourShape { moore, vonNeumann, hexagonal, circular, euclidean, cross, places };
+
+/// Counts from `low` to `high`.
+struct CountRange {
+  int low, high;
+};
+
+/// A cell that is counted, from the middle on, and how often.
+struct NeighbourPlace {
+  int dx, dy, weight;
+  bool operator==(const NeighbourPlace&) const = default;
+};
 
 /// Larger than Life (Evans 1996): how many cells of state 1 lie around decides.
 struct WideRule {
   int range = 1;
   bool middle = false;  ///< whether a cell counts itself
-  int surviveMin = 2, surviveMax = 3, bornMin = 3, bornMax = 3;
+  std::vector<CountRange> survive{{2, 3}}, born{{3, 3}};
   NeighbourShape shape = NeighbourShape::moore;
-  /// Of a row `dy` from the middle, neighbours reach so far to both sides; below 0: there are none.
-  [[nodiscard]] int reach(int dy) const;
-  /// Cells counted, the middle with them where that counts.
-  [[nodiscard]] int cells() const;
+  std::vector<NeighbourPlace> places;  ///< the middle among them; of shape `places` alone
+  bool flips = false;                  ///< dy the other way round where x + y is odd (triangles)
+  std::vector<int> stateWeights;  ///< how often cells of each state count; empty: those of state 1 once
+  /// Columns from the middle's to the first and to the last of a row's neighbours; first > last: none.
+  struct Span {
+    int first, last;
+  };
+  [[nodiscard]] Span span(int dy) const;
+  /// The highest count there is, that of the middle with it.
+  [[nodiscard]] int most() const;
 };
 
 /// Cyclic automata (Griffeath 1988): a cell takes the next state, after the last 0, where at least
@@ -98,7 +116,14 @@ struct RuleProblem {
 ///   B2/S013V, B2/S34H    four neighbours (von Neumann), six (hexagonal)
 ///   MAP...               512, 128 or 32 bits in base64: every neighbourhood
 ///   /2/3, B2/S/C3        Generations: the last number counts states; also with letters, V, H and MAP
-///   R5,C0,M1,S34..58,B34..45,NM    Larger than Life; NN von Neumann, NC circular; also 5,34,45,34,58
+///   W110                 one of Wolfram's rules of a row (even ones): what is alive stays, and the three
+///                        cells above decide whether one is born
+///   R5,C0,M1,S34..58,B34..45,NM    Larger than Life; also 5,34,45,34,58
+///   R2,C0,S2-3,8,B3,12-14,NN       the same with lists of counts; NM may be left out
+///                        NN von Neumann, NC circular, N2 Euclidean, N+ cross, NX saltire, N* star, N#
+///                        hash, NB and ND checkerboards, NH hexagonal, NA asterisk, N3 tripod, NL
+///                        triangular, NG Gaussian, N@ and hexadecimal digits: a bit a cell; NW: its weight,
+///                        then ",012A": those of states
 ///   R1/T3/C3/NM          cyclic: range, threshold, states, neighbourhood
 /// and the names of rulePresets().
 [[nodiscard]] RuleProblem parseCellRule(std::string_view text, CellRule& rule);

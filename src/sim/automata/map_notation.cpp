@@ -71,4 +71,27 @@ RuleProblem parseMap(std::string_view text, CellRule& rule) {
   return {};
 }
 
+RuleProblem parseWolfram(std::string_view text, CellRule& rule) {
+  std::size_t at = 1;
+  int number = 0;
+  if (RuleProblem problem = takeRuleNumber(text, at, "the rule's number", 0, 255, number);
+      !problem.message.empty())
+    return problem;
+  if (at < text.size()) return {at, fmt::format("{} after the end of the rule", shownCharacter(text, at))};
+  if (number % 2 != 0)
+    return {
+        1, fmt::format(
+               "{} is odd: all rows would be born at once; Wolfram's rules of a row have even numbers here",
+               number)};
+  rule = CellRule();
+  rule.family = CellRule::Family::map;
+  for (unsigned i = 0; i < 512; ++i) {
+    const unsigned above = (i & 1U) * 4 + (i >> 1 & 1U) * 2 + (i >> 2 & 1U);
+    if ((i >> 4 & 1U) != 0 || (static_cast<unsigned>(number) >> above & 1U) != 0)
+      rule.map[i / 32] |= 1U << (i % 32);
+  }
+  rule.name = fmt::format("W{}", number);
+  return {};
+}
+
 }  // namespace simreel::sim

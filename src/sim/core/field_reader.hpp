@@ -9,8 +9,9 @@ namespace simreel::sim {
 struct FieldParts {
   virtual ~FieldParts() = default;
   [[nodiscard]] virtual std::vector<std::string> fieldParts() const = 0;
-  /// Whether its cells are no grid, but those of a mesh.
-  [[nodiscard]] virtual bool isOnMesh() const { return false; }
+  /// Where its cells are no grid of the picture: what an object is on, and who takes its field, as " on a
+  /// mesh, whose field only one on the same mesh takes".
+  [[nodiscard]] virtual std::string takenBy() const { return {}; }
 
  protected:
   FieldParts() = default;
@@ -29,7 +30,8 @@ struct FieldReading {
   };
   virtual ~FieldReading() = default;
   [[nodiscard]] virtual std::vector<From> readsFields() const = 0;
-  /// Whether it takes fields of an object whose cells are no grid: cell by cell.
+  /// Whether it takes fields of an object whose cells are no grid of the picture: of the same mesh cell by
+  /// cell, of a volume of the same proportions.
   [[nodiscard]] virtual bool readsCellsOf(const FieldParts& /*other*/) const { return false; }
 
  protected:
@@ -44,6 +46,8 @@ struct FieldReading {
 class FieldReader {
  public:
   virtual ~FieldReader() = default;
+  /// Once, before readOthers: whose field it is that has this name.
+  virtual void meets(const std::string& /*field*/, const FieldParts& /*owner*/) {}
   /// Before any object of a frame steps, and once when all are made: takes in the fields as they are then,
   /// so that no order counts and objects may read one another.
   virtual void readOthers() = 0;

@@ -279,7 +279,12 @@ SimulationKind lifeKind() {
         "  B2/S013V, B2/S34H         of four (von Neumann), of six (hexagonal)\n"
         "  MAP...                    every neighbourhood, in base64 as Golly has it\n"
         "  345/2/4, B2/S345/C4       Generations: states at the end; also with letters, V, H, MAP\n"
-        "  R5,C0,M1,S34..58,B34..45,NM  Larger than Life; NN von Neumann, NC circular\n"
+        "  W110                      Wolfram's of a row (even ones): each row from the one above\n"
+        "  R5,C0,M1,S34..58,B34..45,NM  Larger than Life; NN von Neumann, NC circular, N2 Euclidean,\n"
+        "                            N+ cross, NX saltire, N* star, N# hash, NB and ND checkerboards,\n"
+        "                            NH hexagonal, NA asterisk, N3 tripod, NL triangular, NG Gaussian\n"
+        "  R2,C0,S2-3,8,B3,NN        the same with lists of counts, without the middle\n"
+        "  R2,C0,S2-4,B3-4,N@891891  a bit a cell, in base 16; ...NW0121...: a digit or two, its weight\n"
         "  R1/T3/C3/NM               cyclic: range, threshold, states, neighbourhood (NM, NN)\n"
         "Rules by name:\n";
     for (const RulePreset& preset : rulePresets())

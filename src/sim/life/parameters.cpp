@@ -47,7 +47,9 @@ void LifeParameters::describe(scene::Fields& f) {
       "rule", rule,
       "\"B3/S23\" (or \"23/3\", survival first), with letters of arrangements (\"B2-a/S12\"), of four or "
       "six "
-      "neighbours (V, H); Generations (\"/2/3\"), Larger than Life, cyclic, MAP, or a name: see below. Not "
+      "neighbours (V, H); Generations (\"/2/3\"), Larger than Life, cyclic, MAP, Wolfram's (\"W110\"), or "
+      "a "
+      "name: see below. Not "
       "given: of the first pattern that names one, else B3/S23.");
   if (!rule.empty()) {
     CellRule read;

@@ -39,6 +39,7 @@ class KernelWriter {
   KernelWriter(const Rule& rule, const RulePass& pass, RuleSpace space, RuleBoundary boundary,
                unsigned seed, const RuleCut& cut)
       : rule_(rule), pass_(pass), space_(space), boundary_(boundary), seed_(seed), cut_(cut) {
+    if (isVolume()) cut_.rows = cut.volumeRows;
     for (const RulePass::Read& read : pass.reads) {
       Use& use = uses_[read.plane];
       use.above = use.above || (read.op != RuleOp::species && !isMesh());

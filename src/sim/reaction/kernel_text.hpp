@@ -16,6 +16,7 @@ struct RuleCut {
   int stripSpecies = maxSpecies;  ///< rules of more go one step a pass: of each, four rows of every step
                                   ///< are held in registers
   double stripsAfter = 0;  ///< cells times steps that go one a pass before strips are worth compiling
+  int volumeRows = 2;      ///< `rows` of a volume
 };
 
 /// Whether a rule's steps can go several a pass: by Euler's method on a grid whose width is a multiple of

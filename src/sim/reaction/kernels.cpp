@@ -85,6 +85,8 @@ RuleCut ReactionKernels::bestCut() {
   RuleCut cut;
   const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
   cut.rows = texel ? 2 : 1;
+  // The row above and the one below, each of three layers, are loaded once for all of them.
+  cut.volumeRows = texel ? 16 : 1;
   cut.stepsPerPass = texel ? 4 : 2;
   cut.stripElements = texel ? 6 : 1;
   // More have the same bits. A software driver takes 7 s of a processor to compile strips of 3 species and
@@ -100,7 +102,7 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
     : plan_(plan),
       size_(plan.parameters().size),
       depth_(plan.parameters().depth),
-      layerItems_((size_.y - 1) / cut.rows + 1),
+      layerItems_((size_.y - 1) / (depth_ > 1 ? cut.volumeRows : cut.rows) + 1),
       columns_((size_.x + 3) / 4),
       cut_(cut) {
   const RuleProgram& program = plan.program();
@@ -296,25 +298,26 @@ void ReactionKernels::show(long number, long first) {
   gl::barrier();
 }
 
-const gl::Program& ReactionKernels::samplerOf(Field::Cells cells) {
-  const auto found = samplers_.find(cells);
+const gl::Program& ReactionKernels::samplerOf(Field::Cells cells, bool layers) {
+  const auto found = samplers_.find({cells, layers});
   if (found != samplers_.end()) return found->second;
   gl::Defines defines = gl::kernelDefines(false);
   defines.emplace_back("CELLS", std::to_string(static_cast<int>(cells)));
+  if (layers) defines.emplace_back("LAYERS", "1");
   if (plan_.links() != nullptr) defines.emplace_back("MESH", "1");
   gl::Program program = gl::Program::compute("reaction/sample.comp", defines);
   program.set("size", size_);
   program.set("columns", columns_);
   program.set("depth", depth_);
   program.set("storedGrain", storedGrain);
-  return samplers_.emplace(cells, std::move(program)).first->second;
+  return samplers_.emplace(std::pair(cells, layers), std::move(program)).first->second;
 }
 
-void ReactionKernels::take(int parameter, const Field& field) {
-  if (std::max(field.size.x, field.size.y) > maxSampledSide)
+void ReactionKernels::take(int parameter, const Field& field, int layers) {
+  if (std::max(field.size.x, field.size.y / layers) > maxSampledSide)
     fail(ExitCode::usage, "the field \"{}\" has {}x{} cells; as a parameter it may have up to {} across",
          *field.name, field.size.x, field.size.y, maxSampledSide);
-  const gl::Program& sampler = samplerOf(field.cells);
+  const gl::Program& sampler = samplerOf(field.cells, layers > 1);
   sampler.set("plane", parameter);
   sampler.set("fieldSize", field.size);
   sampler.set("rowWords", field.rowWords);
@@ -328,7 +331,8 @@ void ReactionKernels::take(int parameter, const Field& field) {
   field.words->bind(bindings::stageBinding);
   weights_.bindState(bindings::nextBinding);
   gl::barrier();
-  sampler.dispatch(columns_, size_.y);
+  if (layers > 1) sampler.set("fieldLayers", layers);
+  sampler.dispatch(columns_, size_.y * (layers > 1 ? depth_ : 1));
 }
 
 void ReactionKernels::paint(const ReactionPlan::Painted& painted) {

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace simreel::sim {
@@ -24,8 +25,9 @@ class ReactionKernels {
   void setValues(const std::vector<float>& values);
   /// Steps from that number on; `first`: that of the first state, where the model's time is 0.
   void advance(long number, int steps, long first);
-  /// Takes a field as the map of a parameter. Throws UserError(usage) where it is too wide.
-  void take(int parameter, const Field& field);
+  /// Takes a field as the map of a parameter; one of more than one layer is a volume's. Throws
+  /// UserError(usage) where it is too wide.
+  void take(int parameter, const Field& field, int layers = 1);
   /// Maps of parameters; empty without any.
   [[nodiscard]] gl::Vec4Array& maps() { return weights_; }
   void paint(const ReactionPlan::Painted& painted);
@@ -54,7 +56,7 @@ class ReactionKernels {
   void step(long number, long first);
   /// Several steps, in strips.
   void strips(long number);
-  const gl::Program& samplerOf(Field::Cells cells);
+  const gl::Program& samplerOf(Field::Cells cells, bool layers);
   void makeStrips();
   void tellLost(long first, int steps);
   void run(int pass, const gl::Vec4Array& stage, const gl::Vec4Array& next, long number);
@@ -78,8 +80,8 @@ class ReactionKernels {
   gl::WordsArray stamps_, links_, places_;
   gl::Buffer status_;
   gl::Program paint_;
-  std::map<Field::Cells, gl::Program> samplers_;  ///< of other objects' fields
-  std::vector<Kernel> kernels_;                   ///< one a pass
+  std::map<std::pair<Field::Cells, bool>, gl::Program> samplers_;  ///< of other objects' fields; of volumes
+  std::vector<Kernel> kernels_;                                    ///< one a pass
   gl::Program strips_, lost_;
   gl::Buffer lostCells_;  ///< the lowest that is lost in each of some steps
   std::vector<float> values_;

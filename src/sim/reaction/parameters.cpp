@@ -84,10 +84,12 @@ void ReactionParameters::describe(scene::Fields& f) {
         p.asset("image", parameter.image,
                 "Picture that sets it: \"value\" where it is black, \"white\" where white.");
         p.number("white", parameter.white, scene::anyNumber, "", "Value where \"image\" is white.");
-        p.text("field", parameter.field,
-               "Name of another object's field whose values it has, NAME or NAME.u, as that is when "
-               "the frame begins; both grids cover the same, bilinear between cells. On a mesh it lies "
-               "as \"maps\" says, or is one of the same mesh, cell by cell.");
+        p.text(
+            "field", parameter.field,
+            "Name of another object's field whose values it has, NAME or NAME.u, as that is when "
+            "the frame begins; both grids cover the same, bilinear between cells. On a mesh it lies "
+            "as \"maps\" says, or is one of the same mesh, cell by cell. In a volume it is the same in all "
+            "layers, or that of a volume of the same proportions, trilinear.");
         p.leftOut("field", "none");
         for (const char* other : {"value", "across", "down", "image", "white"})
           if (!parameter.field.empty() && p.given(other))
@@ -256,7 +258,20 @@ std::vector<FieldReading::From> ReactionParameters::readsFields() const {
 
 bool ReactionParameters::readsCellsOf(const FieldParts& other) const {
   const auto* reaction = dynamic_cast<const ReactionParameters*>(&other);
-  return reaction != nullptr && mesh.present && reaction->mesh.present && mesh.isMadeAs(reaction->mesh);
+  if (reaction == nullptr || space() != reaction->space()) return false;
+  if (space() == RuleSpace::mesh) return mesh.isMadeAs(reaction->mesh);
+  const auto alike = [&](int side, int theirs) {
+    return std::int64_t{side} * reaction->size.x == std::int64_t{theirs} * size.x;
+  };
+  return space() == RuleSpace::volume && alike(size.y, reaction->size.y) && alike(depth, reaction->depth);
+}
+
+std::string ReactionParameters::takenBy() const {
+  if (space() == RuleSpace::mesh) return " on a mesh, whose field only one on the same mesh takes";
+  if (space() == RuleSpace::volume)
+    return fmt::format(" in a volume of {} cells, whose field only a volume of the same proportions takes",
+                       cellsText());
+  return {};
 }
 
 int ReactionParameters::painted(const ReactionStroke& stroke) const {

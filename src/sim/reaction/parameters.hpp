@@ -110,9 +110,9 @@ struct ReactionParameters : ObjectParameters, FieldParts, FieldReading {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return space() == RuleSpace::plane; }
   [[nodiscard]] std::vector<std::string> fieldParts() const override;
-  [[nodiscard]] bool isOnMesh() const override { return mesh.present; }
+  [[nodiscard]] std::string takenBy() const override;
   [[nodiscard]] std::vector<From> readsFields() const override;
-  /// Of the same mesh, cell by cell.
+  /// Of the same mesh, cell by cell; of a volume of the same proportions.
   [[nodiscard]] bool readsCellsOf(const FieldParts& other) const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;

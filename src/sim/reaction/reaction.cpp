@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -52,13 +53,20 @@ class Reaction : public Simulation, public FieldReader, public Retunable {
     look(setting.startTime);
   }
 
+  void meets(const std::string& field, const FieldParts& owner) override {
+    if (const auto* other = dynamic_cast<const ReactionParameters*>(&owner);
+        other != nullptr && other->space() == RuleSpace::volume)
+      layersOf_[field] = other->depth;
+  }
   void readOthers() override {
     const std::vector<ReactionParameter>& parameters = plan_.parameters().parameters;
     bool reads = false;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       if (parameters[i].field.empty()) continue;
       reads = true;
-      kernels_.take(static_cast<int>(i), fieldNamed_(parameters[i].field));
+      const auto layers = layersOf_.find(parameters[i].field);
+      kernels_.take(static_cast<int>(i), fieldNamed_(parameters[i].field),
+                    layers == layersOf_.end() ? 1 : layers->second);
     }
     if (reads && !std::exchange(hasRead_, true)) look(shownTime_);
   }
@@ -270,7 +278,8 @@ class Reaction : public Simulation, public FieldReader, public Retunable {
   scene::Material material_;
   double frameSeconds_;
   std::function<Field(const std::string& name)> fieldNamed_;
-  bool hasRead_ = false;  ///< fields of others, ever
+  bool hasRead_ = false;                 ///< fields of others, ever
+  std::map<std::string, int> layersOf_;  ///< of volumes that it reads, by the fields' names
   std::vector<std::string> speciesNames_;
   ReactionPlan plan_;
   ReactionKernels kernels_;

@@ -25,14 +25,24 @@ class Sampled {
     SIMREEL_CHECK_EQ(values.size(), width_ * static_cast<std::size_t>(sources.y));
   }
   [[nodiscard]] float between(const Between& across, const Between& down) const {
-    const float above =
-        betweenOf(at(across.before, down.before), at(across.after, down.before), across.share);
-    const float below =
-        betweenOf(at(across.before, down.after), at(across.after, down.after), across.share);
-    return grained(betweenOf(above, below, down.share), storedGrain);
+    return grained(inLayer(across, down, 0), storedGrain);
+  }
+  /// In layers of so many rows.
+  [[nodiscard]] float between(const Between& across, const Between& down, const Between& deep,
+                              int rows) const {
+    return grained(betweenOf(inLayer(across, down, deep.before * rows),
+                             inLayer(across, down, deep.after * rows), deep.share),
+                   storedGrain);
   }
 
  private:
+  [[nodiscard]] float inLayer(const Between& across, const Between& down, int top) const {
+    const float above =
+        betweenOf(at(across.before, top + down.before), at(across.after, top + down.before), across.share);
+    const float below =
+        betweenOf(at(across.before, top + down.after), at(across.after, top + down.after), across.share);
+    return betweenOf(above, below, down.share);
+  }
   [[nodiscard]] float at(int x, int y) const {
     return storedSample(values_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)]);
   }
@@ -50,6 +60,21 @@ std::vector<float> sampledOnGrid(const std::vector<float>& values, glm::ivec2 so
     const Between down = shader::reaction::betweenCells(y, size.y, sources.y);
     for (int x = 0; x < size.x; ++x)
       sampled.push_back(source.between(shader::reaction::betweenCells(x, size.x, sources.x), down));
+  }
+  return sampled;
+}
+
+std::vector<float> sampledInVolume(const std::vector<float>& values, glm::ivec3 sources, glm::ivec3 size) {
+  const Sampled source(values, {sources.x, sources.y * sources.z});
+  std::vector<float> sampled;
+  for (int z = 0; z < size.z; ++z) {
+    const Between deep = shader::reaction::betweenCells(z, size.z, sources.z);
+    for (int y = 0; y < size.y; ++y) {
+      const Between down = shader::reaction::betweenCells(y, size.y, sources.y);
+      for (int x = 0; x < size.x; ++x)
+        sampled.push_back(
+            source.between(shader::reaction::betweenCells(x, size.x, sources.x), down, deep, sources.y));
+    }
   }
   return sampled;
 }

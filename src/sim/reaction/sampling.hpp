@@ -2,6 +2,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace simreel::sim {
 
@@ -10,6 +11,10 @@ namespace simreel::sim {
 [[nodiscard]] std::vector<float> sampledOnGrid(const std::vector<float>& values, glm::ivec2 sources,
                                                glm::ivec2 size);
 inline constexpr int maxSampledSide = 32768;
+
+/// The same in a volume, layer after layer: trilinear.
+[[nodiscard]] std::vector<float> sampledInVolume(const std::vector<float>& values, glm::ivec3 sources,
+                                                 glm::ivec3 size);
 
 /// The same at places in mapParts of its width and height (mapPlaces).
 [[nodiscard]] std::vector<float> sampledAt(const std::vector<float>& values, glm::ivec2 sources,

@@ -19,9 +19,11 @@ const ObjectParameters* parametersAt(const scene::Object& object) {
   return dynamic_cast<const ObjectParameters*>(object.parameters.get());
 }
 
-bool isOnMesh(const ObjectParameters* parameters) {
+/// What an object is that offers no field to all.
+std::string noFieldOf(const ObjectParameters* parameters) {
   const auto* parts = dynamic_cast<const FieldParts*>(parameters);
-  return parts != nullptr && parts->isOnMesh();
+  const std::string takenBy = parts == nullptr ? std::string() : parts->takenBy();
+  return takenBy.empty() ? ", not a field" : takenBy;
 }
 
 /// What a name of a field leads to: nothing where there is one, else what is wrong with it.
@@ -56,12 +58,10 @@ std::string fieldMistake(const std::string& name, const char* unnamed, bool part
     return fmt::format("object \"{}\" has no field {}; known here: {}", owner, scene::inQuotes(name),
                        fmt::join(fields, ", "));
   }
-  const std::string what =
-      name.empty()    ? unnamed
-      : of == nullptr ? fmt::format("no object is named {}", scene::inQuotes(owner))
-                      : fmt::format("object \"{}\" is a {}{}", owner, named->kind,
-                                    isOnMesh(of) ? " on a mesh, whose field only one on the same mesh takes"
-                                                 : ", not a field");
+  const std::string what = name.empty() ? unnamed
+                           : of == nullptr
+                               ? fmt::format("no object is named {}", scene::inQuotes(owner))
+                               : fmt::format("object \"{}\" is a {}{}", owner, named->kind, noFieldOf(of));
   return fmt::format("{}; {}", what,
                      fields.empty() ? "the scene has no field" : scene::suggestion(name, fields));
 }

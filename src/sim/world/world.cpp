@@ -175,11 +175,16 @@ struct World::State {
 
   void findRead(const scene::Scene& scene) {
     isRead.resize(names.size());
-    for (const scene::Object& object : scene.objects)
-      if (const auto* reading = dynamic_cast<const FieldReading*>(object.parameters.get()))
+    for (std::size_t k = 0; k < names.size(); ++k)
+      if (const auto* reading = dynamic_cast<const FieldReading*>(scene.objects[k].parameters.get()))
         for (const FieldReading::From& from : reading->readsFields())
-          for (std::size_t i = 0; i < names.size(); ++i)
-            if (isOf(from.name, names[i])) isRead[i] = true;
+          for (std::size_t i = 0; i < names.size(); ++i) {
+            if (!isOf(from.name, names[i])) continue;
+            isRead[i] = true;
+            auto* reader = dynamic_cast<FieldReader*>(objects[k].get());
+            const auto* owner = dynamic_cast<const FieldParts*>(scene.objects[i].parameters.get());
+            if (reader != nullptr && owner != nullptr) reader->meets(from.name, *owner);
+          }
     for (const std::size_t i : order)
       if (auto* reader = dynamic_cast<FieldReader*>(objects[i].get())) readers.push_back(reader);
   }

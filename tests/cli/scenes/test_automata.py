@@ -19,9 +19,11 @@ class Families(Case):
         self.assertTrue(any(living for _, _, living in results))
 
     def test_soups_of_every_family(self):
-        for family in golly.FAMILIES:
-            far = family == "far"  # thousands of cells around each
-            self.hold(golly.soups(family, 3 if far else 4, 1), 3 if far else 40)
+        for family in golly.FAMILIES + (golly.NEWER if golly.version() >= (4, 0) else []):
+            if family != "far":  # thousands of cells around each
+                self.hold(golly.soups(family, 4, 1), 40)
+        far = [case for case in golly.soups("far", 20, 1) if max(case["size"]) < 320]
+        self.hold(far[:4], 3)
 
     def test_rules_that_live(self):
         """Soups that have not died out or filled up after 60 generations."""
@@ -65,6 +67,43 @@ class Families(Case):
         left = min(x for (x, _), s in last.items() if s == 2)
         self.assertEqual({(x - left, (y - wall + height) % (height + 1)): s for (x, y), s in last.items() if s == 1}, end[3])
         self.assertGreater(len(end[3]), 5)
+
+
+class Shapes(Case):
+    """Neighbourhoods that Golly 3 does not know, by their definitions: whether a cell (dx, dy) away counts in range r."""
+    DRAWN = {"2": lambda dx, dy, r: dx * dx + dy * dy <= r * r, "+": lambda dx, dy, r: dx * dy == 0,
+             "X": lambda dx, dy, r: abs(dx) == abs(dy), "*": lambda dx, dy, r: dx * dy == 0 or abs(dx) == abs(dy),
+             "#": lambda dx, dy, r: abs(dx) == 1 or abs(dy) == 1, "B": lambda dx, dy, r: (dx + dy) % 2 == 1,
+             "D": lambda dx, dy, r: (dx + dy) % 2 == 0, "H": lambda dx, dy, r: abs(dx - dy) <= r,
+             "A": lambda dx, dy, r: dx * dy == 0 or dx == dy, "3": lambda dx, dy, r: dx == 0 > dy or dy == 0 > dx or dx == dy > 0}
+
+    def test_shapes(self):
+        width, height, steps = 23, 17, 4
+        cases = [(f"R{r},C{states},S2-4,6,B3-5,N{letter}", states, r, drawn) for letter, drawn in self.DRAWN.items()
+                 for r, states in ((2, 2), (3, 4))]
+        objects = {f"c{i}": {"life": {"size": [width, height], "rule": rule, "fill": 0.4, "stepsPerSecond": 10 * steps}}
+                   for i, (rule, *_) in enumerate(cases)}
+        self.write("s.json", {"version": 1, "seed": 7, "render": {"size": [64, 36], "samples": 1},
+                              "time": {"fps": 10, "duration": 0.2}, "objects": objects})
+        self.good("bake", "s.json", "-o", "out", "--frames", "0,1", "--format", "rle")
+        for i, (rule, states, r, drawn) in enumerate(cases):
+            (_, _, said, cells), (*_, last) = (golly.read_rle((self.folder / f"out/c{i}_{f:06}.rle").read_text(encoding="ascii"))
+                                               for f in (0, 1))
+            around = [(dx, dy) for dx in range(-r, r + 1) for dy in range(-r, r + 1) if (dx, dy) != (0, 0) and drawn(dx, dy, r)]
+            for _ in range(steps):
+                new = {}
+                for x in range(width):
+                    for y in range(height):
+                        state = cells.get((x, y), 0)
+                        count = sum(cells.get(((x + dx) % width, (y + dy) % height)) == 1 for dx, dy in around)
+                        if state == 0:
+                            new[x, y] = int(3 <= count <= 5)
+                        else:
+                            new[x, y] = 1 if state == 1 and count in (2, 3, 4, 6) else (state + 1) % states
+                cells = {at: state for at, state in new.items() if state}
+            with self.subTest(rule=rule):
+                self.assertEqual(said.split(":")[0], rule.replace("C2", "C0"))
+                self.assertEqual(cells, last)
 
 
 class Rule(Case):

@@ -111,6 +111,65 @@ TEST_CASE("wide ranges, and sums that fill a byte") {
   compareStates(soupOf("R10,C0,M1,S123..212,B123..170,NM", GridBorder::torus, {150, 70}), 2);
 }
 
+TEST_CASE("ranges of whose cells no loop of a software driver gets to the end") {
+  struct Far {
+    const char* rule;
+    glm::ivec2 size;
+  };
+  for (const Far& far : {Far{"R137,C0,M1,S9000..36000,B18000..28000,NC", {275, 281}},
+                         Far{"R260,C0,M0,S60000..67850,B67800..90000,NN", {523, 540}},
+                         Far{"R300,C5,M0,S70000..180500,B180400..240000,NM", {611, 603}}}) {
+    testContext();
+    auto p = soupOf(far.rule, GridBorder::torus, far.size);
+    p.fill = 0.5F;
+    p.stepsPerSecond = 10;  // a generation
+    CAPTURE(p.rule);
+    const auto gpu = automatonOf(p, 3);
+    const LifePlan plan(p, "cells", 3, 0.1);
+    const bool bits = plan.rule().states == 2;
+    const auto cellsOf = [&] {
+      const auto bytes = gpu->state()[0].buffer->readAll<std::uint8_t>();
+      const int row = bits ? (p.size.x + 127) / 128 * 16 : (p.size.x + 15) / 16 * 16;
+      std::vector<std::uint8_t> cells;
+      for (int y = 0; y < p.size.y; ++y)
+        for (int x = 0; x < p.size.x; ++x) {
+          const auto word = bytes[static_cast<std::size_t>(y * row + (bits ? x / 8 : x))];
+          cells.push_back(bits ? word >> (x % 8) & 1 : word);
+        }
+      return cells;
+    };
+    const auto before = cellsOf();
+    gpu->step(0.1, {});
+    const auto after = cellsOf();
+    int alive = 0;
+    for (int i = 0; i < 24; ++i) {
+      const glm::ivec2 at(i * 7919 % p.size.x, i * 104729 % p.size.y);
+      const std::uint8_t next = nextState(before, p.size, plan.rule(), {}, at);
+      CHECK(int{after[static_cast<std::size_t>(at.y * p.size.x + at.x)]} == int{next});
+      alive += next == 1 ? 1 : 0;
+    }
+    CHECK(alive > 3);
+    CHECK(alive < 21);
+  }
+}
+
+TEST_CASE("neighbourhoods of any shape equal their twins") {
+  // Counts are all alike, so that few kernels are compiled.
+  int turn = 0;
+  for (const char* shape :
+       {"2", "+", "X", "*", "#", "B", "D", "H", "A", "3", "L", "@891ABC891891", "@891A91891891L"}) {
+    const std::string rule =
+        std::string(turn++ % 4 == 1 ? "R3,C4,S3-6,B3-5,N" : "R3,C0,S3-6,B3-5,N") + shape;
+    compareStates(soupOf(rule.c_str(), GridBorder::torus, {67, 41}));
+    compareStates(soupOf(rule.c_str(), GridBorder::dead, {131, 23}), 2);
+  }
+  for (const char* rule :
+       {"R1,C0,S3-6,B3-5,NG", "R1,C0,S3-6,B3-5,NW123401323", "R1,C0,S3-6,B3-5,NW000201030a8401020A",
+        "R1,C4,S3-6,B3-5,NW1234813a3,01a2", "R1,C0,S3-6,B3-5,NW123401f23L"})
+    for (const glm::ivec2 size : {glm::ivec2(67, 41), {130, 18}})
+      compareStates(soupOf(rule, GridBorder::torus, size));
+}
+
 TEST_CASE("a trail follows any rule of two states") {
   auto p = soupOf("B3/S23", GridBorder::klein, {70, 50});
   p.trail = 9;

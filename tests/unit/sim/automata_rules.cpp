@@ -6,6 +6,7 @@
 #include "sim/automata/rule_file.hpp"
 #include "unit/help.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <set>
 
@@ -77,6 +78,12 @@ TEST_CASE("rules are written as Golly writes them") {
   CHECK(written("r5,c0,m1,s34..58,b34..45,nm") == "R5,C0,M1,S34..58,B34..45,NM");
   CHECK(written("5,34,45,34,58") == "R5,C0,M1,S34..58,B34..45,NM");
   CHECK(written("R1/T3/C3/NM") == "R1/T3/C3/NM");
+  CHECK(written("r1,c2,s2-3,b3,nm") == "R1,C0,S2-3,B3");
+  CHECK(written("R2,C0,S8,3-4,2,4-5,B3,10-12,NN") == "R2,C0,S2-5,8,B3,10-12,NN");
+  CHECK(written("R2,C3,S,B3,N+") == "R2,C3,S,B3,N+");
+  CHECK(written("R3,C0,M0,S2..3,B3..4,NL") == "R3,C0,M0,S2..3,B3..4,NL");
+  CHECK(written("R1,C0,S3,B3,Nw12340a323H") == "R1,C0,S3,B3,NW12340A323H");
+  CHECK(written("W110") == "W110");
   CHECK(written("Brian's Brain") == "/2/3");
   CHECK(written("bosco") == "R5,C0,M1,S34..58,B34..45,NM");
   CHECK(written("313") == "R1/T3/C3/NM");
@@ -122,7 +129,21 @@ TEST_CASE("rules that make no sense are refused at their place, of every family"
   checkHas(written("R0,C0,M1,S3..5,B3..4,NM"), "1: the range is 0");
   checkHas(written("R501,C0,M1,S3..5,B3..4,NC"), "1: the range is 501 here; it goes from 1 to 500");
   checkHas(written("R5,C300,M1,S3..5,B3..4,NM"), "4: the number of states is 300");
-  checkHas(written("R5,C0,M1,S3..5,B3..4,NX"), "22: the neighbourhood is M");
+  checkHas(written("R5,C0,M1,S3..5,B3..4,NZ"), "22: the neighbourhood is M");
+  checkHas(written("R5,C0,M1,S3..58,B3..4,NX"), "13: a limit of S is 58 here; it goes from 0 to 21");
+  checkHas(written("R1,C0,S2-3,B9"), "12: a count of B is 9 here; it goes from 0 to 8");
+  checkHas(written("R1,C0,S3-2,B3"), "7: 3 to 2: the first");
+  checkHas(written("R1,C0,S3,x"), "9: 'B' is expected here");
+  checkHas(written("R251,C0,S3,B3,NL"), "15: the range of this neighbourhood is 250");
+  checkHas(written("R51,C0,S3,B3,NG"), "14: the range of this neighbourhood is 50");
+  checkHas(written("R200,C0,S3,B3,NB"),
+           "15: of this range this neighbourhood has 80401 cells; there may be 60000");
+  checkHas(written("R2,C0,S3,B3,N@89189"), "14: 5 hexadecimal digits where 6 tell which of the 24 cells");
+  checkHas(written("R1,C0,S3,B3,NW12340132"), "14: 8 hexadecimal digits where 9 or 18 are the weights");
+  checkHas(written("R1,C3,S3,B3,NW123401323,01"), "24: 2 weights of states; the rule has 3 states");
+  checkHas(written("W31"), "1: 31 is odd");
+  checkHas(written("W256"), "1: the rule's number is 256 here; it goes from 0 to 255");
+  checkHas(written("W30x"), "3: 'x' after the end");
   checkHas(written("R1/T9/C3/NM"), "4: the threshold is 9 here; it goes from 1 to 8");
   checkHas(written("R1/T3/C1/NM"), "7: the number of states is 1");
   checkHas(written("MAPAB?"), "5: '?' is no digit of base64");
@@ -136,12 +157,40 @@ TEST_CASE("circles of Larger than Life hold the points nearer than the range and
     rule.range = range;
     rule.shape = NeighbourShape::circular;
     for (int dy = -range; dy <= range; ++dy) {
-      const int dx = rule.reach(dy);
+      const int dx = rule.span(dy).last;
       const auto inside = [&](int x) { return x * x + dy * dy < (range + 0.5) * (range + 0.5); };
       CHECK(inside(dx));
       CHECK_FALSE(inside(dx + 1));
     }
   }
+}
+
+TEST_CASE("neighbourhoods of range 2 look as the help of Golly draws them") {
+  const auto drawn = [](const char* letter) {
+    const WideRule rule = ruleOf((std::string("R2,C0,S3,B3,N") + letter).c_str()).wide;
+    std::string cells;
+    for (int dy = -2; dy <= 2; ++dy)
+      for (int dx = -2; dx <= 2; ++dx) {
+        const auto here = [&](const NeighbourPlace& p) { return p.dx == dx && p.dy == dy; };
+        const auto [first, last] = rule.span(dy);
+        cells += (rule.shape == NeighbourShape::places ? std::ranges::any_of(rule.places, here)
+                                                       : first <= dx && dx <= last)
+                     ? '#'
+                     : '.';
+      }
+    return cells;
+  };
+  CHECK(drawn("2") == "..#...###.#####.###...#..");
+  CHECK(drawn("+") == "..#....#..#####..#....#..");
+  CHECK(drawn("X") == "#...#.#.#...#...#.#.#...#");
+  CHECK(drawn("*") == "#.#.#.###.#####.###.#.#.#");
+  CHECK(drawn("#") == ".#.#.#####.###.#####.#.#.");
+  CHECK(drawn("B") == ".#.#.#.#.#.###.#.#.#.#.#.");
+  CHECK(drawn("D") == "#.#.#.#.#.#.#.#.#.#.#.#.#");
+  CHECK(drawn("H") == "###..####.#####.####..###");
+  CHECK(drawn("A") == "#.#...##..#####..##...#.#");
+  CHECK(drawn("3") == "..#....#..###.....#.....#");
+  CHECK(drawn("@891891") == "#...#..#...###...#..#...#");
 }
 
 TEST_CASE("a table with variables and symmetries is what it says") {

@@ -144,6 +144,21 @@ TEST_CASE("reaction: fields of others are there, alone, and not before the first
         std::string::npos);
   CHECK(refused(onMesh("n", R"({"shape": "torus"})", "m.v") + other + with(R"({"field": "smoke"})"))
             .find("object \"m\" has no field \"m.v\"; known here: m, m.u") != std::string::npos);
+  // In a volume: fields of grids, in all layers alike, and of volumes of the same proportions.
+  const auto inVolume = [](const char* name, const char* size, const char* field) {
+    return fmt::format(
+        R"X("{}": {{"reaction": {{"size": {}, "parameters": {{"f": {{"field": "{}"}}}}, "species": {{"u": {{"rate": "f"}}}}}}}}, )X",
+        name, size, field);
+  };
+  const std::string volume = inVolume("v", R"([12, 8], "depth": 16)", "smoke");
+  CHECK(refused(inVolume("w", R"([9, 6], "depth": 12)", "v.u") + volume + with(R"({"field": "smoke"})")) ==
+        "none");
+  CHECK(refused(inVolume("w", R"([9, 6], "depth": 11)", "v") + volume + with(R"({"field": "smoke"})"))
+            .find("object \"v\" is a reaction in a volume of 12x8x16 cells, whose field only a volume of "
+                  "the same "
+                  "proportions takes") != std::string::npos);
+  CHECK(refused(volume + with(R"({"field": "v"})")).find("only a volume of the same proportions takes") !=
+        std::string::npos);
   CHECK(shows(rate("u", R"X("parameters": {"f": {"field": "r"}}, "lets": {"l": "f"}, )X") == "none"
                   ? refusal(R"X("parameters": {"f": {"field": "r"}}, "species": {"u": {"start": "f"}})X")
                   : "",

@@ -24,6 +24,18 @@ class GrayScott {
   std::vector<float> nextU_, nextV_;
 };
 
+/// The same in a volume, with the Laplacian of six faces, twice, and twelve edges.
+class GrayScottVolume {
+ public:
+  explicit GrayScottVolume(int side);
+  void step(float diffuseU, float diffuseV, float feed, float kill, float dt);
+  std::vector<float> u, v;  ///< x fastest, then y
+
+ private:
+  int side_;
+  std::vector<float> nextU_, nextV_;
+};
+
 /// A sheet of springs (structural, shear, bend) under gravity, or of XPBD constraints.
 class Cloth {
  public:
