@@ -49,7 +49,8 @@ sim::World::Summary summaryAt(sim::World& world, int frame) {
 }
 
 std::vector<std::uint8_t> pictureOf(const scene::Scene& scene, const sim::World& world) {
-  draw::Renderer renderer(scene, {96, 54}, 1);
+  // As many samples as their own tests draw, so that Mesa's cache has the shaders.
+  draw::Renderer renderer(scene, {96, 54}, scene.test.samples.value_or(scene.render.samples));
   draw::Readback readback({96, 54});
   renderer.draw(world.time(), world.drawables());
   readback.start(renderer.target(), world.frame());

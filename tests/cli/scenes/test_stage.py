@@ -4,7 +4,7 @@ from common import SOURCE, Case, main
 
 class Stage(Case):
     def test_pictures_of_scenes_of_one_line(self):
-        done = self.good("test", str(SOURCE / "tests/cli/scenes/stage"))
+        done = self.good("test", str(SOURCE / "tests/cli/scenes/stage"), "--repeat", "1")
         self.assertIn("19 scenes: 19 passed", done.stdout.decode())
 
 
