@@ -216,7 +216,7 @@ def sky(given, folder):
 
 
 def add_light(kind, given):
-    """Watts of Blender's: of a ball 4 pi for each cd, of a rectangle pi."""
+    """Watts of Blender: of a ball 4 pi for each cd, of a rectangle 4, as a radiance of P / (4 area) is what Cycles makes of them."""
     lamp = bpy.data.lights.new(kind, kind)
     lamp.color = given["color"] if kind == "SUN" else given.get("color", [1, 0.72, 0.42])
     thing = bpy.data.objects.new(kind, lamp)
@@ -229,7 +229,7 @@ def add_light(kind, given):
         return
     thing.location = place(given["position"])
     if kind == "AREA":
-        lamp.energy = math.pi * given.get("intensity", 20)
+        lamp.energy = 4 * given.get("intensity", 20)
         lamp.shape = "RECTANGLE"
         lamp.size, lamp.size_y = given["area"].get("width", 1), given["area"].get("height", 1)
         face(thing, given["area"].get("target", (0, 0, 0)))
