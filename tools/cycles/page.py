@@ -10,7 +10,7 @@ MAX_BYTES, GAP, LABEL, WIDTH = 100_000, 4, 22, 320
 
 
 def row(measured, folder):
-    """PNG in a palette, as large as there is room for: pixels stay squares where a picture is smaller than its column."""
+    """PNG in a palette, as large as there is room for."""
     for width in (WIDTH, 280, 240, 200, 160):
         height = width * measured["size"][1] // measured["size"][0]
         page = Image.new("RGB", (4 * width + 3 * GAP, height + LABEL), "white")
@@ -29,6 +29,7 @@ def row(measured, folder):
 
 
 def write_page(page, rows):
+    page.parent.mkdir(parents=True, exist_ok=True)
     lines = ["# simreel beside Cycles", "",
              "`tools/cycles/compare --page assets/gallery/pairs.md` made this page: scenes of [tools/cycles/scenes](../../tools/cycles/scenes), whose meshes `simreel bake` hands to Blender; light and",
              "materials are the same, bounces limited to one, the view \"Standard\" (`\"tone\": \"plain\"`). Seconds are of processors, with start and compiling; FLIP is the mean error of `high` against Cycles.", "",
