@@ -23,7 +23,7 @@ layout(binding = rayLightUnit) uniform samplerBuffer onwardLight;
 
 // Sky beyond, `share` of it: with the sun if the ray is the lobe's and meets it.
 vec3 beyond(vec3 direction, float roughness, float lobeShare, float density, float share) {
-  precise vec3 light = skyLight(direction, skyFactor(roughness, lobeShare), roughness, lobeShare);
+  precise vec3 light = skyLight(direction, skyFactor(roughness, lobeShare), roughness, lobeShare, density * float(sampleMask + 1u));
   float angle = sunAngle();
   precise float likely = density * angle;
   bool sun = likely > 0.0f && isOnSun(direction);
@@ -133,7 +133,8 @@ void main() {
 #else
   float ownRoughness = f.roughness;
 #endif
-  precise vec3 brings = through * onward.weight * skyLight(onward.direction, skyFactor(ownRoughness, onward.share), ownRoughness, onward.share);
+  precise vec3 brings = through * onward.weight * skyLight(onward.direction, skyFactor(ownRoughness, onward.share), ownRoughness, onward.share,
+                                                          onward.density * float(sampleMask + 1u));
   putLightRay(1, nextOnwardKind, path, beginning(f, onward.direction), onward.direction, farAway, brings);
   sure = sure + certain + through * openLamps(f);
 #ifdef EMITTERS

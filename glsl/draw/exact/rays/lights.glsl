@@ -38,11 +38,14 @@ bool isOnSun(vec3 direction) {
 }
 
 // The sky's light on a surface, from one direction: what falls onto matt ones has the factor `ambient`, mirrors show the sky as it is.
-// `share`: of the lobe in what counts. A picture is blurred where each of some rays stands for much of it (about as Colbert and
-// Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007): as roughness 0.5 mirrors it for matt surfaces.
-vec3 skyLight(vec3 direction, float factor, float roughness, float share) {
+// `share`: of the lobe in what counts. `all_`: how many rays go there (1/sr). A picture is blurred as far as each of them stands for much
+// of it (as Colbert and Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007): by a lobe as wide, whose solid angle is
+// 4 pi alpha^2; at most as roughness 0.5 mirrors it for matt surfaces. With more rays it is as sharp as it is.
+vec3 skyLight(vec3 direction, float factor, float roughness, float share, float all_) {
 #ifdef ENVIRONMENT
-  precise float blur = 0.5f * (1.0f + (roughness - 1.0f) * share);
+  precise float most = 0.5f * (1.0f + (roughness - 1.0f) * share);
+  precise float square = 0.07957747f * exactReciprocal(max(all_, 1e-6f));
+  float blur = min(exactSqrt(exactSqrt(square)), most);
   precise vec3 light = environmentMirrored(direction, blur) * factor;
 #else
   precise vec3 light = skyRadiance(direction.y) * factor;
