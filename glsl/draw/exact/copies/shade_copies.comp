@@ -52,7 +52,8 @@ vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
   bool away = turned_ != weights.turned;
   vec3 lifted = roundedPlace(p, ca, cb, cc, away ? -na : na, away ? -nb : nb, away ? -nc : nc, w);
   vec3 color = tintOf(texelFetch(positions, slot), texelFetch(velocities, slot));
-  keepSpot(firstSample(pixel) + sampleAt, lifted, facing, turned_ ? -normal : normal, color, material_, 1.0f);
+  precise vec3 moved = lifted - p;
+  keepSpot(firstSample(pixel) + sampleAt, lifted, facing, turned_ ? -normal : normal, color, material_, 1.0f, 0u, facing, exactDot(moved, facing));
   return vec4(0.0f, 0.0f, 0.0f, 1.0f);
 #endif
 #ifdef SHADOW

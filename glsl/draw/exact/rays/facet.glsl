@@ -21,6 +21,7 @@ struct Facet {
   float alpha;
   float translucency;
   float off;    // how far from the place rays begin (m)
+  float lift;   // how far the place is above the flat triangle (rounded_place.glsl; m)
   float nv;     // cosine of normal and view, above 0
   float mirrors;  // probability with which a sample goes on by the lobe
 #ifdef EMITTERS
@@ -81,6 +82,7 @@ FUNCTION Facet facetOf(vec3 place, vec3 facing, vec3 normal, vec3 view, vec3 bas
   float largest = max(abs(place.x), max(abs(place.y), abs(place.z)));
   precise float off = 1e-5f * max(largest, reach);
   f.off = off;
+  f.lift = 0.0f;
 #ifdef EMITTERS
   f.emission = f.sought = vec3(0.0f);
 #endif
@@ -106,14 +108,15 @@ FUNCTION float mattCosine(Facet f, float nl) {
   return direct;
 }
 
-// Where a ray into that direction begins: on its side of what lets light through, else on the side that is seen.
+// Where a ray into that direction begins: on the side that is seen, or, of what lets light through, below the flat triangle.
 FUNCTION vec3 beginning(Facet f, vec3 direction) {
   bool lets = f.translucency > 0.0f;
 #ifdef FINISHED
   lets = lets || f.glass > 0.0f;
 #endif
   bool through = lets && exactDot(f.facing, direction) < 0.0f;
-  precise vec3 p = f.place + f.facing * (through ? -f.off : f.off);
+  precise float below = -f.off - f.lift;
+  precise vec3 p = f.place + f.facing * (through ? below : f.off);
   return p;
 }
 

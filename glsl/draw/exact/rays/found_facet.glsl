@@ -100,6 +100,8 @@ Found foundTriangle(int at, vec3 p, vec3 along, float t, vec2 weight, float leas
   lifted = lookOf(found.owner, sheenLook).w > 0.0f ? p : lifted;
 #endif
   found.facet = facetOf(lifted, facing, normal, view, base, vec3(max(look.x, least), look.yz), t);
+  precise vec3 moved = lifted - p;
+  found.facet.lift = exactDot(moved, facing);
 #ifdef EMITTERS
   found.facet.emission = emission;
   found.facet.sought = lookOf(found.owner, lightLook).rgb;

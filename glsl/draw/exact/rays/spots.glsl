@@ -7,15 +7,16 @@
 layout(std430, binding = outSpotBinding) writeonly restrict buffer SpotBlock { uvec4 spots[]; };
 
 // `facing`: the side of the surface that is seen, of which `normal` is what shading makes. `share`: of the light that gets there. `owner`:
-// of the table of looks, and in bit 31 whether it is seen from within; `smooth_`: the normal without relief.
-void keepSpot(int sampleAt, vec3 p, vec3 facing, vec3 normal, vec3 base, vec3 material, float share, uint owner, vec3 smooth_) {
+// of the table of looks, and in bit 31 whether it is seen from within; `smooth_`: the normal without relief; `lift`: how far
+// the place is above the flat triangle (m).
+void keepSpot(int sampleAt, vec3 p, vec3 facing, vec3 normal, vec3 base, vec3 material, float share, uint owner, vec3 smooth_, float lift) {
   spots[4 * sampleAt] = uvec4(floatBitsToUint(p), packedUnit(facing));
   spots[4 * sampleAt + 1] = uvec4(floatBitsToUint(base), packedUnit(normal));
   spots[4 * sampleAt + 2] = uvec4(floatBitsToUint(material), floatBitsToUint(share));
-  spots[4 * sampleAt + 3] = uvec4(owner, packedUnit(smooth_), 0u, 0u);
+  spots[4 * sampleAt + 3] = uvec4(owner, packedUnit(smooth_), floatBitsToUint(lift), 0u);
 }
 void keepSpot(int sampleAt, vec3 p, vec3 facing, vec3 normal, vec3 base, vec3 material, float share) {
-  keepSpot(sampleAt, p, facing, normal, base, material, share, 0u, facing);
+  keepSpot(sampleAt, p, facing, normal, base, material, share, 0u, facing, 0.0f);
 }
 // Once it is known, with layers before the spot.
 void keepShare(int sampleAt, float share) {

@@ -23,6 +23,7 @@ Facet facetAt(int at) {
 #endif
   Facet f = facetOf(place, unpackedUnit(first.w), unpackedUnit(second.w), unitOf(to), uintBitsToFloat(second.xyz),
                     uintBitsToFloat(third.xyz), exactSqrt(square));
+  f.lift = uintBitsToFloat(texelFetch(spots, 4 * at + 3).z);
 #ifdef FINISHED
   f = finishedSpot(f, at, uintBitsToFloat(second.xyz), uintBitsToFloat(third.y));
 #endif

@@ -27,7 +27,8 @@ void keepSurfaceSpot(Spot spot, Look look, vec3 normal, int sampleAt, uint owner
   bool turned = exactDot(spot.normal, facing) < 0.0f;
   vec3 p = clear ? spot.place : roundedPlace(spot.place, a, b, c, cornerNormal(spot.corners.x, turned), cornerNormal(spot.corners.y, turned),
                         cornerNormal(spot.corners.z, turned), spot.weight);
+  precise vec3 moved = p - spot.place;
   keepSpot(sampleAt, p, facing, exactDot(normal, facing) < 0.0f ? -normal : normal, look.base,
            vec3(look.roughness, look.metallic, look.translucency), 1.0f, owner | (turned ? 0x80000000u : 0u),
-           turned ? -spot.normal : spot.normal);
+           turned ? -spot.normal : spot.normal, exactDot(moved, facing));
 }

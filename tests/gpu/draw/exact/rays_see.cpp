@@ -245,3 +245,33 @@ TEST_CASE("rays see: sheen in a furnace has its lobe's albedo") {
   CHECK(with.y - with.z == doctest::Approx(0.5 * albedo).epsilon(0.03));
   CHECK(with.z < plain.z);
 }
+
+TEST_CASE("rays see: light goes through sheets that are round by their normals, and not back onto them") {
+  testContext();
+  // A flat cap of six triangles. Beneath it is nothing; what its lobe mirrors is not halved.
+  std::vector<glm::vec3> places(1, glm::vec3(0, 0.25F, 0)), normals(1, glm::vec3(0, 1, 0));
+  std::vector<unsigned> corners;
+  for (unsigned i = 0; i < 6; ++i) {
+    const float angle = glm::radians(60.0F * static_cast<float>(i));
+    places.emplace_back(std::cos(angle), 0, std::sin(angle));
+    normals.push_back(glm::normalize(glm::vec3(std::cos(angle), 2, std::sin(angle))));
+    corners.insert(corners.end(), {0, 1 + (i + 1) % 6, 1 + i});
+  }
+  TriangleStage cap(places, corners, normals);
+  cap.surface.doubleSided = true;
+  cap.material.color = glm::vec3(0.8F);
+  cap.material.roughness = 1;
+  scene::Scene scene = lightless(64);
+  lookDown(scene, 5, 6);
+  const auto light = [&](float height, float translucency) {
+    scene.sun.intensity = 1;
+    scene.sun.color = glm::vec3(1);
+    scene.sun.direction = glm::vec3(0.2F, height, 0.1F);
+    cap.material.translucency = translucency;
+    return rayPicture(scene, {.surfaces = {cap.surface}}, {16, 16}).mean({2, 2}, {14, 14}).x;
+  };
+  const double matt = light(1, 0);
+  CHECK(matt > 0.1);
+  CHECK(light(1, 0.5F) == doctest::Approx(0.5 * matt).epsilon(0.1).scale(0));
+  CHECK(light(-1, 0.5F) == doctest::Approx(0.5 * matt).epsilon(0.1).scale(0));
+}
