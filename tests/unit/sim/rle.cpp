@@ -66,7 +66,7 @@ TEST_CASE("rules that make no sense are refused at their place") {
 
 TEST_CASE("rules of other kinds are named") {
   checkHas(ruleMistake("B45/S34L"), "triangles");
-  checkHas(ruleMistake("W110"), "single row");
+  checkHas(ruleMistake("W111"), "1: 111 is odd");
   checkHas(ruleMistake("M0,8,4,3,2,5,9,7,1,6,10,11,12,13,14,15"), "Margolus");
   checkHas(ruleMistake("LifeHistory"), "0: this names a rule that is not known");
 }

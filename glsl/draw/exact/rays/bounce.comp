@@ -21,9 +21,15 @@ layout(binding = rayUnit) uniform samplerBuffer rays;
 layout(binding = rayHitUnit) uniform usamplerBuffer rayHits;
 layout(binding = rayLightUnit) uniform samplerBuffer onwardLight;
 
+// How many of all rays go into a direction (1/sr).
+float allTowards(float density) {
+  precise float all_ = density * float(sampleMask + 1u);
+  return all_;
+}
+
 // Sky beyond, `share` of it: with the sun if the ray is the lobe's and meets it.
 vec3 beyond(vec3 direction, float roughness, float lobeShare, float density, float share) {
-  precise vec3 light = skyLight(direction, skyFactor(roughness, lobeShare), roughness, lobeShare, density * float(sampleMask + 1u));
+  precise vec3 light = skyLight(direction, skyFactor(roughness, lobeShare), roughness, lobeShare, allTowards(density));
   float angle = sunAngle();
   precise float likely = density * angle;
   bool sun = likely > 0.0f && isOnSun(direction);
@@ -134,7 +140,7 @@ void main() {
   float ownRoughness = f.roughness;
 #endif
   precise vec3 brings = through * onward.weight * skyLight(onward.direction, skyFactor(ownRoughness, onward.share), ownRoughness, onward.share,
-                                                          onward.density * float(sampleMask + 1u));
+                                                           allTowards(onward.density));
   putLightRay(1, nextOnwardKind, path, beginning(f, onward.direction), onward.direction, farAway, brings);
   sure = sure + certain + through * openLamps(f);
 #ifdef EMITTERS
