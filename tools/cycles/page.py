@@ -31,7 +31,7 @@ def row(measured, folder):
 def write_page(page, rows):
     page.parent.mkdir(parents=True, exist_ok=True)
     lines = ["# simreel beside Cycles", "",
-             "`tools/cycles/compare --page assets/gallery/pairs.md` made this page: scenes of [tools/cycles/scenes](../../tools/cycles/scenes), whose meshes `simreel bake` hands to Blender; light and",
+             "`tools/cycles/compare --page assets/gallery/pairs.md tools/cycles/scenes/{creature,tablecloth,torus}.json` made this page (samples of Cycles: `--cycles`): scenes of [tools/cycles/scenes](../../tools/cycles/scenes), whose meshes `simreel bake` hands to Blender; light and",
              "materials are the same, bounces limited to one, the view \"Standard\" (`\"tone\": \"plain\"`). Seconds are of processors, with start and compiling; FLIP is the mean error of `high` against Cycles.", "",
              "| scene | size | FLIP | high: samples | processor s | wall s | Cycles: samples | processor s | wall s |", "|---|---|---|---|---|---|---|---|---|"]
     for measured, _ in rows:
