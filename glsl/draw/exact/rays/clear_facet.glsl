@@ -4,11 +4,7 @@
 const float surely = 1e9f;  // density of what no other sample finds (1/sr)
 
 FUNCTION Onward clearOnward(Facet f, vec3 u) {
-  vec3 right = rightOf(f.normal), up = upOf(f.normal);
-  vec3 own = vec3(exactDot(right, f.view), exactDot(up, f.view), f.nv);
-  vec3 h = visibleNormal(own, f.alpha, u.x, u.y);
-  precise vec3 found = right * h.x + up * h.y + f.normal * h.z;
-  vec3 facet = unitOf(found);
+  vec3 facet = unitOf(facetSeen(f.normal, f.nv, f.alpha, f.view, u.x, u.y));
   float cosine = clamp(exactDot(f.view, facet), 0.0f, 1.0f);
   float mirrored = clearFresnel(f, cosine);
   bool mirror = u.z < mirrored;
@@ -43,11 +39,7 @@ FUNCTION Onward clearOnward(Facet f, vec3 u) {
 // Where light that meets a coat over a clear surface goes on, mirrored by the coat's lobe: as facetOf() and finishedLobes() have it,
 // over how often samples take the lobe, of which `coats` is another factor.
 FUNCTION Onward coatOnward(Facet f, vec2 u) {
-  vec3 right = rightOf(f.coatNormal), up = upOf(f.coatNormal);
-  vec3 own = vec3(exactDot(right, f.view), exactDot(up, f.view), f.coatNv);
-  vec3 h = visibleNormal(own, f.coatAlpha, u.x, u.y);
-  precise vec3 found = right * h.x + up * h.y + f.coatNormal * h.z;
-  vec3 facet = unitOf(found);
+  vec3 facet = unitOf(facetSeen(f.coatNormal, f.coatNv, f.coatAlpha, f.view, u.x, u.y));
   float cosine = clamp(exactDot(f.view, facet), 0.0f, 1.0f);
   precise vec3 mirrored = facet * (2.0f * cosine) - f.view;
   float nl = exactDot(f.coatNormal, mirrored);

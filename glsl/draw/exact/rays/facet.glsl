@@ -187,6 +187,14 @@ struct Onward {
   float roughness;
 #endif
 };
+// A facet of a rough surface as it is seen, picked by two numbers; as long as a unit vector, as is. `cosine`: of `axis` and view.
+FUNCTION vec3 facetSeen(vec3 axis, float cosine, float alpha, vec3 view, float u, float v) {
+  vec3 right = rightOf(axis), up = upOf(axis);
+  vec3 own = vec3(exactDot(right, view), exactDot(up, view), cosine);
+  vec3 h = visibleNormal(own, alpha, u, v);
+  precise vec3 facet = right * h.x + up * h.y + axis * h.z;
+  return facet;
+}
 #ifdef FINISHED
 #include "draw/exact/rays/clear_facet.glsl"
 #endif
@@ -216,10 +224,7 @@ FUNCTION Onward onwardFrom(Facet f, vec3 u) {
   cosine = byCoat ? f.coatNv : cosine;
   alpha = byCoat ? f.coatAlpha : alpha;
 #endif
-  vec3 right = rightOf(axis), up = upOf(axis);
-  vec3 own = vec3(exactDot(right, f.view), exactDot(up, f.view), cosine);
-  vec3 h = visibleNormal(own, alpha, u.x, u.y);
-  precise vec3 facet = right * h.x + up * h.y + axis * h.z;
+  vec3 facet = facetSeen(axis, cosine, alpha, f.view, u.x, u.y);
   precise vec3 mirrored = facet * (2.0f * exactDot(f.view, facet)) - f.view;
   vec3 direction = mirror ? mirrored : cosineDirection(through ? -f.normal : f.normal, u.x, u.y);
   // What shading alone turns into the surface comes back out of it.
