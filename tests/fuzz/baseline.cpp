@@ -4,7 +4,10 @@
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
 
-void simreel::fuzz::read(std::string_view bytes) {
+namespace simreel::fuzz {
+namespace {
+
+void readBaseline(std::string_view bytes) {
   const std::string text(bytes);
   try {
     const std::string written = golden::picturesText(golden::parsePictures(text, "baseline.json"));
@@ -15,3 +18,8 @@ void simreel::fuzz::read(std::string_view bytes) {
   const std::string written = golden::stateText(golden::parseState(text, "state.json"));
   SIMREEL_CHECK_EQ(golden::stateText(golden::parseState(written, "again.json")), written);
 }
+
+const Reader baselineReader("baseline", readBaseline);
+
+}  // namespace
+}  // namespace simreel::fuzz

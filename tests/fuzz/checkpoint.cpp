@@ -7,8 +7,7 @@
 #include "fuzz/reader.hpp"
 #include "fuzz/scratch.hpp"
 
-using namespace simreel;
-
+namespace simreel::fuzz {
 namespace {
 
 /// The run that the seeds are of.
@@ -24,16 +23,14 @@ frame::RunInfo run() {
           .driver = "d"};
 }
 
-}  // namespace
-
 /// The hash of all before it, at the end.
-void simreel::fuzz::mend(std::string& bytes, std::size_t /*most*/) {
+void mendCheckpoint(std::string& bytes) {
   if (bytes.size() < hashDigits) return;
   const std::size_t body = bytes.size() - hashDigits;
   bytes.replace(body, hashDigits, hashHex(std::string_view(bytes).substr(0, body)));
 }
 
-void simreel::fuzz::read(std::string_view bytes) {
+void readCheckpoint(std::string_view bytes) {
   const auto file = scratchFolder() / "checkpoint";
   writeFileAtomically(file, bytes);
   const auto checkpoint = frame::Checkpoint::read(file, run(), 500);
@@ -41,3 +38,8 @@ void simreel::fuzz::read(std::string_view bytes) {
   SIMREEL_CHECK(checkpoint->frame() >= 0 && checkpoint->frame() <= 500);
   SIMREEL_CHECK(checkpoint->counts().size() <= bytes.size());
 }
+
+const Reader checkpointReader("checkpoint", readCheckpoint, mendCheckpoint);
+
+}  // namespace
+}  // namespace simreel::fuzz

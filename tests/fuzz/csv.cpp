@@ -1,6 +1,14 @@
 #include "fuzz/particles.hpp"
 #include "fuzz/reader.hpp"
 
-void simreel::fuzz::read(std::string_view bytes) {
+namespace simreel::fuzz {
+namespace {
+
+void readCsv(std::string_view bytes) {
   if (!bytes.starts_with("ply")) readCloud(bytes, "fuzz.csv");
 }
+
+const Reader csvReader("csv", readCsv);
+
+}  // namespace
+}  // namespace simreel::fuzz

@@ -6,9 +6,10 @@
 
 #include <cmath>
 
-using namespace simreel;
+namespace simreel::fuzz {
+namespace {
 
-void simreel::fuzz::read(std::string_view bytes) {
+void readFigure(std::string_view bytes) {
   const sim::Figure figure = sim::readFigure("fuzz.gltf", bytes);
   SIMREEL_CHECK_EQ(figure.follow.size(), figure.mesh.positions.size());
   SIMREEL_CHECK_EQ(figure.weights.size(), figure.mesh.positions.size());
@@ -25,3 +26,8 @@ void simreel::fuzz::read(std::string_view bytes) {
   for (const sim::FigureJoint& joint : figure.joints)
     SIMREEL_CHECK(static_cast<std::size_t>(joint.node) < figure.nodes.size());
 }
+
+const Reader figureReader("figure", readFigure);
+
+}  // namespace
+}  // namespace simreel::fuzz

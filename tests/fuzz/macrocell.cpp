@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-using namespace simreel;
-
+namespace simreel::fuzz {
 namespace {
 
 /// A few lines may say more cells than there is memory for.
@@ -34,9 +33,7 @@ std::vector<sim::CellPattern::Run> sortedRuns(std::vector<sim::CellPattern::Run>
   return joined;
 }
 
-}  // namespace
-
-void simreel::fuzz::read(std::string_view bytes) {
+void readMacrocell(std::string_view bytes) {
   const sim::CellPattern pattern = sim::parseMacrocell(bytes, "fuzz.mc", maxCells);
   const auto runs = sortedRuns(pattern.runs);
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -59,3 +56,8 @@ void simreel::fuzz::read(std::string_view bytes) {
     SIMREEL_CHECK(back[i].x == runs[i].x && back[i].y == runs[i].y && back[i].length == runs[i].length &&
                   back[i].state == runs[i].state);
 }
+
+const Reader macrocellReader("macrocell", readMacrocell);
+
+}  // namespace
+}  // namespace simreel::fuzz

@@ -1,11 +1,15 @@
-// What libFuzzer calls; every harness is linked with it.
+// What libFuzzer calls, for the harness that --reader=NAME asks for.
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "fuzz/reader.hpp"
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <string>
+#include <string_view>
 
 using namespace simreel;
 
@@ -21,10 +25,11 @@ extern "C" int fdatasync(int /*descriptor*/) {
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max);
 
 namespace simreel::fuzz {
-
-[[gnu::weak]] void mend(std::string& /*bytes*/, std::size_t /*most*/) {}
-
 namespace {
+
+const Reader* readers = nullptr;
+const Reader* asked = nullptr;
+std::size_t accepted = 0;  // inputs that were not refused
 
 /// One line, unless it is a report with a line for each mistake.
 void checkMessage(const UserError& error) {
@@ -35,16 +40,28 @@ void checkMessage(const UserError& error) {
 
 }  // namespace
 
+Reader::Reader(const char* name, Read read, Mend mend) : name(name), read(read), mend(mend), next(readers) {
+  readers = this;
+}
+
 }  // namespace simreel::fuzz
 
-extern "C" int LLVMFuzzerInitialize(int* /*count*/, char*** /*arguments*/) {
+extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
   setVerbosity(Verbosity::quiet);
+  constexpr std::string_view option = "--reader=";  // libFuzzer leaves what begins with two dashes alone
+  for (int i = 1; i < *count; ++i)
+    if (const std::string_view argument = (*arguments)[i]; argument.starts_with(option))
+      for (fuzz::asked = fuzz::readers; fuzz::asked && fuzz::asked->name != argument.substr(option.size());)
+        fuzz::asked = fuzz::asked->next;
+  SIMREEL_CHECK(fuzz::asked != nullptr);
+  std::atexit([] { std::fprintf(stderr, "stat::number_of_accepted_inputs: %zu\n", fuzz::accepted); });
   return 0;
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    fuzz::read({reinterpret_cast<const char*>(data), size});
+    fuzz::asked->read({reinterpret_cast<const char*>(data), size});
+    ++fuzz::accepted;
   } catch (const UserError& error) {
     fuzz::checkMessage(error);
   }
@@ -55,7 +72,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
                                                unsigned /*seed*/) {
   const std::size_t mutated = LLVMFuzzerMutate(data, size, max);
   std::string bytes(reinterpret_cast<const char*>(data), mutated);
-  fuzz::mend(bytes, max);
+  if (fuzz::asked->mend) fuzz::asked->mend(bytes);
   bytes.resize(std::min(bytes.size(), max));
   std::memcpy(data, bytes.data(), bytes.size());
   return bytes.size();

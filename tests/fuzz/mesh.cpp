@@ -7,8 +7,7 @@
 
 #include <cmath>
 
-using namespace simreel;
-
+namespace simreel::fuzz {
 namespace {
 
 const char* extensionOf(std::string_view bytes) {
@@ -18,9 +17,7 @@ const char* extensionOf(std::string_view bytes) {
                                      : ".obj";
 }
 
-}  // namespace
-
-void simreel::fuzz::read(std::string_view bytes) {
+void readMesh(std::string_view bytes) {
   const auto file = scratchFolder() / (std::string("fuzz") + extensionOf(bytes));
   writeFileAtomically(file, bytes);
   // glTF is read by ourselves and has to survive everything; what the library does not, its process
@@ -34,3 +31,8 @@ void simreel::fuzz::read(std::string_view bytes) {
   for (const glm::vec3& p : mesh.positions)
     SIMREEL_CHECK(std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < 1e9F);
 }
+
+const Reader meshReader("mesh", readMesh);
+
+}  // namespace
+}  // namespace simreel::fuzz

@@ -1,6 +1,14 @@
 #include "fuzz/particles.hpp"
 #include "fuzz/reader.hpp"
 
-void simreel::fuzz::read(std::string_view bytes) {
+namespace simreel::fuzz {
+namespace {
+
+void readPly(std::string_view bytes) {
   if (bytes.starts_with("ply")) readCloud(bytes, "fuzz.ply");
 }
+
+const Reader plyReader("ply", readPly);
+
+}  // namespace
+}  // namespace simreel::fuzz

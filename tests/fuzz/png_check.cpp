@@ -8,8 +8,7 @@
 
 #include <isa-l/crc.h>
 
-using namespace simreel;
-
+namespace simreel::fuzz {
 namespace {
 
 constexpr std::size_t signature = 8;
@@ -20,10 +19,8 @@ std::uint32_t bigEndian(const char* at) {
   return value;
 }
 
-}  // namespace
-
 /// Right checksums for every chunk.
-void simreel::fuzz::mend(std::string& bytes, std::size_t /*most*/) {
+void mendPngCheck(std::string& bytes) {
   for (std::size_t at = signature; at + 12 <= bytes.size();) {
     const std::size_t length = bigEndian(&bytes[at]);
     if (length > bytes.size() - at - 12) return;
@@ -34,7 +31,7 @@ void simreel::fuzz::mend(std::string& bytes, std::size_t /*most*/) {
   }
 }
 
-void simreel::fuzz::read(std::string_view bytes) {
+void readPngCheck(std::string_view bytes) {
   const auto file = std::as_bytes(std::span(bytes.data(), bytes.size()));
   golden::checkPng(file, "picture", "fuzz.png");
   SIMREEL_CHECK(golden::sameEncodedPixels(file, file));
@@ -44,3 +41,8 @@ void simreel::fuzz::read(std::string_view bytes) {
   golden::checkPng(again, "picture", "again.png");
   SIMREEL_CHECK_EQ(frame::pixelHash(frame::decodeImage(again, "again.png")), frame::pixelHash(image));
 }
+
+const Reader pngCheckReader("png_check", readPngCheck, mendPngCheck);
+
+}  // namespace
+}  // namespace simreel::fuzz

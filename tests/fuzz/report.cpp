@@ -8,7 +8,10 @@
 #include "golden/report/text.hpp"
 #include "golden/result.hpp"
 
-void simreel::fuzz::read(std::string_view bytes) {
+namespace simreel::fuzz {
+namespace {
+
+void readReport(std::string_view bytes) {
   const golden::SuiteResult suite = golden::parseReport(std::string(bytes), "report.json");
   const std::string text = golden::reportText(suite);
   SIMREEL_CHECK_EQ(golden::reportText(golden::parseReport(text, "again.json")), text);
@@ -18,3 +21,8 @@ void simreel::fuzz::read(std::string_view bytes) {
   static_cast<void>(golden::closingText(suite));
   for (const auto& scene : suite.scenes) static_cast<void>(golden::sceneLine(scene));
 }
+
+const Reader reportReader("report", readReport);
+
+}  // namespace
+}  // namespace simreel::fuzz

@@ -4,16 +4,13 @@
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
 
-using namespace simreel;
-
+namespace simreel::fuzz {
 namespace {
 
 /// Cells of a written file are checked where the grid takes no more than this.
 constexpr long maxWords = 1 << 16;
 
-}  // namespace
-
-void simreel::fuzz::read(std::string_view bytes) {
+void readRle(std::string_view bytes) {
   if (bytes.starts_with("[M2]")) return;  // macrocell.cpp, which bounds what few lines may unfold to
   const sim::CellPattern pattern = sim::parsePattern(bytes, "fuzz.rle");
   const long rowWords = sim::CellRows::rowWords(pattern.size.x);
@@ -35,3 +32,8 @@ void simreel::fuzz::read(std::string_view bytes) {
       back[static_cast<std::size_t>(run.y * rowWords + x / 32)] |= 1U << (x % 32);
   SIMREEL_CHECK(back == words);
 }
+
+const Reader rleReader("rle", readRle);
+
+}  // namespace
+}  // namespace simreel::fuzz

@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <vector>
 
-using namespace simreel;
+namespace simreel::fuzz {
+namespace {
 
-void simreel::fuzz::read(std::string_view bytes) {
+void readRule(std::string_view bytes) {
   const sim::CellRule rule = sim::parseRuleFile(bytes, "fuzz.rule");
   SIMREEL_CHECK(rule.states >= 2 && rule.states <= 256 && rule.tree != nullptr);
   const auto states = static_cast<std::size_t>(rule.states);
@@ -29,3 +30,8 @@ void simreel::fuzz::read(std::string_view bytes) {
   }
   for (const std::uint32_t state : nodes) SIMREEL_CHECK(state < states);
 }
+
+const Reader ruleReader("rule", readRule);
+
+}  // namespace
+}  // namespace simreel::fuzz

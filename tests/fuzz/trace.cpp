@@ -9,16 +9,17 @@
 
 #include <algorithm>
 
-using namespace simreel;
+namespace simreel::fuzz {
+namespace {
 
 /// The hash at the end.
-void simreel::fuzz::mend(std::string& bytes, std::size_t /*most*/) {
+void mendTrace(std::string& bytes) {
   if (bytes.size() < hashDigits) return;
   const std::string hash = hashHex(std::string_view(bytes).substr(0, bytes.size() - hashDigits));
   bytes.replace(bytes.size() - hashDigits, hashDigits, hash);
 }
 
-void simreel::fuzz::read(std::string_view bytes) {
+void readTrace(std::string_view bytes) {
   const auto file = std::as_bytes(std::span(bytes.data(), bytes.size()));
   const golden::StepTrace trace = golden::decodeTrace(file, "steps.bin");
   const auto written = golden::encodeTrace(trace);
@@ -27,3 +28,8 @@ void simreel::fuzz::read(std::string_view bytes) {
   const golden::StepTrace last = golden::reduced(trace, true, 0);
   SIMREEL_CHECK_EQ(last.words.size(), last.totalWords());
 }
+
+const Reader traceReader("trace", readTrace, mendTrace);
+
+}  // namespace
+}  // namespace simreel::fuzz
