@@ -64,7 +64,7 @@ class Running(GoldenCase):
             "cloth/model.glsl", "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;", "(1.0f - restLength * exactInverseSqrt(squared) * 1.01f) * stiffness;"))
         timer.start()
         self.addCleanup(timer.join)
-        scene = self.one(1, "--repeat", "500", env=env)
+        scene = self.one(1, "--repeat", "200", env=env)
         self.assertEqual(scene["status"], "nondeterministic")
         self.assertIn("runs 1 and", scene["text"])
         self.assertEqual(scene["candidate"] or "", "")
