@@ -1,4 +1,4 @@
-#include "draw/exact/occlusion.hpp"
+#include "draw/exact/occlusion/occlusion.hpp"
 
 #include "draw/exact/bindings.hpp"
 #include "draw/rows_at_once.hpp"

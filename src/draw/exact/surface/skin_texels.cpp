@@ -1,4 +1,4 @@
-#include "draw/exact/skin_texels.hpp"
+#include "draw/exact/surface/skin_texels.hpp"
 
 #include "draw/draw_state.hpp"
 #include "draw/exact/bindings.hpp"

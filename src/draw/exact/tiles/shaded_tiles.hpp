@@ -1,5 +1,5 @@
 #pragma once
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 #include "gl/texture.hpp"
 
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 #include "draw/exact/group_counts.hpp"
-#include "draw/exact/triangle_bins.hpp"
+#include "draw/exact/triangles/triangle_bins.hpp"
 #include "draw/exact/visibility.hpp"
 #include "sim/core/drawable.hpp"
 

@@ -1,7 +1,7 @@
-#include "draw/exact/bloom.hpp"
+#include "draw/exact/screen/bloom.hpp"
 
 #include "base/ieee.hpp"
-#include "draw/exact/light_pictures.hpp"
+#include "draw/exact/screen/light_pictures.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "draw/exact/map_texels.hpp"
+#include "draw/exact/surface/map_texels.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"

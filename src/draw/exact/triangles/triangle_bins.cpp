@@ -1,4 +1,4 @@
-#include "draw/exact/triangle_bins.hpp"
+#include "draw/exact/triangles/triangle_bins.hpp"
 
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/reserve.hpp"

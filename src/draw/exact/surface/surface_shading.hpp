@@ -1,10 +1,10 @@
 #pragma once
-#include "draw/exact/joined_surfaces.hpp"
-#include "draw/exact/map_texels.hpp"
-#include "draw/exact/shaded_tiles.hpp"
-#include "draw/exact/skin_texels.hpp"
-#include "draw/exact/texel_lists.hpp"
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/surface/map_texels.hpp"
+#include "draw/exact/surface/skin_texels.hpp"
+#include "draw/exact/surface/texel_lists.hpp"
+#include "draw/exact/tiles/shaded_tiles.hpp"
+#include "draw/exact/triangles/joined_surfaces.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 #include "draw/surface/skin_textures.hpp"
 #include "scene/scene.hpp"
 

@@ -1,9 +1,9 @@
-#include "draw/exact/joined_surfaces.hpp"
+#include "draw/exact/triangles/joined_surfaces.hpp"
 
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/reserve.hpp"
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 #include "draw/surface/surface_pass.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"

@@ -1,4 +1,4 @@
-#include "draw/exact/texel_lists.hpp"
+#include "draw/exact/surface/texel_lists.hpp"
 
 #include "draw/surface/mip_levels.hpp"
 #include "gl/limits.hpp"

@@ -1,4 +1,4 @@
-#include "draw/exact/shaded_tiles.hpp"
+#include "draw/exact/tiles/shaded_tiles.hpp"
 
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"

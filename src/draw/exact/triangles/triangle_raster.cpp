@@ -1,11 +1,11 @@
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 
 #include "base/error.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/exact_view.hpp"
-#include "draw/exact/joined_surfaces.hpp"
 #include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
+#include "draw/exact/triangles/joined_surfaces.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 

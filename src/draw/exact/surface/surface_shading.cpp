@@ -1,4 +1,4 @@
-#include "draw/exact/surface_shading.hpp"
+#include "draw/exact/surface/surface_shading.hpp"
 
 #include "draw/draw_state.hpp"
 #include "draw/exact/shown.hpp"
