@@ -1,6 +1,6 @@
 #pragma once
 #include "scene/expression/tree.hpp"
-#include "sim/reaction/graph.hpp"
+#include "sim/reaction/rule/graph.hpp"
 
 #include <cstddef>
 #include <string>

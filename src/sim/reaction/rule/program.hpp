@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/reaction/rule.hpp"
+#include "sim/reaction/rule/rule.hpp"
 
 #include <optional>
 #include <vector>

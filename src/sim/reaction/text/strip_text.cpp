@@ -1,4 +1,4 @@
-#include "sim/reaction/node_text.hpp"
+#include "sim/reaction/text/node_text.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,7 +1,7 @@
-#include "sim/reaction/rule.hpp"
+#include "sim/reaction/rule/rule.hpp"
 
 #include "scene/words.hpp"
-#include "sim/reaction/rule_cost.hpp"
+#include "sim/reaction/rule/rule_cost.hpp"
 
 #include <algorithm>
 #include <map>

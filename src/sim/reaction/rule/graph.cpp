@@ -1,7 +1,7 @@
-#include "sim/reaction/graph.hpp"
+#include "sim/reaction/rule/graph.hpp"
 
 #include "base/error.hpp"
-#include "sim/reaction/model.hpp"
+#include "sim/reaction/rule/model.hpp"
 
 #include <algorithm>
 #include <bit>

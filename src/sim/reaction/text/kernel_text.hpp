@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/reaction/evaluate.hpp"
+#include "sim/reaction/rule/evaluate.hpp"
 
 #include <cstddef>
 #include <string>

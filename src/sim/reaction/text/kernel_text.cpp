@@ -1,6 +1,6 @@
-#include "sim/reaction/kernel_text.hpp"
+#include "sim/reaction/text/kernel_text.hpp"
 
-#include "sim/reaction/node_text.hpp"
+#include "sim/reaction/text/node_text.hpp"
 
 #include <algorithm>
 #include <iterator>

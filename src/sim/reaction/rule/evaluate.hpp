@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/reaction/program.hpp"
+#include "sim/reaction/rule/program.hpp"
 
 #include <span>
 #include <vector>

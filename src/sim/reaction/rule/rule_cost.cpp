@@ -1,4 +1,4 @@
-#include "sim/reaction/rule_cost.hpp"
+#include "sim/reaction/rule/rule_cost.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "sim/reaction/program.hpp"
+#include "sim/reaction/rule/program.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/reaction/kernel_text.hpp"
+#include "sim/reaction/text/kernel_text.hpp"
 
 #include <functional>
 #include <string>
