@@ -1,9 +1,9 @@
-#include "sim/automata/rule_file.hpp"
+#include "sim/automata/file/rule_file.hpp"
 
 #include "base/file.hpp"
-#include "sim/automata/rule_table.hpp"
-#include "sim/automata/rule_text.hpp"
-#include "sim/automata/rule_tree.hpp"
+#include "sim/automata/file/rule_table.hpp"
+#include "sim/automata/file/rule_text.hpp"
+#include "sim/automata/file/rule_tree.hpp"
 
 #include <array>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "sim/automata/arrangements.hpp"
+#include "sim/automata/rule/arrangements.hpp"
 
 #include <array>
 #include <bit>

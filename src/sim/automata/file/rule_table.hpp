@@ -1,6 +1,6 @@
 #pragma once
-#include "sim/automata/cell_rule.hpp"
-#include "sim/automata/rule_text.hpp"
+#include "sim/automata/file/rule_text.hpp"
+#include "sim/automata/rule/cell_rule.hpp"
 
 namespace simreel::sim {
 

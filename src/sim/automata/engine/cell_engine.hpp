@@ -3,8 +3,8 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
-#include "sim/automata/cell_rule.hpp"
-#include "sim/automata/grid_shape.hpp"
+#include "sim/automata/engine/grid_shape.hpp"
+#include "sim/automata/rule/cell_rule.hpp"
 
 #include <string>
 

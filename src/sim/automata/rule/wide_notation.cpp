@@ -1,4 +1,4 @@
-#include "sim/automata/notation_reader.hpp"
+#include "sim/automata/rule/notation_reader.hpp"
 
 #include <algorithm>
 #include <string>

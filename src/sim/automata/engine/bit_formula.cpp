@@ -1,4 +1,4 @@
-#include "sim/automata/bit_formula.hpp"
+#include "sim/automata/engine/bit_formula.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/automata/cell_rule.hpp"
+#include "sim/automata/rule/cell_rule.hpp"
 
 #include <array>
 #include <bitset>

@@ -1,4 +1,4 @@
-#include "sim/automata/rule_text.hpp"
+#include "sim/automata/file/rule_text.hpp"
 
 #include "base/error.hpp"
 

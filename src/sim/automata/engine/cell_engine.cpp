@@ -1,4 +1,4 @@
-#include "sim/automata/cell_engine.hpp"
+#include "sim/automata/engine/cell_engine.hpp"
 
 #include "base/error.hpp"
 #include "gl/limits.hpp"

@@ -1,5 +1,5 @@
 #include "base/text.hpp"
-#include "sim/automata/notation.hpp"
+#include "sim/automata/rule/notation.hpp"
 
 #include <cstdint>
 #include <vector>

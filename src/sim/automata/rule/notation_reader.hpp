@@ -1,6 +1,6 @@
 #pragma once
 #include "base/text.hpp"
-#include "sim/automata/notation.hpp"
+#include "sim/automata/rule/notation.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "sim/automata/grid_shape.hpp"
+#include "sim/automata/engine/grid_shape.hpp"
 
 #include <fmt/format.h>
 

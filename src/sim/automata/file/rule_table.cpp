@@ -1,7 +1,7 @@
-#include "sim/automata/rule_table.hpp"
+#include "sim/automata/file/rule_table.hpp"
 
 #include "base/text.hpp"
-#include "sim/automata/rule_tree.hpp"
+#include "sim/automata/file/rule_tree.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/automata/cell_rule.hpp"
+#include "sim/automata/rule/cell_rule.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "sim/automata/notation.hpp"
+#include "sim/automata/rule/notation.hpp"
 
 #include <cstdlib>
 

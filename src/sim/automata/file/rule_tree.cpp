@@ -1,4 +1,4 @@
-#include "sim/automata/rule_tree.hpp"
+#include "sim/automata/file/rule_tree.hpp"
 
 #include <algorithm>
 #include <bit>

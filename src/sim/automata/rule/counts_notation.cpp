@@ -1,6 +1,6 @@
 #include "base/text.hpp"
-#include "sim/automata/arrangements.hpp"
-#include "sim/automata/notation.hpp"
+#include "sim/automata/rule/arrangements.hpp"
+#include "sim/automata/rule/notation.hpp"
 
 #include <array>
 #include <bit>

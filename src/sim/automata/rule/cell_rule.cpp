@@ -1,7 +1,7 @@
-#include "sim/automata/cell_rule.hpp"
+#include "sim/automata/rule/cell_rule.hpp"
 
 #include "base/text.hpp"
-#include "sim/automata/notation.hpp"
+#include "sim/automata/rule/notation.hpp"
 
 #include <algorithm>
 #include <bit>
