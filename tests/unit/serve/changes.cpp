@@ -1,4 +1,4 @@
-#include "serve/play/changes.hpp"
+#include "serve/script/changes.hpp"
 
 #include <limits>
 #include <string>

@@ -1,7 +1,7 @@
-#include "serve/play/script.hpp"
+#include "serve/script/script.hpp"
 
 #include "scene/as_run.hpp"
-#include "serve/play/changes.hpp"
+#include "serve/script/changes.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/world/list.hpp"
 

@@ -1,4 +1,4 @@
-#include "serve/play/beside.hpp"
+#include "serve/beside/beside.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -9,7 +9,7 @@
 #include "golden/baseline/profile.hpp"
 #include "golden/baseline/tolerance.hpp"
 #include "golden/compare/difference_image.hpp"
-#include "serve/play/verdict_words.hpp"
+#include "serve/beside/verdict_words.hpp"
 #include "sim/world/list.hpp"
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 #include "frame/image.hpp"
 #include "frame/summaries.hpp"
 #include "golden/suite/scene_run.hpp"
-#include "serve/play/ask.hpp"
-#include "serve/play/kept_states.hpp"
-#include "serve/play/script.hpp"
+#include "serve/script/script.hpp"
+#include "serve/stage/ask.hpp"
+#include "serve/stage/kept_states.hpp"
 #include "sim/world/world.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "serve/play/stage.hpp"
+#include "serve/stage/stage.hpp"
 
 #include "base/clock.hpp"
 #include "base/error.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 #include "scene/scene.hpp"
-#include "serve/play/watched_files.hpp"
+#include "serve/script/watched_files.hpp"
 
 #include <cstddef>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "serve/play/child_process.hpp"
+#include "serve/child/child_process.hpp"
 
 #include "base/error.hpp"
 #include "base/process.hpp"

@@ -1,4 +1,4 @@
-#include "serve/play/ask.hpp"
+#include "serve/stage/ask.hpp"
 
 #include "draw/overlay/field_view.hpp"
 #include "draw/screen/renderer.hpp"

@@ -1,10 +1,10 @@
 #pragma once
 #include "gl/context.hpp"
 #include "golden/suite/judge.hpp"
+#include "serve/child/child_process.hpp"
 #include "serve/net/hub.hpp"
-#include "serve/play/child_process.hpp"
-#include "serve/play/script.hpp"
-#include "serve/play/stage.hpp"
+#include "serve/script/script.hpp"
+#include "serve/stage/stage.hpp"
 #include "sim/core/numerics.hpp"
 
 #include <cstdint>

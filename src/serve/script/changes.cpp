@@ -1,4 +1,4 @@
-#include "serve/play/changes.hpp"
+#include "serve/script/changes.hpp"
 
 #include "scene/as_run.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "serve/play/script.hpp"
+#include "serve/script/script.hpp"
 #include "sim/world/world.hpp"
 
 #include <optional>

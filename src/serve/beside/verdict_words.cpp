@@ -1,4 +1,4 @@
-#include "serve/play/verdict_words.hpp"
+#include "serve/beside/verdict_words.hpp"
 
 #include <cmath>
 

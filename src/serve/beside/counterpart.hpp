@@ -1,7 +1,7 @@
 #pragma once
 #include "frame/image.hpp"
-#include "serve/play/script.hpp"
-#include "serve/play/stage.hpp"
+#include "serve/script/script.hpp"
+#include "serve/stage/stage.hpp"
 #include "sim/core/numerics.hpp"
 
 #include <cstddef>

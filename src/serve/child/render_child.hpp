@@ -1,5 +1,5 @@
 #pragma once
-#include "serve/play/child_process.hpp"
+#include "serve/child/child_process.hpp"
 
 #include <filesystem>
 #include <string>

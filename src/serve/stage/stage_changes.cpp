@@ -1,6 +1,6 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
-#include "serve/play/stage.hpp"
+#include "serve/stage/stage.hpp"
 
 #include <algorithm>
 #include <set>

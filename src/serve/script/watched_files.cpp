@@ -1,4 +1,4 @@
-#include "serve/play/watched_files.hpp"
+#include "serve/script/watched_files.hpp"
 
 #include <sys/stat.h>
 #include <utility>

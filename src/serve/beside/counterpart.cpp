@@ -1,4 +1,4 @@
-#include "serve/play/counterpart.hpp"
+#include "serve/beside/counterpart.hpp"
 
 #include "base/error.hpp"
 #include "scene/scene_source.hpp"

@@ -1,4 +1,4 @@
-#include "serve/play/render_child.hpp"
+#include "serve/child/render_child.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
