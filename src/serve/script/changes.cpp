@@ -88,6 +88,19 @@ double strokesAlike(const ordered_json& before, const ordered_json& after) {
   return alike;
 }
 
+/// Whether the strokes of a fluid set dye, and temperature.
+std::array<bool, 2> carried(const ordered_json& fluid) {
+  std::array<bool, 2> all{};
+  const ordered_json strokes = fluid.value("strokes", ordered_json::array());
+  if (!strokes.is_array()) return all;
+  for (const ordered_json& stroke : strokes)
+    if (stroke.is_object()) {
+      all[0] = all[0] || stroke.contains("dye");
+      all[1] = all[1] || stroke.contains("temperature");
+    }
+  return all;
+}
+
 double valuesAlike(const ordered_json& before, const ordered_json& after) {
   if (before == after) return always;
   double alike = always;
@@ -120,8 +133,8 @@ double objectsAlike(const ordered_json& before, const ordered_json& after) {
     const auto strokes = [](const ordered_json& of) { return of.value("strokes", ordered_json::array()); };
     const std::size_t strokesOfOne = a.contains("strokes") != b.contains("strokes") ? 1 : 0;
     if (a.size() + b.size() - 2 * both != strokesOfOne) return never;
-    // A fluid that is given none is stirred from the start.
-    if (kind == "fluid" && strokesOfOne > 0) return never;
+    // A fluid that is given none is stirred from the start, and has arrays of what its strokes set alone.
+    if (kind == "fluid" && (strokesOfOne > 0 || carried(a) != carried(b))) return never;
     alike = std::min(alike, strokesAlike(strokes(a), strokes(b)));
     for (const auto& one : b.items()) {
       if (one.key() == "strokes" || one.value() == a.at(one.key())) continue;
