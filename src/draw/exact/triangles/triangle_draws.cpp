@@ -6,6 +6,7 @@
 #include "draw/exact/triangles/triangle_kernels.hpp"
 #include "draw/exact/triangles/triangle_raster.hpp"
 #include "gl/context.hpp"
+#include "gl/element_array.hpp"
 
 #include <algorithm>
 
