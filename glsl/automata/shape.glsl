@@ -1,4 +1,4 @@
-// How the edges of a grid are joined. Compiles as GLSL and as C++ (src/sim/automata/grid_shape.hpp).
+// How the edges of a grid are joined. Compiles as GLSL and as C++ (src/sim/automata/engine/grid_shape.hpp).
 
 struct GridJoin {
   int width, height;

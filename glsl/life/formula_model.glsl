@@ -1,5 +1,5 @@
 // Any rule of nine cells on bits, as model.glsl has those that count. FORMULA is the body of nextCells for the rule: choices
-// between words, generated (src/sim/automata/bit_formula.hpp).
+// between words, generated (src/sim/automata/engine/bit_formula.hpp).
 
 // A row's cells as each of its cells sees them.
 struct RowSum {

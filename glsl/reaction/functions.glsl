@@ -1,4 +1,4 @@
-// What rules are computed with besides common/exact.glsl. Compiles as GLSL and as C++ (src/sim/reaction/model.hpp).
+// What rules are computed with besides common/exact.glsl. Compiles as GLSL and as C++ (src/sim/reaction/rule/model.hpp).
 
 // Adding and taking away `grain`, 1.5 * 2^(q + 23), leaves a multiple of 2^q where x is smaller, whatever drivers do with
 // subnormal numbers. What is greater keeps its bits but for the last, near that number. -0 becomes 0. A grain is told, since

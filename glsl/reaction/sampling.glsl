@@ -1,4 +1,4 @@
-// Where a cell of one grid lies on another that covers the same. Compiles as GLSL and as C++ (src/sim/reaction/model.hpp).
+// Where a cell of one grid lies on another that covers the same. Compiles as GLSL and as C++ (src/sim/reaction/rule/model.hpp).
 
 // Between the middles of two cells: the share of the second, a multiple of 2^-15.
 struct Between {

@@ -13,7 +13,7 @@
 #include "frame/sink/progress.hpp"
 #include "frame/sink/sequence.hpp"
 #include "gl/context.hpp"
-#include "sim/automata/cell_rule.hpp"
+#include "sim/automata/rule/cell_rule.hpp"
 #include "sim/life/cell_pattern.hpp"
 
 #include <algorithm>

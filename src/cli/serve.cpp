@@ -76,6 +76,7 @@ void addServe(CLI::App& app) {
   auto o = std::make_shared<ServePageOptions>();
   auto* command = app.add_subcommand("serve", "Show a scene in a browser while it is written");
   o->scene.add(*command);
+  command->get_option("scene")->description("Scene file, which is watched");
   command->add_option("other", o->other,
                       "A second scene, side by side with the first: at the same frame, drawn when it is");
   command

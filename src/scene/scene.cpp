@@ -15,6 +15,7 @@
 #include "scene/words.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <optional>
 #include <utility>
@@ -74,11 +75,22 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
   return object;
 }
 
+/// A member of an object, or an item of a list by its number; null where there is none.
+const Node* memberOf(const Node& node, const std::string& key) {
+  if (node.kind == Node::Kind::object) return node.find(key);
+  std::size_t index = 0;
+  const char* const end = key.data() + key.size();
+  const auto [stop, error] = std::from_chars(key.data(), end, index);
+  const bool isNumber = error == std::errc() && stop == end;
+  return node.kind == Node::Kind::list && isNumber && index < node.children.size() ? &node.children[index]
+                                                                                   : nullptr;
+}
+
 /// Where a path from an object's node ends, as far as the scene gives it.
 Place placeOf(const Node& object, const std::vector<std::string>& path) {
   const Node* node = &object;
   for (const std::string& key : path) {
-    const Node* next = node->kind == Node::Kind::object ? node->find(key.c_str()) : nullptr;
+    const Node* next = memberOf(*node, key);
     if (next == nullptr) return node->headPlace();
     node = next;
   }

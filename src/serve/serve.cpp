@@ -52,8 +52,8 @@ int serveScene(ServeOptions options, const gl::Context& context) {
        }},
       guard, hub);
   printText("Open " + pageAddress(options.address, server.port(), guard.token()) + "\n" +
-            "From another machine, first: " + tunnelCommand(server.port(), machineName()) + "\n" +
-            "Ctrl-C ends it.\n");
+            "From another machine, first: " + tunnelCommand(options.address, server.port(), machineName()) +
+            "\n" + "Ctrl-C ends it.\n");
   std::fflush(stdout);  // whoever reads it over a pipe wants it now
   player.run();
   return frame::interruptSignal();

@@ -1,7 +1,7 @@
 // A rule that is read is a function of every neighbourhood: all ways through its diagram end in a state.
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
-#include "sim/automata/rule_file.hpp"
+#include "sim/automata/file/rule_file.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -7,7 +7,7 @@
 #include "beside/memory.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
-#include "sim/automata/cell_engine.hpp"
+#include "sim/automata/engine/cell_engine.hpp"
 #include "sim/life/plan.hpp"
 
 #include <algorithm>

@@ -77,12 +77,21 @@ bool Guard::splitPath(std::string_view path, std::string_view& rest) const {
   return difference == 0;
 }
 
-std::string pageAddress(const std::string& address, int port, const std::string& token) {
-  return fmt::format("http://{}:{}/{}/", address == "0.0.0.0" ? "127.0.0.1" : address, port, token);
+namespace {
+
+/// Where this machine itself reaches what listens there.
+std::string reachedAt(const std::string& address) {
+  return address == "0.0.0.0" ? "127.0.0.1" : address;
 }
 
-std::string tunnelCommand(int port, const std::string& machine) {
-  return fmt::format("ssh -N -L {0}:127.0.0.1:{0} {1}", port, machine);
+}  // namespace
+
+std::string pageAddress(const std::string& address, int port, const std::string& token) {
+  return fmt::format("http://{}:{}/{}/", reachedAt(address), port, token);
+}
+
+std::string tunnelCommand(const std::string& address, int port, const std::string& machine) {
+  return fmt::format("ssh -N -L {0}:{1}:{0} {2}", port, reachedAt(address), machine);
 }
 
 }  // namespace simreel::serve

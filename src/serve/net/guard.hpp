@@ -34,6 +34,6 @@ class Guard {
 
 /// What to print: the address for a browser here, and how to get there from elsewhere.
 [[nodiscard]] std::string pageAddress(const std::string& address, int port, const std::string& token);
-[[nodiscard]] std::string tunnelCommand(int port, const std::string& machine);
+[[nodiscard]] std::string tunnelCommand(const std::string& address, int port, const std::string& machine);
 
 }  // namespace simreel::serve

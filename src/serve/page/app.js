@@ -2,7 +2,7 @@
 import { showAnswer } from "./answer.js";
 import { showCharts, showTimes } from "./charts.js";
 import { Compare } from "./compare.js";
-import { byId, element } from "./dom.js";
+import { byId, element, typing } from "./dom.js";
 import { Link } from "./link.js";
 import { Pair } from "./pair.js";
 import { Panel } from "./panel.js";
@@ -16,6 +16,7 @@ let panel = null;
 function note(text, seconds = 4) {
   byId("note").textContent = text;
   byId("note").hidden = !text;
+  byId("note").classList.toggle("report", text.includes("\n"));
   clearTimeout(note.timer);
   if (text) note.timer = setTimeout(() => { byId("note").hidden = true; }, 1000 * seconds);
 }
@@ -31,7 +32,7 @@ const link = new Link({
   series: (message) => { Object.assign(state, { series: message.series, seriesBeside: message.beside ?? [] }); charts(); },
   render: (message) => rendered(message),
   golden: (message) => compare.set(message),
-  refused: (message) => note(message.text, 6),
+  refused: (message) => { note(message.text, message.text.includes("\n") ? 12 : 6); restore(); },
   answer: (message) => showAnswer(byId("answer"), message),
   picture: (about, files) => screen.show(about, files),
 });
@@ -53,7 +54,8 @@ const screen = new Screen(byId("screen"), {
     if (moving) link.move("camera", request);
     else link.settle("camera", request);
   },
-  paint: (from, to, beside) => link.send({ do: "paint", from, to, radius: Number(byId("radius").value) || 1, beside }),
+  paint: (from, to, beside) => link.send({ do: "paint", from, to, radius: Number(byId("radius").value) || 1,
+    ...(byId("value").value === "" ? {} : { value: Number(byId("value").value) }), beside }),
   click: (x, y, beside) => link.send({ asks: "pixel", x, y, beside }),
 });
 
@@ -82,7 +84,8 @@ function facts() {
   if (!scene || !about) return;
   const fact = (name, value, title) => element("span", { class: "fact", title: title ?? "" }, `${name} `, element("b", {}, value));
   byId("render").hidden = byId("renderAll").hidden = !about.output;
-  byId("file").textContent = about.file + (about.edit ? " · saved as you go" : "");
+  byId("file").title = about.file;
+  byId("file").textContent = about.file.split("/").pop() + (about.edit ? " · saved as you go" : "");
   byId("facts").replaceChildren(...(scene.size ? [
     fact("numerics", scene.numerics), fact("rasterizer", scene.rasterizer),
     fact("", `${scene.size[0]}×${scene.size[1]}`, `${scene.samples} samples per pixel`),
@@ -127,6 +130,13 @@ function sideChosen() {
   if (compare.message.on) link.send({ do: "compare", on: true, ...pair.flag });
 }
 
+// What was asked for is not done: controls show what is there again.
+function restore() {
+  if (state.scene?.scene) parametersChanged();
+  timeline.setStatus(state.status);
+  screen.restore();
+}
+
 // Of the side that changes go to.
 function parametersChanged() {
   const chosen = pair.chosen;
@@ -158,16 +168,16 @@ function charts() {
   if (scene?.scene && picture) showCharts(byId("charts"), series, scene.checks, picture.frame, scene.frames);
 }
 
-const paintable = ["life", "grayScott", "epidemic", "wildfire", "reaction", "water", "fluid"];
+const paintable = ["life", "lenia", "grayScott", "epidemic", "wildfire", "reaction", "water", "fluid"];
 function brush(on) {
   screen.brush = on;
   byId("brush").setAttribute("aria-pressed", on);
-  byId("radius").hidden = !on;
+  byId("radius").hidden = byId("value").hidden = !on;
   byId("sides").classList.toggle("brush", on);
 }
 byId("brush").onclick = () => brush(!screen.brush);
 addEventListener("keydown", (event) => {
-  if (event.key === "b" && !event.target.matches("input, select") && !byId("brush").hidden) brush(!screen.brush);
+  if (event.key === "b" && !typing(event.target) && !byId("brush").hidden) brush(!screen.brush);
 });
 byId("render").onclick = () => link.send({ do: "render", all: false, ...pair.flag });
 byId("renderAll").onclick = () => link.send({ do: "render", all: true, ...pair.flag });

@@ -57,7 +57,7 @@ export function showTimes(into, took, status) {
   });
   const rate = status.moving && status.rate ? `${status.rate.toFixed(1)} pictures/s` : "at rest";
   const kept = status.kept;
-  const states = kept && kept.count ? `${kept.count} states kept, every ${kept.every === 1 ? "frame" : kept.every + " frames"}` +
+  const states = kept && kept.count ? `${kept.count} ${kept.count === 1 ? "state" : "states"} kept, every ${kept.every === 1 ? "frame" : kept.every + " frames"}` +
     `, ${Math.ceil(kept.bytes / 1048576)} of ${Math.round(kept.most / 1048576)} MiB` : "";
-  into.replaceChildren(...rows, element("div", { class: "quiet", title: states }, `${rate}${states ? " · " + kept.count + " states kept" : ""}`));
+  into.replaceChildren(...rows, element("div", { class: "quiet", title: states }, `${rate}${states ? ` · ${kept.count} ${kept.count === 1 ? "state" : "states"} kept` : ""}`));
 }

@@ -11,6 +11,9 @@ export function element(name, attributes, ...children) {
   return made;
 }
 
+// Whether keys are letters to what has the focus. Sliders and boxes to tick hear no more than arrows and the space bar.
+export const typing = (target) => target.matches("select, textarea, input:not([type='range'], [type='checkbox'], [type='color'])");
+
 // Short, and as it would be written in a scene.
 export function number(value) {
   if (!Number.isFinite(value)) return String(value);

@@ -42,6 +42,11 @@ export class Screen {
     }).catch(() => this.on.shown(about));
   }
 
+  // Cameras as the latest picture has them.
+  restore() {
+    if (this.about && !this.held) [this.about.view, this.about.beside?.view ?? null].forEach((view, side) => { this.panes[side].view = view; });
+  }
+
   // As many pictures as came. What is shown of a difference stays until the next whole picture.
   arrange(count) {
     const quick = this.about.draft && this.about.beside && !this.panes[2].figure.hidden;

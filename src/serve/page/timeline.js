@@ -1,5 +1,5 @@
 // Play, step, loop and scrub; where states are kept, and where values have keys.
-import { byId, element } from "./dom.js";
+import { byId, element, typing } from "./dom.js";
 
 export class Timeline {
   constructor(on) {
@@ -29,10 +29,11 @@ export class Timeline {
   }
 
   key(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input, select, textarea")) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
+    if (event.target.matches("input[type='range']") && /^(Arrow|Home|End|Page)/.test(event.key)) return; // it moves itself
     const act = { " ": () => this.toggle(), ArrowLeft: () => this.step(-1), ArrowRight: () => this.step(1),
       Home: () => this.on.seek(0, false), End: () => this.on.seek(this.last, false), l: () => this.toggleLoop() }[event.key];
-    if (!act || (event.key === " " && event.target.matches("button, summary"))) return;
+    if (!act || (event.key === " " && event.target.matches("button, summary, input:not([type='range'])"))) return;
     event.preventDefault();
     act();
   }

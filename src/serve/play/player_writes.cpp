@@ -1,11 +1,11 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/strict_json.hpp"
+#include "serve/edit/brush.hpp"
 #include "serve/edit/place_value.hpp"
 #include "serve/play/player.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 
@@ -84,28 +84,23 @@ void Player::paint(const Json& json) {
     fail(ExitCode::usage, "there is no field to paint; cells that lie over the picture can be painted");
   hearOfMoving();
   playing_ = false;
+  const scene::Scene& shown = stage.script().scene;
+  const auto object = std::find_if(shown.objects.begin(), shown.objects.end(),
+                                   [&](const scene::Object& one) { return one.name == from->object; });
   const nlohmann::json scene = parseStrictJson(stage.script().asRun);
-  const nlohmann::json& object = scene.at("objects").at(from->object);
-  std::string kind;
-  for (const auto& member : object.items())
-    if (member.key() != "material") kind = member.key();
-  const std::string path = fmt::format("objects.{}.{}.strokes", from->object, kind);
-  nlohmann::json strokes = object.at(kind).value("strokes", nlohmann::json::array());
-  const auto rounded = [](glm::dvec2 cell) {
-    constexpr double tenth = 10;
-    return nlohmann::json{std::round(cell.x * tenth) / tenth, std::round(cell.y * tenth) / tenth, 0};
-  };
-  nlohmann::json stroke = {{"at", target_ / stage.script().scene.time.fps},
-                           {"shape", from->cell == to->cell ? "circle" : "line"},
-                           {"from", rounded(from->cell)},
-                           {"to", rounded(to->cell)},
-                           {"radius", request.at("radius").number()}};
-  if (const auto value = request.find("value")) stroke["value"] = value->number();
+  const nlohmann::json& given = scene.at("objects").at(object->name).at(object->kind);
+  const std::string path = fmt::format("objects.{}.{}.strokes", object->name, object->kind);
+  // What flows goes on meanwhile.
+  if (object->kind == "fluid" && from->cell != to->cell) target_ = std::min(target_ + 1, lastFrame());
+  BrushPiece piece{target_ / shown.time.fps, from->cell, to->cell, request.at("radius").number()};
+  if (const auto value = request.find("value")) piece.value = value->number();
+  nlohmann::json strokes = strokesOf(*object, given);
+  nlohmann::json stroke = strokeOf(*object, given, piece);
   const scene::Override written{fmt::format("{}.{}", path, strokes.size()), stroke.dump()};
   strokes.push_back(std::move(stroke));
   const scene::Override whole{path, strokes.dump()};
   // The states are those of this scene already: the file says the same as the edit.
-  const scene::Override& change = strokes.size() == 1 ? whole : written;
+  const scene::Override& change = given.contains("strokes") && strokes.size() > 1 ? written : whole;
   if (right) {
     setOther(withEdit(other_.edits(), whole), false);
     if (options_.edit && other_.ownFile()) writeOther(change, path);

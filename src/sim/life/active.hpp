@@ -3,7 +3,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
-#include "sim/automata/cell_rule.hpp"
+#include "sim/automata/rule/cell_rule.hpp"
 
 #include <optional>
 

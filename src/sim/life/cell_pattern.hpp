@@ -1,6 +1,6 @@
 #pragma once
-#include "sim/automata/cell_rule.hpp"
-#include "sim/automata/grid_shape.hpp"
+#include "sim/automata/engine/grid_shape.hpp"
+#include "sim/automata/rule/cell_rule.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -4,7 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
-#include "sim/automata/cell_engine.hpp"
+#include "sim/automata/engine/cell_engine.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/life/active.hpp"
 #include "sim/life/life_scene.hpp"

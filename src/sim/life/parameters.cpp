@@ -1,6 +1,6 @@
 #include "sim/life/parameters.hpp"
 
-#include "sim/automata/cell_rule.hpp"
+#include "sim/automata/rule/cell_rule.hpp"
 #include "sim/life/cell_pattern.hpp"
 
 #include <fmt/format.h>

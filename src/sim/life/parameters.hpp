@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/automata/grid_shape.hpp"
+#include "sim/automata/engine/grid_shape.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"

@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/log.hpp"
-#include "sim/automata/rule_file.hpp"
+#include "sim/automata/file/rule_file.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
-#include "sim/automata/cell_engine.hpp"
+#include "sim/automata/engine/cell_engine.hpp"
 #include "sim/life/rle.hpp"
 
 #include <algorithm>

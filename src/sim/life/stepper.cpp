@@ -1,7 +1,7 @@
 #include "sim/life/stepper.hpp"
 
 #include "gl/element_array.hpp"
-#include "sim/automata/bit_formula.hpp"
+#include "sim/automata/engine/bit_formula.hpp"
 
 #include <string>
 

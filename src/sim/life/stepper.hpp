@@ -1,7 +1,7 @@
 #pragma once
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
-#include "sim/automata/cell_rule.hpp"
+#include "sim/automata/rule/cell_rule.hpp"
 
 #include <map>
 

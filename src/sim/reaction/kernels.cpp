@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "gl/limits.hpp"
-#include "sim/reaction/model.hpp"
+#include "sim/reaction/rule/model.hpp"
 #include "sim/reaction/sampling.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/core/drawable.hpp"
-#include "sim/reaction/kernel_text.hpp"
 #include "sim/reaction/plan.hpp"
+#include "sim/reaction/text/kernel_text.hpp"
 
 #include <map>
 #include <string>

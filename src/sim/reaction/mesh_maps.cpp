@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/ieee.hpp"
-#include "sim/reaction/model.hpp"
+#include "sim/reaction/rule/model.hpp"
 
 #include <algorithm>
 #include <cmath>

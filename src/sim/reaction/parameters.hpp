@@ -5,7 +5,7 @@
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
 #include "sim/mesh/file.hpp"
-#include "sim/reaction/evaluate.hpp"
+#include "sim/reaction/rule/evaluate.hpp"
 
 #include <filesystem>
 #include <optional>

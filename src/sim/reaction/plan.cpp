@@ -3,7 +3,7 @@
 #include "base/log.hpp"
 #include "sim/grid/picture_file.hpp"
 #include "sim/reaction/mesh_maps.hpp"
-#include "sim/reaction/model.hpp"
+#include "sim/reaction/rule/model.hpp"
 #include "sim/reaction/sampling.hpp"
 
 #include <algorithm>

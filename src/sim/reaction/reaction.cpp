@@ -9,8 +9,8 @@
 #include "sim/grid/tally.hpp"
 #include "sim/mesh_cells/painted.hpp"
 #include "sim/reaction/kernels.hpp"
-#include "sim/reaction/model.hpp"
 #include "sim/reaction/presets.hpp"
+#include "sim/reaction/rule/model.hpp"
 #include "sim/volume/isosurface.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "sim/reaction/sampling.hpp"
 
 #include "base/error.hpp"
-#include "sim/reaction/model.hpp"
+#include "sim/reaction/rule/model.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,7 @@ import unittest
 
 from common import PROGRAM, SCENE, with_values
 from serve_client import files_of
-from test_serve import FIELD, ServeCase
+from serve_case import FIELD, ServeCase
 
 os.environ.setdefault("SIMREEL", PROGRAM)
 DAMPING = "objects.flag.cloth.damping"

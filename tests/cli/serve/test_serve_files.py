@@ -11,7 +11,7 @@ import zlib
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 from common import PROGRAM, with_values
-from test_serve import FIELD, ServeCase
+from serve_case import FIELD, ServeCase
 
 os.environ.setdefault("SIMREEL", PROGRAM)
 FEED = "objects.dish.grayScott.feed"

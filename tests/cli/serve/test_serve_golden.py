@@ -5,7 +5,7 @@ import os
 import unittest
 
 from common import PROGRAM, with_values
-from test_serve import ServeCase
+from serve_case import ServeCase
 
 os.environ.setdefault("SIMREEL", PROGRAM)
 TESTED = with_values({"test": {"frames": [0, 3], "size": [48, 32], "samples": 2}})

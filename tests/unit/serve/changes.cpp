@@ -1,4 +1,4 @@
-#include "serve/play/changes.hpp"
+#include "serve/script/changes.hpp"
 
 #include <limits>
 #include <string>
@@ -61,6 +61,9 @@ TEST_CASE("changes of strokes leave a simulation as it was before the first of t
   const std::string two = R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}, {"at": 2}]}}}})";
   CHECK(secondsAlike(still, one) < 0);
   CHECK(secondsAlike(one, two) == 2);
+  const std::string dyed =
+      R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}, {"at": 2, "dye": [1, 0, 0]}]}}}})";
+  CHECK(secondsAlike(two, dyed) < 0);  // there is no dye in the states of before
 }
 
 TEST_CASE("changes of keyframes leave a simulation as it was before the first that is another one") {

@@ -74,3 +74,10 @@ TEST_CASE("serve: an Origin is the page's own") {
     CHECK_MESSAGE(!Guard::allowsOrigin(origin, "127.0.0.1:8000"), origin);
   CHECK_FALSE(Guard::allowsOrigin("http://", ""));
 }
+
+TEST_CASE("serve: a tunnel ends where it listens") {
+  using simreel::serve::tunnelCommand;
+  CHECK_EQ(tunnelCommand("127.0.0.1", 80, "node7"), "ssh -N -L 80:127.0.0.1:80 node7");
+  CHECK_EQ(tunnelCommand("0.0.0.0", 80, "node7"), "ssh -N -L 80:127.0.0.1:80 node7");
+  CHECK_EQ(tunnelCommand("10.0.0.5", 80, "node7"), "ssh -N -L 80:10.0.0.5:80 node7");
+}

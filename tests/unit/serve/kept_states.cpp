@@ -1,4 +1,4 @@
-#include "serve/play/kept_states.hpp"
+#include "serve/stage/kept_states.hpp"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,9 @@
 // Notations of rules, and what the rules are.
 #include "base/error.hpp"
 #include "reference/states_twin.hpp"
-#include "sim/automata/arrangements.hpp"
-#include "sim/automata/cell_rule.hpp"
-#include "sim/automata/rule_file.hpp"
+#include "sim/automata/file/rule_file.hpp"
+#include "sim/automata/rule/arrangements.hpp"
+#include "sim/automata/rule/cell_rule.hpp"
 #include "unit/help.hpp"
 
 #include <algorithm>

@@ -168,6 +168,8 @@ TEST_CASE("body: names that are not there are named, and what there is") {
     checkHas(error.what(), "no object is named \"tub\"");
     checkHas(error.what(), "did you mean \"tube\"");
     checkHas(error.what(), "pins");
+    checkHas(error.what(), "^~~~~");  // under the name, which is in a list
+    CHECK(std::string(error.what()).find("^~~~~~") == std::string::npos);
   }
   std::string unknown = body + pinned;
   unknown.replace(unknown.find('%'), 1, "tube");

@@ -1,4 +1,4 @@
-// Maps of materials by reads of our own, from the list of all their texels (src/draw/exact/map_texels.hpp).
+// Maps of materials by reads of our own, from the list of all their texels (src/draw/exact/surface/map_texels.hpp).
 #ifndef EXACT_MAP_READ
 #define EXACT_MAP_READ
 #include "common/once.glsl"

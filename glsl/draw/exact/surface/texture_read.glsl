@@ -1,4 +1,4 @@
-// A material's texture by reads of our own, from a list of texels (src/draw/exact/texel_lists.hpp): software drivers find
+// A material's texture by reads of our own, from a list of texels (src/draw/exact/surface/texel_lists.hpp): software drivers find
 // those of a buffer several times as fast as those of a 2-D texture. Each has its neighbour to the right beside it.
 #include "common/once.glsl"
 #include "draw/bindings.glsl"

@@ -3,7 +3,7 @@
 #include "draw/exact/instances/copy_raster.hpp"
 #include "draw/exact/instances/glow_raster.hpp"
 #include "draw/exact/passes.hpp"
-#include "draw/exact/shaded_tiles.hpp"
+#include "draw/exact/tiles/shaded_tiles.hpp"
 #include "draw/instances/instance_values.hpp"
 #include "sim/core/drawable.hpp"
 

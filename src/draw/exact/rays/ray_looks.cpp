@@ -3,7 +3,7 @@
 #include "base/ieee.hpp"
 #include "draw/exact/rays/bindings.hpp"
 #include "draw/exact/reserve.hpp"
-#include "draw/exact/surface_shading.hpp"
+#include "draw/exact/surface/surface_shading.hpp"
 #include "draw/surface/skin_look.hpp"
 #include "gl/element_array.hpp"
 

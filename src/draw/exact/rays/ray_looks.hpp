@@ -1,6 +1,6 @@
 #pragma once
-#include "draw/exact/map_texels.hpp"
-#include "draw/exact/skin_texels.hpp"
+#include "draw/exact/surface/map_texels.hpp"
+#include "draw/exact/surface/skin_texels.hpp"
 #include "draw/surface/skin_textures.hpp"
 #include "gl/buffer.hpp"
 #include "gl/program.hpp"

@@ -5,7 +5,7 @@
 #include "draw/exact/rays/bindings.hpp"
 #include "draw/exact/rays/ray_count.hpp"
 #include "draw/exact/reserve.hpp"
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 #include "draw/exact/passes.hpp"
-#include "draw/exact/shaded_tiles.hpp"
-#include "draw/exact/surface_shading.hpp"
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/surface/surface_shading.hpp"
+#include "draw/exact/tiles/shaded_tiles.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 #include "draw/exact/visibility.hpp"
 #include "gl/buffer.hpp"
 #include "gl/texture.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 #include "draw/exact/scene/merged_mesh.hpp"
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 #include "gl/buffer.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"

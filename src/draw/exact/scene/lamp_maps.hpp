@@ -1,9 +1,9 @@
 #pragma once
 #include "draw/exact/instances/exact_instances.hpp"
-#include "draw/exact/joined_surfaces.hpp"
 #include "draw/exact/scene/face_lists.hpp"
 #include "draw/exact/scene/merged_mesh.hpp"
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/triangles/joined_surfaces.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 #include "draw/lights/lamps.hpp"
 #include "gl/buffer.hpp"
 

@@ -4,7 +4,7 @@
 #include "draw/draw_state.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/reserve.hpp"
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Scattered light against its definition in double precision: what lies above the threshold, halved in size
 // again and again by Jimenez' five overlapping squares of 4 by 4 texels, and each level enlarged by tents.
-#include "draw/exact/bloom.hpp"
+#include "draw/exact/screen/bloom.hpp"
 
 #include "gpu/draw/instance_stage.hpp"
 

@@ -3,7 +3,7 @@
 #include "base/file.hpp"
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/copy_raster.hpp"
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 #include "gpu/draw/ball_stage.hpp"
 #include "gpu/draw/exact/instance_stage.hpp"
 #include "sim/core/shader_code.hpp"

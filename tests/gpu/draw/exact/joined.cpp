@@ -1,5 +1,5 @@
 #include "base/error.hpp"
-#include "draw/exact/joined_surfaces.hpp"
+#include "draw/exact/triangles/joined_surfaces.hpp"
 #include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
 #include "gpu/draw/instance_stage.hpp"

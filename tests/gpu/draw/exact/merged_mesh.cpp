@@ -3,7 +3,7 @@
 #include "draw/exact/scene/merged_mesh.hpp"
 
 #include "draw/exact/scene/lamp_maps.hpp"
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 #include "gpu/draw/exact/stage.hpp"
 #include "gpu/draw/lamp_stage.hpp"
 

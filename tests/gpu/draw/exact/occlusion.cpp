@@ -1,4 +1,4 @@
-#include "draw/exact/occlusion.hpp"
+#include "draw/exact/occlusion/occlusion.hpp"
 
 #include "base/file.hpp"
 #include "gpu/draw/draw_stage.hpp"

@@ -2,7 +2,7 @@
 // copies of a mesh against the same triangles as a surface.
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/copy_raster.hpp"
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 #include "gpu/draw/exact/instance_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
 #include "sim/core/shader_code.hpp"

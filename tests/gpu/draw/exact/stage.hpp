@@ -2,7 +2,7 @@
 #include "draw/camera.hpp"
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/exact_view.hpp"
-#include "draw/exact/triangle_raster.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
 #include "gl/buffer.hpp"
 #include "gl/limits.hpp"
 #include "gl/texture.hpp"

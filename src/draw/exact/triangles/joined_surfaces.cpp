@@ -1,0 +1,144 @@
+#include "draw/exact/triangles/joined_surfaces.hpp"
+
+#include "base/error.hpp"
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/reserve.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
+#include "draw/surface/surface_pass.hpp"
+#include "gl/context.hpp"
+#include "gl/element_array.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <string>
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr std::size_t fewest = 3;
+constexpr std::int64_t mostVertices = 1 << 22;
+constexpr std::int64_t mostMoving = 1 << 18;  ///< vertices that are put into the world anew each frame
+
+}  // namespace
+
+bool joinsSurfaces() {
+  const char* asked = std::getenv("SIMREEL_JOIN_SURFACES");
+  if (asked == nullptr || *asked == 0) return !gl::softwareDriver();
+  const std::string word = asked;
+  if (word != "yes" && word != "no")
+    fail(ExitCode::usage, "SIMREEL_JOIN_SURFACES is \"yes\" or \"no\", not \"{}\"", word);
+  return word == "yes";
+}
+
+bool JoinedSurfaces::suits(const std::vector<sim::Surface>& surfaces) {
+  if (surfaces.size() < fewest) return false;
+  std::int64_t vertices = 0;
+  std::int64_t moving = 0;
+  std::int64_t triangles = 0;
+  for (const sim::Surface& surface : surfaces) {
+    // Vertices beyond those that bound the surface are not to grow the sun's map.
+    if (surface.arguments != nullptr || surface.vertexRoom > surface.vertexCount) return false;
+    if (castsShadow(surface) != castsShadow(surfaces.front())) return false;
+    vertices += surface.vertexCount;
+    moving += surface.still == 0 ? surface.vertexCount : 0;
+    triangles += maxTrianglesOf(surface);
+  }
+  return vertices <= mostVertices && moving <= mostMoving && triangles <= mostVertices;
+}
+
+const gl::Program& JoinedSurfaces::program(bool grid, bool deformed) {
+  const std::pair<bool, bool> key{grid, deformed};
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  gl::Defines defines;
+  if (grid) defines.emplace_back("GRID", "1");
+  if (deformed) defines.emplace_back("DEFORMED", "1");
+  return programs_.emplace(key, gl::Program::compute("draw/exact/triangles/join.comp", defines))
+      .first->second;
+}
+
+void JoinedSurfaces::makeRoom(std::size_t vertices, std::size_t triangles, std::size_t surfaces) {
+  constexpr std::size_t texel = sizeof(glm::vec4);
+  bool lost = reserve(places_, placeView_, "joined places", vertices * texel, GL_RGBA32F, texel);
+  lost |= reserve(normals_, normalView_, "joined normals", vertices * texel, GL_RGBA32F, texel);
+  lost |= reserve(indices_, "joined indices", 3 * triangles * sizeof(GLuint));
+  lost |= reserve(owners_, ownerView_, "surfaces of triangles", triangles * sizeof(GLuint), GL_R32UI,
+                  sizeof(GLuint));
+  if (lost) parts_.clear();
+  if (reserve(lookBuffer_, lookView_, "what surfaces are made of", 2 * surfaces * texel, GL_RGBA32F, texel))
+    looks_.clear();
+}
+
+void JoinedSurfaces::put(const sim::Surface& surface, const Part& part, int number) {
+  const gl::Program& kernel = program(surface.normals == nullptr, surface.deform != nullptr);
+  const gl::Texture corners = gl::Texture::view("indices", GL_R32UI, *surface.indices, sizeof(GLuint));
+  const int triangles = maxTrianglesOf(surface);
+  bindPositions(surface, kernel);
+  if (surface.normals != nullptr) surface.normals->bind(normalUnit);
+  bindDeformation(surface);
+  corners.bind(indexUnit);
+  kernel.set("model", surface.model);
+  kernel.set("grid", surface.grid);
+  kernel.set("vertexCount", surface.vertexCount);
+  kernel.set("firstVertex", part.firstVertex);
+  kernel.set("triangleCount", triangles);
+  kernel.set("firstTriangle", part.firstTriangle);
+  kernel.set("rowOf", rowOf(surface));
+  kernel.set("owner", 2U * static_cast<unsigned>(number) + (surface.doubleSided ? 1U : 0U));
+  dispatchRows(kernel, std::max(surface.vertexCount, triangles));
+}
+
+void JoinedSurfaces::tellLooks(const std::vector<sim::Surface>& surfaces) {
+  std::vector<glm::vec4> looks;
+  for (const sim::Surface& surface : surfaces) {
+    const scene::Material& material = *surface.material;
+    looks.emplace_back(material.color, isReflective(material) ? 1.0F : 0.0F);
+    looks.emplace_back(material.roughness, material.metallic, material.translucency, 0);
+  }
+  if (looks == looks_) return;
+  looks_ = std::move(looks);
+  lookBuffer_.write(0, std::as_bytes(std::span(looks_)));
+}
+
+bool JoinedSurfaces::join(const std::vector<sim::Surface>& surfaces) {
+  if (!joinsSurfaces() || !suits(surfaces)) return false;
+  std::vector<Part> parts;
+  int vertices = 0;
+  int triangles = 0;
+  for (const sim::Surface& surface : surfaces) {
+    parts.push_back({surface.still, surface.model, surface.doubleSided, vertices, triangles});
+    vertices += surface.vertexCount;
+    triangles += maxTrianglesOf(surface);
+  }
+  makeRoom(static_cast<std::size_t>(vertices), static_cast<std::size_t>(triangles), surfaces.size());
+  tellLooks(surfaces);
+  parts_.resize(parts.size());
+  places_.bindStorage(outVertexBinding);
+  normals_.bindStorage(outNormalBinding);
+  indices_.bindStorage(largeBinding);
+  owners_.bindStorage(counterBinding);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].still != 0 && parts[i] == parts_[i]) continue;
+    put(surfaces[i], parts[i], static_cast<int>(i));
+    parts_[i] = parts[i];
+  }
+  gl::barrier();
+  surface_ = {};
+  surface_.positions = &placeView_;
+  surface_.normals = &normalView_;
+  surface_.vertexCount = vertices;
+  surface_.indices = &indices_;
+  surface_.indexCount = 3 * triangles;
+  surface_.material = surfaces.front().material;
+  return true;
+}
+
+void JoinedSurfaces::bind() const {
+  ownerView_.bind(ownerUnit);
+  lookView_.bind(lookUnit);
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,185 @@
+#include "scene/scene.hpp"
+
+#include <fmt/format.h>
+
+namespace simreel::scene {
+
+namespace {
+
+/// s that a camera lags behind; 0: it does not.
+void describeDamping(Fields& fields, double& damping, const char* what) {
+  fields.number("damping", damping, {0, 1000}, "s", what);
+  constexpr double least = 1e-3;
+  if (damping > 0 && damping < least)
+    fields.error("damping",
+                 fmt::format("a damping of {:g} s is none; give 0, or {} s at least", damping, least));
+}
+
+}  // namespace
+
+void Follow::describe(Fields& fields) {
+  PathPlace::describe(fields);
+  fields.number("ahead", ahead, positive, "m", "How far ahead on the path it looks.");
+  describeDamping(fields, damping,
+                  "How far behind it goes and looks, smoothly: what \"progress\" does steadily it does so "
+                  "long after (a critically damped spring), and corners become curves. 0: at once.");
+}
+
+void Track::describe(Fields& fields) {
+  fields.text("object", object, "Name of the object; its middle is what is looked at.");
+  fields.vector("offset", offset, anyNumber, "m", "From its middle to what is looked at.");
+  describeDamping(fields, damping,
+                  "How far behind the object it looks, smoothly: what moves steadily is looked at where it "
+                  "was so long ago (a critically damped spring). 0: where it is.");
+}
+
+void CameraFile::describe(Fields& fields) {
+  fields.asset("file", file, "glTF or GLB with a camera, perspective or orthographic.");
+  fields.text("name", name, "Name of the camera, or of its node; a file with one camera needs none.");
+  fields.text("animation", animation, "Name of the file's motion that the camera goes through.");
+  fields.leftOut("animation", "the first that moves it; it stands where none does");
+  fields.number("speed", speed, {-100, 100}, "", "Of the motion; 2 is twice as fast, -1 backwards.");
+  fields.number("start", start, {-1e6, 1e6}, "s", "How far into the motion it is at time 0.");
+  fields.boolean("loop", loop,
+                 "Whether the motion begins anew when it has ended; else the last pose stays.");
+  fields.number("distance", distance, positive, "m",
+                "Along its line of sight to its target, which a lens is focused on and the ground fades "
+                "around.");
+  if (file.empty()) fields.error("file", "a camera of a file needs \"file\": the glTF to read");
+}
+
+void Lens::describe(Fields& fields) {
+  fields.number(
+      "fNumber", fNumber, {0.01, 1000}, "",
+      "Focal length over the diameter of the opening; the smaller, the more is blurred. The focal "
+      "length is that of a picture 24 mm high: 33 mm at 40 degrees.");
+  fields.number("focus", focus, {0.001, 1e6}, "m",
+                "Distance along the line of sight at which all is sharp.");
+  fields.leftOut("focus", "the distance of the target");
+  focused = fields.given("focus");
+  fields.integer("blades", blades, {0, 16}, "", "Sides of the opening, 3 or more; 0: it is round.");
+  fields.integer(
+      "samples", samples, {2, 1024}, "",
+      "Points of the opening: so many times each picture is drawn. Too few show as copies beside "
+      "each other where the blur is wide.");
+  if (blades == 1 || blades == 2)
+    fields.error(
+        "blades",
+        fmt::format("an opening of {} blades is none; give 0 for a round one, or 3 to 16", blades));
+}
+
+void Shutter::describe(Fields& fields) {
+  fields.number(
+      "angle", angle, {1, 360}, "degrees",
+      "How long it is open: 360 is from the frame before to this one, 180 the second half of that.");
+  fields.integer(
+      "samples", samples, {2, 256}, "",
+      "Moments meanwhile: so many times each picture is drawn, or as often as the lens asks for. "
+      "Too few show as copies beside each other where things are fast.");
+}
+
+void Orbit::describe(Fields& fields) {
+  fields.number("turn", turn, {-1e6, 1e6}, "degrees",
+                "Where it stands around the target: 0 on the side of +z, 90 on that of +x.");
+  fields.number("elevation", elevation, {-89, 89}, "degrees", "How high it stands above the horizon.");
+  fields.number("distance", distance, positive, "m", "From the target.");
+  fields.leftOut("distance", "6, or all of it is in view where \"target\" is left out, too");
+  distanced = fields.given("distance");
+}
+
+void Camera::describe(Fields& fields) {
+  fields.vector("position", position, anyNumber, "m", "Where the camera stands.");
+  fields.leftOut("position",
+                 "[0,1.5,6], or whole caves, contours, cloths, meshes, bodies, balls and "
+                 "particles are in view");
+  fields.vector("target", target, anyNumber, "m", "What it looks at.");
+  fields.leftOut("target", "[0,0,0], or its middle");
+  fields.number("fieldOfView", fieldOfView, {1, 170}, "degrees", "Vertical angle of view.");
+  fields.leftOut("fieldOfView", "40, 26 on a stage that is in view as a whole, or that of \"gltf\"");
+  fields.choice(
+      "projection", projection, {"perspective", "orthographic"},
+      "perspective: what is farther away is smaller. orthographic: it is not; all rays go along the "
+      "line of sight, and \"height\" takes the place of \"fieldOfView\".");
+  fields.leftOut("projection", "perspective, or that of \"gltf\"");
+  fields.number("height", height, positive, "m",
+                "Of the scene, how much the picture shows from its lower to its upper edge; orthographic.");
+  fields.leftOut("height", "4, what is in view as a whole with \"position\", or that of \"gltf\"");
+  hasHeight = fields.given("height");
+  if (projection == Projection::orthographic && fields.given("fieldOfView"))
+    fields.error("fieldOfView", "an orthographic camera has no angle of view; give \"height\" (m) instead");
+  if (projection == Projection::perspective && hasHeight && !fields.given("gltf"))
+    fields.error("height",
+                 "a perspective camera has no height; give \"fieldOfView\", or \"projection\": "
+                 "\"orthographic\"");
+  fields.number("roll", roll, anyNumber, "degrees", "Turn about the line of sight.");
+  fields.optionalGroup("follow", follows, "Goes along a path that an object has found.",
+                       [&](Fields& f) { follow.describe(f); });
+  fields.shorthand("track", "object");
+  fields.optionalGroup("track", tracks,
+                       "Looks at an object wherever that is in each frame, instead of at \"target\"; with "
+                       "\"orbit\" it goes along with it.",
+                       [&](Fields& f) { track.describe(f); });
+  if (tracks && follows)
+    fields.error("track", "\"follow\" says what the camera looks at; leave out \"track\"");
+  else if (tracks && fields.given("target"))
+    fields.error("target", "\"track\" says what the camera looks at; leave out \"target\"");
+  fields.optionalGroup("orbit", orbits, "Goes round its target, instead of standing at \"position\".",
+                       [&](Fields& f) { orbit.describe(f); });
+  if (orbits && follows)
+    fields.error("orbit", "\"follow\" says where the camera is; leave out \"orbit\"");
+  else if (orbits && fields.given("position"))
+    fields.error("position", "\"orbit\" says where the camera is; leave out \"position\"");
+  describeDamping(
+      fields, damping,
+      "How far behind \"target\" it looks, smoothly: what the keys of that do steadily it does so "
+      "long after (a critically damped spring). 0: at once.");
+  for (const char* name : {"follow", "track"})
+    if (damping > 0 && fields.given(name))
+      fields.error("damping",
+                   fmt::format("\"damping\" here is of \"target\"; give it in \"{0}\": {{ }}", name));
+  fields.shorthand("gltf", "file");
+  fields.optionalGroup(
+      "gltf", filed,
+      "Stands, turns and moves as the camera of a glTF file. Its vertical angle of view is "
+      "kept; how wide the picture is, \"render.size\" says.",
+      [&](Fields& f) { gltf.describe(f); });
+  for (const char* name : {"position", "target", "track", "follow", "orbit", "damping"})
+    if (filed && fields.given(name))
+      fields.error(name, fmt::format("\"gltf\" says where the camera is; leave out \"{}\"", name));
+  if (filed && fields.given("projection"))
+    fields.error("projection", "\"gltf\" says what kind of camera it is; leave out \"projection\"");
+  gltf.hasNear = fields.given("near");
+  gltf.hasFar = fields.given("far");
+  fields.switchable("lens");
+  fields.optionalGroup("lens", hasLens,
+                       "Depth of field: what is nearer or farther than the focus is blurred. The driver's "
+                       "rasterizer has none.",
+                       [&](Fields& f) { lens.describe(f); });
+  if (hasLens && projection == Projection::orthographic)
+    fields.error("lens", "an orthographic camera has no lens: all is sharp; leave out \"lens\"");
+  fields.switchable("shutter");
+  fields.optionalGroup("shutter", hasShutter,
+                       "Motion blur: the picture is the mean over the time before its frame. Surfaces, "
+                       "particles, lights and the camera move; fields, charts and caves are those of the "
+                       "frame. The driver's rasterizer has none.",
+                       [&](Fields& f) { shutter.describe(f); });
+  hasAngle = fields.given("fieldOfView");
+  placed = follows || tracks || filed || fields.given("position") || fields.given("target") ||
+           (orbits && orbit.distanced);
+  for (const char* name : {"position", "target"})
+    if (follows && fields.given(name))
+      fields.error(name, fmt::format("\"follow\" says where the camera is; leave out \"{}\"", name));
+  fields.number("near", near, positive, "m", "Nearest distance drawn.");
+  fields.leftOut("near", "0.05, or that of \"gltf\"");
+  fields.number("far", far, positive, "m", "Farthest distance drawn.");
+  fields.leftOut("far", "200, or that of \"gltf\"");
+  if (!(near < far))
+    fields.error(fields.given("near") ? "near" : "far",
+                 fmt::format("\"near\" ({} m) must be less than \"far\" ({} m)", near, far));
+  if (!orbits && !tracks && !filed && !position.moves() && !target.moves() &&
+      position.at(0) == target.at(0))
+    fields.error(fields.given("target") ? "target" : "position",
+                 "\"position\" and \"target\" are the same point; the camera looks nowhere");
+}
+
+}  // namespace simreel::scene

@@ -1,0 +1,262 @@
+#include "serve/script/script.hpp"
+
+#include "scene/as_run.hpp"
+#include "serve/script/changes.hpp"
+#include "sim/core/kind.hpp"
+#include "sim/world/list.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace simreel::serve {
+
+namespace {
+
+/// What draw::frameValues, draw::viewAt and the exact scene read for each picture. Nothing that decides
+/// which shaders, textures or maps there are.
+constexpr std::array<std::string_view, 23> lookPaths = {
+    "camera.position",
+    "camera.target",
+    "camera.fieldOfView",
+    "camera.roll",
+    "camera.near",
+    "camera.far",
+    "camera.orbit",
+    "camera.height",
+    "sun.direction",
+    "sun.color",
+    "sun.temperature",
+    "sun.intensity",
+    "sun.shadowSoftness",
+    "sky.zenith",
+    "sky.horizon",
+    "sky.ground",
+    "sky.ambient",
+    "render.exposure",
+    "render.vignette",
+    "ground.color",
+    "title",
+    "time.duration",
+    "test",
+};
+
+bool isBelow(std::string_view path, std::string_view group) {
+  return path == group || (path.starts_with(group) && path[group.size()] == '.');
+}
+
+bool isLook(const std::string& path) {
+  return std::any_of(lookPaths.begin(), lookPaths.end(),
+                     [&](std::string_view group) { return isBelow(path, group); }) ||
+         isBelow(path, "checks");
+}
+
+/// Of an object's kind, values that simulations take over on their way.
+constexpr std::array<std::string_view, 3> retunable = {"grayScott.feed", "grayScott.kill",
+                                                       "reaction.parameters"};
+
+using nlohmann::ordered_json;
+
+void findDifferences(const ordered_json& before, const ordered_json& after, const std::string& path,
+                     std::set<std::string>& found) {
+  if (before == after) return;
+  if (!before.is_object() || !after.is_object()) {
+    found.insert(path);
+    return;
+  }
+  const std::string prefix = path.empty() ? "" : path + ".";
+  for (const auto& member : before.items())
+    if (!after.contains(member.key()))
+      found.insert(prefix + member.key());
+    else
+      findDifferences(member.value(), after.at(member.key()), prefix + member.key(), found);
+  for (const auto& member : after.items())
+    if (!before.contains(member.key())) found.insert(prefix + member.key());
+}
+
+/// Files that both name, and that were written in between.
+std::vector<std::filesystem::path> writtenFiles(const std::map<std::filesystem::path, FileStamp>& before,
+                                                const std::map<std::filesystem::path, FileStamp>& after) {
+  std::vector<std::filesystem::path> written;
+  for (const auto& [file, stamp] : after)
+    if (const auto known = before.find(file); known != before.end() && known->second != stamp)
+      written.push_back(file);
+  return written;
+}
+
+bool namesFile(const ordered_json& value, const std::filesystem::path& file) {
+  if (value.is_string())
+    return std::filesystem::path(value.get<std::string>()).filename() == file.filename();
+  return value.is_structured() && std::any_of(value.begin(), value.end(), [&](const ordered_json& one) {
+           return namesFile(one, file);
+         });
+}
+
+/// Whether a state may come from one of the files: not where materials, sky and camera alone name them.
+bool simulatesFrom(const std::vector<std::filesystem::path>& files, std::string_view asRun) {
+  if (files.empty()) return false;
+  ordered_json scene = ordered_json::parse(withoutWhatShows(asRun));
+  for (const char* shown : {"camera", "sky", "lights", "render", "test"}) scene.erase(shown);
+  if (const auto objects = scene.find("objects"); objects != scene.end() && objects->is_object())
+    for (const auto& object : objects->items())
+      if (object.value().is_object()) object.value().erase("material");
+  return std::any_of(files.begin(), files.end(),
+                     [&](const std::filesystem::path& file) { return namesFile(scene, file); });
+}
+
+bool drawsFieldsAlone(const scene::Scene& scene) {
+  return !scene.objects.empty() && !scene.render.transparent && scene.sky.picture.empty() &&
+         std::all_of(scene.objects.begin(), scene.objects.end(), [](const scene::Object& object) {
+           const auto* parameters = dynamic_cast<const sim::ObjectParameters*>(object.parameters.get());
+           return parameters != nullptr && parameters->isField();
+         });
+}
+
+/// Groups that may come with a member of theirs, without anything else that depends on their being there.
+bool addsGroup(const Script& before, const Script& after) {
+  return before.scene.staged != after.scene.staged || before.scene.hasGround != after.scene.hasGround ||
+         before.scene.camera.follows != after.scene.camera.follows ||
+         before.scene.camera.tracks != after.scene.camera.tracks ||
+         before.scene.camera.filed != after.scene.camera.filed ||
+         before.scene.camera.projection != after.scene.camera.projection ||
+         before.scene.camera.hasLens != after.scene.camera.hasLens ||
+         before.scene.camera.hasShutter != after.scene.camera.hasShutter;
+}
+
+void takeLookOf(scene::Scene& shown, scene::Scene& from) {
+  const scene::Camera before = shown.camera;
+  shown.camera = from.camera;
+  shown.camera.hasLens = before.hasLens;  // of the draft they are not the scene's
+  shown.camera.hasShutter = before.hasShutter;
+  shown.sun.direction = from.sun.direction;
+  shown.sun.color = from.sun.color;
+  shown.sun.temperature = from.sun.temperature;
+  shown.sun.intensity = from.sun.intensity;
+  shown.sun.shadowSoftness = from.sun.shadowSoftness;
+  shown.sky.zenith = from.sky.zenith;
+  shown.sky.horizon = from.sky.horizon;
+  shown.sky.ground = from.sky.ground;
+  shown.sky.ambient = from.sky.ambient;
+  shown.render.exposure = from.render.exposure;
+  shown.render.vignette = from.render.vignette;
+  shown.ground.color = from.ground.color;
+  shown.title = from.title;
+  shown.time.duration = from.time.duration;
+  shown.test = from.test;
+  shown.checks = from.checks;
+}
+
+}  // namespace
+
+std::shared_ptr<Script> readScript(const SceneSource& source, const std::string& text,
+                                   std::vector<scene::Override> edits) {
+  auto script = std::make_shared<Script>();
+  std::vector<scene::Override> all = source.given;
+  all.insert(all.end(), edits.begin(), edits.end());
+  script->text = text;
+  script->edits = std::move(edits);
+  script->scene = scene::parseScene(text, source.file, all, sim::kinds(), source.folders);
+  script->draft = scene::parseScene(text, source.file, all, sim::kinds(), source.folders);
+  script->draft.camera.hasLens = false;
+  script->draft.camera.hasShutter = false;
+  constexpr int draftShadow = 512;
+  script->draft.sun.shadowSize = std::min(script->draft.sun.shadowSize, draftShadow);
+  if (script->draft.render.quality == scene::Quality::high)
+    script->draft.render.quality = scene::Quality::draft;
+  script->asRun = scene::textAsRun(text, source.file, all);
+  script->simulation = scene::simulationHash(withoutWhatShows(script->asRun));
+  for (const std::filesystem::path& file : script->scene.files) script->files[file] = stampOf(file);
+  script->fieldsAlone = drawsFieldsAlone(script->scene);
+  if (script->fieldsAlone) {  // as the driver's rasterizer has it (Stage::drawerOf)
+    script->draft.sun.diameter = 0;
+    script->draft.render.quality = scene::Quality::draft;
+  }
+  return script;
+}
+
+std::set<std::string> differingPaths(std::string_view before, std::string_view after) {
+  std::set<std::string> found;
+  findDifferences(ordered_json::parse(before), ordered_json::parse(after), "", found);
+  return found;
+}
+
+Change changeBetween(const Script& before, const Script& after) {
+  if (before.simulation != after.simulation) return Change::simulation;
+  if (const auto written = writtenFiles(before.files, after.files); !written.empty())
+    return simulatesFrom(written, after.asRun) ? Change::simulation : Change::dress;
+  const std::set<std::string> paths = differingPaths(before.asRun, after.asRun);
+  if (paths.empty()) return Change::nothing;
+  if (before.scene.staged != after.scene.staged) return Change::dress;
+  for (const std::string& path : paths)
+    if (isBelow(path, "objects") || isBelow(path, "lights")) return Change::dress;
+  if (addsGroup(before, after)) return Change::drawing;
+  // What was not said before may have come from elsewhere: a picture of the sky, a stage.
+  const bool whole = std::any_of(paths.begin(), paths.end(), [](const std::string& path) {
+    return path == "sun" || path == "sky" || path == "ground" || path == "render" || path == "time";
+  });
+  const bool look = std::all_of(paths.begin(), paths.end(),
+                                [](const std::string& path) { return path == "camera" || isLook(path); });
+  return look && !whole ? Change::look : Change::drawing;
+}
+
+bool drawsAlike(const Script& before, const Script& after) {
+  if (before.scene.staged != after.scene.staged || addsGroup(before, after)) return false;
+  if (!writtenFiles(before.files, after.files).empty()) return false;
+  const std::set<std::string> paths = differingPaths(before.asRun, after.asRun);
+  return std::all_of(paths.begin(), paths.end(), [](const std::string& path) {
+    return path.starts_with("objects.") && scene::touchesSimulation(path);
+  });
+}
+
+int firstOther(const Simulated& before, const Script& after) {
+  if (simulatesFrom(writtenFiles(before.files, after.files), after.asRun)) return 0;
+  if (before.simulation == after.simulation) return farFrame;
+  const double seconds = secondsAlike(before.asRun, after.asRun);
+  // A frame's state has heard of what is before its time; one at that very time need not have.
+  constexpr double rounding = 1e-9;
+  const double frames = std::floor(seconds * after.scene.time.fps + rounding);
+  return static_cast<int>(std::clamp(frames, 0.0, static_cast<double>(farFrame)));
+}
+
+std::vector<std::size_t> retunedObjects(const Script& before, const Script& after) {
+  const std::set<std::string> paths = differingPaths(before.asRun, after.asRun);
+  if (!writtenFiles(before.files, after.files).empty()) return {};
+  std::set<std::size_t> objects;
+  for (const std::string& path : paths) {
+    bool known = false;
+    for (std::size_t i = 0; i < after.scene.objects.size() && !known; ++i) {
+      const std::string place = "objects." + after.scene.objects[i].name + ".";
+      known = path.starts_with(place) &&
+              std::any_of(retunable.begin(), retunable.end(), [&](std::string_view value) {
+                return isBelow(std::string_view(path).substr(place.size()), value);
+              });
+      if (known) objects.insert(i);
+    }
+    if (!known) return {};
+  }
+  return {objects.begin(), objects.end()};
+}
+
+void takeLook(Script& shown, Script& from) {
+  takeLookOf(shown.scene, from.scene);
+  takeLookOf(shown.draft, from.draft);
+  shown.scene.hash = from.scene.hash;
+  shown.scene.overrides = from.scene.overrides;
+  shown.text = from.text;
+  shown.edits = from.edits;
+  shown.asRun = from.asRun;
+}
+
+std::vector<scene::Override> withEdit(std::span<const scene::Override> edits,
+                                      const scene::Override& change) {
+  std::vector<scene::Override> result;
+  for (const scene::Override& edit : edits)
+    if (!isBelow(edit.path, change.path)) result.push_back(edit);
+  result.push_back(change);
+  return result;
+}
+
+}  // namespace simreel::serve

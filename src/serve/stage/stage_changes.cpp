@@ -1,0 +1,166 @@
+#include "base/clock.hpp"
+#include "base/error.hpp"
+#include "serve/stage/stage.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace simreel::serve {
+
+bool Stage::become(std::shared_ptr<Script> script, bool moving) {
+  switch (changeBetween(*script_, *script)) {
+    case Change::nothing:
+    case Change::look:
+      takeLookOf(*script);
+      return false;
+    case Change::drawing:
+      drawAs(std::move(script));
+      return false;
+    case Change::dress:
+      dressAs(std::move(script));
+      return false;
+    case Change::simulation:
+      break;
+  }
+  if (moving && started_ && !isNear(*script) && (retuneTo(script) || carryOverTo(script))) return true;
+  simulateAs(std::move(script));
+  return false;
+}
+
+/// Whether the way from a state that stays to the present frame is so short that it is gone while
+/// something moves.
+bool Stage::isNear(const Script& script) const {
+  constexpr int fewFrames = 2;
+  const frame::WorldState* from = keptBefore(firstOther(keptOf_, script) - 1);
+  return from != nullptr && world_->frame() - from->frame <= fewFrames;
+}
+
+void Stage::makeGood() {
+  if (carried_) simulateAs(script_);
+}
+
+void Stage::allow(std::size_t memory) {
+  memory_ = memory;
+  kept_.allow(memory);
+  if (past_ && kept_.bytes() + past_->kept.bytes() > memory_) past_.reset();
+}
+
+void Stage::startLike(const Stage& other, int frame) {
+  if (started_ || other.carried_) return;
+  const int last = std::min(frame, firstOther(other.keptOf_, *script_) - 1);
+  const frame::WorldState* nearest = other.kept_.before(last);
+  if (nearest != nullptr) kept_.keep(*nearest);
+}
+
+void Stage::takeLookOf(Script& from) {
+  // Renderers and world may have been made of another one each.
+  std::set<Script*> all = {script_.get(), made_.get()};
+  for (const Drawer& drawer : drawers_)
+    if (drawer.script) all.insert(drawer.script.get());
+  for (Script* one : all) takeLook(*one, from);
+  setTestScene(nullptr);
+}
+
+void Stage::drawAs(std::shared_ptr<Script> script) {
+  drawers_ = {};
+  setTestScene(nullptr);
+  script_ = std::move(script);
+  forgetBefore();
+  follow();
+}
+
+/// The world is made anew, in its present state.
+void Stage::dressAs(std::shared_ptr<Script> script) {
+  if (!carryOverTo(script)) {
+    kept_.clear();  // they do not fit either
+    simulateAs(std::move(script));
+  }
+  drawers_ = {};
+}
+
+/// Who draws stays: what of a scene it knows has not changed.
+void Stage::take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script) {
+  script_ = std::move(script);
+  made_ = script_;
+  summaries_ = nullptr;
+  world_ = std::move(world);
+  summaries_ = std::make_unique<frame::Summaries>(*world_, [this](const auto& summary) { hear(summary); });
+  setTestScene(nullptr);
+  forgetBefore();
+  started_ = true;
+  seen_ = true;
+  follow();
+  summaries_->start();
+}
+
+/// The present state goes on in the same world, with other values; false where that cannot be.
+bool Stage::retuneTo(const std::shared_ptr<Script>& script) {
+  const std::vector<std::size_t> objects = retunedObjects(*script_, *script);
+  for (const std::size_t i : objects)
+    if (!world_->retune(i, *script->scene.objects[i].parameters)) return false;
+  if (objects.empty()) return false;
+  script_ = script;
+  carried_ = true;
+  setTestScene(nullptr);
+  return true;
+}
+
+/// The present state goes on in the other's world; false where it does not fit, and nothing has happened.
+bool Stage::carryOverTo(std::shared_ptr<Script> script) {
+  if (!started_) {
+    simulateAs(std::move(script));
+    return true;
+  }
+  summaries_->takeAll();
+  const auto begun = Clock::now();
+  const frame::WorldState state = frame::stateOf(*world_);
+  auto world = std::make_unique<sim::World>(script->scene);
+  try {
+    frame::putBack(*world, state.frame, state.parts, state.bytes, "the present state");
+  } catch (const UserError&) {
+    return false;
+  }
+  if (script->simulation != script_->simulation) {
+    carried_ = true;
+    making_ = 1000 * secondsSince(begun);
+  }
+  take(std::move(world), std::move(script));
+  return true;
+}
+
+/// Where it throws, nothing has happened.
+void Stage::simulateAs(std::shared_ptr<Script> script) {
+  if (started_) summaries_->takeAll();
+  const int before = started_ ? world_->frame() : -1;
+  auto world = std::make_unique<sim::World>(script->scene);
+  if (carried_ || !drawsAlike(*script_, *script)) drawers_ = {};
+  keepWhatIsAlike(script);
+  script_ = std::move(script);
+  setTestScene(nullptr);
+  summaries_ = nullptr;
+  world_ = std::move(world);
+  begin();
+  if (const frame::WorldState* nearest = kept_.before(before)) static_cast<void>(putBack(*nearest));
+}
+
+/// States from before the two differ stay. Where there are none, those of now are put aside, since a change
+/// is often taken back.
+void Stage::keepWhatIsAlike(const std::shared_ptr<Script>& script) {
+  const int first = firstOther(keptOf_, *script);
+  if (kept_.before(first - 1) != nullptr) {
+    kept_.forgetFrom(first);
+    for (Series& series : series_)
+      series.values.erase(series.values.lower_bound(first), series.values.end());
+  } else {
+    std::optional<Past> back;
+    if (past_ && firstOther(past_->of, *script) == farFrame) back = std::move(past_);
+    past_.reset();
+    if (!kept_.frames().empty()) past_ = Past{keptOf_, std::move(kept_), std::move(series_)};
+    kept_ = back ? std::move(back->kept) : KeptStates(memory_);
+    series_ = back ? std::move(back->series) : std::vector<Series>{};
+  }
+  keptOf_ = simulatedOf(*script);
+}
+
+}  // namespace simreel::serve

@@ -1,0 +1,280 @@
+#include "sim/automata/engine/cell_engine.hpp"
+
+#include "base/error.hpp"
+#include "gl/limits.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace simreel::shader::automata {
+#include "glsl/automata/bindings.glsl"
+}
+
+namespace simreel::sim {
+
+namespace {
+
+namespace bind = shader::automata;
+
+constexpr int columnRows = 64;
+
+/// What a kernel may read beyond a row's last cell, elements.
+constexpr int spareItems = 64;
+
+/// Up to it 2 range + 1 cells fit a byte.
+constexpr int maxByteRange = 127;
+
+/// Beyond it an invocation of spans.comp may take more than 65,535 turns of its loops: a software driver
+/// ends them there, and says nothing.
+constexpr int maxSpansRange = 90;
+
+/// What wide.glsl asks of `count`.
+std::string anyOf(const std::vector<CountRange>& counts) {
+  std::string text;
+  for (const CountRange& range : counts)
+    text += fmt::format("{}(count>={}&&count<={})", text.empty() ? "" : "||", range.low, range.high);
+  return text.empty() ? "false" : "(" + text + ")";
+}
+
+/// How spans.comp and far.comp take the rows around a cell.
+void defineSpans(gl::Defines& defines, const std::vector<WideRule::Span>& spans) {
+  std::string lefts, rights;
+  for (const WideRule::Span& span : spans) {
+    lefts += (lefts.empty() ? "" : ",") + std::to_string(span.first);
+    rights += (rights.empty() ? "" : ",") + std::to_string(span.last);
+  }
+  defines.emplace_back("LEFTS", lefts);
+  defines.emplace_back("RIGHTS", rights);
+}
+
+void define(gl::Defines& defines, const char* name, int value) {
+  defines.emplace_back(name, std::to_string(value));
+}
+
+}  // namespace
+
+CellEngine::CellEngine(const CellRule& rule, const GridShape& shape, glm::ivec2 size, bool bits,
+                       const std::string& object)
+    : size_(size),
+      bits_(bits),
+      range_(rule.range()),
+      marginX_((rule.range() + 1 + 15) / 16 * 16),
+      rowItems_(bits ? (size.x + 127) / 128 : (size.x + 15) / 16),
+      paddedItems_((size.x + 15) / 16 + 2 * marginX_ / 16),
+      states_(rule.states) {
+  // Four times as much where sums are whole words (makeFar).
+  const bool far = rule.family == CellRule::Family::wide && rule.wide.shape != NeighbourShape::places &&
+                   range_ > (rule.wide.shape == NeighbourShape::moore ? maxByteRange : maxSpansRange);
+  const long items = long{paddedItems_} * (far ? 4 : 1) * (size.y + 2L * range_) + spareItems;
+  // Single bytes are texels, too.
+  const long max = std::min<long>(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels / 16);
+  if (items > max)
+    fail(ExitCode::device,
+         "{} of {} x {} cells needs {} bytes in one buffer for this rule, this device allows {} "
+         "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, GL_MAX_TEXTURE_BUFFER_SIZE); make \"size\" smaller",
+         object, size.x, size.y, items * 16, max * 16);
+  padded_ = gl::WordsArray("padded cells", paddedItems_ * (size.y + 2 * range_) + spareItems);
+  paddedWords_ = gl::Texture::view("padded words", GL_R32UI, padded_.buffer(), 4);
+  paddedBytes_ = gl::Texture::view("padded bytes", GL_R8UI, padded_.buffer(), 1);
+  gl::Defines pad = gl::kernelDefines(false);
+  if (bits_) define(pad, "BITS", 1);
+  pad_ = gl::Program::compute("automata/pad.comp", pad);
+  const shader::GridJoin join = shape.join(size);
+  pad_.set("grid.width", join.width);
+  pad_.set("grid.height", join.height);
+  pad_.set("grid.across", join.across);
+  pad_.set("grid.down", join.down);
+  pad_.set("grid.shiftX", join.shiftX);
+  pad_.set("grid.shiftY", join.shiftY);
+  pad_.set("rowItems", rowItems_);
+  pad_.set("paddedItems", paddedItems_);
+  pad_.set("marginX", marginX_);
+  pad_.set("range", range_);
+  switch (rule.family) {
+    case CellRule::Family::wide:
+      makeWide(rule);
+      break;
+    case CellRule::Family::cyclic:
+      makeCyclic(rule);
+      break;
+    default:
+      makeNine(rule);
+  }
+}
+
+gl::Defines CellEngine::defines() const {
+  gl::Defines all = gl::kernelDefines(false);
+  define(all, "STATES", states_);
+  if (bits_) define(all, "BITS", 1);
+  return all;
+}
+
+void CellEngine::setCommon(const gl::Program& program) const {
+  program.set("size", size_);
+  program.set("rowItems", rowItems_);
+  program.set("rowWords", paddedItems_ * 4);
+  program.set("marginX", marginX_);
+}
+
+void CellEngine::makeNine(const CellRule& rule) {
+  gl::Defines all = defines();
+  if (rule.family == CellRule::Family::tree) {
+    SIMREEL_CHECK(rule.tree);
+    define(all, "NEIGHBOURS", rule.tree->neighbours);
+    rule_ = gl::Program::compute("automata/step.comp", all);
+    rule_.set("root", static_cast<int>(rule.tree->root));
+    tree_ = gl::Buffer::of<std::uint32_t>("rule tree", rule.tree->items);
+    treeItems_ = gl::Texture::view("rule tree", GL_R32UI, tree_, 4);
+  } else {
+    define(all, "MAP", 1);
+    rule_ = gl::Program::compute("automata/step.comp", all);
+    std::uint32_t words[16] = {};
+    for (unsigned i = 0; i < 512; ++i)
+      if (rule.outcome(i)) words[i / 32] |= 1U << (i % 32);
+    static constexpr const char* names[] = {"map[0]", "map[1]", "map[2]", "map[3]"};
+    for (int i = 0; i < 4; ++i) {
+      glm::ivec4 four;
+      std::memcpy(&four, words + 4 * i, sizeof four);
+      rule_.set(names[i], four);
+    }
+  }
+  setCommon(rule_);
+}
+
+void CellEngine::makeCyclic(const CellRule& rule) {
+  gl::Defines all = defines();
+  define(all, "RANGE", rule.cyclic.range);
+  define(all, "THRESHOLD", rule.cyclic.threshold);
+  if (rule.cyclic.shape == NeighbourShape::vonNeumann) define(all, "DIAMOND", 1);
+  rule_ = gl::Program::compute("automata/cyclic.comp", all);
+  setCommon(rule_);
+}
+
+void CellEngine::makeWide(const CellRule& rule) {
+  const WideRule& wide = rule.wide;
+  gl::Defines all = defines();
+  define(all, "MIDDLE", wide.middle ? 1 : 0);
+  all.emplace_back("SURVIVES", anyOf(wide.survive));
+  all.emplace_back("BORN", anyOf(wide.born));
+  if (wide.shape == NeighbourShape::places) {
+    makePlaces(wide, std::move(all));
+  } else if (wide.shape == NeighbourShape::moore && range_ <= maxByteRange) {
+    makeRows(std::move(all));
+  } else {
+    // Long enough that the first sum of a segment costs little beside those that run.
+    items_ = bits_ ? std::max(1, range_ / 128) : std::max(4, range_ / 16);
+    if (range_ > maxSpansRange) {
+      makeFar(wide, std::move(all));
+      return;
+    }
+    std::vector<WideRule::Span> spans;
+    for (int dy = -range_; dy <= range_; ++dy) spans.push_back(wide.span(dy));
+    defineSpans(all, spans);
+    define(all, "RANGE", range_);
+    define(all, "ITEMS", items_);
+    rule_ = gl::Program::compute("automata/spans.comp", all);
+    setCommon(rule_);
+  }
+}
+
+void CellEngine::makeRows(gl::Defines all) {
+  items_ = bits_ ? std::max(1, range_ / 128) : std::max(4, range_ / 16);
+  define(all, "RANGE", range_);
+  define(all, "ITEMS", items_);
+  rule_ = gl::Program::compute("automata/rows.comp", all);
+  setCommon(rule_);
+  gl::Defines down = defines();
+  define(down, "RANGE", range_);
+  define(down, "ROWS", columnRows);
+  columns_ = gl::Program::compute("automata/columns.comp", down);
+  columns_.set("height", size_.y);
+  columns_.set("paddedItems", paddedItems_);
+  sums_ = gl::WordsArray("sums of columns", paddedItems_ * size_.y + spareItems);
+  sumWords_ = gl::Texture::view("sums of columns", GL_R32UI, sums_.buffer(), 4);
+}
+
+void CellEngine::makeFar(const WideRule& rule, gl::Defines all) {
+  items_ = 1;
+  lanes_ = bits_ ? 8 : 1;
+  const bool square = rule.shape == NeighbourShape::moore;
+  std::vector<WideRule::Span> spans;
+  if (square)
+    spans.push_back(rule.span(0));
+  else
+    for (int dy = -range_; dy <= range_; ++dy) spans.push_back(rule.span(dy));
+  defineSpans(all, spans);
+  define(all, "ROWS", static_cast<int>(spans.size()));
+  rule_ = gl::Program::compute("automata/far.comp", all);
+  rule_.set("range", range_);
+  setCommon(rule_);
+  rowSum_ = gl::Program::compute("automata/row_sums.comp", defines());
+  rowSum_.set("rows", size_.y + 2 * range_);
+  rowSum_.set("paddedItems", paddedItems_);
+  const auto array = [&](const char* name, int rows) {
+    return gl::WordsArray(name, paddedItems_ * 4 * rows + spareItems);
+  };
+  rowSums_ = array("sums of rows", size_.y + 2 * range_);
+  if (square) {
+    gl::Defines down = defines();
+    define(down, "RANGE", range_);
+    define(down, "ROWS", columnRows);
+    columns_ = gl::Program::compute("automata/window_sums.comp", down);
+    columns_.set("height", size_.y);
+    columns_.set("paddedItems", paddedItems_);
+    sums_ = array("sums of squares", size_.y);
+  }
+  sumWords_ = gl::Texture::view("sums", GL_R32UI, (square ? sums_ : rowSums_).buffer(), 4);
+}
+
+void CellEngine::makePlaces(const WideRule& rule, gl::Defines all) {
+  lanes_ = bits_ ? 8 : 1;
+  if (rule.flips) define(all, "FLIPPED", 1);
+  if (!rule.stateWeights.empty()) define(all, "STATE_WEIGHTS", 1);
+  rule_ = gl::Program::compute("automata/places.comp", all);
+  rule_.set("range", range_);
+  rule_.set("places", static_cast<int>(rule.places.size()));
+  setCommon(rule_);
+  std::vector<std::uint32_t> list;
+  for (const NeighbourPlace& place : rule.places) {
+    list.push_back(static_cast<std::uint32_t>(place.dx + 512 + (place.dy + 512) * 1024));
+    list.push_back(static_cast<std::uint32_t>(place.weight));
+  }
+  for (const int weight : rule.stateWeights) list.push_back(static_cast<std::uint32_t>(weight));
+  if (list.empty()) list.push_back(0);
+  tree_ = gl::Buffer::of<std::uint32_t>("places", list);
+  treeItems_ = gl::Texture::view("places", GL_R32UI, tree_, 4);
+}
+
+void CellEngine::run(const gl::WordsArray& from, const gl::WordsArray& to) {
+  from.bindInput(bind::cellsBinding);
+  padded_.bindState(bind::paddedBinding);
+  pad_.dispatch(paddedItems_, size_.y + 2 * range_);
+  gl::barrier();
+  const bool sumsRows = rowSum_.name() != 0;
+  if (sumsRows) {
+    padded_.bindInput(bind::paddedBinding);
+    rowSums_.bindState(bind::sumsBinding);
+    rowSum_.dispatch(size_.y + 2 * range_);
+    gl::barrier();
+    rowSums_.bindInput(bind::rowSumsBinding);
+  }
+  if (columns_.name() != 0) {
+    padded_.bindInput(bind::paddedBinding);
+    sums_.bindState(bind::sumsBinding);
+    columns_.dispatch(paddedItems_ * (sumsRows ? 4 : 1), (size_.y + columnRows - 1) / columnRows);
+    gl::barrier();
+  }
+  if (sumWords_) sumWords_.bind(bind::sumsBinding);
+  paddedWords_.bind(bind::wordsBinding);
+  paddedBytes_.bind(bind::bytesBinding);
+  if (treeItems_) treeItems_.bind(bind::treeBinding);
+  to.bindState(bind::nextCellsBinding);
+  rule_.dispatch((rowItems_ + items_ - 1) / items_ * lanes_, size_.y);
+}
+
+}  // namespace simreel::sim

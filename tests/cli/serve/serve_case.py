@@ -1,0 +1,44 @@
+"""What the tests of `simreel serve` share: servers that end with their test, and the pictures that `simreel render` makes."""
+import os
+import signal
+
+from common import PROGRAM, Case, png_rows, unfiltered
+from serve_client import Server
+
+os.environ.setdefault("SIMREEL", PROGRAM)
+
+FIELD = {
+    "version": 1,
+    "render": {"size": [64, 64], "samples": 1},
+    "time": {"fps": 30, "duration": 0.4},
+    "objects": {"dish": {"grayScott": {"size": [64, 64], "steps": 4}}},
+}
+
+
+class ServeCase(Case):
+    def serve(self, *arguments, scene="scene.json"):
+        server = Server(self.folder / scene, *arguments, cwd=self.folder)
+        self.addCleanup(self.end, server)
+        return server
+
+    def end(self, server, expected=(128 + signal.SIGTERM,)):
+        code, _, err = server.stop()
+        self.assertIn(code, expected, err)
+        self.assertNotIn("error", err)
+
+    def rendered(self, frame, *arguments, file="scene.json", frames=None):
+        """What render makes of a frame. `frames`, "2-8": those that the test asks for, too, by one process; each is rendered
+        once."""
+        text = (self.folder / file).read_bytes()
+        known = self.__dict__.setdefault("pictures", {})
+        if (text, arguments, frame) not in known:
+            self.good("render", file, "-o", self.folder / "rendered_####.png", "--frames", frames or frame, "--overwrite", *arguments)
+            for picture in self.folder.glob("rendered_*.png"):
+                known[text, arguments, int(picture.stem[-4:])] = self.pixels(picture.read_bytes())
+                picture.unlink()
+        return known[text, arguments, frame]
+
+    def pixels(self, png):
+        width, height, rows = png_rows(png)
+        step = (len(rows) // height - 1) // width
+        return width, height, b"".join(unfiltered(rows, step * width, step))
