@@ -11,9 +11,9 @@
 
 namespace simreel::sim {
 
-/// At which to look (s, ascending) to have seen all of the way of what goes along keyframes: where a key is,
-/// just before jumps, and of rotations (degrees) often enough in between that no corner goes more than 1% of
-/// its radius beyond what was seen.
+/// At which to look (s, ascending) to have seen all of the way of what goes along keyframes: where a key
+/// is, just before jumps, and of rotations (degrees) often enough in between that no corner goes more than
+/// 1% of its radius beyond what was seen.
 class Moments {
  public:
   template <class T>
