@@ -1,5 +1,6 @@
 #include "base/error.hpp"
 #include "sim/body/motion.hpp"
+#include "sim/core/moments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +13,14 @@ namespace simreel::sim {
 namespace {
 
 /// Moments at which to look: along the motion, and at the keys that move the whole.
-std::vector<double> momentsOf(const BodyParameters& body) {
+std::vector<double> poseMoments(const BodyParameters& body) {
   std::vector<double> moments = {0};
   constexpr int looks = 12;
   if (!body.animation.empty() && body.speed != 0) {
     const double seconds = body.figure()->animationNamed(body.animation, "body").seconds;
     for (int i = 1; i <= looks; ++i) moments.push_back(seconds / std::abs(body.speed) * i / looks);
   }
-  for (const auto& key : body.position.keys()) moments.push_back(key.time);
+  for (const double moment : momentsOf(body.position, body.rotation, body.scale)) moments.push_back(moment);
   return moments;
 }
 
@@ -31,7 +32,7 @@ std::optional<scene::Box> BodyParameters::framed() const {
   try {
     const BodyMotion motion("body", *this);
     const Figure& figure = motion.figure();
-    for (const double moment : momentsOf(*this)) {
+    for (const double moment : poseMoments(*this)) {
       const std::vector<glm::vec4> rows = motion.rowsAt(moment);
       for (std::size_t v = 0; v < figure.mesh.positions.size(); ++v) {
         const glm::vec4 at(figure.mesh.positions[v], 1);

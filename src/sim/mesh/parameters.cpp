@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "sim/core/collider.hpp"
+#include "sim/core/moments.hpp"
 #include "sim/mesh/shapes.hpp"
 
 #include <cmath>
@@ -145,8 +146,8 @@ std::optional<scene::Box> MeshParameters::framed() const {
   std::optional<scene::Box> box;
   try {
     const Mesh mesh = make(0);
-    for (const auto& key : position.keys()) {
-      const glm::mat4 placed = model(key.time);
+    for (const double seconds : momentsOf(position, rotation, scale)) {
+      const glm::mat4 placed = model(seconds);
       for (const glm::vec3& at : mesh.positions) include(box, glm::vec3(placed * glm::vec4(at, 1)));
     }
   } catch (const UserError&) {

@@ -1,7 +1,10 @@
 #include "sim/particles/parameters.hpp"
 
+#include "base/error.hpp"
 #include "sim/grid/color_map.hpp"
+#include "sim/particles/file.hpp"
 #include "sim/particles/plan.hpp"
+#include "sim/particles/start.hpp"
 
 #include <algorithm>
 
@@ -26,10 +29,20 @@ void includeBall(std::optional<scene::Box>& box, const glm::vec3& middle, const 
   scene::include(box, middle + half);
 }
 
+void includeFile(std::optional<scene::Box>& box, const ParticleGroup& group) {
+  constexpr int most = 1 << 24;
+  try {
+    ParticleCloud cloud = readParticles(group.file, group.totalMass, most);
+    placeGroup(cloud, group);
+    for (const glm::vec4& particle : cloud.positions) scene::include(box, glm::vec3(particle));
+  } catch (const UserError&) {  // whoever makes it says why
+  }
+}
+
 /// At the start: where it goes is its own affair.
 void includeGroup(std::optional<scene::Box>& box, const ParticleGroup& group) {
   using Shape = ParticleGroup::Shape;
-  if (group.shape == Shape::file) return;
+  if (group.shape == Shape::file) return includeFile(box, group);
   const bool open = group.shape == Shape::plummer || group.shape == Shape::disk;
   const float radius = group.radius * (open ? scaleLengths : 1.0F);
   glm::vec3 half(radius);
@@ -211,11 +224,17 @@ std::span<const scene::Quantity> ParticleParameters::quantities() const {
 std::optional<scene::Box> ParticleParameters::framed() const {
   std::optional<scene::Box> box;
   for (const ParticleGroup& group : groups) includeGroup(box, group);
+  // What falls is seen to fall: to the height of 0 or, from below that, as far as it is wide.
+  if (box && acceleration.at(0).y < 0) {
+    const glm::vec3 extent = box->max - box->min;
+    box->min.y = box->min.y > 0 ? 0.0F : box->min.y - std::max(extent.x, extent.z);
+  }
   for (const Emitter& emitter : emitters) includeEmitter(box, emitter, acceleration.at(0));
   if (!box) return box;
   box->min -= 0.5F * size;
   box->max += 0.5F * size;
-  box->round = emitters.empty() && groups.size() == 1 && groups[0].shape != ParticleGroup::Shape::cube;
+  box->round = emitters.empty() && groups.size() == 1 && groups[0].shape != ParticleGroup::Shape::cube &&
+               !(acceleration.at(0).y < 0);
   return box;
 }
 

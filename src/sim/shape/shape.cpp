@@ -1,6 +1,7 @@
 #include "sim/shape/shape.hpp"
 
 #include "sim/core/kind.hpp"
+#include "sim/core/moments.hpp"
 #include "sim/mesh/buffers.hpp"
 #include "sim/mesh/shapes.hpp"
 
@@ -54,10 +55,10 @@ SimulationKind shapeKind(const char* name, const char* doc) {
 std::optional<scene::Box> ShapeParameters::framed() const {
   if (!visible || shape.kind == ColliderShape::Kind::plane) return std::nullopt;
   std::optional<scene::Box> box;
-  for (const auto& key : shape.position.keys())
+  for (const double seconds : momentsOf(shape.position, shape.rotation))
     for (const float end : {-0.5F, 0.5F}) {
-      const glm::vec3 along(rotationMatrix(shape.rotation.at(key.time))[1]);
-      const glm::vec3 middle = key.value + along * (end * shape.length);
+      const glm::vec3 along(rotationMatrix(shape.rotation.at(seconds))[1]);
+      const glm::vec3 middle = shape.position.at(seconds) + along * (end * shape.length);
       scene::include(box, middle - shape.radius);
       scene::include(box, middle + shape.radius);
     }

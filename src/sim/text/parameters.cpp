@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "sim/core/collider.hpp"
+#include "sim/core/moments.hpp"
 
 #include <stdexcept>
 
@@ -118,12 +119,12 @@ std::optional<scene::Box> TextParameters::framed() const {
       scene::include(own, glm::vec3(at, 0.5F * depth));
     }
   if (!own) return std::nullopt;
-  for (const auto& key : position.keys())
+  for (const double seconds : momentsOf(position, rotation, scale))
     for (int corner = 0; corner < 8; ++corner) {
       const glm::vec3 at((corner & 1) != 0 ? own->max.x : own->min.x,
                          (corner & 2) != 0 ? own->max.y : own->min.y,
                          (corner & 4) != 0 ? own->max.z : own->min.z);
-      scene::include(box, glm::vec3(model(key.time) * glm::vec4(at, 1.0F)));
+      scene::include(box, glm::vec3(model(seconds) * glm::vec4(at, 1.0F)));
     }
   return box;
 }

@@ -42,6 +42,29 @@ TEST_CASE("framed: a mesh where it is at rest, at all keys of its position") {
   CHECK_FALSE(mesh.framed());
 }
 
+TEST_CASE("framed: what turns or grows, all of its way, and where it is before it jumps") {
+  sim::MeshParameters mesh;  // a plane of 4 m by 4 m
+  mesh.scale = scene::Animated<float>({{0.0, 0.5F}, {2.0, 1.5F}}, scene::Ease::linear);
+  checkFramed(mesh, {-3, 0, -3}, {3, 0, 3});
+  sim::ShapeParameters rod(sim::ColliderShape::Kind::capsule);
+  rod.shape.radius = 0.25F;
+  rod.shape.length = 2;
+  rod.shape.rotation =
+      scene::Animated<glm::vec3>({{0.0, glm::vec3(0)}, {1.0, glm::vec3(0, 0, 90)}}, scene::Ease::linear);
+  checkFramed(rod, {-1.25F, -1.25F, -0.25F}, {1.25F, 1.25F, 0.25F});
+  rod.shape.rotation =
+      scene::Animated<glm::vec3>({{0.0, glm::vec3(0)}, {1.0, glm::vec3(0, 0, 720)}}, scene::Ease::linear);
+  const auto whirls = rod.framed();
+  REQUIRE(whirls.has_value());
+  CHECK(whirls->max.x > 1.23F);
+  CHECK(whirls->max.x < 1.2501F);
+  sim::ShapeParameters ball(sim::ColliderShape::Kind::sphere);
+  ball.shape.radius = 1;
+  ball.shape.position = scene::Animated<glm::vec3>(
+      {{0.0, glm::vec3(0)}, {2.0, glm::vec3(5, 0, 0)}, {2.0, glm::vec3(0, 3, 0)}}, scene::Ease::linear);
+  checkFramed(ball, {-1, -1, -1}, {6, 4, 1});
+}
+
 TEST_CASE("framed: balls and capsules, but no planes") {
   sim::ShapeParameters capsule(sim::ColliderShape::Kind::capsule);
   capsule.shape.radius = 0.25F;
@@ -108,6 +131,10 @@ TEST_CASE("framed: particles where they start, and as far as sources throw them"
   CHECK(cloud.framed()->round);
   cloud.groups[0].shape = sim::ParticleGroup::Shape::disk;
   checkFramed(cloud, {-0.5F, 1.775F, 1.5F}, {2.5F, 2.225F, 4.5F});
+  cloud.groups[0].shape = sim::ParticleGroup::Shape::ball;
+  cloud.acceleration = glm::vec3(0, -9.8F, 0);
+  checkFramed(cloud, {0.5F, 0, 2.5F}, {1.5F, 2.5F, 3.5F});  // it falls
+  CHECK_FALSE(cloud.framed()->round);
   sim::Emitter fountain;
   fountain.spread = 0;
   fountain.radius = 0;

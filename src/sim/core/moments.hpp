@@ -1,0 +1,63 @@
+#pragma once
+#include "scene/animated.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace simreel::sim {
+
+/// At which to look (s, ascending) to have seen all of the way of what goes along keyframes: where a key
+/// is, just before jumps, and of rotations (degrees) often enough in between that no corner goes more than
+/// 1% of its radius beyond what was seen.
+class Moments {
+ public:
+  template <class T>
+  void add(const scene::Animated<T>& value) {
+    const auto& keys = value.keys();
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      seconds_.push_back(keys[i].time);
+      if (i > 0 && keys[i].time == keys[i - 1].time)
+        seconds_.push_back(std::nextafter(keys[i].time, -std::numeric_limits<double>::infinity()));
+    }
+  }
+  void addRotation(const scene::Animated<glm::vec3>& rotation) {
+    add(rotation);
+    const auto& keys = rotation.keys();
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+      const glm::vec3 turn = keys[i].value - keys[i - 1].value;
+      const float most = std::max({std::abs(turn.x), std::abs(turn.y), std::abs(turn.z)});
+      // A prime, so that full turns are seen from everywhere.
+      constexpr float degrees = 16, looks = 23;
+      const int parts = static_cast<int>(std::clamp(std::ceil(most / degrees), 1.0F, looks));
+      for (int k = 1; k < parts; ++k)
+        seconds_.push_back(keys[i - 1].time + (keys[i].time - keys[i - 1].time) * k / parts);
+    }
+  }
+  [[nodiscard]] std::vector<double> all() const {
+    std::vector<double> sorted = seconds_;
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    return sorted;
+  }
+
+ private:
+  std::vector<double> seconds_;
+};
+
+/// Of a place, a rotation and, where there is one, a factor on the size.
+inline std::vector<double> momentsOf(const scene::Animated<glm::vec3>& position,
+                                     const scene::Animated<glm::vec3>& rotation,
+                                     const scene::Animated<float>& scale = 1.0F) {
+  Moments moments;
+  moments.add(position);
+  moments.addRotation(rotation);
+  if (scale.moves()) moments.add(scale);
+  return moments.all();
+}
+
+}  // namespace simreel::sim
