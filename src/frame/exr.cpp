@@ -66,6 +66,12 @@ class Channels {
     }
     insert(name, type, kept.data());
   }
+  /// Whole numbers.
+  void add(Imf::Header& header, const std::string& name, const std::vector<std::uint32_t>& numbers) {
+    header.channels().insert(name.c_str(), Imf::Channel(Imf::UINT));
+    std::vector<std::uint32_t>& kept = numbers_.emplace_back(numbers);
+    insert(name, Imf::UINT, kept.data());
+  }
   [[nodiscard]] const Imf::FrameBuffer& frame() const { return frame_; }
 
  private:
@@ -81,6 +87,7 @@ class Channels {
   std::size_t width_, height_;
   std::deque<std::vector<float>> values_;
   std::deque<std::vector<half>> halves_;
+  std::deque<std::vector<std::uint32_t>> numbers_;
   Imf::FrameBuffer frame_;
 };
 
@@ -118,7 +125,8 @@ void addMatte(Imf::Header& header, Channels& channels, const PictureLayers& pict
 }
 
 /// Its bytes, beside what was hashed before.
-void addTo(std::string& all, const char* what, const std::vector<float>& values) {
+template <class Value>
+void addTo(std::string& all, const char* what, const std::vector<Value>& values) {
   if (!values.empty()) all += fmt::format(" {} {}", what, hashHex(std::as_bytes(std::span(values))));
 }
 
@@ -151,6 +159,7 @@ std::vector<std::byte> encodeExr(const PictureLayers& picture, const ImageText& 
     if (!picture.albedo.empty())
       channels.add(header, fmt::format("albedo.{}", "RGB"[c]), picture.albedo.data() + c, 3, Imf::HALF);
   }
+  if (!picture.primitive.empty()) channels.add(header, "primitive", picture.primitive);
   if (!picture.shares.empty()) addMatte(header, channels, picture);
   MemoryStream stream;
   try {
@@ -190,6 +199,7 @@ std::string pixelHash(const PictureLayers& picture) {
   addTo(all, "albedo", picture.albedo);
   addTo(all, "velocity", picture.velocity);
   addTo(all, "vector", picture.vector);
+  addTo(all, "primitive", picture.primitive);
   for (const std::string& object : picture.objects) all += " " + object;
   std::vector<float> shares;
   for (const PictureLayers::Share& share : picture.shares) {

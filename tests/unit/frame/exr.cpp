@@ -10,6 +10,7 @@
 #include <ImfStringAttribute.h>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -32,6 +33,8 @@ draw::PictureLayers smallLayers() {
       made.light.push_back(value);
   for (int i = 0; i < 15; ++i) made.depth.push_back(i == 4 ? std::numeric_limits<float>::infinity() : 2.5F);
   for (int i = 0; i < 45; ++i) made.position.push_back(static_cast<float>(i) - 7.25F);
+  for (std::uint32_t i = 0; i < 15; ++i)
+    made.primitive.push_back(i == 4 ? draw::PictureLayers::noPrimitive : 16777217 + i);
   made.objects = {"flag", "ground", "a ball"};
   made.ranks = 4;
   made.shares.resize(60);
@@ -73,6 +76,13 @@ TEST_CASE("exr: colour, depth, position and objects come back") {
   CHECK(channelNamed(file, "Z")[3] == 2.5F);
   CHECK(std::isinf(channelNamed(file, "Z")[4]));
   CHECK(channelNamed(file, "P.Y")[2] == made.position[7]);
+  std::vector<std::uint32_t> primitives(15);
+  Imf::FrameBuffer frame;
+  frame.insert("primitive", Imf::Slice(Imf::UINT, reinterpret_cast<char*>(primitives.data()), 4, 20));
+  file.setFrameBuffer(frame);
+  file.readPixels(0, 2);
+  CHECK(file.header().channels().findChannel("primitive")->type == Imf::UINT);
+  CHECK(primitives == made.primitive);
   const auto idOf = [](const char* name) { return std::bit_cast<float>(frame::cryptomatteId(name)); };
   CHECK(channelNamed(file, "CryptoObject00.R")[0] == idOf("ground"));
   CHECK(channelNamed(file, "CryptoObject00.G")[0] == 0.75F);
@@ -117,6 +127,7 @@ TEST_CASE("exr: the hash tells every part, and files are the same each time") {
   CHECK(differs([](auto& p) { p.alpha = false; }));
   CHECK(differs([](auto& p) { p.depth[3] = 2; }));
   CHECK(differs([](auto& p) { p.position[3] = 2; }));
+  CHECK(differs([](auto& p) { p.primitive[4] = 3; }));
   CHECK(differs([](auto& p) { p.objects[1] = "floor"; }));
   CHECK(differs([](auto& p) { p.shares[58].coverage = 0.5F; }));
 }

@@ -42,6 +42,7 @@ LayerKeeper::LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm
   if (places) layers_.position.assign(3 * pixels, 0.0F);
   if (wants(Layer::velocity)) layers_.velocity.assign(3 * pixels, 0.0F);
   if (wants(Layer::vector)) layers_.vector.assign(2 * pixels, 0.0F);
+  if (wants(Layer::primitive)) layers_.primitive.assign(pixels, PictureLayers::noPrimitive);
   if (!wants(Layer::object)) return;
   layers_.ranks = std::min(samples, PictureLayers::mostRanks);
   layers_.shares.resize(pixels * static_cast<std::size_t>(layers_.ranks));
@@ -68,6 +69,22 @@ std::uint32_t LayerKeeper::objectOf(unsigned number, std::span<const DrawnThing>
   return numbered((after - 1)->object);
 }
 
+/// Counted from the first of its object, whatever else is drawn in between: no two of an object's are
+/// equal.
+void LayerKeeper::keepPrimitive(std::size_t pixel, unsigned number, std::span<const DrawnThing> things) {
+  if (layers_.primitive.empty()) return;
+  layers_.primitive[pixel] = 0;
+  if (number >= groundNumber || things.empty()) return;
+  const auto after =
+      std::upper_bound(things.begin(), things.end(), number,
+                       [](unsigned n, const DrawnThing& thing) { return n < thing.firstId; });
+  if (after == things.begin()) return;
+  const std::string& object = (after - 1)->object;
+  const auto first =
+      std::find_if(things.begin(), after, [&](const DrawnThing& thing) { return thing.object == object; });
+  layers_.primitive[pixel] = number - first->firstId;
+}
+
 /// From where it is seen to where it was; rows count downwards.
 void LayerKeeper::keepVector(std::size_t pixel, const std::optional<glm::dvec2>& now,
                              const std::optional<glm::dvec2>& before) {
@@ -82,7 +99,8 @@ void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& vie
                       const CameraWay* way) {
   const std::vector<GLuint> keys = visibility.readKeys();
   const std::vector<GLuint> numbers =
-      wants(Layer::object) || velocities != nullptr ? visibility.readNumbers() : std::vector<GLuint>();
+      wants(Layer::object) || wants(Layer::primitive) || velocities != nullptr ? visibility.readNumbers()
+                                                                               : std::vector<GLuint>();
   const auto each = static_cast<std::size_t>(samples_), wide = static_cast<std::size_t>(view.size.x);
   std::vector<PictureLayers::Share> found;
   for (int y = view.rows.x; y < view.rows.y; ++y)
@@ -99,9 +117,10 @@ void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& vie
         for (int i = 0; i < 3 && !layers_.position.empty(); ++i)
           layers_.position[3 * pixel + static_cast<std::size_t>(i)] = place[i];
         const unsigned number =
-            velocities == nullptr ? groundNumber : numbers[static_cast<std::size_t>(nearest - keys.data())];
+            numbers.empty() ? groundNumber : numbers[static_cast<std::size_t>(nearest - keys.data())];
+        keepPrimitive(pixel, number, things);
         glm::vec3 velocity(0);
-        if (number < groundNumber) {
+        if (velocities != nullptr && number < groundNumber) {
           velocity = velocities->at(number, glm::dvec3(place));
           for (int i = 0; i < 3 && !layers_.velocity.empty(); ++i)
             layers_.velocity[3 * pixel + static_cast<std::size_t>(i)] = velocity[i] + 0.0F;

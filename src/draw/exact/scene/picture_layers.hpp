@@ -20,9 +20,9 @@ class Velocities;
 namespace simreel::draw {
 
 /// What may be known of a picture besides its colour, and what it is called.
-enum class Layer { depth, position, object, normal, albedo, velocity, vector };
-inline constexpr std::array<const char*, 7> layerNames = {"depth",  "position", "object", "normal",
-                                                          "albedo", "velocity", "vector"};
+enum class Layer { depth, position, object, normal, albedo, velocity, vector, primitive };
+inline constexpr std::array<const char*, 8> layerNames = {"depth",  "position", "object", "normal",
+                                                          "albedo", "velocity", "vector", "primitive"};
 /// Of those that are shaded instead of light, as shaders know them (SHOWN of
 /// glsl/draw/surface/lighting.glsl).
 inline constexpr std::array<Layer, 2> shownLayers = {Layer::normal, Layer::albedo};
@@ -43,6 +43,7 @@ struct PictureLayers {
     float coverage = 0;        ///< 0 to 1
   };
   static constexpr int mostRanks = 6;
+  static constexpr std::uint32_t noPrimitive = 0xffffffffU;
 
   glm::ivec2 size{0};
   bool filmed = false;  ///< as LightRequest has it, and the next
@@ -62,6 +63,9 @@ struct PictureLayers {
   /// the frame before, by its velocity and by what the camera did. Of the sky, which is infinitely far
   /// away, by the camera's turning.
   std::vector<float> vector;
+  /// Of what is nearest: its number among the triangles, balls and instances' triangles of its object, from
+  /// 0 in the order in which they are drawn; 0 of the ground; noPrimitive where nothing is.
+  std::vector<std::uint32_t> primitive;
   std::vector<std::string> objects;
   int ranks = 0;  ///< shares of a pixel in `shares`, the largest first; what is left over covers nothing
   std::vector<Share> shares;
@@ -90,6 +94,7 @@ class LayerKeeper {
   void keepVector(std::size_t pixel, const std::optional<glm::dvec2>& now,
                   const std::optional<glm::dvec2>& before);
   std::uint32_t objectOf(unsigned number, std::span<const DrawnThing> things);
+  void keepPrimitive(std::size_t pixel, unsigned number, std::span<const DrawnThing> things);
   std::uint32_t numbered(const std::string& name);
 
   PictureLayers& layers_;

@@ -7,7 +7,11 @@
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <set>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -119,6 +123,49 @@ TEST_CASE("velocities: a falling sheet's are those of its particles") {
       worst(layers, seen, [](const glm::dvec3& /*p*/) { return glm::dvec3(0, -9.8 * 5.5 / fps, 0); });
   CHECK(off < 0.03);
   CHECK(seen > 20);
+}
+
+TEST_CASE("layers: triangles and balls count from the first of their object") {
+  testContext();
+  // Drawn after another surface and before balls.
+  const std::string objects =
+      R"("first": {"sphere": {"radius": 0.2, "position": [-1, 0, 0]}},
+         "sheet": {"mesh": {"shape": "plane", "size": [1, 0, 1], "resolution": [2, 2], "rotation": [60, 0, 0]}},
+         "dust": {"particles": {"groups": [{"shape": "ball", "count": 5, "radius": 0.2, "position": [1, 0, 0]}], "method": "none", "look": {"size": 0.2}}})";
+  const scene::Scene scene = sceneOf(objects);
+  sim::World world(scene);
+  draw::Renderer renderer(scene, scene.render.size, scene.render.samples);
+  renderer.keepLayers({{draw::Layer::primitive, draw::Layer::position, draw::Layer::object}, false, 32});
+  frame::drawWorld(renderer, world);
+  const draw::PictureLayers layers = renderer.takeLayers();
+  std::set<std::uint32_t> ofSheet, ofDust, beyond;
+  int mixed = 0;
+  std::array<int, 2> sides{};
+  for (std::size_t i = 0; i < layers.primitive.size(); ++i) {
+    const std::uint32_t number = layers.primitive[i];
+    const draw::PictureLayers::Share& share = layers.shares[i * static_cast<std::size_t>(layers.ranks)];
+    const std::string object = share.coverage > 0 ? layers.objects[share.object] : "";
+    if (object.empty()) beyond.insert(number);
+    if (object == "dust") ofDust.insert(number);
+    if (object != "sheet") continue;
+    ofSheet.insert(number);
+    // Along the sheet, downwards: its local z. Where x and z differ in which is larger, triangles do.
+    const glm::dvec3 p = at(layers.position, i);
+    const double down = p.y / -std::sin(3.14159265358979 / 3);
+    if (std::abs(p.x - down) > 0.02 && std::abs(p.x + down) > 0.02) {
+      const bool byDifference = p.x > down, bySum = p.x + down > 0;
+      sides[0] += byDifference == (number == 0) ? 1 : -1;
+      sides[1] += bySum == (number == 0) ? 1 : -1;
+      ++mixed;
+    }
+  }
+  CHECK(beyond == std::set<std::uint32_t>{draw::PictureLayers::noPrimitive});
+  CHECK(ofSheet == std::set<std::uint32_t>{0, 1});
+  CHECK(*ofDust.rbegin() < 5);
+  CHECK(ofDust.size() >= 3);
+  CHECK(mixed > 100);
+  // One of the two diagonals parts the triangles everywhere.
+  CHECK(std::max(std::abs(sides[0]), std::abs(sides[1])) == mixed);
 }
 
 TEST_CASE("velocities: shares of corners") {
