@@ -41,7 +41,7 @@ double bestRate(double cells, const Body& body) {
 }
 
 void line(const char* name, double rate, double direct) {
-  fmt::print("{:<44} {:>10.3f}e9 cells/s", name, rate / 1e9);
+  fmt::print("{:<44} {:>12.6f}e9 cells/s", name, rate / 1e9);
   if (direct > 0) fmt::print(" ({:.1f} x)", rate / direct);
   fmt::print("\n");
   std::fflush(stdout);
