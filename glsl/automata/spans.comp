@@ -1,9 +1,10 @@
-// Larger than Life on a neighbourhood of rows of any length, circles, diamonds and squares beyond the range of rows.comp: from a cell to the next one comes the right
-// end of each row and goes the left one. Defines: as rows.comp; LEFTS, RIGHTS: columns from a cell's own to the first
-// and the last cell of each row, from the top.
+// Larger than Life on circles and diamonds: from a cell to the next one comes the right end of each row around it and goes
+// the left one. An invocation goes along a row, those beside it along the rows below, for a row has few elements and a
+// software driver runs eight invocations of a group's x at once. Defines: as rows.comp; LEFTS, RIGHTS: columns from a
+// cell's own to the first and the last cell of each row, from the top.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
-layout(local_size_x = 8, local_size_y = 4) in;
+layout(local_size_x = 32) in;
 layout(binding = bytesBinding) uniform usamplerBuffer paddedBytes;
 STATE_WORDS(nextCellsBinding, NextBlock, newCells)
 uniform ivec2 size;
@@ -20,7 +21,7 @@ int aliveAt(int i) {
 }
 
 void main() {
-  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 at = ivec2(gl_GlobalInvocationID.yx);
   int firstItem = at.x * ITEMS;
   if (firstItem >= rowItems || at.y >= size.y) return;
   int rowBytes = rowWords * 4;

@@ -169,12 +169,18 @@ def random_case(family, rng):
         case["rule"] = shaped_rule(rng)
         size[:] = (max(s, 24) for s in size)
         case["fill"] = rng.choice([0.3, 0.5])
-    elif family == "far":
-        # Most within 50, some beyond what a byte of sums holds and what loops of a software driver get through. Golly makes
-        # grids twice as wide as the range, at least. Half of the cells live, so limits lie about the middle.
+    elif family in ("far", "farthest"):
+        # "far" for many generations, so that a cell and step takes few operations of either program; one in sixteen beyond what a
+        # byte of sums holds and what loops of a software driver get through. "farthest" as far as Golly goes, for few. Golly
+        # makes grids twice as wide as the range, at least. Half of the cells live, so limits lie about the middle.
         shape = rng.choice("MNC")
-        reach = rng.choice([*[rng.randrange(1, 51) for _ in range(8)], rng.randrange(51, 140), rng.randrange(200, 501)])
-        size[0], size[1] = (2 * reach + rng.randrange(11, 40) for _ in range(2))
+        if family == "farthest":
+            reach = rng.choice([*[rng.randrange(1, 51) for _ in range(8)], rng.randrange(51, 140), rng.randrange(200, 501)])
+        elif rng.random() < 0.94:
+            reach = rng.randrange(11, 128 if shape == "M" else 27)
+        else:
+            reach = rng.randrange(128, 161) if shape == "M" else rng.randrange(91, 98)
+        size[0], size[1] = (2 * reach + rng.randrange(*((11, 40) if family == "farthest" else (3, 24))) for _ in range(2))
         cells = {"M": (2 * reach + 1) ** 2, "N": 2 * reach * (reach + 1) + 1, "C": 3.1416 * (reach + 0.5) ** 2}[shape]
         near = [int(cells * share) for share in (rng.uniform(0.2, 0.4), rng.uniform(0.42, 0.7), rng.uniform(0.3, 0.45), rng.uniform(0.46, 0.6))]
         case["rule"] = f"R{reach},C{rng.choice([0, 0, 4])},M{rng.randrange(2)},S{near[0]}..{near[1]},B{near[2]}..{near[3]},N{shape}"
@@ -241,7 +247,7 @@ def random_table(rng):
     return f"{name}.rule", "\n".join(lines) + "\n"
 
 
-FAMILIES = ["life", "hensel", "shapes", "map", "wolfram", "generations", "borders", "wide", "far", "tables"]
+FAMILIES = ["life", "hensel", "shapes", "map", "wolfram", "generations", "borders", "wide", "far", "farthest", "tables"]
 NEWER = ["shaped"]  # not of Golly 3
 
 

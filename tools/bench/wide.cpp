@@ -1,7 +1,7 @@
-// Larger than Life on a torus, squares of any range: two plain loops of one thread, the kernels, and what
-// the memory's bandwidth would allow them. Figures are cells/s; ratios are to the direct loop.
-//   bench_wide [WIDTH HEIGHT [RANGE [STEPS [plain]]]]     defaults 2048 2048 5 8; "plain": no loops on the
-//   CPU
+// Larger than Life on a torus, of any range: two plain loops of one thread, the kernels, and what the
+// memory's bandwidth would allow them. Figures are cells/s; ratios are to the direct loop.
+//   bench_wide [WIDTH HEIGHT [RANGE [STEPS]]] [M|N|C] [plain]     defaults 2048 2048 5 8 M; N: diamonds, C:
+//   circles; "plain": no loops on the CPU
 #include "plain/wide.hpp"
 
 #include "beside/memory.hpp"
@@ -12,10 +12,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -39,7 +41,7 @@ double bestRate(double cells, const Body& body) {
 }
 
 void line(const char* name, double rate, double direct) {
-  fmt::print("{:<44} {:>10.3f}e9 cells/s", name, rate / 1e9);
+  fmt::print("{:<44} {:>12.6f}e9 cells/s", name, rate / 1e9);
   if (direct > 0) fmt::print(" ({:.1f} x)", rate / direct);
   fmt::print("\n");
   std::fflush(stdout);
@@ -48,29 +50,56 @@ void line(const char* name, double rate, double direct) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto argument = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
-  const glm::ivec2 size(argument(1, 2048), argument(2, 2048));
-  const int range = argument(3, 5), steps = argument(4, 8);
-  if (range < 1 || range > 127 || steps < 1 || std::min(size.x, size.y) <= 2 * range) {
-    fmt::print(stderr, "usage: bench_wide [WIDTH HEIGHT [RANGE [STEPS [plain]]]]\n");
+  bool loops = true;
+  std::string shape = "M";
+  std::vector<int> numbers;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "plain")
+      loops = false;
+    else if (word == "M" || word == "N" || word == "C")
+      shape = word;
+    else
+      numbers.push_back(std::atoi(argv[i]));
+  }
+  const auto number = [&](std::size_t i, int otherwise) {
+    return numbers.size() > i ? numbers[i] : otherwise;
+  };
+  const glm::ivec2 size(number(0, 2048), number(1, 2048));
+  const int range = number(2, 5), steps = number(3, 8);
+  if (range < 1 || range > 500 || steps < 1 || std::min(size.x, size.y) <= 2 * range) {
+    fmt::print(stderr, "usage: bench_wide [WIDTH HEIGHT [RANGE [STEPS]]] [M|N|C] [plain]\n");
     return 2;
   }
+  sim::CellRule around;
+  if (!sim::parseCellRule(fmt::format("R{},C0,M1,S1..1,B1..1,N{}", range, shape), around).message.empty())
+    return 2;
+  plain::Wide::Rule limits;
+  int n = 0;
+  for (int dy = -range; dy <= range; ++dy) {
+    limits.half.push_back(around.wide.span(dy).last);
+    n += 2 * limits.half.back() + 1;
+  }
   // The limits of Bosco's rule (range 5), as shares of the neighbourhood.
-  const int n = (2 * range + 1) * (2 * range + 1);
-  const plain::Wide::Rule limits{range, n * 34 / 121, n * 58 / 121, n * 34 / 121, n * 45 / 121};
+  const auto share = [&](int of121) { return static_cast<int>(std::int64_t{n} * of121 / 121); };
+  limits.surviveMin = limits.bornMin = share(34);
+  limits.surviveMax = share(58);
+  limits.bornMax = share(45);
   sim::LifeParameters parameters;
   parameters.size = size;
   parameters.fill = 0.5F;
-  parameters.rule = fmt::format("R{},C0,M1,S{}..{},B{}..{},NM", range, limits.surviveMin, limits.surviveMax,
-                                limits.bornMin, limits.bornMax);
+  parameters.rule = fmt::format("R{},C0,M1,S{}..{},B{}..{},N{}", range, limits.surviveMin,
+                                limits.surviveMax, limits.bornMin, limits.bornMax, shape);
   const double cells = static_cast<double>(size.x) * size.y;
   const gl::Context context;
   fmt::print("device: {}\n{} x {} cells, {}\n", context.device().name, size.x, size.y, parameters.rule);
   double direct = 0;
-  if (argc <= 5) {
+  if (loops) {
     plain::Wide loop(size.x, size.y, limits);
     for (std::size_t i = 0; i < loop.cells.size(); ++i) loop.cells[i] = i * 2654435761U % 97 < 48 ? 1 : 0;
-    direct = bestRate(cells, [&] { loop.stepDirect(); });
+    // Of far ranges some rows tell.
+    const int rows = static_cast<int>(std::clamp(1e9 / n / size.x, 1.0, static_cast<double>(size.y)));
+    direct = bestRate(static_cast<double>(size.x) * rows, [&] { loop.direct(rows); });
     line("loop over bytes, all around, 1 thread", direct, direct);
     line("loop over bytes, running sums, 1 thread", bestRate(cells, [&] { loop.stepRunning(); }), direct);
   }
@@ -91,12 +120,14 @@ int main(int argc, char** argv) {
   const double rate = bestRate(cells * steps, run);
   line("device", rate, direct);
   const double copied = bench::copiedBySecond();
-  // Bits in and out, cells as bytes written and read twice, sums of columns written and read.
-  constexpr double bytesPerCell = 2.0 / 8 + 3 + 2;
+  // Bits in and out; what the engine holds is written once and read once, its padded cells, as bytes, once
+  // more where they are summed up before.
+  const bool sums = range > 90 || shape == "M";
+  const double bytesPerCell = 2.0 / 8 + 2.0 * static_cast<double>(engine.bytes()) / cells + (sums ? 1 : 0);
   fmt::print(
-      "memory copies {:.1f}e9 bytes/s; three passes move {} bytes a cell: limit {:.3f}e9 cells/s, {:.0f}% "
-      "of it "
-      "reached; one pass over the bits alone would be {:.1f}e9\n",
+      "memory copies {:.1f}e9 bytes/s; all passes move {:.1f} bytes a cell: limit {:.3f}e9 cells/s, "
+      "{:.1f}% "
+      "of it reached; one pass over the bits alone would be {:.1f}e9\n",
       copied / 1e9, bytesPerCell, copied / bytesPerCell / 1e9, 100 * rate * bytesPerCell / copied,
       copied / 0.25 / 1e9);
 }

@@ -1,13 +1,16 @@
 #include "sim/reaction/kernels.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "gl/limits.hpp"
 #include "sim/reaction/rule/model.hpp"
 #include "sim/reaction/sampling.hpp"
+#include "sim/reaction/stability.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -79,6 +82,17 @@ std::vector<glm::uvec4> placeWords(const std::vector<glm::ivec2>& places) {
   return words;
 }
 
+/// Of what the diffusion does not tell (ReactionPlan).
+void warnOfGrowth(const std::string& object, const ReactionPlan& plan, const RulePlanes& first) {
+  if (plan.diffusesTooFast()) return;
+  if (const std::optional<StepGrowth> growth = unstableSteps(plan, first))
+    warn(
+        "reaction \"{}\": a step makes small waves in the first state {:.3g} times as high, and the "
+        "equations "
+        "alone {:.3g} times; lower dt to {:.2g}, or take another \"method\"",
+        object, growth->step, growth->equations, growth->dt);
+}
+
 }  // namespace
 
 RuleCut ReactionKernels::bestCut() {
@@ -115,6 +129,7 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
   if (!plan.places().empty() && !plan.parameters().readsFields().empty())
     places_ = gl::WordsArray(name + " places", placeWords(plan.places()));
   const RuleField field = plan.firstField();
+  warnOfGrowth(name, plan, field.stage);
   const std::vector<glm::vec4> first = packed(field.stage);
   cells_[0] = gl::Vec4Array(name + " cells", first);
   cells_[1] = gl::Vec4Array(name + " next cells", first);

@@ -109,7 +109,7 @@ std::vector<float> ReactionPlan::placesAlong(int axis) const {
 
 // Explicit methods of order 1 and 2 are stable for -2 <= dt lambda, that of order 4 for
 // -2.785.
-void ReactionPlan::warnOfSteps(const std::string& object) const {
+void ReactionPlan::warnOfSteps(const std::string& object) {
   const ReactionParameters& p = parameters_;
   const double limit = p.method == RuleMethod::rk4 ? 2.785 : 2;
   const double fastest = onMesh_ ? fastestOf(cells_) * std::pow(p.spacing / perMetre_, 2) : gridFastest;
@@ -118,12 +118,13 @@ void ReactionPlan::warnOfSteps(const std::string& object) const {
     for (const auto& key : species.diffusion.keys()) most = std::max(most, static_cast<double>(key.value));
     const double number = p.dt * most / (p.spacing * p.spacing);
     const double greatest = limit / fastest;
-    if (number > greatest)
-      warn(
-          "reaction \"{}\": dt diffusion / spacing^2 of \"{}\" is {:.3g}, and a step is stable up to "
-          "{:.3g}; "
-          "lower dt to {:.3g}",
-          object, species.name, number, greatest, p.dt * greatest / number);
+    if (number <= greatest) continue;
+    tooFast_ = true;
+    warn(
+        "reaction \"{}\": dt diffusion / spacing^2 of \"{}\" is {:.3g}, and a step is stable up to "
+        "{:.3g}; "
+        "lower dt to {:.3g}",
+        object, species.name, number, greatest, p.dt * greatest / number);
   }
 }
 

@@ -15,6 +15,8 @@ class ReactionPlan {
   /// Warns of steps that are too long for the diffusion. On a mesh, `size` becomes one row of its cells.
   /// Throws UserError for a mesh that cannot be read.
   ReactionPlan(ReactionParameters parameters, const std::string& object, int seed, double frameSeconds);
+  /// Whether it warned of that.
+  [[nodiscard]] bool diffusesTooFast() const { return tooFast_; }
   /// Reads the pictures that the parameters name. Throws UserError: what loadPicture says.
   void checkPictures() const;
 
@@ -55,7 +57,7 @@ class ReactionPlan {
   [[nodiscard]] std::vector<Painted> strokesAt(double time, int step) const;
 
  private:
-  void warnOfSteps(const std::string& object) const;
+  void warnOfSteps(const std::string& object);
   void checkBrushes(const std::string& object) const;
   [[nodiscard]] bool reaches(const Brush& brush) const;
   [[nodiscard]] std::vector<Painted> brushesAt(double now, double seconds) const;
@@ -65,7 +67,7 @@ class ReactionPlan {
   [[nodiscard]] std::vector<float> weightsOf(const ReactionParameter& parameter) const;
 
   ReactionParameters parameters_;
-  bool onMesh_ = false;
+  bool onMesh_ = false, tooFast_ = false;
   Mesh mesh_;
   MeshCells cells_;
   RuleLinks links_;

@@ -230,6 +230,8 @@ std::string reactionPresetsText() {
       "\nExpressions: + - * / ^, < <= > >= == !=, and, or, not, numbers, species, parameters, lets, x, y, "
       "t, pi, "
       "width, height and\n";
+  out += fmt::format("  {:<10}  of what is below 1e-30: 0, but for whole exponents up to {}\n", "^",
+                     greatestWholePower);
   for (const scene::ExpressionFunction& function : scene::expressionFunctions())
     out += fmt::format("  {:<10}  {}\n", function.name,
                        *function.doc == '\0' ? std::string() : std::string(function.doc));

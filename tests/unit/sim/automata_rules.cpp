@@ -1,10 +1,10 @@
 // Notations of rules, and what the rules are.
-#include "base/error.hpp"
 #include "reference/states_twin.hpp"
 #include "sim/automata/file/rule_file.hpp"
 #include "sim/automata/rule/arrangements.hpp"
 #include "sim/automata/rule/cell_rule.hpp"
 #include "unit/help.hpp"
+#include "unit/sim/notation_help.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -14,15 +14,10 @@
 
 using namespace simreel;
 using simreel::test::checkHas;
+using simreel::test::written;
 using namespace simreel::sim;
 
 namespace {
-
-std::string written(std::string_view text) {
-  CellRule rule;
-  const RuleProblem problem = parseCellRule(text, rule);
-  return problem.message.empty() ? rule.text() : std::to_string(problem.at) + ": " + problem.message;
-}
 
 CellRule ruleOf(std::string_view text) {
   CellRule rule;
@@ -31,13 +26,7 @@ CellRule ruleOf(std::string_view text) {
 }
 
 std::string fileMistake(std::string_view text) {
-  try {
-    static_cast<void>(parseRuleFile(text, "r.rule"));
-  } catch (const UserError& error) {
-    CHECK(error.code() == ExitCode::usage);
-    return error.what();
-  }
-  return "no mistake";
+  return test::mistakeIn([&] { return parseRuleFile(text, "r.rule"); });
 }
 
 }  // namespace

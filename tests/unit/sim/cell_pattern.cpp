@@ -6,6 +6,7 @@
 #include "sim/life/rle.hpp"
 #include "source_folder.hpp"
 #include "unit/help.hpp"
+#include "unit/sim/notation_help.hpp"
 
 #include <set>
 #include <utility>
@@ -30,13 +31,7 @@ Cells cellsOf(const CellPattern& pattern) {
 const Cells glider = {{1, 0}, {2, 1}, {0, 2}, {1, 2}, {2, 2}};
 
 std::string mistake(std::string_view text) {
-  try {
-    static_cast<void>(parsePattern(text, "p"));
-  } catch (const UserError& error) {
-    CHECK(error.code() == ExitCode::usage);
-    return error.what();
-  }
-  return "no mistake";
+  return test::mistakeIn([&] { return parsePattern(text, "p"); });
 }
 
 Cells living(const LifePlan& plan) {

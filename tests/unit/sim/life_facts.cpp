@@ -3,6 +3,7 @@
 #include "reference/life_twin.hpp"
 #include "source_folder.hpp"
 #include "unit/help.hpp"
+#include "unit/sim/notation_help.hpp"
 
 #include <bit>
 #include <random>
@@ -39,13 +40,7 @@ long population(const LifeTwin& twin) {
 }
 
 std::string mistake(const LifeParameters& p) {
-  try {
-    twinOf(p);
-  } catch (const UserError& error) {
-    CHECK(error.code() == ExitCode::usage);
-    return error.what();
-  }
-  return "no mistake";
+  return test::mistakeIn([&] { return twinOf(p); });
 }
 
 }  // namespace

@@ -69,6 +69,19 @@ TEST_CASE("reaction: a place in a text is found behind escapes, too") {
   CHECK(shows(rate(R"X(u\t\u002b w)X"), "unknown name \"w\"", "w"));
 }
 
+TEST_CASE("reaction: whole powers of negative numbers have their sign, whatever the exponent") {
+  const auto scene = scene::parseScene(
+      R"X({"version": 1, "objects": {"r": {"reaction": {"size": [4, 4], "species": {"u": {"start": "(x - 2)^21"},
+         "v": {"start": "(x - 2)^-18"}, "w": {"start": "(-2)^20"}}}}}})X",
+      "s.json", {}, sim::kinds());
+  const sim::ReactionPlan plan(
+      dynamic_cast<const sim::ReactionParameters&>(*scene.objects.at(0).parameters), "r", 1, 0.1);
+  const sim::RulePlanes first = plan.firstField().stage;
+  CHECK(first[0][0] == doctest::Approx(std::pow(-1.5, 21)));
+  CHECK(first[1][0] == doctest::Approx(std::pow(1.5, -18)));
+  CHECK(first[2][0] == 1048576);
+}
+
 TEST_CASE("reaction: what is wrong with a rule as a whole") {
   CHECK(refusal("").find("there are no equations: give a \"preset\" or \"species\"") != std::string::npos);
   CHECK(refusal(R"X("species": {"2u": {}})X").find("\"2u\" cannot be a name in expressions") !=

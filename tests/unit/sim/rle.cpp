@@ -1,74 +1,63 @@
 #include "sim/life/rle.hpp"
 
-#include "base/error.hpp"
 #include "reference/life_twin.hpp"
 #include "unit/help.hpp"
+#include "unit/sim/notation_help.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace simreel;
 using simreel::test::checkHas;
+using simreel::test::written;
 using namespace simreel::sim;
 
 namespace {
 
 std::string mistake(std::string_view text) {
-  try {
-    static_cast<void>(parseRle(text, "p.rle"));
-  } catch (const UserError& error) {
-    CHECK(error.code() == ExitCode::usage);
-    return error.what();
-  }
-  return "no mistake";
-}
-
-std::string ruleMistake(std::string_view text) {
-  CellRule rule;
-  const RuleProblem problem = parseCellRule(text, rule);
-  return problem.message.empty() ? rule.text() : std::to_string(problem.at) + ": " + problem.message;
+  return test::mistakeIn([&] { return parseRle(text, "p.rle"); });
 }
 
 }  // namespace
 
 TEST_CASE("life rules are read in both spellings") {
-  CHECK(ruleMistake("B3/S23") == "B3/S23");
-  CHECK(ruleMistake("b36/s23") == "B36/S23");
-  CHECK(ruleMistake("B2/S") == "B2/S");
-  CHECK(ruleMistake("B/S012345678") == "B/S012345678");
-  CHECK(ruleMistake("B0/S8") == "B0/S8");
-  CHECK(ruleMistake("23/3") == "B3/S23");
-  CHECK(ruleMistake("/2") == "B2/S");
-  CHECK(ruleMistake("B8763/S5443") != "B3678/S345");  // a 4 twice
-  CHECK(ruleMistake("b3s23") == "B3/S23");
-  CHECK(ruleMistake("B36S23") == "B36/S23");
-  CHECK(ruleMistake("S23/B36") == "B36/S23");
-  CHECK(ruleMistake("s/b2") == "B2/S");
-  CHECK(ruleMistake("SB2") == "B2/S");
-  CHECK(ruleMistake("life") == "B3/S23");
-  CHECK(ruleMistake("B87/S54") == "B78/S45");  // written in order
+  CHECK(written("B3/S23") == "B3/S23");
+  CHECK(written("b36/s23") == "B36/S23");
+  CHECK(written("B2/S") == "B2/S");
+  CHECK(written("B/S012345678") == "B/S012345678");
+  CHECK(written("B0/S8") == "B0/S8");
+  CHECK(written("23/3") == "B3/S23");
+  CHECK(written("/2") == "B2/S");
+  CHECK(written("B8763/S5443") != "B3678/S345");  // a 4 twice
+  CHECK(written("b3s23") == "B3/S23");
+  CHECK(written("B36S23") == "B36/S23");
+  CHECK(written("S23/B36") == "B36/S23");
+  CHECK(written("s/b2") == "B2/S");
+  CHECK(written("SB2") == "B2/S");
+  CHECK(written("life") == "B3/S23");
+  CHECK(written("B87/S54") == "B78/S45");  // written in order
   CellRule rule;
   CHECK(parseCellRule("B36/S23", rule).message.empty());
   CHECK(rule.counts == LifeRule{1 << 3 | 1 << 6, 1 << 2 | 1 << 3});
 }
 
 TEST_CASE("rules that make no sense are refused at their place") {
-  checkHas(ruleMistake(""), "0: the rule is empty");
-  checkHas(ruleMistake("B3"), "2: an S is missing");
-  checkHas(ruleMistake("S23/"), "4: a B is missing");
-  checkHas(ruleMistake("B3/B3"), "3: an S is missing");
-  checkHas(ruleMistake("3"), "1: a slash is missing");
-  checkHas(ruleMistake("B39/S23"), "2: a cell has 8 neighbours");
-  checkHas(ruleMistake("B33/S23"), "2: 3 is there twice");
-  checkHas(ruleMistake("B3/23"), "3: an S is missing");
-  checkHas(ruleMistake("B3/"), "3: an S is missing");
-  checkHas(ruleMistake("B3/S2\n"), "5: '?' is not");
+  checkHas(written(""), "0: the rule is empty");
+  checkHas(written("B3"), "2: an S is missing");
+  checkHas(written("S23/"), "4: a B is missing");
+  checkHas(written("B3/B3"), "3: an S is missing");
+  checkHas(written("3"), "1: a slash is missing");
+  checkHas(written("B39/S23"), "2: a cell has 8 neighbours");
+  checkHas(written("B33/S23"), "2: 3 is there twice");
+  checkHas(written("B3/23"), "3: an S is missing");
+  checkHas(written("B3/"), "3: an S is missing");
+  checkHas(written("B3/S2\n"), "5: '?' is not");
 }
 
 TEST_CASE("rules of other kinds are named") {
-  checkHas(ruleMistake("B45/S34L"), "triangles");
-  checkHas(ruleMistake("W111"), "1: 111 is odd");
-  checkHas(ruleMistake("M0,8,4,3,2,5,9,7,1,6,10,11,12,13,14,15"), "Margolus");
-  checkHas(ruleMistake("LifeHistory"), "0: this names a rule that is not known");
+  checkHas(written("B45/S34L"), "triangles");
+  checkHas(written("W111"), "1: 111 is odd");
+  checkHas(written("M0,8,4,3,2,5,9,7,1,6,10,11,12,13,14,15"), "Margolus");
+  checkHas(written("LifeHistory"), "0: this names a rule that is not known");
 }
 
 TEST_CASE("bounded grids of an RLE file") {

@@ -41,10 +41,11 @@ std::string anyOf(const std::vector<CountRange>& counts) {
   return text.empty() ? "false" : "(" + text + ")";
 }
 
-/// How spans.comp and far.comp take the rows around a cell.
-void defineSpans(gl::Defines& defines, const std::vector<WideRule::Span>& spans) {
+/// How spans.comp and far.comp take the rows around a cell, of which these are the first and the last.
+void defineSpans(gl::Defines& defines, const WideRule& rule, int top, int bottom) {
   std::string lefts, rights;
-  for (const WideRule::Span& span : spans) {
+  for (int dy = top; dy <= bottom; ++dy) {
+    const WideRule::Span span = rule.span(dy);
     lefts += (lefts.empty() ? "" : ",") + std::to_string(span.first);
     rights += (rights.empty() ? "" : ",") + std::to_string(span.last);
   }
@@ -54,6 +55,12 @@ void defineSpans(gl::Defines& defines, const std::vector<WideRule::Span>& spans)
 
 void define(gl::Defines& defines, const char* name, int value) {
   defines.emplace_back(name, std::to_string(value));
+}
+
+/// Whether sums of rows are whole words, from their beginnings on.
+bool isFar(const CellRule& rule) {
+  if (rule.family != CellRule::Family::wide || rule.wide.shape == NeighbourShape::places) return false;
+  return rule.range() > (rule.wide.shape == NeighbourShape::moore ? maxByteRange : maxSpansRange);
 }
 
 }  // namespace
@@ -68,9 +75,7 @@ CellEngine::CellEngine(const CellRule& rule, const GridShape& shape, glm::ivec2 
       paddedItems_((size.x + 15) / 16 + 2 * marginX_ / 16),
       states_(rule.states) {
   // Four times as much where sums are whole words (makeFar).
-  const bool far = rule.family == CellRule::Family::wide && rule.wide.shape != NeighbourShape::places &&
-                   range_ > (rule.wide.shape == NeighbourShape::moore ? maxByteRange : maxSpansRange);
-  const long items = long{paddedItems_} * (far ? 4 : 1) * (size.y + 2L * range_) + spareItems;
+  const long items = long{paddedItems_} * (isFar(rule) ? 4 : 1) * (size.y + 2L * range_) + spareItems;
   // Single bytes are texels, too.
   const long max = std::min<long>(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels / 16);
   if (items > max)
@@ -114,11 +119,26 @@ gl::Defines CellEngine::defines() const {
   return all;
 }
 
-void CellEngine::setCommon(const gl::Program& program) const {
-  program.set("size", size_);
-  program.set("rowItems", rowItems_);
-  program.set("rowWords", paddedItems_ * 4);
-  program.set("marginX", marginX_);
+void CellEngine::makeRule(const char* kernel, const gl::Defines& defines) {
+  rule_ = gl::Program::compute(kernel, defines);
+  rule_.set("size", size_);
+  rule_.set("rowItems", rowItems_);
+  rule_.set("rowWords", paddedItems_ * 4);
+  rule_.set("marginX", marginX_);
+}
+
+void CellEngine::makeColumns(const char* kernel) {
+  gl::Defines all = defines();
+  define(all, "RANGE", range_);
+  define(all, "ROWS", columnRows);
+  columns_ = gl::Program::compute(kernel, all);
+  columns_.set("height", size_.y);
+  columns_.set("paddedItems", paddedItems_);
+}
+
+void CellEngine::makeList(const char* name, const std::vector<std::uint32_t>& list) {
+  tree_ = gl::Buffer::of<std::uint32_t>(name, list);
+  treeItems_ = gl::Texture::view(name, GL_R32UI, tree_, 4);
 }
 
 void CellEngine::makeNine(const CellRule& rule) {
@@ -126,24 +146,22 @@ void CellEngine::makeNine(const CellRule& rule) {
   if (rule.family == CellRule::Family::tree) {
     SIMREEL_CHECK(rule.tree);
     define(all, "NEIGHBOURS", rule.tree->neighbours);
-    rule_ = gl::Program::compute("automata/step.comp", all);
+    makeRule("automata/step.comp", all);
     rule_.set("root", static_cast<int>(rule.tree->root));
-    tree_ = gl::Buffer::of<std::uint32_t>("rule tree", rule.tree->items);
-    treeItems_ = gl::Texture::view("rule tree", GL_R32UI, tree_, 4);
-  } else {
-    define(all, "MAP", 1);
-    rule_ = gl::Program::compute("automata/step.comp", all);
-    std::uint32_t words[16] = {};
-    for (unsigned i = 0; i < 512; ++i)
-      if (rule.outcome(i)) words[i / 32] |= 1U << (i % 32);
-    static constexpr const char* names[] = {"map[0]", "map[1]", "map[2]", "map[3]"};
-    for (int i = 0; i < 4; ++i) {
-      glm::ivec4 four;
-      std::memcpy(&four, words + 4 * i, sizeof four);
-      rule_.set(names[i], four);
-    }
+    makeList("rule tree", rule.tree->items);
+    return;
   }
-  setCommon(rule_);
+  define(all, "MAP", 1);
+  makeRule("automata/step.comp", all);
+  std::uint32_t words[16] = {};
+  for (unsigned i = 0; i < 512; ++i)
+    if (rule.outcome(i)) words[i / 32] |= 1U << (i % 32);
+  static constexpr const char* names[] = {"map[0]", "map[1]", "map[2]", "map[3]"};
+  for (int i = 0; i < 4; ++i) {
+    glm::ivec4 four;
+    std::memcpy(&four, words + 4 * i, sizeof four);
+    rule_.set(names[i], four);
+  }
 }
 
 void CellEngine::makeCyclic(const CellRule& rule) {
@@ -151,8 +169,7 @@ void CellEngine::makeCyclic(const CellRule& rule) {
   define(all, "RANGE", rule.cyclic.range);
   define(all, "THRESHOLD", rule.cyclic.threshold);
   if (rule.cyclic.shape == NeighbourShape::vonNeumann) define(all, "DIAMOND", 1);
-  rule_ = gl::Program::compute("automata/cyclic.comp", all);
-  setCommon(rule_);
+  makeRule("automata/cyclic.comp", all);
 }
 
 void CellEngine::makeWide(const CellRule& rule) {
@@ -161,71 +178,48 @@ void CellEngine::makeWide(const CellRule& rule) {
   define(all, "MIDDLE", wide.middle ? 1 : 0);
   all.emplace_back("SURVIVES", anyOf(wide.survive));
   all.emplace_back("BORN", anyOf(wide.born));
-  if (wide.shape == NeighbourShape::places) {
+  if (wide.shape == NeighbourShape::places)
     makePlaces(wide, std::move(all));
-  } else if (wide.shape == NeighbourShape::moore && range_ <= maxByteRange) {
-    makeRows(std::move(all));
-  } else {
-    // Long enough that the first sum of a segment costs little beside those that run.
-    items_ = bits_ ? std::max(1, range_ / 128) : std::max(4, range_ / 16);
-    if (range_ > maxSpansRange) {
-      makeFar(wide, std::move(all));
-      return;
-    }
-    std::vector<WideRule::Span> spans;
-    for (int dy = -range_; dy <= range_; ++dy) spans.push_back(wide.span(dy));
-    defineSpans(all, spans);
-    define(all, "RANGE", range_);
-    define(all, "ITEMS", items_);
-    rule_ = gl::Program::compute("automata/spans.comp", all);
-    setCommon(rule_);
-  }
+  else if (isFar(rule))
+    makeFar(wide, std::move(all));
+  else
+    makeRunning(wide, std::move(all));
 }
 
-void CellEngine::makeRows(gl::Defines all) {
+void CellEngine::makeRunning(const WideRule& rule, gl::Defines all) {
+  // Long enough that the first sum of a segment costs little beside those that run.
   items_ = bits_ ? std::max(1, range_ / 128) : std::max(4, range_ / 16);
   define(all, "RANGE", range_);
   define(all, "ITEMS", items_);
-  rule_ = gl::Program::compute("automata/rows.comp", all);
-  setCommon(rule_);
-  gl::Defines down = defines();
-  define(down, "RANGE", range_);
-  define(down, "ROWS", columnRows);
-  columns_ = gl::Program::compute("automata/columns.comp", down);
-  columns_.set("height", size_.y);
-  columns_.set("paddedItems", paddedItems_);
-  sums_ = gl::WordsArray("sums of columns", paddedItems_ * size_.y + spareItems);
-  sumWords_ = gl::Texture::view("sums of columns", GL_R32UI, sums_.buffer(), 4);
+  if (rule.shape == NeighbourShape::moore) {
+    makeRule("automata/rows.comp", all);
+    makeColumns("automata/columns.comp");
+    sums_ = gl::WordsArray("sums of columns", paddedItems_ * size_.y + spareItems);
+    sumWords_ = gl::Texture::view("sums of columns", GL_R32UI, sums_.buffer(), 4);
+    return;
+  }
+  defineSpans(all, rule, -range_, range_);
+  makeRule("automata/spans.comp", all);
+  turned_ = true;
 }
 
 void CellEngine::makeFar(const WideRule& rule, gl::Defines all) {
-  items_ = 1;
   lanes_ = bits_ ? 8 : 1;
   const bool square = rule.shape == NeighbourShape::moore;
-  std::vector<WideRule::Span> spans;
-  if (square)
-    spans.push_back(rule.span(0));
-  else
-    for (int dy = -range_; dy <= range_; ++dy) spans.push_back(rule.span(dy));
-  defineSpans(all, spans);
-  define(all, "ROWS", static_cast<int>(spans.size()));
-  rule_ = gl::Program::compute("automata/far.comp", all);
+  const int rows = square ? 0 : range_;  // above and below; a square's are in its sums
+  defineSpans(all, rule, -rows, rows);
+  define(all, "ROWS", 2 * rows + 1);
+  makeRule("automata/far.comp", all);
   rule_.set("range", range_);
-  setCommon(rule_);
   rowSum_ = gl::Program::compute("automata/row_sums.comp", defines());
   rowSum_.set("rows", size_.y + 2 * range_);
   rowSum_.set("paddedItems", paddedItems_);
-  const auto array = [&](const char* name, int rows) {
-    return gl::WordsArray(name, paddedItems_ * 4 * rows + spareItems);
+  const auto array = [&](const char* name, int height) {
+    return gl::WordsArray(name, paddedItems_ * 4 * height + spareItems);
   };
   rowSums_ = array("sums of rows", size_.y + 2 * range_);
   if (square) {
-    gl::Defines down = defines();
-    define(down, "RANGE", range_);
-    define(down, "ROWS", columnRows);
-    columns_ = gl::Program::compute("automata/window_sums.comp", down);
-    columns_.set("height", size_.y);
-    columns_.set("paddedItems", paddedItems_);
+    makeColumns("automata/window_sums.comp");
     sums_ = array("sums of squares", size_.y);
   }
   sumWords_ = gl::Texture::view("sums", GL_R32UI, (square ? sums_ : rowSums_).buffer(), 4);
@@ -235,10 +229,9 @@ void CellEngine::makePlaces(const WideRule& rule, gl::Defines all) {
   lanes_ = bits_ ? 8 : 1;
   if (rule.flips) define(all, "FLIPPED", 1);
   if (!rule.stateWeights.empty()) define(all, "STATE_WEIGHTS", 1);
-  rule_ = gl::Program::compute("automata/places.comp", all);
+  makeRule("automata/places.comp", all);
   rule_.set("range", range_);
   rule_.set("places", static_cast<int>(rule.places.size()));
-  setCommon(rule_);
   std::vector<std::uint32_t> list;
   for (const NeighbourPlace& place : rule.places) {
     list.push_back(static_cast<std::uint32_t>(place.dx + 512 + (place.dy + 512) * 1024));
@@ -246,8 +239,7 @@ void CellEngine::makePlaces(const WideRule& rule, gl::Defines all) {
   }
   for (const int weight : rule.stateWeights) list.push_back(static_cast<std::uint32_t>(weight));
   if (list.empty()) list.push_back(0);
-  tree_ = gl::Buffer::of<std::uint32_t>("places", list);
-  treeItems_ = gl::Texture::view("places", GL_R32UI, tree_, 4);
+  makeList("places", list);
 }
 
 void CellEngine::run(const gl::WordsArray& from, const gl::WordsArray& to) {
@@ -274,7 +266,11 @@ void CellEngine::run(const gl::WordsArray& from, const gl::WordsArray& to) {
   paddedBytes_.bind(bind::bytesBinding);
   if (treeItems_) treeItems_.bind(bind::treeBinding);
   to.bindState(bind::nextCellsBinding);
-  rule_.dispatch((rowItems_ + items_ - 1) / items_ * lanes_, size_.y);
+  const int across = (rowItems_ + items_ - 1) / items_ * lanes_;
+  if (turned_)
+    rule_.dispatch(size_.y, across);
+  else
+    rule_.dispatch(across, size_.y);
 }
 
 }  // namespace simreel::sim

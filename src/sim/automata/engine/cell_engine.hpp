@@ -6,7 +6,9 @@
 #include "sim/automata/engine/grid_shape.hpp"
 #include "sim/automata/rule/cell_rule.hpp"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -34,17 +36,23 @@ class CellEngine {
   void makeNine(const CellRule& rule);
   void makeCyclic(const CellRule& rule);
   void makeWide(const CellRule& rule);
-  void makeRows(gl::Defines all);
+  void makeRunning(const WideRule& rule, gl::Defines all);
   void makeFar(const WideRule& rule, gl::Defines all);
   void makePlaces(const WideRule& rule, gl::Defines all);
-  void setCommon(const gl::Program& program) const;
+  /// The last pass, which writes the next cells.
+  void makeRule(const char* kernel, const gl::Defines& defines);
+  /// The pass before it, which adds up 2 range + 1 rows.
+  void makeColumns(const char* kernel);
+  /// What the last pass reads besides cells.
+  void makeList(const char* name, const std::vector<std::uint32_t>& list);
   [[nodiscard]] gl::Defines defines() const;
 
   glm::ivec2 size_;
   bool bits_;
   int range_, marginX_, rowItems_, paddedItems_, items_ = 1;
   int states_;
-  int lanes_ = 1;  ///< invocations that write an element
+  int lanes_ = 1;        ///< invocations that write an element
+  bool turned_ = false;  ///< whether the last pass counts rows first
   gl::WordsArray padded_, rowSums_, sums_;
   gl::Texture paddedWords_, paddedBytes_, sumWords_, treeItems_;
   gl::Buffer tree_;

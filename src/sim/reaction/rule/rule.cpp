@@ -328,7 +328,7 @@ class Understanding {
     RuleGraph& g = graph();
     if (!g.isConstant(exponent)) return g.function(RuleOp::power, base, exponent);
     const float number = g.at(exponent).number;
-    const int whole = std::abs(number) <= 16 ? static_cast<int>(number) : 0;
+    const int whole = std::abs(number) <= greatestWholePower ? static_cast<int>(number) : 0;
     if (number == 0.5F) return g.function(RuleOp::sqrt, base);
     if (static_cast<float>(whole) != number || (whole == 0 && number != 0))
       return g.function(RuleOp::power, base, exponent);

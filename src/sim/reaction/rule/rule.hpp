@@ -71,6 +71,9 @@ struct ToldPlaces {
 inline constexpr int placeMaps = 3;
 
 inline constexpr int maxSpecies = 8;
+/// Whole exponents up to it are products, of negative numbers, too; other powers are exp(b log a), of what
+/// is not above 1e-30 zero.
+inline constexpr int greatestWholePower = 1024;
 /// Of a step with Euler's method, in additions or multiplications a cell.
 inline constexpr int maxRuleCost = 4000;
 
