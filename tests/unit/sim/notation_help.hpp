@@ -1,6 +1,6 @@
 #pragma once
 #include "base/error.hpp"
-#include "sim/automata/cell_rule.hpp"
+#include "sim/automata/rule/cell_rule.hpp"
 
 #include <string>
 #include <string_view>
