@@ -101,6 +101,9 @@ class PageOfServe(unittest.TestCase):
         self.at(1)
         self.shows(1)
         self.assertEqual(b.text("#clock").split(" · ")[0], "1 / 5")
+        self.addCleanup(b.size, 1000, 640)
+        b.size(360, 640)
+        self.assertLessEqual(b.value("document.documentElement.scrollWidth"), 360)
 
     def test_play_and_pause(self):
         b = self.open(scene=with_values({"time.duration": 60}))
@@ -110,6 +113,9 @@ class PageOfServe(unittest.TestCase):
         b.keys(" ")
         self.assertTrue(b.until("!simreel.state.status.playing"))
         self.assertGreater(b.value("simreel.state.status.kept.count"), 3)
+        b.run("document.getElementById('scrub').focus()")
+        b.keys(" ")
+        self.assertTrue(b.until("simreel.state.status.playing"))
 
     def test_a_slider_changes_the_picture_and_nothing_else(self):
         b = self.open()
@@ -127,9 +133,12 @@ class PageOfServe(unittest.TestCase):
 
     def test_edit_writes_the_file(self):
         b = self.open("--edit")
-        text = self.scene.read_text()
-        b.run("""const box = document.querySelector(arguments[0]); box.value = 0.3;
-            box.dispatchEvent(new Event("change"));""", self.row("objects.flag.cloth.spacing", "number"))
+        text, row = self.scene.read_text(), self.row("objects.flag.cloth.spacing", "number")
+        put = "const box = document.querySelector(arguments[0]); box.value = arguments[1]; box.dispatchEvent(new Event('change'));"
+        b.run(put, row, 0)  # which is refused, so the box has what it had
+        self.assertTrue(b.until("document.getElementById('note').classList.contains('report')"))
+        self.assertEqual(b.value(f"document.querySelector(\"{row}\").value"), "0.1")
+        b.run(put, row, 0.3)
         self.assertTrue(b.until("simreel.state.scene.scene.objects.flag.cloth.spacing === 0.3 && simreel.state.scene.edits.length === 0"))
         self.assertEqual(self.scene.read_text(), text.replace('"spacing": 0.1', '"spacing": 0.3'))
         self.shows(0)
