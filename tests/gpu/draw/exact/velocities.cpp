@@ -43,7 +43,7 @@ draw::PictureLayers layersAt(const scene::Scene& scene, int frame) {
   return renderer.takeLayers();
 }
 
-glm::dvec3 at(const std::vector<float>& three, std::size_t pixel) {
+glm::dvec3 threeAt(const std::vector<float>& three, std::size_t pixel) {
   return {static_cast<double>(three[3 * pixel]), static_cast<double>(three[3 * pixel + 1]),
           static_cast<double>(three[3 * pixel + 2])};
 }
@@ -53,13 +53,13 @@ template <class Expected>
 double worst(const draw::PictureLayers& layers, int& seen, const Expected& expected) {
   double most = 0;
   for (std::size_t i = 0; i < layers.depth.size(); ++i) {
-    const glm::dvec3 velocity = at(layers.velocity, i);
+    const glm::dvec3 velocity = threeAt(layers.velocity, i);
     if (!std::isfinite(layers.depth[i])) {
       CHECK(velocity == glm::dvec3(0));
       continue;
     }
     ++seen;
-    most = std::max(most, glm::length(velocity - expected(at(layers.position, i))));
+    most = std::max(most, glm::length(velocity - expected(threeAt(layers.position, i))));
   }
   return most;
 }
@@ -150,7 +150,7 @@ TEST_CASE("layers: triangles and balls count from the first of their object") {
     if (object != "sheet") continue;
     ofSheet.insert(number);
     // Along the sheet, downwards: its local z. Where x and z differ in which is larger, triangles do.
-    const glm::dvec3 p = at(layers.position, i);
+    const glm::dvec3 p = threeAt(layers.position, i);
     const double down = p.y / -std::sin(3.14159265358979 / 3);
     if (std::abs(p.x - down) > 0.02 && std::abs(p.x + down) > 0.02) {
       const bool byDifference = p.x > down, bySum = p.x + down > 0;
