@@ -15,7 +15,7 @@ namespace {
 constexpr int maxImageSide = 32768;
 
 /// Packs a pair of numbers for each cell, (x, y) to two floats, as the kernels hold them.
-std::vector<glm::vec4> packed(glm::ivec2 size, const std::function<glm::vec2(int, int)>& cell) {
+std::vector<glm::vec4> inPairs(glm::ivec2 size, const std::function<glm::vec2(int, int)>& cell) {
   std::vector<glm::vec4> elements;
   elements.reserve(static_cast<std::size_t>((size.x + 1) / 2) * static_cast<std::size_t>(size.y));
   for (int y = 0; y < size.y; ++y)
@@ -92,7 +92,7 @@ std::vector<float> GrayScottPlan::firstV() const {
 std::vector<glm::vec4> GrayScottPlan::firstCells() const {
   const std::vector<float> v = firstV();
   const auto width = static_cast<std::size_t>(parameters_.size.x);
-  return packed(parameters_.size, [&](int x, int y) {
+  return inPairs(parameters_.size, [&](int x, int y) {
     const float value = v[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
     return glm::vec2(1.0F - value, value);
   });
@@ -110,7 +110,7 @@ std::vector<glm::vec4> GrayScottPlan::weights() const {
   if (!p.feedImage.empty()) feed = sharesOf(p.feedImage, "image of feed rates", p.size);
   if (!p.killImage.empty()) kill = sharesOf(p.killImage, "image of kill rates", p.size);
   const auto width = static_cast<std::size_t>(p.size.x);
-  return packed(p.size, [&](int x, int y) {
+  return inPairs(p.size, [&](int x, int y) {
     const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
     const float across = static_cast<float>(x) / static_cast<float>(p.size.x - 1);
     const float down = static_cast<float>(y) / static_cast<float>(p.size.y - 1);

@@ -28,7 +28,7 @@ std::vector<glm::uvec4> paddedWords(const std::vector<std::uint32_t>& words) {
 }
 
 template <class Cell>
-std::vector<glm::uvec4> packed(const std::vector<Cell>& cells, glm::ivec2 size) {
+std::vector<glm::uvec4> inRows(const std::vector<Cell>& cells, glm::ivec2 size) {
   const auto width = static_cast<std::size_t>(size.x);
   const std::size_t rowBytes = (width + 15) / 16 * 16 * sizeof(Cell);
   std::vector<glm::uvec4> elements(rowBytes / 16 * static_cast<std::size_t>(size.y), glm::uvec4(0));
@@ -42,11 +42,11 @@ std::vector<glm::uvec4> packed(const std::vector<Cell>& cells, glm::ivec2 size) 
 }  // namespace
 
 std::vector<glm::uvec4> packedCells(const std::vector<std::uint8_t>& cells, glm::ivec2 size) {
-  return packed(cells, size);
+  return inRows(cells, size);
 }
 
 std::vector<glm::uvec4> packedCells(const std::vector<std::uint16_t>& cells, glm::ivec2 size) {
-  return packed(cells, size);
+  return inRows(cells, size);
 }
 
 void SpreadGrid::checkLimits(const std::string& name, glm::ivec2 size, int bytesPerCell) {
