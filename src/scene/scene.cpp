@@ -261,10 +261,10 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   if (context.diagnostics.count() == 0) {
     // Boxes may take reading files that the scene names, and making what they hold finer.
     const bool needsStage = givesNoStage(root);
-    std::vector<Box> boxes;
-    if (needsStage || !scene.camera.placed) boxes = framedBoxes(scene);
-    if (needsStage) setStage(scene, boxes);
-    frameObjects(scene, boxes);
+    std::vector<Framed> framed;
+    if (needsStage || !scene.camera.placed) framed = framedObjects(scene);
+    if (needsStage) setStage(scene, framed);
+    frameObjects(scene, framed);
   }
   describeTests(fields, scene, lengthKnown ? std::optional(scene.frameCount()) : std::nullopt);
   std::string schemaAddress;  // for editors

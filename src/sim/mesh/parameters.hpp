@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/fields.hpp"
+#include "scene/outline.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/mesh/deform_parameters.hpp"
 #include "sim/mesh/file.hpp"
@@ -17,7 +18,7 @@ enum class MeshShape { plane, sphere, torus, grass, file };
 enum class MeshSides { fitting, one, both };
 
 /// Parameters of the kind mesh.
-struct MeshParameters : ObjectParameters {
+struct MeshParameters : ObjectParameters, scene::Outlined {
   MeshShape shape = MeshShape::plane;
   std::filesystem::path file;
   glm::vec3 size{4, 0, 4};         ///< m, of a plane
@@ -43,6 +44,8 @@ struct MeshParameters : ObjectParameters {
   [[nodiscard]] bool measures() const override { return !deform.list.empty(); }
   /// As it is at rest, at each key of its position.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
+  /// Of meshes of files.
+  [[nodiscard]] std::vector<glm::vec3> outline() const override;
   [[nodiscard]] bool publishesHeights() const override { return collides && !deform.list.empty(); }
   [[nodiscard]] bool isTouched() const override { return collides; }
   [[nodiscard]] bool collidesByFaces() const override { return byFaces; }
@@ -56,6 +59,10 @@ struct MeshParameters : ObjectParameters {
   [[nodiscard]] Mesh make(int seed) const;
 
  private:
+  /// m, by which what deforms it moves it up and down at most.
+  [[nodiscard]] float swell() const;
+  /// Its vertices at each key of its position; none where its file cannot be read.
+  [[nodiscard]] std::vector<glm::vec3> placesAtRest() const;
   void describeCollision(scene::Fields& fields);
   void checkSolid(scene::Fields& fields) const;
   void checkHeights(scene::Fields& fields) const;
