@@ -1,7 +1,10 @@
 #include "scene/stage.hpp"
 
+#include "scene/tinted.hpp"
+
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -62,6 +65,12 @@ void dress(Object& object, std::size_t number) {
   object.material.color = looks == Parameters::Looks::shining ? flame : palette.at(number % palette.size());
   object.material.roughness = cloth ? 0.7F : 0.38F;
   object.material.translucency = cloth ? 0.2F : 0.0F;
+  const auto* tinted = dynamic_cast<const Tinted*>(object.parameters.get());
+  const std::optional<glm::vec3> tint = tinted != nullptr ? tinted->tint() : std::nullopt;
+  if (!tint) return;
+  object.material.color = *tint;
+  object.material.roughness = 0.7F;
+  object.material.translucency = 0.3F;
 }
 
 }  // namespace

@@ -24,6 +24,15 @@ class Framing(Case):
         self.assertEqual((self.folder / "all/000010.png").read_bytes(), picture)
         self.assertEqual(self.render("quiet/", "--frames", "10", "-q"), "")
 
+    def test_the_other_memory_path_finds_the_same(self):
+        self.write("scene.json", {**self.SCENE, "objects": {**self.SCENE["objects"], "jet": {"particles": {"emitters": [{"rate": 300}]}}}})
+        found = []
+        for path in ("texel", "storage"):
+            self.render(f"{path}/", "--frames", "10", "--memory-path", path)
+            manifest = self.manifest(path)
+            found.append((manifest["camera"], manifest["frames"][0]["pixels"]))
+        self.assertEqual(found[0], found[1])
+
     def test_what_it_says_keeps_the_camera_there(self):
         self.write("scene.json", self.SCENE)
         said = self.render("found/", "--frames", "10")
