@@ -15,6 +15,7 @@
 #include "golden/trace/passes.hpp"
 #include "golden/trace/stream.hpp"
 #include "sim/core/numerics.hpp"
+#include "sim/world/survey.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -143,9 +144,10 @@ void writeDump(const TraceOptions& o, const std::vector<std::byte>& bytes) {
 
 void trace(const TraceOptions& o) {
   checkOptions(o);
-  const scene::Scene scene = o.scene.load();
+  scene::Scene scene = o.scene.load();
   frame::ignoreBrokenPipes();
   const gl::Context context(o.on);
+  if (o.passes || o.dump) static_cast<void>(sim::frameMotion(scene));
   sim::World world(scene);
   const int first = world.firstFrame();
   if (o.dump) {

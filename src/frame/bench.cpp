@@ -7,6 +7,7 @@
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
 #include "gl/timestamp.hpp"
+#include "sim/world/survey.hpp"
 #include "sim/world/world.hpp"
 
 #include <chrono>
@@ -24,6 +25,11 @@ double milliseconds(Clock::time_point begin, Clock::time_point end) {
 /// Timestamps of one frame: the first at its start, one after each mark. Kept and used again.
 using Stamps = std::vector<gl::Timestamp>;
 
+scene::Scene framed(scene::Scene shown) {
+  static_cast<void>(sim::frameMotion(shown));
+  return shown;
+}
+
 /// A frame under way.
 struct Pending {
   int frame = 0;
@@ -40,7 +46,7 @@ struct Pending {
 
 struct BenchRun::State {
   State(scene::Scene shown, const gl::Context& device, Timing how)
-      : scene(std::move(shown)),
+      : scene(framed(std::move(shown))),
         context(device),
         timing(how),
         depth(timing == Timing::wait ? 0 : draw::Readback::maxUnderWay - 1),

@@ -1,9 +1,11 @@
 #include "scene/framing.hpp"
 
 #include "base/ieee.hpp"
+#include "scene/outline.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -78,11 +80,19 @@ glm::vec3 centred(const Look& look, glm::vec3 target, const std::vector<glm::vec
   return target;
 }
 
-/// All points that the boxes have, round ones by their ellipsoids.
-std::vector<glm::vec3> pointsOf(const std::vector<Box>& boxes) {
+/// All points to have in view: outermost ones, of round boxes their ellipsoids', of others the corners.
+std::vector<glm::vec3> pointsOf(const std::vector<Framed>& framed) {
   std::vector<glm::vec3> points;
-  for (const Box& one : boxes) one.round ? addEllipsoid(one, points) : addCorners(one, points);
+  for (const Framed& one : framed)
+    if (!one.points.empty())
+      points.insert(points.end(), one.points.begin(), one.points.end());
+    else
+      one.box.round ? addEllipsoid(one.box, points) : addCorners(one.box, points);
   return points;
+}
+
+bool hasPoints(const std::vector<Framed>& framed) {
+  return std::any_of(framed.begin(), framed.end(), [](const Framed& one) { return !one.points.empty(); });
 }
 
 constexpr float stageLens = 26.0F;  // degrees
@@ -116,12 +126,12 @@ void reach(Camera& camera, float distance, float nearest, bool staged) {
 }
 
 /// Round the middle, as far away as all is in view from wherever it may come.
-void frameOrbit(Scene& scene, const std::vector<Box>& boxes) {
+void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
   Camera& camera = scene.camera;
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
-  const Box box = boxAround(boxes);
+  const Box box = boxAround(framed);
   const glm::vec3 target = 0.5F * (box.min + box.max);
-  const std::vector<glm::vec3> points = pointsOf(boxes);
+  const std::vector<glm::vec3> points = pointsOf(framed);
   constexpr int turns = 24;
   constexpr double radiansPerDegree = 0.017453292519943295;
   float distance = 0, nearest = 0;
@@ -142,17 +152,25 @@ void frameOrbit(Scene& scene, const std::vector<Box>& boxes) {
 
 }  // namespace
 
-std::vector<Box> framedBoxes(const Scene& scene) {
-  std::vector<Box> boxes;
-  for (const Object& object : scene.objects)
-    if (const std::optional<Box> box = object.parameters ? object.parameters->framed() : std::nullopt)
-      boxes.push_back(*box);
-  return boxes;
+std::optional<Framed> framedOf(const Object& object) {
+  const std::optional<Box> box = object.parameters ? object.parameters->framed() : std::nullopt;
+  if (!box) return std::nullopt;
+  Framed framed{*box};
+  if (const auto* outlined = dynamic_cast<const Outlined*>(object.parameters.get()))
+    framed.points = outlined->outline();
+  return framed;
 }
 
-Box boxAround(const std::vector<Box>& boxes) {
-  Box all = boxes.front();
-  for (const Box& box : boxes) all = {glm::min(all.min, box.min), glm::max(all.max, box.max)};
+std::vector<Framed> framedObjects(const Scene& scene) {
+  std::vector<Framed> framed;
+  for (const Object& object : scene.objects)
+    if (std::optional<Framed> one = framedOf(object)) framed.push_back(std::move(*one));
+  return framed;
+}
+
+Box boxAround(const std::vector<Framed>& framed) {
+  Box all = framed.front().box;
+  for (const Framed& one : framed) all = {glm::min(all.min, one.box.min), glm::max(all.max, one.box.max)};
   return all;
 }
 
@@ -162,17 +180,17 @@ glm::vec3 stageBack(const Box& box) {
   return glm::normalize(glm::vec3(-0.62F, 0.8F - 0.42F * height, 1));
 }
 
-void frameObjects(Scene& scene, const std::vector<Box>& boxes) {
+void frameObjects(Scene& scene, const std::vector<Framed>& framed) {
   Camera& camera = scene.camera;
-  if (camera.placed || boxes.empty()) return;
-  if (camera.orbits) return frameOrbit(scene, boxes);
+  if (camera.placed || framed.empty()) return;
+  if (camera.orbits) return frameOrbit(scene, framed);
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
-  const Box box = boxAround(boxes);
+  const Box box = boxAround(framed);
   const Look look = lookFrom(scene.staged ? stageBack(box) : backFrom(box), scene);
   glm::vec3 target = 0.5F * (box.min + box.max);
   std::vector<glm::vec3> points;
-  if (scene.staged) {
-    points = pointsOf(boxes);
+  if (scene.staged || hasPoints(framed)) {
+    points = pointsOf(framed);
     target = centred(look, target, points);
   } else {
     addCorners(box, points);

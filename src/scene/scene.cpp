@@ -216,6 +216,35 @@ void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camer
                                       camera.near, camera.far));
 }
 
+/// What `group` of `owner` follows or looks at, under its name or as a shorthand for it, is an object.
+void checkObjectNamed(const Node* owner, const char* group, const std::string& name, const char* kind,
+                      const std::vector<Object>& objects, Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const Object& object : objects) names.push_back(object.name);
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  const Node* given = owner == nullptr ? nullptr : owner->find(group);
+  if (given == nullptr) return;
+  const Node* named = given->kind == Node::Kind::object ? given->find("object") : given;
+  diagnostics.add(named == nullptr ? given->headPlace() : named->place(),
+                  fmt::format("no object is named {}; {}", inQuotes(name),
+                              names.empty() ? fmt::format("the scene has none: add {}", kind)
+                                            : suggestion(name, names)));
+}
+
+/// The objects that camera and lights name.
+void checkFollowed(const Node& root, const Scene& scene, Diagnostics& diagnostics) {
+  const Node* camera = root.find("camera");
+  if (scene.camera.tracks)
+    checkObjectNamed(camera, "track", scene.camera.track.object, "one", scene.objects, diagnostics);
+  if (scene.camera.follows)
+    checkObjectNamed(camera, "follow", scene.camera.follow.object, "a cave", scene.objects, diagnostics);
+  const Node* lights = root.find("lights");
+  for (const Light& light : scene.lights)
+    if (light.follows && lights != nullptr)
+      checkObjectNamed(lights->find(light.name), "follow", light.follow.object, "a cave", scene.objects,
+                       diagnostics);
+}
+
 /// `heldToLength`: whether frames of tests beyond the scene's end are mistakes.
 void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool heldToLength, Scene& scene) {
   if (!ValueReader("", context.diagnostics).expect(root, Node::Kind::object, "a scene in { }")) return;
@@ -227,14 +256,15 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   // A length that could not be read says nothing about the frames.
   const bool lengthKnown = heldToLength && context.diagnostics.count() == errorsBefore;
   if (const Node* objects = fields.take("objects")) readObjects(*objects, context, kinds, scene.objects);
+  if (context.diagnostics.count() == 0) checkFollowed(root, scene, context.diagnostics);
   if (context.diagnostics.count() == 0) openCamera(root, context, kinds, scene.camera);
   if (context.diagnostics.count() == 0) {
     // Boxes may take reading files that the scene names, and making what they hold finer.
     const bool needsStage = givesNoStage(root);
-    std::vector<Box> boxes;
-    if (needsStage || !scene.camera.placed) boxes = framedBoxes(scene);
-    if (needsStage) setStage(scene, boxes);
-    frameObjects(scene, boxes);
+    std::vector<Framed> framed;
+    if (needsStage || !scene.camera.placed) framed = framedObjects(scene);
+    if (needsStage) setStage(scene, framed);
+    frameObjects(scene, framed);
   }
   describeTests(fields, scene, lengthKnown ? std::optional(scene.frameCount()) : std::nullopt);
   std::string schemaAddress;  // for editors

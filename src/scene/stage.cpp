@@ -1,9 +1,10 @@
 #include "scene/stage.hpp"
 
-#include "scene/framing.hpp"
+#include "scene/tinted.hpp"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -64,6 +65,12 @@ void dress(Object& object, std::size_t number) {
   object.material.color = looks == Parameters::Looks::shining ? flame : palette.at(number % palette.size());
   object.material.roughness = cloth ? 0.7F : 0.38F;
   object.material.translucency = cloth ? 0.2F : 0.0F;
+  const auto* tinted = dynamic_cast<const Tinted*>(object.parameters.get());
+  const std::optional<glm::vec3> tint = tinted != nullptr ? tinted->tint() : std::nullopt;
+  if (!tint) return;
+  object.material.color = *tint;
+  object.material.roughness = 0.7F;
+  object.material.translucency = 0.3F;
 }
 
 }  // namespace
@@ -74,14 +81,29 @@ bool givesNoStage(const Node& scene) {
   });
 }
 
-void setStage(Scene& scene, const std::vector<Box>& boxes) {
+void setStage(Scene& scene, const std::vector<Framed>& framed) {
   using Looks = Parameters::Looks;
-  if (boxes.empty() || anyIs(Looks::landscape, scene)) return;
+  if (framed.empty() || anyIs(Looks::landscape, scene)) return;
   scene.staged = true;
   if (!scene.render.hasQuality && scene.render.rasterizer == Rasterizer::exact)
     scene.render.quality = Quality::standard;
-  const Mood& mood = anyIs(Looks::shining, scene) ? night : day;
-  const Box box = boxAround(boxes);
+  scene.sun.diameter = 9.0F;
+  scene.sun.shadowSize = 2048;
+  scene.hasGround = true;
+  scene.ground.visible = !scene.render.transparent;  // it is background
+  scene.ground.roughness = 0.9F;
+  Light& rim = scene.lights.emplace_back();
+  rim.name = "rim";
+  rim.glow = 0.0F;
+  rim.shadow = false;
+  moveStage(scene, framed);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (!scene.objects[i].hasMaterial) dress(scene.objects[i], i);
+}
+
+void moveStage(Scene& scene, const std::vector<Framed>& framed) {
+  const Mood& mood = anyIs(Parameters::Looks::shining, scene) ? night : day;
+  const Box box = boxAround(framed);
   const float radius = std::max(0.5F * glm::length(box.max - box.min), 1e-3F);
   const glm::vec3 middle = 0.5F * (box.min + box.max);
   const glm::vec3 back = glm::normalize(glm::vec3(1, 0, 1) * stageBack(box));
@@ -92,8 +114,6 @@ void setStage(Scene& scene, const std::vector<Box>& boxes) {
   scene.sun.direction = key;
   scene.sun.color = mood.keyColor;
   scene.sun.intensity = mood.key;
-  scene.sun.diameter = 9.0F;
-  scene.sun.shadowSize = 2048;
   scene.sky.zenith = mood.zenith;
   scene.sky.horizon = mood.horizon;
   scene.sky.ground = mood.floor;
@@ -101,30 +121,21 @@ void setStage(Scene& scene, const std::vector<Box>& boxes) {
 
   // What lies flat hovers a little.
   const float thin = box.max.y - box.min.y < 0.02F * radius ? 0.1F * radius : 0.0F;
-  scene.hasGround = true;
   Ground& ground = scene.ground;
-  ground.visible = !scene.render.transparent;  // it is background
   ground.height = box.min.y - std::max(thin, 1e-3F * radius);
   ground.fadeStart = 2.0F * radius;
   ground.fadeEnd = 9.0F * radius;
-  ground.roughness = 0.9F;
   // So that it has the background's light where nothing stands in its own: see groundLight in glsl/draw.
   const glm::vec3 fill = mood.ambient * glm::mix(mood.zenith, mood.horizon, 0.3F);
   const glm::vec3 direct = mood.keyColor * (mood.key * 0.31830989F * key.y);
   ground.color = glm::min(mood.floor / (fill + direct), glm::vec3(mood.most));
 
-  Light& rim = scene.lights.emplace_back();
-  rim.name = "rim";
+  Light& rim = scene.lights.front();
   const float far = 3.0F * radius;
   rim.position = middle + far * glm::normalize(-0.8F * back + 0.75F * right + glm::vec3(0, 0.9F, 0));
   rim.color = mood.rimColor;
   rim.intensity = mood.rim * far * far;
   rim.radius = 0.5F * radius;
-  rim.glow = 0.0F;
-  rim.shadow = false;
-
-  for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    if (!scene.objects[i].hasMaterial) dress(scene.objects[i], i);
 }
 
 }  // namespace simreel::scene

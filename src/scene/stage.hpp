@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/framing.hpp"
 #include "scene/json_node.hpp"
 #include "scene/scene.hpp"
 
@@ -12,8 +13,11 @@ namespace simreel::scene {
 /// Puts a scene that says nothing of its surroundings on a stage, as products are photographed: a ground
 /// just below everything (to be seen, not touched) that fades into a background of its own brightness, a
 /// key light with soft shadows, the sky's light to fill them, a lamp behind for a rim, and of each object
-/// without a material a colour of a small palette by its number. What shines gets a dark one. `boxes`:
-/// framedBoxes(scene); where there are none (pictures of fields) nothing changes.
-void setStage(Scene& scene, const std::vector<Box>& boxes);
+/// without a material a colour of a small palette by its number. What shines gets a dark one. `framed`:
+/// framedObjects(scene); where there are none (pictures of fields) nothing changes.
+void setStage(Scene& scene, const std::vector<Framed>& framed);
+
+/// Moves the stage of a scene that stands on one to where these are.
+void moveStage(Scene& scene, const std::vector<Framed>& framed);
 
 }  // namespace simreel::scene

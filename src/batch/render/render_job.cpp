@@ -3,13 +3,16 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "base/log.hpp"
 #include "batch/render/chosen_frames.hpp"
 #include "frame/file/checkpoint.hpp"
+#include "frame/interrupt.hpp"
 #include "frame/sink/open_sink.hpp"
 #include "gl/machine.hpp"
 #include "scene/as_run.hpp"
 #include "sim/core/numerics.hpp"
 #include "sim/world/list.hpp"
+#include "sim/world/survey.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -94,6 +97,14 @@ void RenderJob::chooseCheckpoints() {
   }
 }
 
+/// Whichever frames are wanted: it is the scene's.
+void RenderJob::placeCamera() {
+  if (frames_.empty()) return;
+  const sim::MotionFraming framing = sim::frameMotion(scene_, frame::throwIfInterrupted);
+  camera_ = framing.camera;
+  if (!framing.remark.empty()) info("{}", framing.remark);
+}
+
 frame::RunInfo RenderJob::runInfo(const gl::Context& context) const {
   const auto numerics = sim::probeNumerics();
   sim::requireExact(scene_, numerics);
@@ -116,6 +127,7 @@ frame::RunInfo RenderJob::runInfo(const gl::Context& context) const {
       .processor = machine.processor,
       .rasterizer = scene_.render.rasterizer == scene::Rasterizer::exact ? "exact" : "driver",
       .overrides = scene_.overrides,
+      .camera = camera_,
       .simulation = scene::simulationHash(asRun_),
       .asRun = asRun_,
       .asRunHash = hashHex(asRun_),
@@ -126,6 +138,15 @@ frame::RunInfo RenderJob::runInfo(const gl::Context& context) const {
 
 frame::SequenceResult RenderJob::run(const gl::Context& context, frame::Progress& progress,
                                      Clock::time_point began, frame::FrameWatch* watch) {
+  sim::requireExact(scene_, sim::probeNumerics());
+  try {
+    placeCamera();
+  } catch (const frame::Interrupted& interrupted) {
+    frame::SequenceResult none;
+    none.signal = interrupted.signal;
+    none.seconds = secondsSince(began);
+    return none;
+  }
   const frame::RunInfo run = runInfo(context);
   const auto sink = frame::openSink(output_, request_.existing, run, frames_, request_.streamFormat);
   frame::BesideFrames beside;

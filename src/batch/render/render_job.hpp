@@ -57,6 +57,7 @@ class RenderJob {
   void chooseFrames();
   void chooseCheckpoints();
   void chooseLayers();
+  void placeCamera();
   [[nodiscard]] frame::RunInfo runInfo(const gl::Context& context) const;
 
   RenderRequest request_;
@@ -67,6 +68,7 @@ class RenderJob {
   std::optional<frame::FieldFiles> fields_;
   std::map<int, std::filesystem::path> kept_;
   std::string asRun_;
+  std::vector<std::string> camera_;  ///< frame::RunInfo::camera
   std::string summary_;
 };
 

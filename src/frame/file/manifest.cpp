@@ -38,6 +38,7 @@ std::string manifestText(const Manifest& manifest) {
                  {"numerics", run.numerics}, {"rasterizer", run.rasterizer}, {"overrides", run.overrides}};
   if (!run.exact()) object["fingerprint"] = run.fingerprint;
   if (!run.asRunHash.empty()) object["asRun"] = run.asRunHash;
+  if (!run.camera.empty()) object["camera"] = run.camera;
   const auto dump = [](const Json& value, int indent) {
     return value.dump(indent, ' ', false, Json::error_handler_t::replace);
   };
@@ -78,6 +79,7 @@ Manifest manifestOf(const JsonValue& object) {
   run.rasterizer = object.at("rasterizer").text();
   run.fingerprint = textIfThere(object, "fingerprint");
   run.asRunHash = textIfThere(object, "asRun");
+  if (const auto camera = object.find("camera")) run.camera = camera->texts();
   result.counts = textIfThere(object, "counts");
   object.at("frames").eachItem(
       [&](const JsonValue& item) { result.frames[item.at("frame").integer()] = readFrame(item); });

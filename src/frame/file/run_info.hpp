@@ -27,6 +27,8 @@ struct RunInfo {
   std::string rasterizer = "driver";  ///< or "exact"
   /// "path=value" of each -D, --seed, --size, --fps, --samples and --rasterizer.
   std::vector<std::string> overrides = {};
+  /// Overrides that place the camera where a first run has found that it sees all; in the manifest.
+  std::vector<std::string> camera = {};
   std::string simulation = {};            ///< scene::simulationHash: whose checkpoints it goes on from
   std::string asRun = {};                 ///< the scene with its overrides, as text; as-run.json
   std::string asRunHash = {};             ///< of that text; in the manifest; empty: not known

@@ -1,6 +1,7 @@
 #include "golden/suite/scene_test.hpp"
 
 #include "base/version.hpp"
+#include "frame/interrupt.hpp"
 #include "golden/baseline/stale.hpp"
 #include "golden/baseline/tolerance.hpp"
 #include "golden/compare/compare.hpp"
@@ -9,6 +10,7 @@
 #include "golden/trace/trace.hpp"
 #include "scene/words.hpp"
 #include "sim/world/list.hpp"
+#include "sim/world/survey.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -37,6 +39,7 @@ SceneTest::~SceneTest() = default;
 
 void SceneTest::run() {
   load();
+  static_cast<void>(sim::frameMotion(scene_, frame::throwIfInterrupted));
   run_ = runScene(scene_, frames_);
   result_.simulateSeconds = run_.simulateSeconds;
   result_.repeats = 1;

@@ -11,6 +11,7 @@
 #include "golden/compare/difference_image.hpp"
 #include "serve/beside/verdict_words.hpp"
 #include "sim/world/list.hpp"
+#include "sim/world/survey.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -81,6 +82,7 @@ void Beside::draw(Stage& stage, json& message) {
         scene::loadTestScene(source_.file, all, sim::kinds(), source_.folders));
     tested->render.size = tested->test.size;
     if (tested->test.samples) tested->render.samples = *tested->test.samples;
+    static_cast<void>(sim::frameMotion(*tested));
     stage.setTestScene(std::move(tested));
   }
   const scene::Scene& scene = *stage.testScene();

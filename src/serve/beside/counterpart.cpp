@@ -66,6 +66,7 @@ bool Counterpart::show(const Stage& scene, const sim::Numerics& numerics, std::s
     auto script = scriptBeside(scene);
     unread_ = false;
     sim::requireExact(script->scene, numerics);
+    placeCamera(*script, stage_ == nullptr ? nullptr : &stage_->script(), moving);
     if (stage_ != nullptr) return stage_->become(std::move(script), moving);
     stage_ = std::make_unique<Stage>(std::move(script), memory);
     stage_->startLike(scene, frame);

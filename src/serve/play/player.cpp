@@ -114,6 +114,7 @@ bool Player::show(const std::string& text, std::vector<scene::Override> edits, b
     auto script = readScript(options_.source, text, std::move(edits));
     unread_ = false;
     sim::requireExact(script->scene, numerics_);
+    placeCamera(*script, stage_ == nullptr ? nullptr : &stage_->script(), moving);
     if (stage_ == nullptr)
       stage_ = std::make_unique<Stage>(std::move(script), memoryOfEach());
     else

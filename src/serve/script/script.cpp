@@ -177,6 +177,32 @@ std::shared_ptr<Script> readScript(const SceneSource& source, const std::string&
   return script;
 }
 
+void placeCamera(Script& script, const Script* known, bool moving) {
+  if (!sim::needsSurvey(script.scene)) return;
+  const std::string wanted = script.simulation + " " + std::to_string(script.scene.frameCount());
+  const bool same =
+      known != nullptr && known->surveyOf == wanted && writtenFiles(known->files, script.files).empty();
+  if (same || (moving && known != nullptr && !known->surveyOf.empty())) {
+    script.survey = known->survey;
+    script.surveyOf = known->surveyOf;
+  } else {
+    script.survey = sim::surveyMotion(script.scene);
+    script.surveyOf = wanted;
+  }
+  sim::frameSurvey(script.scene, script.survey);
+  sim::frameSurvey(script.draft, script.survey);
+}
+
+bool framedAlike(const Script& before, const Script& after) {
+  const scene::Camera& a = before.scene.camera;
+  const scene::Camera& b = after.scene.camera;
+  return before.survey.frames == 0 && after.survey.frames == 0
+             ? true
+             : a.position.at(0) == b.position.at(0) && a.target.at(0) == b.target.at(0) &&
+                   a.orbit.distance.at(0) == b.orbit.distance.at(0) &&
+                   before.scene.ground.height == after.scene.ground.height;
+}
+
 std::set<std::string> differingPaths(std::string_view before, std::string_view after) {
   std::set<std::string> found;
   findDifferences(ordered_json::parse(before), ordered_json::parse(after), "", found);
@@ -204,6 +230,7 @@ Change changeBetween(const Script& before, const Script& after) {
 
 bool drawsAlike(const Script& before, const Script& after) {
   if (before.scene.staged != after.scene.staged || addsGroup(before, after)) return false;
+  if (!framedAlike(before, after)) return false;
   if (!writtenFiles(before.files, after.files).empty()) return false;
   const std::set<std::string> paths = differingPaths(before.asRun, after.asRun);
   return std::all_of(paths.begin(), paths.end(), [](const std::string& path) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/scene.hpp"
 #include "serve/script/watched_files.hpp"
+#include "sim/world/survey.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -31,11 +32,20 @@ struct Script {
   std::string simulation;  ///< scene::simulationHash of it without what only shows (withoutWhatShows)
   std::map<std::filesystem::path, FileStamp> files;  ///< that it names, as they were when it was read
   bool fieldsAlone = false;                          ///< whether nothing but fields is drawn
+  sim::Survey survey;    ///< where its objects went, if placeCamera() had to know
+  std::string surveyOf;  ///< what was simulated for that: another script's, where it is borrowed
 };
 
 /// Reads it. Throws UserError(usage) with every mistake.
 [[nodiscard]] std::shared_ptr<Script> readScript(const SceneSource& source, const std::string& text,
                                                  std::vector<scene::Override> edits);
+
+/// Places the camera of a scene whose motion only a run tells (sim::surveyMotion), on the current context.
+/// `known`: a script whose run does where it is the same, or where it was nearly so and changes on at once
+/// (`moving`); null: none. Throws what the run does.
+void placeCamera(Script& script, const Script* known, bool moving);
+/// Whether cameras and stages that nobody placed stand alike.
+[[nodiscard]] bool framedAlike(const Script& before, const Script& after);
 
 /// How much of what is shown has to be made anew for another script.
 enum class Change {

@@ -12,6 +12,10 @@ bool Stage::become(std::shared_ptr<Script> script, bool moving) {
   switch (changeBetween(*script_, *script)) {
     case Change::nothing:
     case Change::look:
+      if (!framedAlike(*script_, *script)) {
+        drawAs(std::move(script));
+        return false;
+      }
       takeLookOf(*script);
       return false;
     case Change::drawing:

@@ -26,9 +26,8 @@ std::vector<double> poseMoments(const BodyParameters& body) {
 
 }  // namespace
 
-std::optional<scene::Box> BodyParameters::framed() const {
-  if (!visible) return std::nullopt;
-  std::optional<scene::Box> box;
+std::vector<glm::vec3> BodyParameters::placesOnTheWay() const {
+  std::vector<glm::vec3> places;
   try {
     const BodyMotion motion("body", *this);
     const Figure& figure = motion.figure();
@@ -41,13 +40,25 @@ std::optional<scene::Box> BodyParameters::framed() const {
           for (int axis = 0; axis < 3; ++axis)
             placed[axis] += figure.weights[v][k] *
                             glm::dot(rows[3 * figure.follow[v][k] + static_cast<unsigned>(axis)], at);
-        scene::include(box, placed);
+        places.push_back(placed);
       }
     }
   } catch (const UserError&) {
-    return std::nullopt;  // whoever makes it says why
+    return {};  // whoever makes it says why
   }
+  return places;
+}
+
+std::optional<scene::Box> BodyParameters::framed() const {
+  if (!visible) return std::nullopt;
+  std::optional<scene::Box> box;
+  for (const glm::vec3& at : placesOnTheWay()) scene::include(box, at);
   return box;
+}
+
+std::vector<glm::vec3> BodyParameters::outline() const {
+  if (!visible) return {};
+  return scene::outermost(placesOnTheWay());
 }
 
 }  // namespace simreel::sim

@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/outline.hpp"
 #include "sim/body/figure.hpp"
 #include "sim/core/kind.hpp"
 
@@ -20,7 +21,7 @@ struct KeyedBone {
 };
 
 /// Parameters of the kind body.
-struct BodyParameters : ObjectParameters {
+struct BodyParameters : ObjectParameters, scene::Outlined {
   std::filesystem::path file;
   std::string animation;                               ///< empty: none
   double speed = 1;                                    ///< of the motion
@@ -42,12 +43,14 @@ struct BodyParameters : ObjectParameters {
   [[nodiscard]] bool collidesByFaces() const override { return byFaces; }
   /// Its skin along the motion, and at each key of its position.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
+  [[nodiscard]] std::vector<glm::vec3> outline() const override;
   [[nodiscard]] bool isTouched() const override { return collides; }
 
   /// What the file holds, read once. Throws what loadFigure() throws.
   [[nodiscard]] const std::shared_ptr<const Figure>& figure() const;
 
  private:
+  [[nodiscard]] std::vector<glm::vec3> placesOnTheWay() const;
   mutable std::shared_ptr<const Figure> figure_;
 };
 

@@ -141,28 +141,50 @@ glm::mat4 MeshParameters::model(double time) const {
   return m;
 }
 
-std::optional<scene::Box> MeshParameters::framed() const {
-  if (!visible) return std::nullopt;
-  std::optional<scene::Box> box;
-  try {
-    const Mesh mesh = make(0);
-    for (const double seconds : momentsOf(position, rotation, scale)) {
-      const glm::mat4 placed = model(seconds);
-      for (const glm::vec3& at : mesh.positions) include(box, glm::vec3(placed * glm::vec4(at, 1)));
-    }
-  } catch (const UserError&) {
-    return std::nullopt;  // whoever makes it says why
-  }
-  if (!box) return box;
-  float swell = 0;  // m, up and down
+float MeshParameters::swell() const {
+  float swell = 0;
   for (const DisplacementParameters& one : deform.list) {
     if (one.ripple.on) swell += std::abs(one.ripple.amplitude);
     for (const Wave& wave : one.waves) swell += std::abs(wave.amplitude);
   }
-  box->min.y -= swell;
-  box->max.y += swell;
+  return swell;
+}
+
+std::vector<glm::vec3> MeshParameters::placesAtRest() const {
+  std::vector<glm::vec3> places;
+  try {
+    const Mesh mesh = make(0);
+    for (const double seconds : momentsOf(position, rotation, scale)) {
+      const glm::mat4 placed = model(seconds);
+      for (const glm::vec3& at : mesh.positions) places.emplace_back(placed * glm::vec4(at, 1));
+    }
+  } catch (const UserError&) {
+    return {};  // whoever makes it says why
+  }
+  return places;
+}
+
+std::optional<scene::Box> MeshParameters::framed() const {
+  if (!visible) return std::nullopt;
+  std::optional<scene::Box> box;
+  for (const glm::vec3& at : placesAtRest()) include(box, at);
+  if (!box) return box;
+  box->min.y -= swell();
+  box->max.y += swell();
   box->round = (shape == MeshShape::sphere || shape == MeshShape::torus) && !position.moves();
   return box;
+}
+
+std::vector<glm::vec3> MeshParameters::outline() const {
+  if (!visible || shape != MeshShape::file) return {};
+  std::vector<glm::vec3> outer = scene::outermost(placesAtRest());
+  const float up = swell();
+  if (up == 0) return outer;
+  for (std::size_t i = outer.size(); i-- > 0;) {
+    outer.push_back(outer[i] + glm::vec3(0, up, 0));
+    outer[i].y -= up;
+  }
+  return outer;
 }
 
 Mesh MeshParameters::make(int seed) const {

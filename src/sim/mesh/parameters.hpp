@@ -1,5 +1,7 @@
 #pragma once
 #include "scene/fields.hpp"
+#include "scene/outline.hpp"
+#include "scene/tinted.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/mesh/deform_parameters.hpp"
 #include "sim/mesh/file.hpp"
@@ -17,7 +19,7 @@ enum class MeshShape { plane, sphere, torus, grass, file };
 enum class MeshSides { fitting, one, both };
 
 /// Parameters of the kind mesh.
-struct MeshParameters : ObjectParameters {
+struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   MeshShape shape = MeshShape::plane;
   std::filesystem::path file;
   glm::vec3 size{4, 0, 4};         ///< m, of a plane
@@ -43,6 +45,12 @@ struct MeshParameters : ObjectParameters {
   [[nodiscard]] bool measures() const override { return !deform.list.empty(); }
   /// As it is at rest, at each key of its position.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
+  /// Of meshes of files.
+  [[nodiscard]] std::vector<glm::vec3> outline() const override;
+  /// Grass is green.
+  [[nodiscard]] std::optional<glm::vec3> tint() const override {
+    return shape == MeshShape::grass ? std::optional(glm::vec3(0.11F, 0.24F, 0.045F)) : std::nullopt;
+  }
   [[nodiscard]] bool publishesHeights() const override { return collides && !deform.list.empty(); }
   [[nodiscard]] bool isTouched() const override { return collides; }
   [[nodiscard]] bool collidesByFaces() const override { return byFaces; }
@@ -56,6 +64,10 @@ struct MeshParameters : ObjectParameters {
   [[nodiscard]] Mesh make(int seed) const;
 
  private:
+  /// m, by which what deforms it moves it up and down at most.
+  [[nodiscard]] float swell() const;
+  /// Its vertices at each key of its position; none where its file cannot be read.
+  [[nodiscard]] std::vector<glm::vec3> placesAtRest() const;
   void describeCollision(scene::Fields& fields);
   void checkSolid(scene::Fields& fields) const;
   void checkHeights(scene::Fields& fields) const;

@@ -120,6 +120,8 @@ void ParticleParameters::describe(scene::Fields& f) {
   f.choice("method", method, {"none", "all-pairs", "tree"},
            "How particles attract each other: not at all, each by each (exact, N^2), or by groups far away "
            "(N log N).");
+  f.leftOut("method", "\"all-pairs\", of emitters alone \"none\"");
+  if (!f.given("method") && groups.empty() && !emitters.empty()) method = GravityMethod::none;
   f.number("gravity", gravity, {0, 1e6}, "m^3/(kg s^2)", "The constant G.");
   f.number("softening", softening, {1e-6, 1e4}, "m",
            "Length below which the attraction between particles fades.");

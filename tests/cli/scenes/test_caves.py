@@ -147,13 +147,17 @@ class Caves(Case):
             named = lambda name: {"cave": {"cave": {}}, "b": {"sphere": {}}, "p": {kind: {**more, "walls": name}}}
             refused(["scene.json:", "no object is named \"cav\"", "did you mean \"cave\"?"], named("cav"))
             refused(["scene.json:", "\"b\" is a sphere, which has no walls"], named("b"))
-        refused(["camera.follow.object", "cove", "cave"], {"cave": {"cave": {}}}, camera={"follow": {"object": "cove"}})
+        follow = {"follow": {"object": "cove"}}
+        refused(["scene.json:", "no object is named \"cove\"; did you mean \"cave\"?", "^~~~~~"], {"cave": {"cave": {}}}, camera=follow)
         refused(["leave out \"target\""], {"cave": {"cave": {}}}, camera={"follow": {"object": "cave"}, "target": [0, 0, 1]})
-        light = {"lamp": {"follow": {"object": "cove"}}}
-        refused(["lights.lamp.follow.object", "cove", "cave"], {"cave": {"cave": {}}}, lights=light)
-        refused(["lights.lamp.follow.object", "add a cave"], {"b": {"sphere": {}}}, lights=light)
-        refused(["camera.follow.object", "lights.lamp.follow.object"], {"cave": {"cave": {}}}, lights=light,
-                camera={"follow": {"object": "cove"}})
+        light = {"lamp": follow}
+        refused(["scene.json:", "no object is named \"cove\"; did you mean \"cave\"?", "^~~~~~"], {"cave": {"cave": {}}}, lights=light)
+        refused(["scene.json:", "the scene has none: add a cave"], {}, lights=light)
+        for name in ("camera", "lights.lamp"):
+            refused([f"{name}.follow.object: no object with a path is named \"cove\"", "add a cave"], {"cove": {"sphere": {}}},
+                    camera=follow, lights=light)
+        self.write("scene.json", with_values({"objects": {"cave": {"cave": {}}}, "lights": light, "camera": follow}))
+        self.assertEqual(self.bad_scene("cove", "render", "scene.json", "-o", "a/").err.count("no object is named"), 2)
         self.write("scene.json", with_values({"objects": {"cave": {"cave": {"fill": 1}}}, "camera": {"follow": {"object": "cave"}}}))
         self.bad(2, ["cave", "no path"], "render", "scene.json", "-o", "out.png", "--frames", "0")
 

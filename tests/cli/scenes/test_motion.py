@@ -133,7 +133,11 @@ class Track(Case):
         self.write("scene.json", {**self.SCENE, "camera": {"track": {"object": "ball", "damping": 1e-5}}})
         self.bad_scene("a damping of 1e-05 s is none", "render", "scene.json", "-o", "a.png", "--frames", "0")
         self.write("scene.json", {**self.SCENE, "camera": {"track": "bal"}})
-        self.bad(2, "camera.track.object: no object is named \"bal\"; did you mean \"ball\"?", "render", "scene.json", "-o", "a.png", "--frames", "0")
+        for track in ("bal", {"object": "bal"}):
+            self.write("scene.json", {**self.SCENE, "camera": {"track": track}})
+            place = self.bad_scene("no object is named \"bal\"; did you mean \"ball\"?", "render", "scene.json", "-o", "a.png", "--frames", "0")
+            _, line, caret = place.err.splitlines()
+            self.assertEqual(line[caret.index("^"):].rstrip("},"), "\"bal\"")
         for camera, said in (({"track": "ball", "target": [0, 0, 0]}, "\"track\" says what the camera looks at"),
                              ({"track": "ball", "follow": {"object": "ball"}}, "leave out \"track\"")):
             self.write("scene.json", {**self.SCENE, "camera": camera})

@@ -45,6 +45,25 @@ class Pictures(ServeCase):
             viewer.send(do="seek", frame=frame)
             self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, frames="0-4"), frame)
 
+    def test_a_camera_that_a_first_run_places(self):
+        """Where the scene places none and a sheet falls: always where render has it."""
+        self.write("scene.json", {"version": 1, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30, "duration": 0.4},
+                                  "objects": {"sheet": {"cloth": {"size": [9, 9], "pins": []}}, "ball": {"sphere": {"radius": 0.2}}}})
+        server = self.serve()
+        viewer = server.viewer()
+        viewer.send(do="seek", frame=6)
+        self.assertEqual(self.pixels(viewer.rest(6)[1]), self.rendered(6))
+        given = []
+        for path, value in (("objects.sheet.cloth.position", [0.3, 0.5, 0]), ("time.duration", 0.8), ("objects.ball.material", {"color": [0, 0, 1]}),
+                            ("objects.sheet.cloth.gravity", [0, -3, 4]), ("render.size", [36, 64]), ("sun", {"intensity": 2})):
+            with self.subTest(path):
+                for moving in (True, False):
+                    viewer.send(do="set", path=path, value=value, moving=moving)
+                given += ["-D", f"{path}={json.dumps(value)}"]
+                end, right = time.monotonic() + 30, self.rendered(6, *given)
+                while self.pixels(viewer.rest(6, 20)[1]) != right:
+                    self.assertLess(time.monotonic(), end, path)
+
     def test_values_that_change(self):
         """In place, with another renderer, another world or from the start: always what render makes of them."""
         server = self.serve()

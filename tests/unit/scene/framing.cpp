@@ -27,7 +27,7 @@ scene::Scene with(std::initializer_list<scene::Box> boxes, glm::ivec2 size) {
     scene::Object& object = scene.objects.emplace_back();
     object.parameters = std::make_unique<Boxed>(box);
   }
-  if (boxes.size() > 0) scene::frameObjects(scene, std::vector<scene::Box>(boxes));
+  if (boxes.size() > 0) scene::frameObjects(scene, scene::framedObjects(scene));
   return scene;
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("a camera frames all that ask for it together, and stays where a scene
   scene::Scene placed;
   placed.camera.placed = true;
   placed.objects.emplace_back().parameters = std::make_unique<Boxed>(left);
-  scene::frameObjects(placed, scene::framedBoxes(placed));
+  scene::frameObjects(placed, scene::framedObjects(placed));
   CHECK(placed.camera.position.at(0) == scene::Camera().position.at(0));
   CHECK(with({}, {64, 64}).camera.position.at(0) == scene::Camera().position.at(0));
 }
@@ -99,7 +99,7 @@ TEST_CASE("a camera that goes round has all in view from everywhere, and from so
       scene.camera.orbit.elevation = elevation;
       scene::Object& object = scene.objects.emplace_back();
       object.parameters = std::make_unique<Boxed>(box);
-      scene::frameObjects(scene, {box});
+      scene::frameObjects(scene, {{box}});
       float most = 0;
       for (int turn = 0; turn < 360; turn += 5) {
         scene.camera.orbit.turn = static_cast<float>(turn);

@@ -68,8 +68,8 @@ TEST_CASE("lights: what moves may move along keyframes") {
   CHECK(scene.lights[0].color.at(0.5) == glm::vec3(0.5F, 0, 0.5F));
   CHECK(scene.lights[0].flicker.amount.at(0.25) == 0.25F);
   CHECK(scene.lights[0].flicker.sway.at(0.5) == 0.25F);
-  const Light by = parse(withLights(R"("a": {"follow": {"object": "c", "height": 3, "side": -2,
-    "progress": {"keys": [[0, 0], [2, 1]]}}})"))
+  const Light by = parse(R"({"version": 1, "objects": {"c": {"cloth": {}}}, "lights": {"a": {"follow": {
+    "object": "c", "height": 3, "side": -2, "progress": {"keys": [[0, 0], [2, 1]]}}}}})")
                        .lights.at(0);
   CHECK(by.follows);
   CHECK(by.follow.object == "c");

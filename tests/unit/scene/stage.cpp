@@ -79,6 +79,10 @@ TEST_CASE("stage: pictures of fields and landscapes have none") {
 TEST_CASE("stage: neighbours differ in colour, and what shines stands in the dark") {
   const scene::Scene two = parsed(R"({"a": {"sphere": {}}, "b": {"sphere": {}}})");
   CHECK(two.objects[0].material.color != two.objects[1].material.color);
+  const scene::Scene lawn = parsed(R"({"a": {"mesh": {"shape": "grass"}}, "b": {"mesh": {}}})");
+  CHECK(lawn.objects[0].material.color.y >
+        2 * lawn.objects[0].material.color.x);  // green, not the palette's
+  CHECK(lawn.objects[1].material.color == two.objects[1].material.color);
   const char* cloud = R"({{"a": {{"particles": {{"groups": [{{}}], "look": {{"additive": {}}}}}}}}})";
   const scene::Scene dark = parsed(fmt::format(fmt::runtime(cloud), true));
   const scene::Scene bright = parsed(fmt::format(fmt::runtime(cloud), false));

@@ -8,8 +8,10 @@
 
 #include <cmath>
 #include <filesystem>
+#include <vector>
 
 #include <doctest/doctest.h>
+#include <glm/common.hpp>
 
 using namespace simreel;
 
@@ -145,4 +147,30 @@ TEST_CASE("framed: particles where they start, and as far as sources throw them"
   cloud.acceleration = glm::vec3(1, -4, 0);
   checkFramed(cloud, {0, 0, 0}, {2, 2, 0});  // up for a second, and down again
   CHECK_FALSE(cloud.framed()->round);
+}
+
+TEST_CASE("framed: of meshes of files and of bodies, also the points that lie farthest out") {
+  const auto checkOutline = [](const scene::Parameters& parameters, const std::vector<glm::vec3>& outline) {
+    const auto box = parameters.framed();
+    REQUIRE(box.has_value());
+    REQUIRE_FALSE(outline.empty());
+    glm::vec3 low(1e9F), high(-1e9F);
+    for (const glm::vec3& point : outline) low = glm::min(low, point), high = glm::max(high, point);
+    CHECK(low == box->min);
+    CHECK(high == box->max);
+  };
+  sim::MeshParameters mesh;
+  CHECK(mesh.outline().empty());  // a plane is its box
+  mesh.shape = sim::MeshShape::file;
+  mesh.file = std::filesystem::path(sourceFolder()) / "assets/meshes/boat.obj";
+  mesh.rotation = glm::vec3(0, 30, 0);
+  checkOutline(mesh, mesh.outline());
+  mesh.deform.list.emplace_back().ripple.on = true;
+  checkOutline(mesh, mesh.outline());
+  mesh.visible = false;
+  CHECK(mesh.outline().empty());
+  sim::BodyParameters body;
+  body.file = walkerFile();
+  body.animation = "walk";
+  checkOutline(body, body.outline());
 }

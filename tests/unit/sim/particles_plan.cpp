@@ -325,3 +325,13 @@ TEST_CASE("particle scenes are read and their mistakes shown") {
   CHECK(sceneProblem(R"({"emitters": [{"from": 2, "until": 1}]})").find("stops before") !=
         std::string::npos);
 }
+
+TEST_CASE("particles attract each other unless asked otherwise, but streams from emitters alone do not") {
+  const auto methodOf = [](const std::string& object) {
+    return dynamic_cast<const sim::ParticleParameters&>(*parsed(object).objects[0].parameters).method;
+  };
+  CHECK(methodOf(R"({"groups": [{}]})") == sim::GravityMethod::allPairs);
+  CHECK(methodOf(R"({"groups": [{}], "emitters": [{}]})") == sim::GravityMethod::allPairs);
+  CHECK(methodOf(R"({"emitters": [{}]})") == sim::GravityMethod::none);
+  CHECK(methodOf(R"({"emitters": [{}], "method": "all-pairs"})") == sim::GravityMethod::allPairs);
+}

@@ -1,0 +1,242 @@
+#include "sim/world/survey.hpp"
+
+#include "base/clock.hpp"
+#include "base/log.hpp"
+#include "scene/outline.hpp"
+#include "scene/stage.hpp"
+#include "scene/value_writer.hpp"
+#include "sim/cloth/parameters.hpp"
+#include "sim/core/kind.hpp"
+#include "sim/particles/parameters.hpp"
+#include "sim/world/setup.hpp"
+#include "sim/world/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr int mostLooks = 48;
+constexpr std::size_t mostPoints = 1 << 17;  // of an object, in all looks together
+constexpr double strayParticles = 0.01;
+
+const ParticleParameters* particlesOf(const scene::Object& object) {
+  return dynamic_cast<const ParticleParameters*>(object.parameters.get());
+}
+
+bool goesItsWay(const scene::Object& object) {
+  const auto* parameters = dynamic_cast<const ObjectParameters*>(object.parameters.get());
+  return particlesOf(object) != nullptr || (parameters != nullptr && parameters->isCloth());
+}
+
+/// While it lives the scene is computed exactly, and nobody hears what making its world says, which the
+/// run itself says once more.
+class Quietly {
+ public:
+  explicit Quietly(scene::Scene& scene)
+      : scene_(scene), numerics_(scene.numerics), verbosity_(verbosity()) {
+    scene.numerics = scene::Numerics::exact;
+    setVerbosity(Verbosity::quiet);
+  }
+  ~Quietly() {
+    scene_.numerics = numerics_;
+    setVerbosity(verbosity_);
+  }
+  Quietly(const Quietly&) = delete;
+  Quietly& operator=(const Quietly&) = delete;
+
+ private:
+  scene::Scene& scene_;
+  scene::Numerics numerics_;
+  Verbosity verbosity_;
+};
+
+/// What a byte of its state costs in a step beside one of a cloth of springs, as measured.
+double weightOf(const scene::Object& object) {
+  constexpr double tree = 40, contact = 8, ofMesh = 5;
+  if (const ParticleParameters* particles = particlesOf(object))
+    return particles->method == GravityMethod::tree ? tree : 1;
+  const auto* cloth = dynamic_cast<const ClothParameters*>(object.parameters.get());
+  if (cloth == nullptr) return 1;
+  return cloth->feelsFaces() ? contact : cloth->hasMesh ? ofMesh : 1;
+}
+
+/// Bytes of state times the steps that they take; a pair of bodies that attract each other counts for a
+/// tenth of one.
+double countedWork(const scene::Scene& scene, const World& world) {
+  double work = 0;
+  for (std::size_t i = 0; i < world.objectCount(); ++i) {
+    double bytes = 0;
+    double elements = 0;
+    for (const StateArray& array : world.object(i).state()) {
+      bytes += 16.0 * static_cast<double>(array.elements());
+      elements = std::max(elements, static_cast<double>(array.elements()));
+    }
+    bytes *= weightOf(scene.objects[i]);
+    const ParticleParameters* particles = particlesOf(scene.objects[i]);
+    if (particles != nullptr && particles->method == GravityMethod::allPairs && particles->gravity > 0)
+      bytes += 0.1 * elements * elements;
+    work += bytes * world.object(i).stepsPerFrame();
+  }
+  return work * static_cast<double>(scene.frameCount() - 1 - world.firstFrame());
+}
+
+/// Where an object is (m): points, alive and at sensible places.
+std::vector<glm::vec3> placesOf(const Simulation& object) {
+  std::vector<glm::vec3> places;
+  const auto add = [&](const glm::vec3& at) {
+    if (std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z)) places.push_back(at);
+  };
+  const PointTable table = object.points();
+  const std::size_t columns = table.columns.size();
+  for (std::size_t i = 0; columns >= 3 && i + columns <= table.values.size(); i += columns)
+    add({table.values[i], table.values[i + 1], table.values[i + 2]});
+  if (columns >= 3) return places;
+  if (const auto surface = object.mesh())
+    for (const glm::vec3& at : surface->positions) add(at);
+  return places;
+}
+
+/// Frames to look at, from 0 to the last.
+std::vector<int> framesToSee(const scene::Scene& scene) {
+  const int last = scene.frameCount() - 1;
+  const int looks = std::min(last, mostLooks - 1);
+  std::vector<int> frames = {0};
+  for (int i = 1; i <= looks; ++i) frames.push_back(static_cast<int>(std::int64_t{last} * i / looks));
+  return frames;
+}
+
+bool isWithin(const scene::Box& room, const glm::vec3& at) {
+  return glm::max(at, room.min) == at && glm::min(at, room.max) == at;
+}
+
+/// An object whose way is looked at.
+struct Traveller {
+  std::size_t object = 0;
+  std::size_t place = 0;  ///< in the survey
+  scene::Box near;        ///< what leaves it is let go
+  std::vector<glm::vec3> seen = {};
+};
+
+scene::Box roomAround(const scene::Box& box) {
+  const glm::vec3 extent = box.max - box.min;
+  const float size = std::max({extent.x, extent.y, extent.z});
+  return {box.min - size, box.max + size};
+}
+
+/// Of particles a part, evenly, since a share of them is to be left out in the end; of others the
+/// outermost.
+void look(const World& world, const scene::Scene& scene, std::size_t looks, Traveller& traveller) {
+  std::vector<glm::vec3> places = placesOf(world.object(traveller.object));
+  std::erase_if(places, [&](const glm::vec3& at) { return !isWithin(traveller.near, at); });
+  std::size_t stride = 1;
+  if (particlesOf(scene.objects[traveller.object]) == nullptr)
+    places = scene::outermost(places);
+  else
+    stride += places.size() * looks / mostPoints;
+  for (std::size_t i = 0; i < places.size(); i += stride) traveller.seen.push_back(places[i]);
+}
+
+/// Of where it went; as its parameters have it where it has gone altogether.
+void frameSeen(const Traveller& traveller, const ParticleParameters* particles, scene::Framed& framed) {
+  if (traveller.seen.empty()) return;
+  framed.points = particles == nullptr
+                      ? scene::outermost(traveller.seen)
+                      : scene::outermost(traveller.seen, strayParticles, 0.5F * particles->size);
+  std::optional<scene::Box> box;
+  for (const glm::vec3& point : framed.points) scene::include(box, point);
+  framed.box = *box;
+}
+
+/// As -D has it.
+std::vector<std::string> placing(const scene::Camera& camera) {
+  const auto value = [](float number) { return scene::shortest(number).dump(); };
+  const auto vector = [&](const glm::vec3& v) {
+    return fmt::format("[{},{},{}]", value(v.x), value(v.y), value(v.z));
+  };
+  std::vector<std::string> given;
+  if (camera.orbits)
+    given.push_back("camera.orbit.distance=" + value(camera.orbit.distance.at(0)));
+  else
+    given.push_back("camera.position=" + vector(camera.position.at(0)));
+  given.push_back("camera.target=" + vector(camera.target.at(0)));
+  if (camera.projection == scene::Projection::orthographic)
+    given.push_back("camera.height=" + value(camera.height.at(0)));
+  else if (!camera.fieldOfView.moves())
+    given.push_back("camera.fieldOfView=" + value(camera.fieldOfView.at(0)));
+  return given;
+}
+
+}  // namespace
+
+bool needsSurvey(const scene::Scene& scene) {
+  return !scene.camera.placed && std::any_of(scene.objects.begin(), scene.objects.end(), goesItsWay);
+}
+
+Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch, double most) {
+  Survey survey;
+  std::vector<Traveller> travellers;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    std::optional<scene::Framed> one = scene::framedOf(scene.objects[i]);
+    if (!one) continue;
+    if (goesItsWay(scene.objects[i])) travellers.push_back({i, survey.framed.size(), roomAround(one->box)});
+    survey.framed.push_back(std::move(*one));
+  }
+  if (travellers.empty()) return survey;
+  const Quietly quietly(scene);
+  World world(scene);
+  survey.work = countedWork(scene, world);
+  if (survey.work > most) return survey;
+  const std::vector<int> looks = framesToSee(scene);
+  for (const int frame : looks) {
+    while (world.frame() < frame - 1) {
+      if (watch) watch();
+      world.passTo(world.frame() + 1);
+    }
+    world.advanceTo(frame);
+    for (Traveller& one : travellers) look(world, scene, looks.size(), one);
+    if (watch) watch();
+  }
+  for (const Traveller& one : travellers)
+    frameSeen(one, particlesOf(scene.objects[one.object]), survey.framed[one.place]);
+  survey.frames = looks.back() + 1 - world.firstFrame();
+  return survey;
+}
+
+void frameSurvey(scene::Scene& scene, const Survey& survey) {
+  if (survey.frames == 0 || survey.framed.empty()) return;
+  if (scene.staged) scene::moveStage(scene, survey.framed);
+  scene::frameObjects(scene, survey.framed);
+  scene.camera.placed = true;
+}
+
+MotionFraming frameMotion(scene::Scene& scene, const SurveyWatch& watch) {
+  if (!needsSurvey(scene)) return {};
+  const auto began = Clock::now();
+  const Survey survey = surveyMotion(scene, watch);
+  if (survey.framed.empty()) return {};
+  if (survey.frames == 0) {
+    scene.camera.placed = true;
+    return {{},
+            "simreel: the camera stands where the scene's parameters have its objects, not where these go: "
+            "a first run to see that would take too long; give \"camera\" a \"position\" and a \"target\""};
+  }
+  frameSurvey(scene, survey);
+  detail("simreel: the first run stepped through {:.1f} MiB of state in {:.2f} s", survey.work / (1 << 20),
+         secondsSince(began));
+  MotionFraming framing{placing(scene.camera)};
+  framing.remark = fmt::format("simreel: a first run of {} frames placed the camera; to keep it there: {}",
+                               survey.frames, scene::asArguments(framing.camera));
+  return framing;
+}
+
+}  // namespace simreel::sim

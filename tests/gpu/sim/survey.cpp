@@ -1,0 +1,135 @@
+// Cameras that stand nowhere have in view where cloth and particles go: a run finds out, whose ways are
+// known here in closed form.
+#include "sim/world/survey.hpp"
+
+#include "draw/camera.hpp"
+#include "gpu/context.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+using namespace simreel;
+
+namespace {
+
+scene::Scene sceneGoing(const std::string& objects, const std::string& more = "") {
+  testContext();
+  return scene::parseScene(fmt::format(R"({{"version": 1, {}"objects": {}}})", more, objects), "test.json",
+                           {}, sim::kinds());
+}
+
+/// Nothing slows it down or holds it.
+std::string looseSheet(float height) {
+  return fmt::format(R"({{"sheet": {{"cloth": {{"size": [8, 8], "pins": [], "position": [0, {}, 0],
+                        "wind": [0, 0, 0], "damping": 0}}}}}})",
+                     height);
+}
+
+struct SeenExtent {
+  glm::vec3 low{1e9F}, high{-1e9F};
+};
+
+SeenExtent wayOf(const scene::Framed& framed) {
+  SeenExtent extent;
+  for (const glm::vec3& point : framed.points)
+    extent = {glm::min(extent.low, point), glm::max(extent.high, point)};
+  return extent;
+}
+
+}  // namespace
+
+TEST_CASE("survey: a falling sheet is seen from where it starts to where gravity has it at the end") {
+  // Below the height of 0, which is as far as its parameters know.
+  scene::Scene scene = sceneGoing(looseSheet(1), R"("time": {"duration": 0.6}, )");
+  const sim::Survey survey = sim::surveyMotion(scene);
+  CHECK(survey.frames == 36);
+  REQUIRE(survey.framed.size() == 1);
+  const SeenExtent extent = wayOf(survey.framed[0]);
+  CHECK(extent.high.y == doctest::Approx(1).epsilon(1e-6).scale(0));
+  const double seconds = 35 / 60.0;
+  CHECK(extent.low.y == doctest::Approx(1 - 4.9 * seconds * seconds).epsilon(0.02).scale(0));
+  CHECK(extent.low.x == doctest::Approx(-0.35).epsilon(1e-4).scale(0));
+  CHECK(survey.framed[0].box.min.y == extent.low.y);
+  // What has left the room that it was thought to stay in (1 m high) by more than its size is let go.
+  scene::Scene longer = sceneGoing(looseSheet(1), R"("time": {"duration": 5}, )");
+  const SeenExtent kept = wayOf(sim::surveyMotion(longer).framed[0]);
+  CHECK(kept.low.y > -1.01F);
+  CHECK(kept.low.y < -0.4F);
+}
+
+TEST_CASE("survey: a jet is seen to its top, and one particle that goes astray is not") {
+  scene::Scene scene = sceneGoing(R"({"jet": {"particles": {"method": "none", "acceleration": [0, -8, 0],
+    "look": {"size": 0.001}, "emitters": [{"velocity": [0, 4, 0], "spread": 0, "speedVariation": 0, "lifetime": 1}]}}})",
+                                  R"("time": {"start": 2, "duration": 1}, )");
+  const SeenExtent extent = wayOf(sim::surveyMotion(scene).framed.at(0));
+  // v^2 / (2 g), from 0 up; the pre-roll has filled the jet.
+  CHECK(extent.high.y == doctest::Approx(1).epsilon(0.02).scale(0));
+  CHECK(std::abs(extent.high.x) < 0.01F);
+  scene::Scene stray =
+      sceneGoing(R"({"jet": {"particles": {"method": "none", "look": {"size": 0.001}, "groups": [
+    {"count": 1000, "radius": 0.5}, {"count": 1, "radius": 0.5, "position": [1.5, 0, 0]}]}}})");
+  CHECK(wayOf(sim::surveyMotion(stray).framed.at(0)).high.x < 0.6F);
+}
+
+TEST_CASE("survey: all of a motion is in the picture and fills it, at every frame") {
+  for (const char* more : {"", R"("sky": {}, )"}) {
+    scene::Scene scene =
+        sceneGoing(R"({"sheet": {"cloth": {"size": [16, 16], "pins": [], "position": [0, 2, 0]}},
+                       "ball": {"sphere": {"radius": 0.6}}})",
+                   std::string(more) + R"("time": {"duration": 1}, )");
+    const glm::vec3 before = scene.camera.position.at(0);
+    const sim::MotionFraming framing = sim::frameMotion(scene);
+    CHECK(framing.camera.size() == 3);
+    CHECK(scene.camera.position.at(0) != before);
+    const draw::View view = draw::viewAt(scene.camera, 0, scene.render.size, {});
+    glm::vec2 low(9), high(-9);
+    sim::World world(scene);
+    for (int frame = 0; frame < scene.frameCount(); ++frame) {
+      world.advanceTo(frame);
+      const sim::PointTable table = world.object(0).points();
+      for (std::size_t i = 0; i < table.values.size(); i += table.columns.size()) {
+        const glm::vec4 seen =
+            view.viewProjection * glm::vec4(table.values[i], table.values[i + 1], table.values[i + 2], 1);
+        low = glm::min(low, glm::vec2(seen) / seen.w);
+        high = glm::max(high, glm::vec2(seen) / seen.w);
+      }
+    }
+    CHECK(low.x > -0.95F);
+    CHECK(high.x < 0.95F);
+    CHECK(high.y < 0.95F);
+    CHECK(low.y > -0.95F);
+    CHECK(std::max({high.x - low.x, high.y - low.y}) > 1.2F);
+    CHECK(sim::frameMotion(scene).remark.empty());  // once
+  }
+}
+
+TEST_CASE("survey: fast numerics, and whose run it is, change nothing") {
+  const std::string sheet = R"({"sheet": {"cloth": {"size": [12, 12]}}})";
+  scene::Scene exact = sceneGoing(sheet), fast = sceneGoing(sheet, R"("numerics": "fast", )");
+  CHECK(sim::frameMotion(exact).camera == sim::frameMotion(fast).camera);
+  CHECK(fast.numerics == scene::Numerics::fast);
+}
+
+TEST_CASE("survey: what costs too much, is placed, or stands still is not run") {
+  scene::Scene scene = sceneGoing(looseSheet(1));
+  const sim::Survey none = sim::surveyMotion(scene, {}, 1000);
+  CHECK(none.frames == 0);
+  const glm::vec3 before = scene.camera.position.at(0);
+  sim::frameSurvey(scene, none);
+  CHECK(scene.camera.position.at(0) == before);
+  CHECK(sim::needsSurvey(scene));
+  CHECK_FALSE(sim::needsSurvey(sceneGoing(looseSheet(1), R"("camera": {"target": [0, 1, 0]}, )")));
+  CHECK_FALSE(sim::needsSurvey(sceneGoing(R"({"ball": {"sphere": {}}})")));
+  scene::Scene large = sceneGoing(R"({"sheet": {"cloth": {"size": [400, 400]}}})");
+  const sim::MotionFraming framing = sim::frameMotion(large);
+  CHECK(framing.camera.empty());
+  CHECK(framing.remark.find("would take too long") != std::string::npos);
+}

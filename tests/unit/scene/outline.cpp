@@ -1,0 +1,63 @@
+// The outermost of many points, as cameras frame them.
+#include "scene/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;
+
+namespace {
+
+/// Evenly over a unit ball's surface (golden angle).
+std::vector<glm::vec3> evenBall(int count) {
+  std::vector<glm::vec3> points;
+  for (int i = 0; i < count; ++i) {
+    const double turn = 2.399963229728653 * i;
+    const double y = -1 + (2 * i + 1.0) / count;
+    const double r = std::sqrt(1 - y * y);
+    points.emplace_back(r * std::cos(turn), y, r * std::sin(turn));
+  }
+  return points;
+}
+
+float farthest(const std::vector<glm::vec3>& points, const glm::vec3& way) {
+  float most = -1e9F;
+  for (const glm::vec3& point : points) most = std::max(most, glm::dot(point, way));
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("outline: of a ball's points no direction lacks more than 5 in 100") {
+  const std::vector<glm::vec3> points = evenBall(20000);
+  const std::vector<glm::vec3> outer = scene::outermost(points);
+  CHECK(outer.size() == 98);
+  for (const glm::vec3& way : evenBall(999)) {
+    CHECK(farthest(outer, way) <= farthest(points, way));
+    CHECK(farthest(outer, way) > 0.95F);
+  }
+}
+
+TEST_CASE("outline: the order of points does not matter, nor that some are equally far") {
+  std::vector<glm::vec3> points;
+  for (int i = 0; i < 1000; ++i) points.emplace_back(i % 10, (i / 10) % 10, i / 100);  // a cube of cells
+  const std::vector<glm::vec3> outer = scene::outermost(points, 0.05, 0.1F);
+  std::reverse(points.begin(), points.end());
+  CHECK(scene::outermost(points, 0.05, 0.1F) == outer);
+  std::rotate(points.begin(), points.begin() + 317, points.end());
+  CHECK(scene::outermost(points, 0.05, 0.1F) == outer);
+}
+
+TEST_CASE("outline: a few that went astray are left out, by whole numbers") {
+  std::vector<glm::vec3> points = evenBall(199);
+  points.emplace_back(50, 0, 0);
+  const glm::vec3 right(1, 0, 0);
+  CHECK(farthest(scene::outermost(points, 0.0049), right) == 50);   // none of 200
+  CHECK(farthest(scene::outermost(points, 0.005), right) < 1.01F);  // one of 200
+  CHECK(farthest(scene::outermost(points, 0.005, 0.25F), right) > 1.2F);
+  CHECK(scene::outermost({}).empty());
+  CHECK(scene::outermost(std::vector<glm::vec3>{right}, 1).size() == 98);
+}
