@@ -16,7 +16,10 @@ vec4 loadPosition(int i) {
 #include "cloth/model.glsl"
 
 void main() {
-  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  // Every other substep from the last row back, so that it begins with what the one before has left in the card's cache.
+  uvec2 group = gl_WorkGroupID.xy;
+  if ((stepData.substep & 1) == 1) group.y = gl_NumWorkGroups.y - 1u - group.y;
+  ivec2 at = ivec2(group * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy);
   if (at.x >= size.x || at.y >= size.y) return;
   int i = at.y * size.x + at.x;
   vec4 here = loadPosition(i);
