@@ -1,8 +1,9 @@
-// Light of the ground on its tiles. Variants: SHADOWED (with SHADOW_TAPS), REFLECTIVE, LAMPS, OCCLUSION, RAYS. SAMPLES.
+// Light of the ground on its tiles. Variants: SHADOWED (with SHADOW_TAPS), REFLECTIVE, LAMPS, OCCLUSION, REFLECTED, RAYS. SAMPLES.
 #define EXACT_PICTURE
 #include "draw/exact/tiles/shaded_tile.glsl"
 #include "draw/exact/ground_plane.glsl"
 #include "draw/exact/occlusion/openness_read.glsl"
+#include "draw/exact/reflections/reflections_read.glsl"
 #include "draw/surface/ground_light.glsl"
 #ifdef SHADOWED
 #include "draw/exact/shadows/sun_map.glsl"
@@ -41,6 +42,9 @@ void lightGround(ivec2 pixel) {
   return;
 #endif
   precise vec3 towards = -directionOf(ray);
+#ifdef REFLECTED
+  facing_ = vec3(0, 1, 0);
+#endif
 #ifdef SHOWN
   float there = groundLight(p, unitOf(towards), fraction, 1.0f).a;
   precise vec3 value = (SHOWN == 1 ? vec3(0, 1, 0) : frame.groundColor.rgb) * there;
