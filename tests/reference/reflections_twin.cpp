@@ -27,7 +27,7 @@ struct MirrorKernel {
   [[nodiscard]] float nearestAt(int level, ivec2 at) const {
     return cellAt(twin.nearest, twin.half(), level, at);
   }
-  [[nodiscard]] vec4 litAt(int level, ivec2 at) const { return cellAt(twin.lit, view.size, level, at); }
+  [[nodiscard]] vec4 litAt(int level, ivec2 at) const { return cellAt(twin.lit, twin.half(), level, at); }
 #include "glsl/draw/exact/reflections/mirrored_way.glsl"
 
   template <class Cell, class Join>
@@ -58,14 +58,21 @@ struct MirrorKernel {
 void ReflectionsTwin::see(const std::vector<float>& nearness, const std::vector<glm::vec4>& light) {
   nearest = MirrorKernel::levelsOf(
       nearness, half(), [](float a, float b, float c, float d) { return max(max(a, b), max(c, d)); });
-  lit = MirrorKernel::levelsOf(
-      light, view.size, [](vec4 a, vec4 b, vec4 c, vec4 d) { return 0.25F * ((a + b) + (c + d)); });
+  const auto mean = [](vec4 a, vec4 b, vec4 c, vec4 d) { return 0.25F * ((a + b) + (c + d)); };
+  const auto lightOf = [&](int x, int y) {
+    return light[static_cast<std::size_t>(min(y, view.size.y - 1) * view.size.x + min(x, view.size.x - 1))];
+  };
+  std::vector<glm::vec4> halves;
+  for (int y = 0; y < view.size.y; y += 2)
+    for (int x = 0; x < view.size.x; x += 2)
+      halves.push_back(mean(lightOf(x, y), lightOf(x + 1, y), lightOf(x, y + 1), lightOf(x + 1, y + 1)));
+  lit = MirrorKernel::levelsOf(halves, half(), mean);
 }
 
 glm::vec4 ReflectionsTwin::lightMet(const Ray& ray) const {
-  const MirrorKernel kernel{*this};
+  MirrorKernel kernel{*this};
   const MirrorKernel::MirrorWay way =
-      kernel.mirrorWay(ray.p, ray.direction, ray.facing, ray.towards, ray.roughness);
+      kernel.mirrorWay(ray.p, ray.direction, ray.facing, ray.towards, ray.turns, ray.roughness);
   if (way.counts <= 0.0F) return glm::vec4(0);
   const MirrorKernel::MirrorHit hit = kernel.followMirrored(way);
   return hit.counts > 0.0F ? kernel.lightMirrored(way, hit, ray.roughness) : glm::vec4(0);

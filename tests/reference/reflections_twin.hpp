@@ -17,7 +17,7 @@ struct ReflectionsTwin {
   /// A ray from `p` in a unit direction, of a surface that faces `facing`; the eye is `towards`.
   struct Ray {
     glm::vec3 p{0}, direction{0}, facing{0}, towards{0};
-    float roughness = 0;
+    float roughness = 0, turns = 0;
   };
   /// Light that it brings, and how much of it that is.
   [[nodiscard]] glm::vec4 lightMet(const Ray& ray) const;

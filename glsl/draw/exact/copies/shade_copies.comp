@@ -68,11 +68,25 @@ vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
   Look look = Look(tint, material_.x, material_.y, material_.z, opennessOn(pixel, p));
 #ifdef REFLECTED
   facing_ = normal;
+  for (int i = 0; i < 2; ++i) {
+    precise vec2 there = place + vec2(i == 0 ? 2.0f : 0.0f, i == 0 ? 0.0f : 2.0f);
+    vec3 v = ofSumOne(weightsAround(a, b, c, there));
+    precise vec3 next = v.x * normalOf(copy, corners.x) + v.y * normalOf(copy, corners.y) + v.z * normalOf(copy, corners.z);
+    vec3 nextNormal = unitOf(next);
+    precise vec3 turned = (weights.turned ? -nextNormal : nextNormal) - normal;
+    turns_ = max(turns_, exactSqrt(exactDot(turned, turned)));
+  }
   return vec4(allLight(look, p, normal, unitOf(towards), fraction), 0.0f);
 #else
   return vec4(allLight(look, p, normal, unitOf(towards), fraction), 1.0f);
 #endif
 }
+
+#ifdef REFLECTED
+uint partOfThing(uint number) {
+  return (number - firstId_) / triangles_;
+}
+#endif
 
 void main() {
   lightTile(firstId_, uint(capacity_) * triangles_);

@@ -79,6 +79,17 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   vec3 firstNormal = unitOf(place.outwards);
 #ifdef REFLECTED
   facing_ = firstNormal;
+  // A half pixel is so wide there (m), and farther on the ball the more that turns away.
+  precise vec3 aside = lit - view.eye.xyz;
+#ifdef PARALLEL
+  const float depth = 1.0f;
+#else
+  float depth = exactDot(view.forward.xyz, aside);
+#endif
+  precise float wide = 2.0f * depth * exactSqrt(exactDot(view.rayAcross.xyz, view.rayAcross.xyz));
+  precise float along = ball.radius * max(exactDot(firstNormal, towards), 0.05f);
+  precise float turn = wide * exactReciprocal(along);
+  turns_ = turn;
   vec3 change = vec3(0.0f);
   for (int i = small ? 1 : 0; i < 1; ++i) change = allLight(look, lit, firstNormal, towards, fraction);
   return vec4(change, 0.0f);
@@ -95,6 +106,12 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   }
   return vec4(light, 1.0f);
 }
+
+#ifdef REFLECTED
+uint partOfThing(uint number) {
+  return number;
+}
+#endif
 
 void main() {
   lightTile(firstId_, uint(capacity_));

@@ -1,53 +1,52 @@
-// A level of what reflections read (levels.glsl), of the one before. LIGHT: light of pixels and how much of them is covered, the mean
-// of four; else nearness of half pixels, the most of four. FIRST: level 0, of what shading and occlusion have left.
+// A level of what reflections read (levels.glsl), of the one before: light of half pixels and how much of them is covered, the mean of
+// four, and their nearness, the most of four. FIRST: level 0, of the pixels' light and what occlusion has found. An invocation does ROWS
+// cells, one below the other.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "common/exact.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/reflections/levels.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
-#ifdef LIGHT
-#define CELL vec4
-layout(rgba32f, binding = litImage) readonly restrict uniform imageBuffer before;
+layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
+layout(r32f, binding = nearnessImage) readonly restrict uniform imageBuffer nearestBefore;
 #ifdef FIRST
 layout(rgba32f, binding = sumImage) readonly restrict uniform image2D sums;
-#endif
-layout(std430, binding = halfPixelBinding) writeonly restrict buffer LevelBlock { vec4 cells[]; };
 #else
-#define CELL float
-layout(r32f, binding = nearnessImage) readonly restrict uniform imageBuffer before;
-layout(std430, binding = halfPixelBinding) writeonly restrict buffer LevelBlock { float cells[]; };
+layout(rgba32f, binding = litImage) readonly restrict uniform imageBuffer litBefore;
 #endif
-uniform ivec2 size;  // of level 0
+layout(std430, binding = litBinding) writeonly restrict buffer LitBlock { vec4 lit[]; };
+layout(std430, binding = halfPixelBinding) writeonly restrict buffer NearestBlock { float nearest[]; };
+uniform ivec2 size;  // pixels
 uniform int level;
-ivec2 room = levelRoom(size);
+ivec2 half_ = (size + 1) / 2, room = levelRoom(half_), end = levelSize(half_, level), last = levelSize(half_, level - 1) - 1;
 
 // Nothing beyond the border.
-CELL cellBefore(ivec2 at) {
-  ivec2 last = levelSize(size, level - 1) - 1;
-  bool there = at.x <= last.x && at.y <= last.y;
-#ifdef LIGHT
-  return there ? imageLoad(before, levelPlace(room, level - 1, at)) : vec4(0.0f);
+vec4 lightBefore(ivec2 at) {
+#ifdef FIRST
+  return imageLoad(sums, min(at, size - 1));
 #else
-  return there ? imageLoad(before, levelPlace(room, level - 1, at)).x : 0.0f;
+  vec4 found = imageLoad(litBefore, levelPlace(room, level - 1, min(at, last)));
+  return at.x <= last.x && at.y <= last.y ? found : vec4(0.0f);
 #endif
 }
 
+float nearBefore(ivec2 at) {
+  float found = imageLoad(nearestBefore, levelPlace(room, level - 1, min(at, last))).x;
+  return at.x <= last.x && at.y <= last.y ? found : 0.0f;
+}
+
 void main() {
-  ivec2 at = ivec2(gl_GlobalInvocationID.xy), end = levelSize(size, level);
-  if (at.x >= end.x || at.y >= end.y) return;
-#if defined FIRST && defined LIGHT
-  cells[levelPlace(room, 0, at)] = imageLoad(sums, at);
-#elif defined FIRST
-  cells[levelPlace(room, 0, at)] = imageLoad(before, at.y * size.x + at.x).x;
+  ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, ROWS);
+  for (int row = 0; row < ROWS; ++row) {
+    ivec2 at = first + ivec2(0, row);
+    if (at.x >= end.x || at.y >= end.y) continue;
+    ivec2 a = 2 * at, b = a + ivec2(1, 0), c = a + ivec2(0, 1), d = a + 1;
+    precise vec4 mean = 0.25f * ((lightBefore(a) + lightBefore(b)) + (lightBefore(c) + lightBefore(d)));
+    int place = levelPlace(room, level, at);
+    lit[place] = mean;
+#ifdef FIRST
+    nearest[place] = imageLoad(nearestBefore, at.y * half_.x + at.x).x;
 #else
-  CELL a = cellBefore(2 * at), b = cellBefore(2 * at + ivec2(1, 0));
-  CELL c = cellBefore(2 * at + ivec2(0, 1)), d = cellBefore(2 * at + 1);
-#ifdef LIGHT
-  precise vec4 mean = 0.25f * ((a + b) + (c + d));
-  cells[levelPlace(room, level, at)] = mean;
-#else
-  cells[levelPlace(room, level, at)] = max(max(a, b), max(c, d));
+    nearest[place] = max(max(nearBefore(a), nearBefore(b)), max(nearBefore(c), nearBefore(d)));
 #endif
-#endif
+  }
 }

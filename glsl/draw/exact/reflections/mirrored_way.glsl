@@ -1,7 +1,7 @@
 // What a ray that leaves a visible place meets of what the picture shows (M. McGuire and M. Mara, "Efficient GPU screen-space ray
 // tracing", Journal of Computer Graphics Techniques 3(4), 2014, for the way on the picture and the thickness; Y. Uludag, "Hi-Z
 // screen-space cone-traced reflections", GPU Pro 5, 2014, for the levels). Compiles as GLSL and as C++. Whoever includes it has
-// `view`, float nearestAt(level, cell) of half pixels, vec4 litAt(level, cell) of pixels, and vec2 mirrorReach_: how far rays go, and
+// `view`, float nearestAt(level, cell) and vec4 litAt(level, cell) of half pixels, and vec2 mirrorReach_: how far rays go, and
 // how thick things are (m).
 //
 // On the picture a ray is a line, and its nearness is affine along it as that of planes is: n(t) = n0 + t n', t in half pixels. A
@@ -10,9 +10,11 @@
 //     nearest(t1) > n(t1),            at the end t1 of the way through it: the ray is behind what is seen there,
 //     1 / nearest - 1 / n(t) < thickness,    by less than that at the nearer end,
 //     nearest > that of the mirror's own plane, by more than a half pixel changes it.
-// How much that counts, from 1 to 0: the less the deeper the ray is behind what is seen; over the last tenth of the picture's height
+// How much that counts, from 1 to 0: the less the deeper the ray is behind what is seen (more than that changes in a half pixel, and the
+// more so the more the mirror bends); over the last tenth of the picture's height
 // before its border; over the farther half of the reach; for rays that come towards the eye, whose backs of things nobody
-// sees, until they do by half; and with the roughness from 0.2 to 0.5. What does not count is as if nothing had been met.
+// sees, until they do by half; where the mirror bends so that neighbours show what is from 1/8 to 3/4 half pixels apart, which would be
+// noise; and with the roughness from 0.2 to 0.5. What does not count is as if nothing had been met.
 #include "common/exact.glsl"
 #include "draw/exact/depth.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
@@ -28,6 +30,7 @@ struct MirrorWay {
   float rate;      // and what a half pixel on adds to it
   float speed;     // half pixels a metre there
   vec2 slope;      // of the mirror's own plane
+  float turns;     // of the mirror, from a half pixel to the next (radians)
   float end;       // half pixels
   float counts;    // 0: there is none
 };
@@ -35,6 +38,7 @@ struct MirrorWay {
 struct MirrorHit {
   float at;      // half pixels along the way
   float counts;
+  float spread;  // half pixels, of what neighbours show
 };
 
 // 3 t^2 - 2 t^3 of what lies between 0 and 1.
@@ -56,15 +60,16 @@ FUNCTION float metresAlong(MirrorWay way, float t) {
   return metres;
 }
 
-// Of a ray from p in the unit direction; `facing`: of the surface there, unit, `towards`: the eye.
-FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, vec3 facing, vec3 towards, float roughness) {
+// Of a ray from p in the unit direction; `facing`: of the surface there, unit, `towards`: the eye; `turns`: by how much the surface
+// turns from a half pixel to the next (radians).
+FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, vec3 facing, vec3 towards, float turns, float roughness) {
   precise vec3 aside = p - vec3(view.eye);
   precise float depth = exactDot(vec3(view.forward), aside);
   precise float recedes = exactDot(vec3(view.forward), direction);
   precise vec2 across = vec2(exactDot(vec3(view.across), aside), exactDot(vec3(view.down), aside));
   precise vec2 moved = vec2(exactDot(vec3(view.across), direction), exactDot(vec3(view.down), direction));
   float steep = exactDot(facing, aside);
-  vec2 turns = vec2(exactDot(facing, vec3(view.rayAcross)), exactDot(facing, vec3(view.rayDown)));
+  vec2 tilt = vec2(exactDot(facing, vec3(view.rayAcross)), exactDot(facing, vec3(view.rayDown)));
   MirrorWay way;
 #ifdef PARALLEL
   steep = exactDot(facing, vec3(view.forward));
@@ -72,14 +77,14 @@ FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, vec3 facing, vec3 towards, 
   precise vec2 velocity = 0.5f * moved;
   precise float nearness = exactReciprocal(view.forward.w) + (view.near - depth);
   float perSteep = exactReciprocal(min(steep, -1e-9f));
-  precise vec2 slope = 2.0f * turns * perSteep;
+  precise vec2 slope = 2.0f * tilt * perSteep;
 #else
   float perDepth = exactReciprocal(max(depth, 1e-9f));
   precise vec2 from = 0.5f * across * perDepth;
   precise vec2 velocity = (0.5f * moved - from * recedes) * perDepth;
   float nearness = perDepth;
   float perSteep = exactReciprocal(min(steep, -1e-9f));
-  precise vec2 slope = 2.0f * turns * perSteep;
+  precise vec2 slope = 2.0f * tilt * perSteep;
 #endif
   precise float square = velocity.x * velocity.x + velocity.y * velocity.y;
   float perSpeed = exactInverseSqrt(max(square, 1e-20f));
@@ -112,16 +117,35 @@ FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, vec3 facing, vec3 towards, 
   way.rate = rate;
   way.speed = speed;
   way.slope = slope;
+  way.turns = turns;
   way.end = min(border, reach);
   way.counts = leaves ? counts : 0.0f;
   return way;
 }
 
-// Where the plane that the nearest of a half pixel makes with its neighbours meets the way, from `low` to `high` along it.
-FUNCTION float meetingPlane(MirrorWay way, ivec2 at, float here, float low, float high) {
+// How far apart, in half pixels, what two neighbours of the mirror show t half pixels on is for how it bends: a mirror that turns by
+// an angle turns rays by twice as much.
+FUNCTION float spreadAt(MirrorWay way, float t) {
+  float perAcross = exactInverseSqrt(exactDot(vec3(view.rayAcross), vec3(view.rayAcross)));
+#ifdef PARALLEL
+  precise float spread = way.turns * metresAlong(way, t) * perAcross;
+#else
+  precise float there = way.nearness + way.rate * t;
+  precise float spread = way.turns * metresAlong(way, t) * perAcross * max(there, 0.0f);
+#endif
+  return spread;
+}
+
+// What a half pixel to the right, and downwards, adds to nearness there.
+FUNCTION vec2 slopesAt(ivec2 at, float here) {
   float left = nearestAt(0, at - ivec2(1, 0)), right = nearestAt(0, at + ivec2(1, 0));
   float above = nearestAt(0, at - ivec2(0, 1)), below = nearestAt(0, at + ivec2(0, 1));
-  vec2 slope = vec2(slopeBetween(left, here, right), slopeBetween(above, here, below));
+  return vec2(slopeBetween(left, here, right), slopeBetween(above, here, below));
+}
+
+// Where the plane that the nearest of a half pixel makes with its neighbours meets the way, from `low` to `high` along it. Where
+// the ray is behind that before, it has come from beside the thing, whose edge the half pixel shows, and what shows the thing is farther on.
+FUNCTION float meetingPlane(MirrorWay way, ivec2 at, float here, vec2 slope, float low, float high) {
   precise vec2 aside = way.from - (vec2(at) + 0.5f);
   // What is nearest of a half pixel lies about a third of it off its middle.
   precise float bias = 0.3f * (abs(slope.x) + abs(slope.y));
@@ -129,7 +153,9 @@ FUNCTION float meetingPlane(MirrorWay way, ivec2 at, float here, float low, floa
   precise float closing = way.rate - (slope.x * way.along.x + slope.y * way.along.y);
   bool closes = closing < -1e-12f;
   precise float t = apart * exactReciprocal(closes ? closing : 1.0f);
-  return closes ? clamp(t, low, high) : low;
+  precise float within = low + 2.0f;
+  precise float early = low - 1.0f;
+  return closes && t > early ? clamp(t, low, high) : within;
 }
 
 FUNCTION MirrorHit followMirrored(MirrorWay way) {
@@ -173,7 +199,7 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
     t = behind && level > 0 ? t : next;
     level = behind ? max(level - 1, 0) : min(level + 1, lastLevel);
   }
-  MirrorHit hit = MirrorHit(0.0f, 0.0f);
+  MirrorHit hit = MirrorHit(0.0f, 0.0f, 0.0f);
   for (int i = met.x >= 0 ? 0 : 1; i < 1; ++i) {
     precise float before = metNearest - metDeep;
 #ifdef PARALLEL
@@ -181,15 +207,20 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
 #else
     precise float thick = mirrorReach_.y * metNearest * before;
 #endif
-    precise float part = metDeep * exactReciprocal(max(thick, 1e-18f));
-    precise float counts = 1.0f - easedBetween(part);
-    hit.at = meetingPlane(way, met, metNearest, metFrom, metUntil);
+    vec2 slope = slopesAt(met, metNearest);
+    hit.at = meetingPlane(way, met, metNearest, slope, metFrom, metUntil);
+    hit.spread = spreadAt(way, hit.at);
+    precise float slopes = abs(slope.x) + abs(slope.y);
+    precise float deep = metDeep - min(slopes, partOf(metNearest, 0.01f));
+    precise float part = deep * (1.0f + 16.0f * hit.spread) * exactReciprocal(max(thick, 1e-18f));
+    precise float bent = (hit.spread - 0.125f) * 1.6f;
+    precise float counts = (1.0f - easedBetween(part)) * (1.0f - easedBetween(bent));
     hit.counts = counts;
   }
   return hit;
 }
 
-// The mean of four cells around a place (pixels), of a level.
+// The mean of four cells around a place (half pixels), of a level.
 FUNCTION vec4 litAround(int level, vec2 place) {
   precise float perCell = intBitsToFloat((127 - level) << 23);
   precise vec2 at = place * perCell - 0.5f;
@@ -205,7 +236,7 @@ FUNCTION vec4 litAround(int level, vec2 place) {
 }
 
 // Light that the ray brings from what is seen, and in w how much of it that is: the rest comes from the surroundings. With a
-// rough mirror the mean of as many pixels as half its lobe is wide there: 2 roughness^2 a metre of the way.
+// rough mirror the mean of what half its lobe is as wide as there: 2 roughness^2 a metre of the way.
 FUNCTION vec4 lightMirrored(MirrorWay way, MirrorHit hit, float roughness) {
   precise vec2 q = way.from + way.along * hit.at;
   precise vec2 size = 0.5f * vec2(view.size);
@@ -217,16 +248,16 @@ FUNCTION vec4 lightMirrored(MirrorWay way, MirrorHit hit, float roughness) {
   precise float counts = way.counts * hit.counts * easedBetween(inwards) * (1.0f - easedBetween(part));
   float perAcross = exactInverseSqrt(exactDot(vec3(view.rayAcross), vec3(view.rayAcross)));
 #ifdef PARALLEL
-  precise float wide = 2.0f * roughness * roughness * metres * perAcross;
+  precise float wide = roughness * roughness * metres * perAcross;  // half pixels
 #else
-  precise float wide = 2.0f * roughness * roughness * metres * perAcross * max(there, 0.0f);
+  precise float wide = roughness * roughness * metres * perAcross * max(there, 0.0f);
 #endif
-  precise float doublings = exactLog(clamp(wide, 1.0f, 32.0f)) * 1.44269504f;
+  precise float spread = wide + hit.spread;
+  precise float doublings = exactLog(clamp(spread, 1.0f, 32.0f)) * 1.44269504f;
   float held = clamp(doublings, 0.0f, float(lastLevel));
   int level = min(int(held), lastLevel - 1);
   precise float share = held - float(level);
-  precise vec2 place = 2.0f * q;
-  vec4 fine = litAround(level, place), coarse = litAround(level + 1, place);
+  vec4 fine = litAround(level, q), coarse = litAround(level + 1, q);
   precise vec4 light = (fine + (coarse - fine) * share) * counts;
   return light;
 }

@@ -8,18 +8,19 @@ layout(r32f, binding = nearnessImage) readonly restrict uniform imageBuffer near
 layout(rgba32f, binding = litImage) readonly restrict uniform imageBuffer litLevels;
 uniform vec2 mirrorReach;  // m: how far rays go, and how thick things are
 vec2 mirrorReach_ = once(mirrorReach);
-ivec2 nearestRoom = levelRoom((view.size + 1) / 2), litRoom = levelRoom(view.size);
-vec3 facing_ = vec3(0);  // of the surface that is shaded, without bumps
+ivec2 halfSize = (view.size + 1) / 2, room = levelRoom(halfSize);
+vec3 facing_ = vec3(0);  // of the surface that is shaded, without bumps,
+float turns_ = 0.0f;     // and by how much it turns from a half pixel to the next (radians)
 
 float nearestAt(int level, ivec2 at) {
-  ivec2 held = clamp(at, ivec2(0), levelSize((view.size + 1) / 2, level) - 1);
-  float found = imageLoad(nearestLevels, levelPlace(nearestRoom, level, held)).x;
+  ivec2 held = clamp(at, ivec2(0), levelSize(halfSize, level) - 1);
+  float found = imageLoad(nearestLevels, levelPlace(room, level, held)).x;
   return held == at ? found : 0.0f;
 }
 
 vec4 litAt(int level, ivec2 at) {
-  ivec2 held = clamp(at, ivec2(0), levelSize(view.size, level) - 1);
-  vec4 found = imageLoad(litLevels, levelPlace(litRoom, level, held));
+  ivec2 held = clamp(at, ivec2(0), levelSize(halfSize, level) - 1);
+  vec4 found = imageLoad(litLevels, levelPlace(room, level, held));
   return held == at ? found : vec4(0.0f);
 }
 #include "draw/exact/reflections/mirrored_way.glsl"
@@ -27,7 +28,7 @@ vec4 litAt(int level, ivec2 at) {
 // In loops, which end at once where there is nothing: software drivers run both sides of a branch.
 vec4 lightMet(vec3 p, vec3 direction, vec3 towards, float roughness) {
   vec4 light = vec4(0.0f);
-  MirrorWay way = mirrorWay(p, direction, facing_, towards, roughness);
+  MirrorWay way = mirrorWay(p, direction, facing_, towards, turns_, roughness);
   for (int i = way.counts > 0.0f ? 0 : 1; i < 1; ++i) {
     MirrorHit hit = followMirrored(way);
     for (int j = hit.counts > 0.0f ? 0 : 1; j < 1; ++j) light = lightMirrored(way, hit, roughness);

@@ -164,6 +164,7 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
 #endif
 #ifdef REFLECTED
   facing_ = spot.turned ? -spot.normal : spot.normal;
+  turns_ = turnsOn(spot);
 #endif
   light = light + allLight(look, spot.place, normal, spot.view, fraction);
 #if defined COAT && !defined SHOWN
@@ -196,6 +197,16 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   return vec4(light, 1.0f);
 #endif
 }
+
+#ifdef REFLECTED
+uint partOfThing(uint number) {
+#ifdef JOINED
+  return uint(ownerOf(number));
+#else
+  return 0u;
+#endif
+}
+#endif
 
 void main() {
   lightTile(firstId_, uint(trianglesToDraw()));

@@ -3,13 +3,15 @@
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 
+#include <cstddef>
+
 #include <glm/vec2.hpp>
 
 namespace simreel::draw {
 
 /// What mirrors show of the picture that they are seen in, beside the surroundings
 /// (glsl/draw/exact/reflections/mirrored_way.glsl): its light as it is shaded without that, and how near
-/// things are, both in levels of half the size of the one before. 25 bytes a pixel.
+/// things are, both at half its size, and in levels of half the size of the one before. 8 bytes a pixel.
 class Reflections {
  public:
   /// Throws UserError(device) where the device has no such buffers.
@@ -21,20 +23,19 @@ class Reflections {
   void bind() const;
   /// What those are told: how far away what is mirrored may be, and how thick it is (m), where the camera
   /// looks at something `away` (m).
-  [[nodiscard]] static glm::vec2 reachOf(float away) { return {away, away / 12.0F}; }
+  [[nodiscard]] static glm::vec2 reachOf(float away) { return {away, away / 24.0F}; }
 
  private:
+  /// Of half pixels.
   struct Levels {
-    Levels(const char* label, GLenum format, std::size_t bytes, glm::ivec2 size);
-    glm::ivec2 size;  ///< of level 0
+    Levels(const char* label, GLenum format, std::size_t bytes, glm::ivec2 half);
     gl::Buffer buffer;
     gl::Texture view;
   };
-  /// `image`: where kernels read levels.
-  static void fill(const Levels& levels, GLuint image, const gl::Program& first, const gl::Program& next);
 
+  glm::ivec2 size_;
   Levels light_, nearest_;
-  gl::Program firstLight_, nextLight_, firstNearest_, nextNearest_;
+  gl::Program first_, next_;
 };
 
 }  // namespace simreel::draw
