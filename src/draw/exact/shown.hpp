@@ -14,7 +14,8 @@ inline constexpr int shownReflections = -1;
 [[nodiscard]] inline gl::Defines showing(gl::Defines defines, int layer) {
   if (layer == 0) return defines;
   if (layer == shownReflections) {
-    std::erase_if(defines, [](const auto& define) { return define.first == "SHADOW" || define.first == "LAMPS"; });
+    std::erase_if(defines,
+                  [](const auto& define) { return define.first == "SHADOW" || define.first == "LAMPS"; });
     defines.emplace_back("REFLECTED", "1");
     return defines;
   }

@@ -130,7 +130,8 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
     findOpenness(values, watch);
   }
   sums.bindImage(sumImage, GL_READ_WRITE);
-  tiles.list(firstIds, visibility, groundPlace(values), ExactInstances::anyAdd(drawables) || layerKeeper || layered);
+  tiles.list(firstIds, visibility, groundPlace(values),
+             ExactInstances::anyAdd(drawables) || layerKeeper || layered);
   if (layerKeeper) keepLayers(values);
   if (passes != nullptr) keepVisibility(rows);
   if (rays) rays->bind();

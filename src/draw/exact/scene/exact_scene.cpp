@@ -123,7 +123,8 @@ void ExactScene::State::makeGround() {
   if (shown.ground.roughness < 0.6F) defines.emplace_back("REFLECTIVE", "1");
   litGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);
   if (occludes() && mirrorsScene(shown.ground.roughness))
-    mirrorGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", showing(defines, shownReflections));
+    mirrorGround =
+        gl::Program::compute("draw/exact/tiles/shade_ground.comp", showing(defines, shownReflections));
   if (!shadow.on()) return;
   defines.emplace_back("SHADOWED", "1");
   shadedGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);

@@ -124,12 +124,12 @@ struct ExactScene::State {
   std::optional<LampMaps> lampMaps;
   ShadedTiles tiles;
   Occlusion occlusion;
-  float occlusionRadius = 0;  ///< of this picture (m)
+  float occlusionRadius = 0;               ///< of this picture (m)
   std::optional<Reflections> reflections;  ///< from the first picture on that has mirrors
   bool mirrors = false;                    ///< some of this picture show the scene
   std::optional<ShadedTiles> again;        ///< of bands that are found once more for them,
   gl::Texture unused;                      ///< where layers' light goes then
-  float white = 1;            ///< light that it shows as white
+  float white = 1;                         ///< light that it shows as white
   SurfaceShading surfaces;
   ApartSurfaces apart;
   unsigned numbers = 0;  ///< that have been given in this band

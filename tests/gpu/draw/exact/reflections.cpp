@@ -62,8 +62,12 @@ ReflectionsTwin mirrorTwinOf(const shader::ExactView& view, const MirrorSeen& se
 
 ReflectionsTwin::Ray mirroredRay(const shader::ExactView& view, glm::dvec3 p, glm::dvec3 normal) {
   const glm::dvec3 towards = glm::normalize(glm::dvec3(view.eye) - p);
-  return {glm::vec3(p), glm::vec3(2 * glm::dot(normal, towards) * normal - towards), glm::vec3(normal),
-          glm::vec3(towards), 0, 0};
+  return {glm::vec3(p),
+          glm::vec3(2 * glm::dot(normal, towards) * normal - towards),
+          glm::vec3(normal),
+          glm::vec3(towards),
+          0,
+          0};
 }
 
 /// Where a ray meets a ball, or nothing.
@@ -84,7 +88,7 @@ struct MirrorJudged {
 };
 
 MirrorJudged judgeMirror(const ReflectionsTwin& twin, const MirrorSeen& seen,
-             const std::function<std::optional<double>(glm::dvec3 p, glm::dvec3 ray)>& truth) {
+                         const std::function<std::optional<double>(glm::dvec3 p, glm::dvec3 ray)>& truth) {
   MirrorJudged judged;
   const shader::ExactView& view = twin.view;
   for (int y = 0; y < view.size.y; ++y)
@@ -127,16 +131,17 @@ TEST_CASE("reflections: in a plane mirror a wall is where its mirror image is") 
     return MirrorMet{ray.z < 0 ? wall : 0, false};
   };
   const ReflectionsTwin twin = mirrorTwinOf(view, seen, 4);
-  const MirrorJudged judged = judgeMirror(twin, seen, [&](glm::dvec3 p, glm::dvec3 ray) -> std::optional<double> {
-    const double t = (-1 - p.z) / ray.z;
-    const glm::dvec3 met = p + t * ray;
-    const std::optional<glm::dvec2> pixel = draw::pixelOf(view, met);
-    const glm::dvec2 inner = 0.12 * mirrorPicture.y * glm::dvec2(1);
-    if (!pixel || pixel->x < inner.x || pixel->y < inner.y || pixel->x > mirrorPicture.x - inner.x ||
-        t > 1.8 || glm::distance(met, p) < 0.1)
-      return std::nullopt;
-    return t;
-  });
+  const MirrorJudged judged =
+      judgeMirror(twin, seen, [&](glm::dvec3 p, glm::dvec3 ray) -> std::optional<double> {
+        const double t = (-1 - p.z) / ray.z;
+        const glm::dvec3 met = p + t * ray;
+        const std::optional<glm::dvec2> pixel = draw::pixelOf(view, met);
+        const glm::dvec2 inner = 0.12 * mirrorPicture.y * glm::dvec2(1);
+        if (!pixel || pixel->x < inner.x || pixel->y < inner.y || pixel->x > mirrorPicture.x - inner.x ||
+            t > 1.8 || glm::distance(met, p) < 0.1)
+          return std::nullopt;
+        return t;
+      });
   CAPTURE(judged.worst);
   CAPTURE(judged.mean);
   // A pixel is 0.02 m wide there.
@@ -156,14 +161,15 @@ TEST_CASE("reflections: a ball over a plane mirror is where its mirror image is"
   };
   const ReflectionsTwin twin = mirrorTwinOf(view, seen, 4);
   int hidden = 0;  // what the mirror sees of the ball and the eye does not
-  const MirrorJudged judged = judgeMirror(twin, seen, [&](glm::dvec3 p, glm::dvec3 ray) -> std::optional<double> {
-    const auto t = rayOnBall(p, ray, middle, radius);
-    if (!t) return std::nullopt;
-    const glm::dvec3 there = p + *t * ray;
-    if (glm::dot(there - middle, glm::dvec3(view.eye) - there) > 0.1 * radius) return t;
-    ++hidden;
-    return std::nullopt;
-  });
+  const MirrorJudged judged =
+      judgeMirror(twin, seen, [&](glm::dvec3 p, glm::dvec3 ray) -> std::optional<double> {
+        const auto t = rayOnBall(p, ray, middle, radius);
+        if (!t) return std::nullopt;
+        const glm::dvec3 there = p + *t * ray;
+        if (glm::dot(there - middle, glm::dvec3(view.eye) - there) > 0.1 * radius) return t;
+        ++hidden;
+        return std::nullopt;
+      });
   CAPTURE(judged.worst);
   CAPTURE(judged.mean);
   CAPTURE(judged.missed);
@@ -179,7 +185,9 @@ TEST_CASE("reflections: a ball over a plane mirror is where its mirror image is"
 
 TEST_CASE("reflections: a flat mirror, a lone ball and what is far away or matt bring nothing") {
   const shader::ExactView view = exactViewFrom({0.3F, 0.5F, 3}, {0, 0.2F, -0.6F}, mirrorPicture);
-  const MirrorSeen flat = [](glm::dvec3 eye, glm::dvec3 ray) { return MirrorMet{ray.y < 0 ? -eye.y / ray.y : 0, true}; };
+  const MirrorSeen flat = [](glm::dvec3 eye, glm::dvec3 ray) {
+    return MirrorMet{ray.y < 0 ? -eye.y / ray.y : 0, true};
+  };
   const ReflectionsTwin floor = mirrorTwinOf(view, flat, 3);
   const MirrorJudged judged = judgeMirror(floor, flat, [](glm::dvec3, glm::dvec3) { return std::nullopt; });
   CHECK(judged.invented == 0);
@@ -245,7 +253,8 @@ TEST_CASE("exact: reflections are the twin's, bit for bit") {
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x) {
         const float there = seen(eye, mirrorRayThrough(view, {x + 0.5, y + 0.5})).depth > 0 ? 1.0F : 0.0F;
-        light.push_back(there * glm::vec4(0.01F * static_cast<float>(x), 0.3F, 0.02F * static_cast<float>(y), 1));
+        light.push_back(there *
+                        glm::vec4(0.01F * static_cast<float>(x), 0.3F, 0.02F * static_cast<float>(y), 1));
       }
     twin.see(nearness, light);
     for (int y = 0; y < size.y; ++y)
@@ -253,7 +262,8 @@ TEST_CASE("exact: reflections are the twin's, bit for bit") {
         const glm::dvec3 through = mirrorRayThrough(view, {x + 0.5, y + 0.5});
         const MirrorMet met = seen(eye, through);
         const glm::dvec3 p = eye + std::max(met.depth, 0.5) * through;
-        const glm::dvec3 normal = met.mirror ? glm::dvec3(0, 1, 0) : glm::normalize(p - glm::dvec3(0.1, 0.45, -0.3));
+        const glm::dvec3 normal =
+            met.mirror ? glm::dvec3(0, 1, 0) : glm::normalize(p - glm::dvec3(0.1, 0.45, -0.3));
         ReflectionsTwin::Ray ray = mirroredRay(view, p, normal);
         ray.roughness = 0.06F * static_cast<float>((x + y) % 8);
         ray.turns = 0.003F * static_cast<float>(x % 7);
@@ -312,8 +322,8 @@ struct MirrorStage {
   explicit MirrorStage(scene::Quality quality)
       : wall({{-2, -0.1F, -1}, {2, -0.1F, -1.2F}, {-2, 1.6F, -1}, {2, 1.5F, -1.2F}}, {0, 1, 2, 2, 1, 3},
              std::vector<glm::vec3>(4, glm::vec3(0, 0, 1))),
-        pane({{-0.4F, 0.05F, 1}, {0.5F, 0.05F, 1}, {-0.4F, 0.7F, 1}, {0.5F, 0.8F, 1.1F}}, {0, 1, 2, 2, 1, 3},
-             std::vector<glm::vec3>(4, glm::vec3(0, 0, 1))),
+        pane({{-0.4F, 0.05F, 1}, {0.5F, 0.05F, 1}, {-0.4F, 0.7F, 1}, {0.5F, 0.8F, 1.1F}},
+             {0, 1, 2, 2, 1, 3}, std::vector<glm::vec3>(4, glm::vec3(0, 0, 1))),
         matt({{0.5F, 0.4F, 0.2F}, {-0.6F, 0.3F, -0.5F}}),
         chrome({{-0.1F, 0.35F, 0.1F}, {1.1F, 0.3F, -0.3F}}) {
     scene.render.rasterizer = scene::Rasterizer::exact;
