@@ -94,8 +94,9 @@ void Render::describe(Fields& fields) {
   fields.choice(
       "quality", quality, {"draft", "standard", "high"},
       "standard: creases, folds and what stands close together get less light from around them "
-      "(ambient occlusion), by what is in the picture. high: rays find the light, with soft shadows, one "
-      "bounce, and mirrors that show the scene. The driver's rasterizer knows draft alone.");
+      "(ambient occlusion), and flat mirrors show what is near them, both by what is in the picture. "
+      "high: rays find the light, with soft shadows, one bounce, and mirrors that show the scene. The "
+      "driver's rasterizer knows draft alone.");
   fields.leftOut("quality", "draft, or standard on a stage");
   hasQuality = fields.given("quality");
   fields.optionalNumber("occlusionRadius", occlusionRadius, positive, "m",

@@ -17,8 +17,9 @@ const int tileListBinding = 5, dispatchBinding = 6, drawArgumentBinding = 7;
 const int fanBinding = 8, binBinding = 9, nodeBinding = 10, cornerBinding = 11;
 const int outNormalBinding = 5;
 const int throughBinding = 12;
-const int halfPixelBinding = 0;  // of what kernels of occlusion make
+const int halfPixelBinding = 0;  // of what kernels of occlusion and reflections make
+const int litBinding = 1;
 // Images.
 const int sumImage = 0, pictureImage = 1, lightImage = 2, scatteredImage = 3;
-const int nearnessImage = 4, arcImage = 5, opennessImage = 6;
+const int nearnessImage = 4, arcImage = 5, opennessImage = 6, litImage = 7;
 #endif

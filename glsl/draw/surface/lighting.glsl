@@ -1,6 +1,7 @@
 // Light that a metal/rough surface under sun, sky and lamps sends to the eye. Variants: TRANSLUCENT, REFLECTIVE, LAMPS.
 // SHEEN: fibres stand up from it, of the colour sheen_ and the roughness sheenRoughness_. JOINED: of surfaces of which some are such; `mirrors` says whether this one is REFLECTIVE.
-// SHOWN: instead of light the normal (1) or the base colour (2). Compiles as GLSL and as C++.
+// SHOWN: instead of light the normal (1) or the base colour (2). REFLECTED: what changes of it where rays from the place bring light of
+// what the picture shows instead of the surroundings' (draw/exact/reflections). Compiles as GLSL and as C++.
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
 #ifdef SHEEN
@@ -66,11 +67,41 @@ FUNCTION vec3 surfaceLight(Look look, vec3 normal, vec3 view, float fraction) {
   return light;
 }
 
+#ifdef REFLECTED
+// (F0 x + y) (met - openness sky) of what the mirrored ray meets, by how much of it that is.
+FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
+  vec3 light = vec3(0);
+#ifdef REFLECTIVE
+#ifdef JOINED
+  bool smooth_ = mirrors && look.roughness < mirrorRough;
+#else
+  bool smooth_ = look.roughness < mirrorRough;
+#endif
+  float nv = dotted(normal, view);
+  ROUNDED vec3 direction = 2.0f * nv * normal - view;
+  vec4 met = vec4(0);
+  for (int i = smooth_ ? 0 : 1; i < 1; ++i) met = lightMet(p, direction, view, look.roughness);
+  vec2 weight = ambientLobe(look.roughness, abs(nv));
+  vec3 around = skyMirrored(direction, look.roughness);
+  ROUNDED vec3 change = (mirrorPart(look) * weight.x + weight.y) * (vec3(met) - met.w * look.openness * around);
+  light = change;
+#endif
+  return light;
+}
+#endif
+
 // The same with the scene's lamps; p: where they are looked up from.
 FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction) {
 #ifdef SHOWN
   return SHOWN == 1 ? normal : look.base;
 #endif
+#ifdef REFLECTED
+  vec3 light = reflectedChange(look, p, normal, view);
+#ifdef SHEEN
+  light = underFibres(light, vec3(0), vec3(0), sheen_, sheenRoughness_, abs(dotted(normal, view)));
+#endif
+  return light;
+#else
   vec3 light = surfaceLight(look, normal, view, fraction);
 #ifdef LAMPS
   LampLight lamps = lampLight(p, normal, view, look.roughness, look.translucency);
@@ -87,4 +118,5 @@ FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction
   light = underFibres(light, fibres, around, sheen_, sheenRoughness_, abs(dotted(normal, view)));
 #endif
   return light;
+#endif
 }

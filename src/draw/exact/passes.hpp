@@ -18,7 +18,7 @@ namespace simreel::draw {
 ///                 included
 ///     shadow      the maps of the sun and of the lamps; with quality "standard", how open half the
 ///                 picture's pixels are, and how near
-///     light       of what is opaque, per pixel
+///     light       of what is opaque, per pixel; with quality "standard", reflections included
 ///     glow        the same with what adds light, then with fields that lie behind the scene
 ///     bloom       what is scattered around bright places
 ///     picture     bytes: after lens and film, then with fields, axes and charts over it

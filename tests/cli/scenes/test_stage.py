@@ -5,7 +5,7 @@ from common import SOURCE, Case, main, png_rows, unfiltered
 class Stage(Case):
     def test_pictures_of_scenes_of_one_line(self):
         done = self.good("test", str(SOURCE / "tests/cli/scenes/stage"), "--repeat", "1")
-        self.assertIn("19 scenes: 19 passed", done.stdout.decode())
+        self.assertIn("20 scenes: 20 passed", done.stdout.decode())
 
 
     def test_what_the_driver_cannot_do_is_said(self):

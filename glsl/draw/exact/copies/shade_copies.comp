@@ -1,5 +1,6 @@
 // Light of copies of a mesh on their tiles: each triangle of a pixel once, in the pixel's middle if that is on it, else at the
-// first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS), OCCLUSION, RAYS. SAMPLES.
+// first of its samples. Variants: those of draw/surface/lighting.glsl, SHADOW (with SHADOW_TAPS), OCCLUSION,
+// REFLECTED, RAYS. SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "draw/exact/tiles/lit_tile.glsl"
@@ -9,6 +10,7 @@
 #include "draw/exact/weights.glsl"
 #include "draw/instances/instance_list.glsl"
 #include "draw/exact/occlusion/openness_read.glsl"
+#include "draw/exact/reflections/reflections_read.glsl"
 #include "draw/surface/lighting.glsl"
 #ifdef SHADOW
 #include "draw/exact/shadows/sun_map.glsl"
@@ -63,8 +65,28 @@ vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
 #endif
   precise vec3 towards = -directionOf(ray);
   vec3 tint = tintOf(texelFetch(positions, slot), texelFetch(velocities, slot));
-  return vec4(allLight(Look(tint, material_.x, material_.y, material_.z, opennessOn(pixel, p)), p, normal, unitOf(towards), fraction), 1.0f);
+  Look look = Look(tint, material_.x, material_.y, material_.z, opennessOn(pixel, p));
+#ifdef REFLECTED
+  facing_ = normal;
+  for (int i = 0; i < 2; ++i) {
+    precise vec2 there = place + vec2(i == 0 ? 2.0f : 0.0f, i == 0 ? 0.0f : 2.0f);
+    vec3 v = ofSumOne(weightsAround(a, b, c, there));
+    precise vec3 next = v.x * normalOf(copy, corners.x) + v.y * normalOf(copy, corners.y) + v.z * normalOf(copy, corners.z);
+    vec3 nextNormal = unitOf(next);
+    precise vec3 turned = (weights.turned ? -nextNormal : nextNormal) - normal;
+    turns_ = max(turns_, exactSqrt(exactDot(turned, turned)));
+  }
+  return vec4(allLight(look, p, normal, unitOf(towards), fraction), 0.0f);
+#else
+  return vec4(allLight(look, p, normal, unitOf(towards), fraction), 1.0f);
+#endif
 }
+
+#ifdef REFLECTED
+uint partOfThing(uint number) {
+  return (number - firstId_) / triangles_;
+}
+#endif
 
 void main() {
   lightTile(firstId_, uint(capacity_) * triangles_);

@@ -1,7 +1,7 @@
 // Light of balls on their tiles: each one of a pixel once, in the pixel's middle if that is on it, else at the first of its
 // samples. Those of few pixels are lit at four corners of a square of their outlines' area, as the driver's are
 // (draw/instances/small_sprites.comp): else they would twinkle. Variants: those of draw/surface/lighting.glsl, SHADOW (with
-// SHADOW_TAPS), OCCLUSION, RAYS. SAMPLES.
+// SHADOW_TAPS), OCCLUSION, REFLECTED (not of those of few pixels), RAYS. SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "draw/exact/tiles/lit_tile.glsl"
@@ -10,6 +10,7 @@
 #include "draw/instances/instance_list.glsl"
 #include "draw/surface/facing.glsl"
 #include "draw/exact/occlusion/openness_read.glsl"
+#include "draw/exact/reflections/reflections_read.glsl"
 #include "draw/surface/lighting.glsl"
 #ifdef SHADOW
 #include "draw/exact/shadows/sun_map.glsl"
@@ -76,6 +77,23 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   Look look = Look(tint, material_.x, material_.y, material_.z, opennessOn(pixel, lit));
   precise float perHalf = 1.1283792f * exactReciprocal(ball.radius);
   vec3 firstNormal = unitOf(place.outwards);
+#ifdef REFLECTED
+  facing_ = firstNormal;
+  // A half pixel is so wide there (m), and farther on the ball the more that turns away.
+  precise vec3 aside = lit - view.eye.xyz;
+#ifdef PARALLEL
+  const float depth = 1.0f;
+#else
+  float depth = exactDot(view.forward.xyz, aside);
+#endif
+  precise float wide = 2.0f * depth * exactSqrt(exactDot(view.rayAcross.xyz, view.rayAcross.xyz));
+  precise float along = ball.radius * max(exactDot(firstNormal, towards), 0.05f);
+  precise float turn = wide * exactReciprocal(along);
+  turns_ = turn;
+  vec3 change = vec3(0.0f);
+  for (int i = small ? 1 : 0; i < 1; ++i) change = allLight(look, lit, firstNormal, towards, fraction);
+  return vec4(change, 0.0f);
+#endif
   precise vec3 light = vec3(0.0f);
   int corners = small ? 4 : 1;
   for (int i = 0; i < corners; ++i) {
@@ -88,6 +106,12 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   }
   return vec4(light, 1.0f);
 }
+
+#ifdef REFLECTED
+uint partOfThing(uint number) {
+  return number;
+}
+#endif
 
 void main() {
   lightTile(firstId_, uint(capacity_));

@@ -1,6 +1,6 @@
 // Light of one surface on its tiles: each primitive of a pixel once, in the pixel's middle if that is on it, else at the
 // first of its samples. JOINED: of several surfaces that have nothing laid over them. Variants: those of draw/surface/lighting.glsl,
-// SHADOW (with SHADOW_TAPS), OCCLUSION, RAYS, PALETTE, VERTEX_COLORS, DOUBLE_SIDED, TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of
+// SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED, RAYS, PALETTE, VERTEX_COLORS, DOUBLE_SIDED, TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of
 // a GRID or a mesh, or TRIPLANAR; maps (surface_maps.glsl), EMISSION, COAT, SHEEN. BLENDED: of a layer. SAMPLES.
 #define EXACT_PICTURE
 #include "common/once.glsl"
@@ -14,6 +14,7 @@ bool mirrors = false, bothSides = false;  // of the surface that is being shaded
 #include "draw/exact/triangles/surface_triangle.glsl"
 #include "draw/exact/surface/surface_spot.glsl"
 #include "draw/exact/occlusion/openness_read.glsl"
+#include "draw/exact/reflections/reflections_read.glsl"
 #ifdef SHEEN
 uniform vec3 sheen;
 vec3 sheen_ = once(sheen);
@@ -158,8 +159,12 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
 #ifdef RAYS
   keepSurfaceSpot(spot, look, normal, firstSample(pixel) + sampleAt, owner_, clear_);
 #else
-#ifdef SHOWN
+#if defined SHOWN || defined REFLECTED
   light = vec3(0);  // its own
+#endif
+#ifdef REFLECTED
+  facing_ = spot.turned ? -spot.normal : spot.normal;
+  turns_ = turnsOn(spot);
 #endif
   light = light + allLight(look, spot.place, normal, spot.view, fraction);
 #if defined COAT && !defined SHOWN
@@ -186,10 +191,22 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   alpha = there;
 #endif
   return vec4(light, alpha);
+#elif defined REFLECTED
+  return vec4(light, 0.0f);
 #else
   return vec4(light, 1.0f);
 #endif
 }
+
+#ifdef REFLECTED
+uint partOfThing(uint number) {
+#ifdef JOINED
+  return uint(ownerOf(number));
+#else
+  return 0u;
+#endif
+}
+#endif
 
 void main() {
   lightTile(firstId_, uint(trianglesToDraw()));

@@ -2,6 +2,9 @@
 //
 // Software drivers compute a vector of invocations for as long as one of them has something to do, and pixels show one to four
 // primitives. So there an invocation takes one primitive after the other of all its pixels, and is hardly ever idle.
+//
+// REFLECTED: what reflections change is found once for the four pixels of a half pixel, of each part of the thing at the first sample
+// that shows it: uint partOfThing(number) says which belong together.
 #include "draw/exact/tiles/shaded_tile.glsl"
 
 vec4 lightOf(ivec2 pixel, uint number, int firstSample);
@@ -20,8 +23,48 @@ int firstToLight(PixelIds shown, int left) {
 #endif
 }
 
+#ifdef REFLECTED
+#include "draw/exact/tiles/half_tile.glsl"
+uint partOfThing(uint number);
+
+// A bit for each sample of these that shows that part.
+int samplesOfPart(PixelIds shown, int left, uint part) {
+  int same = 0;
+  for (int s = 0; s < SAMPLES; ++s) same |= (left >> s & 1) != 0 && partOfThing(shown.of[s]) == part ? 1 << s : 0;
+  return same;
+}
+#endif
+
 // Of what has `numbers` numbers from firstId on.
-#if ROWS == 1
+#ifdef REFLECTED
+void lightTile(uint firstId, uint numbers) {
+  ivec2 corner = tileToShade();
+  if (corner.x < 0) return;
+  for (int i = int(gl_LocalInvocationIndex); i < halfPixels; i += 64 / ROWS) {
+    ivec4 left = ivec4(0);
+    for (int k = 0; k < 4; ++k) {
+      ivec2 pixel = pixelOfHalf(corner, i, k);
+      if (inPicture(pixel)) left[k] = samplesOf(idsOf(pixel), firstId, numbers);
+    }
+    while ((left.x | left.y | left.z | left.w) != 0) {
+      uint least = emptyId;
+      for (int k = 0; k < 4; ++k) {
+        if (left[k] == 0) continue;
+        PixelIds shown = idsOf(pixelOfHalf(corner, i, k));
+        for (int s = 0; s < SAMPLES; ++s) least = (left[k] >> s & 1) != 0 ? min(least, shown.of[s]) : least;
+      }
+      ivec4 same = ivec4(0);
+      uint part = partOfThing(least);
+      for (int k = 0; k < 4; ++k)
+        if (left[k] != 0) same[k] = samplesOfPart(idsOf(pixelOfHalf(corner, i, k)), left[k], part);
+      int k = firstOf(same), s = findLSB(same[k]);
+      ivec2 pixel = pixelOfHalf(corner, i, k);
+      addToHalf(corner, i, lightOf(pixel, idAt(pixel, s) - firstId, s), same);
+      left &= ~same;
+    }
+  }
+}
+#elif ROWS == 1
 void lightTile(uint firstId, uint numbers) {
   ivec2 corner = tileToShade(), pixel = pixelOf(corner, 0);
   if (corner.x < 0 || !inPicture(pixel)) return;

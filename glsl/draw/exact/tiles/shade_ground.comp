@@ -1,9 +1,13 @@
-// Light of the ground on its tiles. Variants: SHADOWED (with SHADOW_TAPS), REFLECTIVE, LAMPS, OCCLUSION, RAYS. SAMPLES.
+// Light of the ground on its tiles. Variants: SHADOWED (with SHADOW_TAPS), REFLECTIVE, LAMPS, OCCLUSION, REFLECTED, RAYS. SAMPLES.
 #define EXACT_PICTURE
 #include "draw/exact/tiles/shaded_tile.glsl"
 #include "draw/exact/ground_plane.glsl"
 #include "draw/exact/occlusion/openness_read.glsl"
+#include "draw/exact/reflections/reflections_read.glsl"
 #include "draw/surface/ground_light.glsl"
+#ifdef REFLECTED
+#include "draw/exact/tiles/half_tile.glsl"
+#endif
 #ifdef SHADOWED
 #include "draw/exact/shadows/sun_map.glsl"
 #endif
@@ -12,15 +16,16 @@
 #include "draw/exact/rays/ground_ray.glsl"
 #endif
 
-void lightGround(ivec2 pixel) {
+int samplesOfGround(ivec2 pixel) {
   PixelIds shown = idsOf(pixel);
-  int samples = 0, first = 0;
-  for (int s = SAMPLES - 1; s >= 0; --s)
-    if (shown.of[s] == groundId) {
-      samples |= 1 << s;
-      first = s;
-    }
-  if (samples == 0) return;
+  int samples = 0;
+  for (int s = 0; s < SAMPLES; ++s) samples |= shown.of[s] == groundId ? 1 << s : 0;
+  return samples;
+}
+
+// Of a pixel of which these samples show it.
+vec4 lightGround(ivec2 pixel, int samples) {
+  int first = findLSB(samples);
   vec3 ray = rayThrough(shadingPlace(pixel, -1));
   float depth = groundDepth(ray);
   if (depth < view.near) {
@@ -37,24 +42,40 @@ void lightGround(ivec2 pixel) {
   float alpha = groundAlpha(p);
   keepSpot(firstSample(pixel) + first, p, vec3(0, 1, 0), vec3(0, 1, 0), frame.groundColor.rgb,
            vec3(frame.groundRoughness, 0.0f, 0.0f), alpha);
-  addLight(pixel, vec4(0.0f, 0.0f, 0.0f, alpha), samples);
-  return;
+  return vec4(0.0f, 0.0f, 0.0f, alpha);
 #endif
   precise vec3 towards = -directionOf(ray);
+#ifdef REFLECTED
+  facing_ = vec3(0, 1, 0);
+#endif
 #ifdef SHOWN
   float there = groundLight(p, unitOf(towards), fraction, 1.0f).a;
   precise vec3 value = (SHOWN == 1 ? vec3(0, 1, 0) : frame.groundColor.rgb) * there;
-  addLight(pixel, vec4(value, there), samples);
-  return;
+  return vec4(value, there);
 #endif
-  addLight(pixel, groundLight(p, unitOf(towards), fraction, opennessOn(pixel, p)), samples);
+  return groundLight(p, unitOf(towards), fraction, opennessOn(pixel, p));
 }
 
 void main() {
   ivec2 corner = tileToShade();
   if (corner.x < 0) return;
+#ifdef REFLECTED
+  // Once for the four pixels of a half pixel.
+  for (int i = int(gl_LocalInvocationIndex); i < halfPixels; i += 64 / ROWS) {
+    ivec4 samples = ivec4(0);
+    for (int k = 0; k < 4; ++k) {
+      ivec2 pixel = pixelOfHalf(corner, i, k);
+      if (inPicture(pixel)) samples[k] = samplesOfGround(pixel);
+    }
+    if ((samples.x | samples.y | samples.z | samples.w) == 0) continue;
+    int k = firstOf(samples);
+    addToHalf(corner, i, lightGround(pixelOfHalf(corner, i, k), samples[k]), samples);
+  }
+#else
   for (int i = 0; i < ROWS; ++i) {
     ivec2 pixel = pixelOf(corner, i);
-    if (inPicture(pixel)) lightGround(pixel);
+    int samples = inPicture(pixel) ? samplesOfGround(pixel) : 0;
+    if (samples != 0) addLight(pixel, lightGround(pixel, samples), samples);
   }
+#endif
 }

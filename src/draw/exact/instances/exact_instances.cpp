@@ -111,7 +111,7 @@ const gl::Program& ExactInstances::shading(const char* path, const sim::Instance
   const bool reflective = isReflective(*instances.material);
   const bool translucent = instances.material->translucency > 0;
   const std::string key = std::string(path) + (reflective ? " r" : "") + (translucent ? " t" : "") +
-                          (shown_ > 0 ? std::to_string(shown_) : "");
+                          (shown_ != 0 ? std::to_string(shown_) : "");
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = showing(lighting_, shown_);
@@ -127,11 +127,24 @@ void ExactInstances::setLook(const gl::Program& shader, const sim::Instances& in
   colors_[number].update(instances);
   colors_[number].set(shader, instances);
   shader.set("material", glm::vec3(material.roughness, material.metallic, material.translucency));
+  shader.set("mirrorReach", mirrorReach_);
+}
+
+bool ExactInstances::shades(const sim::Instances& instances) const {
+  return shown_ != shownReflections || mirrorsScene(instances.material->roughness);
+}
+
+bool ExactInstances::anyMirrors(const sim::Drawables& drawables) {
+  return std::any_of(drawables.instances.begin(), drawables.instances.end(),
+                     [](const sim::Instances& instances) {
+                       return !instances.additive && mirrorsScene(instances.material->roughness);
+                     });
 }
 
 void ExactInstances::shade(const ShadedTiles& tiles, int firstThing) {
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     const sim::Instances& balls = *balls_[i];
+    if (!shades(balls)) continue;
     const gl::Program& shader = shading("draw/exact/instances/shade_balls.comp", balls);
     setInstance(shader, balls, shapes_.of(balls).radius(), minPixelsOf(balls));
     setLook(shader, balls, i);
@@ -142,6 +155,7 @@ void ExactInstances::shade(const ShadedTiles& tiles, int firstThing) {
   }
   for (std::size_t i = 0; i < copies_.size(); ++i) {
     const CopyRaster::Copies& copies = copies_[i];
+    if (!shades(*copies.instances)) continue;
     const gl::Program& shader = shading("draw/exact/copies/shade_copies.comp", *copies.instances);
     copyRaster_.set(shader, copies, copyIds_[i]);
     setLook(shader, *copies.instances, balls_.size() + i);

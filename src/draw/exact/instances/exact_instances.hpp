@@ -27,6 +27,9 @@ class ExactInstances {
   }
   /// As SurfaceShading::show.
   void show(int layer) { shown_ = layer; }
+  void mirrorWithin(glm::vec2 reach) { mirrorReach_ = reach; }
+  /// Whether some of what is opaque mirror the scene.
+  [[nodiscard]] static bool anyMirrors(const sim::Drawables& drawables);
   /// Grows the sun's bounds; see ShadowPass::fit.
   void growBounds(const sim::Drawables& drawables) { bounds_.grow(drawables, shapes_); }
   /// Into the sun's map, where other things may be drawn already. The light's place is bound.
@@ -57,6 +60,7 @@ class ExactInstances {
  private:
   void cast(const sim::Drawables& drawables, BallRaster& balls, CopyRaster& copies, const Visibility& map,
             const MapPart& part);
+  [[nodiscard]] bool shades(const sim::Instances& instances) const;
   const gl::Program& shading(const char* path, const sim::Instances& instances);
   [[nodiscard]] CopyRaster::Copies copiesOf(const sim::Instances& instances) {
     return {&instances, &shapes_.of(instances)};
@@ -67,6 +71,7 @@ class ExactInstances {
   int samples_;
   gl::Defines lighting_;
   int shown_ = 0;
+  glm::vec2 mirrorReach_{0};
   InstanceShapes shapes_{false};
   InstanceBounds bounds_;
   std::vector<const sim::Instances*> balls_;

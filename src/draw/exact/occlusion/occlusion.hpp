@@ -34,6 +34,8 @@ class Occlusion {
   /// For kernels that include draw/exact/occlusion/openness_read.glsl.
   void bind() const;
   [[nodiscard]] glm::ivec2 size() const { return half_; }
+  /// Of half pixels (1/m), row by row; 0 where nothing is.
+  [[nodiscard]] const gl::Texture& nearness() const { return nearness_.view; }
   /// Waits for the device and copies out, row by row: openness, from 0 to 1, and nearness (1/m), 0 where
   /// nothing is, of each half pixel.
   [[nodiscard]] std::vector<GLuint> read() const { return openness_.buffer.readAll<GLuint>(); }

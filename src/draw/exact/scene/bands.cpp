@@ -1,5 +1,6 @@
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/scene/exact_scene_state.hpp"
+#include "draw/exact/shown.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>
@@ -45,20 +46,20 @@ void ExactScene::State::bindShadows() const {
   if (lampMaps) lampMaps->bind();
 }
 
-void ExactScene::State::shadeThings() {
+void ExactScene::State::shadeThings(const ShadedTiles& on) {
   for (std::size_t i = 0; i < gathered.size(); ++i)
     if (gathered[i].size() == 1)
-      surfaces.shade(triangles, gathered[i].front(), skins, tiles, static_cast<int>(i));
+      surfaces.shade(triangles, gathered[i].front(), skins, on, static_cast<int>(i));
     else
-      surfaces.shadeJoined(joined, triangles, gathered[i], tiles, static_cast<int>(i));
-  apart.shade(skins, tiles, static_cast<int>(gathered.size()));
-  instances.shade(tiles, static_cast<int>(gathered.size()) + apart.things());
+      surfaces.shadeJoined(joined, triangles, gathered[i], on, static_cast<int>(i));
+  apart.shade(skins, on, static_cast<int>(gathered.size()));
+  instances.shade(on, static_cast<int>(gathered.size()) + apart.things());
 }
 
 void ExactScene::State::shadeAll() {
   bindShadows();
   if (occlusion.on()) occlusion.bind();
-  shadeThings();
+  shadeThings(tiles);
   if (!ground) return;
   tiles.shade(tiles.things(), litGround);
   if (shadow.on()) tiles.shade(tiles.things() + 1, shadedGround);
@@ -71,7 +72,7 @@ void ExactScene::State::shadeShown() {
     shown[i].bindImage(sumImage, GL_READ_WRITE);
     surfaces.show(static_cast<int>(i) + 1);
     instances.show(static_cast<int>(i) + 1);
-    shadeThings();
+    shadeThings(tiles);
     if (!ground) continue;
     tiles.shade(tiles.things(), shownGround[i]);
     if (shadow.on()) tiles.shade(tiles.things() + 1, shownGround[i]);
@@ -109,6 +110,11 @@ std::vector<unsigned> ExactScene::State::findVisible(const sim::Drawables& drawa
   return firstIds;
 }
 
+GroundPlace ExactScene::State::groundPlace(const shader::ExactView& values) const {
+  return {rowsTowardsGround(values, scene.ground.height, ShadedTiles::side),
+          nearOfGround(values, scene.ground.height), raysAside(values)};
+}
+
 void ExactScene::State::findOpenness(const shader::ExactView& values, const Watch& watch) {
   occlusion.find(values, occlusionRadius);
   if (watch) watch("occlusion");
@@ -124,9 +130,8 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
     findOpenness(values, watch);
   }
   sums.bindImage(sumImage, GL_READ_WRITE);
-  const GroundPlace place{rowsTowardsGround(values, scene.ground.height, ShadedTiles::side),
-                          nearOfGround(values, scene.ground.height), raysAside(values)};
-  tiles.list(firstIds, visibility, place, ExactInstances::anyAdd(drawables) || layerKeeper || layered);
+  tiles.list(firstIds, visibility, groundPlace(values),
+             ExactInstances::anyAdd(drawables) || layerKeeper || layered);
   if (layerKeeper) keepLayers(values);
   if (passes != nullptr) keepVisibility(rows);
   if (rays) rays->bind();
@@ -142,10 +147,60 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
   shadeAll();
   if (rays) rays->add(visibility, sums, rows.y - rows.x, white);
   if (layerKeeper) shadeShown();
-  if (passes != nullptr) passes->keepLight("light", "", sums, rows);
   if (watch) watch("surfaces");
+  const bool whole = bandRows >= size.y;
+  if (mirrors && whole) {
+    reflections->see(sums, occlusion.nearness());
+    shadeReflections(tiles);
+    if (watch) watch("reflections");
+  }
+  if (!mirrors || whole) finishBand(drawables, rows, watch);
+}
+
+/// What has no place that could be mirrored comes last.
+void ExactScene::State::finishBand(const sim::Drawables& drawables, glm::ivec2 rows, const Watch& watch) {
+  if (passes != nullptr) passes->keepLight("light", "", sums, rows);
   instances.addLight(drawables, visibility);
   if (watch && ExactInstances::anyAdd(drawables)) watch("instances");
+}
+
+bool ExactScene::State::anyMirrors(const sim::Drawables& drawables) const {
+  const auto mirror = [&](const sim::Surface& surface) {
+    return SurfaceShading::mirrorsScene(surface, skins);
+  };
+  return mirrorGround.name() != 0 || ExactInstances::anyMirrors(drawables) ||
+         std::any_of(drawables.surfaces.begin(), drawables.surfaces.end(), mirror) ||
+         std::any_of(apart.cut().begin(), apart.cut().end(), mirror);
+}
+
+/// Of what has been shaded in the band; the light of all of the picture has been seen.
+void ExactScene::State::shadeReflections(const ShadedTiles& on) {
+  sums.bindImage(sumImage, GL_READ_WRITE);
+  occlusion.bind();
+  reflections->bind();
+  surfaces.show(shownReflections);
+  instances.show(shownReflections);
+  shadeThings(on);
+  if (mirrorGround.name() != 0)
+    for (int i = 0; i < (shadow.on() ? 2 : 1); ++i) on.shade(on.things() + i, mirrorGround);
+  surfaces.show(0);
+  instances.show(0);
+}
+
+/// To a band of a picture that has been shaded band by band: what it shows is found once more.
+void ExactScene::State::addReflections(const sim::Drawables& drawables, const shader::ExactView& values) {
+  const std::vector<unsigned> firstIds = findVisible(drawables);
+  if (!again) again.emplace(visibility, ground, shadow.on(), false);
+  sums.bindImage(sumImage, GL_READ_WRITE);
+  again->list(firstIds, visibility, groundPlace(values), ExactInstances::anyAdd(drawables) || layered);
+  if (layered) {
+    if (!unused) unused = gl::Texture::image("light of layers, once more", GL_RGBA32F, size.x, size.y);
+    unused.bindImage(sumImage, GL_READ_WRITE);
+    bindShadows();
+    apart.addLayers(visibility, 0, skins, {});
+    apart.bind();
+  }
+  shadeReflections(*again);
 }
 
 /// The light of the picture as it is seen through a point of the lens.
@@ -169,6 +224,14 @@ void ExactScene::State::drawThrough(const sim::Drawables& drawables, shader::Exa
     findOpenness(values, watch);
   }
   eachBand([&] { drawBand(drawables, values, watch); });
+  if (mirrors && bandRows < size.y) {
+    reflections->see(sums, occlusion.nearness());
+    eachBand([&] {
+      addReflections(drawables, values);
+      finishBand(drawables, values.rows, watch);
+    });
+    if (watch) watch("reflections");
+  }
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 

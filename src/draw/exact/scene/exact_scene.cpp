@@ -19,6 +19,7 @@
 #include "draw/frame_values.hpp"
 #include "draw/rows_at_once.hpp"
 #include "draw/surface/shadow_pass.hpp"
+#include "draw/surface/surface_pass.hpp"
 #include "gl/element_array.hpp"
 #include "sim/grid/field_display.hpp"
 
@@ -121,6 +122,9 @@ void ExactScene::State::makeGround() {
   gl::Defines defines = lighting(samples);
   if (shown.ground.roughness < 0.6F) defines.emplace_back("REFLECTIVE", "1");
   litGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);
+  if (occludes() && mirrorsScene(shown.ground.roughness))
+    mirrorGround =
+        gl::Program::compute("draw/exact/tiles/shade_ground.comp", showing(defines, shownReflections));
   if (!shadow.on()) return;
   defines.emplace_back("SHADOWED", "1");
   shadedGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);

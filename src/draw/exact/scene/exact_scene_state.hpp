@@ -4,6 +4,7 @@
 #include "draw/exact/motion/velocities.hpp"
 #include "draw/exact/occlusion/occlusion.hpp"
 #include "draw/exact/rays/ray_light.hpp"
+#include "draw/exact/reflections/reflections.hpp"
 #include "draw/exact/scene/apart.hpp"
 #include "draw/exact/scene/exact_scene.hpp"
 #include "draw/exact/scene/lamp_maps.hpp"
@@ -76,6 +77,7 @@ struct ExactScene::State {
   void beginLayers();
   void drawShadows(const sim::Drawables& drawables);
   std::vector<unsigned> findVisible(const sim::Drawables& drawables);
+  [[nodiscard]] GroundPlace groundPlace(const shader::ExactView& values) const;
   void findOpenness(const shader::ExactView& values, const Watch& watch);
   void drawBand(const sim::Drawables& drawables, const shader::ExactView& values, const Watch& watch);
   void drawThrough(const sim::Drawables& drawables, shader::ExactView values, const Watch& watch);
@@ -91,7 +93,11 @@ struct ExactScene::State {
   [[nodiscard]] std::optional<Velocities> velocitiesNow() const;
   [[nodiscard]] std::optional<CameraWay> cameraWayNow() const;
   void keepLight();
-  void shadeThings();
+  void shadeThings(const ShadedTiles& on);
+  [[nodiscard]] bool anyMirrors(const sim::Drawables& drawables) const;
+  void shadeReflections(const ShadedTiles& on);
+  void addReflections(const sim::Drawables& drawables, const shader::ExactView& values);
+  void finishBand(const sim::Drawables& drawables, glm::ivec2 rows, const Watch& watch);
   void shadeShown();
   void clearShown() const;
   void keepShown();
@@ -118,15 +124,19 @@ struct ExactScene::State {
   std::optional<LampMaps> lampMaps;
   ShadedTiles tiles;
   Occlusion occlusion;
-  float occlusionRadius = 0;  ///< of this picture (m)
-  float white = 1;            ///< light that it shows as white
+  float occlusionRadius = 0;               ///< of this picture (m)
+  std::optional<Reflections> reflections;  ///< from the first picture on that has mirrors
+  bool mirrors = false;                    ///< some of this picture show the scene
+  std::optional<ShadedTiles> again;        ///< of bands that are found once more for them,
+  gl::Texture unused;                      ///< where layers' light goes then
+  float white = 1;                         ///< light that it shows as white
   SurfaceShading surfaces;
   ApartSurfaces apart;
   unsigned numbers = 0;  ///< that have been given in this band
   ExactInstances instances;
   std::optional<RayLight> rays;
   Bloom bloom;
-  gl::Program litGround, shadedGround, lensSum, picture;
+  gl::Program litGround, shadedGround, mirrorGround, lensSum, picture;
   std::array<gl::Program, shownLayers.size()> shownGround;
   std::array<gl::Texture, shownLayers.size()> shown;  ///< those of its layers that are wanted
   PassPicture* passes = nullptr;                      ///< where they are kept

@@ -11,11 +11,16 @@ namespace simreel::draw {
 
 namespace {
 
-float occlusionRadiusOf(const scene::Scene& scene, const View& view) {
-  if (scene.render.occlusionRadius) return static_cast<float>(*scene.render.occlusionRadius);
+/// m to what the camera looks at.
+float distanceOf(const View& view) {
   // Of what is seen at 40 degrees from so far away the height is 0.73 times that.
   const float away = view.parallel ? 2 * view.reach.y / 0.73F : glm::distance(view.eye, view.target);
-  return std::max(away / 6.0F, 1e-6F);
+  return std::max(away, 1e-5F);
+}
+
+float occlusionRadiusOf(const scene::Scene& scene, const View& view) {
+  if (scene.render.occlusionRadius) return static_cast<float>(*scene.render.occlusionRadius);
+  return std::max(distanceOf(view) / 6.0F, 1e-6F);
 }
 
 }  // namespace
@@ -50,6 +55,14 @@ View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables,
   const shader::ExactView values = exactView(seen, scene.camera, size);
   view.write(0, std::as_bytes(std::span(&values, 1)));
   occlusionRadius = occlusionRadiusOf(scene, seen);
+  mirrors = occludes() && anyMirrors(drawables);
+  if (mirrors) {
+    if (!reflections) reflections.emplace(size);
+    const glm::vec2 reach = Reflections::reachOf(distanceOf(seen));
+    surfaces.mirrorWithin(reach);
+    instances.mirrorWithin(reach);
+    if (mirrorGround.name() != 0) mirrorGround.set("mirrorReach", reach);
+  }
   if (rays) {
     white = static_cast<float>(ieee::exp2(-static_cast<double>(scene.render.exposure.at(moment.seconds))));
     buildRays(drawables);

@@ -131,6 +131,7 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
                            const SkinTextures& skins, const ShadedTiles& tiles, int thing) {
   const sim::Surface& surface = *drawn.surface;
   const scene::Material& material = *surface.material;
+  if (shown_ == shownReflections && !mirrorsScene(surface, skins)) return;
   const SkinTextures::Entry* skin = material.hasSkin ? skins.find(material.skin) : nullptr;
   const gl::Program& shader = program(featuresOf(surface, skin != nullptr),
                                       skin != nullptr ? static_cast<int>(material.skin.look) : -1);
@@ -141,6 +142,7 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
     shader.set("owner", owner_(material));
     shader.set("clear", static_cast<int>(!material.hasSkin && material.finish.transmission > 0));
   }
+  shader.set("mirrorReach", mirrorReach_);
   bindPositions(surface, shader);
   if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
   if (surface.colors != nullptr) surface.colors->bind(paletteUnit);
@@ -151,6 +153,16 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   else if (const TexelLists::List* albedo = textures_.load(material.texture))
     setTexture(surface, *albedo, shader);
   tiles.shade(thing, shader);
+}
+
+bool SurfaceShading::mirrorsScene(const sim::Surface& surface, const SkinTextures& skins) {
+  const scene::Material& material = *surface.material;
+  const scene::Finish& finish = material.finish;
+  if (material.hasSkin && skins.find(material.skin) != nullptr)
+    return draw::mirrorsScene(lookOf(material.skin).roughness);
+  return draw::mirrorsScene(material.roughness) ||
+         (finish.used() &&
+          (!finish.metalRough.empty() || (finish.coat > 0 && draw::mirrorsScene(finish.coatRoughness))));
 }
 
 bool SurfaceShading::isPlain(const sim::Surface& surface, const SkinTextures& skins) {
@@ -164,6 +176,10 @@ void SurfaceShading::shadeJoined(const JoinedSurfaces& joined, const TriangleRas
                                  int thing) {
   unsigned features = joinedOnes;
   int triangles = 0;
+  if (shown_ == shownReflections && std::none_of(drawn.begin(), drawn.end(), [](const auto& one) {
+        return draw::mirrorsScene(one.surface->material->roughness);
+      }))
+    return;
   for (const TriangleRaster::Drawn& one : drawn) {
     features |= featuresOf(*one.surface, false);
     triangles += one.maxTriangles;
@@ -171,6 +187,7 @@ void SurfaceShading::shadeJoined(const JoinedSurfaces& joined, const TriangleRas
   const gl::Program& shader = program(features, -1);
   raster.bindWhole(shader);
   joined.bind();
+  shader.set("mirrorReach", mirrorReach_);
   shader.set("firstId", drawn.front().firstId);
   shader.set("triangleCount", triangles);
   tiles.shade(thing, shader);

@@ -53,8 +53,13 @@ class SurfaceShading {
   void ownBy(std::function<unsigned(const scene::Material&)> owner) { owner_ = std::move(owner); }
   [[nodiscard]] MapTexels& maps() { return maps_; }
   [[nodiscard]] const SkinTexels& skinTexels() const { return skinTexels_; }
-  /// From now on one of `shownLayers` is shaded instead of light, counted from 1; 0: light.
+  /// From now on one of `shownLayers` is shaded instead of light, counted from 1; 0: light;
+  /// shownReflections: what those change, of surfaces that mirror the scene alone.
   void show(int layer) { shown_ = layer; }
+  /// How far away what those show may be, and how thick it is (m).
+  void mirrorWithin(glm::vec2 reach) { mirrorReach_ = reach; }
+  /// Whether the surface is smooth somewhere.
+  [[nodiscard]] static bool mirrorsScene(const sim::Surface& surface, const SkinTextures& skins);
 
  private:
   /// A look's number is -1 without a skin.
@@ -69,6 +74,7 @@ class SurfaceShading {
   const scene::Scene& scene_;
   gl::Defines defines_;
   int shown_ = 0;
+  glm::vec2 mirrorReach_{0};
   std::map<std::tuple<unsigned, int, int>, gl::Program> programs_;  ///< the last: shown_
   TexelLists textures_;
   SkinTexels skinTexels_;

@@ -1,0 +1,52 @@
+// A level of what reflections read (levels.glsl), of the one before: light of half pixels and how much of them is covered, the mean of
+// four, and their nearness, the most of four. FIRST: level 0, of the pixels' light and what occlusion has found. An invocation does ROWS
+// cells, one below the other.
+#define EXACT_PICTURE
+#include "common/once.glsl"
+#include "common/exact.glsl"
+#include "draw/exact/bindings.glsl"
+#include "draw/exact/reflections/levels.glsl"
+layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
+layout(r32f, binding = nearnessImage) readonly restrict uniform imageBuffer nearestBefore;
+#ifdef FIRST
+layout(rgba32f, binding = sumImage) readonly restrict uniform image2D sums;
+#else
+layout(rgba32f, binding = litImage) readonly restrict uniform imageBuffer litBefore;
+#endif
+layout(std430, binding = litBinding) writeonly restrict buffer LitBlock { vec4 lit[]; };
+layout(std430, binding = halfPixelBinding) writeonly restrict buffer NearestBlock { float nearest[]; };
+uniform ivec2 size;  // pixels
+uniform int level;
+ivec2 half_ = (size + 1) / 2, room = levelRoom(half_), end = levelSize(half_, level), last = levelSize(half_, level - 1) - 1;
+
+// Nothing beyond the border.
+vec4 lightBefore(ivec2 at) {
+#ifdef FIRST
+  return imageLoad(sums, min(at, size - 1));
+#else
+  vec4 found = imageLoad(litBefore, levelPlace(room, level - 1, min(at, last)));
+  return at.x <= last.x && at.y <= last.y ? found : vec4(0.0f);
+#endif
+}
+
+float nearBefore(ivec2 at) {
+  float found = imageLoad(nearestBefore, levelPlace(room, level - 1, min(at, last))).x;
+  return at.x <= last.x && at.y <= last.y ? found : 0.0f;
+}
+
+void main() {
+  ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, ROWS);
+  for (int row = 0; row < ROWS; ++row) {
+    ivec2 at = first + ivec2(0, row);
+    if (at.x >= end.x || at.y >= end.y) continue;
+    ivec2 a = 2 * at, b = a + ivec2(1, 0), c = a + ivec2(0, 1), d = a + 1;
+    precise vec4 mean = 0.25f * ((lightBefore(a) + lightBefore(b)) + (lightBefore(c) + lightBefore(d)));
+    int place = levelPlace(room, level, at);
+    lit[place] = mean;
+#ifdef FIRST
+    nearest[place] = imageLoad(nearestBefore, at.y * half_.x + at.x).x;
+#else
+    nearest[place] = max(max(nearBefore(a), nearBefore(b)), max(nearBefore(c), nearBefore(d)));
+#endif
+  }
+}

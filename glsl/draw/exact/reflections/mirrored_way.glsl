@@ -1,0 +1,263 @@
+// What a ray that leaves a visible place meets of what the picture shows (M. McGuire and M. Mara, "Efficient GPU screen-space ray
+// tracing", Journal of Computer Graphics Techniques 3(4), 2014, for the way on the picture and the thickness; Y. Uludag, "Hi-Z
+// screen-space cone-traced reflections", GPU Pro 5, 2014, for the levels). Compiles as GLSL and as C++. Whoever includes it has
+// `view`, float nearestAt(level, cell) and vec4 litAt(level, cell) of half pixels, and vec2 mirrorReach_: how far rays go, and
+// how thick things are (m).
+//
+// On the picture a ray is a line, and its nearness is affine along it as that of planes is: n(t) = n0 + t n', t in half pixels. A
+// level's cell holds the nearest of all below it, so where that is farther away than the ray on its way through the cell, the ray
+// meets nothing there and goes on with larger cells; else it looks at smaller ones. In a half pixel it has met something where
+//     nearest(t1) > n(t1),            at the end t1 of the way through it: the ray is behind what is seen there,
+//     1 / nearest - 1 / n(t) < thickness,    by less than that at the nearer end,
+//     nearest > that of the mirror's own plane, by more than a half pixel changes it.
+// How much that counts, from 1 to 0: the less the deeper the ray is behind what is seen (more than that changes in a half pixel, and the
+// more so the more the mirror bends); over the last tenth of the picture's height
+// before its border; over the farther half of the reach; for rays that come towards the eye, whose backs of things nobody
+// sees, until they do by half; where the mirror bends so that neighbours show what is from 1/8 to 3/4 half pixels apart, which would be
+// noise; and with the roughness from 0.2 to 0.5. What does not count is as if nothing had been met.
+#include "common/exact.glsl"
+#include "draw/exact/depth.glsl"
+#include "draw/exact/occlusion/half_pixels.glsl"
+#include "draw/exact/reflections/levels.glsl"
+
+const int mirrorSteps = 96;
+const float mirrorSmooth = 0.2f, mirrorRough = 0.5f;  // roughness: all and nothing of what is met counts
+
+struct MirrorWay {
+  vec2 from;       // half pixels
+  vec2 along;      // unit
+  float nearness;  // there (1/m),
+  float rate;      // and what a half pixel on adds to it
+  float speed;     // half pixels a metre there
+  vec2 slope;      // of the mirror's own plane
+  float turns;     // of the mirror, from a half pixel to the next (radians)
+  float end;       // half pixels
+  float counts;    // 0: there is none
+};
+
+struct MirrorHit {
+  float at;      // half pixels along the way
+  float counts;
+  float spread;  // half pixels, of what neighbours show
+};
+
+// 3 t^2 - 2 t^3 of what lies between 0 and 1.
+FUNCTION float easedBetween(float x) {
+  float t = clamp(x, 0.0f, 1.0f);
+  precise float eased = t * t * (3.0f - 2.0f * t);
+  return eased;
+}
+
+// m from p at t: t / speed on the picture of parallel rays, else as perspective has it.
+FUNCTION float metresAlong(MirrorWay way, float t) {
+#ifdef PARALLEL
+  precise float metres = t * exactReciprocal(way.speed);
+#else
+  precise float there = way.nearness + way.rate * t;
+  precise float under = way.speed * max(there, 1e-9f);
+  precise float metres = t * way.nearness * exactReciprocal(under);
+#endif
+  return metres;
+}
+
+// Of a ray from p in the unit direction; `facing`: of the surface there, unit, `towards`: the eye; `turns`: by how much the surface
+// turns from a half pixel to the next (radians).
+FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, vec3 facing, vec3 towards, float turns, float roughness) {
+  precise vec3 aside = p - vec3(view.eye);
+  precise float depth = exactDot(vec3(view.forward), aside);
+  precise float recedes = exactDot(vec3(view.forward), direction);
+  precise vec2 across = vec2(exactDot(vec3(view.across), aside), exactDot(vec3(view.down), aside));
+  precise vec2 moved = vec2(exactDot(vec3(view.across), direction), exactDot(vec3(view.down), direction));
+  float steep = exactDot(facing, aside);
+  vec2 tilt = vec2(exactDot(facing, vec3(view.rayAcross)), exactDot(facing, vec3(view.rayDown)));
+  MirrorWay way;
+#ifdef PARALLEL
+  steep = exactDot(facing, vec3(view.forward));
+  precise vec2 from = 0.25f * vec2(view.size) + 0.5f * across;
+  precise vec2 velocity = 0.5f * moved;
+  precise float nearness = exactReciprocal(view.forward.w) + (view.near - depth);
+  float perSteep = exactReciprocal(min(steep, -1e-9f));
+  precise vec2 slope = 2.0f * tilt * perSteep;
+#else
+  float perDepth = exactReciprocal(max(depth, 1e-9f));
+  precise vec2 from = 0.5f * across * perDepth;
+  precise vec2 velocity = (0.5f * moved - from * recedes) * perDepth;
+  float nearness = perDepth;
+  float perSteep = exactReciprocal(min(steep, -1e-9f));
+  precise vec2 slope = 2.0f * tilt * perSteep;
+#endif
+  precise float square = velocity.x * velocity.x + velocity.y * velocity.y;
+  float perSpeed = exactInverseSqrt(max(square, 1e-20f));
+  precise vec2 along = velocity * perSpeed;
+  precise float speed = max(square, 1e-20f) * perSpeed;
+#ifdef PARALLEL
+  precise float rate = -recedes * perSpeed;
+  precise float reach = mirrorReach_.x * speed;
+#else
+  precise float rate = -recedes * nearness * nearness * perSpeed;
+  // t = speed l d / (d + l d') of the way l (m) where the depth d changes by d'.
+  precise float ahead = depth + mirrorReach_.x * recedes;
+  float held = max(ahead, view.near);
+  precise float wholeWay = speed * mirrorReach_.x * depth * exactReciprocal(held);
+  float reach = wholeWay;
+#endif
+  vec2 far = vec2(along.x > 0.0f ? float(view.size.x) : 0.0f, along.y > 0.0f ? float(view.size.y) : 0.0f);
+  precise vec2 left = 0.5f * far - from;
+  precise float acrossEnd = left.x * exactReciprocal(abs(along.x) < 1e-6f ? 1e-6f : along.x);
+  precise float downEnd = left.y * exactReciprocal(abs(along.y) < 1e-6f ? 1e-6f : along.y);
+  float border = min(abs(along.x) < 1e-6f ? 1e9f : acrossEnd, abs(along.y) < 1e-6f ? 1e9f : downEnd);
+  precise float span = mirrorRough - mirrorSmooth;
+  precise float rough = (roughness - mirrorSmooth) * exactReciprocal(span);
+  precise float back = 2.0f * exactDot(direction, towards);
+  precise float counts = (1.0f - easedBetween(rough)) * (1.0f - easedBetween(back));
+  bool leaves = steep < 0.0f && exactDot(direction, facing) > 0.0f && square > 1e-12f;
+  way.from = from;
+  way.along = along;
+  way.nearness = nearness;
+  way.rate = rate;
+  way.speed = speed;
+  way.slope = slope;
+  way.turns = turns;
+  way.end = min(border, reach);
+  way.counts = leaves ? counts : 0.0f;
+  return way;
+}
+
+// How far apart, in half pixels, what two neighbours of the mirror show t half pixels on is for how it bends: a mirror that turns by
+// an angle turns rays by twice as much.
+FUNCTION float spreadAt(MirrorWay way, float t) {
+  float perAcross = exactInverseSqrt(exactDot(vec3(view.rayAcross), vec3(view.rayAcross)));
+#ifdef PARALLEL
+  precise float spread = way.turns * metresAlong(way, t) * perAcross;
+#else
+  precise float there = way.nearness + way.rate * t;
+  precise float spread = way.turns * metresAlong(way, t) * perAcross * max(there, 0.0f);
+#endif
+  return spread;
+}
+
+// What a half pixel to the right, and downwards, adds to nearness there.
+FUNCTION vec2 slopesAt(ivec2 at, float here) {
+  float left = nearestAt(0, at - ivec2(1, 0)), right = nearestAt(0, at + ivec2(1, 0));
+  float above = nearestAt(0, at - ivec2(0, 1)), below = nearestAt(0, at + ivec2(0, 1));
+  return vec2(slopeBetween(left, here, right), slopeBetween(above, here, below));
+}
+
+// Where the plane that the nearest of a half pixel makes with its neighbours meets the way, from `low` to `high` along it. Where
+// the ray is behind that before, it has come from beside the thing, whose edge the half pixel shows, and what shows the thing is farther on.
+FUNCTION float meetingPlane(MirrorWay way, ivec2 at, float here, vec2 slope, float low, float high) {
+  precise vec2 aside = way.from - (vec2(at) + 0.5f);
+  // What is nearest of a half pixel lies about a third of it off its middle.
+  precise float bias = 0.3f * (abs(slope.x) + abs(slope.y));
+  precise float apart = here - bias + (slope.x * aside.x + slope.y * aside.y) - way.nearness;
+  precise float closing = way.rate - (slope.x * way.along.x + slope.y * way.along.y);
+  bool closes = closing < -1e-12f;
+  precise float t = apart * exactReciprocal(closes ? closing : 1.0f);
+  precise float within = low + 2.0f;
+  precise float early = low - 1.0f;
+  return closes && t > early ? clamp(t, low, high) : within;
+}
+
+FUNCTION MirrorHit followMirrored(MirrorWay way) {
+  float perX = exactReciprocal(abs(way.along.x) < 1e-6f ? 1e-6f : way.along.x);
+  float perY = exactReciprocal(abs(way.along.y) < 1e-6f ? 1e-6f : way.along.y);
+  ivec2 beyond = ivec2(way.along.x > 0.0f ? 1 : 0, way.along.y > 0.0f ? 1 : 0);
+  float least = partOf(way.nearness, 0.002f);
+  precise float ownPlane = way.nearness + 0.75f * (abs(way.slope.x) + abs(way.slope.y)) + least;
+  float t = 0.0f, metFrom = 0.0f, metUntil = 0.0f, metNearest = 0.0f, metDeep = 1.0f;
+  ivec2 met = ivec2(-1);
+  int level = 0;
+  for (int k = 0; k < mirrorSteps; ++k) {
+    if (t >= way.end || met.x >= 0) break;
+    precise vec2 q = way.from + way.along * t;
+    ivec2 at = ivec2(floor(q)) >> level;
+    precise vec2 edge = vec2((at + beyond) << level) - way.from;
+    precise float acrossNext = edge.x * perX;
+    precise float downNext = edge.y * perY;
+    float leaves = min(abs(way.along.x) < 1e-6f ? 1e9f : acrossNext, abs(way.along.y) < 1e-6f ? 1e9f : downNext);
+    precise float next = max(leaves, t) + 0.015625f;
+    precise float here = way.nearness + way.rate * t;
+    precise float there = way.nearness + way.rate * next;
+    float nearest = nearestAt(level, at);
+    bool behind = nearest > min(here, there);
+    float before = max(here, there);
+    precise vec2 aside = vec2(at) + 0.5f - way.from;
+    precise float own = ownPlane + (way.slope.x * aside.x + way.slope.y * aside.y);
+#ifdef PARALLEL
+    precise float deep = nearest - before;
+    float thick = mirrorReach_.y;
+#else
+    precise float deep = nearest - before;
+    precise float thick = mirrorReach_.y * nearest * before;
+#endif
+    bool meets = behind && level == 0 && nearest > own && deep < thick;
+    met = meets ? at : met;
+    metFrom = meets ? t : metFrom;
+    metUntil = meets ? next : metUntil;
+    metNearest = meets ? nearest : metNearest;
+    metDeep = meets ? deep : metDeep;
+    t = behind && level > 0 ? t : next;
+    level = behind ? max(level - 1, 0) : min(level + 1, lastLevel);
+  }
+  MirrorHit hit = MirrorHit(0.0f, 0.0f, 0.0f);
+  for (int i = met.x >= 0 ? 0 : 1; i < 1; ++i) {
+    precise float before = metNearest - metDeep;
+#ifdef PARALLEL
+    float thick = mirrorReach_.y;
+#else
+    precise float thick = mirrorReach_.y * metNearest * before;
+#endif
+    vec2 slope = slopesAt(met, metNearest);
+    hit.at = meetingPlane(way, met, metNearest, slope, metFrom, metUntil);
+    hit.spread = spreadAt(way, hit.at);
+    precise float slopes = abs(slope.x) + abs(slope.y);
+    precise float deep = metDeep - min(slopes, partOf(metNearest, 0.01f));
+    precise float part = deep * (1.0f + 16.0f * hit.spread) * exactReciprocal(max(thick, 1e-18f));
+    precise float bent = (hit.spread - 0.125f) * 1.6f;
+    precise float counts = (1.0f - easedBetween(part)) * (1.0f - easedBetween(bent));
+    hit.counts = counts;
+  }
+  return hit;
+}
+
+// The mean of four cells around a place (half pixels), of a level.
+FUNCTION vec4 litAround(int level, vec2 place) {
+  precise float perCell = intBitsToFloat((127 - level) << 23);
+  precise vec2 at = place * perCell - 0.5f;
+  vec2 low = floor(at);
+  precise vec2 share = at - low;
+  ivec2 first = ivec2(low);
+  vec4 a = litAt(level, first), b = litAt(level, first + ivec2(1, 0));
+  vec4 c = litAt(level, first + ivec2(0, 1)), d = litAt(level, first + 1);
+  precise vec4 above = a + (b - a) * share.x;
+  precise vec4 below = c + (d - c) * share.x;
+  precise vec4 mean = above + (below - above) * share.y;
+  return mean;
+}
+
+// Light that the ray brings from what is seen, and in w how much of it that is: the rest comes from the surroundings. With a
+// rough mirror the mean of what half its lobe is as wide as there: 2 roughness^2 a metre of the way.
+FUNCTION vec4 lightMirrored(MirrorWay way, MirrorHit hit, float roughness) {
+  precise vec2 q = way.from + way.along * hit.at;
+  precise vec2 size = 0.5f * vec2(view.size);
+  precise vec2 other = size - q;
+  precise float inwards = min(min(q.x, q.y), min(other.x, other.y)) * 10.0f * exactReciprocal(size.y);
+  precise float there = way.nearness + way.rate * hit.at;
+  float metres = metresAlong(way, hit.at);
+  precise float part = 2.0f * metres * exactReciprocal(mirrorReach_.x) - 1.0f;
+  precise float counts = way.counts * hit.counts * easedBetween(inwards) * (1.0f - easedBetween(part));
+  float perAcross = exactInverseSqrt(exactDot(vec3(view.rayAcross), vec3(view.rayAcross)));
+#ifdef PARALLEL
+  precise float wide = roughness * roughness * metres * perAcross;  // half pixels
+#else
+  precise float wide = roughness * roughness * metres * perAcross * max(there, 0.0f);
+#endif
+  precise float spread = wide + hit.spread;
+  precise float doublings = exactLog(clamp(spread, 1.0f, 32.0f)) * 1.44269504f;
+  float held = clamp(doublings, 0.0f, float(lastLevel));
+  int level = min(int(held), lastLevel - 1);
+  precise float share = held - float(level);
+  vec4 fine = litAround(level, q), coarse = litAround(level + 1, q);
+  precise vec4 light = (fine + (coarse - fine) * share) * counts;
+  return light;
+}

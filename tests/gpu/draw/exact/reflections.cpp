@@ -1,0 +1,422 @@
+#include "draw/exact/reflections/reflections.hpp"
+
+#include "draw/exact/bindings.hpp"
+#include "gl/element_array.hpp"
+#include "gpu/draw/draw_stage.hpp"
+#include "gpu/draw/exact/stage.hpp"
+#include "gpu/draw/instance_stage.hpp"
+#include "reference/reflections_twin.hpp"
+
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;  // NOLINT
+
+namespace {
+
+constexpr glm::ivec2 mirrorPicture(240, 160);
+
+struct MirrorMet {
+  double depth = 0;  ///< of a ray of depth 1
+  bool mirror = false;
+};
+using MirrorSeen = std::function<MirrorMet(glm::dvec3 eye, glm::dvec3 ray)>;
+
+glm::dvec3 mirrorRayThrough(const shader::ExactView& view, glm::dvec2 pixel) {
+  return glm::dvec3(view.ray) + pixel.x * glm::dvec3(view.rayAcross) + pixel.y * glm::dvec3(view.rayDown);
+}
+
+/// A picture whose light is where things are, by rays in float64: so what a mirror brings says whence.
+ReflectionsTwin mirrorTwinOf(const shader::ExactView& view, const MirrorSeen& seen, float away) {
+  ReflectionsTwin twin;
+  twin.view = view;
+  twin.reach = draw::Reflections::reachOf(away);
+  const glm::dvec3 eye(view.eye);
+  std::vector<float> nearness;
+  std::vector<glm::vec4> light;
+  for (int y = 0; y < twin.half().y; ++y)
+    for (int x = 0; x < twin.half().x; ++x) {
+      double nearest = 0;
+      for (const double right : {0.5, 1.5})
+        for (const double down : {0.5, 1.5}) {
+          const double depth = seen(eye, mirrorRayThrough(view, {2 * x + right, 2 * y + down})).depth;
+          nearest = std::max(nearest, depth > 0 ? 1 / depth : 0);
+        }
+      nearness.push_back(static_cast<float>(nearest));
+    }
+  for (int y = 0; y < view.size.y; ++y)
+    for (int x = 0; x < view.size.x; ++x) {
+      const glm::dvec3 ray = mirrorRayThrough(view, {x + 0.5, y + 0.5});
+      const double depth = seen(eye, ray).depth;
+      light.emplace_back(glm::vec3(eye + depth * ray), depth > 0 ? 1.0F : 0.0F);
+      if (depth <= 0) light.back() = glm::vec4(0);
+    }
+  twin.see(nearness, light);
+  return twin;
+}
+
+ReflectionsTwin::Ray mirroredRay(const shader::ExactView& view, glm::dvec3 p, glm::dvec3 normal) {
+  const glm::dvec3 towards = glm::normalize(glm::dvec3(view.eye) - p);
+  return {glm::vec3(p),
+          glm::vec3(2 * glm::dot(normal, towards) * normal - towards),
+          glm::vec3(normal),
+          glm::vec3(towards),
+          0,
+          0};
+}
+
+/// Where a ray meets a ball, or nothing.
+std::optional<double> rayOnBall(glm::dvec3 from, glm::dvec3 ray, glm::dvec3 middle, double radius) {
+  const glm::dvec3 aside = from - middle;
+  const double a = glm::dot(ray, ray), b = glm::dot(ray, aside);
+  const double root = b * b - a * (glm::dot(aside, aside) - radius * radius);
+  if (root <= 0) return std::nullopt;
+  const double t = (-b - std::sqrt(root)) / a;
+  return t > 0 ? std::optional(t) : std::nullopt;
+}
+
+/// How far what pixels of the mirror y = 0 bring lies from what the ray truly meets, which `truth` finds
+/// along a ray: of those that it meets, well within the reach and the picture.
+struct MirrorJudged {
+  int met = 0, near = 0, missed = 0, invented = 0;  ///< near: within 0.03 m of the truth
+  double worst = 0, mean = 0;
+};
+
+MirrorJudged judgeMirror(const ReflectionsTwin& twin, const MirrorSeen& seen,
+                         const std::function<std::optional<double>(glm::dvec3 p, glm::dvec3 ray)>& truth) {
+  MirrorJudged judged;
+  const shader::ExactView& view = twin.view;
+  for (int y = 0; y < view.size.y; ++y)
+    for (int x = 0; x < view.size.x; ++x) {
+      const glm::dvec3 ray = mirrorRayThrough(view, {x + 0.5, y + 0.5});
+      const MirrorMet there = seen(glm::dvec3(view.eye), ray);
+      if (!there.mirror || there.depth <= 0) continue;
+      const glm::dvec3 p = glm::dvec3(view.eye) + there.depth * ray;
+      const ReflectionsTwin::Ray mirrored = mirroredRay(view, p, {0, 1, 0});
+      const glm::vec4 light = twin.lightMet(mirrored);
+      const glm::dvec3 direction(mirrored.direction);
+      const std::optional<double> true_ = truth(p, direction);
+      if (!true_) {
+        if (light.w > 0.5F) ++judged.invented;
+        continue;
+      }
+      const glm::dvec3 wanted = p + *true_ * direction;
+      if (light.w < 0.5F) {
+        ++judged.missed;
+        continue;
+      }
+      const double off = glm::distance(glm::dvec3(glm::vec3(light) / light.w), wanted);
+      ++judged.met;
+      judged.near += off < 0.03 ? 1 : 0;
+      judged.worst = std::max(judged.worst, off);
+      judged.mean += off;
+    }
+  judged.mean /= std::max(judged.met, 1);
+  return judged;
+}
+
+}  // namespace
+
+// A wall z = -1 behind a mirror y = 0: what a ray from the mirror meets of it.
+TEST_CASE("reflections: in a plane mirror a wall is where its mirror image is") {
+  const shader::ExactView view = exactViewFrom({0.3F, 1.3F, 3}, {0, 0.2F, -0.6F}, mirrorPicture);
+  const MirrorSeen seen = [](glm::dvec3 eye, glm::dvec3 ray) {
+    const double wall = (-1 - eye.z) / ray.z, floor = -eye.y / ray.y;
+    if (ray.y < 0 && eye.z + floor * ray.z > -1) return MirrorMet{floor, true};
+    return MirrorMet{ray.z < 0 ? wall : 0, false};
+  };
+  const ReflectionsTwin twin = mirrorTwinOf(view, seen, 4);
+  const MirrorJudged judged =
+      judgeMirror(twin, seen, [&](glm::dvec3 p, glm::dvec3 ray) -> std::optional<double> {
+        const double t = (-1 - p.z) / ray.z;
+        const glm::dvec3 met = p + t * ray;
+        const std::optional<glm::dvec2> pixel = draw::pixelOf(view, met);
+        const glm::dvec2 inner = 0.12 * mirrorPicture.y * glm::dvec2(1);
+        if (!pixel || pixel->x < inner.x || pixel->y < inner.y || pixel->x > mirrorPicture.x - inner.x ||
+            t > 1.8 || glm::distance(met, p) < 0.1)
+          return std::nullopt;
+        return t;
+      });
+  CAPTURE(judged.worst);
+  CAPTURE(judged.mean);
+  // A pixel is 0.02 m wide there.
+  CHECK(judged.met > 5000);
+  CHECK(judged.missed == 0);
+  CHECK(judged.mean < 0.01);
+  CHECK(judged.worst < 0.05);
+}
+
+TEST_CASE("reflections: a ball over a plane mirror is where its mirror image is") {
+  const glm::dvec3 middle(0.1, 0.55, -0.3);
+  const double radius = 0.4;
+  const shader::ExactView view = exactViewFrom({0.3F, 0.9F, 3}, {0, 0.3F, -0.3F}, mirrorPicture);
+  const MirrorSeen seen = [&](glm::dvec3 eye, glm::dvec3 ray) {
+    if (const auto ball = rayOnBall(eye, ray, middle, radius)) return MirrorMet{*ball, false};
+    return MirrorMet{ray.y < 0 ? -eye.y / ray.y : 0, true};
+  };
+  const ReflectionsTwin twin = mirrorTwinOf(view, seen, 4);
+  int hidden = 0;  // what the mirror sees of the ball and the eye does not
+  const MirrorJudged judged =
+      judgeMirror(twin, seen, [&](glm::dvec3 p, glm::dvec3 ray) -> std::optional<double> {
+        const auto t = rayOnBall(p, ray, middle, radius);
+        if (!t) return std::nullopt;
+        const glm::dvec3 there = p + *t * ray;
+        if (glm::dot(there - middle, glm::dvec3(view.eye) - there) > 0.1 * radius) return t;
+        ++hidden;
+        return std::nullopt;
+      });
+  CAPTURE(judged.worst);
+  CAPTURE(judged.mean);
+  CAPTURE(judged.missed);
+  CAPTURE(judged.invented);
+  CAPTURE(hidden);
+  CHECK(judged.met > 800);
+  CAPTURE(judged.near);
+  CHECK(judged.missed < 0.03 * judged.met);
+  CHECK(judged.invented < hidden + 60);  // and its outline
+  // Where the ball's edge is met the light of a half pixel is in part that of what is behind.
+  CHECK(judged.near > 0.8 * judged.met);
+}
+
+TEST_CASE("reflections: a flat mirror, a lone ball and what is far away or matt bring nothing") {
+  const shader::ExactView view = exactViewFrom({0.3F, 0.5F, 3}, {0, 0.2F, -0.6F}, mirrorPicture);
+  const MirrorSeen flat = [](glm::dvec3 eye, glm::dvec3 ray) {
+    return MirrorMet{ray.y < 0 ? -eye.y / ray.y : 0, true};
+  };
+  const ReflectionsTwin floor = mirrorTwinOf(view, flat, 3);
+  const MirrorJudged judged = judgeMirror(floor, flat, [](glm::dvec3, glm::dvec3) { return std::nullopt; });
+  CHECK(judged.invented == 0);
+  const glm::dvec3 middle(0, 0.3, -0.6);
+  const MirrorSeen ball = [&](glm::dvec3 eye, glm::dvec3 ray) {
+    return MirrorMet{rayOnBall(eye, ray, middle, 0.9).value_or(0), true};
+  };
+  const ReflectionsTwin round = mirrorTwinOf(view, ball, 3);
+  int places = 0;
+  for (int y = 0; y < mirrorPicture.y; ++y)
+    for (int x = 0; x < mirrorPicture.x; ++x) {
+      const glm::dvec3 ray = mirrorRayThrough(view, {x + 0.5, y + 0.5});
+      const MirrorMet there = ball(glm::dvec3(view.eye), ray);
+      if (there.depth <= 0) continue;
+      const glm::dvec3 p = glm::dvec3(view.eye) + there.depth * ray;
+      CHECK(round.lightMet(mirroredRay(view, p, (p - middle) / 0.9)).w == 0.0F);
+      ++places;
+    }
+  CHECK(places > 3000);
+  // A wall: the less, the rougher; nothing beyond the reach.
+  const MirrorSeen wall = [](glm::dvec3 eye, glm::dvec3 ray) {
+    const double behind = (-1 - eye.z) / ray.z, below = -eye.y / ray.y;
+    return ray.y < 0 && below < behind ? MirrorMet{below, true} : MirrorMet{behind, false};
+  };
+  ReflectionsTwin twin = mirrorTwinOf(view, wall, 3);
+  ReflectionsTwin::Ray ray = mirroredRay(view, {0, 0, 0.2}, {0, 1, 0});
+  const auto share = [&](float roughness) {
+    ray.roughness = roughness;
+    return twin.lightMet(ray).w;
+  };
+  CHECK(share(0) == doctest::Approx(1).epsilon(1e-3));
+  CHECK(share(0.2F) == doctest::Approx(1).epsilon(1e-3));
+  CHECK(share(0.35F) == doctest::Approx(0.5).epsilon(1e-3));
+  CHECK(share(0.5F) == 0.0F);
+  twin.reach.x = 1;
+  CHECK(share(0) == 0.0F);
+  twin.reach.x = 1.2F / 0.75F;
+  CHECK(share(0) > 0.1F);
+  CHECK(share(0) < 0.9F);
+}
+
+TEST_CASE("exact: reflections are the twin's, bit for bit") {
+  testContext();
+  for (const glm::ivec2 size : {glm::ivec2(75, 61), {33, 18}, {97, 3}, {1, 1}, {128, 64}}) {
+    CAPTURE(size.x);
+    const shader::ExactView view = exactViewFrom({0.3F, 0.9F, 3}, {0, 0.3F, -0.3F}, size);
+    const MirrorSeen seen = [](glm::dvec3 eye, glm::dvec3 ray) {
+      if (const auto ball = rayOnBall(eye, ray, {0.1, 0.45, -0.3}, 0.5)) return MirrorMet{*ball, false};
+      return MirrorMet{ray.y < 0 ? -eye.y / ray.y : 0, true};
+    };
+    ReflectionsTwin twin = mirrorTwinOf(view, seen, 4);
+    std::vector<float> nearness(static_cast<std::size_t>(twin.half().x * twin.half().y));
+    const glm::dvec3 eye(view.eye);
+    std::vector<glm::vec4> light;
+    std::vector<glm::vec4> rays;
+    std::vector<glm::vec4> wanted;
+    for (int y = 0; y < twin.half().y; ++y)
+      for (int x = 0; x < twin.half().x; ++x) {
+        const double depth = seen(eye, mirrorRayThrough(view, {2 * x + 1, 2 * y + 1})).depth;
+        nearness[static_cast<std::size_t>(y * twin.half().x + x)] =
+            depth > 0 ? static_cast<float>(1 / depth) : 0.0F;
+      }
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        const float there = seen(eye, mirrorRayThrough(view, {x + 0.5, y + 0.5})).depth > 0 ? 1.0F : 0.0F;
+        light.push_back(there *
+                        glm::vec4(0.01F * static_cast<float>(x), 0.3F, 0.02F * static_cast<float>(y), 1));
+      }
+    twin.see(nearness, light);
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        const glm::dvec3 through = mirrorRayThrough(view, {x + 0.5, y + 0.5});
+        const MirrorMet met = seen(eye, through);
+        const glm::dvec3 p = eye + std::max(met.depth, 0.5) * through;
+        const glm::dvec3 normal =
+            met.mirror ? glm::dvec3(0, 1, 0) : glm::normalize(p - glm::dvec3(0.1, 0.45, -0.3));
+        ReflectionsTwin::Ray ray = mirroredRay(view, p, normal);
+        ray.roughness = 0.06F * static_cast<float>((x + y) % 8);
+        ray.turns = 0.003F * static_cast<float>(x % 7);
+        rays.emplace_back(ray.p, ray.roughness);
+        rays.emplace_back(ray.direction, ray.turns);
+        rays.emplace_back(ray.facing, 0);
+        rays.emplace_back(ray.towards, 0);
+        wanted.push_back(twin.lightMet(ray));
+      }
+    const gl::Buffer nearBuffer = gl::Buffer::of<float>("nearness", nearness);
+    const gl::Texture nearView = gl::Texture::view("nearness", GL_R32F, nearBuffer, sizeof(float));
+    const gl::Texture sums = gl::Texture::image("light", GL_RGBA32F, size.x, size.y);
+    glTextureSubImage2D(sums.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, light.data());
+    const draw::Reflections reflections(size);
+    reflections.see(sums, nearView);
+    reflections.bind();
+    const gl::Buffer block = gl::Buffer::of<shader::ExactView>("view", std::vector{view});
+    block.bindUniform(draw::viewBinding, 0, sizeof view);
+    const gl::Program kernel = gl::Program::computeText("rays from mirrors", R"(
+#define EXACT_PICTURE
+#define REFLECTED
+#include "draw/exact/view_block.glsl"
+#include "draw/exact/reflections/reflections_read.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = 1) readonly restrict buffer RayBlock { vec4 rays[]; };
+layout(std430, binding = 2) writeonly restrict buffer FoundBlock { vec4 found[]; };
+uniform int count;
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= count) return;
+  facing_ = rays[4 * i + 2].xyz;
+  turns_ = rays[4 * i + 1].w;
+  found[i] = lightMet(rays[4 * i].xyz, rays[4 * i + 1].xyz, rays[4 * i + 3].xyz, rays[4 * i].w);
+}
+)");
+    const gl::Buffer rayBuffer = gl::Buffer::of<glm::vec4>("rays", rays);
+    const gl::Buffer found("found", wanted.size() * sizeof(glm::vec4));
+    rayBuffer.bindStorage(1);
+    found.bindStorage(2);
+    kernel.set("mirrorReach", twin.reach);
+    kernel.set("count", static_cast<int>(wanted.size()));
+    kernel.dispatch(static_cast<int>(wanted.size()));
+    gl::barrier();
+    testContext().check();
+    CHECK(found.readAll<glm::vec4>() == wanted);
+    int met = 0;
+    for (const glm::vec4& one : wanted) met += one.w > 0.1F ? 1 : 0;
+    if (size.x > 60 && size.y > 30) CHECK(met > 100);
+  }
+}
+
+namespace {
+
+/// A mirror ground, balls and copies that mirror and ones that do not, a pane before them.
+struct MirrorStage {
+  explicit MirrorStage(scene::Quality quality)
+      : wall({{-2, -0.1F, -1}, {2, -0.1F, -1.2F}, {-2, 1.6F, -1}, {2, 1.5F, -1.2F}}, {0, 1, 2, 2, 1, 3},
+             std::vector<glm::vec3>(4, glm::vec3(0, 0, 1))),
+        pane({{-0.4F, 0.05F, 1}, {0.5F, 0.05F, 1}, {-0.4F, 0.7F, 1}, {0.5F, 0.8F, 1.1F}},
+             {0, 1, 2, 2, 1, 3}, std::vector<glm::vec3>(4, glm::vec3(0, 0, 1))),
+        matt({{0.5F, 0.4F, 0.2F}, {-0.6F, 0.3F, -0.5F}}),
+        chrome({{-0.1F, 0.35F, 0.1F}, {1.1F, 0.3F, -0.3F}}) {
+    scene.render.rasterizer = scene::Rasterizer::exact;
+    scene.render.quality = quality;
+    scene.camera.position = glm::vec3(0.3F, 1, 3.6F);
+    scene.camera.target = glm::vec3(0, 0.3F, 0);
+    scene.hasGround = true;
+    scene.ground.height = 0;
+    scene.ground.color = glm::vec3(0);
+    scene.ground.roughness = 0.03F;
+    wall.material.color = glm::vec3(0.8F, 0.4F, 0.1F);
+    wall.surface.doubleSided = true;
+    pane.material.finish.alpha = scene::Alpha::blend;
+    pane.material.finish.opacity = 0.4F;
+    pane.surface.doubleSided = true;
+    for (InstanceStage* balls : {&matt, &chrome}) {
+      balls->instances.shape = sim::Instances::Shape::sphere;
+      balls->instances.size = 0.6F;
+    }
+    chrome.material.metallic = 1;
+    chrome.material.roughness = 0.05F;
+    drawables.surfaces = {wall.surface};
+    drawables.instances = {matt.instances, chrome.instances};
+  }
+  scene::Scene scene;
+  TriangleStage wall, pane;
+  InstanceStage matt, chrome;
+  sim::Drawables drawables;
+};
+
+}  // namespace
+
+TEST_CASE("exact: mirrors show the same however a picture is found, and nothing without smooth materials") {
+  testContext();
+  MirrorStage stage(scene::Quality::standard);
+  const glm::ivec2 size(91, 67);
+  for (const bool layered : {false, true}) {
+    CAPTURE(layered);
+    if (layered) stage.drawables.surfaces.push_back(stage.pane.surface);
+    const auto banded = [&](int rows) {
+      return drawn(stage.scene, stage.drawables, size, 4,
+                   {.rasterizer = {}, .visibilityBytes = static_cast<std::size_t>(8 * 4 * size.x * rows)});
+    };
+    const Picture whole = banded(size.y);
+    for (const int rows : {1, 24, 64}) CHECK(banded(rows).bytes == whole.bytes);
+    for (const char* word : {"yes", "no"}) {
+      const JoiningAsked joining(word);
+      CHECK(banded(size.y).bytes == whole.bytes);
+    }
+    for (const char* word : LayoutAsked::words()) {
+      const LayoutAsked asked(word);
+      CHECK(banded(size.y).bytes == whole.bytes);
+    }
+  }
+}
+
+// Rays show what there is; of the ground, which has no colour, all light is mirrored.
+TEST_CASE("exact: mirrors show nearly what rays do") {
+  testContext();
+  const glm::ivec2 size(160, 100);
+  const auto lightOf = [&](scene::Quality quality, draw::PassPicture& kept) {
+    MirrorStage stage(quality);
+    stage.scene.sun.shadow = false;
+    stage.scene.sun.diameter = 0;
+    stage.scene.render.raySamples = 32;
+    draw::Renderer renderer(stage.scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+    renderer.keepPasses(&kept);
+    renderer.draw(0, stage.drawables);
+  };
+  draw::PassPicture passes[3];
+  lightOf(scene::Quality::draft, passes[0]);
+  lightOf(scene::Quality::standard, passes[1]);
+  lightOf(scene::Quality::high, passes[2]);
+  const auto part = [](const draw::PassPicture& kept, const char* pass, const char* name) -> const auto& {
+    for (const draw::PassArray& array : kept.arrays)
+      if (array.pass == pass && array.part == name) return array.words;
+    FAIL("there is no such pass");
+    return kept.arrays.front().words;
+  };
+  const auto& numbers = part(passes[0], "visibility", "numbers");
+  double off[2] = {0, 0};
+  int places = 0;
+  for (std::size_t pixel = 0; pixel < numbers.size() / 4; ++pixel) {
+    if (numbers[4 * pixel] != 0xfffffffeU) continue;
+    ++places;
+    for (std::size_t way = 0; way < 2; ++way)
+      for (std::size_t i = 0; i < 3; ++i)
+        off[way] += std::abs(
+            static_cast<double>(std::bit_cast<float>(part(passes[way], "light", "")[4 * pixel + i])) -
+            static_cast<double>(std::bit_cast<float>(part(passes[2], "light", "")[4 * pixel + i])));
+  }
+  CAPTURE(off[0] / places);
+  CAPTURE(off[1] / places);
+  CHECK(places > 3000);
+  CHECK(off[1] < 0.65 * off[0]);
+}

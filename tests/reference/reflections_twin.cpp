@@ -1,0 +1,79 @@
+#include "reference/reflections_twin.hpp"
+
+#include "draw/picture_code.hpp"
+
+#include <cstddef>
+
+namespace {
+
+using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
+
+#define FUNCTION inline
+#define precise
+#define EXACT_PICTURE
+#include "glsl/draw/exact/reflections/levels.glsl"
+/// What the kernels see.
+struct MirrorKernel {
+  const ReflectionsTwin& twin;
+  const ExactView& view = twin.view;
+  vec2 mirrorReach_ = twin.reach;
+
+  template <class Cell>
+  [[nodiscard]] static Cell cellAt(const std::vector<Cell>& cells, ivec2 size, int level, ivec2 at) {
+    const ivec2 end = levelSize(size, level);
+    if (at.x < 0 || at.y < 0 || at.x >= end.x || at.y >= end.y) return Cell(0);
+    return cells[static_cast<std::size_t>(levelPlace(levelRoom(size), level, at))];
+  }
+  [[nodiscard]] float nearestAt(int level, ivec2 at) const {
+    return cellAt(twin.nearest, twin.half(), level, at);
+  }
+  [[nodiscard]] vec4 litAt(int level, ivec2 at) const { return cellAt(twin.lit, twin.half(), level, at); }
+#include "glsl/draw/exact/reflections/mirrored_way.glsl"
+
+  template <class Cell, class Join>
+  static std::vector<Cell> levelsOf(const std::vector<Cell>& full, ivec2 size, const Join& join) {
+    const ivec2 room = levelRoom(size);
+    std::vector<Cell> cells(static_cast<std::size_t>(room.x) * static_cast<std::size_t>(room.y) / 2 * 3,
+                            Cell(0));
+    for (int level = 0; level <= lastLevel; ++level)
+      for (int y = 0; y < levelSize(size, level).y; ++y)
+        for (int x = 0; x < levelSize(size, level).x; ++x) {
+          const auto below = [&](int right, int down) {
+            return cellAt(cells, size, level - 1, {2 * x + right, 2 * y + down});
+          };
+          cells[static_cast<std::size_t>(levelPlace(room, level, {x, y}))] =
+              level == 0 ? full[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
+                                static_cast<std::size_t>(x)]
+                         : join(below(0, 0), below(1, 0), below(0, 1), below(1, 1));
+        }
+    return cells;
+  }
+};
+#undef EXACT_PICTURE
+#undef precise
+#undef FUNCTION
+
+}  // namespace
+
+void ReflectionsTwin::see(const std::vector<float>& nearness, const std::vector<glm::vec4>& light) {
+  nearest = MirrorKernel::levelsOf(
+      nearness, half(), [](float a, float b, float c, float d) { return max(max(a, b), max(c, d)); });
+  const auto mean = [](vec4 a, vec4 b, vec4 c, vec4 d) { return 0.25F * ((a + b) + (c + d)); };
+  const auto lightOf = [&](int x, int y) {
+    return light[static_cast<std::size_t>(min(y, view.size.y - 1) * view.size.x + min(x, view.size.x - 1))];
+  };
+  std::vector<glm::vec4> halves;
+  for (int y = 0; y < view.size.y; y += 2)
+    for (int x = 0; x < view.size.x; x += 2)
+      halves.push_back(mean(lightOf(x, y), lightOf(x + 1, y), lightOf(x, y + 1), lightOf(x + 1, y + 1)));
+  lit = MirrorKernel::levelsOf(halves, half(), mean);
+}
+
+glm::vec4 ReflectionsTwin::lightMet(const Ray& ray) const {
+  MirrorKernel kernel{*this};
+  const MirrorKernel::MirrorWay way =
+      kernel.mirrorWay(ray.p, ray.direction, ray.facing, ray.towards, ray.turns, ray.roughness);
+  if (way.counts <= 0.0F) return glm::vec4(0);
+  const MirrorKernel::MirrorHit hit = kernel.followMirrored(way);
+  return hit.counts > 0.0F ? kernel.lightMirrored(way, hit, ray.roughness) : glm::vec4(0);
+}
