@@ -3,7 +3,7 @@
 #include "base/process.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 
 #include <cstdio>
 #include <exception>

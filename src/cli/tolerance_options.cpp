@@ -1,8 +1,8 @@
 #include "cli/tolerance_options.hpp"
 
 #include "base/error.hpp"
+#include "scene/json/words.hpp"
 #include "scene/test.hpp"
-#include "scene/words.hpp"
 
 #include <cmath>
 

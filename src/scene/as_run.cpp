@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "scene/json_node.hpp"
+#include "scene/json/json_node.hpp"
 #include "scene/override.hpp"
 #include "scene/scene_source.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "scene/animated.hpp"
-#include "scene/fields.hpp"
-#include "scene/path_place.hpp"
+#include "scene/value/animated.hpp"
+#include "scene/value/fields.hpp"
+#include "scene/value/path_place.hpp"
 
 #include <cstddef>
 #include <optional>

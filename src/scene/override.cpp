@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "base/process.hpp"
 #include "base/text.hpp"
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/json_node.hpp"
+#include "scene/json/json_node.hpp"
 #include "scene/scene.hpp"
 
 namespace simreel::scene {

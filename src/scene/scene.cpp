@@ -3,16 +3,16 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
-#include "scene/asset_path.hpp"
 #include "scene/framing.hpp"
-#include "scene/json_node.hpp"
+#include "scene/json/json_node.hpp"
+#include "scene/json/words.hpp"
 #include "scene/override.hpp"
-#include "scene/reader.hpp"
 #include "scene/scene_source.hpp"
 #include "scene/sections.hpp"
 #include "scene/stage.hpp"
-#include "scene/value_reader.hpp"
-#include "scene/words.hpp"
+#include "scene/value/asset_path.hpp"
+#include "scene/value/reader.hpp"
+#include "scene/value/value_reader.hpp"
 
 #include <algorithm>
 #include <charconv>

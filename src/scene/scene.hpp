@@ -1,10 +1,10 @@
 #pragma once
-#include "scene/animated.hpp"
-#include "scene/fields.hpp"
 #include "scene/finish.hpp"
 #include "scene/light.hpp"
-#include "scene/path_place.hpp"
 #include "scene/test.hpp"
+#include "scene/value/animated.hpp"
+#include "scene/value/fields.hpp"
+#include "scene/value/path_place.hpp"
 
 #include <cstdint>
 #include <filesystem>

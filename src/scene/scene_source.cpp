@@ -1,7 +1,7 @@
 #include "scene/scene_source.hpp"
 
 #include "base/file.hpp"
-#include "scene/json_node.hpp"
+#include "scene/json/json_node.hpp"
 
 namespace simreel::scene {
 

@@ -2,11 +2,11 @@
 #include "scene/scene_texts.hpp"
 
 #include "base/error.hpp"
-#include "scene/help.hpp"
+#include "scene/json/words.hpp"
 #include "scene/scene.hpp"
-#include "scene/schema.hpp"
 #include "scene/sections.hpp"
-#include "scene/words.hpp"
+#include "scene/value/help.hpp"
+#include "scene/value/schema.hpp"
 
 #include <algorithm>
 #include <optional>

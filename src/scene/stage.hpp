@@ -1,6 +1,6 @@
 #pragma once
 #include "scene/framing.hpp"
-#include "scene/json_node.hpp"
+#include "scene/json/json_node.hpp"
 #include "scene/scene.hpp"
 
 #include <vector>

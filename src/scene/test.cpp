@@ -1,9 +1,9 @@
 // "test" and "checks" of a scene.
 #include "scene/test.hpp"
 
+#include "scene/json/words.hpp"
 #include "scene/scene.hpp"
 #include "scene/sections.hpp"
-#include "scene/words.hpp"
 
 #include <algorithm>
 #include <array>

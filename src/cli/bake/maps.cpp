@@ -14,7 +14,7 @@
 #include "frame/file/map_pictures.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/world/world.hpp"
 

@@ -1,7 +1,7 @@
 #include "cli/bench/rows.hpp"
 
 #include "base/error.hpp"
-#include "scene/choices.hpp"
+#include "scene/value/choices.hpp"
 
 #include <algorithm>
 

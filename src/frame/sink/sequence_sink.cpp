@@ -14,8 +14,8 @@
 #include "frame/file/shared_manifest.hpp"
 #include "frame/sink/frame_queue.hpp"
 #include "frame/sink/frame_sink.hpp"
+#include "scene/json/words.hpp"
 #include "scene/scene.hpp"
-#include "scene/words.hpp"
 
 #include <algorithm>
 #include <chrono>

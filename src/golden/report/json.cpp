@@ -6,7 +6,7 @@
 #include "golden/report/fields.hpp"
 #include "golden/report/words.hpp"
 #include "golden/result.hpp"
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "scene/json_node.hpp"
-#include "scene/member_line.hpp"
+#include "scene/json/json_node.hpp"
+#include "scene/json/member_line.hpp"
 #include "scene/scene.hpp"
 
 #include <algorithm>

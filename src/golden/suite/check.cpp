@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/log.hpp"
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 
 #include <algorithm>
 #include <cmath>

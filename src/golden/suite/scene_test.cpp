@@ -8,7 +8,7 @@
 #include "golden/trace/file.hpp"
 #include "golden/trace/stream.hpp"
 #include "golden/trace/trace.hpp"
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/survey.hpp"
 

@@ -2,7 +2,7 @@
 // does.
 #include "base/text.hpp"
 #include "scene/expression/tree.hpp"
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
 #include "serve/edit/brush.hpp"
 
-#include "scene/value_writer.hpp"
+#include "scene/value/value_writer.hpp"
 #include "sim/fluid/parameters.hpp"
 #include "sim/world/list.hpp"
 

@@ -1,7 +1,7 @@
 #include "serve/edit/place_value.hpp"
 
 #include "base/error.hpp"
-#include "scene/json_node.hpp"
+#include "scene/json/json_node.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -4,7 +4,7 @@
 #include "base/version.hpp"
 #include "draw/camera.hpp"
 #include "gl/machine.hpp"
-#include "scene/value_writer.hpp"
+#include "scene/value/value_writer.hpp"
 #include "serve/play/player.hpp"
 
 #include <algorithm>

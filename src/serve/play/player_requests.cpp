@@ -2,7 +2,7 @@
 #include "base/file.hpp"
 #include "base/strict_json.hpp"
 #include "draw/camera.hpp"
-#include "scene/value_writer.hpp"
+#include "scene/value/value_writer.hpp"
 #include "serve/play/player.hpp"
 
 #include <algorithm>

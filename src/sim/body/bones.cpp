@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "scene/json/words.hpp"
 #include "scene/scene.hpp"
-#include "scene/words.hpp"
 #include "sim/body/capsules.hpp"
 #include "sim/body/skin_points.hpp"
 

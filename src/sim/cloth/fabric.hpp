@@ -1,6 +1,6 @@
 #pragma once
 #include "glsl/common/cpp.hpp"
-#include "scene/fields.hpp"
+#include "scene/value/fields.hpp"
 
 #include <optional>
 

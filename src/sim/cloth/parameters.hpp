@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/fields.hpp"
+#include "scene/value/fields.hpp"
 #include "sim/cloth/fabric.hpp"
 #include "sim/cloth/mesh_source.hpp"
 #include "sim/core/kind.hpp"

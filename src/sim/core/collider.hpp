@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/animated.hpp"
+#include "scene/value/animated.hpp"
 #include "sim/core/carrier.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/path_place.hpp"
+#include "scene/value/path_place.hpp"
 #include "sim/core/drawable.hpp"
 
 #include <optional>

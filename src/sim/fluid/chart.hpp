@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "scene/fields.hpp"
+#include "scene/value/fields.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/core/drawable.hpp"
 

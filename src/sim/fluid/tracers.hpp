@@ -1,7 +1,7 @@
 #pragma once
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
-#include "scene/fields.hpp"
+#include "scene/value/fields.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/core/simulation.hpp"
 #include "sim/fluid/wind.hpp"

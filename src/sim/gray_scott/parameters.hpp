@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/fields.hpp"
+#include "scene/value/fields.hpp"
 #include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"

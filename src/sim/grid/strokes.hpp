@@ -1,7 +1,7 @@
 #pragma once
 #include "gl/program.hpp"
-#include "scene/animated.hpp"
-#include "scene/fields.hpp"
+#include "scene/value/animated.hpp"
+#include "scene/value/fields.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <cstdint>

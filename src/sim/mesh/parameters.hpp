@@ -1,7 +1,7 @@
 #pragma once
-#include "scene/fields.hpp"
 #include "scene/outline.hpp"
 #include "scene/tinted.hpp"
+#include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/mesh/deform_parameters.hpp"
 #include "sim/mesh/file.hpp"

@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/packed.hpp"
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 #include "sim/mesh/builder.hpp"
 #include "sim/mesh/file.hpp"
 #include "sim/nodes/gltf_nodes.hpp"

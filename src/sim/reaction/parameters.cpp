@@ -1,6 +1,6 @@
 #include "sim/reaction/parameters.hpp"
 
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 #include "sim/reaction/presets.hpp"
 
 #include <algorithm>

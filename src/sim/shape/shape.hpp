@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/fields.hpp"
+#include "scene/value/fields.hpp"
 #include "sim/core/collider.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/simulation.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/fields.hpp"
+#include "scene/value/fields.hpp"
 #include "sim/core/shader_code.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"

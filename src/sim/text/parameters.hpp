@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/fields.hpp"
+#include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/text/content.hpp"
 #include "sim/text/layout.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-#include "scene/fields.hpp"
 #include "scene/scene.hpp"
+#include "scene/value/fields.hpp"
 
 #include <filesystem>
 #include <optional>

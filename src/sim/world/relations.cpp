@@ -1,6 +1,6 @@
 #include "sim/world/relations.hpp"
 
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 #include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 

@@ -4,7 +4,7 @@
 #include "base/log.hpp"
 #include "scene/outline.hpp"
 #include "scene/stage.hpp"
-#include "scene/value_writer.hpp"
+#include "scene/value/value_writer.hpp"
 #include "sim/cloth/parameters.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/particles/parameters.hpp"

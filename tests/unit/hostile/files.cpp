@@ -38,7 +38,7 @@ std::string bigEndian(std::uint32_t value) {
           static_cast<char>(value)};
 }
 
-std::string chunk(const std::string& type, const std::string& data) {
+std::string pngChunk(const std::string& type, const std::string& data) {
   const std::string body = type + data;
   return bigEndian(static_cast<std::uint32_t>(data.size())) + body +
          bigEndian(crc32_gzip_refl(0, reinterpret_cast<const unsigned char*>(body.data()), body.size()));
@@ -70,8 +70,8 @@ std::string zeros(std::size_t count) {
 /// 8-bit RGB.
 std::string png(std::uint32_t width, std::uint32_t height, const std::string& pixels) {
   return "\x89PNG\r\n\x1a\n" +
-         chunk("IHDR", bigEndian(width) + bigEndian(height) + std::string("\x08\x02\0\0\0", 5)) +
-         chunk("IDAT", pixels) + chunk("IEND", "");
+         pngChunk("IHDR", bigEndian(width) + bigEndian(height) + std::string("\x08\x02\0\0\0", 5)) +
+         pngChunk("IDAT", pixels) + pngChunk("IEND", "");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Keyframes: how values move between them.
-#include "scene/animated.hpp"
+#include "scene/value/animated.hpp"
 
 #include <cmath>
 #include <vector>

@@ -5,7 +5,7 @@
 #include "scene/scene.hpp"
 #include "scene/scene_texts.hpp"
 #include "scene/sections.hpp"
-#include "scene/value_writer.hpp"
+#include "scene/value/value_writer.hpp"
 #include "sim/world/list.hpp"
 #include "source_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "scene/member_line.hpp"
+#include "scene/json/member_line.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "scene/json_node.hpp"
+#include "scene/json/json_node.hpp"
 #include "unit/scene/toy.hpp"
 
 #include <doctest/doctest.h>

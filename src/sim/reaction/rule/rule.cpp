@@ -1,6 +1,6 @@
 #include "sim/reaction/rule/rule.hpp"
 
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 #include "sim/reaction/rule/rule_cost.hpp"
 
 #include <algorithm>

@@ -40,7 +40,7 @@ scene::Scene litScene() {
   return scene;
 }
 
-Picture exactly(const scene::Scene& scene, const sim::Drawables& drawables, glm::ivec2 size) {
+Picture drawnExactly(const scene::Scene& scene, const sim::Drawables& drawables, glm::ivec2 size) {
   return drawn(scene, drawables, size, 4, {.rasterizer = scene::Rasterizer::exact});
 }
 
@@ -78,9 +78,9 @@ TEST_CASE("exact limits: instances beyond the first row of groups, to the end of
         stage->instances.size = 0.1F;
         stage->instances.massExponent = 1.0F / 3;
       }
-      const Picture wanted = exactly(scene, {.instances = {few.instances}}, {67, 53});
-      CHECK(wanted.bytes != exactly(scene, {}, {67, 53}).bytes);
-      CHECK(exactly(scene, {.instances = {many.instances}}, {67, 53}).bytes == wanted.bytes);
+      const Picture wanted = drawnExactly(scene, {.instances = {few.instances}}, {67, 53});
+      CHECK(wanted.bytes != drawnExactly(scene, {}, {67, 53}).bytes);
+      CHECK(drawnExactly(scene, {.instances = {many.instances}}, {67, 53}).bytes == wanted.bytes);
     }
   std::filesystem::remove(file);
 }
@@ -109,9 +109,9 @@ TEST_CASE("exact limits: vertices and triangles beyond the first row of groups, 
   }
   TriangleStage many(allPlaces, allCorners);
   few.surface.doubleSided = many.surface.doubleSided = true;
-  const Picture wanted = exactly(scene, {.surfaces = {few.surface}}, {67, 53});
-  CHECK(wanted.bytes != exactly(scene, {}, {67, 53}).bytes);
-  CHECK(exactly(scene, {.surfaces = {many.surface}}, {67, 53}).bytes == wanted.bytes);
+  const Picture wanted = drawnExactly(scene, {.surfaces = {few.surface}}, {67, 53});
+  CHECK(wanted.bytes != drawnExactly(scene, {}, {67, 53}).bytes);
+  CHECK(drawnExactly(scene, {.surfaces = {many.surface}}, {67, 53}).bytes == wanted.bytes);
 }
 
 TEST_CASE("exact limits: as many things as are drawn at once, each where it is; one more is refused") {
@@ -139,7 +139,7 @@ TEST_CASE("exact limits: as many things as are drawn at once, each where it is; 
     surfaces[static_cast<std::size_t>(i)].model[3] = glm::vec4(pixel * at.x, -pixel * at.y, 0, 1);
     surfaces[static_cast<std::size_t>(i)].material = &materials[static_cast<std::size_t>(i % 3)];
   }
-  const Picture picture = exactly(scene, {.surfaces = surfaces}, size);
+  const Picture picture = drawnExactly(scene, {.surfaces = surfaces}, size);
   int wrong = 0;
   for (int i = 0; i < most; ++i) {
     const glm::ivec3 seen = picture.at(cell(i).x, cell(i).y);
@@ -151,7 +151,7 @@ TEST_CASE("exact limits: as many things as are drawn at once, each where it is; 
   surfaces.push_back(square.surface);
   surfaces.back().material = materials.data();
   try {
-    (void)exactly(scene, {.surfaces = surfaces}, size);
+    (void)drawnExactly(scene, {.surfaces = surfaces}, size);
     CHECK(false);
   } catch (const UserError& error) {
     CHECK(error.code() == ExitCode::device);
@@ -167,7 +167,7 @@ TEST_CASE("exact limits: what is nearer than the nearest plane or beyond the far
   scene.camera.far = 6;
   const auto file = temporaryFile("limit_plate.obj");
   writeFileAtomically(file, "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3\nf 1 3 4\n");
-  const Picture empty = exactly(scene, {}, {161, 153});
+  const Picture empty = drawnExactly(scene, {}, {161, 153});
   for (const Shape shape : {Shape::sprite, Shape::sphere, Shape::mesh})
     for (const bool additive : {false, true})
       for (const float size : {0.05F, 1.2F}) {  // round sprites are of at most 64 pixels' radius
@@ -180,7 +180,7 @@ TEST_CASE("exact limits: what is nearer than the nearest plane or beyond the far
           stage.instances.mesh = file;
           stage.instances.additive = additive;
           stage.instances.size = size;
-          return exactly(scene, {.instances = {stage.instances}}, {161, 153}).bytes != empty.bytes;
+          return drawnExactly(scene, {.instances = {stage.instances}}, {161, 153}).bytes != empty.bytes;
         };
         CHECK(shows(0.5F));
         CHECK(shows(-0.3F));

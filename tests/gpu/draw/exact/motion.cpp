@@ -58,7 +58,7 @@ std::vector<glm::vec4> read(const gl::Texture& view, std::size_t count) {
   return items;
 }
 
-constexpr glm::ivec2 size(191, 143);
+constexpr glm::ivec2 shotSize(191, 143);
 
 scene::Scene sceneOfSheet(float angle, int samples) {
   scene::Scene scene;
@@ -74,12 +74,12 @@ scene::Scene sceneOfSheet(float angle, int samples) {
 /// The sheet as it stands still, seen by the area of each pixel: a box, and a pixel is one, too.
 Smear boxOf(double metre) {
   const glm::dvec2 sides = metre * glm::dvec2(0.4, 0.3);
-  return {sides.x * sides.y, 0.5 * (glm::dvec2(size) - 1.0), sides * sides / 12.0 + 1.0 / 12};
+  return {sides.x * sides.y, 0.5 * (glm::dvec2(shotSize) - 1.0), sides * sides / 12.0 + 1.0 / 12};
 }
 
 double pixelsPerMetre(const scene::Scene& scene) {
-  const draw::View view = draw::viewAt(scene.camera, 0, size, {});
-  return 0.5 * size.y / (4 * static_cast<double>(view.reach.y));
+  const draw::View view = draw::viewAt(scene.camera, 0, shotSize, {});
+  return 0.5 * shotSize.y / (4 * static_cast<double>(view.reach.y));
 }
 
 }  // namespace
@@ -94,12 +94,12 @@ TEST_CASE("exact: a shutter spreads what moves over its way while it is open, an
     const scene::Scene scene = sceneOfSheet(angle, samples);
     const double metre = pixelsPerMetre(scene), open = static_cast<double>(angle) / 360;
     draw::PassPicture kept;
-    draw::Renderer renderer(scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+    draw::Renderer renderer(scene, shotSize, 4, {.rasterizer = scene::Rasterizer::exact});
     renderer.keepPasses(&kept);
     const Smear rest = boxOf(metre);
     renderer.keepBefore({.surfaces = {before->surface}});
     renderer.draw(1, {.surfaces = {now->surface}});
-    const Smear seen = smearOf(kept, size);
+    const Smear seen = smearOf(kept, shotSize);
     CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.01));
     // Moments in the middles of equal parts, up to the frame: evenly about the middle of that time.
     const glm::dvec2 end(0.5, 0.2);
@@ -126,11 +126,11 @@ TEST_CASE("exact: a shutter sees the camera move, and a frame before which nothi
   scene.camera.target =
       Keys({{0, glm::vec3(-0.4F, 0, -1)}, {1, glm::vec3(0.4F, 0, -1)}}, scene::Ease::linear);
   draw::PassPicture kept;
-  draw::Renderer renderer(scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+  draw::Renderer renderer(scene, shotSize, 4, {.rasterizer = scene::Rasterizer::exact});
   renderer.keepPasses(&kept);
   const Smear rest = boxOf(metre);
   renderer.draw(0.5, {.surfaces = {sheet->surface}});
-  const Smear seen = smearOf(kept, size);
+  const Smear seen = smearOf(kept, shotSize);
   CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.03));  // samples lie on few heights
   // 0.08 m to the right in the tenth of a second before: the sheet was that far to the right of the middle.
   CHECK(seen.middle.x - rest.middle.x == doctest::Approx(metre * 0.04).epsilon(0.03));
@@ -150,16 +150,16 @@ TEST_CASE("exact: with a lens each moment is seen through other points of it, al
   scene.camera.lens.focused = true;
   scene.camera.lens.focus = 7.0F;
   draw::PassPicture kept;
-  draw::Renderer renderer(scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+  draw::Renderer renderer(scene, shotSize, 4, {.rasterizer = scene::Rasterizer::exact});
   renderer.keepPasses(&kept);
   renderer.draw(0, {.surfaces = {sheet->surface}});
-  const Smear seen = smearOf(kept, size);
+  const Smear seen = smearOf(kept, shotSize);
   scene.camera.hasShutter = false;
   draw::PassPicture lens;
-  draw::Renderer alone(scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+  draw::Renderer alone(scene, shotSize, 4, {.rasterizer = scene::Rasterizer::exact});
   alone.keepPasses(&lens);
   alone.draw(0, {.surfaces = {sheet->surface}});
-  const Smear wanted = smearOf(lens, size);
+  const Smear wanted = smearOf(lens, shotSize);
   // The same pictures, added in another order.
   CHECK(seen.area == doctest::Approx(wanted.area).epsilon(1e-5));
   for (int i = 0; i < 2; ++i) {

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double fps = 30;
 
-scene::Scene sceneOf(const std::string& objects, const std::string& camera = "") {
+scene::Scene movingScene(const std::string& objects, const std::string& camera = "") {
   return scene::parseScene(
       fmt::format(R"({{"version": 1, "render": {{"size": [96, 54], "samples": 1}}, "time": {{"fps": {}}},
                   "camera": {{"position": [0, 0.3, 3], "target": [0, 0, 0]{}}}, "sun": {{"shadow": false}},
@@ -76,7 +76,7 @@ TEST_CASE("velocities: a turning rod's are omega x r, by how far it has come in 
     const double c = std::cos(omega / fps), s = std::sin(omega / fps);
     return (p - glm::dvec3(c * p.x + s * p.y, -s * p.x + c * p.y, p.z)) * fps;
   };
-  const draw::PictureLayers layers = layersAt(sceneOf(rod), 7);
+  const draw::PictureLayers layers = layersAt(movingScene(rod), 7);
   int seen = 0;
   CHECK(worst(layers, seen, expected) < 2e-3);
   CHECK(seen > 100);
@@ -87,7 +87,7 @@ TEST_CASE("velocities: a turning rod's are omega x r, by how far it has come in 
   CHECK(off < 0.55 * omega * omega / fps * 0.5);
   CHECK(off > 0.1);  // which the chord is not
   int still = 0;
-  CHECK(worst(layersAt(sceneOf(rod), 0), still, [](const auto&) { return glm::dvec3(0); }) == 0);
+  CHECK(worst(layersAt(movingScene(rod), 0), still, [](const auto&) { return glm::dvec3(0); }) == 0);
   CHECK(still > 80);
 }
 
@@ -96,17 +96,18 @@ TEST_CASE("velocities: balls have their own, what stands none, whatever the came
   const std::string moved =
       R"("ball": {"sphere": {"radius": 0.3, "position": {"keys": [[0, [-0.5, 0, 0]], [2, [1.5, 1, -1]]]}}})";
   int seen = 0;
-  CHECK(worst(layersAt(sceneOf(moved), 9), seen, [](const auto&) { return glm::dvec3(1, 0.5, -0.5); }) <
+  CHECK(worst(layersAt(movingScene(moved), 9), seen, [](const auto&) { return glm::dvec3(1, 0.5, -0.5); }) <
         2e-4);
   CHECK(seen > 100);
   // The same at the middle of the moments that a shutter is open at, and from a moving camera.
   int blurred = 0;
   CHECK(worst(layersAt(
-                  sceneOf(moved, R"(, "shutter": {"samples": 3}, "roll": {"keys": [[0, 0], [1, 90]]})"), 9),
+                  movingScene(moved, R"(, "shutter": {"samples": 3}, "roll": {"keys": [[0, 0], [1, 90]]})"),
+                  9),
               blurred, [](const auto&) { return glm::dvec3(1, 0.5, -0.5); }) < 2e-4);
   CHECK(blurred > 100);
   int standing = 0;
-  CHECK(worst(layersAt(sceneOf(R"("ball": {"sphere": {"radius": 0.5}})"), 5), standing,
+  CHECK(worst(layersAt(movingScene(R"("ball": {"sphere": {"radius": 0.5}})"), 5), standing,
               [](const auto&) { return glm::dvec3(0); }) == 0);
   CHECK(standing > 100);
 }
@@ -114,7 +115,7 @@ TEST_CASE("velocities: balls have their own, what stands none, whatever the came
 TEST_CASE("velocities: a falling sheet's are those of its particles") {
   testContext();
   const draw::PictureLayers layers = layersAt(
-      sceneOf(
+      movingScene(
           R"("sheet": {"cloth": {"size": [9, 9], "pins": [], "damping": 0, "wind": [0, 0, 0], "substeps": 32}})"),
       6);
   int seen = 0;
@@ -132,7 +133,7 @@ TEST_CASE("layers: triangles and balls count from the first of their object") {
       R"("first": {"sphere": {"radius": 0.2, "position": [-1, 0, 0]}},
          "sheet": {"mesh": {"shape": "plane", "size": [1, 0, 1], "resolution": [2, 2], "rotation": [60, 0, 0]}},
          "dust": {"particles": {"groups": [{"shape": "ball", "count": 5, "radius": 0.2, "position": [1, 0, 0]}], "method": "none", "look": {"size": 0.2}}})";
-  const scene::Scene scene = sceneOf(objects);
+  const scene::Scene scene = movingScene(objects);
   sim::World world(scene);
   draw::Renderer renderer(scene, scene.render.size, scene.render.samples);
   renderer.keepLayers({{draw::Layer::primitive, draw::Layer::position, draw::Layer::object}, false, 32});

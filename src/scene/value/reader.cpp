@@ -1,8 +1,8 @@
-#include "scene/reader.hpp"
+#include "scene/value/reader.hpp"
 
 #include "base/log.hpp"
-#include "scene/value_reader.hpp"
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
+#include "scene/value/value_reader.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,6 +1,6 @@
-#include "scene/choices.hpp"
+#include "scene/value/choices.hpp"
 
-#include "scene/schema.hpp"
+#include "scene/value/schema.hpp"
 
 namespace simreel::scene {
 

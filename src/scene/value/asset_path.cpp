@@ -1,6 +1,6 @@
-#include "scene/asset_path.hpp"
+#include "scene/value/asset_path.hpp"
 
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 
 #include <algorithm>
 #include <system_error>

@@ -1,7 +1,7 @@
-#include "scene/member_line.hpp"
+#include "scene/json/member_line.hpp"
 
-#include "scene/diagnostics.hpp"
-#include "scene/json_node.hpp"
+#include "scene/json/diagnostics.hpp"
+#include "scene/json/json_node.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
-#include "scene/animated.hpp"
-#include "scene/fields.hpp"
+#include "scene/value/animated.hpp"
+#include "scene/value/fields.hpp"
 
 #include <string>
 

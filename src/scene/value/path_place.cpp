@@ -1,4 +1,4 @@
-#include "scene/path_place.hpp"
+#include "scene/value/path_place.hpp"
 
 namespace simreel::scene {
 

@@ -1,7 +1,7 @@
-#include "scene/diagnostics.hpp"
+#include "scene/json/diagnostics.hpp"
 
 #include "base/text.hpp"
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 
 #include <algorithm>
 #include <tuple>

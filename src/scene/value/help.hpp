@@ -1,21 +1,23 @@
 #pragma once
-#include "scene/fields.hpp"
+#include "scene/value/fields.hpp"
 
 #include <map>
 #include <set>
 #include <string>
-
-#include <nlohmann/json.hpp>
+#include <vector>
 
 namespace simreel::scene {
 
-/// Fields that write JSON Schema (draft 2020-12) of what is declared.
-class SchemaWriter final : public Fields {
+/// Fields that print a table for people: name, default, range, unit, sentence. Members of groups are
+/// named `group.member`, of lists `list[].member`.
+class HelpWriter final : public Fields {
  public:
-  /// Schema of the object described so far; unknown keys are not allowed in it.
-  [[nodiscard]] nlohmann::ordered_json object() const;
-  /// Adds a property that is not declared through Fields.
-  void add(const char* name, nlohmann::ordered_json schema) { properties_[name] = std::move(schema); }
+  /// `expandGroups`: false shows a group or list as one line.
+  explicit HelpWriter(bool expandGroups) : expandGroups_(expandGroups) {}
+  void add(const std::string& name, std::string standard, std::string range, const char* unit,
+           std::string doc);
+  /// The table, columns aligned.
+  [[nodiscard]] std::string table() const;
 
   void field(const char* name, Member member, const Spec& spec) override;
   void section(const char* name, bool* present, const char* doc,
@@ -32,7 +34,12 @@ class SchemaWriter final : public Fields {
   void switchable(const char* group) override { switchable_.insert(group); }
 
  private:
-  nlohmann::ordered_json properties_ = nlohmann::ordered_json::object();
+  struct Row {
+    std::string name, standard, range, unit, doc;
+  };
+  bool expandGroups_;
+  std::string prefix_;
+  std::vector<Row> rows_;
   std::map<std::string, std::string> shorthands_;
   std::set<std::string> switchable_;
 };

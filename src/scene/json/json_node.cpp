@@ -1,7 +1,7 @@
-#include "scene/json_node.hpp"
+#include "scene/json/json_node.hpp"
 
-#include "scene/json_error.hpp"
-#include "scene/words.hpp"
+#include "scene/json/json_error.hpp"
+#include "scene/json/words.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 
 #include "base/text.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/diagnostics.hpp"
+#include "scene/json/diagnostics.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #pragma once
-#include "scene/asset_path.hpp"
-#include "scene/diagnostics.hpp"
-#include "scene/fields.hpp"
-#include "scene/json_node.hpp"
+#include "scene/json/diagnostics.hpp"
+#include "scene/json/json_node.hpp"
+#include "scene/value/asset_path.hpp"
+#include "scene/value/fields.hpp"
 
 #include <cstddef>
 #include <filesystem>

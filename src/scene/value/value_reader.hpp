@@ -1,7 +1,7 @@
 #pragma once
-#include "scene/diagnostics.hpp"
-#include "scene/fields.hpp"
-#include "scene/json_node.hpp"
+#include "scene/json/diagnostics.hpp"
+#include "scene/json/json_node.hpp"
+#include "scene/value/fields.hpp"
 
 #include <algorithm>
 #include <optional>

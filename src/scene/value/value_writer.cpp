@@ -1,4 +1,4 @@
-#include "scene/value_writer.hpp"
+#include "scene/value/value_writer.hpp"
 
 #include <fmt/format.h>
 

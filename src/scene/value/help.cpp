@@ -1,6 +1,6 @@
-#include "scene/help.hpp"
+#include "scene/value/help.hpp"
 
-#include "scene/value_writer.hpp"
+#include "scene/value/value_writer.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
-#include "scene/schema.hpp"
+#include "scene/value/schema.hpp"
 
-#include "scene/value_writer.hpp"
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
+#include "scene/value/value_writer.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
-#include "scene/json_error.hpp"
+#include "scene/json/json_error.hpp"
 
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
-#include "scene/value_reader.hpp"
+#include "scene/value/value_reader.hpp"
 
-#include "scene/words.hpp"
+#include "scene/json/words.hpp"
 
 #include <cmath>
 #include <limits>
