@@ -17,7 +17,7 @@ namespace simreel::draw {
 /// Whether one of that roughness is smooth enough to mirror what stands around it (mirrorRough of
 /// glsl/draw/exact/reflections/mirrored_way.glsl).
 [[nodiscard]] constexpr bool mirrorsScene(float roughness) {
-  return roughness < 0.5F;
+  return roughness < 0.3F;
 }
 
 /// Draws surfaces with their materials. A program per combination of features that materials use: software

@@ -10,18 +10,18 @@
 //     nearest(t1) > n(t1),            at the end t1 of the way through it: the ray is behind what is seen there,
 //     1 / nearest - 1 / n(t) < thickness,    by less than that at the nearer end,
 //     nearest > that of the mirror's own plane, by more than a half pixel changes it.
-// How much that counts, from 1 to 0: the less the deeper the ray is behind what is seen (more than that changes in a half pixel, and the
-// more so the more the mirror bends); over the last tenth of the picture's height
-// before its border; over the farther half of the reach; for rays that come towards the eye, whose backs of things nobody
-// sees, until they do by half; where the mirror bends so that neighbours show what is from 1/8 to 3/4 half pixels apart, which would be
-// noise; and with the roughness from 0.2 to 0.5. What does not count is as if nothing had been met.
+// How much that counts, from 1 to 0: the less the deeper the ray is behind what is seen (more than that changes in a half pixel,
+// and the more so the more the mirror bends); over the last tenth of the picture's height before its border; over the farther half
+// of the reach; for rays that come towards the eye, whose backs of things nobody sees, until they do by half; where the mirror
+// bends so that neighbours show what is from 1/8 to 3/4 half pixels apart, which would be noise; and with the roughness from 0.1
+// to 0.3, beyond which the edges of what is met would have to be blurred, too. What does not count is as if nothing had been met.
 #include "common/exact.glsl"
 #include "draw/exact/depth.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
 #include "draw/exact/reflections/levels.glsl"
 
 const int mirrorSteps = 96;
-const float mirrorSmooth = 0.2f, mirrorRough = 0.5f;  // roughness: all and nothing of what is met counts
+const float mirrorSmooth = 0.1f, mirrorRough = 0.3f;  // roughness: all and nothing of what is met counts
 
 struct MirrorWay {
   vec2 from;       // half pixels
