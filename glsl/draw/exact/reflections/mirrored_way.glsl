@@ -199,7 +199,9 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
     t = behind && level > 0 ? t : next;
     level = behind ? max(level - 1, 0) : min(level + 1, lastLevel);
   }
-  MirrorHit hit = MirrorHit(0.0f, 0.0f, 0.0f);
+  MirrorHit hit;
+  hit.at = 0.0f;
+  hit.counts = 0.0f;
   for (int i = met.x >= 0 ? 0 : 1; i < 1; ++i) {
     precise float before = metNearest - metDeep;
 #ifdef PARALLEL
