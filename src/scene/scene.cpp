@@ -220,6 +220,7 @@ void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camer
 void checkObjectNamed(const Node* owner, const char* group, const std::string& name, const char* kind,
                       const std::vector<Object>& objects, Diagnostics& diagnostics) {
   std::vector<std::string> names;
+  names.reserve(objects.size());
   for (const Object& object : objects) names.push_back(object.name);
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
   const Node* given = owner == nullptr ? nullptr : owner->find(group);
