@@ -21,7 +21,7 @@ struct Kernel {
   const ExactView& view = twin.view;
   const Frame& frame = noFrame;
   vec3 reach_ = twin.reach;
-  std::vector<vec4> arcs = {};
+  std::vector<vec2> arcs = {};
   const std::vector<float>* open = nullptr;
 
   [[nodiscard]] std::size_t indexOf(ivec2 at) const {
@@ -30,11 +30,19 @@ struct Kernel {
   }
   [[nodiscard]] bool within(ivec2 at) const { return at == clamp(at, ivec2(0), twin.half() - 1); }
   [[nodiscard]] float nearnessAt(ivec2 at) const { return within(at) ? twin.nearness[indexOf(at)] : 0.0F; }
-  [[nodiscard]] vec4 arcsAt(ivec2 at) const { return within(at) ? arcs[indexOf(at)] : vec4(0); }
   [[nodiscard]] vec2 opennessAt(ivec2 at) const { return {(*open)[indexOf(at)], nearnessAt(at)}; }
 #include "glsl/draw/exact/occlusion/horizons.glsl"
 #include "glsl/draw/exact/occlusion/open_place.glsl"
 #include "glsl/draw/exact/occlusion/smooth_arcs.glsl"
+
+  [[nodiscard]] vec2 smoothAlong(ivec2 at, ivec2 along) {
+    ArcsBeside beside{};
+    for (int k = 0; k < 7; ++k) {
+      const ivec2 there = at + along * (k - 3);
+      beside.of[k] = within(there) ? vec3(arcs[indexOf(there)], nearnessAt(there)) : vec3(0);
+    }
+    return nearnessAt(at) > 0.0F ? smoothArcs(beside) : vec2(0, 1);
+  }
 
   template <class F>
   void each(const F& f) const {
@@ -72,25 +80,19 @@ void OcclusionTwin::see(const simreel::shader::Frame& frame, int samples,
 
 std::vector<float> OcclusionTwin::openness() const {
   Kernel kernel{*this};
-  std::vector<vec4> found;
+  std::vector<vec2> found;
   kernel.each([&](ivec2 at) {
     const float here = kernel.nearnessAt(at);
     const Kernel::Arcs arcs =
         here > 0.0F ? kernel.arcsOf(kernel.halfPlaceOf(at, here)) : Kernel::Arcs{0.0F, 0.0F};
-    found.emplace_back(arcs.lost, arcs.all_, here, 0.0F);
+    found.emplace_back(arcs.lost, arcs.all_);
   });
   kernel.arcs = found;
-  std::vector<vec4> across;
-  kernel.each([&](ivec2 at) {
-    const float here = kernel.nearnessAt(at);
-    across.emplace_back(here > 0.0F ? kernel.smoothArcs(at, {1, 0}) : vec2(0, 1), here, 0.0F);
-  });
+  std::vector<vec2> across;
+  kernel.each([&](ivec2 at) { across.push_back(kernel.smoothAlong(at, {1, 0})); });
   kernel.arcs = across;
   std::vector<float> open;
-  kernel.each([&](ivec2 at) {
-    open.push_back(
-        kernel.opennessOf(kernel.nearnessAt(at) > 0.0F ? kernel.smoothArcs(at, {0, 1}) : vec2(0, 1)));
-  });
+  kernel.each([&](ivec2 at) { open.push_back(kernel.opennessOf(kernel.smoothAlong(at, {0, 1}))); });
   return open;
 }
 

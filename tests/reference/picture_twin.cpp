@@ -10,6 +10,7 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 #define precise
 #define EXACT_PICTURE
 #define REFLECTIVE
+#define GROUND_REFLECTIVE
 #define SAMPLES samples
 /// What the kernels see.
 struct Kernel {
@@ -44,6 +45,7 @@ struct Kernel {
 };
 #undef SAMPLES
 #undef REFLECTIVE
+#undef GROUND_REFLECTIVE
 #undef EXACT_PICTURE
 #undef precise
 #undef FUNCTION

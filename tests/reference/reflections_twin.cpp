@@ -11,6 +11,7 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 #define FUNCTION inline
 #define precise
 #define EXACT_PICTURE
+#define MIRROR_TWIN
 #include "glsl/draw/exact/reflections/levels.glsl"
 /// What the kernels see.
 struct MirrorKernel {
@@ -50,6 +51,7 @@ struct MirrorKernel {
   }
 };
 #undef EXACT_PICTURE
+#undef MIRROR_TWIN
 #undef precise
 #undef FUNCTION
 
@@ -65,14 +67,16 @@ void ReflectionsTwin::see(const std::vector<float>& nearness, const std::vector<
   std::vector<glm::vec4> halves;
   for (int y = 0; y < view.size.y; y += 2)
     for (int x = 0; x < view.size.x; x += 2)
-      halves.push_back(mean(lightOf(x, y), lightOf(x + 1, y), lightOf(x, y + 1), lightOf(x + 1, y + 1)));
+      halves.push_back(nearness[halves.size()] > 0.0F ? mean(lightOf(x, y), lightOf(x + 1, y),
+                                                             lightOf(x, y + 1), lightOf(x + 1, y + 1))
+                                                      : vec4(0));
   lit = MirrorKernel::levelsOf(halves, half(), mean);
 }
 
 glm::vec4 ReflectionsTwin::lightMet(const Ray& ray) const {
   MirrorKernel kernel{*this};
   const MirrorKernel::MirrorWay way =
-      kernel.mirrorWay(ray.p, ray.direction, ray.facing, ray.towards, ray.turns, ray.roughness);
+      kernel.mirrorWay(ray.p, ray.direction, ray.ground, ray.facing, ray.towards, ray.turns, ray.roughness);
   if (way.counts <= 0.0F) return glm::vec4(0);
   const MirrorKernel::MirrorHit hit = kernel.followMirrored(way);
   return hit.counts > 0.0F ? kernel.lightMirrored(way, hit, ray.roughness) : glm::vec4(0);

@@ -18,6 +18,7 @@ struct ReflectionsTwin {
   struct Ray {
     glm::vec3 p{0}, direction{0}, facing{0}, towards{0};
     float roughness = 0, turns = 0;
+    float ground = -1;  ///< how far it goes until it meets that (m; -1: never)
   };
   /// Light that it brings, and how much of it that is.
   [[nodiscard]] glm::vec4 lightMet(const Ray& ray) const;

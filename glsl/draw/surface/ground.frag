@@ -1,4 +1,4 @@
-// Colour times alpha, so that the tone map can lay it over the sky. Variants: SHADOWED, REFLECTIVE, LAMPS.
+// Colour times alpha, so that the tone map can lay it over the sky. Variants: SHADOWED, GROUND_REFLECTIVE, LAMPS.
 #include "draw/fragment_frame.glsl"
 #include "draw/surface/ground_light.glsl"
 #ifdef SHADOWED

@@ -1,50 +1,66 @@
-// Light of the ground times its alpha, and alpha: it fades out far from what the camera looks at. `fraction` of the sun
-// reaches the place, and of what is around it `openness`. Variants: REFLECTIVE, LAMPS, REFLECTED as in lighting.glsl (then there is no
-// alpha). Compiles as GLSL and as C++.
+// Light of the ground. `fraction` of the sun reaches the place, and of what is around it `openness`. Variants: GROUND_REFLECTIVE, LAMPS,
+// REFLECTED as in lighting.glsl. Compiles as GLSL and as C++.
+#ifndef DRAW_GROUND_LIGHT
+#define DRAW_GROUND_LIGHT
 #include "draw/sky.glsl"
+#include "draw/surface/ground_alpha.glsl"
 #include "draw/surface/shading.glsl"
 #ifdef LAMPS
 #include "draw/lights/lamps.glsl"
 #endif
 
-FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction, float openness) {
+FUNCTION vec3 ambientOnGround() {
+#ifdef ENVIRONMENT
+  return ambientOn(vec3(0, 1, 0));
+#else
+  return vec3(frame.ambientUp);
+#endif
+}
+
+#ifdef GROUND_REFLECTIVE
+// Of the surroundings, towards `view`: times F0 x + y.
+FUNCTION vec3 aroundGround(vec3 view) {
+#ifdef ENVIRONMENT
+  return environmentMirrored(vec3(-view.x, abs(view.y), -view.z), frame.groundRoughness);
+#else
+  return blend(skyRadiance(abs(view.y)), ambientOnGround(), frame.groundRoughness);
+#endif
+}
+#endif
+
+FUNCTION vec3 lightOnGround(vec3 p, vec3 view, float fraction, float openness) {
   vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight), color = vec3(frame.groundColor);
   ROUNDED float lit = max(sun.y, 0.0f) * fraction;
   vec3 normal = vec3(0, 1, 0);
-#ifdef ENVIRONMENT
-  vec3 ambientUp = ambientOn(normal);
-#else
-  vec3 ambientUp = vec3(frame.ambientUp);
-#endif
+  vec3 ambientUp = ambientOnGround();
   ROUNDED float mirrored = 0.04f * sunLobe(normal, view, sun, frame.groundRoughness) * lit;
   ROUNDED vec3 light = color * (sunLight * lit + openness * ambientUp) + sunLight * mirrored;
 #ifdef LAMPS
   LampLight lamps = lampLight(p, normal, view, frame.groundRoughness, 0.0f);
   light = light + color * lamps.matt + 0.04f * lamps.mirror;
 #endif
-#ifdef REFLECTIVE
+#ifdef GROUND_REFLECTIVE
   vec2 weight = ambientLobe(frame.groundRoughness, abs(view.y));
-#ifdef ENVIRONMENT
-  vec3 around = environmentMirrored(vec3(-view.x, abs(view.y), -view.z), frame.groundRoughness);
-#else
-  vec3 around = blend(skyRadiance(abs(view.y)), ambientUp, frame.groundRoughness);
+  light = light + openness * (0.04f * weight.x + weight.y) * aroundGround(view);
 #endif
-#ifdef REFLECTED
-  vec3 along = vec3(-view.x, abs(view.y), -view.z);
-  vec4 met = lightMet(p, along, view, frame.groundRoughness);
-  light = (0.04f * weight.x + weight.y) * (vec3(met) - met.w * openness * around);
-#else
-  light = light + openness * (0.04f * weight.x + weight.y) * around;
-#endif
-#endif
-  ROUNDED vec3 aside = p - vec3(frame.target);
-  ROUNDED float distance2 = aside.x * aside.x + aside.z * aside.z;
-  ROUNDED float far = (root(distance2) - frame.groundFadeStart) * frame.perGroundFade;
-  ROUNDED float alpha = 1.0f - smoothed(clamp(far, 0.0f, 1.0f));
-  ROUNDED vec3 faded = light * alpha;
-#ifdef REFLECTED
-  return vec4(faded, 0.0f);
-#else
-  return vec4(faded, alpha);
-#endif
+  return light;
 }
+
+// Times alpha, and alpha.
+FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction, float openness) {
+  vec3 light = lightOnGround(p, view, fraction, openness);
+  float alpha = groundAlpha(p);
+  ROUNDED vec3 faded = light * alpha;
+  return vec4(faded, alpha);
+}
+
+#if defined REFLECTED && defined GROUND_REFLECTIVE
+// What changes of it where the mirrored ray meets `met` of the picture.
+FUNCTION vec4 groundReflected(vec3 p, vec3 view, vec4 met, float openness) {
+  vec2 weight = ambientLobe(frame.groundRoughness, abs(view.y));
+  ROUNDED vec3 change = (0.04f * weight.x + weight.y) * (vec3(met) - met.w * openness * aroundGround(view));
+  ROUNDED vec3 faded = change * groundAlpha(p);
+  return vec4(faded, 0.0f);
+}
+#endif
+#endif

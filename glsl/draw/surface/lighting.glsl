@@ -1,7 +1,7 @@
 // Light that a metal/rough surface under sun, sky and lamps sends to the eye. Variants: TRANSLUCENT, REFLECTIVE, LAMPS.
 // SHEEN: fibres stand up from it, of the colour sheen_ and the roughness sheenRoughness_. JOINED: of surfaces of which some are such; `mirrors` says whether this one is REFLECTIVE.
 // SHOWN: instead of light the normal (1) or the base colour (2). REFLECTED: what changes of it where rays from the place bring light of
-// what the picture shows instead of the surroundings' (draw/exact/reflections). Compiles as GLSL and as C++.
+// what the picture shows instead of the surroundings', and with GROUND_BELOW of the ground (draw/exact/reflections). Compiles as GLSL and as C++.
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
 #ifdef SHEEN
@@ -9,6 +9,9 @@
 #endif
 #ifdef LAMPS
 #include "draw/lights/lamps.glsl"
+#endif
+#if defined REFLECTIVE && defined GROUND_BELOW
+#include "draw/exact/reflections/mirrored_ground.glsl"
 #endif
 
 // What a place of a surface is made of.
@@ -38,7 +41,8 @@ FUNCTION vec3 mirrorPart(Look look) {
 #endif
 
 // `fraction` of the sun reaches the place; `normal` points to the viewer's side.
-FUNCTION vec3 surfaceLight(Look look, vec3 normal, vec3 view, float fraction) {
+// Where mirrors show the ground, too: GROUND_BELOW.
+FUNCTION vec3 surfaceLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction) {
   vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight);
   float nl = dotted(normal, sun);
   ROUNDED float lit = max(nl, 0.0f) * fraction;
@@ -63,12 +67,16 @@ FUNCTION vec3 surfaceLight(Look look, vec3 normal, vec3 view, float fraction) {
   vec2 weight = ambientLobe(look.roughness, abs(nv));
   vec3 around = skyMirrored(direction, look.roughness);
   light = light + look.openness * (mirror * weight.x + weight.y) * around;
+#ifdef GROUND_BELOW
+  vec4 below = groundMirrored(p, direction, look.roughness, look.openness);
+  light = light + (mirror * weight.x + weight.y) * (vec3(below) - below.w * look.openness * around);
+#endif
 #endif
   return light;
 }
 
 #ifdef REFLECTED
-// (F0 x + y) (met - openness sky) of what the mirrored ray meets, by how much of it that is.
+// (F0 x + y) (met - surroundings) of what the mirrored ray meets, by how much of it that is.
 FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
   vec3 light = vec3(0);
 #ifdef REFLECTIVE
@@ -80,11 +88,22 @@ FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
   float nv = dotted(normal, view);
   ROUNDED vec3 direction = 2.0f * nv * normal - view;
   vec4 met = vec4(0);
-  for (int i = smooth_ ? 0 : 1; i < 1; ++i) met = lightMet(p, direction, view, look.roughness);
-  vec2 weight = ambientLobe(look.roughness, abs(nv));
-  vec3 around = skyMirrored(direction, look.roughness);
-  ROUNDED vec3 change = (mirrorPart(look) * weight.x + weight.y) * (vec3(met) - met.w * look.openness * around);
-  light = change;
+#ifdef GROUND_BELOW
+  float ground = groundAlong(p, direction);
+#else
+  const float ground = -1.0f;
+#endif
+  for (int i = smooth_ ? 0 : 1; i < 1; ++i) met = lightMet(p, direction, ground, view, look.roughness);
+  for (int i = met.w > 0.0f ? 0 : 1; i < 1; ++i) {
+    vec2 weight = ambientLobe(look.roughness, abs(nv));
+    ROUNDED vec3 around = look.openness * skyMirrored(direction, look.roughness);
+#ifdef GROUND_BELOW
+    vec4 below = groundMirrored(p, direction, look.roughness, look.openness);
+    around = around + (vec3(below) - below.w * around);
+#endif
+    ROUNDED vec3 change = (mirrorPart(look) * weight.x + weight.y) * (vec3(met) - met.w * around);
+    light = change;
+  }
 #endif
   return light;
 }
@@ -102,7 +121,7 @@ FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction
 #endif
   return light;
 #else
-  vec3 light = surfaceLight(look, normal, view, fraction);
+  vec3 light = surfaceLight(look, p, normal, view, fraction);
 #ifdef LAMPS
   LampLight lamps = lampLight(p, normal, view, look.roughness, look.translucency);
   ROUNDED vec3 sum = light + mattPart(look) * lamps.matt + mirrorPart(look) * lamps.mirror;

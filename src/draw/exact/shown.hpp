@@ -1,6 +1,7 @@
 #pragma once
 #include "gl/program.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,11 @@ inline constexpr int shownReflections = -1;
 [[nodiscard]] inline gl::Defines showing(gl::Defines defines, int layer) {
   if (layer == 0) return defines;
   if (layer == shownReflections) {
-    std::erase_if(defines,
-                  [](const auto& define) { return define.first == "SHADOW" || define.first == "LAMPS"; });
+    const bool ground = std::any_of(defines.begin(), defines.end(),
+                                    [](const auto& define) { return define.first == "GROUND_BELOW"; });
+    if (!ground)  // which is lit when it is mirrored
+      std::erase_if(defines,
+                    [](const auto& define) { return define.first == "SHADOW" || define.first == "LAMPS"; });
     defines.emplace_back("REFLECTED", "1");
     return defines;
   }

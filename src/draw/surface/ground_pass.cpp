@@ -1,6 +1,7 @@
 #include "draw/surface/ground_pass.hpp"
 
 #include "draw/frame_values.hpp"
+#include "draw/surface/surface_pass.hpp"
 
 namespace simreel::draw {
 
@@ -9,7 +10,7 @@ GroundPass::GroundPass(const scene::Scene& scene, const ShadowPass& shadow, cons
   if (!on_) return;
   gl::Defines defines = withFrame(shadow.defines());
   defines.insert(defines.end(), lamps.defines().begin(), lamps.defines().end());
-  if (scene.ground.roughness < 0.6F) defines.emplace_back("REFLECTIVE", "1");
+  if (isReflective(scene.ground)) defines.emplace_back("GROUND_REFLECTIVE", "1");
   lit_ = gl::Program::graphics("draw/surface/ground.vert", "draw/surface/ground.frag", defines);
   if (!shadowed_) return;
   defines.emplace_back("SHADOWED", "1");

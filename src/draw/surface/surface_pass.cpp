@@ -27,6 +27,8 @@ enum Feature : unsigned {
   lookShift = 11  ///< of the number of the skin's look
 };
 
+constexpr float mattRoughness = 0.6F;  // rougher dielectrics mirror too little
+
 unsigned features(const scene::Material& material) {
   return (material.texture.empty() ? 0U : textured) | (material.translucency > 0 ? translucent : 0U) |
          (isReflective(material) ? reflective : 0U) |
@@ -45,8 +47,11 @@ unsigned skinFeatures(const scene::Material& material, bool hasUvs) {
 }  // namespace
 
 bool isReflective(const scene::Material& material) {
-  constexpr float mattRoughness = 0.6F;  // rougher dielectrics mirror too little
   return material.metallic > 0 || material.roughness < mattRoughness;
+}
+
+bool isReflective(const scene::Ground& ground) {
+  return ground.roughness < mattRoughness;
 }
 
 SurfacePass::SurfacePass(const scene::Scene& scene, const ShadowPass& shadow, const Lamps& lamps)

@@ -14,6 +14,7 @@ namespace simreel::draw {
 
 /// Whether a material mirrors enough of the sky to see; shaders leave the mirror out where it does not.
 [[nodiscard]] bool isReflective(const scene::Material& material);
+[[nodiscard]] bool isReflective(const scene::Ground& ground);
 /// Whether one of that roughness is smooth enough to mirror what stands around it (mirrorRough of
 /// glsl/draw/exact/reflections/mirrored_way.glsl).
 [[nodiscard]] constexpr bool mirrorsScene(float roughness) {

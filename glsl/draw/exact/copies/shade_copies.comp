@@ -58,7 +58,7 @@ vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
   keepSpot(firstSample(pixel) + sampleAt, lifted, facing, turned_ ? -normal : normal, color, material_, 1.0f, 0u, facing, exactDot(moved, facing));
   return vec4(0.0f, 0.0f, 0.0f, 1.0f);
 #endif
-#ifdef SHADOW
+#if defined SHADOW && !defined REFLECTED
   float fraction = sunFractionOn(p, normal);
 #else
   const float fraction = 1.0f;

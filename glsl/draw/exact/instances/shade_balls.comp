@@ -68,7 +68,7 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   vec3 towards = small ? facing.towards : unitOf(backwards);
   precise vec3 middle = 0.6666667f * facing.towards;  // the part of a ball that is seen faces the eye by 2/3 in the mean
   precise vec3 lit = position.xyz + (small ? ball.radius * middle : place.outwards);
-#ifdef SHADOW
+#if defined SHADOW && !defined REFLECTED
   float fraction = sunFractionOn(lit, frame.sunDirection.xyz);  // a ball shades itself by its normals
 #else
   const float fraction = 1.0f;

@@ -4,10 +4,9 @@
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/sample_read.glsl"
-#include "draw/exact/ground_plane.glsl"
+#include "draw/exact/occlusion/ground_nearness.glsl"
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
 layout(std430, binding = halfPixelBinding) writeonly restrict buffer NearnessBlock { float nearness[]; };
-float perNear = exactReciprocal(view.near);
 
 uint nearestKey(ivec2 pixel) {
   int first = firstSample(pixel);
@@ -29,16 +28,9 @@ float nearnessOf(ivec2 at) {
                  min(nearestKey(ivec2(first.x, last.y)), nearestKey(last)));
   float near = key <= 0x7fffffffu ? intBitsToFloat(int(0x7fffffffu - key)) : 0.0f;
 #ifdef GROUND
-  float depth = groundDepth(rayThrough(vec2(first + 1)));
-  float ground = nearOf(depth);
-  near = max(near, depth >= view.near && ground >= view.nearOverFar ? ground : 0.0f);
+  near = max(near, groundNearness(at));
 #endif
-#ifdef PARALLEL
-  precise float perMetre = near * exactReciprocal(view.forward.w);  // m before what is never seen
-#else
-  precise float perMetre = near * perNear;
-#endif
-  return perMetre;
+  return nearnessPerMetre(near);
 }
 
 void main() {

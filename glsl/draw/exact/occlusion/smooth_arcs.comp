@@ -1,38 +1,58 @@
 // Smooths what is lost of the surroundings' light along rows, or, DOWN, along columns, which is how open each half pixel is
-// (draw/exact/occlusion/smooth_arcs.glsl), and how near. An invocation does ROWS half pixels, one below the other.
+// (draw/exact/occlusion/smooth_arcs.glsl), and how near. An invocation does ROWS half pixels side by side in that direction, some of
+// them at once, which share what they read.
 #define EXACT_PICTURE
 #include "draw/exact/view_block.glsl"
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
-layout(rgba32f, binding = arcImage) readonly restrict uniform imageBuffer arcs;
+layout(r32f, binding = nearnessImage) readonly restrict uniform imageBuffer nearness;
+layout(rg32f, binding = arcImage) readonly restrict uniform imageBuffer arcs;
 #ifdef DOWN
 layout(std430, binding = halfPixelBinding) writeonly restrict buffer OpennessBlock { vec2 openness[]; };
 const ivec2 along = ivec2(0, 1);
 #else
-layout(std430, binding = halfPixelBinding) writeonly restrict buffer SmoothBlock { vec4 smooth_[]; };
+layout(std430, binding = halfPixelBinding) writeonly restrict buffer SmoothBlock { vec2 smooth_[]; };
 const ivec2 along = ivec2(1, 0);
 #endif
+const int atOnce = min(ROWS, 4);
 ivec2 halfSize = (view.size + 1) / 2;
-
-vec4 arcsAt(ivec2 at) {
-  ivec2 held = clamp(at, ivec2(0), halfSize - 1);
-  vec4 found = imageLoad(arcs, held.y * halfSize.x + held.x);
-  return held == at ? found : vec4(0.0f);
-}
 #include "draw/exact/occlusion/smooth_arcs.glsl"
 
-void main() {
-  ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, ROWS);
-  for (int row = 0; row < ROWS; ++row) {
-    ivec2 at = first + ivec2(0, row);
+vec3 arcsAt(ivec2 at) {
+  ivec2 held = clamp(at, ivec2(0), halfSize - 1);
+  int place = held.y * halfSize.x + held.x;
+  vec3 found = vec3(imageLoad(arcs, place).xy, imageLoad(nearness, place).x);
+  return held == at ? found : vec3(0.0f);
+}
+
+void smoothAtOnce(ivec2 first) {
+  vec3 seen[atOnce + 6];
+  for (int k = 0; k < atOnce + 6; ++k) seen[k] = arcsAt(first + along * (k - 3));
+  float nearest = 0.0f;
+  vec2 sums[atOnce];
+  for (int i = 0; i < atOnce; ++i) {
+    nearest = max(nearest, seen[i + 3].z);
+    sums[i] = vec2(0.0f, 1.0f);
+  }
+  // In a loop, which ends at once where nothing is: software drivers run both sides of a branch.
+  for (int once_ = nearest > 0.0f ? 0 : 1; once_ < 1; ++once_)
+    for (int i = 0; i < atOnce; ++i) {
+      ArcsBeside beside;
+      for (int k = 0; k < 7; ++k) beside.of[k] = seen[i + k];
+      vec2 smoothed = smoothArcs(beside);
+      sums[i] = seen[i + 3].z > 0.0f ? smoothed : sums[i];
+    }
+  for (int i = 0; i < atOnce; ++i) {
+    ivec2 at = first + along * i;
     if (at.x >= halfSize.x || at.y >= halfSize.y) continue;
-    float here = arcsAt(at).z;
-    // In a loop, which ends at once where nothing is: software drivers run both sides of a branch.
-    vec2 sums = vec2(0.0f, 1.0f);
-    for (int i = here > 0.0f ? 0 : 1; i < 1; ++i) sums = smoothArcs(at, along);
 #ifdef DOWN
-    openness[at.y * halfSize.x + at.x] = vec2(opennessOf(sums), here);
+    openness[at.y * halfSize.x + at.x] = vec2(opennessOf(sums[i]), seen[i + 3].z);
 #else
-    smooth_[at.y * halfSize.x + at.x] = vec4(sums, here, 0.0f);
+    smooth_[at.y * halfSize.x + at.x] = sums[i];
 #endif
   }
+}
+
+void main() {
+  ivec2 first = ivec2(gl_GlobalInvocationID.xy) * (1 + along * (ROWS - 1));
+  for (int begin = 0; begin < ROWS; begin += atOnce) smoothAtOnce(first + along * begin);
 }

@@ -1,5 +1,7 @@
-// Where rays meet the ground, and how much of it there is at a place: it fades out far from what the camera looks at.
-#include "draw/arithmetic.glsl"
+// Where rays meet the ground.
+#ifndef EXACT_GROUND_RAY
+#define EXACT_GROUND_RAY
+#include "draw/surface/ground_alpha.glsl"
 
 vec3 placeAlong(vec3 origin, vec3 along, float t) {
   precise vec3 p = origin + along * t;
@@ -14,11 +16,4 @@ float groundAlong(vec3 origin, vec3 along) {
   precise vec2 aside = origin.xz + along.xz * t - frame.target.xz;
   return towards && max(abs(aside.x), abs(aside.y)) <= frame.groundReach ? t : -1.0f;
 }
-
-float groundAlpha(vec3 p) {
-  precise vec3 aside = p - frame.target.xyz;
-  precise float distance2 = aside.x * aside.x + aside.z * aside.z;
-  precise float far = (root(distance2) - frame.groundFadeStart) * frame.perGroundFade;
-  precise float alpha = 1.0f - smoothed(clamp(far, 0.0f, 1.0f));
-  return alpha;
-}
+#endif

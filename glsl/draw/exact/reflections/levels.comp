@@ -1,11 +1,16 @@
 // A level of what reflections read (levels.glsl), of the one before: light of half pixels and how much of them is covered, the mean of
-// four, and their nearness, the most of four. FIRST: level 0, of the pixels' light and what occlusion has found. An invocation does ROWS
-// cells, one below the other.
+// four, and their nearness, the most of four; both 0 where nothing stands. FIRST: level 0, of the pixels' light and of what occlusion has
+// found, but for the ground (GROUND), which mirrored_ground.glsl finds. An invocation does ROWS cells, one below the other.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "common/exact.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/reflections/levels.glsl"
+#ifdef GROUND
+#include "draw/frame_block.glsl"
+#include "draw/exact/view_block.glsl"
+#include "draw/exact/occlusion/ground_nearness.glsl"
+#endif
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
 layout(r32f, binding = nearnessImage) readonly restrict uniform imageBuffer nearestBefore;
 #ifdef FIRST
@@ -40,13 +45,20 @@ void main() {
     ivec2 at = first + ivec2(0, row);
     if (at.x >= end.x || at.y >= end.y) continue;
     ivec2 a = 2 * at, b = a + ivec2(1, 0), c = a + ivec2(0, 1), d = a + 1;
-    precise vec4 mean = 0.25f * ((lightBefore(a) + lightBefore(b)) + (lightBefore(c) + lightBefore(d)));
     int place = levelPlace(room, level, at);
-    lit[place] = mean;
 #ifdef FIRST
-    nearest[place] = imageLoad(nearestBefore, at.y * half_.x + at.x).x;
-#else
-    nearest[place] = max(max(nearBefore(a), nearBefore(b)), max(nearBefore(c), nearBefore(d)));
+    float near = imageLoad(nearestBefore, at.y * half_.x + at.x).x;
+#ifdef GROUND
+    near = near == nearnessPerMetre(groundNearness(at)) ? 0.0f : near;
 #endif
+#else
+    float near = max(max(nearBefore(a), nearBefore(b)), max(nearBefore(c), nearBefore(d)));
+#endif
+    nearest[place] = near;
+    precise vec4 mean = vec4(0.0f);
+    // In a loop, which ends at once where there is nothing: software drivers run both sides of a branch.
+    for (int i = near > 0.0f ? 0 : 1; i < 1; ++i)
+      mean = 0.25f * ((lightBefore(a) + lightBefore(b)) + (lightBefore(c) + lightBefore(d)));
+    lit[place] = mean;
   }
 }

@@ -19,9 +19,9 @@
 #include "draw/exact/depth.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
 #include "draw/exact/reflections/levels.glsl"
+#include "draw/exact/reflections/mirror_reach.glsl"
 
 const int mirrorSteps = 96;
-const float mirrorSmooth = 0.1f, mirrorRough = 0.3f;  // roughness: all and nothing of what is met counts
 
 struct MirrorWay {
   vec2 from;       // half pixels
@@ -41,13 +41,6 @@ struct MirrorHit {
   float spread;  // half pixels, of what neighbours show
 };
 
-// 3 t^2 - 2 t^3 of what lies between 0 and 1.
-FUNCTION float easedBetween(float x) {
-  float t = clamp(x, 0.0f, 1.0f);
-  precise float eased = t * t * (3.0f - 2.0f * t);
-  return eased;
-}
-
 // m from p at t: t / speed on the picture of parallel rays, else as perspective has it.
 FUNCTION float metresAlong(MirrorWay way, float t) {
 #ifdef PARALLEL
@@ -60,9 +53,9 @@ FUNCTION float metresAlong(MirrorWay way, float t) {
   return metres;
 }
 
-// Of a ray from p in the unit direction; `facing`: of the surface there, unit, `towards`: the eye; `turns`: by how much the surface
+// Of a ray from p in the unit direction, which meets the ground after so many metres, or never (-1); `facing`: of the surface there, unit, `towards`: the eye; `turns`: by how much the surface
 // turns from a half pixel to the next (radians).
-FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, vec3 facing, vec3 towards, float turns, float roughness) {
+FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, float ground, vec3 facing, vec3 towards, float turns, float roughness) {
   precise vec3 aside = p - vec3(view.eye);
   precise float depth = exactDot(vec3(view.forward), aside);
   precise float recedes = exactDot(vec3(view.forward), direction);
@@ -92,13 +85,15 @@ FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, vec3 facing, vec3 towards, 
   precise float speed = max(square, 1e-20f) * perSpeed;
 #ifdef PARALLEL
   precise float rate = -recedes * perSpeed;
-  precise float reach = mirrorReach_.x * speed;
+  float metres = ground < 0.0f ? mirrorReach_.x : min(ground, mirrorReach_.x);
+  precise float reach = metres * speed;
 #else
   precise float rate = -recedes * nearness * nearness * perSpeed;
   // t = speed l d / (d + l d') of the way l (m) where the depth d changes by d'.
-  precise float ahead = depth + mirrorReach_.x * recedes;
+  float metres = ground < 0.0f ? mirrorReach_.x : min(ground, mirrorReach_.x);
+  precise float ahead = depth + metres * recedes;
   float held = max(ahead, view.near);
-  precise float wholeWay = speed * mirrorReach_.x * depth * exactReciprocal(held);
+  precise float wholeWay = speed * metres * depth * exactReciprocal(held);
   float reach = wholeWay;
 #endif
   vec2 far = vec2(along.x > 0.0f ? float(view.size.x) : 0.0f, along.y > 0.0f ? float(view.size.y) : 0.0f);
@@ -106,10 +101,8 @@ FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, vec3 facing, vec3 towards, 
   precise float acrossEnd = left.x * exactReciprocal(abs(along.x) < 1e-6f ? 1e-6f : along.x);
   precise float downEnd = left.y * exactReciprocal(abs(along.y) < 1e-6f ? 1e-6f : along.y);
   float border = min(abs(along.x) < 1e-6f ? 1e9f : acrossEnd, abs(along.y) < 1e-6f ? 1e9f : downEnd);
-  precise float span = mirrorRough - mirrorSmooth;
-  precise float rough = (roughness - mirrorSmooth) * exactReciprocal(span);
   precise float back = 2.0f * exactDot(direction, towards);
-  precise float counts = (1.0f - easedBetween(rough)) * (1.0f - easedBetween(back));
+  precise float counts = smoothnessOf(roughness) * (1.0f - easedBetween(back));
   bool leaves = steep < 0.0f && exactDot(direction, facing) > 0.0f && square > 1e-12f;
   way.from = from;
   way.along = along;
@@ -158,63 +151,76 @@ FUNCTION float meetingPlane(MirrorWay way, ivec2 at, float here, vec2 slope, flo
   return closes && t > early ? clamp(t, low, high) : within;
 }
 
+// A cell that the way goes through from t to `next`; `here`, `there`: how near the ray is at both ends.
+struct MirrorCell {
+  ivec2 at;
+  float nearest;
+  float next;
+  float here;
+  float there;
+};
+
+// `beyond`: 1 where the way goes to larger numbers of cells, `perWay`: 1 / way.along.
+FUNCTION MirrorCell mirrorCell(MirrorWay way, ivec2 beyond, vec2 perWay, float t, int level) {
+  precise vec2 q = way.from + way.along * t;
+  ivec2 at = ivec2(floor(q)) >> level;
+  precise vec2 edge = vec2((at + beyond) << level) - way.from;
+  precise vec2 ends = edge * perWay;
+  float leaves = min(abs(way.along.x) < 1e-6f ? 1e9f : ends.x, abs(way.along.y) < 1e-6f ? 1e9f : ends.y);
+  precise float next = max(leaves, t) + 0.015625f;
+  precise float here = way.nearness + way.rate * t;
+  precise float there = way.nearness + way.rate * next;
+  MirrorCell cell;
+  cell.at = at;
+  cell.nearest = nearestAt(level, at);
+  cell.next = next;
+  cell.here = here;
+  cell.there = there;
+  return cell;
+}
+
+// How thick what is seen of the cell is, of nearness.
+FUNCTION float thickAt(MirrorCell cell) {
+#ifdef PARALLEL
+  return mirrorReach_.y;
+#else
+  precise float thick = mirrorReach_.y * cell.nearest * max(cell.here, cell.there);
+  return thick;
+#endif
+}
+
 FUNCTION MirrorHit followMirrored(MirrorWay way) {
-  float perX = exactReciprocal(abs(way.along.x) < 1e-6f ? 1e-6f : way.along.x);
-  float perY = exactReciprocal(abs(way.along.y) < 1e-6f ? 1e-6f : way.along.y);
+  vec2 perWay = vec2(exactReciprocal(abs(way.along.x) < 1e-6f ? 1e-6f : way.along.x),
+                     exactReciprocal(abs(way.along.y) < 1e-6f ? 1e-6f : way.along.y));
   ivec2 beyond = ivec2(way.along.x > 0.0f ? 1 : 0, way.along.y > 0.0f ? 1 : 0);
   float least = partOf(way.nearness, 0.002f);
   precise float ownPlane = way.nearness + 0.75f * (abs(way.slope.x) + abs(way.slope.y)) + least;
-  float t = 0.0f, metFrom = 0.0f, metUntil = 0.0f, metNearest = 0.0f, metDeep = 1.0f;
-  ivec2 met = ivec2(-1);
+  float t = 0.0f;
+  bool met = false;
   int level = 0;
   for (int k = 0; k < mirrorSteps; ++k) {
-    if (t >= way.end || met.x >= 0) break;
-    precise vec2 q = way.from + way.along * t;
-    ivec2 at = ivec2(floor(q)) >> level;
-    precise vec2 edge = vec2((at + beyond) << level) - way.from;
-    precise float acrossNext = edge.x * perX;
-    precise float downNext = edge.y * perY;
-    float leaves = min(abs(way.along.x) < 1e-6f ? 1e9f : acrossNext, abs(way.along.y) < 1e-6f ? 1e9f : downNext);
-    precise float next = max(leaves, t) + 0.015625f;
-    precise float here = way.nearness + way.rate * t;
-    precise float there = way.nearness + way.rate * next;
-    float nearest = nearestAt(level, at);
-    bool behind = nearest > min(here, there);
-    float before = max(here, there);
-    precise vec2 aside = vec2(at) + 0.5f - way.from;
+    if (t >= way.end || met) break;
+    MirrorCell cell = mirrorCell(way, beyond, perWay, t, level);
+    bool behind = cell.nearest > min(cell.here, cell.there);
+    precise vec2 aside = vec2(cell.at) + 0.5f - way.from;
     precise float own = ownPlane + (way.slope.x * aside.x + way.slope.y * aside.y);
-#ifdef PARALLEL
-    precise float deep = nearest - before;
-    float thick = mirrorReach_.y;
-#else
-    precise float deep = nearest - before;
-    precise float thick = mirrorReach_.y * nearest * before;
-#endif
-    bool meets = behind && level == 0 && nearest > own && deep < thick;
-    met = meets ? at : met;
-    metFrom = meets ? t : metFrom;
-    metUntil = meets ? next : metUntil;
-    metNearest = meets ? nearest : metNearest;
-    metDeep = meets ? deep : metDeep;
-    t = behind && level > 0 ? t : next;
-    level = behind ? max(level - 1, 0) : min(level + 1, lastLevel);
+    precise float deep = cell.nearest - max(cell.here, cell.there);
+    met = behind && level == 0 && cell.nearest > own && deep < thickAt(cell);
+    t = met || (behind && level > 0) ? t : cell.next;
+    level = behind ? max(level - 1, 0) : min(level + 2, lastLevel);
   }
   MirrorHit hit;
   hit.at = 0.0f;
   hit.counts = 0.0f;
-  for (int i = met.x >= 0 ? 0 : 1; i < 1; ++i) {
-    precise float before = metNearest - metDeep;
-#ifdef PARALLEL
-    float thick = mirrorReach_.y;
-#else
-    precise float thick = mirrorReach_.y * metNearest * before;
-#endif
-    vec2 slope = slopesAt(met, metNearest);
-    hit.at = meetingPlane(way, met, metNearest, slope, metFrom, metUntil);
+  for (int i = met ? 0 : 1; i < 1; ++i) {
+    MirrorCell cell = mirrorCell(way, beyond, perWay, t, 0);
+    precise float metDeep = cell.nearest - max(cell.here, cell.there);
+    vec2 slope = slopesAt(cell.at, cell.nearest);
+    hit.at = meetingPlane(way, cell.at, cell.nearest, slope, t, cell.next);
     hit.spread = spreadAt(way, hit.at);
     precise float slopes = abs(slope.x) + abs(slope.y);
-    precise float deep = metDeep - min(slopes, partOf(metNearest, 0.01f));
-    precise float part = deep * (1.0f + 16.0f * hit.spread) * exactReciprocal(max(thick, 1e-18f));
+    precise float deep = metDeep - min(slopes, partOf(cell.nearest, 0.01f));
+    precise float part = deep * (1.0f + 16.0f * hit.spread) * exactReciprocal(max(thickAt(cell), 1e-18f));
     precise float bent = (hit.spread - 0.125f) * 1.6f;
     precise float counts = (1.0f - easedBetween(part)) * (1.0f - easedBetween(bent));
     hit.counts = counts;

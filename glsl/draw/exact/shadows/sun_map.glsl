@@ -1,5 +1,7 @@
 // Fraction of the sun that reaches a place, filtered over frame.shadowSoftness texels of the sun's map: SHADOW_TAPS; or
 // over the penumbra of its disc: SUN_DISC.
+#ifndef EXACT_SUN_MAP
+#define EXACT_SUN_MAP
 #include "draw/exact/light_place.glsl"
 #include "draw/exact/shadows/shadow_filter.glsl"
 layout(binding = mapUnit) uniform usamplerBuffer sunMap;
@@ -49,3 +51,4 @@ float sunFractionOn(vec3 p, vec3 normal) {
   precise vec3 lifted = p + normal * lift;
   return sunFraction(lightPlace(lifted), normal);
 }
+#endif

@@ -120,7 +120,7 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   normal = bumpedNormal(patch_, spot, normal);
 #endif
 #endif
-#ifdef SHADOW
+#if defined SHADOW && !defined REFLECTED
   float fraction = sunFractionOn(spot.place, spot.normal);
 #else
   const float fraction = 1.0f;

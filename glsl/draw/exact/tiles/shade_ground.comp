@@ -1,4 +1,4 @@
-// Light of the ground on its tiles. Variants: SHADOWED (with SHADOW_TAPS), REFLECTIVE, LAMPS, OCCLUSION, REFLECTED, RAYS. SAMPLES.
+// Light of the ground on its tiles. Variants: SHADOWED (with SHADOW_TAPS), GROUND_REFLECTIVE, LAMPS, OCCLUSION, REFLECTED, RAYS. SAMPLES.
 #define EXACT_PICTURE
 #include "draw/exact/tiles/shaded_tile.glsl"
 #include "draw/exact/ground_plane.glsl"
@@ -47,6 +47,10 @@ vec4 lightGround(ivec2 pixel, int samples) {
   precise vec3 towards = -directionOf(ray);
 #ifdef REFLECTED
   facing_ = vec3(0, 1, 0);
+  vec3 eyewards = unitOf(towards);
+  vec4 met = lightMet(p, vec3(-eyewards.x, abs(eyewards.y), -eyewards.z), -1.0f, eyewards, frame.groundRoughness), light = vec4(0.0f);
+  for (int i = met.w > 0.0f ? 0 : 1; i < 1; ++i) light = groundReflected(p, eyewards, met, opennessOn(pixel, p));
+  return light;
 #endif
 #ifdef SHOWN
   float there = groundLight(p, unitOf(towards), fraction, 1.0f).a;
@@ -60,10 +64,15 @@ void main() {
   ivec2 corner = tileToShade();
   if (corner.x < 0) return;
 #ifdef REFLECTED
-  // Once for the four pixels of a half pixel.
+  // Once for the four pixels of a half pixel. Where nothing stands in a tile, a cell of the second level, all samples show the ground.
+  bool clear = nearestAt(2, ivec2(corner.x >> 3, corner.y >> 3)) == 0.0f;
   for (int i = int(gl_LocalInvocationIndex); i < halfPixels; i += 64 / ROWS) {
     ivec4 samples = ivec4(0);
     for (int k = 0; k < 4; ++k) {
+      ivec2 pixel = pixelOfHalf(corner, i, k);
+      if (inPicture(pixel)) samples[k] = clear ? (1 << SAMPLES) - 1 : 0;
+    }
+    for (int k = clear ? 4 : 0; k < 4; ++k) {
       ivec2 pixel = pixelOfHalf(corner, i, k);
       if (inPicture(pixel)) samples[k] = samplesOfGround(pixel);
     }

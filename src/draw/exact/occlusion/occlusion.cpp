@@ -16,9 +16,11 @@ Occlusion::Kept::Kept(const std::string& label, GLenum format, std::size_t bytes
     : buffer(label, static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * bytes),
       view(gl::Texture::view(label, format, buffer, bytes)) {}
 
-void Occlusion::run(const gl::Program& program, const Kept& result, int height) const {
+void Occlusion::run(const gl::Program& program, const Kept& result, glm::ivec2 size,
+                    glm::ivec2 each) const {
   result.buffer.bindStorage(halfPixelBinding);
-  program.dispatch(half_.x, (height + rowsAtOnce() - 1) / rowsAtOnce());
+  const glm::ivec2 invocations = (size + each - 1) / each;
+  program.dispatch(invocations.x, invocations.y);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
@@ -45,25 +47,25 @@ Occlusion::Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground)
   across_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", along);
   down_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", down);
   nearness_ = Kept("nearness", GL_R32F, sizeof(float), half_);
-  arcs_ = Kept("light that is lost", GL_RGBA32F, sizeof(glm::vec4), half_);
-  smooth_ = Kept("light that is lost, along rows", GL_RGBA32F, sizeof(glm::vec4), half_);
+  arcs_ = Kept("light that is lost", GL_RG32F, sizeof(glm::vec2), half_);
+  smooth_ = Kept("light that is lost, along rows", GL_RG32F, sizeof(glm::vec2), half_);
   openness_ = Kept("openness", GL_RG32F, sizeof(glm::vec2), half_);
 }
 
 void Occlusion::add(const Visibility& visibility, const shader::ExactView& view) const {
   gl::barrier();
   visibility.bind();
-  run(nearest_, nearness_, (view.rows.y - view.rows.x + 1) / 2);
+  run(nearest_, nearness_, {half_.x, (view.rows.y - view.rows.x + 1) / 2}, {1, rowsAtOnce()});
 }
 
 void Occlusion::find(const shader::ExactView& view, float radius) const {
   nearness_.view.bindImage(nearnessImage, GL_READ_ONLY);
   horizons_.set("reach", reachOnPicture(view, radius));
-  run(horizons_, arcs_, half_.y);
+  run(horizons_, arcs_, half_, {1, rowsAtOnce()});
   arcs_.view.bindImage(arcImage, GL_READ_ONLY);
-  run(across_, smooth_, half_.y);
+  run(across_, smooth_, half_, {rowsAtOnce(), 1});
   smooth_.view.bindImage(arcImage, GL_READ_ONLY);
-  run(down_, openness_, half_.y);
+  run(down_, openness_, half_, {1, rowsAtOnce()});
 }
 
 void Occlusion::bind() const {

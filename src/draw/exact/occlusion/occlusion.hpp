@@ -48,7 +48,8 @@ class Occlusion {
     gl::Buffer buffer;
     gl::Texture view;
   };
-  void run(const gl::Program& program, const Kept& result, int height) const;
+  /// Of `size` half pixels, `each` of them an invocation.
+  void run(const gl::Program& program, const Kept& result, glm::ivec2 size, glm::ivec2 each) const;
 
   glm::ivec2 half_{0};
   gl::Program nearest_, horizons_, across_, down_;

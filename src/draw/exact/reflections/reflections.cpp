@@ -42,7 +42,7 @@ std::size_t cellsOf(glm::ivec2 size) {
 Reflections::Levels::Levels(const char* label, GLenum format, std::size_t bytes, glm::ivec2 half)
     : buffer(label, cellsOf(half) * bytes), view(gl::Texture::view(label, format, buffer, bytes)) {}
 
-Reflections::Reflections(glm::ivec2 size)
+Reflections::Reflections(glm::ivec2 size, bool ground, bool parallel)
     : size_(size),
       light_("light that is mirrored", GL_RGBA32F, sizeof(glm::vec4), (size + 1) / 2),
       nearest_("nearness, in levels", GL_R32F, sizeof(float), (size + 1) / 2) {
@@ -50,6 +50,8 @@ Reflections::Reflections(glm::ivec2 size)
   next_ = gl::Program::compute("draw/exact/reflections/levels.comp", rows);
   gl::Defines first = rows;
   first.emplace_back("FIRST", "1");
+  if (ground) first.emplace_back("GROUND", "1");
+  if (parallel) first.emplace_back("PARALLEL", "1");
   first_ = gl::Program::compute("draw/exact/reflections/levels.comp", first);
 }
 

@@ -14,8 +14,9 @@ namespace simreel::draw {
 /// things are, both at half its size, and in levels of half the size of the one before. 8 bytes a pixel.
 class Reflections {
  public:
+  /// Of pictures with a ground, which is left out of what is near; PARALLEL: seen along parallel rays.
   /// Throws UserError(device) where the device has no such buffers.
-  explicit Reflections(glm::ivec2 size);
+  explicit Reflections(glm::ivec2 size, bool ground = false, bool parallel = false);
 
   /// Takes over the light of a whole picture, and Occlusion::nearness().
   void see(const gl::Texture& light, const gl::Texture& nearness) const;

@@ -120,7 +120,7 @@ void ExactScene::State::makeGround() {
   if (!ground) return;
   const scene::Scene& shown = scene;
   gl::Defines defines = lighting(samples);
-  if (shown.ground.roughness < 0.6F) defines.emplace_back("REFLECTIVE", "1");
+  if (!occludes() && isReflective(shown.ground)) defines.emplace_back("GROUND_REFLECTIVE", "1");
   litGround = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);
   if (occludes() && mirrorsScene(shown.ground.roughness))
     mirrorGround =

@@ -40,6 +40,10 @@ struct ExactScene::State {
     defines.emplace_back("SAMPLES", std::to_string(count));
     defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
     if (occludes()) defines.emplace_back("OCCLUSION", "1");
+    if (occludes() && ground) {
+      defines.emplace_back("GROUND_BELOW", "1");
+      if (isReflective(scene.ground)) defines.emplace_back("GROUND_REFLECTIVE", "1");
+    }
     if (layered) defines.emplace_back("BEHIND", "1");
     if (traces()) {
       defines.emplace_back("RAYS", "1");

@@ -57,7 +57,7 @@ View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables,
   occlusionRadius = occlusionRadiusOf(scene, seen);
   mirrors = occludes() && anyMirrors(drawables);
   if (mirrors) {
-    if (!reflections) reflections.emplace(size);
+    if (!reflections) reflections.emplace(size, ground, isParallel(scene.camera));
     const glm::vec2 reach = Reflections::reachOf(distanceOf(seen));
     surfaces.mirrorWithin(reach);
     instances.mirrorWithin(reach);

@@ -1,0 +1,202 @@
+// What mirrors show of the ground, seen or not, beside the ground itself as the same picture shows it.
+#include "draw/camera.hpp"
+#include "draw/exact/exact_view.hpp"
+#include "draw/screen/renderer.hpp"
+#include "gpu/draw/draw_stage.hpp"
+#include "gpu/draw/instance_stage.hpp"
+
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;  // NOLINT
+
+namespace {
+
+constexpr glm::ivec2 groundPicture(221, 173);
+constexpr double ballRadius = 0.4;
+const glm::dvec3 ballMiddle(0.1, 1.5, -0.2);
+constexpr GLuint groundNumber = 0xfffffffeU;
+
+/// A ball of white metal high above the ground, the sun straight above it.
+struct OverGround {
+  OverGround(scene::Quality quality, scene::Projection projection) : ball({glm::vec3(ballMiddle)}) {
+    scene.render.rasterizer = scene::Rasterizer::exact;
+    scene.render.quality = quality;
+    scene.render.occlusionRadius = 1e-3;
+    scene.camera.position = glm::vec3(0.4F, 2.3F, 4);
+    scene.camera.target = glm::vec3(0.1F, 0.9F, 0);
+    scene.camera.projection = projection;
+    scene.camera.height = 3.1F;
+    scene.sun.direction = glm::vec3(0, 1, 0);
+    scene.hasGround = true;
+    scene.ground.height = 0;
+    scene.ground.color = glm::vec3(0.3F, 0.12F, 0.05F);
+    scene.ground.roughness = 1;
+    scene.ground.fadeStart = 60;
+    scene.ground.fadeEnd = 90;
+    ball.instances.shape = sim::Instances::Shape::sphere;
+    ball.instances.size = static_cast<float>(2 * ballRadius);
+    ball.material.color = glm::vec3(1);
+    ball.material.metallic = 1;
+    ball.material.roughness = 0.02F;
+    drawables.instances = {ball.instances};
+  }
+
+  /// A pixel's light, and what all its samples show; none if they differ.
+  struct Seen {
+    glm::dvec3 light{0};
+    std::optional<GLuint> number;
+  };
+  [[nodiscard]] std::vector<Seen> draw() const {
+    draw::PassPicture kept;
+    draw::Renderer renderer(scene, groundPicture, 4, {.rasterizer = scene::Rasterizer::exact});
+    renderer.keepPasses(&kept);
+    renderer.draw(0, drawables);
+    std::vector<Seen> pixels(static_cast<std::size_t>(groundPicture.x * groundPicture.y));
+    for (const draw::PassArray& array : kept.arrays)
+      for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const GLuint* four = &array.words[4 * i];
+        if (array.pass == "light" && array.part.empty())
+          for (int k = 0; k < 3; ++k)
+            pixels[i].light[k] = static_cast<double>(std::bit_cast<float>(four[k]));
+        if (array.pass == "visibility" && array.part == "numbers")
+          if (four[0] == four[1] && four[0] == four[2] && four[0] == four[3]) pixels[i].number = four[0];
+      }
+    return pixels;
+  }
+
+  /// Where the ray through a pixel's middle begins, and its direction.
+  struct Ray {
+    glm::dvec3 from{0}, along{0};
+  };
+  [[nodiscard]] Ray rayThrough(int pixel) const {
+    const shader::ExactView view =
+        draw::exactView(draw::viewAt(scene.camera, 0, groundPicture, {}), scene.camera, groundPicture);
+    const glm::dvec2 at(pixel % groundPicture.x + 0.5, pixel / groundPicture.x + 0.5);
+    const glm::dvec3 aside =
+        glm::dvec3(view.ray) + at.x * glm::dvec3(view.rayAcross) + at.y * glm::dvec3(view.rayDown);
+    if (draw::isParallel(scene.camera))
+      return {glm::dvec3(view.eye) + aside, glm::normalize(glm::dvec3(view.forward))};
+    return {glm::dvec3(view.eye), glm::normalize(aside)};
+  }
+
+  scene::Scene scene;
+  InstanceStage ball;
+  sim::Drawables drawables;
+};
+
+/// Where the ground is met.
+std::optional<glm::dvec3> groundOn(const glm::dvec3& from, const glm::dvec3& along) {
+  if (along.y > -0.02) return std::nullopt;
+  return from - along * (from.y / along.y);
+}
+
+/// Where what the ball mirrors there meets the ground.
+std::optional<glm::dvec3> groundMirroredOn(const OverGround::Ray& ray) {
+  const glm::dvec3 aside = ray.from - ballMiddle;
+  const double b = glm::dot(ray.along, aside);
+  const double root = b * b - glm::dot(aside, aside) + ballRadius * ballRadius;
+  if (root <= 0) return std::nullopt;
+  const glm::dvec3 p = ray.from + ray.along * (-b - std::sqrt(root));
+  return groundOn(p, glm::reflect(ray.along, (p - ballMiddle) / ballRadius));
+}
+
+/// Metres from the middle of the ball's shadow.
+double fromShadow(const glm::dvec3& p) {
+  return std::hypot(p.x - ballMiddle.x, p.z - ballMiddle.z);
+}
+
+}  // namespace
+
+TEST_CASE("exact: a ball of metal mirrors the ground as the picture shows it, its shadow too") {
+  testContext();
+  for (const auto projection : {scene::Projection::perspective, scene::Projection::orthographic}) {
+    CAPTURE(static_cast<int>(projection));
+    const OverGround stage(scene::Quality::standard, projection);
+    const std::vector<OverGround::Seen> pixels = stage.draw();
+    // The ground itself, [0] in the sun and [1] in the shadow.
+    glm::dvec3 seen[2] = {glm::dvec3(0), glm::dvec3(0)};
+    int places[2] = {0, 0};
+    const auto lightOf = [](const glm::dvec3& p) {
+      const double aside = fromShadow(p);
+      return aside > 0.65 && aside < 3 ? 0 : aside < 0.2 ? 1 : -1;
+    };
+    for (int i = 0; i < static_cast<int>(pixels.size()); ++i) {
+      const OverGround::Seen& pixel = pixels[static_cast<std::size_t>(i)];
+      const OverGround::Ray ray = stage.rayThrough(i);
+      const auto p = groundOn(ray.from, ray.along);
+      if (pixel.number != groundNumber || !p || lightOf(*p) < 0) continue;
+      seen[lightOf(*p)] += pixel.light;
+      ++places[lightOf(*p)];
+    }
+    CHECK(places[0] > 2000);
+    CHECK(places[1] > 10);
+    for (int k = 0; k < 2; ++k) seen[k] /= std::max(places[k], 1);
+    CHECK(seen[0].r > 2 * seen[1].r);
+    int mirrored[2] = {0, 0};
+    double worst = 0;
+    for (int i = 0; i < static_cast<int>(pixels.size()); ++i) {
+      const OverGround::Seen& pixel = pixels[static_cast<std::size_t>(i)];
+      const auto p = groundMirroredOn(stage.rayThrough(i));
+      if (!pixel.number || *pixel.number == groundNumber || !p || lightOf(*p) < 0) continue;
+      const int which = lightOf(*p);
+      ++mirrored[which];
+      for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(pixel.light[k] / seen[which][k] - 1));
+    }
+    CAPTURE(mirrored[0]);
+    CAPTURE(mirrored[1]);
+    CAPTURE(worst);
+    CHECK(mirrored[0] > 200);
+    CHECK(mirrored[1] > 5);
+    CHECK(worst < 0.05);
+  }
+}
+
+// Where it has faded out mirrors show the surroundings, as without it.
+TEST_CASE("exact: mirrors show the ground fade out where it does, and none that is not there or matt") {
+  testContext();
+  const auto drawn = [](scene::Quality quality, const auto& change) {
+    OverGround stage(quality, scene::Projection::perspective);
+    stage.scene.ground.fadeStart = 0.9F;
+    stage.scene.ground.fadeEnd = 1.3F;
+    stage.scene.sun.shadow = false;
+    change(stage);
+    return stage.draw();
+  };
+  const OverGround stage(scene::Quality::standard, scene::Projection::perspective);
+  const auto compare = [&](const auto& change, double nearer, double& least, double& most) {
+    const auto plain = drawn(scene::Quality::draft, change),
+               mirrored = drawn(scene::Quality::standard, change);
+    least = 1e9;
+    most = 0;
+    int places = 0;
+    for (int i = 0; i < static_cast<int>(plain.size()); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const auto p = groundMirroredOn(stage.rayThrough(i));
+      if (!plain[at].number || *plain[at].number == groundNumber || !p) continue;
+      const double aside = glm::distance(*p, glm::dvec3(0.1, 0, 0));
+      if (nearer > 0 ? aside > nearer : aside < 1.32) continue;
+      ++places;
+      const double apart =
+          glm::distance(plain[at].light, mirrored[at].light) / glm::length(plain[at].light);
+      least = std::min(least, apart);
+      most = std::max(most, apart);
+    }
+    CHECK(places > 20);
+  };
+  double least = 0;
+  double most = 0;
+  compare([](OverGround&) {}, 0.8, least, most);
+  CHECK(least > 0.1);
+  compare([](OverGround&) {}, 0, least, most);
+  CHECK(most < 1e-3);
+  compare([](OverGround& matt) { matt.ball.material.roughness = 0.3F; }, 0.8, least, most);
+  CHECK(most < 1e-3);
+  compare([](OverGround& bare) { bare.scene.ground.visible = false; }, 0.8, least, most);
+  CHECK(most < 1e-3);
+}
