@@ -96,14 +96,20 @@ std::optional<glm::dvec3> groundOn(const glm::dvec3& from, const glm::dvec3& alo
   return from - along * (from.y / along.y);
 }
 
-/// Where what the ball mirrors there meets the ground.
-std::optional<glm::dvec3> groundMirroredOn(const OverGround::Ray& ray) {
+/// The ray that the ball sends on.
+std::optional<OverGround::Ray> mirroredBy(const OverGround::Ray& ray) {
   const glm::dvec3 aside = ray.from - ballMiddle;
   const double b = glm::dot(ray.along, aside);
   const double root = b * b - glm::dot(aside, aside) + ballRadius * ballRadius;
   if (root <= 0) return std::nullopt;
   const glm::dvec3 p = ray.from + ray.along * (-b - std::sqrt(root));
-  return groundOn(p, glm::reflect(ray.along, (p - ballMiddle) / ballRadius));
+  return OverGround::Ray{p, glm::reflect(ray.along, (p - ballMiddle) / ballRadius)};
+}
+
+/// Where what the ball mirrors there meets the ground.
+std::optional<glm::dvec3> groundMirroredOn(const OverGround::Ray& ray) {
+  const auto mirrored = mirroredBy(ray);
+  return mirrored ? groundOn(mirrored->from, mirrored->along) : std::nullopt;
 }
 
 /// Metres from the middle of the ball's shadow.
@@ -199,4 +205,55 @@ TEST_CASE("exact: mirrors show the ground fade out where it does, and none that 
   CHECK(most < 1e-3);
   compare([](OverGround& bare) { bare.scene.ground.visible = false; }, 0.8, least, most);
   CHECK(most < 1e-3);
+}
+
+// What stands around the mirror keeps light from the ground at its foot, not from the ground far away.
+TEST_CASE("exact: mirrors near the ground show it as bright as it is, farther away") {
+  testContext();
+  OverGround stage(scene::Quality::standard, scene::Projection::perspective);
+  stage.scene.render.occlusionRadius.reset();
+  stage.scene.sun.shadow = false;
+  stage.scene.ground.height = 1.08F;  // 0.02 m below the ball
+  const std::vector<OverGround::Seen> pixels = stage.draw();
+  const auto onGround = [](const OverGround::Ray& ray) {
+    return groundOn(ray.from - glm::dvec3(0, 1.08, 0), ray.along);
+  };
+  glm::dvec3 seen(0);
+  int places = 0;
+  for (int i = 0; i < static_cast<int>(pixels.size()); ++i) {
+    const OverGround::Seen& pixel = pixels[static_cast<std::size_t>(i)];
+    const auto p = onGround(stage.rayThrough(i));
+    if (pixel.number != groundNumber || !p || fromShadow(*p) < 1.2) continue;
+    seen += pixel.light;
+    ++places;
+  }
+  seen /= std::max(places, 1);
+  int far = 0;
+  int near = 0;
+  double worst = 0;
+  double darkest = 1;
+  for (int i = 0; i < static_cast<int>(pixels.size()); ++i) {
+    const OverGround::Seen& pixel = pixels[static_cast<std::size_t>(i)];
+    const OverGround::Ray ray = stage.rayThrough(i);
+    const auto mirrored = mirroredBy(ray);
+    if (!pixel.number || *pixel.number == groundNumber || !mirrored) continue;
+    const auto p = onGround(*mirrored);
+    if (!p) continue;
+    const double metres = glm::distance(*p, mirrored->from - glm::dvec3(0, 1.08, 0));
+    if (metres > 0.5 && metres < 3) {
+      ++far;
+      worst = std::max(worst, std::abs(pixel.light.r / seen.r - 1));
+    }
+    if (metres < 0.3) {
+      ++near;
+      darkest = std::min(darkest, pixel.light.r / seen.r);
+    }
+  }
+  CAPTURE(worst);
+  CAPTURE(darkest);
+  CHECK(places > 2000);
+  CHECK(far > 100);
+  CHECK(near > 20);
+  CHECK(worst < 0.06);
+  CHECK(darkest < 0.93);
 }

@@ -2,12 +2,9 @@
 
 #include "draw/exact/bindings.hpp"
 #include "gl/element_array.hpp"
-#include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
-#include "gpu/draw/instance_stage.hpp"
 #include "reference/reflections_twin.hpp"
 
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -313,118 +310,5 @@ void main() {
     int met = 0;
     for (const glm::vec4& one : wanted) met += one.w > 0.1F ? 1 : 0;
     if (size.x > 60 && size.y > 30) CHECK(met > 100);
-  }
-}
-
-namespace {
-
-/// A mirror ground, balls and copies that mirror and ones that do not, a pane before them.
-struct MirrorStage {
-  explicit MirrorStage(scene::Quality quality)
-      : wall({{-2, -0.1F, -1}, {2, -0.1F, -1.2F}, {-2, 1.6F, -1}, {2, 1.5F, -1.2F}}, {0, 1, 2, 2, 1, 3},
-             std::vector<glm::vec3>(4, glm::vec3(0, 0, 1))),
-        pane({{-0.4F, 0.05F, 1}, {0.5F, 0.05F, 1}, {-0.4F, 0.7F, 1}, {0.5F, 0.8F, 1.1F}},
-             {0, 1, 2, 2, 1, 3}, std::vector<glm::vec3>(4, glm::vec3(0, 0, 1))),
-        matt({{0.5F, 0.4F, 0.2F}, {-0.6F, 0.3F, -0.5F}}),
-        chrome({{-0.1F, 0.35F, 0.1F}, {1.1F, 0.3F, -0.3F}}) {
-    scene.render.rasterizer = scene::Rasterizer::exact;
-    scene.render.quality = quality;
-    scene.camera.position = glm::vec3(0.3F, 1, 3.6F);
-    scene.camera.target = glm::vec3(0, 0.3F, 0);
-    scene.hasGround = true;
-    scene.ground.height = 0;
-    scene.ground.color = glm::vec3(0);
-    scene.ground.roughness = 0.03F;
-    wall.material.color = glm::vec3(0.8F, 0.4F, 0.1F);
-    wall.surface.doubleSided = true;
-    pane.material.finish.alpha = scene::Alpha::blend;
-    pane.material.finish.opacity = 0.4F;
-    pane.surface.doubleSided = true;
-    for (InstanceStage* balls : {&matt, &chrome}) {
-      balls->instances.shape = sim::Instances::Shape::sphere;
-      balls->instances.size = 0.6F;
-    }
-    chrome.material.metallic = 1;
-    chrome.material.roughness = 0.05F;
-    drawables.surfaces = {wall.surface};
-    drawables.instances = {matt.instances, chrome.instances};
-  }
-  scene::Scene scene;
-  TriangleStage wall, pane;
-  InstanceStage matt, chrome;
-  sim::Drawables drawables;
-};
-
-}  // namespace
-
-TEST_CASE("exact: mirrors show the same however a picture is found, and nothing without smooth materials") {
-  testContext();
-  MirrorStage stage(scene::Quality::standard);
-  const glm::ivec2 size(91, 67);
-  for (const bool layered : {false, true}) {
-    CAPTURE(layered);
-    if (layered) stage.drawables.surfaces.push_back(stage.pane.surface);
-    const auto banded = [&](int rows) {
-      return drawn(stage.scene, stage.drawables, size, 4,
-                   {.rasterizer = {}, .visibilityBytes = static_cast<std::size_t>(8 * 4 * size.x * rows)});
-    };
-    const Picture whole = banded(size.y);
-    for (const int rows : {1, 24, 64}) CHECK(banded(rows).bytes == whole.bytes);
-    for (const char* word : {"yes", "no"}) {
-      const JoiningAsked joining(word);
-      CHECK(banded(size.y).bytes == whole.bytes);
-    }
-    for (const char* word : LayoutAsked::words()) {
-      const LayoutAsked asked(word);
-      CHECK(banded(size.y).bytes == whole.bytes);
-    }
-  }
-}
-
-// Rays show what there is; of the ground, which has no colour, all light is mirrored.
-TEST_CASE("exact: mirrors show nearly what rays do") {
-  testContext();
-  const glm::ivec2 size(160, 100);
-  scene::Projection projection = scene::Projection::perspective;
-  const auto lightOf = [&](scene::Quality quality, draw::PassPicture& kept) {
-    MirrorStage stage(quality);
-    stage.scene.camera.projection = projection;
-    stage.scene.camera.height = 2.4F;
-    stage.scene.sun.shadow = false;
-    stage.scene.sun.diameter = 0;
-    stage.scene.render.raySamples = 32;
-    draw::Renderer renderer(stage.scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
-    renderer.keepPasses(&kept);
-    renderer.draw(0, stage.drawables);
-  };
-  for (const auto seen : {scene::Projection::perspective, scene::Projection::orthographic}) {
-    projection = seen;
-    CAPTURE(static_cast<int>(seen));
-    draw::PassPicture passes[3];
-    lightOf(scene::Quality::draft, passes[0]);
-    lightOf(scene::Quality::standard, passes[1]);
-    lightOf(scene::Quality::high, passes[2]);
-    const auto part = [](const draw::PassPicture& kept, const char* pass, const char* name) -> const auto& {
-      for (const draw::PassArray& array : kept.arrays)
-        if (array.pass == pass && array.part == name) return array.words;
-      FAIL("there is no such pass");
-      return kept.arrays.front().words;
-    };
-    const auto& numbers = part(passes[0], "visibility", "numbers");
-    double off[2] = {0, 0};
-    int places = 0;
-    for (std::size_t pixel = 0; pixel < numbers.size() / 4; ++pixel) {
-      if (numbers[4 * pixel] != 0xfffffffeU) continue;
-      ++places;
-      for (std::size_t way = 0; way < 2; ++way)
-        for (std::size_t i = 0; i < 3; ++i)
-          off[way] += std::abs(
-              static_cast<double>(std::bit_cast<float>(part(passes[way], "light", "")[4 * pixel + i])) -
-              static_cast<double>(std::bit_cast<float>(part(passes[2], "light", "")[4 * pixel + i])));
-    }
-    CAPTURE(off[0] / places);
-    CAPTURE(off[1] / places);
-    CHECK(places > 3000);
-    CHECK(off[1] < 0.65 * off[0]);
   }
 }

@@ -1,0 +1,207 @@
+// Pictures with mirrors in them: however they are found, and beside those that rays find.
+#include "draw/screen/renderer.hpp"
+#include "gpu/draw/draw_stage.hpp"
+#include "gpu/draw/exact/stage.hpp"
+#include "gpu/draw/instance_stage.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace simreel;  // NOLINT
+
+namespace {
+
+/// A mirror ground, balls and copies that mirror and ones that do not, a pane before them.
+struct MirrorStage {
+  explicit MirrorStage(scene::Quality quality)
+      : wall({{-2, -0.1F, -1}, {2, -0.1F, -1.2F}, {-2, 1.6F, -1}, {2, 1.5F, -1.2F}}, {0, 1, 2, 2, 1, 3},
+             std::vector<glm::vec3>(4, glm::vec3(0, 0, 1))),
+        pane({{-0.4F, 0.05F, 1}, {0.5F, 0.05F, 1}, {-0.4F, 0.7F, 1}, {0.5F, 0.8F, 1.1F}},
+             {0, 1, 2, 2, 1, 3}, std::vector<glm::vec3>(4, glm::vec3(0, 0, 1))),
+        matt({{0.5F, 0.4F, 0.2F}, {-0.6F, 0.3F, -0.5F}}),
+        chrome({{-0.1F, 0.35F, 0.1F}, {1.1F, 0.3F, -0.3F}}) {
+    scene.render.rasterizer = scene::Rasterizer::exact;
+    scene.render.quality = quality;
+    scene.camera.position = glm::vec3(0.3F, 1, 3.6F);
+    scene.camera.target = glm::vec3(0, 0.3F, 0);
+    scene.hasGround = true;
+    scene.ground.height = 0;
+    scene.ground.color = glm::vec3(0);
+    scene.ground.roughness = 0.03F;
+    wall.material.color = glm::vec3(0.8F, 0.4F, 0.1F);
+    wall.surface.doubleSided = true;
+    pane.material.finish.alpha = scene::Alpha::blend;
+    pane.material.finish.opacity = 0.4F;
+    pane.surface.doubleSided = true;
+    for (InstanceStage* balls : {&matt, &chrome}) {
+      balls->instances.shape = sim::Instances::Shape::sphere;
+      balls->instances.size = 0.6F;
+    }
+    chrome.material.metallic = 1;
+    chrome.material.roughness = 0.05F;
+    drawables.surfaces = {wall.surface};
+    drawables.instances = {matt.instances, chrome.instances};
+  }
+  scene::Scene scene;
+  TriangleStage wall, pane;
+  InstanceStage matt, chrome;
+  sim::Drawables drawables;
+};
+
+/// An array of one pass.
+const std::vector<GLuint>& wordsOf(const draw::PassPicture& kept, const char* pass, const char* name) {
+  for (const draw::PassArray& array : kept.arrays)
+    if (array.pass == pass && array.part == name) return array.words;
+  FAIL("there is no such pass");
+  return kept.arrays.front().words;
+}
+
+/// How far the light of the first two qualities lies from that of rays, the sum over what is shown by the
+/// first sample of pixels.
+struct FromRays {
+  int places = 0;
+  double draft = 0, standard = 0;
+};
+
+FromRays fromRays(const draw::PassPicture (&passes)[3], const std::function<bool(GLuint number)>& shows) {
+  const auto& numbers = wordsOf(passes[0], "visibility", "numbers");
+  FromRays off;
+  for (std::size_t at = 0; at < numbers.size(); at += 4) {
+    if (!shows(numbers[at])) continue;
+    ++off.places;
+    const auto sumOf = [&](const draw::PassPicture& kept) {
+      double sum = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        sum += std::abs(static_cast<double>(std::bit_cast<float>(wordsOf(kept, "light", "")[at + i])) -
+                        static_cast<double>(std::bit_cast<float>(wordsOf(passes[2], "light", "")[at + i])));
+      return sum;
+    };
+    off.draft += sumOf(passes[0]);
+    off.standard += sumOf(passes[1]);
+  }
+  return off;
+}
+
+}  // namespace
+
+TEST_CASE("exact: mirrors show the same however a picture is found, and nothing without smooth materials") {
+  testContext();
+  MirrorStage stage(scene::Quality::standard);
+  const glm::ivec2 size(91, 67);
+  for (const bool layered : {false, true}) {
+    CAPTURE(layered);
+    if (layered) stage.drawables.surfaces.push_back(stage.pane.surface);
+    const auto banded = [&](int rows) {
+      return drawn(stage.scene, stage.drawables, size, 4,
+                   {.rasterizer = {}, .visibilityBytes = static_cast<std::size_t>(8 * 4 * size.x * rows)});
+    };
+    const Picture whole = banded(size.y);
+    for (const int rows : {1, 24, 64}) CHECK(banded(rows).bytes == whole.bytes);
+    for (const char* word : {"yes", "no"}) {
+      const JoiningAsked joining(word);
+      CHECK(banded(size.y).bytes == whole.bytes);
+    }
+    for (const char* word : LayoutAsked::words()) {
+      const LayoutAsked asked(word);
+      CHECK(banded(size.y).bytes == whole.bytes);
+    }
+  }
+}
+
+// Rays show what there is; of the ground, which has no colour, all light is mirrored.
+TEST_CASE("exact: mirrors show nearly what rays do") {
+  testContext();
+  const glm::ivec2 size(160, 100);
+  scene::Projection projection = scene::Projection::perspective;
+  const auto lightOf = [&](scene::Quality quality, draw::PassPicture& kept) {
+    MirrorStage stage(quality);
+    stage.scene.camera.projection = projection;
+    stage.scene.camera.height = 2.4F;
+    stage.scene.sun.shadow = false;
+    stage.scene.sun.diameter = 0;
+    stage.scene.render.raySamples = 32;
+    draw::Renderer renderer(stage.scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+    renderer.keepPasses(&kept);
+    renderer.draw(0, stage.drawables);
+  };
+  for (const auto seen : {scene::Projection::perspective, scene::Projection::orthographic}) {
+    projection = seen;
+    CAPTURE(static_cast<int>(seen));
+    draw::PassPicture passes[3];
+    lightOf(scene::Quality::draft, passes[0]);
+    lightOf(scene::Quality::standard, passes[1]);
+    lightOf(scene::Quality::high, passes[2]);
+    const FromRays off = fromRays(passes, [](GLuint number) { return number == 0xfffffffeU; });
+    CAPTURE(off.draft);
+    CAPTURE(off.standard);
+    CHECK(off.places > 3000);
+    CHECK(off.standard < 0.65 * off.draft);
+  }
+}
+
+TEST_CASE("exact: what mirrors nothing has the light that it has beside matt things") {
+  testContext();
+  const glm::ivec2 size(301, 203);
+  const auto lightOf = [&](float roughness, draw::PassPicture& kept) {
+    MirrorStage stage(scene::Quality::standard);
+    stage.scene.ground.roughness = roughness;
+    draw::Renderer renderer(stage.scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+    renderer.keepPasses(&kept);
+    renderer.draw(0, stage.drawables);
+  };
+  draw::PassPicture smooth;
+  draw::PassPicture matt;
+  lightOf(0.03F, smooth);
+  lightOf(0.5F, matt);
+  const auto& numbers = wordsOf(smooth, "visibility", "numbers");
+  const auto& light = wordsOf(smooth, "light", "");
+  const auto& plain = wordsOf(matt, "light", "");
+  int places = 0;
+  for (std::size_t at = 0; at < numbers.size(); at += 4) {
+    // Two triangles of the wall, after them the matt balls.
+    if (!std::all_of(&numbers[at], &numbers[at] + 4, [](GLuint number) { return number < 4; })) continue;
+    ++places;
+    for (std::size_t i = 0; i < 3; ++i) CHECK(light[at + i] == plain[at + i]);
+  }
+  CHECK(places > 1000);
+}
+
+// A mirror that stands aslant, a ball beside it, the ground before both.
+TEST_CASE("exact: a mirror that stands on the ground shows nearly what rays do") {
+  testContext();
+  const glm::ivec2 size(160, 100);
+  const auto lightOf = [&](scene::Quality quality, draw::PassPicture& kept) {
+    MirrorStage stage(quality);
+    const glm::vec3 facing = glm::normalize(glm::vec3(1, 0, 0.35F));
+    TriangleStage mirror({{-0.9F, 0, 0.9F}, {-0.3F, 0, -0.8F}, {-0.9F, 1, 0.9F}, {-0.3F, 1, -0.8F}},
+                         {0, 1, 2, 2, 1, 3}, std::vector<glm::vec3>(4, facing));
+    mirror.surface.doubleSided = true;
+    mirror.material.metallic = 1;
+    mirror.material.roughness = 0.03F;
+    mirror.material.color = glm::vec3(1);
+    stage.scene.ground.color = glm::vec3(0.05F, 0.3F, 0.1F);
+    stage.scene.ground.roughness = 1;
+    stage.scene.sun.diameter = 0;
+    stage.scene.render.raySamples = 32;
+    stage.drawables.surfaces = {mirror.surface};
+    stage.drawables.instances = {stage.matt.instances};
+    draw::Renderer renderer(stage.scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
+    renderer.keepPasses(&kept);
+    renderer.draw(0, stage.drawables);
+  };
+  draw::PassPicture passes[3];
+  lightOf(scene::Quality::draft, passes[0]);
+  lightOf(scene::Quality::standard, passes[1]);
+  lightOf(scene::Quality::high, passes[2]);
+  const FromRays off = fromRays(passes, [](GLuint number) { return number < 2; });
+  CAPTURE(off.draft);
+  CAPTURE(off.standard);
+  CHECK(off.places > 1000);
+  CHECK(off.standard < 0.15 * off.draft);
+}
