@@ -1,6 +1,7 @@
 #include "sim/cloth/mesh_source.hpp"
 
 #include "base/ieee.hpp"
+#include "scene/value/implied_shape.hpp"
 #include "sim/mesh/shapes.hpp"
 
 #include <array>
@@ -27,8 +28,8 @@ glm::dvec2 onCircle(double part) {
 void ClothMesh::describe(scene::Fields& f) {
   f.choice("shape", shape, {"plane", "disc", "sphere", "cylinder", "torus", "file"},
            "Generated, or read from \"file\".");
-  f.leftOut("shape", "\"plane\", or \"file\" where one is given");
   f.asset("file", file, "OBJ, PLY, glTF or GLB, in m; its parts are pieces of the cloth.");
+  scene::implyShape(f, shape, ClothShape::file, "file", file, "file", "plane");
   f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane (x and z).");
   f.number("radius", radius, {1e-4, 1e4}, "m",
            "Of a disc, sphere or cylinder; of a torus to the middle of its tube.");
@@ -41,11 +42,8 @@ void ClothMesh::describe(scene::Fields& f) {
   f.number("weld", weld, {0, 10}, "m",
            "Vertices no farther apart become one; of 0 those at the same place, as files split them for "
            "uv and normals.");
-  if (f.given("file") && !f.given("shape")) shape = ClothShape::file;
   if (shape == ClothShape::file && file.empty())
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
-  if (shape != ClothShape::file && f.given("file"))
-    f.error("file", "a file is read only with \"shape\": \"file\", or none");
   if (shape == ClothShape::torus && tube >= radius)
     f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
   if (shape == ClothShape::plane && (size.x < 1e-4F || size.z < 1e-4F))

@@ -1,5 +1,6 @@
 #include "sim/fluid/parameters.hpp"
 
+#include "scene/value/implied_shape.hpp"
 #include "sim/fluid/model.hpp"
 
 #include <algorithm>
@@ -139,6 +140,8 @@ void FluidParameters::describe(scene::Fields& f) {
         o.asset("image", obstacle.image,
                 "Picture of shape \"image\": what is light is solid, grey edges are so to a fraction of a "
                 "cell.");
+        scene::implyShape(o, obstacle.shape, FluidObstacle::Shape::image, "image", obstacle.image, "image",
+                          "circle");
         o.number("threshold", obstacle.threshold, {0.02, 0.98}, "",
                  "Of an image: how light its edge is, of white.");
         o.number("scale", obstacle.scale, {1e-3, 1e3}, "cells", "Side of a pixel of an image.");

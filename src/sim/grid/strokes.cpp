@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "scene/value/implied_shape.hpp"
 #include "sim/grid/picture_file.hpp"
 #include "sim/grid/stroke_ways.hpp"
 
@@ -74,11 +75,12 @@ void StrokeParameters::describe(scene::Fields& f, double max, const char* valueD
            "Where the circle is, by keyframes; the third counts in volumes alone.");
   f.leftOut("path", "from \"from\" to \"to\"");
   hasPath = f.given("path");
-  if (hasPath && shape != Shape::circle) f.error("path", "only a circle has a path");
   if (hasPath && (f.given("from") || f.given("to")))
     f.error("path", "the path says where the circle is; leave out \"from\" and \"to\"");
   f.number("radius", radius, {0, 1e5}, "cells", "Of the circle; half the width of the line.");
   f.asset("image", image, "Picture of shape \"image\"; its light pixels are painted.");
+  scene::implyShape(f, shape, Shape::image, "image", image, "image", "circle");
+  if (hasPath && shape != Shape::circle) f.error("path", "only a circle has a path");
   f.number("value", value, {0, max}, "", valueDoc);
   f.formerly("share", "fraction");
   f.number("fraction", fraction, {0, 1}, "", "Of the cells within reach, picked at random.");

@@ -1,6 +1,7 @@
 #include "sim/mesh/parameters.hpp"
 
 #include "base/error.hpp"
+#include "scene/value/implied_shape.hpp"
 #include "sim/core/collider.hpp"
 #include "sim/core/moments.hpp"
 #include "sim/mesh/shapes.hpp"
@@ -34,6 +35,7 @@ void MeshParameters::describe(scene::Fields& f) {
   f.choice("shape", shape, {"plane", "sphere", "torus", "grass", "file"},
            "Generated, or read from \"file\".");
   f.asset("file", file, "OBJ, PLY, glTF or GLB, in m, for the shape \"file\".");
+  scene::implyShape(f, shape, MeshShape::file, "file", file, "file", "plane");
   f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane or of a field of grass (x and z).");
   f.number("radius", radius, {1e-4, 1e4}, "m", "Of a sphere; of a torus to the middle of its tube.");
   f.number("tube", tube, {1e-4, 1e4}, "m", "Radius of a torus' tube.");
@@ -56,8 +58,6 @@ void MeshParameters::describe(scene::Fields& f) {
   describeCollision(f);
   if (shape == MeshShape::file && file.empty())
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
-  if (shape != MeshShape::file && f.given("file"))
-    f.error("file", "a file is read only with \"shape\": \"file\"");
   const glm::ivec2 min = minResolution(shape);
   if (resolution.x < min.x || resolution.y < min.y)
     f.error("resolution", fmt::format("this shape needs at least [{}, {}] vertices", min.x, min.y));

@@ -1,6 +1,7 @@
 #include "sim/particles/parameters.hpp"
 
 #include "base/error.hpp"
+#include "scene/value/implied_shape.hpp"
 #include "sim/grid/color_map.hpp"
 #include "sim/particles/file.hpp"
 #include "sim/particles/plan.hpp"
@@ -87,10 +88,9 @@ void ParticleGroup::describe(scene::Fields& f) {
   f.vector("rotation", rotation, scene::anyNumber, "degrees",
            "About x, then y, then z; unrotated a disk lies in the xz plane.");
   f.asset("file", file, "CSV with a first line naming x,y,z[,vx,vy,vz][,mass], or PLY.");
+  scene::implyShape(f, shape, Shape::file, "file", file, "file", "ball");
   if (shape == Shape::file && file.empty())
     f.error("shape", "shape \"file\" needs \"file\", a CSV or PLY file");
-  if (shape != Shape::file && !file.empty())
-    f.error("file", "a file is read only with \"shape\": \"file\"");
   if (totalMass / static_cast<float>(count) < 1e-9F)
     f.error("totalMass", "shared by all particles this is less than 1e-9 kg each");
 }
@@ -176,6 +176,7 @@ void ParticleParameters::describeLook(scene::Fields& l) {
   l.choice("shape", shape, {"sprite", "sphere", "mesh"},
            "Discs that face the camera, lit as balls or glowing; spheres; or a mesh.");
   l.asset("mesh", mesh, "OBJ or PLY file of shape \"mesh\".");
+  scene::implyShape(l, shape, Instances::Shape::mesh, "mesh", mesh, "mesh", "sprite");
   l.boolean("alongVelocity", alongVelocity, "Turns a mesh's z axis along the velocity.");
   l.number("size", size, {1e-5, 1e5}, "m", "Diameter; of a mesh, factor on its coordinates.");
   l.number("massExponent", massExponent, {0, 2}, "",

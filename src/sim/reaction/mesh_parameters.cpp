@@ -43,7 +43,7 @@ void ReactionMesh::describe(scene::Fields& f) {
   if (shape == Shape::file && file.empty())
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
   if (shape != Shape::file && f.given("file"))
-    f.error("file", "a file is read only with \"shape\": \"file\"");
+    f.error("file", "\"file\" is read only with \"shape\": \"file\", or none");
   if (shape == Shape::torus && tube >= radius)
     f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
 }

@@ -1,5 +1,7 @@
 #include "sim/water/floats.hpp"
 
+#include "scene/value/implied_shape.hpp"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -16,6 +18,7 @@ void WaterFloat::describe(scene::Fields& f) {
   f.number("radius", radius, {1e-3, 1e3}, "m", "Of a ball.");
   f.vector("size", size, {1e-3, 1e3}, "m", "Of a box.");
   f.asset("file", file, "Closed mesh (OBJ, PLY, glTF), y up, its bow towards +z.");
+  scene::implyShape(f, shape, WaterFloatShape::file, "file", file, "file", "ball");
   f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the coordinates of files.");
   if (shape == WaterFloatShape::file && file.empty())
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
@@ -24,7 +27,6 @@ void WaterFloat::describe(scene::Fields& f) {
   };
   only("radius", WaterFloatShape::ball, "a \"ball\"");
   only("size", WaterFloatShape::box, "a \"box\"");
-  only("file", WaterFloatShape::file, "the shape \"file\"");
   f.asset("drawn", drawn, "Mesh that is drawn in its place; it may be open: a leaf, a bowl.");
   if (shape != WaterFloatShape::file && drawn.empty() && f.given("scale"))
     f.error("scale", "\"scale\" is of files; give \"drawn\", or the shape \"file\"");
