@@ -269,6 +269,7 @@ struct Scene {
   Sun sun;
   Sky sky;
   bool staged = false;  ///< whether sun, sky, ground, lights and plain materials are a stage's (stage.hpp)
+  bool surveyed = false;  ///< whether camera and stage stand where a run has shown (sim/world/survey.hpp)
   bool hasGround = false;
   Ground ground;
   std::vector<Light> lights;  ///< at most maxLights, maxShadowedLights of them with shadows

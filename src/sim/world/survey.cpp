@@ -157,8 +157,8 @@ void frameSeen(const Traveller& traveller, const ParticleParameters* particles, 
   framed.box = *box;
 }
 
-/// As -D has it.
-std::vector<std::string> placing(const scene::Camera& camera) {
+/// As -D has it, of a camera that was `before`.
+std::vector<std::string> placing(const scene::Camera& camera, const scene::Camera& before) {
   const auto value = [](float number) { return scene::shortest(number).dump(); };
   const auto vector = [&](const glm::vec3& v) {
     return fmt::format("[{},{},{}]", value(v.x), value(v.y), value(v.z));
@@ -173,13 +173,16 @@ std::vector<std::string> placing(const scene::Camera& camera) {
     given.push_back("camera.height=" + value(camera.height.at(0)));
   else if (!camera.fieldOfView.moves())
     given.push_back("camera.fieldOfView=" + value(camera.fieldOfView.at(0)));
+  if (camera.near != before.near) given.push_back("camera.near=" + value(camera.near));
+  if (camera.far != before.far) given.push_back("camera.far=" + value(camera.far));
   return given;
 }
 
 }  // namespace
 
 bool needsSurvey(const scene::Scene& scene) {
-  return !scene.camera.placed && std::any_of(scene.objects.begin(), scene.objects.end(), goesItsWay);
+  return !scene.surveyed && (!scene.camera.placed || scene.staged) &&
+         std::any_of(scene.objects.begin(), scene.objects.end(), goesItsWay);
 }
 
 Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch, double most) {
@@ -217,6 +220,7 @@ void frameSurvey(scene::Scene& scene, const Survey& survey) {
   if (scene.staged) scene::moveStage(scene, survey.framed);
   scene::frameObjects(scene, survey.framed);
   scene.camera.placed = true;
+  scene.surveyed = true;
 }
 
 MotionFraming frameMotion(scene::Scene& scene, const SurveyWatch& watch) {
@@ -224,8 +228,16 @@ MotionFraming frameMotion(scene::Scene& scene, const SurveyWatch& watch) {
   const auto began = Clock::now();
   const Survey survey = surveyMotion(scene, watch);
   if (survey.framed.empty()) return {};
+  const scene::Camera before = scene.camera;
+  const bool placed = before.placed;
   if (survey.frames == 0) {
     scene.camera.placed = true;
+    scene.surveyed = true;
+    if (placed)
+      return {
+          {},
+          "simreel: the stage stands where the scene's parameters have its objects, not where these go: "
+          "a first run to see that would take too long"};
     return {{},
             "simreel: the camera stands where the scene's parameters have its objects, not where these go: "
             "a first run to see that would take too long; give \"camera\" a \"position\" and a \"target\""};
@@ -233,7 +245,8 @@ MotionFraming frameMotion(scene::Scene& scene, const SurveyWatch& watch) {
   frameSurvey(scene, survey);
   detail("simreel: the first run stepped through {:.1f} MiB of state in {:.2f} s", survey.work / (1 << 20),
          secondsSince(began));
-  MotionFraming framing{placing(scene.camera)};
+  if (placed) return {};
+  MotionFraming framing{placing(scene.camera, before)};
   framing.remark = fmt::format("simreel: a first run of {} frames placed the camera; to keep it there: {}",
                                survey.frames, scene::asArguments(framing.camera));
   return framing;

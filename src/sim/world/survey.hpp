@@ -12,8 +12,8 @@ namespace simreel::sim {
 /// cores (`simreel -v render` says how many there were, and how long it took).
 constexpr double mostSurveyed = 1 << 30;
 
-/// Whether a camera that the scene places nowhere would have in view what only a run can tell: where cloth
-/// and particles go.
+/// Whether a camera that the scene places nowhere would have in view, or a stage stand under, what only a
+/// run can tell: where cloth and particles go.
 [[nodiscard]] bool needsSurvey(const scene::Scene& scene);
 
 /// Where a scene's objects went.
@@ -35,11 +35,13 @@ using SurveyWatch = std::function<void()>;
 [[nodiscard]] Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch = {},
                                   double most = mostSurveyed);
 
-/// Moves the scene's camera and stage so that they have it in view, and the camera counts as placed.
+/// Moves the scene's stage, and its camera unless that is placed, so that they have it in view; the camera
+/// counts as placed.
 void frameSurvey(scene::Scene& scene, const Survey& survey);
 
 struct MotionFraming {
-  std::vector<std::string> camera = {};  ///< overrides that place a scene's camera there: "path=value"
+  std::vector<std::string> camera = {};  ///< overrides that place a scene's camera there: "path=value";
+                                         ///< none where the scene does
   std::string remark = {};               ///< a line for the user; empty: nothing was to be done
 };
 

@@ -34,16 +34,20 @@ class Framing(Case):
         self.assertEqual(found[0], found[1])
 
     def test_what_it_says_keeps_the_camera_there(self):
-        self.write("scene.json", self.SCENE)
-        said = self.render("found/", "--frames", "10")
-        words = shlex.split(said.split("to keep it there: ")[1].splitlines()[0])
-        kept = self.render("kept/", "--frames", "10", *words)
-        self.assertNotIn("first run", kept)
-        found = self.manifest("found")
-        self.assertEqual(found["camera"], words[1::2])
-        again = self.manifest("kept")
-        self.assertNotIn("camera", again)
-        self.assertEqual(again["frames"][0]["pixels"], found["frames"][0]["pixels"])
+        stage = {key: value for key, value in self.SCENE.items() if key != "sky"}
+        far = {"sheet": {"cloth": {"size": [12, 12], "spacing": 0.004, "pins": []}}}  # so small that it is nearer than nearest
+        for name, scene in ("sky", self.SCENE), ("stage", stage), ("small", {**stage, "objects": far}):
+            with self.subTest(name):
+                self.write("scene.json", scene)
+                said = self.render(f"{name}/found/", "--frames", "10")
+                words = shlex.split(said.split("to keep it there: ")[1].splitlines()[0])
+                kept = self.render(f"{name}/kept/", "--frames", "10", *words)
+                self.assertNotIn("first run", kept)
+                found = self.manifest(f"{name}/found")
+                self.assertEqual(found["camera"], words[1::2])
+                again = self.manifest(f"{name}/kept")
+                self.assertNotIn("camera", again)
+                self.assertEqual(again["frames"][0]["pixels"], found["frames"][0]["pixels"])
 
     def test_a_large_scene_is_framed_by_its_parameters_and_says_so(self):
         self.write("scene.json", {**self.SCENE, "objects": {"sheet": {"cloth": {"size": [400, 400]}}}, "time": {"duration": 5}})

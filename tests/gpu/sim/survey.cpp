@@ -118,6 +118,20 @@ TEST_CASE("survey: fast numerics, and whose run it is, change nothing") {
   CHECK(fast.numerics == scene::Numerics::fast);
 }
 
+// As the words that a framing is told by have it: where the camera is placed the stage still knows the way.
+TEST_CASE("survey: a stage stands under what moves, wherever the camera is") {
+  scene::Scene free = sceneGoing(looseSheet(1)),
+               placed = sceneGoing(looseSheet(1), R"("camera": {"position": [1, 2, 6]}, )");
+  const float before = free.ground.height;
+  CHECK(sim::needsSurvey(placed));
+  CHECK(sim::frameMotion(free).camera.size() >= 3);
+  CHECK(sim::frameMotion(placed).remark.empty());
+  CHECK(free.ground.height < before - 0.05F);
+  CHECK(placed.ground.height == free.ground.height);
+  CHECK(placed.camera.position.at(0) == glm::vec3(1, 2, 6));
+  CHECK_FALSE(sim::needsSurvey(placed));
+}
+
 TEST_CASE("survey: what costs too much, is placed, or stands still is not run") {
   scene::Scene scene = sceneGoing(looseSheet(1));
   const sim::Survey none = sim::surveyMotion(scene, {}, 1000);
@@ -126,7 +140,8 @@ TEST_CASE("survey: what costs too much, is placed, or stands still is not run") 
   sim::frameSurvey(scene, none);
   CHECK(scene.camera.position.at(0) == before);
   CHECK(sim::needsSurvey(scene));
-  CHECK_FALSE(sim::needsSurvey(sceneGoing(looseSheet(1), R"("camera": {"target": [0, 1, 0]}, )")));
+  CHECK_FALSE(
+      sim::needsSurvey(sceneGoing(looseSheet(1), R"("sun": {}, "camera": {"target": [0, 1, 0]}, )")));
   CHECK_FALSE(sim::needsSurvey(sceneGoing(R"({"ball": {"sphere": {}}})")));
   scene::Scene large = sceneGoing(R"({"sheet": {"cloth": {"size": [400, 400]}}})");
   const sim::MotionFraming framing = sim::frameMotion(large);
