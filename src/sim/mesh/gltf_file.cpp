@@ -3,6 +3,7 @@
 #include "sim/mesh/builder.hpp"
 #include "sim/mesh/gltf_materials.hpp"
 #include "sim/mesh/gltf_parts.hpp"
+#include "sim/mesh/texture_place.hpp"
 
 #include <array>
 #include <cstdint>
@@ -40,6 +41,7 @@ class GltfReader {
     mesh.ignored = std::move(looks.ignored);
     if (fades_) mesh.ignored.emplace_back("the opacity in COLOR_0");
     if (mesh.materials.empty()) mesh.materialOf.clear();
+    placeTextures(mesh);
     return mesh;
   }
 
