@@ -40,6 +40,8 @@ class GltfReader {
     mesh.images = std::move(looks.images);
     mesh.ignored = std::move(looks.ignored);
     if (fades_) mesh.ignored.emplace_back("the opacity in COLOR_0");
+    if (parts_.document().size("animations") > 0)
+      mesh.ignored.emplace_back("animations (a \"body\" has those of its bones)");
     if (mesh.materials.empty()) mesh.materialOf.clear();
     placeTextures(mesh);
     return mesh;

@@ -74,12 +74,29 @@ class MaterialReader {
       name_ = name ? fmt::format("\"{}\"", name->text()) : fmt::format("number {}", i);
       all_.materials.push_back(readOne(material));
     }
+    ignoreElse();
     return std::move(all_);
   }
 
  private:
   void ignore(const std::string& key) {
     all_.ignored.push_back(fmt::format("{} of material {}", key, name_));
+  }
+
+  /// What is not of materials: extensions but those whose users are said, or that are read, and morphing.
+  void ignoreElse() {
+    if (const auto used = document_.root().find("extensionsUsed"))
+      for (const std::string& extension : used->texts())
+        if (extension == "KHR_materials_variants" ||
+            (!extension.starts_with("KHR_materials_") && !extension.starts_with("KHR_texture_") &&
+             !extension.starts_with("EXT_texture_") && extension != "KHR_mesh_quantization"))
+          all_.ignored.push_back(extension);
+    bool morphs = false;
+    for (std::size_t i = 0; i < document_.size("meshes"); ++i)
+      document_.item("meshes", i).at("primitives").eachItem([&](const JsonValue& primitive) {
+        morphs = morphs || primitive.has("targets");
+      });
+    if (morphs) all_.ignored.emplace_back("morph targets");
   }
 
   static float number(const JsonValue& object, const char* key, float otherwise) {

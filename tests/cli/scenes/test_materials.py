@@ -78,6 +78,11 @@ class Materials(Case):
         for part in ("square.gltf", "KHR_materials_anisotropy of material \"pane\"", "KHR_materials_ior of material \"pane\"", "magFilter NEAREST of normalTexture", "occlusionTexture (its texCoord is not that of the others) of material \"pane\"",
                      "emissiveTexture (its KHR_texture_transform is not that of the others) of material \"pane\""):
             self.assertIn(part, line)
+        more = {**gltf([glowing([1, 0, 0])]), "extensionsUsed": ["KHR_lights_punctual", "KHR_texture_transform", "EXT_mesh_gpu_instancing"], "animations": [{}]}
+        more["meshes"][0]["primitives"][0]["targets"] = [{"POSITION": 0}]
+        self.write("square.gltf", more)
+        self.assertIn(WORDS + "KHR_lights_punctual; EXT_mesh_gpu_instancing; morph targets; animations (a \"body\" has those of its bones)", self.said())
+        self.write("square.gltf", gltf([pane], [png([(128, 128, 255, 255)])], [{"source": 0}]))
         said = self.good("render", "square.json", "--frames", "0", "--size", "16x16", "-o", "driver/", "--rasterizer", "driver").err
         self.assertEqual(said.count("square: the driver's rasterizer draws the colour, roughness and metal"), 1)
 
@@ -184,6 +189,31 @@ class Materials(Case):
         self.assertEqual(self.picture(), ((0, 0, 255), (0, 0, 255)))
         self.scene("square.gltf", {"color": [0, 0, 0], "emission": [0, 0, 1], "alpha": "blend", "opacity": 0.5})
         self.assertTrue(180 < self.picture()[0][2] < 195)
+
+    def test_validate_opens_what_render_opens(self):
+        self.write("leaf.png", png([(255, 255, 255, 255), (255, 255, 255, 40)]))
+        self.write("words.png", b"no picture")
+        self.write("narrow.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n" + bytes((128, 128, 128, 129)))
+        render = ("render", "scene.json", "--frames", "0", "--size", "8x8", "-o", "out/", "--overwrite")
+        scene = {"version": 1, "objects": {"ball": {"sphere": {}}}}
+
+        def both(code, words, material=None, **sections):
+            ball = {"sphere": {}, **({} if material is None else {"material": material})}
+            self.write("scene.json", {**scene, **sections, "objects": {"ball": ball}})
+            for command in (("validate", "scene.json"), render):
+                if code == 0:
+                    self.good(*command)
+                else:
+                    self.assertIn(words, self.run_program(*command).err)
+                    self.assertEqual(self.run_program(*command).returncode, code)
+
+        both(0, "", {"texture": "leaf.png", "alpha": "cut"})
+        both(2, "needs a material with \"alpha\": \"cut\" or \"blend\"", {"texture": "leaf.png"})
+        for key in ("normalMap", "metallicRoughnessMap", "occlusionMap", "emissionMap"):
+            both(6, "words.png is not a picture", {key: "words.png", "emission": [1, 1, 1]})
+        both(6, "words.png is neither Radiance HDR nor OpenEXR", sky={"picture": "words.png"})
+        both(6, "one of all around is twice as wide as high", sky={"picture": "narrow.hdr"})
+        both(2, "3 samples per pixel: there are 1, 2, 4, 8 and 16", render={"samples": 3})
 
     def test_keys_that_do_nothing_are_refused(self):
         self.write("square.gltf", gltf([glowing([1, 0, 0])]))
