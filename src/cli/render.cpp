@@ -172,11 +172,12 @@ void addRender(CLI::App& app) {
   command
       ->add_option(
           "--layers", o->layers,
-          "Of OpenEXR pictures (-o NAME_####.exr), besides light before lens and film: depth (Z), position "
-          "(P.X, P.Y, P.Z), normal (N.X, N.Y, N.Z), albedo (albedo.R, .G, .B), velocity (velocity.X, .Y, "
+          "Of OpenEXR pictures (-o NAME_####.exr), besides light before vignette and film, times alpha "
+          "where "
+          "there is one: depth (Z: m along the line of sight), position (P.X, P.Y, P.Z: m in the world), "
+          "normal (N.X, N.Y, N.Z: in the world), albedo (albedo.R, .G, .B), velocity (velocity.X, .Y, "
           ".Z: m/s in the world), vector (vector.X, .Y: pixels back to the frame before), object "
-          "(Cryptomatte), "
-          "primitive (which triangle or ball of its object, a whole number)")
+          "(Cryptomatte), primitive (which triangle or ball of its object, a whole number)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(draw::layerNames.begin(), draw::layerNames.end())));
   command

@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/ieee.hpp"
 #include "draw/draw_state.hpp"
+#include "sim/light/surroundings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -171,26 +172,11 @@ void addMap(std::vector<glm::vec4>& texels, int side, Make make) {
   at(side, side) = at(0, 0);
 }
 
-sim::LightFile readLight(const std::filesystem::path& file) {
-  const std::string bytes = readFile(file, "sky's picture");
-  const std::string label = "the sky's picture " + file.string(), advice = "is all of it there?";
-  if (sim::isExr(bytes)) return sim::decodeExr(bytes, label, advice);
-  if (sim::isRadiance(bytes)) return sim::decodeRadiance(bytes, label, advice);
-  fail(ExitCode::inputOutput, "{} is neither Radiance HDR nor OpenEXR", label);
-}
-
 }  // namespace
 
 EnvironmentTexels environmentOf(const sim::LightFile& picture, double strength, double turn,
                                 const std::string& label) {
-  if (picture.size.x != 2 * picture.size.y)
-    fail(ExitCode::inputOutput, "{} has {}x{} pixels; one of all around is twice as wide as high", label,
-         picture.size.x, picture.size.y);
-  for (std::size_t i = 0; i < picture.values.size(); ++i)
-    if (i % 4 != 3 && !(picture.values[i] >= 0 && picture.values[i] < 1e9F))
-      fail(ExitCode::inputOutput, "{} has the value {:g} at column {}, row {}, which is no light", label,
-           static_cast<double>(picture.values[i]), i / 4 % static_cast<std::size_t>(picture.size.x),
-           i / 4 / static_cast<std::size_t>(picture.size.x));
+  sim::checkSurroundings(picture, label);
   const Panorama panorama(picture, strength, turn);
   EnvironmentTexels made;
   made.side = std::clamp(picture.size.y, coarsestSide, finestSide);
@@ -222,8 +208,8 @@ EnvironmentTexels environmentOf(const sim::LightFile& picture, double strength, 
 
 Environment::Environment(const scene::Sky& sky) : side_(0) {
   const EnvironmentTexels made =
-      environmentOf(readLight(sky.picture), static_cast<double>(sky.strength),
-                    static_cast<double>(sky.turn), "the sky's picture " + sky.picture.string());
+      environmentOf(sim::readSurroundings(sky.picture), static_cast<double>(sky.strength),
+                    static_cast<double>(sky.turn), sim::surroundingsLabel(sky.picture));
   side_ = made.side;
   buffer_ = gl::Buffer::of("environment", std::span<const glm::vec4>(made.texels));
   view_ = gl::Texture::view("environment", GL_RGBA32F, buffer_);

@@ -87,6 +87,8 @@ void Render::describe(Fields& fields) {
   fields.pair("size", size, {1, 16384}, "pixels", "Width and height of the images.");
   fields.integer("samples", samples, {1, 16}, "",
                  "Samples per pixel: 1, 2, 4, 8 or 16; a driver's own rasterizer may have 1 and 4 alone.");
+  if (samples >= 1 && samples <= 16 && (samples & (samples - 1)) != 0)
+    fields.error("samples", fmt::format("{} samples per pixel: there are 1, 2, 4, 8 and 16", samples));
   fields.choice(
       "rasterizer", rasterizer, {"exact", "driver"},
       "exact: kernels in exact arithmetic draw, with the same bytes on every machine; driver: vertex and "

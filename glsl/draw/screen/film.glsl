@@ -66,14 +66,23 @@ FUNCTION vec3 filmed(vec3 light) {
 #endif
 }
 
-// Linear -> sRGB (IEC 61966-2-1). x^(1/2.4) from square roots, within 0.001 (a quarter of a byte's
-// step) and from 0.021 on within 0.0003.
+// Linear -> sRGB (IEC 61966-2-1). DEEP, for numbers of 16 bits: within a quarter of their step. Else x^(1/2.4) from square
+// roots, within 0.001 (a quarter of a byte's step) and from 0.021 on within 0.0003.
+#ifdef DEEP
+FUNCTION float encodedOne(float x) {
+  ROUNDED float doublings = logarithmOfTwo(max(x, 1e-6f)) * 0.416666667f;
+  ROUNDED float high = 1.055f * powerOfTwo(doublings) - 0.055f;
+  ROUNDED float low = 12.92f * x;
+  return x < 0.0031308f ? low : high;
+}
+#else
 FUNCTION float encodedOne(float x) {
   float a = root(x), b = root(a), c = root(b);
   ROUNDED float high = 0.662002687f * a + 0.684122060f * b - 0.323583601f * c - 0.0225411470f * x;
   ROUNDED float low = 12.92f * x;
   return x < 0.0031308f ? low : high;
 }
+#endif
 FUNCTION vec3 encoded(vec3 x) {
   return vec3(encodedOne(x.x), encodedOne(x.y), encodedOne(x.z));
 }

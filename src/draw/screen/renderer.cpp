@@ -1,6 +1,7 @@
 #include "draw/screen/renderer.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "draw/environment.hpp"
 #include "draw/exact/motion/motion.hpp"
 #include "draw/exact/scene/exact_scene.hpp"
@@ -18,25 +19,28 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace simreel::draw {
 
 namespace {
 
-/// What lies over pictures has 8 bits.
-void refuseOverlays(const sim::Drawables& drawables) {
-  const char* found = nullptr;
+/// What of a frame lies over the picture; null: nothing.
+const char* overlayOf(const sim::Drawables& drawables) {
+  if (!drawables.writings.empty()) return "text";
+  if (!drawables.charts.empty()) return "a chart";
   for (const sim::Field& field : drawables.fields)
     if (field.display != nullptr && field.display->layer == sim::FieldDisplay::Layer::over)
-      found = "a field";
-  if (!drawables.charts.empty()) found = "a chart";
-  if (!drawables.writings.empty()) found = "text";
-  if (found != nullptr)
-    fail(ExitCode::usage,
-         "--bits 16: {} lies over the picture, and what does has 8 bits; leave it out of the scene, or "
-         "write "
-         "OpenEXR",
-         found);
+      return "a field";
+  return nullptr;
+}
+
+/// What lies over pictures has 8 bits, and no light.
+void refuseOverlays(const char* found) {
+  fail(ExitCode::usage,
+       "--bits 16: {} lies over the picture, and what does has 8 bits; leave it out of the scene, or "
+       "write OpenEXR, which has the light below it",
+       found);
 }
 
 }  // namespace
@@ -78,7 +82,8 @@ struct Renderer::State {
   std::optional<ExactScene> exact;
   std::optional<Motion> motion;
   PassPicture* passes = nullptr;
-  bool filmed = false;  ///< whether the light that is kept is what the film shows
+  std::optional<bool> filmed;  ///< whether the light that is kept is what the film shows, if any is
+  bool saidOverlay = false;    ///< or nobody has to hear what it leaves out
 
   /// Text over the finished picture: of charts, then of objects.
   void write(const sim::Drawables& drawables) {
@@ -135,7 +140,10 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 void Renderer::draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch) {
   State& s = *state_;
   if (s.passes != nullptr) *s.passes = {};
-  if (s.filmed) refuseOverlays(drawables);
+  const char* const overlay = s.filmed ? overlayOf(drawables) : nullptr;
+  if (overlay != nullptr && *s.filmed) refuseOverlays(overlay);
+  if (overlay != nullptr && !std::exchange(s.saidOverlay, true))
+    warn("OpenEXR has the light of the scene, without what lies over the picture: {}", overlay);
   s.tellFrame(seconds, drawables);
   // Whatever the simulations wrote, vertex pulling and index fetch see it.
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
@@ -183,6 +191,7 @@ void Renderer::keepPasses(PassPicture* passes) {
 void Renderer::keepLayers(const LightRequest& wanted) {
   SIMREEL_CHECK(state_->exact.has_value());
   state_->filmed = wanted.filmed;
+  state_->saidOverlay = wanted.quiet;
   if (!state_->motion && std::any_of(wanted.layers.begin(), wanted.layers.end(), [](Layer layer) {
         return layer == Layer::velocity || layer == Layer::vector;
       }))

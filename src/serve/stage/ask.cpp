@@ -149,7 +149,7 @@ PixelAnswer askPixel(const scene::Scene& scene, sim::World& world, glm::dvec2 pl
   draw::Renderer renderer(scene, size, 1, {.rasterizer = scene::Rasterizer::exact});
   draw::PassPicture passes;
   renderer.keepPasses(&passes);
-  renderer.keepLayers({{draw::Layer::depth, draw::Layer::position, draw::Layer::object}, false, 32});
+  renderer.keepLayers({{draw::Layer::depth, draw::Layer::position, draw::Layer::object}, false, 32, true});
   frame::drawWorld(renderer, world);
   const draw::PictureLayers layers = renderer.takeLayers();
   const golden::SeenThing thing = golden::thingAt(passes, pixel.x, pixel.y);

@@ -2,6 +2,7 @@
 #include "sim/mesh/builder.hpp"
 #include "sim/mesh/gltf_materials.hpp"
 #include "sim/mesh/gltf_parts.hpp"
+#include "sim/mesh/texture_place.hpp"
 #include "sim/nodes/gltf_nodes.hpp"
 
 #include <algorithm>
@@ -38,6 +39,7 @@ class FigureReader {
     figure_.mesh.ignored = std::move(looks.ignored);
     if (fades_) figure_.mesh.ignored.emplace_back("the opacity in COLOR_0");
     if (figure_.mesh.materials.empty()) figure_.mesh.materialOf.clear();
+    placeTextures(figure_.mesh);
     figure_.animations = nodes_.animations();
     return std::move(figure_);
   }

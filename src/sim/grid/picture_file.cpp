@@ -83,9 +83,12 @@ Picture loadPicture(const std::filesystem::path& file, const char* what, int max
   for (std::size_t at = 3; at < picture.rgba.size(); at += 4) seenThrough += picture.rgba[at] < 255 ? 1 : 0;
   if (seenThrough > 0)
     fail(ExitCode::usage,
-         "the {} {} is transparent in {} of {} pixels, and transparency is not drawn; flatten it onto a "
-         "colour, for example with ImageMagick: convert picture.png -background white -flatten flat.png",
-         what, file.string(), seenThrough, picture.rgba.size() / 4);
+         "the {} {} is transparent in {} of {} pixels{}; flatten it onto a colour, for example with "
+         "ImageMagick: convert picture.png -background white -flatten flat.png",
+         what, file.string(), seenThrough, picture.rgba.size() / 4,
+         what == std::string_view("texture")
+             ? ", which needs a material with \"alpha\": \"cut\" or \"blend\""
+             : "");
   return picture;
 }
 

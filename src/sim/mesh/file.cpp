@@ -9,6 +9,7 @@
 #include "sim/mesh/builder.hpp"
 #include "sim/mesh/gltf_file.hpp"
 #include "sim/mesh/library_materials.hpp"
+#include "sim/mesh/texture_place.hpp"
 
 #include <algorithm>
 #include <assimp/DefaultIOSystem.h>
@@ -65,6 +66,7 @@ class Gatherer {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
       names.emplace_back(scene_.mMaterials[i]->GetName().C_Str());
     addLibraryMaterials(file_, libraries, names, mesh);
+    placeTextures(mesh);
     if (fades_) mesh.ignored.emplace_back("the opacity of its vertices");
     return mesh;
   }
@@ -130,11 +132,12 @@ void checkBeforeProcessing(const std::filesystem::path& file, const aiScene& sce
   }
 }
 
-/// Opens nothing beside the mesh that lies outside its folder (materials of OBJ), links followed, or is no
-/// plain file.
-class FolderOnly : public Assimp::DefaultIOSystem {
+/// Opens the mesh alone: materials of OBJ we read ourselves (library_materials.hpp), and the library would
+/// refuse the mesh for words of theirs that it does not know. Notes what lies outside its folder, links
+/// followed.
+class MeshAlone : public Assimp::DefaultIOSystem {
  public:
-  explicit FolderOnly(const std::filesystem::path& file) : file_(file) {}
+  explicit MeshAlone(const std::filesystem::path& file) : file_(file) {}
 
   Assimp::IOStream* Open(const char* name, const char* mode) override {
     return allowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
@@ -146,11 +149,8 @@ class FolderOnly : public Assimp::DefaultIOSystem {
  private:
   bool allowed(const char* name) const {
     if (file_ == name) return true;
-    const bool beside = liesBeside(file_, name);
-    if (!beside && refused_.empty()) refused_ = name;
-    std::error_code error;
-    return beside &&
-           (std::filesystem::is_regular_file(name, error) || !std::filesystem::exists(name, error));
+    if (!liesBeside(file_, name) && refused_.empty()) refused_ = name;
+    return false;
   }
   const std::filesystem::path& file_;
   mutable std::string refused_;
@@ -159,7 +159,7 @@ class FolderOnly : public Assimp::DefaultIOSystem {
 Mesh readWithLibrary(const std::filesystem::path& file, const std::vector<std::string>& libraries) {
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  auto* const io = new FolderOnly(file);  // the importer's own from here
+  auto* const io = new MeshAlone(file);  // the importer's own from here
   importer.SetIOHandler(io);
   const aiScene* scene = importer.ReadFile(file.string(), 0);
   if (!io->refused().empty())

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -21,10 +22,17 @@ struct MeshImage {
   }
 };
 
+/// Where pictures lie on a mesh: at u and v of them are `turn` times those of the mesh plus `shift`.
+struct TexturePlace {
+  glm::mat2 turn{1};
+  glm::vec2 shift{0};
+};
+
 /// One of a mesh's pictures laid over a material.
 struct MeshMap {
   int image = -1;  ///< its number; -1: none
   bool repeats = true;
+  TexturePlace place = {};
 };
 
 /// A material as a mesh's file has it: scene::Material and scene::Finish say what its values are.
@@ -49,7 +57,7 @@ struct MeshMaterial {
 };
 
 /// Indexed triangles. Positions in m, unit normals, one of each per vertex; uvs are empty when the file has
-/// none, v counts from a picture's first row.
+/// none, v counts from a picture's first row. Where materials move their pictures, uvs have been moved.
 struct Mesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;

@@ -3,6 +3,7 @@
 #include "sim/mesh/builder.hpp"
 #include "sim/mesh/gltf_materials.hpp"
 #include "sim/mesh/gltf_parts.hpp"
+#include "sim/mesh/texture_place.hpp"
 
 #include <array>
 #include <cstdint>
@@ -39,7 +40,10 @@ class GltfReader {
     mesh.images = std::move(looks.images);
     mesh.ignored = std::move(looks.ignored);
     if (fades_) mesh.ignored.emplace_back("the opacity in COLOR_0");
+    if (parts_.document().size("animations") > 0)
+      mesh.ignored.emplace_back("animations (a \"body\" has those of its bones)");
     if (mesh.materials.empty()) mesh.materialOf.clear();
+    placeTextures(mesh);
     return mesh;
   }
 

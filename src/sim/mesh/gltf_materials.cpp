@@ -1,6 +1,8 @@
 #include "sim/mesh/gltf_materials.hpp"
 
+#include "base/ieee.hpp"
 #include "scene/finish.hpp"
+#include "sim/mesh/texture_place.hpp"
 
 #include <algorithm>
 #include <map>
@@ -14,7 +16,49 @@ namespace simreel::sim {
 namespace {
 
 constexpr std::uint64_t repeatWrap = 10497, mirrorWrap = 33648;  // GL_REPEAT, GL_MIRRORED_REPEAT
+constexpr std::uint64_t nearestFilter = 9728, linearFilter = 9729;
 constexpr std::size_t maxMaterials = 4096;
+constexpr const char* transformName = "KHR_texture_transform";
+constexpr MapNames gltfMapNames = {"baseColorTexture",         "",  // its opacity is the colour's own
+                                   "metallicRoughnessTexture", "normalTexture",
+                                   "occlusionTexture",         "emissiveTexture"};
+
+std::optional<JsonValue> textureTransformOf(const JsonValue& textureInfo) {
+  const auto extensions = textureInfo.find("extensions");
+  return extensions ? extensions->find(transformName) : std::nullopt;
+}
+
+/// Which of the uvs a texture lies on.
+std::uint64_t uvSetIn(const JsonValue& textureInfo) {
+  const std::uint64_t set = GltfDocument::number(textureInfo, "texCoord", 0);
+  const auto transform = textureTransformOf(textureInfo);
+  return transform ? GltfDocument::number(*transform, "texCoord", set) : set;
+}
+
+/// Of a material.
+std::uint64_t firstUvSet(const JsonValue& material) {
+  const auto pbr = material.find("pbrMetallicRoughness");
+  for (const char* name : gltfMapNames) {
+    const auto inside = pbr ? pbr->find(name) : std::nullopt;
+    const auto found = inside ? inside : material.find(name);
+    if (found) return uvSetIn(*found);
+  }
+  return 0;
+}
+
+/// u' = T R S u, R counter-clockwise as a picture is seen, whose v points down.
+TexturePlace transformedPlace(const JsonValue& transform) {
+  constexpr float most = 1e6F;
+  const auto pair = [&](const char* key, float otherwise) {
+    const std::vector<float> v = GltfDocument::numbers(transform, key, 2);
+    return v.empty() ? glm::vec2(otherwise) : glm::clamp(glm::vec2(v[0], v[1]), -most, most);
+  };
+  const glm::vec2 scale = pair("scale", 1);
+  const auto rotation = transform.find("rotation");
+  const double angle = rotation ? std::clamp(rotation->number(), -1e3, 1e3) : 0;
+  const auto c = static_cast<float>(ieee::cos(angle)), s = static_cast<float>(ieee::sin(angle));
+  return {{scale.x * c, -scale.x * s, scale.y * s, scale.y * c}, pair("offset", 0)};
+}
 
 class MaterialReader {
  public:
@@ -30,12 +74,29 @@ class MaterialReader {
       name_ = name ? fmt::format("\"{}\"", name->text()) : fmt::format("number {}", i);
       all_.materials.push_back(readOne(material));
     }
+    ignoreElse();
     return std::move(all_);
   }
 
  private:
   void ignore(const std::string& key) {
     all_.ignored.push_back(fmt::format("{} of material {}", key, name_));
+  }
+
+  /// What is not of materials: extensions but those whose users are said, or that are read, and morphing.
+  void ignoreElse() {
+    if (const auto used = document_.root().find("extensionsUsed"))
+      for (const std::string& extension : used->texts())
+        if (extension == "KHR_materials_variants" ||
+            (!extension.starts_with("KHR_materials_") && !extension.starts_with("KHR_texture_") &&
+             !extension.starts_with("EXT_texture_") && extension != "KHR_mesh_quantization"))
+          all_.ignored.push_back(extension);
+    bool morphs = false;
+    for (std::size_t i = 0; i < document_.size("meshes"); ++i)
+      document_.item("meshes", i).at("primitives").eachItem([&](const JsonValue& primitive) {
+        morphs = morphs || primitive.has("targets");
+      });
+    if (morphs) all_.ignored.emplace_back("morph targets");
   }
 
   static float number(const JsonValue& object, const char* key, float otherwise) {
@@ -53,6 +114,7 @@ class MaterialReader {
 
   MeshMaterial readOne(const JsonValue& json) {
     MeshMaterial material;
+    set_ = firstUvSet(json);
     if (const auto pbr = json.find("pbrMetallicRoughness")) {
       const std::vector<float> base = GltfDocument::numbers(*pbr, "baseColorFactor", 4);
       if (!base.empty()) {
@@ -88,6 +150,9 @@ class MaterialReader {
       for (const char* key : {"KHR_materials_ior", "KHR_materials_volume"})
         if (material.transmission <= 0 && extensions->has(key)) ignore(key);
     }
+    agreeOnPlace(material, gltfMapNames, [&](const char* key) {
+      ignore(fmt::format("{} (its {} is not that of the others)", key, transformName));
+    });
     return material;
   }
 
@@ -129,13 +194,14 @@ class MaterialReader {
   MeshMap map(const JsonValue& object, const char* key) {
     const auto found = object.find(key);
     if (!found) return {};
-    if (GltfDocument::number(*found, "texCoord", 0) != 0) {
-      ignore(fmt::format("{} (its texCoord is not 0)", key));
+    if (uvSetIn(*found) != set_) {
+      ignore(fmt::format("{} (its texCoord is not that of the others)", key));
       return {};
     }
     if (const auto extensions = found->find("extensions"))
-      extensions->eachMember(
-          [&](const std::string& name, const JsonValue&) { ignore(fmt::format("{} of {}", name, key)); });
+      extensions->eachMember([&](const std::string& name, const JsonValue&) {
+        if (name != transformName) ignore(fmt::format("{} of {}", name, key));
+      });
     const JsonValue texture = document_.item("textures", GltfDocument::number(*found, "index"));
     const auto source = texture.find("source");
     if (!source) {
@@ -143,6 +209,7 @@ class MaterialReader {
       return {};
     }
     MeshMap map;
+    if (const auto transform = textureTransformOf(*found)) map.place = transformedPlace(*transform);
     map.image = imageNumber(GltfDocument::number(texture, "source"));
     if (!texture.has("sampler")) return map;
     const JsonValue sampler = document_.item("samplers", GltfDocument::number(texture, "sampler"));
@@ -150,6 +217,8 @@ class MaterialReader {
     const std::uint64_t t = GltfDocument::number(sampler, "wrapT", repeatWrap);
     if (s == mirrorWrap || t == mirrorWrap || s != t) ignore(fmt::format("wrapS, wrapT of {}", key));
     map.repeats = s == repeatWrap || s == mirrorWrap;
+    if (GltfDocument::number(sampler, "magFilter", linearFilter) == nearestFilter)
+      ignore(fmt::format("magFilter NEAREST of {}", key));
     return map;
   }
 
@@ -182,7 +251,8 @@ class MaterialReader {
   }
 
   const GltfDocument& document_;
-  std::string name_;  ///< of the material that is read
+  std::string name_;       ///< of the material that is read
+  std::uint64_t set_ = 0;  ///< of uvs, that its textures lie on
   std::map<std::uint64_t, int> numbers_;
   GltfMaterials all_;
 };
@@ -191,6 +261,10 @@ class MaterialReader {
 
 GltfMaterials readMaterials(const GltfDocument& document) {
   return MaterialReader(document).read();
+}
+
+std::uint64_t uvSetOf(const GltfDocument& document, std::size_t material) {
+  return firstUvSet(document.item("materials", material));
 }
 
 }  // namespace simreel::sim

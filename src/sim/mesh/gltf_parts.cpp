@@ -1,6 +1,7 @@
 #include "sim/mesh/gltf_parts.hpp"
 
 #include "sim/mesh/builder.hpp"
+#include "sim/mesh/gltf_materials.hpp"
 
 #include <bit>
 #include <cmath>
@@ -93,7 +94,12 @@ GltfPart GltfParts::part(std::size_t mesh, const JsonValue& primitive, bool skin
   const std::size_t count = document_.count(position(primitive));
   const std::vector<float> positions = attribute(primitive, "POSITION", 3, count);
   const std::vector<float> normals = attribute(primitive, "NORMAL", 3, count);
-  const std::vector<float> uvs = attribute(primitive, "TEXCOORD_0", 2, count);
+  const std::size_t materials = document_.size("materials");
+  const std::uint64_t material = GltfDocument::number(primitive, "material", materials);
+  if (material > materials)
+    document_.refuse(fmt::format("names number {} of its {} materials", material, materials));
+  const std::uint64_t set = material < materials ? uvSetOf(document_, material) : 0;
+  const std::vector<float> uvs = attribute(primitive, fmt::format("TEXCOORD_{}", set).c_str(), 2, count);
   std::vector<float> colors;
   std::size_t each = 3;
   if (const JsonValue attributes = primitive.at("attributes"); attributes.has("COLOR_0")) {
@@ -113,10 +119,6 @@ GltfPart GltfParts::part(std::size_t mesh, const JsonValue& primitive, bool skin
   part.hasUvs = !uvs.empty();
   part.hasColors = !colors.empty();
   for (std::size_t i = 3; each == 4 && i < colors.size(); i += 4) part.fades = part.fades || colors[i] < 1;
-  const std::size_t materials = document_.size("materials");
-  const std::uint64_t material = GltfDocument::number(primitive, "material", materials);
-  if (material > materials)
-    document_.refuse(fmt::format("names number {} of its {} materials", material, materials));
   if (material < materials) part.material = static_cast<int>(material);
   part.triangles = trianglesOf(primitive, count);
   std::unordered_map<GltfVertex, unsigned, VertexHash> known;

@@ -5,6 +5,7 @@
 #include "scene/finish.hpp"
 #include "sim/grid/picture_file.hpp"
 #include "sim/mesh/builder.hpp"
+#include "sim/mesh/texture_place.hpp"
 
 #include <algorithm>
 #include <array>
@@ -57,6 +58,25 @@ std::array<float, 3> numbersIn(std::string_view text, float most) {
   return numbers;
 }
 
+/// The number that a text begins with, not beyond 1e6.
+std::optional<float> numberIn(std::string_view text) {
+  const std::string copy(text);
+  char* end = nullptr;
+  const double value = std::strtod(copy.c_str(), &end);
+  if (end == copy.c_str() || !std::isfinite(value)) return std::nullopt;
+  return static_cast<float>(std::clamp(value, -1e6, 1e6));
+}
+
+/// Takes the first word off a text.
+std::string_view takeWord(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_of(betweenWords), text.size());
+  const std::string_view word = text.substr(0, end);
+  text = withoutBlanks(text.substr(end));
+  return word;
+}
+
+constexpr MapNames libraryMapNames = {"map_Kd", "map_d", "map_Pr", "norm", "map_Ka", "map_Ke"};
+
 glm::vec3 colorIn(std::string_view text, float most) {
   const std::array<float, 3> v = numbersIn(text, most);
   return {v[0], v[1], v[2]};
@@ -79,6 +99,13 @@ class LibraryReader {
                 take(all_[name_], key, rest);
               }
             });
+    for (auto& [name, material] : all_) {
+      name_ = name;
+      agreeOnPlace(material, libraryMapNames, [&](std::string_view key) {
+        ignore(fmt::format("{} (its -o and -s are not those of the others)", key));
+      });
+    }
+    name_.clear();
   }
 
   [[nodiscard]] const std::map<std::string, MeshMaterial, std::less<>>& all() const { return all_; }
@@ -97,7 +124,19 @@ class LibraryReader {
     mesh_.ignored.push_back(fmt::format("{} of material \"{}\"", key, name_));
   }
 
+  /// Whether the key has numbers, and there are none.
+  static bool lacksNumbers(std::string_view key, std::string_view rest) {
+    constexpr std::array<std::string_view, 12> numeric = {"Kd",  "Ke", "Pr", "Pm", "Ns",    "Pc",
+                                                          "Pcr", "d",  "Tr", "Tf", "aniso", "Ps"};
+    return std::find(numeric.begin(), numeric.end(), key) != numeric.end() && !numberIn(rest);
+  }
+
   void take(MeshMaterial& material, std::string_view key, std::string_view rest) {
+    if (key == "d" && rest.starts_with("-halo")) {
+      takeWord(rest);
+      ignore("-halo of d");
+    }
+    if (lacksNumbers(key, rest)) return ignore(fmt::format("\"{} {}\"", key, rest.substr(0, 40)));
     if (key == "Kd") {
       material.color = colorIn(rest, 1);
     } else if (key == "Ke") {
@@ -120,35 +159,98 @@ class LibraryReader {
       material.opacity = key == "d" ? number : 1 - number;
       if (material.opacity < 1) material.alpha = static_cast<int>(scene::Alpha::blend);
     } else if (key == "map_Kd") {
-      material.colorMap = map(rest);
+      material.colorMap = map(key, rest).map;
     } else if (key == "map_Ke") {
-      material.emissionMap = map(rest);
-      if (material.emission == glm::vec3(0)) material.emission = glm::vec3(1);
+      material.emissionMap = map(key, rest).map;
+      if (material.emissionMap.image >= 0 && material.emission == glm::vec3(0))
+        material.emission = glm::vec3(1);
     } else if (key == "map_d") {
-      material.opacityMap = map(rest);
+      material.opacityMap = map(key, rest).map;
       if (material.opacityMap.image >= 0) material.alpha = static_cast<int>(scene::Alpha::cut);
     } else if (key == "norm" || key == "map_Bump" || key == "map_bump" || key == "bump") {
-      const MeshMap found = map(rest);
-      if (found.image < 0) return;
-      if (key != "norm" && !holdsNormals(found)) return ignore(fmt::format("{} (heights)", key));
-      material.normals = found;
-    } else if (key.starts_with("map_") || key == "disp" || key == "refl" || key == "Ps") {
+      const Named found = map(key, rest);
+      if (found.map.image < 0) return;
+      if (key != "norm" && !holdsNormals(found.map)) return ignore(fmt::format("{} (heights)", key));
+      material.normals = found.map;
+      material.normalStrength = std::clamp(found.strength, -10.0F, 10.0F);
+    } else if (key.starts_with("map_") || key == "disp" || key == "refl" ||
+               (key == "Tf" && colorIn(rest, 1) != glm::vec3(1)) ||
+               ((key == "Ps" || key == "aniso") && numberIn(rest) != 0.0F)) {
       ignore(key);
     }
   }
 
-  /// The picture that a line names, behind its options.
-  MeshMap map(std::string_view rest) {
-    const std::size_t last = rest.find_last_of(betweenWords);
-    const std::string name(rest.starts_with('-') && last != std::string_view::npos ? rest.substr(last + 1)
-                                                                                   : rest);
+  /// A picture as a line has it.
+  struct Named {
+    MeshMap map;
+    float strength = 1;  ///< -bm
+  };
+
+  /// Up to three numbers before a name, which may look like one; those that are left out are as `numbers`.
+  static glm::vec3 takeNumbers(std::string_view& rest, glm::vec3 numbers) {
+    for (int i = 0; i < 3; ++i) {
+      std::string_view after = rest;
+      const std::string word(takeWord(after));
+      char* end = nullptr;
+      const double number = std::strtod(word.c_str(), &end);
+      if (word.empty() || *end != '\0' || !std::isfinite(number) || after.empty()) break;
+      numbers[i] = static_cast<float>(std::clamp(number, -1e6, 1e6));
+      rest = after;
+    }
+    return numbers;
+  }
+
+  /// Takes an option off a line. False where there is none that is known.
+  bool takeOption(std::string_view key, std::string_view& rest, Named& named, glm::vec2& scale,
+                  glm::vec2& offset) {
+    std::string_view after = rest;
+    const std::string_view option = takeWord(after);
+    if (option == "-s") {
+      scale = glm::vec2(takeNumbers(after, glm::vec3(1)));
+    } else if (option == "-o") {
+      offset = glm::vec2(takeNumbers(after, glm::vec3(0)));
+    } else if (option == "-t") {
+      if (takeNumbers(after, glm::vec3(0)) != glm::vec3(0)) ignore(fmt::format("-t of {}", key));
+    } else if (option == "-mm") {
+      const float base = numberIn(takeWord(after)).value_or(0),
+                  gain = numberIn(takeWord(after)).value_or(1);
+      if (base != 0 || gain != 1) ignore(fmt::format("-mm of {}", key));
+    } else if (option == "-bm") {
+      named.strength = numberIn(takeWord(after)).value_or(1);
+    } else if (option == "-clamp") {
+      named.map.repeats = takeWord(after) != "on";
+    } else if (option == "-imfchan" || option == "-cc") {
+      const std::string_view word = takeWord(after);
+      if (word != "off") ignore(fmt::format("{} {} of {}", option, word, key));
+    } else if (option == "-blendu" || option == "-blendv" || option == "-boost" || option == "-texres" ||
+               option == "-type") {
+      takeWord(after);  // how it is filtered
+    } else {
+      return false;
+    }
+    rest = after;
+    return true;
+  }
+
+  /// The picture that a line names, behind its options. Its u is -s u + -o, as programs that write these
+  /// files have it, v the same from below.
+  Named map(std::string_view key, std::string_view rest) {
+    Named named;
+    glm::vec2 scale(1), offset(0);
+    while (rest.starts_with('-') && takeOption(key, rest, named, scale, offset)) {
+    }
+    named.map.place = {glm::mat2(scale.x, 0, 0, scale.y), {offset.x, 1 - scale.y - offset.y}};
+    const std::string name(rest);
     const auto known = numbers_.find(name);
-    if (known != numbers_.end()) return {known->second, true};
+    if (known != numbers_.end()) {
+      named.map.image = known->second;
+      return named;
+    }
     std::optional<std::string> bytes = beside(name, "texture");
-    const int number = bytes ? static_cast<int>(mesh_.images.size()) : -1;
+    named.map.image = bytes ? static_cast<int>(mesh_.images.size()) : -1;
     if (bytes) mesh_.images.push_back({name, std::move(*bytes)});
-    numbers_.emplace(name, number);
-    return {number, true};
+    numbers_.emplace(name, named.map.image);
+    return named;
   }
 
   /// Normals point outwards, so their pictures are blue in the mean.

@@ -1,7 +1,9 @@
 #include "sim/world/setup.hpp"
 
+#include "base/file.hpp"
 #include "sim/collide/mesh_colliders.hpp"
 #include "sim/grid/picture_file.hpp"
+#include "sim/light/surroundings.hpp"
 #include "sim/shape/shape.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/relations.hpp"
@@ -23,6 +25,26 @@ bool isReported(const std::vector<UserError>& problems) {
   return std::any_of(problems.begin(), problems.end() - 1, [&](const UserError& problem) {
     return std::string(problem.what()) == problems.back().what();
   });
+}
+
+/// Opens the pictures of a material as those who draw it do: only with a finish the exact rasterizer knows
+/// what is transparent.
+template <class Attempt>
+void checkPictures(const scene::Material& material, bool exact, const Attempt& attempt) {
+  const auto check = [&](const std::filesystem::path& file) {
+    if (file.empty()) return;
+    attempt([&] {
+      static_cast<void>(decodePicture(readFile(file, "texture"), file.string(), "texture", maxTextureSide));
+    });
+  };
+  const scene::Finish& finish = material.finish;
+  if (exact && finish.used())
+    check(material.texture);
+  else if (!material.texture.empty())
+    attempt([&] { static_cast<void>(loadPicture(material.texture, "texture", maxTextureSide)); });
+  for (const scene::Map* map :
+       {&finish.normals, &finish.metalRough, &finish.occlusion, &finish.emissionMap})
+    check(map->file);
 }
 
 }  // namespace
@@ -96,9 +118,10 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
     problems.emplace_back(ExitCode::usage, mistake);
   for (const scene::Object& object : scene.objects) {
     if (const auto& check = simulationNamed(object.kind).check) attempt([&] { check(object, setting); });
-    if (!object.material.texture.empty())
-      attempt([&] { static_cast<void>(loadPicture(object.material.texture, "texture", maxTextureSide)); });
+    checkPictures(object.material, scene.render.rasterizer == scene::Rasterizer::exact, attempt);
   }
+  if (const auto& sky = scene.sky.picture; !sky.empty())
+    attempt([&] { checkSurroundings(readSurroundings(sky), surroundingsLabel(sky)); });
   const std::size_t others = problems.size();
   attempt([&] { static_cast<void>(MeshColliderPlan(scene, std::max(0.0, meshReach(scene)))); });
   // A file that cannot be read is a problem of its object already.

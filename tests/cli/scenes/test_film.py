@@ -2,6 +2,7 @@
 import json
 
 from common import SOURCE, Case, main, png_rows, unfiltered
+from exr_file import bits, read_exr
 
 SCENE = {"version": 1, "render": {"size": [97, 55]},
          "sky": {"zenith": [0.1, 0.2, 0.4]}, "objects": {"ball": {"sphere": {"radius": 0.4}}, "ring": {"mesh": {"shape": "torus", "rotation": [50, 20, 0]}}}}
@@ -73,6 +74,17 @@ class Film(Case):
                 # But for the dither, which is half a step at most.
                 self.assertLessEqual(max(abs(a / 257 - b) for a, b in zip(numbers, shown)), 1.01)
                 self.assertGreater(len(set(numbers)), 4 * len(set(shown)))
+        # Without a curve they are the light of OpenEXR, encoded as IEC 61966-2-1 says, and rounded.
+        dark = ("-D", "sky.ground=[0.002,0.01,0.003]", "-D", "render.tone=plain", "-D", "render.transparent=false")
+        self.good(*see[:6], *dark, "-o", "deep.png", "--bits", "16")
+        self.good(*see[:6], *dark, "-o", "light.exr", "--bits", "32")
+        width, _, rows = png_rows((self.folder / "deep.png").read_bytes())
+        data = b"".join(unfiltered(rows, width * 6, 6))
+        numbers = [256 * data[i] + data[i + 1] for i in range(0, len(data), 2)]
+        _, _, channels, _ = read_exr((self.folder / "light.exr").read_bytes())
+        light = [min(value, 1) for pixel in zip(channels["R"], channels["G"], channels["B"]) for value in pixel]
+        encoded = [65535 * (12.92 * x if x <= 0.0031308 else 1.055 * x ** (1 / 2.4) - 0.055) for x in light]
+        self.assertLess(max(abs(a - b) for a, b in zip(numbers, encoded)), 0.6)
         self.bad(2, "PNG has 8 or 16", *see, "-o", "a.png", "--bits", "32")
         self.bad(2, "OpenEXR has 16 or 32", *see, "-o", "a.exr", "--bits", "8")
         self.bad(2, "videos and streams have 8", *see[:5], "-o", "a.mp4", "--bits", "16")
@@ -99,6 +111,32 @@ class Film(Case):
         self.good(*see, "--frames", "0", "-o", "d.exr", "-D", "sky.zenith=[0.2,0.2,0.4]")
         self.assertEqual(self.run_program("diff", "b.exr", "d.exr", "-q").returncode, 1)
 
+    def test_shares_of_objects_are_as_blurred_as_the_light(self):
+        turning = {"radius": 0.3, "position": {"keys": [[0, [-1, 0, 0]], [1, [1, 0, 0]]]}}
+        self.write("scene.json", {"version": 1, "render": {"size": [48, 27], "samples": 2, "transparent": True}, "time": {"fps": 8, "duration": 1},
+                                  "camera": {"position": [0, 0, 3], "target": [0, 0, 0]}, "sky": {"zenith": [1, 1, 1]}, "ground": {"visible": False},
+                                  "objects": {"moved": {"sphere": turning}, "near": {"sphere": {"radius": 0.15, "position": [0, 0.2, 1.5]}}}})
+        lens, shutter = ("-D", "camera.lens={\"fNumber\": 0.1, \"samples\": 12}"), ("-D", "camera.shutter={\"angle\": 360, \"samples\": 6}")
+        partly = []
+        for blur in ((), shutter, lens, (*lens, *shutter)):
+            self.good("render", "scene.json", "--frames", "4", "-q", "-o", "a.exr", "--overwrite", "--bits", "32", "--layers", "object", *blur)
+            _, _, channels, header = read_exr((self.folder / "a.exr").read_bytes())
+            manifest = json.loads(next(body for name, (_, body) in header.items() if name.endswith("/manifest")))
+            self.assertEqual(set(manifest), {"moved", "near"})
+            known = {int(number, 16): name for name, number in manifest.items()}
+            ranks = [(channels[f"CryptoObject{i // 2:02}.{'RB'[i % 2]}"], channels[f"CryptoObject{i // 2:02}.{'GA'[i % 2]}"])
+                     for i in range(2 * sum(name.endswith(".R") and "Crypto" in name for name in channels))]
+            seen = set()
+            for pixel, alpha in enumerate(channels["A"]):
+                shares = [(known[bits(ids[pixel])], covers[pixel]) for ids, covers in ranks if covers[pixel] > 0]
+                self.assertAlmostEqual(sum(share for _, share in shares), alpha, delta=1e-6)
+                self.assertEqual(shares, sorted(shares, key=lambda one: -one[1]))
+                self.assertEqual(len({name for name, _ in shares}), len(shares))
+                seen.update(name for name, _ in shares)
+            self.assertEqual(seen, set(manifest))
+            partly.append(sum(0 < alpha < 1 for alpha in channels["A"]))
+        self.assertGreater(min(partly[1:]), 1.5 * partly[0])
+
     def test_light_where_there_is_none(self):
         self.write("scene.json", SCENE)
         see = ("render", "scene.json", "--frames", "0")
@@ -106,6 +144,10 @@ class Film(Case):
         self.bad(2, "depht", *see, "-o", "a.exr", "--layers", "depht")
         self.bad(2, "only the exact rasterizer hands out light", *see, "-o", "a.exr", "--rasterizer", "driver")
         self.bad(2, "--pieces makes PNG pictures or a video", "render", "scene.json", "-o", "a/####.exr", "--pieces", "2")
+        said = "OpenEXR has the light of the scene, without what lies over the picture: text"
+        self.write("worded.json", {**SCENE, "objects": {**SCENE["objects"], "word": {"text": {"text": "A", "screen": {}}}}})
+        self.assertEqual(self.good("render", "worded.json", "--frames", "0-2", "-o", "b/####.exr").err.count(said), 1)
+        self.assertNotIn(said, self.good("render", "scene.json", "--frames", "0", "-o", "c.exr").err)
 
 
 if __name__ == "__main__":

@@ -9,13 +9,14 @@ from common import SOURCE, Case, main, png_rows, unfiltered
 WORDS = "has what is not drawn: "
 
 
-def png(pixels):
-    """One row of RGBA pixels."""
+def png(pixels, width=None):
+    """Rows of RGBA pixels; one without a width."""
+    width = width or len(pixels)
     def chunk(name, data):
         return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
-    row = b"\0" + b"".join(bytes(p) for p in pixels)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", len(pixels), 1, 8, 6, 0, 0, 0))
-            + chunk(b"IDAT", zlib.compress(row)) + chunk(b"IEND", b""))
+    rows = b"".join(b"\0" + b"".join(bytes(p) for p in pixels[at:at + width]) for at in range(0, len(pixels), width))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, len(pixels) // width, 8, 6, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
 def gltf(materials, images=(), textures=()):
@@ -68,15 +69,20 @@ class Materials(Case):
     def test_what_of_a_file_is_not_drawn_is_said_once(self):
         transform = {"extensions": {"KHR_texture_transform": {"scale": [2, 2]}}}
         pane = {"name": "pane", "extensions": {"KHR_materials_anisotropy": {}, "KHR_materials_ior": {"ior": 1.3}},
-                "occlusionTexture": {"index": 0, "texCoord": 1}, "normalTexture": {"index": 0, **transform}}
-        self.write("square.gltf", gltf([pane], [png([(128, 128, 255, 255)])], [{"source": 0}]))
+                "occlusionTexture": {"index": 0, "texCoord": 1}, "normalTexture": {"index": 0, **transform}, "emissiveTexture": {"index": 0}}
+        self.write("square.gltf", {**gltf([pane], [png([(128, 128, 255, 255)])], [{"source": 0, "sampler": 0}]), "samplers": [{"magFilter": 9728}]})
         self.scene("square.gltf")
         said = self.good("render", "square.json", "--frames", "0", "--size", "16x16", "-o", "out/").err
         self.assertEqual(said.count(WORDS), 1)
         line = next(line for line in said.splitlines() if WORDS in line)
-        for part in ("square.gltf", "KHR_materials_anisotropy of material \"pane\"", "KHR_materials_ior of material \"pane\"", "occlusionTexture (its texCoord is not 0) of material \"pane\"",
-                     "KHR_texture_transform of normalTexture of material \"pane\""):
+        for part in ("square.gltf", "KHR_materials_anisotropy of material \"pane\"", "KHR_materials_ior of material \"pane\"", "magFilter NEAREST of normalTexture", "occlusionTexture (its texCoord is not that of the others) of material \"pane\"",
+                     "emissiveTexture (its KHR_texture_transform is not that of the others) of material \"pane\""):
             self.assertIn(part, line)
+        more = {**gltf([glowing([1, 0, 0])]), "extensionsUsed": ["KHR_lights_punctual", "KHR_texture_transform", "EXT_mesh_gpu_instancing"], "animations": [{}]}
+        more["meshes"][0]["primitives"][0]["targets"] = [{"POSITION": 0}]
+        self.write("square.gltf", more)
+        self.assertIn(WORDS + "KHR_lights_punctual; EXT_mesh_gpu_instancing; morph targets; animations (a \"body\" has those of its bones)", self.said())
+        self.write("square.gltf", gltf([pane], [png([(128, 128, 255, 255)])], [{"source": 0}]))
         said = self.good("render", "square.json", "--frames", "0", "--size", "16x16", "-o", "driver/", "--rasterizer", "driver").err
         self.assertEqual(said.count("square: the driver's rasterizer draws the colour, roughness and metal"), 1)
 
@@ -112,6 +118,67 @@ class Materials(Case):
         (self.folder / "square.mtl").unlink()
         self.assertIn("square.mtl (it is not there", self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "d/").err)
 
+    def square(self, library):
+        """An OBJ of one material, whose u and v are 0.32 and 0.68 where picture() looks."""
+        self.write("square.obj", b"mtllib square.mtl\nv -1 1 0\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nvt 0 1\nvt 0 0\nvt 1 0\nvt 1 1\n"
+                                 b"usemtl all\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
+        self.write("square.mtl", b"newmtl all\nKd 0 0 0\n" + library)
+        self.scene("square.obj")
+
+    def said(self):
+        return self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "said/", "--overwrite").err
+
+    def test_options_of_maps_in_libraries(self):
+        red, green, blue, white = (255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (255,) * 4
+        self.write("across.png", png([red, red, green, green]))
+        self.write("down.png", png([red, red, green, green, blue, blue, white, white], 1))
+        for options, file, left, right in (("", "across", red, green), ("-o 0.5 0 0", "across", green, red), ("-s -1 1 1", "across", green, red),
+                                           ("-s 0.5", "across", red, red), ("-o 0.5 -clamp on", "across", green, green), ("-blendu off -bm 1", "across", red, green),
+                                           ("", "down", blue, green), ("-o 0 0.25", "down", green, red), ("-s 1 0.25", "down", white, white)):
+            self.square(f"Ke 1 1 1\nmap_Ke {options} {file}.png\n".encode())
+            self.assertEqual(self.picture(), (left[:3], right[:3]), (options, file))
+            self.assertNotIn(WORDS, self.said())
+        self.square(b"Ke 1 1 1\nmap_Ke -o 0.5 0 across.png\nmap_Kd -mm 0.1 1 -t 0.1 across.png\n")
+        said = self.said()
+        for part in ("-mm of map_Kd of material \"all\"", "-t of map_Kd", "map_Ke (its -o and -s are not those of the others)"):
+            self.assertIn(part, said)
+
+    def test_words_of_libraries_that_others_write(self):
+        for library, part in ((b"Ke 0 1 0\naniso 0.5\nanisor 0.1\n", "aniso of material"), (b"Ke 0 1 0\nd -halo 1\n", "-halo of d"),
+                              (b"Ke 0 1 0\nKd spectral glass.rfl\n", "\"Kd spectral glass.rfl\" of material"), (b"Ke 0 1 0\nPr nan\n", "\"Pr nan\""),
+                              (b"Ke 0 1 0\nTf 1 0 0\n", "Tf of material")):
+            self.square(library)
+            self.assertIn(part, self.said())
+            self.square(library + b"Kd 0 0 0\n")
+            self.assertEqual(self.picture(), ((0, 255, 0), (0, 255, 0)))
+        self.square(b"Ke 0 1 0\naniso 0\nanisor 0\nPs 0\nTf 1 1 1\nmap_d -imfchan l -cc off gone.png\n")  # as Blender writes what there is not
+        self.assertIn("gone.png", self.said())
+        self.assertNotIn("aniso", self.said())
+        self.square(b"map_Ke gone.png\n")  # no light without its picture
+        self.assertEqual(self.picture(), ((0, 0, 0), (0, 0, 0)))
+
+    def test_textures_that_a_gltf_moves(self):
+        red, green, blue, white = (255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (255,) * 4
+        across, down = png([red, red, green, green]), png([red, red, green, green, blue, blue, white, white], 1)
+        # What is looked at is u = 0.32, v = 0.68 and then u = 0.68, v = 0.32. A quarter turn: u' = v, v' = -u.
+        for image, transform, left, right in ((across, {}, red, green), (across, {"offset": [0.5, 0]}, green, red), (across, {"scale": [0.5, 1]}, red, red),
+                                              (across, {"rotation": 1.5707963}, green, red), (down, {}, blue, green), (down, {"offset": [0, 0.25]}, white, blue),
+                                              (down, {"rotation": 1.5707963}, blue, green), (down, {"rotation": 1.5707963, "offset": [0, 0.25], "scale": [2, 1]}, blue, white)):
+            shining = glowing([1, 1, 1], emissiveTexture={"index": 0, "extensions": {"KHR_texture_transform": transform}})
+            self.write("square.gltf", gltf([shining], [image], [{"source": 0}]))
+            self.scene("square.gltf")
+            self.assertEqual(self.picture(), (left[:3], right[:3]), transform)
+            self.assertNotIn(WORDS, self.said())
+        second = gltf([glowing([1, 1, 1], emissiveTexture={"index": 0, "texCoord": 1})], [across], [{"source": 0}])
+        for part in second["meshes"][0]["primitives"]:  # the other set is its places: u = 0.32 is at x = -0.36
+            part["attributes"]["TEXCOORD_1"] = 4
+        second["accessors"].append({"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC2"})
+        second["bufferViews"][0]["byteStride"] = 12
+        self.write("square.gltf", second)
+        self.scene("square.gltf")
+        self.assertEqual(self.picture(), ((0, 255, 0), (255, 0, 0)))  # u = x: -0.36, which is 0.64, and 0.36
+        self.assertNotIn(WORDS, self.said())
+
     def test_maps_of_a_scene(self):
         self.write("leaf.png", png([(255, 255, 255, 255), (255, 255, 255, 40)]))
         self.write("square.gltf", gltf([glowing([1, 0, 0])]))
@@ -122,6 +189,31 @@ class Materials(Case):
         self.assertEqual(self.picture(), ((0, 0, 255), (0, 0, 255)))
         self.scene("square.gltf", {"color": [0, 0, 0], "emission": [0, 0, 1], "alpha": "blend", "opacity": 0.5})
         self.assertTrue(180 < self.picture()[0][2] < 195)
+
+    def test_validate_opens_what_render_opens(self):
+        self.write("leaf.png", png([(255, 255, 255, 255), (255, 255, 255, 40)]))
+        self.write("words.png", b"no picture")
+        self.write("narrow.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n" + bytes((128, 128, 128, 129)))
+        render = ("render", "scene.json", "--frames", "0", "--size", "8x8", "-o", "out/", "--overwrite")
+        scene = {"version": 1, "objects": {"ball": {"sphere": {}}}}
+
+        def both(code, words, material=None, **sections):
+            ball = {"sphere": {}, **({} if material is None else {"material": material})}
+            self.write("scene.json", {**scene, **sections, "objects": {"ball": ball}})
+            for command in (("validate", "scene.json"), render):
+                if code == 0:
+                    self.good(*command)
+                else:
+                    self.assertIn(words, self.run_program(*command).err)
+                    self.assertEqual(self.run_program(*command).returncode, code)
+
+        both(0, "", {"texture": "leaf.png", "alpha": "cut"})
+        both(2, "needs a material with \"alpha\": \"cut\" or \"blend\"", {"texture": "leaf.png"})
+        for key in ("normalMap", "metallicRoughnessMap", "occlusionMap", "emissionMap"):
+            both(6, "words.png is not a picture", {key: "words.png", "emission": [1, 1, 1]})
+        both(6, "words.png is neither Radiance HDR nor OpenEXR", sky={"picture": "words.png"})
+        both(6, "one of all around is twice as wide as high", sky={"picture": "narrow.hdr"})
+        both(2, "3 samples per pixel: there are 1, 2, 4, 8 and 16", render={"samples": 3})
 
     def test_keys_that_do_nothing_are_refused(self):
         self.write("square.gltf", gltf([glowing([1, 0, 0])]))

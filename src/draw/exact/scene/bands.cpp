@@ -133,6 +133,7 @@ void ExactScene::State::drawBand(const sim::Drawables& drawables, const shader::
   tiles.list(firstIds, visibility, groundPlace(values),
              ExactInstances::anyAdd(drawables) || layerKeeper || layered);
   if (layerKeeper) keepLayers(values);
+  if (shareKeeper) shareKeeper->add(visibility.readNumbers(), values, thingsDrawn());
   if (passes != nullptr) keepVisibility(rows);
   if (rays) rays->bind();
   if (layered) {

@@ -8,6 +8,7 @@
 #include "draw/exact/scene/apart.hpp"
 #include "draw/exact/scene/exact_scene.hpp"
 #include "draw/exact/scene/lamp_maps.hpp"
+#include "draw/exact/scene/share_keeper.hpp"
 #include "draw/exact/screen/bloom.hpp"
 #include "draw/exact/screen/light_pictures.hpp"
 #include "draw/exact/surface/surface_shading.hpp"
@@ -93,6 +94,7 @@ struct ExactScene::State {
   void bindShadows() const;
   void shadeAll();
   void keepVisibility(glm::ivec2 rows) const;
+  [[nodiscard]] std::vector<DrawnThing> thingsDrawn() const;
   void keepLayers(const shader::ExactView& values);
   [[nodiscard]] std::optional<Velocities> velocitiesNow() const;
   [[nodiscard]] std::optional<CameraWay> cameraWayNow() const;
@@ -147,7 +149,8 @@ struct ExactScene::State {
   std::optional<LightRequest> wanted;                 ///< besides pictures
   PictureLayers layers;
   std::optional<LayerKeeper> layerKeeper;  ///< while the layers' view is drawn,
-  const Exposure* exposed = nullptr;       ///< and of what that is the first moment,
+  std::optional<ShareKeeper> shareKeeper;  ///< while views are drawn that objects' shares are of,
+  const Exposure* exposed = nullptr;       ///< and of what the layers' is the first moment,
   const sim::Drawables* there = nullptr;   ///< of which these are,
   double exposedSeconds = 0;               ///< at that time
   gl::Program linear;                      ///< of those alone

@@ -86,10 +86,13 @@ View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables,
 /// The mean of all moments, and of all points of the lens, into `sums`. Whether it has light that is only
 /// added.
 bool ExactScene::State::expose(const Exposure& exposure, const Watch& watch) {
-  // Passes and layers are kept of the first one, and of the mean.
+  // Passes and layers are kept of the first one, light and objects' shares of the mean.
   PassPicture* const kept = passes;
   if (wanted) {
-    layerKeeper.emplace(layers, wanted->layers, size, samples);
+    const std::vector<Layer>& asked = wanted->layers;
+    layerKeeper.emplace(layers, asked, size, samples);
+    if (std::find(asked.begin(), asked.end(), Layer::object) != asked.end())
+      shareKeeper.emplace(size, samples);
     clearShown();
   }
   const int moments = exposure.moments;
@@ -120,6 +123,8 @@ bool ExactScene::State::expose(const Exposure& exposure, const Watch& watch) {
     if (pictures > 1 && m == 0) middle = exactView(seen, scene.camera, size);
   }
   passes = kept;
+  if (shareKeeper) shareKeeper->finish(layers, pictures);
+  shareKeeper.reset();
   if (exposure.close) exposure.close();
   if (pictures > 1) {
     view.write(0, std::as_bytes(std::span(&middle, 1)));  // the sky is seen through the middle

@@ -82,12 +82,18 @@ std::optional<CameraWay> ExactScene::State::cameraWayNow() const {
   return CameraWay{exactView(now, scene.camera, size), exactView(before, scene.camera, size), seconds};
 }
 
-void ExactScene::State::keepLayers(const shader::ExactView& values) {
+/// What has numbers in the band.
+std::vector<DrawnThing> ExactScene::State::thingsDrawn() const {
   std::vector<DrawnThing> things;
   for (const TriangleRaster::Drawn& drawn : triangles.drawn())
     things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
   apart.describe(things);
   instances.describe(things);
+  return things;
+}
+
+void ExactScene::State::keepLayers(const shader::ExactView& values) {
+  const std::vector<DrawnThing> things = thingsDrawn();
   const std::optional<Velocities> velocities = velocitiesNow();
   const std::optional<CameraWay> way = cameraWayNow();
   layerKeeper->add(visibility, values, things, velocities ? &*velocities : nullptr, way ? &*way : nullptr);

@@ -15,8 +15,8 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr unsigned groundNumber = 0xfffffffeU, noNumber = 0xffffffffU;  // tile_lists.glsl
-constexpr unsigned farthestKey = 0x7fffffffU;                           // nearKey of triangle.glsl
+constexpr unsigned groundNumber = 0xfffffffeU;  // tile_lists.glsl
+constexpr unsigned farthestKey = 0x7fffffffU;   // nearKey of triangle.glsl
 
 }  // namespace
 
@@ -43,30 +43,10 @@ LayerKeeper::LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm
   if (wants(Layer::velocity)) layers_.velocity.assign(3 * pixels, 0.0F);
   if (wants(Layer::vector)) layers_.vector.assign(2 * pixels, 0.0F);
   if (wants(Layer::primitive)) layers_.primitive.assign(pixels, PictureLayers::noPrimitive);
-  if (!wants(Layer::object)) return;
-  layers_.ranks = std::min(samples, PictureLayers::mostRanks);
-  layers_.shares.resize(pixels * static_cast<std::size_t>(layers_.ranks));
 }
 
 bool LayerKeeper::wants(Layer layer) const {
   return std::find(wanted_.begin(), wanted_.end(), layer) != wanted_.end();
-}
-
-std::uint32_t LayerKeeper::numbered(const std::string& name) {
-  std::vector<std::string>& objects = layers_.objects;
-  const auto found = std::find(objects.begin(), objects.end(), name);
-  if (found != objects.end()) return static_cast<std::uint32_t>(found - objects.begin());
-  objects.push_back(name);
-  return static_cast<std::uint32_t>(objects.size() - 1);
-}
-
-std::uint32_t LayerKeeper::objectOf(unsigned number, std::span<const DrawnThing> things) {
-  if (number == groundNumber) return numbered("ground");
-  const auto after =
-      std::upper_bound(things.begin(), things.end(), number,
-                       [](unsigned n, const DrawnThing& thing) { return n < thing.firstId; });
-  if (after == things.begin() || (after - 1)->object.empty()) return numbered("unnamed");
-  return numbered((after - 1)->object);
 }
 
 /// Counted from the first of its object, whatever else is drawn in between: no two of an object's are
@@ -99,10 +79,8 @@ void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& vie
                       const CameraWay* way) {
   const std::vector<GLuint> keys = visibility.readKeys();
   const std::vector<GLuint> numbers =
-      wants(Layer::object) || wants(Layer::primitive) || velocities != nullptr ? visibility.readNumbers()
-                                                                               : std::vector<GLuint>();
+      wants(Layer::primitive) || velocities != nullptr ? visibility.readNumbers() : std::vector<GLuint>();
   const auto each = static_cast<std::size_t>(samples_), wide = static_cast<std::size_t>(view.size.x);
-  std::vector<PictureLayers::Share> found;
   for (int y = view.rows.x; y < view.rows.y; ++y)
     for (std::size_t x = 0; x < wide; ++x) {
       const std::size_t pixel = static_cast<std::size_t>(y) * wide + x;
@@ -133,22 +111,6 @@ void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& vie
         const glm::dvec3 away(placeOf(way->now, at, 1) - glm::vec3(way->now.eye));
         keepVector(pixel, pixelTowards(way->now, away), pixelTowards(way->before, away));
       }
-      if (layers_.ranks == 0) continue;
-      found.clear();
-      for (std::size_t s = 0; s < each; ++s) {
-        if (numbers[first + s] == noNumber) continue;
-        const std::uint32_t object = objectOf(numbers[first + s], things);
-        const auto same = std::find_if(found.begin(), found.end(),
-                                       [&](const auto& share) { return share.object == object; });
-        if (same == found.end())
-          found.push_back({object, 1.0F / static_cast<float>(samples_)});
-        else
-          same->coverage += 1.0F / static_cast<float>(samples_);
-      }
-      std::stable_sort(found.begin(), found.end(),
-                       [](const auto& a, const auto& b) { return a.coverage > b.coverage; });
-      const std::size_t kept = std::min(found.size(), static_cast<std::size_t>(layers_.ranks));
-      std::copy_n(found.begin(), kept, &layers_.shares[pixel * static_cast<std::size_t>(layers_.ranks)]);
     }
 }
 

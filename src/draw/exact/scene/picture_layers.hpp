@@ -32,10 +32,13 @@ struct LightRequest {
   std::vector<Layer> layers = {};
   bool filmed = false;  ///< light as the film shows it, sRGB encoded, instead of before lens and film
   int bits = 16;        ///< of each of its numbers in a file: 16, or 32 of OpenEXR
+  bool quiet = false;   ///< whether nobody is told what it leaves out
 };
 
 /// A picture before lens and film, linear light (Rec. 709 primaries), or after, and layers of those that
-/// were asked for. Rows from the top.
+/// were asked for. Rows from the top. Shares of objects are of all that light is the mean of, moments of
+/// the shutter and points of the lens; the other layers are of the first of these, the latest moment and
+/// the point next to the middle, as values between things in focus would be of nothing that is there.
 struct PictureLayers {
   /// How much of a pixel an object covers.
   struct Share {
@@ -80,7 +83,8 @@ struct CameraWay {
   double seconds = 1;  ///< between the two
 };
 
-/// Makes layers of what is visible, band by band, on the CPU.
+/// Makes layers of what is visible in one picture, band by band, on the CPU. Shares of objects:
+/// ShareKeeper.
 class LayerKeeper {
  public:
   LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm::ivec2 size, int samples);
@@ -93,9 +97,7 @@ class LayerKeeper {
   [[nodiscard]] bool wants(Layer layer) const;
   void keepVector(std::size_t pixel, const std::optional<glm::dvec2>& now,
                   const std::optional<glm::dvec2>& before);
-  std::uint32_t objectOf(unsigned number, std::span<const DrawnThing> things);
   void keepPrimitive(std::size_t pixel, unsigned number, std::span<const DrawnThing> things);
-  std::uint32_t numbered(const std::string& name);
 
   PictureLayers& layers_;
   std::vector<Layer> wanted_;

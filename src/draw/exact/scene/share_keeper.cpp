@@ -1,0 +1,87 @@
+#include "draw/exact/scene/share_keeper.hpp"
+
+#include <algorithm>
+
+namespace simreel::draw {
+
+namespace {
+
+constexpr unsigned groundObject = 0xfffffffeU, noObject = 0xffffffffU;  // tile_lists.glsl
+
+}  // namespace
+
+ShareKeeper::ShareKeeper(glm::ivec2 size, int samples)
+    : samples_(static_cast<std::size_t>(samples)),
+      first_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {}
+
+std::uint32_t ShareKeeper::numbered(const std::string& name) {
+  const auto found = std::find(objects_.begin(), objects_.end(), name);
+  if (found != objects_.end()) return static_cast<std::uint32_t>(found - objects_.begin());
+  objects_.push_back(name);
+  return static_cast<std::uint32_t>(objects_.size() - 1);
+}
+
+void ShareKeeper::countOne(std::size_t pixel, std::uint32_t object) {
+  Count& first = first_[pixel];
+  if (first.samples == 0) first.object = object;
+  if (first.object == object) {
+    ++first.samples;
+    return;
+  }
+  std::vector<Count>& others = more_[pixel];
+  const auto same =
+      std::find_if(others.begin(), others.end(), [&](const Count& one) { return one.object == object; });
+  if (same == others.end())
+    others.push_back({object, 1});
+  else
+    ++same->samples;
+}
+
+void ShareKeeper::add(std::span<const unsigned> numbers, const shader::ExactView& view,
+                      std::span<const DrawnThing> things) {
+  const std::size_t begin = static_cast<std::size_t>(view.rows.x) * static_cast<std::size_t>(view.size.x);
+  const std::size_t held =
+      static_cast<std::size_t>(view.rows.y) * static_cast<std::size_t>(view.size.x) - begin;
+  numbers = numbers.first(std::min(numbers.size(), held * samples_));
+  unsigned last = noObject;  // neighbours are mostly of one object
+  std::uint32_t object = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const unsigned number = numbers[i];
+    if (number == noObject) continue;
+    if (number != last) {
+      const auto after =
+          std::upper_bound(things.begin(), things.end(), number,
+                           [](unsigned n, const DrawnThing& thing) { return n < thing.firstId; });
+      if (number == groundObject)
+        object = numbered("ground");
+      else if (after == things.begin() || (after - 1)->object.empty())
+        object = numbered("unnamed");
+      else
+        object = numbered((after - 1)->object);
+      last = number;
+    }
+    countOne(begin + i / samples_, object);
+  }
+}
+
+void ShareKeeper::finish(PictureLayers& into, int pictures) const {
+  const std::size_t all = samples_ * static_cast<std::size_t>(pictures);
+  const std::size_t ranks = std::min(all, static_cast<std::size_t>(PictureLayers::mostRanks));
+  into.objects = objects_;
+  into.ranks = static_cast<int>(ranks);
+  into.shares.assign(first_.size() * ranks, {});
+  std::vector<Count> found;
+  for (std::size_t pixel = 0; pixel < first_.size(); ++pixel) {
+    if (first_[pixel].samples == 0) continue;
+    found.assign(1, first_[pixel]);
+    if (const auto others = more_.find(pixel); others != more_.end())
+      found.insert(found.end(), others->second.begin(), others->second.end());
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Count& a, const Count& b) { return a.samples > b.samples; });
+    for (std::size_t rank = 0; rank < std::min(found.size(), ranks); ++rank)
+      into.shares[pixel * ranks + rank] = {
+          found[rank].object, static_cast<float>(found[rank].samples) / static_cast<float>(all)};
+  }
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,31 @@
+#include "sim/light/surroundings.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+
+namespace simreel::sim {
+
+std::string surroundingsLabel(const std::filesystem::path& file) {
+  return "the sky's picture " + file.string();
+}
+
+LightFile readSurroundings(const std::filesystem::path& file) {
+  const std::string bytes = readFile(file, "sky's picture");
+  const std::string label = surroundingsLabel(file), advice = "is all of it there?";
+  if (isExr(bytes)) return decodeExr(bytes, label, advice);
+  if (isRadiance(bytes)) return decodeRadiance(bytes, label, advice);
+  fail(ExitCode::inputOutput, "{} is neither Radiance HDR nor OpenEXR", label);
+}
+
+void checkSurroundings(const LightFile& picture, const std::string& label) {
+  if (picture.size.x != 2 * picture.size.y)
+    fail(ExitCode::inputOutput, "{} has {}x{} pixels; one of all around is twice as wide as high", label,
+         picture.size.x, picture.size.y);
+  for (std::size_t i = 0; i < picture.values.size(); ++i)
+    if (i % 4 != 3 && !(picture.values[i] >= 0 && picture.values[i] < 1e9F))
+      fail(ExitCode::inputOutput, "{} has the value {:g} at column {}, row {}, which is no light", label,
+           static_cast<double>(picture.values[i]), i / 4 % static_cast<std::size_t>(picture.size.x),
+           i / 4 / static_cast<std::size_t>(picture.size.x));
+}
+
+}  // namespace simreel::sim
