@@ -9,7 +9,7 @@ from common import SOURCE, Case, main
 
 LONG = set((SOURCE / "tests/long_scenes.txt").read_text(encoding="utf-8").split())
 # Cheap ones, and two in standard quality: ambient occlusion on this path is tested here. Others follow by name.
-FIRST = ["cape", "cascade", "cave_map", "crystal", "ink"]
+FIRST = ["cape", "cascade", "cave_map", "crystal", "ripple", "street"]
 
 
 class StoragePath(Case):
