@@ -28,22 +28,43 @@ FUNCTION vec3 aroundGround(vec3 view) {
 }
 #endif
 
-FUNCTION vec3 lightOnGround(vec3 p, vec3 view, float fraction, float openness) {
+// Of the sun, and the surroundings' on what is matt.
+FUNCTION vec3 sunOnGround(vec3 view, float fraction, float openness) {
   vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight), color = vec3(frame.groundColor);
   ROUNDED float lit = max(sun.y, 0.0f) * fraction;
-  vec3 normal = vec3(0, 1, 0);
   vec3 ambientUp = ambientOnGround();
-  ROUNDED float mirrored = 0.04f * sunLobe(normal, view, sun, frame.groundRoughness) * lit;
+  ROUNDED float mirrored = 0.04f * sunLobe(vec3(0, 1, 0), view, sun, frame.groundRoughness) * lit;
   ROUNDED vec3 light = color * (sunLight * lit + openness * ambientUp) + sunLight * mirrored;
+  return light;
+}
+
+// With the surroundings' light that is mirrored.
+FUNCTION vec3 withAround(vec3 light, vec3 view, float openness) {
+#ifdef GROUND_REFLECTIVE
+  vec2 weight = ambientLobe(frame.groundRoughness, abs(view.y));
+  ROUNDED vec3 sum = light + openness * (0.04f * weight.x + weight.y) * aroundGround(view);
+  return sum;
+#else
+  return light;
+#endif
+}
+
 #ifdef LAMPS
+FUNCTION vec3 lampsOnGround(vec3 p, vec3 view) {
+  LampLight lamps = lampLight(p, vec3(0, 1, 0), view, frame.groundRoughness, 0.0f);
+  ROUNDED vec3 light = vec3(frame.groundColor) * lamps.matt + 0.04f * lamps.mirror;
+  return light;
+}
+#endif
+
+FUNCTION vec3 lightOnGround(vec3 p, vec3 view, float fraction, float openness) {
+  ROUNDED vec3 light = sunOnGround(view, fraction, openness);
+#ifdef LAMPS
+  vec3 normal = vec3(0, 1, 0), color = vec3(frame.groundColor);
   LampLight lamps = lampLight(p, normal, view, frame.groundRoughness, 0.0f);
   light = light + color * lamps.matt + 0.04f * lamps.mirror;
 #endif
-#ifdef GROUND_REFLECTIVE
-  vec2 weight = ambientLobe(frame.groundRoughness, abs(view.y));
-  light = light + openness * (0.04f * weight.x + weight.y) * aroundGround(view);
-#endif
-  return light;
+  return withAround(light, view, openness);
 }
 
 // Times alpha, and alpha.

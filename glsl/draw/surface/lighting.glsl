@@ -68,15 +68,17 @@ FUNCTION vec3 surfaceLight(Look look, vec3 p, vec3 normal, vec3 view, float frac
   vec3 around = skyMirrored(direction, look.roughness);
   light = light + look.openness * (mirror * weight.x + weight.y) * around;
 #ifdef GROUND_BELOW
-  vec4 below = groundMirrored(p, direction, look.roughness, look.openness);
-  light = light + (mirror * weight.x + weight.y) * (vec3(below) - below.w * look.openness * around);
+  GroundMirrored below = groundMirrored(p, direction, look.roughness, look.openness);
+  // In a loop, which ends at once where there is none: software drivers run both sides of a branch.
+  for (int i = below.counts > 0.0f ? 0 : 1; i < 1; ++i)
+    light = light + below.counts * (mirror * weight.x + weight.y) * (groundInSun(below, direction) - look.openness * around);
 #endif
 #endif
   return light;
 }
 
 #ifdef REFLECTED
-// (F0 x + y) (met - surroundings) of what the mirrored ray meets, by how much of it that is.
+// (F0 x + y) (met - surroundings) of what the mirrored ray meets, by how much of it that is; and of the ground what lamps add.
 FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
   vec3 light = vec3(0);
 #ifdef REFLECTIVE
@@ -94,14 +96,24 @@ FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
   const float ground = -1.0f;
 #endif
   for (int i = smooth_ ? 0 : 1; i < 1; ++i) met = lightMet(p, direction, ground, view, look.roughness);
-  for (int i = met.w > 0.0f ? 0 : 1; i < 1; ++i) {
-    vec2 weight = ambientLobe(look.roughness, abs(nv));
-    ROUNDED vec3 around = look.openness * skyMirrored(direction, look.roughness);
 #ifdef GROUND_BELOW
-    vec4 below = groundMirrored(p, direction, look.roughness, look.openness);
-    around = around + (vec3(below) - below.w * around);
+  GroundMirrored below = groundMirrored(p, direction, look.roughness, look.openness);
 #endif
-    ROUNDED vec3 change = (mirrorPart(look) * weight.x + weight.y) * (vec3(met) - met.w * around);
+#if defined GROUND_BELOW && defined LAMPS
+  bool changes = met.w > 0.0f || below.counts > 0.0f;
+#else
+  bool changes = met.w > 0.0f;
+#endif
+  for (int i = changes ? 0 : 1; i < 1; ++i) {
+    vec2 weight = ambientLobe(look.roughness, abs(nv));
+    ROUNDED vec3 around = look.openness * skyMirrored(direction, look.roughness), more = vec3(0.0f);
+#ifdef GROUND_BELOW
+#ifdef LAMPS
+    more = below.counts * lampsOnGround(below.p, -direction);
+#endif
+    around = around + below.counts * (groundInSun(below, direction) - around) + more;
+#endif
+    ROUNDED vec3 change = (mirrorPart(look) * weight.x + weight.y) * (more + vec3(met) - met.w * around);
     light = change;
   }
 #endif

@@ -110,11 +110,13 @@ void ExactInstances::describe(std::vector<DrawnThing>& things) const {
 const gl::Program& ExactInstances::shading(const char* path, const sim::Instances& instances) {
   const bool reflective = isReflective(*instances.material);
   const bool translucent = instances.material->translucency > 0;
+  const bool ground = mirrorsGround(lighting_) && mirrorsScene(instances.material->roughness);
   const std::string key = std::string(path) + (reflective ? " r" : "") + (translucent ? " t" : "") +
-                          (shown_ != 0 ? std::to_string(shown_) : "");
+                          (ground ? " g" : "") + (shown_ != 0 ? std::to_string(shown_) : "");
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   gl::Defines defines = showing(lighting_, shown_);
+  if (!ground) withoutGround(defines);
   if (reflective) defines.emplace_back("REFLECTIVE", "1");
   if (translucent) defines.emplace_back("TRANSLUCENT", "1");
   return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;

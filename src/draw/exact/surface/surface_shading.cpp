@@ -25,6 +25,7 @@ constexpr const char* featureNames[] = {
     "TRIPLANAR",     "BUMPED",      "SKIN",         "JOINED",  "BASE_MAP", "NORMAL_MAP", "METAL_ROUGH_MAP",
     "OCCLUSION_MAP", "EMISSION",    "EMISSION_MAP", "COAT",    "SHEEN",    "BLENDED",    "VERTEX_COLORS"};
 constexpr unsigned blendedLayer = 1U << 19U;
+constexpr unsigned smooth = 1U << 21U;  // what mirrors the ground
 
 unsigned featuresOf(const sim::Surface& surface, bool skin) {
   const scene::Material& material = *surface.material;
@@ -108,6 +109,7 @@ const gl::Program& SurfaceShading::program(unsigned features, int look) {
     std::erase_if(defines, [](const auto& define) {
       return define.first == "OCCLUSION" || define.first == "BEHIND";
     });
+  if ((features & smooth) == 0) withoutGround(defines);
   for (std::size_t i = 0; i < std::size(featureNames); ++i)
     if ((features >> i & 1U) != 0) defines.emplace_back(featureNames[i], "1");
   if (look >= 0) {
@@ -133,7 +135,8 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   const scene::Material& material = *surface.material;
   if (shown_ == shownReflections && !mirrorsScene(surface, skins)) return;
   const SkinTextures::Entry* skin = material.hasSkin ? skins.find(material.skin) : nullptr;
-  const gl::Program& shader = program(featuresOf(surface, skin != nullptr),
+  const unsigned ground = mirrorsGround(defines_) && mirrorsScene(surface, skins) ? smooth : 0U;
+  const gl::Program& shader = program(featuresOf(surface, skin != nullptr) | ground,
                                       skin != nullptr ? static_cast<int>(material.skin.look) : -1);
   raster.bind(drawn, shader);
   shader.set("color", material.color);
@@ -174,12 +177,12 @@ bool SurfaceShading::isPlain(const sim::Surface& surface, const SkinTextures& sk
 void SurfaceShading::shadeJoined(const JoinedSurfaces& joined, const TriangleRaster& raster,
                                  std::span<const TriangleRaster::Drawn> drawn, const ShadedTiles& tiles,
                                  int thing) {
-  unsigned features = joinedOnes;
+  const bool mirror = std::any_of(drawn.begin(), drawn.end(), [](const auto& one) {
+    return draw::mirrorsScene(one.surface->material->roughness);
+  });
+  if (shown_ == shownReflections && !mirror) return;
+  unsigned features = joinedOnes | (mirror && mirrorsGround(defines_) ? smooth : 0U);
   int triangles = 0;
-  if (shown_ == shownReflections && std::none_of(drawn.begin(), drawn.end(), [](const auto& one) {
-        return draw::mirrorsScene(one.surface->material->roughness);
-      }))
-    return;
   for (const TriangleRaster::Drawn& one : drawn) {
     features |= featuresOf(*one.surface, false);
     triangles += one.maxTriangles;
