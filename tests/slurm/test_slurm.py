@@ -160,7 +160,6 @@ class OnCluster(Case):
         self.cluster.daemons.pop("n3").wait()
         os.kill(step, signal.SIGKILL)
         os.kill(process, signal.SIGKILL)
-        dead = piece
         # A requeue: the program hears of it, and goes on from what it has left. One may just have ended.
         checkpoint = None
         for _ in range(4):
@@ -175,8 +174,8 @@ class OnCluster(Case):
         self.wait_for(lambda: not self.queue(), 120)
         self.assertTrue((self.folder / "out/manifest.json").exists(), self.logs("out/pieces"))
         self.assertEqual(self.content("out"), self.content("whole"))
-        # Who was requeued and who was killed were two processes each; the killed one may have noted nothing.
-        self.assertNotEqual(piece, dead)
+        # Who was requeued has two processes that note themselves, perhaps after one that was killed and noted nothing: it may be
+        # the same piece.
         self.assertGreaterEqual(len(self.runs("out")), 7)
 
 
