@@ -26,19 +26,19 @@ StrokeParameters stroke(StrokeShape shape, glm::vec3 from, glm::vec3 to, float r
   return p;
 }
 
-constexpr glm::ivec2 grid(61, 47);
-const StrokeGrid bounded{grid, false, "field \"f\""};
+constexpr glm::ivec2 strokeGrid(61, 47);
+const StrokeGrid bounded{strokeGrid, false, "field \"f\""};
 
 /// Painted cells of the first step, and that none of them lies outside the box.
 std::vector<glm::ivec2> painted(const Strokes& strokes, const shader::Stroke& s) {
-  const glm::ivec4 box = Strokes::box(s, grid);
+  const glm::ivec4 box = Strokes::box(s, strokeGrid);
   CHECK(box.x >= 0);
   CHECK(box.y >= 0);
-  CHECK(box.x + box.z <= grid.x);
-  CHECK(box.y + box.w <= grid.y);
+  CHECK(box.x + box.z <= strokeGrid.x);
+  CHECK(box.y + box.w <= strokeGrid.y);
   std::vector<glm::ivec2> cells;
-  for (int y = 0; y < grid.y; ++y)
-    for (int x = 0; x < grid.x; ++x) {
+  for (int y = 0; y < strokeGrid.y; ++y)
+    for (int x = 0; x < strokeGrid.x; ++x) {
       if (!strokes.paints(s, {x, y})) continue;
       cells.emplace_back(x, y);
       const bool inside = x >= box.x && x < box.x + box.z && y >= box.y && y < box.y + box.w;
@@ -82,8 +82,8 @@ TEST_CASE("a circle and a line paint the cells whose middle is within the radius
     const auto cells = paintedAtOnce(
         stroke(c.shape, glm::vec3(c.from, 0), glm::vec3(c.to, 0), static_cast<float>(c.radius)));
     std::vector<glm::ivec2> expected;
-    for (int y = 0; y < grid.y; ++y)
-      for (int x = 0; x < grid.x; ++x)
+    for (int y = 0; y < strokeGrid.y; ++y)
+      for (int x = 0; x < strokeGrid.x; ++x)
         if (distance({x, y}, c.from, c.to) <= c.radius) expected.emplace_back(x, y);
     CHECK(cells == expected);
   }
@@ -209,16 +209,16 @@ TEST_CASE("a moving circle leaves no gap between steps") {
   p.until = 1;
   for (const int rate : {4, 10, 37}) {
     const Strokes strokes({p}, 1, bounded);
-    std::vector<char> seen(static_cast<std::size_t>(grid.x * grid.y));
+    std::vector<char> seen(static_cast<std::size_t>(strokeGrid.x * strokeGrid.y));
     for (int step = 0; step < rate + 3; ++step)
       for (const shader::Stroke& s : strokes.into(static_cast<double>(step) / rate, 1.0 / rate, step))
         for (const glm::ivec2 c : painted(strokes, s))
-          seen[static_cast<std::size_t>(c.y * grid.x + c.x)] = 1;
-    for (int y = 0; y < grid.y; ++y)
-      for (int x = 0; x < grid.x; ++x) {
+          seen[static_cast<std::size_t>(c.y * strokeGrid.x + c.x)] = 1;
+    for (int y = 0; y < strokeGrid.y; ++y)
+      for (int x = 0; x < strokeGrid.x; ++x) {
         const double d = distance({x, y}, {3.2, 40.1}, {57.6, 5.4});
         if (std::abs(d - 2.3) > 1e-3)
-          CHECK((seen[static_cast<std::size_t>(y * grid.x + x)] != 0) == (d < 2.3));
+          CHECK((seen[static_cast<std::size_t>(y * strokeGrid.x + x)] != 0) == (d < 2.3));
       }
   }
 }
@@ -226,7 +226,7 @@ TEST_CASE("a moving circle leaves no gap between steps") {
 TEST_CASE("a sparse stroke paints its fraction, others in each step and for each seed") {
   auto p = stroke(StrokeShape::circle, {30, 23, 0}, {30, 23, 0}, 100);
   const std::size_t all = paintedAtOnce(p).size();
-  CHECK(all == static_cast<std::size_t>(grid.x * grid.y));
+  CHECK(all == static_cast<std::size_t>(strokeGrid.x * strokeGrid.y));
   p.fraction = 0;
   CHECK(paintedAtOnce(p).empty());
   p.fraction = 0.25F;
@@ -248,14 +248,14 @@ TEST_CASE("an image stamps its light pixels at its place") {
   p.image = sourceFolder() + "/assets/textures/gingham.png";
   const auto here = paintedAtOnce(p);
   CHECK_FALSE(here.empty());
-  CHECK(here.size() < static_cast<std::size_t>(grid.x * grid.y));
+  CHECK(here.size() < static_cast<std::size_t>(strokeGrid.x * strokeGrid.y));
   p.from.x = -2;
   const auto shifted = paintedAtOnce(p);
   std::size_t both = 0;
   for (const glm::ivec2 c : here)
     for (const glm::ivec2 d : shifted) both += d == c + glm::ivec2(1, 0) ? 1 : 0;
   std::size_t expected = 0;
-  for (const glm::ivec2 c : here) expected += c.x + 1 < grid.x ? 1 : 0;
+  for (const glm::ivec2 c : here) expected += c.x + 1 < strokeGrid.x ? 1 : 0;
   CHECK(both == expected);
   p.image = "/nowhere/none.png";
   CHECK_THROWS_AS(Strokes({p}, 1, bounded), UserError);
