@@ -48,7 +48,10 @@ vec4 lightGround(ivec2 pixel, int samples) {
 #ifdef REFLECTED
   facing_ = vec3(0, 1, 0);
   vec3 eyewards = unitOf(towards);
-  vec4 met = lightMet(p, vec3(-eyewards.x, abs(eyewards.y), -eyewards.z), -1.0f, eyewards, frame.groundRoughness), light = vec4(0.0f);
+  vec4 met = vec4(0.0f), light = vec4(0.0f);
+  // Where nothing stands the sky may be what is seen.
+  for (int i = depth >= view.near ? 0 : 1; i < 1; ++i)
+    met = lightMet(p, vec3(-eyewards.x, abs(eyewards.y), -eyewards.z), -1.0f, eyewards, frame.groundRoughness);
   for (int i = met.w > 0.0f ? 0 : 1; i < 1; ++i) light = groundReflected(p, eyewards, met, opennessOn(pixel, p));
   return light;
 #endif
