@@ -8,6 +8,7 @@
 namespace simreel::shader {
 #include "glsl/draw/arithmetic.glsl"
 #include "glsl/draw/screen/film.glsl"
+#include "glsl/draw/surface/shading.glsl"
 }  // namespace simreel::shader
 #undef EXACT_PICTURE
 #undef precise

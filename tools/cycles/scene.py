@@ -76,11 +76,21 @@ def material(name, given, folder):
         return made
     facing = nodes.new("ShaderNodeLayerWeight")
     facing.inputs["Blend"].default_value = 0.5
-    cosine = math_node(nodes, links, "SUBTRACT", 1.0, facing.outputs["Facing"])
-    fall = math_node(nodes, links, "POWER", 2.0, math_node(nodes, links, "MULTIPLY", cosine, -9.28))
-    least = math_node(nodes, links, "MULTIPLY", math_node(nodes, links, "MINIMUM", fall, (1 - r) ** 2), 1 - r)
-    mirrored = math_node(nodes, links, "MULTIPLY", math_node(nodes, links, "ADD", least, 0.0425 - 0.0275 * r), 0.9984)
-    kept = math_node(nodes, links, "SUBTRACT", 1 - 0.0016 + 0.00088 * r, mirrored)
+    # ambientLobe() of glsl/draw/surface/shading.glsl: 1 - (0.04 x + y).
+    alpha = r * r
+
+    def node(operation, first, second=None, clamp=False):
+        return math_node(nodes, links, operation, first, second, clamp)
+
+    tilt = facing.outputs["Facing"]
+    cosine = node("SUBTRACT", 1.0, tilt)
+    tilt2 = node("MULTIPLY", tilt, tilt)
+    over = node("MULTIPLY", node("MULTIPLY", tilt2, tilt), node("ADD", tilt2, 0.473 * r))
+    white = node("DIVIDE", over, node("ADD", node("MULTIPLY", tilt2, 12.16 * alpha), 1 + 25.46 * alpha * alpha))
+    line = node("ADD", node("MULTIPLY", cosine, -4.156 + 10.618 * r - 6.316 * alpha), 2.607 - 5.241 * r + 3.265 * alpha)
+    hidden = node("DIVIDE", node("MULTIPLY", node("MULTIPLY", cosine, alpha), line), node("ADD", cosine, 0.1419 * alpha + 1e-6))
+    colored = node("SUBTRACT", node("SUBTRACT", 1.0, node("MAXIMUM", hidden, 0.0)), white)
+    kept = node("SUBTRACT", node("SUBTRACT", 1.0, white), node("MULTIPLY", colored, 0.04), clamp=True)
     tint = nodes.new("ShaderNodeMixRGB")
     tint.inputs["Color1"].default_value = (0, 0, 0, 1)
     tint.inputs["Color2"].default_value = color

@@ -4,6 +4,7 @@
 // F = 1/2 sum over its sides of (angle that the side spans) (unit normal of the plane of eye and side), of the part of it
 // above the surface's horizon (Lambert 1760; for instance Arvo, "Applications of irradiance tensors", SIGGRAPH 1995).
 #include "draw/arithmetic.glsl"
+#include "draw/surface/shading.glsl"
 
 // acos(c) / sqrt(1 - c^2), by Abramowitz and Stegun, 4.4.46: acos(x) = sqrt(1 - x) (a0 + a1 x + ...) within 2e-8.
 FUNCTION float angleOverSine(float c) {
@@ -91,18 +92,12 @@ FUNCTION vec3 towardsRectangle(vec3 p, vec3 mirrored, vec3 middle, vec3 across, 
 // The lobe of shading.glsl seen in that direction, times alpha^2 / (alpha^2 + spread^2 / 4): what it is wider by it is lower
 // by, as of a ball (widenedAlpha of point_light.glsl; Karis, "Real shading in Unreal Engine 4", SIGGRAPH 2013). `spread2`:
 // the rectangle's solid angle / pi.
-FUNCTION float rectangleLobe(vec3 normal, vec3 view, vec3 light, float alpha, float spread2) {
-  if (dotted(normal, light) <= 0.0f) return 0.0f;
-  ROUNDED vec3 sum = view + light;
-  vec3 halfway = unitOf(sum);
-  float nh = max(dotted(normal, halfway), 0.0f);
-  float lh = dotted(light, halfway);
-  ROUNDED float lh2 = lh * lh;
+FUNCTION vec2 rectangleLobe(vec3 normal, vec3 view, vec3 light, float alpha, float spread2) {
   ROUNDED float alpha2 = alpha * alpha;
-  ROUNDED float d = nh * nh * (alpha2 - 1.0f) + 1.00001f;
-  ROUNDED float under = d * d * max(lh2, 0.1f) * (alpha * 4.0f + 2.0f) * (alpha2 + 0.25f * spread2);
-  ROUNDED float value = alpha2 * alpha2 * inverse(max(under, 1e-20f));
-  return min(value, 60.0f);
+  ROUNDED float wide = alpha2 + 0.25f * spread2;
+  ROUNDED float lower = alpha2 * inverse(wide);
+  vec2 lobed = lowerLobe(normal, view, light, alpha, lower);
+  return dotted(normal, light) > 0.0f ? lobed : vec2(0.0f);
 }
 
 // About the solid angle / pi of it.

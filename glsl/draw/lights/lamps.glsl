@@ -21,14 +21,14 @@
 
 struct LampLight {
   vec3 matt;    // irradiance / pi, for the albedo
-  vec3 mirror;  // light of the lobes, for the colour F0
+  vec3 mirror;  // light of the lobes
 #ifdef SHEEN
   vec3 sheen;   // of those of fibres, for their colour
 #endif
 };
 
 // Adds the share of number i, of which `fraction` reaches the place.
-LampLight withLamp(LampLight sum, int i, Arrival a, float fraction, vec3 normal, vec3 view, float alpha,
+LampLight withLamp(LampLight sum, int i, Arrival a, float fraction, vec3 normal, vec3 view, vec3 f0, float alpha,
                    float translucent) {
   float nl = dotted(normal, a.towards);
   float lit = max(nl, 0.0f);
@@ -39,7 +39,8 @@ LampLight withLamp(LampLight sum, int i, Arrival a, float fraction, vec3 normal,
 #endif
   ROUNDED vec3 arriving = lampPower(i).rgb * (a.perArea * fraction);
   ROUNDED vec3 matt = sum.matt + arriving * direct;
-  ROUNDED vec3 mirror = sum.mirror + arriving * (lit * lobe(normal, view, a.towards, widenedAlpha(alpha, a.spread)));
+  ROUNDED vec2 lobed = lobe(normal, view, a.towards, widenedAlpha(alpha, a.spread)) * lit;
+  ROUNDED vec3 mirror = sum.mirror + arriving * (f0 * lobed.x + lobed.y);
 #ifdef SHEEN
   ROUNDED vec3 sheen = sum.sheen + arriving * (lit * sheenLobe(normal, view, a.towards, sheenRoughness_));
   return LampLight(matt, mirror, sheen);
@@ -64,7 +65,7 @@ float sentBy(int i, Arrival a, vec3 p) {
 
 #ifdef AREAS
 // The share of rectangle i.
-LampLight withRectangle(LampLight sum, int i, vec3 p, float fraction, vec3 normal, vec3 view, float alpha,
+LampLight withRectangle(LampLight sum, int i, vec3 p, float fraction, vec3 normal, vec3 view, vec3 f0, float alpha,
                         float translucent) {
   vec3 middle = lampPlace(i).xyz, across = lampAcross(i).xyz, up = lampUp(i).xyz;
   float lit = rectangleShare(p, normal, middle, across, up);
@@ -76,9 +77,9 @@ LampLight withRectangle(LampLight sum, int i, vec3 p, float fraction, vec3 norma
   ROUNDED vec3 bright = lampPower(i).rgb * (lampUp(i).w * fraction);
   ROUNDED vec3 mirrored = 2.0f * dotted(normal, view) * normal - view;
   vec3 towards = towardsRectangle(p, mirrored, middle, across, up);
-  float lobed = rectangleLobe(normal, view, towards, alpha, rectangleSpread(p, middle, across, up));
+  ROUNDED vec2 lobed = rectangleLobe(normal, view, towards, alpha, rectangleSpread(p, middle, across, up)) * lit;
   ROUNDED vec3 matt = sum.matt + bright * direct;
-  ROUNDED vec3 mirror = sum.mirror + bright * (lit * lobed);
+  ROUNDED vec3 mirror = sum.mirror + bright * (f0 * lobed.x + lobed.y);
 #ifdef SHEEN
   ROUNDED vec3 sheen = sum.sheen + bright * (lit * sheenLobe(normal, view, towards, sheenRoughness_));
   return LampLight(matt, mirror, sheen);
@@ -89,20 +90,20 @@ LampLight withRectangle(LampLight sum, int i, vec3 p, float fraction, vec3 norma
 #endif
 
 // Of lamp i, of which `fraction` is not in shadow.
-LampLight withAny(LampLight sum, int i, vec3 p, Arrival a, float fraction, vec3 normal, vec3 view, float alpha,
+LampLight withAny(LampLight sum, int i, vec3 p, Arrival a, float fraction, vec3 normal, vec3 view, vec3 f0, float alpha,
                   float translucent) {
   ROUNDED float reaching = fraction * sentBy(i, a, p);
 #ifdef AREAS
-  if (lampUp(i).w > 0.0f) return withRectangle(sum, i, p, reaching, normal, view, alpha, translucent);
+  if (lampUp(i).w > 0.0f) return withRectangle(sum, i, p, reaching, normal, view, f0, alpha, translucent);
 #endif
-  return withLamp(sum, i, a, reaching, normal, view, alpha, translucent);
+  return withLamp(sum, i, a, reaching, normal, view, f0, alpha, translucent);
 }
 
 #if RANGED_LAMPS > 0
 #include "draw/lights/lamp_cells.glsl"
 #endif
 
-LampLight lampLight(vec3 p, vec3 normal, vec3 view, float roughness, float translucent) {
+LampLight lampLight(vec3 p, vec3 normal, vec3 view, vec3 f0, float roughness, float translucent) {
 #ifdef SHEEN
   LampLight sum = LampLight(vec3(0), vec3(0), vec3(0));
 #else
@@ -115,13 +116,13 @@ LampLight lampLight(vec3 p, vec3 normal, vec3 view, float roughness, float trans
     Arrival a = arrivalAt(p, lampPlace(i), lampPower(i).w);
     ROUNDED vec3 from = p - lampPlace(i).xyz;
     float fraction = lampFraction(i, from, normal, dotted(normal, a.towards));
-    sum = withAny(sum, i, p, a, fraction, normal, view, alpha, translucent);
+    sum = withAny(sum, i, p, a, fraction, normal, view, f0, alpha, translucent);
   }
 #endif
 #if SHADOWED_LAMPS < LAMPS - RANGED_LAMPS
   for (int i = SHADOWED_LAMPS; i < LAMPS - RANGED_LAMPS; ++i) {
     Arrival a = arrivalAt(p, lampPlace(i), lampPower(i).w);
-    sum = withAny(sum, i, p, a, 1.0f, normal, view, alpha, translucent);
+    sum = withAny(sum, i, p, a, 1.0f, normal, view, f0, alpha, translucent);
   }
 #endif
 #if RANGED_LAMPS > 0
@@ -130,7 +131,7 @@ LampLight lampLight(vec3 p, vec3 normal, vec3 view, float roughness, float trans
     for (uint left = texelFetch(lampCells, cell + word).x; left != 0u; left &= left - 1u) {
       int i = LAMPS - RANGED_LAMPS + 32 * word + findLSB(left);
       Arrival a = arrivalAt(p, lampPlace(i), lampPower(i).w);
-      sum = withAny(sum, i, p, a, 1.0f, normal, view, alpha, translucent);
+      sum = withAny(sum, i, p, a, 1.0f, normal, view, f0, alpha, translucent);
     }
 #endif
   return sum;

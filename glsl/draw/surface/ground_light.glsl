@@ -33,7 +33,8 @@ FUNCTION vec3 sunOnGround(vec3 view, float fraction, float openness) {
   vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight), color = vec3(frame.groundColor);
   ROUNDED float lit = max(sun.y, 0.0f) * fraction;
   vec3 ambientUp = ambientOnGround();
-  ROUNDED float mirrored = 0.04f * sunLobe(vec3(0, 1, 0), view, sun, frame.groundRoughness) * lit;
+  vec2 lobed = sunLobe(vec3(0, 1, 0), view, sun, frame.groundRoughness);
+  ROUNDED float mirrored = (0.04f * lobed.x + lobed.y) * lit;
   ROUNDED vec3 light = color * (sunLight * lit + openness * ambientUp) + sunLight * mirrored;
   return light;
 }
@@ -51,8 +52,8 @@ FUNCTION vec3 withAround(vec3 light, vec3 view, float openness) {
 
 #ifdef LAMPS
 FUNCTION vec3 lampsOnGround(vec3 p, vec3 view) {
-  LampLight lamps = lampLight(p, vec3(0, 1, 0), view, frame.groundRoughness, 0.0f);
-  ROUNDED vec3 light = vec3(frame.groundColor) * lamps.matt + 0.04f * lamps.mirror;
+  LampLight lamps = lampLight(p, vec3(0, 1, 0), view, vec3(0.04f), frame.groundRoughness, 0.0f);
+  ROUNDED vec3 light = vec3(frame.groundColor) * lamps.matt + lamps.mirror;
   return light;
 }
 #endif
@@ -61,8 +62,8 @@ FUNCTION vec3 lightOnGround(vec3 p, vec3 view, float fraction, float openness) {
   ROUNDED vec3 light = sunOnGround(view, fraction, openness);
 #ifdef LAMPS
   vec3 normal = vec3(0, 1, 0), color = vec3(frame.groundColor);
-  LampLight lamps = lampLight(p, normal, view, frame.groundRoughness, 0.0f);
-  light = light + color * lamps.matt + 0.04f * lamps.mirror;
+  LampLight lamps = lampLight(p, normal, view, vec3(0.04f), frame.groundRoughness, 0.0f);
+  light = light + color * lamps.matt + lamps.mirror;
 #endif
   return withAround(light, view, openness);
 }

@@ -48,7 +48,7 @@ FUNCTION vec3 surfaceLight(Look look, vec3 p, vec3 normal, vec3 view, float frac
   ROUNDED float lit = max(nl, 0.0f) * fraction;
   vec3 matt = mattPart(look);
   vec3 mirror = mirrorPart(look);
-  ROUNDED float lobed = sunLobe(normal, view, sun, look.roughness) * lit;
+  ROUNDED vec2 lobed = sunLobe(normal, view, sun, look.roughness) * lit;
 #ifdef TRANSLUCENT
   ROUNDED float behind = max(-nl, 0.0f) * fraction;
   ROUNDED float direct = lit + (behind - lit) * look.translucency;
@@ -57,7 +57,7 @@ FUNCTION vec3 surfaceLight(Look look, vec3 p, vec3 normal, vec3 view, float frac
   float direct = lit;
   vec3 ambient = ambientOn(normal);
 #endif
-  ROUNDED vec3 light = matt * (sunLight * direct + look.openness * ambient) + mirror * (sunLight * lobed);
+  ROUNDED vec3 light = matt * (sunLight * direct + look.openness * ambient) + (mirror * lobed.x + lobed.y) * sunLight;
 #ifdef REFLECTIVE
 #ifdef JOINED
   if (!mirrors) return light;
@@ -135,8 +135,8 @@ FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction
 #else
   vec3 light = surfaceLight(look, p, normal, view, fraction);
 #ifdef LAMPS
-  LampLight lamps = lampLight(p, normal, view, look.roughness, look.translucency);
-  ROUNDED vec3 sum = light + mattPart(look) * lamps.matt + mirrorPart(look) * lamps.mirror;
+  LampLight lamps = lampLight(p, normal, view, mirrorPart(look), look.roughness, look.translucency);
+  ROUNDED vec3 sum = light + mattPart(look) * lamps.matt + lamps.mirror;
   light = sum;
 #endif
 #ifdef SHEEN

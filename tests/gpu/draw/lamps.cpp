@@ -19,14 +19,17 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// pi times the GGX lobe with Karis' fit, of a ball that shines, restated.
+/// pi times the lobe of F0 = 0.04, of a ball that shines: GGX, Smith's shadowing, Schlick's Fresnel term,
+/// restated.
 double lobeOf(glm::dvec3 normal, glm::dvec3 view, glm::dvec3 light, double roughness, double spread) {
   const glm::dvec3 half = glm::normalize(view + light);
   const double nh = std::fmax(glm::dot(normal, half), 0);
-  const double lh = glm::dot(light, half);
   const double alpha2 = std::pow(std::fmax(roughness * roughness, 0.002), 2) + spread * spread / 4;
   const double d = 1 + nh * nh * (alpha2 - 1);
-  return std::fmin(alpha2 / (d * d * std::fmax(lh * lh, 0.1) * (4 * std::sqrt(alpha2) + 2)), 60);
+  const auto hidden = [&](double c) { return (std::sqrt(1 + alpha2 * (1 / (c * c) - 1)) - 1) / 2; };
+  const double nl = glm::dot(normal, light), nv = glm::dot(normal, view);
+  const double lobe = alpha2 / (d * d) / (1 + hidden(nl) + hidden(nv)) / (4 * nl * nv);
+  return std::fmin(lobe, 60) * (0.04 + 0.96 * std::pow(1 - glm::dot(light, half), 5));
 }
 
 /// Brightest pixel.
@@ -59,7 +62,7 @@ TEST_CASE("lights: a plane below a point has the illuminance I cos^3(theta) / h^
         const double theta = std::acos(to.y / d);
         const double illuminance = 6 * std::pow(std::cos(theta), 3) / (place.y * place.y);
         const glm::dvec3 view = glm::normalize(glm::dvec3(0, 20, 0) - p);
-        const double mirrored = 0.04 * lobeOf({0, 1, 0}, view, to / d, 0.9, radius / d);
+        const double mirrored = lobeOf({0, 1, 0}, view, to / d, 0.9, radius / d);
         const auto wanted =
             filmByte({illuminance / pi * (0.5 + mirrored), illuminance / pi * 0.7 * (0.4 + mirrored),
                       illuminance / pi * 0.4 * (0.3 + mirrored)});
@@ -94,7 +97,7 @@ TEST_CASE("lights: a spot lights what lies within its cone, and fades towards th
             const double d = glm::length(to);
             const glm::dvec3 view = glm::normalize(glm::dvec3(0, 20, 0) - p);
             return candela * to.y / (d * d * d) / pi *
-                   (0.5 + 0.04 * lobeOf({0, 1, 0}, view, to / d, 0.9, 0.01 / d));
+                   (0.5 + lobeOf({0, 1, 0}, view, to / d, 0.9, 0.01 / d));
           };
           const double cosine =
               glm::dot(glm::normalize(p - glm::dvec3(place)), glm::normalize(glm::dvec3(target - place)));
@@ -107,6 +110,50 @@ TEST_CASE("lights: a spot lights what lies within its cone, and fades towards th
         }
       CHECK(beyond > 50);
       CHECK((softness == 1 ? between : within) > 10);
+    }
+}
+
+TEST_CASE("lights: at a grazing angle everything mirrors more, ground and surfaces, sun and lamps") {
+  testContext();
+  for (const bool ground : {true, false})
+    for (const bool lamp : {true, false}) {
+      CAPTURE(ground);
+      CAPTURE(lamp);
+      scene::Scene scene = fromAbove();
+      scene.camera.position = glm::vec3(0, 1, 6);
+      scene.camera.target = glm::vec3(0, 1, 0);
+      scene.camera.fieldOfView = 40;
+      scene.hasGround = ground;
+      scene.ground.color = glm::vec3(0);
+      scene.ground.roughness = 0.5F;
+      GridStage sheet({9, 7}, {-20, 0, 20}, {40, 0, 0}, {0, 0, -40});
+      sheet.material.color = glm::vec3(0);
+      sheet.material.roughness = 0.5F;
+      const glm::dvec3 place(0.2, 0.8, -7);
+      const glm::dvec3 sun = glm::normalize(glm::dvec3(-0.05, 0.16, -1));
+      if (lamp) {
+        scene.lights = {lampAt(glm::vec3(place), 30, false)};
+      } else {
+        scene.sun.direction = glm::vec3(sun);
+        scene.sun.intensity = 0.7F;
+      }
+      const Picture picture =
+          ground ? drawn(scene, {}, {65, 65}) : drawn(scene, {.surfaces = {sheet.surface}}, {65, 65});
+      int seen = 0;
+      for (const auto& [x, y] : {std::pair{32, 42}, {32, 45}, {31, 48}, {36, 44}, {27, 46}, {33, 55}}) {
+        const double half = std::tan(20 * pi / 180);
+        const glm::dvec3 along((2 * (x + 0.5) / 65 - 1) * half, (1 - 2 * (y + 0.5) / 65) * half, -1);
+        const glm::dvec3 p = glm::dvec3(0, 1, 6) - along / along.y;
+        const glm::dvec3 to = place - p;
+        const double d = glm::length(to);
+        const double arriving = lamp ? 30 * to.y / (d * d * d) / pi : 0.7 * sun.y / pi;
+        const double mirrored =
+            lobeOf({0, 1, 0}, -glm::normalize(along), lamp ? to / d : sun, 0.5, lamp ? 0.01 / d : 0) *
+            arriving;
+        CHECK_MESSAGE(near(picture.at(x, y), filmByte({mirrored, mirrored, mirrored}), 4), x, " ", y);
+        seen += mirrored > 0.05 && mirrored < 2 ? 1 : 0;
+      }
+      CHECK(seen >= 3);
     }
 }
 
@@ -130,8 +177,7 @@ TEST_CASE("lights: what mirrors shows the ball that shines, as wide as it is") {
         const double d = glm::length(to);
         const glm::dvec3 view = glm::normalize(glm::dvec3(0, 20, 0) - p);
         const double illuminance = 9 * to.y / (d * d * d);
-        const double mirrored =
-            0.04 * lobeOf({0, 1, 0}, view, to / d, roughness, radius / d) * illuminance / pi;
+        const double mirrored = lobeOf({0, 1, 0}, view, to / d, roughness, radius / d) * illuminance / pi;
         CHECK_MESSAGE(near(picture.at(x, y), filmByte({mirrored, mirrored, mirrored}), 3.5), x, " ", y);
         seen += mirrored > 0.02 ? 1 : 0;
       }

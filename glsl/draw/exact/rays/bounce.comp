@@ -60,9 +60,9 @@ vec3 towardsLight(int path, Facet f, vec3 weight, vec3 u) {
   vec3 direction = sunDirectionAt(u.x, u.y);
   float nl = exactDot(f.normal, direction);
 #ifdef FINISHED
-  precise vec3 ofSun = frame.sunLight.rgb * (f.matt * mattCosine(f, nl) + mirrorOf(f) * (max(nl, 0.0f) * lobe(f.normal, f.view, direction, f.alpha)) + overLight(f, direction, f.coatAlpha));
+  precise vec3 ofSun = frame.sunLight.rgb * (f.matt * mattCosine(f, nl) + mirroredBy(f, lobe(f.normal, f.view, direction, f.alpha)) * max(nl, 0.0f) + overLight(f, direction, f.coatAlpha));
 #else
-  precise vec3 ofSun = frame.sunLight.rgb * (f.matt * mattCosine(f, nl) + f.f0 * (max(nl, 0.0f) * lobe(f.normal, f.view, direction, f.alpha)));
+  precise vec3 ofSun = frame.sunLight.rgb * (f.matt * mattCosine(f, nl) + mirroredBy(f, lobe(f.normal, f.view, direction, f.alpha)) * max(nl, 0.0f));
 #endif
   precise vec3 light = ofSun;
   float far = farAway;

@@ -134,6 +134,12 @@ struct Lobed {
 };
 #ifdef FINISHED
 #include "draw/exact/rays/finished_facet.glsl"
+#else
+// Of lamps and of the sun, whose light no lobe meets.
+FUNCTION vec3 mirroredBy(Facet f, vec2 lobed) {
+  precise vec3 mirrored = f.f0 * lobed.x + lobed.y;
+  return mirrored;
+}
 #endif
 FUNCTION Lobed lobeTowards(Facet f, vec3 direction) {
   Lobed none;

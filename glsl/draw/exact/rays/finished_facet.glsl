@@ -73,16 +73,18 @@ FUNCTION float clearFresnel(Facet f, float cosine) {
   return f.thin ? both : once_;
 }
 
-// Of lamps and of the sun, whose light no lobe meets: F0 of lobe and clear surface. Within a solid there is none.
-FUNCTION vec3 mirrorOf(Facet f) {
+// Of lamps and of the sun, whose light no lobe meets: by lobe and clear surface. Within a solid there is none.
+FUNCTION vec3 mirroredBy(Facet f, vec2 lobed) {
   float clear = f.inside ? 0.0f : f.clear;
   precise vec3 f0 = f.f0 * f.kept + clear * f.clearF0;
-  return f0;
+  precise vec3 mirrored = f0 * lobed.x + (f.kept + clear) * lobed.y;
+  return mirrored;
 }
 // By coat and fibres, `spread` as widenedAlpha() has it of the coat's lobe.
 FUNCTION vec3 overLight(Facet f, vec3 towards, float coatAlpha) {
   float nl = max(exactDot(f.normal, towards), 0.0f), coated_ = max(exactDot(f.coatNormal, towards), 0.0f);
-  precise float ofCoat = 0.04f * f.coat * (coated_ * lobe(f.coatNormal, f.view, towards, coatAlpha));
+  vec2 lobed = lobe(f.coatNormal, f.view, towards, coatAlpha);
+  precise float ofCoat = f.coat * coated_ * (0.04f * lobed.x + lobed.y);
   precise vec3 over = vec3(ofCoat);
   if (max(f.fibres.x, max(f.fibres.y, f.fibres.z)) > 0.0f) over = over + f.fibres * (nl * sheenLobe(f.normal, f.view, towards, f.fibreRoughness));
   return over;

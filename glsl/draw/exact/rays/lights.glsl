@@ -75,21 +75,21 @@ vec3 rectangleLightOn(Facet f, int i) {
   }
   precise vec3 mirrored = 2.0f * exactDot(f.normal, f.view) * f.normal - f.view;
   vec3 towards = towardsRectangle(f.place, mirrored, middle, across, up);
-  float lobed = rectangleLobe(f.normal, f.view, towards, f.alpha, rectangleSpread(f.place, middle, across, up));
+  vec2 lobed = rectangleLobe(f.normal, f.view, towards, f.alpha, rectangleSpread(f.place, middle, across, up));
 #ifdef FINISHED
-  precise vec3 light = f.matt * direct + mirrorOf(f) * (lit * lobed);
+  precise vec3 light = f.matt * direct + mirroredBy(f, lobed) * lit;
   if (f.coat > 0.0f) {
     precise vec3 coatMirrored = 2.0f * exactDot(f.coatNormal, f.view) * f.coatNormal - f.view;
     vec3 coatTowards = towardsRectangle(f.place, coatMirrored, middle, across, up);
     float coatLit = rectangleShare(f.place, f.coatNormal, middle, across, up);
-    float coatLobed = rectangleLobe(f.coatNormal, f.view, coatTowards, f.coatAlpha, rectangleSpread(f.place, middle, across, up));
-    light = light + 0.04f * f.coat * (coatLit * coatLobed);
+    vec2 coatLobed = rectangleLobe(f.coatNormal, f.view, coatTowards, f.coatAlpha, rectangleSpread(f.place, middle, across, up));
+    light = light + f.coat * coatLit * (0.04f * coatLobed.x + coatLobed.y);
   }
   precise vec3 toMiddle = middle - f.place;
   if (max(f.fibres.x, max(f.fibres.y, f.fibres.z)) > 0.0f) light = light + f.fibres * (lit * sheenLobe(f.normal, f.view, unitOf(toMiddle), f.fibreRoughness));
   light = light * lampUp(i).w;
 #else
-  precise vec3 light = (f.matt * direct + f.f0 * (lit * lobed)) * lampUp(i).w;
+  precise vec3 light = (f.matt * direct + mirroredBy(f, lobed) * lit) * lampUp(i).w;
 #endif
   return light;
 }
@@ -118,11 +118,12 @@ vec3 lampLightOn(Facet f, int i) {
   share = share * coneShare(a.towards, lampCone(i));
 #endif
   float lit = max(nl, 0.0f);
+  vec2 lobed = lobe(f.normal, f.view, a.towards, widenedAlpha(f.alpha, a.spread));
 #ifdef FINISHED
-  precise vec3 of = f.matt * mattCosine(f, nl) + mirrorOf(f) * (lit * lobe(f.normal, f.view, a.towards, widenedAlpha(f.alpha, a.spread))) +
+  precise vec3 of = f.matt * mattCosine(f, nl) + mirroredBy(f, lobed) * lit +
                     overLight(f, a.towards, widenedAlpha(f.coatAlpha, a.spread));
 #else
-  precise vec3 of = f.matt * mattCosine(f, nl) + f.f0 * (lit * lobe(f.normal, f.view, a.towards, widenedAlpha(f.alpha, a.spread)));
+  precise vec3 of = f.matt * mattCosine(f, nl) + mirroredBy(f, lobed) * lit;
 #endif
   precise vec3 light = lampPower(i).rgb * share * of;
   return light;
