@@ -89,15 +89,19 @@ FUNCTION vec3 towardsRectangle(vec3 p, vec3 mirrored, vec3 middle, vec3 across, 
   return unitOf(place);
 }
 
-// The lobe of shading.glsl seen in that direction, times alpha^2 / (alpha^2 + spread^2 / 4): what it is wider by it is lower
-// by, as of a ball (widenedAlpha of point_light.glsl; Karis, "Real shading in Unreal Engine 4", SIGGRAPH 2013). `spread2`:
-// the rectangle's solid angle / pi.
-FUNCTION vec2 rectangleLobe(vec3 normal, vec3 view, vec3 light, float alpha, float spread2) {
+// The lobe of shading.glsl seen in that direction, lower by what the rectangle is wider (the idea: Karis, "Real shading in Unreal Engine
+// 4", SIGGRAPH 2013): its directions of light span about 4 pi alpha^2 lh, with the cosine lh of light and what is halfway to the view, as half
+// vectors span pi alpha^2 and turn half as fast. `spread2`: the rectangle's solid angle / pi; `lit`: its n.F, of which shadowing gets
+// the mean cosine, as all of it shines, not that direction alone.
+FUNCTION vec2 rectangleLobe(vec3 normal, vec3 view, vec3 light, float lit, float alpha, float spread2) {
   ROUNDED float alpha2 = alpha * alpha;
-  ROUNDED float wide = alpha2 + 0.25f * spread2;
+  ROUNDED float cosine2 = 0.5f + 0.5f * dotted(view, light);
+  ROUNDED float wide = alpha2 + 0.25f * spread2 * inverseRoot(max(cosine2, 1e-4f));
   ROUNDED float lower = alpha2 * inverse(wide);
-  vec2 lobed = lowerLobe(normal, view, light, alpha, lower);
-  return dotted(normal, light) > 0.0f ? lobed : vec2(0.0f);
+  float nl = dotted(normal, light);
+  ROUNDED float mean = lit * inverse(max(spread2, 1e-6f));
+  vec2 lobed = lowerLobe(normal, view, light, clamp(mean, nl, 1.0f), alpha, lower);
+  return nl > 0.0f ? lobed : vec2(0.0f);
 }
 
 // About the solid angle / pi of it.

@@ -77,7 +77,7 @@ LampLight withRectangle(LampLight sum, int i, vec3 p, float fraction, vec3 norma
   ROUNDED vec3 bright = lampPower(i).rgb * (lampUp(i).w * fraction);
   ROUNDED vec3 mirrored = 2.0f * dotted(normal, view) * normal - view;
   vec3 towards = towardsRectangle(p, mirrored, middle, across, up);
-  ROUNDED vec2 lobed = rectangleLobe(normal, view, towards, alpha, rectangleSpread(p, middle, across, up)) * lit;
+  ROUNDED vec2 lobed = rectangleLobe(normal, view, towards, lit, alpha, rectangleSpread(p, middle, across, up)) * lit;
   ROUNDED vec3 matt = sum.matt + bright * direct;
   ROUNDED vec3 mirror = sum.mirror + bright * (f0 * lobed.x + lobed.y);
 #ifdef SHEEN

@@ -24,14 +24,14 @@ FUNCTION float smithUnder(float nl, float nv, float alpha2) {
 }
 
 // pi D V of GGX (Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007) with Schlick's F: F0 x + y. What is
-// smoother than pixels show stays below 60. `lower`: a factor before that.
-FUNCTION vec2 lowerLobe(vec3 normal, vec3 view, vec3 light, float alpha, float lower) {
+// smoother than pixels show stays below 60. `nl`: cosine of normal and light; `lower`: a factor before the 60.
+FUNCTION vec2 lowerLobe(vec3 normal, vec3 view, vec3 light, float nl, float alpha, float lower) {
   ROUNDED vec3 sum = view + light;
   vec3 halfway = unitOf(sum);
-  float nh = max(dotted(normal, halfway), 0.0f), nl = max(dotted(normal, light), 1e-3f), nv = max(dotted(normal, view), 1e-3f);
+  float nh = max(dotted(normal, halfway), 0.0f), nv = max(dotted(normal, view), 1e-3f);
   ROUNDED float alpha2 = alpha * alpha;
   ROUNDED float d = nh * nh * (alpha2 - 1.0f) + 1.00001f;
-  ROUNDED float under = 4.0f * d * d * smithUnder(nl, nv, alpha2);
+  ROUNDED float under = 4.0f * d * d * smithUnder(max(nl, 1e-3f), nv, alpha2);
   ROUNDED float value = lower * alpha2 * inverse(max(under, 1e-20f));
   float most = min(value, 60.0f);
   ROUNDED float white = most * schlickPart(dotted(light, halfway));
@@ -39,7 +39,7 @@ FUNCTION vec2 lowerLobe(vec3 normal, vec3 view, vec3 light, float alpha, float l
   return vec2(colored, white);
 }
 FUNCTION vec2 lobe(vec3 normal, vec3 view, vec3 light, float alpha) {
-  return lowerLobe(normal, view, light, alpha, 1.0f);
+  return lowerLobe(normal, view, light, dotted(normal, light), alpha, 1.0f);
 }
 
 FUNCTION float roughAlpha(float roughness) {

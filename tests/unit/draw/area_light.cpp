@@ -13,6 +13,7 @@
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -117,6 +118,50 @@ TEST_CASE("area light: the lobe looks at the mirrored place, or the nearest on t
   const glm::vec3 aside =
       towardsRectangle({0, 0, 0}, glm::normalize(glm::vec3(1, 1, 0)), middle, across, up);
   CHECK(glm::length(aside - glm::normalize(glm::vec3(0.5F, 2, 0))) < 1e-5F);
+}
+
+TEST_CASE(
+    "area light: a lobe mirrors about what its integral over the rectangle says, at grazing angles, too") {
+  const Rectangle r{{0, 1.6, -2}, {1.1, 0, 0}, {0, 0.9, 0}};  // its front looks along +z
+  const glm::dvec3 normal(0, 1, 0);
+  double worst = 0;
+  for (const double roughness : {0.35, 0.5, 0.7, 0.9})
+    for (const double height : {0.25, 0.8, 2.0})
+      for (const glm::dvec3 p :
+           {glm::dvec3(0, 0, -0.5), glm::dvec3(0.7, 0, 0.6), glm::dvec3(-1.5, 0, 0.2)}) {
+        const glm::dvec3 view = glm::normalize(glm::dvec3(0.2, height, 2.5) - p);
+        constexpr int pieces = 150;
+        double wanted = 0;
+        for (int i = 0; i < pieces; ++i)
+          for (int k = 0; k < pieces; ++k) {
+            const glm::dvec3 at =
+                r.middle + ((2 * i + 1.0) / pieces - 1) * r.across + ((2 * k + 1.0) / pieces - 1) * r.up;
+            const glm::dvec3 way = at - p, towards = glm::normalize(way);
+            const glm::dvec3 area = glm::cross(r.across, r.up) * (4.0 / (pieces * pieces));
+            const double angle = -glm::dot(area, towards) / glm::dot(way, way);
+            const glm::vec2 each = lobe(glm::vec3(normal), glm::vec3(view), glm::vec3(towards),
+                                        static_cast<float>(roughness * roughness));
+            wanted +=
+                (0.04 * static_cast<double>(each.x) + static_cast<double>(each.y)) * towards.y * angle;
+          }
+        const glm::vec3 middle(r.middle), across(r.across), up(r.up), place(p);
+        const glm::dvec3 mirrored = 2 * view.y * normal - view;
+        const float lit = rectangleShare(place, glm::vec3(normal), middle, across, up);
+        const glm::vec2 lobed = rectangleLobe(
+            glm::vec3(normal), glm::vec3(view),
+            towardsRectangle(place, glm::vec3(mirrored), middle, across, up), lit,
+            static_cast<float>(roughness * roughness), rectangleSpread(place, middle, across, up));
+        const double found =
+            (0.04 * static_cast<double>(lobed.x) + static_cast<double>(lobed.y)) * static_cast<double>(lit);
+        CAPTURE(roughness);
+        CAPTURE(height);
+        CAPTURE(p.x);
+        if (wanted < 0.004) continue;  // hardly seen
+        const double factor = found / wanted;
+        worst = std::fmax(worst, std::fmax(factor, 1 / factor));
+      }
+  MESSAGE("at most this factor off: ", worst);
+  CHECK(worst < 2);
 }
 
 TEST_CASE("area light: its front faces the target, its level sides are level, and lumens go to one side") {

@@ -75,14 +75,14 @@ vec3 rectangleLightOn(Facet f, int i) {
   }
   precise vec3 mirrored = 2.0f * exactDot(f.normal, f.view) * f.normal - f.view;
   vec3 towards = towardsRectangle(f.place, mirrored, middle, across, up);
-  vec2 lobed = rectangleLobe(f.normal, f.view, towards, f.alpha, rectangleSpread(f.place, middle, across, up));
+  vec2 lobed = rectangleLobe(f.normal, f.view, towards, lit, f.alpha, rectangleSpread(f.place, middle, across, up));
 #ifdef FINISHED
   precise vec3 light = f.matt * direct + mirroredBy(f, lobed) * lit;
   if (f.coat > 0.0f) {
     precise vec3 coatMirrored = 2.0f * exactDot(f.coatNormal, f.view) * f.coatNormal - f.view;
     vec3 coatTowards = towardsRectangle(f.place, coatMirrored, middle, across, up);
     float coatLit = rectangleShare(f.place, f.coatNormal, middle, across, up);
-    vec2 coatLobed = rectangleLobe(f.coatNormal, f.view, coatTowards, f.coatAlpha, rectangleSpread(f.place, middle, across, up));
+    vec2 coatLobed = rectangleLobe(f.coatNormal, f.view, coatTowards, coatLit, f.coatAlpha, rectangleSpread(f.place, middle, across, up));
     light = light + f.coat * coatLit * (0.04f * coatLobed.x + coatLobed.y);
   }
   precise vec3 toMiddle = middle - f.place;
