@@ -68,6 +68,7 @@ struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   [[nodiscard]] float swell() const;
   /// Its vertices at each key of its position; none where its file cannot be read.
   [[nodiscard]] std::vector<glm::vec3> placesAtRest() const;
+  void remarkShape(scene::Fields& fields) const;
   void describeCollision(scene::Fields& fields);
   void checkSolid(scene::Fields& fields) const;
   void checkHeights(scene::Fields& fields) const;
