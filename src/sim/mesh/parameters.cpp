@@ -153,6 +153,10 @@ glm::mat4 MeshParameters::model(double time) const {
   return m;
 }
 
+double MeshParameters::jumpedBy(double time) const {
+  return lastJump(time, position, rotation, scale);
+}
+
 float MeshParameters::swell() const {
   float swell = 0;
   for (const DisplacementParameters& one : deform.list) {

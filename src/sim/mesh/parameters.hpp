@@ -60,6 +60,8 @@ struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   [[nodiscard]] bool doubleSided() const;
   /// From the mesh's own space to the world's at `time`.
   [[nodiscard]] glm::mat4 model(double time) const;
+  /// When it last jumped there (s).
+  [[nodiscard]] double jumpedBy(double time) const;
   /// Generates or reads the mesh. Throws what loadMesh throws.
   [[nodiscard]] Mesh make(int seed) const;
 

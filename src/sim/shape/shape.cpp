@@ -29,6 +29,10 @@ class Shape : public Simulation {
     return parameters_.shape.position.at(time);
   }
 
+  [[nodiscard]] double jumpedBy(double time) const override {
+    return lastJump(time, parameters_.shape.position, parameters_.shape.rotation);
+  }
+
   void publish(double time, Drawables& drawables) const override {
     if (!parameters_.visible) return;
     Surface surface = buffers_.surface();
