@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <string_view>
 #include <unistd.h>
 
@@ -78,6 +80,13 @@ Verbosity verbosity() {
 void warnLine(const std::string& message) {
   if (level != Verbosity::quiet)
     say("warning", "simreel: warning: ", "simreel: warning: " + oneLine(message));
+}
+
+void warnLinesOnce(const std::string& report) {
+  static std::mutex mutex;
+  static std::set<std::string> said;
+  const std::scoped_lock lock(mutex);
+  if (level != Verbosity::quiet && said.insert(report).second) say("warning", "", severalLines(report));
 }
 
 void infoLine(const std::string& message) {

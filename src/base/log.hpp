@@ -31,6 +31,8 @@ void printPainted(const std::string& text);
 void avoidWorkflowCommands();
 /// One line on standard error, "simreel: warning: ..."; shown unless quiet.
 void warnLine(const std::string& message);
+/// A report of several lines on standard error, all of them ours; shown unless quiet, and each once.
+void warnLinesOnce(const std::string& report);
 /// One line on standard error; shown unless quiet.
 void infoLine(const std::string& message);
 /// One line on standard error; shown with -v only.

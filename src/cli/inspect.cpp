@@ -48,6 +48,7 @@ std::vector<UserError> problemsOf(const std::string& file, const ValidateOptions
   try {
     const auto scene =  // with what stands beside it
         scene::loadTestScene(file, parseOverrides(o.overrides), sim::kinds(), assetFolders(o.assets));
+    for (const std::string& remark : scene.remarks) warnLinesOnce(remark);
     problems = sim::findProblems(scene);
     if (problems.empty() && numerics) checkOnDevice(scene, *numerics);
   } catch (const UserError& error) {

@@ -37,6 +37,20 @@ Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables&
        camera.follow.object, seconds);
 }
 
+/// How far back (m) an orthographic camera above the ground has to stand so that the lowest corner of its
+/// picture's nearest plane is not below it. That corner has the height h over the ground, and each metre
+/// back lifts it by -forward.y. Beyond where the ground fades there is none to be seen.
+float missingBehind(const View& view, float near, const scene::Ground& ground) {
+  constexpr float level = 1e-4F, slack = 1e-4F;
+  const float rise = -view.forward.y, above = view.eye.y - ground.height;
+  if (!(rise > level) || !(above > 0)) return 0;
+  const float lowest = above - std::abs(view.right.y) - std::abs(view.up.y) - near * rise;
+  if (lowest >= 0) return 0;
+  const float fades = std::max(ground.fadeStart, ground.fadeEnd);
+  const float most = 2 * (fades + glm::distance(view.eye, view.target) + view.reach.x + view.reach.y);
+  return std::min(-lowest / rise * (1 + slack) + slack, most);
+}
+
 }  // namespace
 
 Stand standAround(const glm::vec3& target, const scene::Orbit& orbit, double seconds) {
@@ -48,7 +62,8 @@ Stand standAround(const glm::vec3& target, const scene::Orbit& orbit, double sec
   return {target + orbit.distance.at(seconds) * glm::vec3(back), target};
 }
 
-View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const sim::Drawables& drawables) {
+View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const sim::Drawables& drawables,
+            const scene::Ground* ground) {
   View view;
   glm::vec3 right, up;
   if (camera.filed) {
@@ -83,18 +98,20 @@ View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const 
   view.right = r * wide;
   view.up = u * high;
   view.reach = glm::vec2(wide, high);
+  if (view.parallel && ground != nullptr) view.farther = missingBehind(view, camera.near, *ground);
+  if (view.farther > 0) view.eye -= view.farther * view.forward;
   const glm::vec3& f = view.forward;
   const glm::vec3& e = view.eye;
   const glm::mat4 toCamera(glm::vec4(r.x, u.x, -f.x, 0), glm::vec4(r.y, u.y, -f.y, 0),
                            glm::vec4(r.z, u.z, -f.z, 0),
                            glm::vec4(-glm::dot(r, e), -glm::dot(u, e), glm::dot(f, e), 1));
   const float n = camera.near;
-  const float d = camera.far - camera.near;
+  const float far = camera.far + view.farther;
+  const float d = far - n;
   const glm::mat4 project(glm::vec4(1 / wide, 0, 0, 0), glm::vec4(0, 1 / high, 0, 0),
-                          glm::vec4(0, 0, -(camera.far + n) / d, -1),
-                          glm::vec4(0, 0, -2 * camera.far * n / d, 0));
+                          glm::vec4(0, 0, -(far + n) / d, -1), glm::vec4(0, 0, -2 * far * n / d, 0));
   const glm::mat4 level(glm::vec4(1 / wide, 0, 0, 0), glm::vec4(0, 1 / high, 0, 0),
-                        glm::vec4(0, 0, -2 / d, 0), glm::vec4(0, 0, -(camera.far + n) / d, 1));
+                        glm::vec4(0, 0, -2 / d, 0), glm::vec4(0, 0, -(far + n) / d, 1));
   view.viewProjection = (view.parallel ? level : project) * toCamera;
   return view;
 }

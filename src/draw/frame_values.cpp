@@ -68,7 +68,7 @@ void setGround(shader::Frame& frame, const scene::Ground& ground) {
 shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds,
                           const sim::Drawables& drawables) {
   shader::Frame frame{};
-  const View view = viewAt(scene.camera, seconds, size, drawables);
+  const View view = viewAt(scene.camera, seconds, size, drawables, groundSeen(scene));
   frame.viewProjection = view.viewProjection;
   // Parallel rays come from an eye so far away that they hardly part; eye.w says that places do not matter.
   constexpr float far = 1e6F;

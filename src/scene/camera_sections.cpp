@@ -1,6 +1,7 @@
 #include "scene/scene.hpp"
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 namespace simreel::scene {
 
@@ -13,6 +14,24 @@ void describeDamping(Fields& fields, double& damping, const char* what) {
   if (damping > 0 && damping < least)
     fields.error("damping",
                  fmt::format("a damping of {:g} s is none; give 0, or {} s at least", damping, least));
+}
+
+/// What stands where a camera looks at that stands still is not drawn beyond what it reaches.
+void remarkReach(Fields& fields, const Camera& camera) {
+  const bool placed = fields.given("position") || fields.given("target");
+  if (camera.follows || camera.tracks || camera.filed || camera.orbits || !placed ||
+      camera.position.moves() || camera.target.moves())
+    return;
+  const float away = glm::distance(camera.position.at(0), camera.target.at(0));
+  if (away > camera.far)
+    fields.idle(fields.given("far") ? "far" : "position", "",
+                fmt::format("the target is {:.4g} m away, and nothing is drawn beyond \"far\", {:g} m",
+                            away, camera.far));
+  else if (away < camera.near)
+    fields.idle(
+        fields.given("near") ? "near" : "position", "",
+        fmt::format("the target is {:.4g} m away, and nothing is drawn nearer than \"near\", {:g} m", away,
+                    camera.near));
 }
 
 }  // namespace
@@ -133,6 +152,7 @@ void Camera::describe(Fields& fields) {
       fields, damping,
       "How far behind \"target\" it looks, smoothly: what the keys of that do steadily it does so "
       "long after (a critically damped spring). 0: at once.");
+  fields.idleUnless(target.moves(), "target", {"damping"}, "a \"target\" with keys");
   for (const char* name : {"follow", "track"})
     if (damping > 0 && fields.given(name))
       fields.error("damping",
@@ -176,6 +196,7 @@ void Camera::describe(Fields& fields) {
   if (!(near < far))
     fields.error(fields.given("near") ? "near" : "far",
                  fmt::format("\"near\" ({} m) must be less than \"far\" ({} m)", near, far));
+  remarkReach(fields, *this);
   if (!orbits && !tracks && !filed && !position.moves() && !target.moves() &&
       position.at(0) == target.at(0))
     fields.error(fields.given("target") ? "target" : "position",

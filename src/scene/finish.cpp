@@ -59,6 +59,8 @@ void Finish::describe(Fields& fields) {
   needs("attenuationColor", transmission > 0 && !thin, "a \"transmission\" that is not \"thinWalled\"");
   needs("attenuationDistance", attenuation != glm::vec3(1), "an \"attenuationColor\"");
   needs("sheenRoughness", sheen != glm::vec3(0), "a \"sheen\"");
+  fields.idleUnless(emission != glm::vec3(0), "emission", {"emissionStrength"},
+                    "a material with an \"emission\"");
 }
 
 }  // namespace simreel::scene

@@ -59,6 +59,10 @@ struct Finish {
   float attenuationDistance = 1.0F;  ///< m within the solid
 
   [[nodiscard]] bool emits() const { return emission != glm::vec3(0) && emissionStrength > 0; }
+  [[nodiscard]] bool hasMaps() const {
+    return !color.empty() || !normals.empty() || !metalRough.empty() || !occlusion.empty() ||
+           !emissionMap.empty();
+  }
   /// Whether there is any of it.
   [[nodiscard]] bool used() const {
     return !color.empty() || !normals.empty() || !metalRough.empty() || !occlusion.empty() || emits() ||

@@ -20,6 +20,8 @@ void Flicker::describe(Fields& fields) {
   fields.number("rate", rate, {0.001, 1000}, "1/s", "How often it changes.");
   fields.number("sway", sway, {0, 1000}, "m",
                 "How far the light moves about its position; its shadows move with it.");
+  fields.idleUnless(!isNothing(amount) || !isNothing(sway), "amount", {"rate"},
+                    "a flicker with an \"amount\" or \"sway\"");
 }
 
 void Spot::describe(Fields& fields) {
@@ -94,6 +96,9 @@ void Light::describe(Fields& fields) {
   fields.integer("shadowSize", shadowSize, {16, 4096}, "texels",
                  "Side of each of the six maps of its shadow.");
   fields.number("shadowSoftness", shadowSoftness, {0, 16}, "texels", "Radius of the shadow's soft edge.");
+  fields.idleUnless(shadow, "shadow", {"shadowSize", "shadowSoftness"}, "a light with \"shadow\"");
+  fields.idleUnless(shadow || type != Type::area, "shadow", {"radius"},
+                    "lights of other types, and for what shadows an \"area\" casts");
 }
 
 }  // namespace simreel::scene

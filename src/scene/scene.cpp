@@ -66,6 +66,11 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
       Reader::readObject(member, context, [&](Reader& fields) { object.parameters->describe(fields); });
     }
   }
+  const char* const drawnWith = object.parameters == nullptr ? nullptr : object.parameters->drawnWith();
+  if (object.hasMaterial && drawnWith != nullptr)
+    context.diagnostics.remark(
+        node.find("material")->headPlace(),
+        fmt::format("\"{}\" is drawn with {}; here a material does nothing", node.key, drawnWith));
   if (object.parameters == nullptr && !unknown) {
     std::string names;
     for (const Kind& kind : kinds) names += fmt::format("{}{}", names.empty() ? "" : ", ", kind.name);
@@ -222,14 +227,22 @@ void checkObjectNamed(const Node* owner, const char* group, const std::string& n
   std::vector<std::string> names;
   names.reserve(objects.size());
   for (const Object& object : objects) names.push_back(object.name);
-  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  const auto found = std::find(names.begin(), names.end(), name);
+  const char* const drawnWith =
+      found == names.end()
+          ? nullptr
+          : objects[static_cast<std::size_t>(found - names.begin())].parameters->drawnWith();
+  if (found != names.end() && (drawnWith == nullptr || std::string_view(group) != "track")) return;
   const Node* given = owner == nullptr ? nullptr : owner->find(group);
   if (given == nullptr) return;
   const Node* named = given->kind == Node::Kind::object ? given->find("object") : given;
-  diagnostics.add(named == nullptr ? given->headPlace() : named->place(),
-                  fmt::format("no object is named {}; {}", inQuotes(name),
-                              names.empty() ? fmt::format("the scene has none: add {}", kind)
-                                            : suggestion(name, names)));
+  const Place place = named == nullptr ? given->headPlace() : named->place();
+  if (drawnWith != nullptr)
+    return diagnostics.add(
+        place, fmt::format("object \"{}\" lies over the picture, and nowhere in the world", name));
+  diagnostics.add(place, fmt::format("no object is named {}; {}", inQuotes(name),
+                                     names.empty() ? fmt::format("the scene has none: add {}", kind)
+                                                   : suggestion(name, names)));
 }
 
 /// The objects that camera and lights name.
@@ -267,6 +280,8 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
     if (needsStage) setStage(scene, framed);
     frameObjects(scene, framed);
   }
+  fields.idleUnless(scene.render.quality == Quality::standard, "render.quality", {"render.occlusionRadius"},
+                    "\"quality\": \"standard\"");
   describeTests(fields, scene, lengthKnown ? std::optional(scene.frameCount()) : std::nullopt);
   std::string schemaAddress;  // for editors
   fields.text("$schema", schemaAddress, "");
@@ -299,6 +314,7 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
   }
   if (!diagnostics.empty()) throw UserError(ExitCode::usage, diagnostics.report(), UserError::Form::report);
 
+  scene.remarks = diagnostics.remarks();
   scene.files.assign(assets.found().begin(), assets.found().end());
   std::string hashed(text);
   for (const Override& change : with.overrides) {

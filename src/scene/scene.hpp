@@ -279,6 +279,8 @@ struct Scene {
   std::vector<std::filesystem::path> files;  ///< that it names, found
   std::string hash;                          ///< of the scene's text and overrides; 32 hexadecimal digits
   std::vector<std::string> overrides;        ///< "path=value" of each, as they were applied
+  /// What it gives that does nothing: "file:line:column: warning: ...", the line and a caret, each.
+  std::vector<std::string> remarks;
 
   [[nodiscard]] int frameCount() const;
   /// Whether its pictures have the same bytes on every machine.

@@ -44,6 +44,32 @@ void describeLights(Fields& fields, Scene& scene) {
                                        shadowed, maxShadowedLights));
 }
 
+/// Rays need no maps of shadows, and without rays nobody sees the sun's disc but in shadows.
+void remarkRays(Fields& fields, const Scene& scene) {
+  const bool traces = scene.render.quality == Quality::high && scene.render.rasterizer == Rasterizer::exact;
+  fields.idleUnless(traces || scene.sun.shadow, "sun.shadow", {"sun.diameter"}, "a sun with \"shadow\"");
+  const char* const maps = "maps of shadows, and \"quality\": \"high\" finds them by rays";
+  if (scene.sun.shadow)
+    fields.idleUnless(!traces, "render.quality", {"sun.shadowSize", "sun.shadowSoftness"}, maps);
+  for (const Light& light : scene.lights) {
+    if (!light.shadow) continue;
+    for (const char* name : {"shadowSize", "shadowSoftness"}) {
+      const std::string path = "lights." + light.name + "." + name;
+      fields.idleUnless(!traces, "render.quality", {path.c_str()}, maps);
+    }
+  }
+}
+
+/// A sun below visible ground is one whose direction was meant the other way round.
+void remarkSun(Fields& fields, const Scene& scene) {
+  const auto& keys = scene.sun.direction.keys();
+  const bool below = std::all_of(keys.begin(), keys.end(), [](const auto& key) { return key.value.y < 0; });
+  if (below && scene.hasGround && scene.ground.visible && !isNothing(scene.sun.intensity))
+    fields.idle(
+        "sun.direction", "",
+        "\"direction\" is towards the sun, which stands below the ground so and lights nothing on it");
+}
+
 }  // namespace
 
 void Material::describe(Fields& fields) {
@@ -67,6 +93,20 @@ void Material::describe(Fields& fields) {
     fields.error("bump", "\"bump\" is for a material without maps beside its texture; use a \"normalMap\"");
   if (finish.used() && hasSkin)
     fields.error("skin", "a skin replaces what maps, coats and opacity are laid on; leave out one of both");
+  if (std::max({color.x, color.y, color.z}) > 1)
+    fields.idle(
+        "color", "",
+        fmt::format("a \"color\" above 1 sends back more light than comes in, found {:g}; parts of 255 are "
+                    "to be divided by that, and made linear",
+                    std::max({color.x, color.y, color.z})));
+  fields.idleUnless(finish.alpha == Alpha::opaque || finish.opacity < 1 || !texture.empty(), "opacity",
+                    {"alpha"}, "a material with an \"opacity\" or a \"texture\" that has one");
+  const bool mapped = !texture.empty() || finish.hasMaps();
+  fields.idleUnless(mapped, "texture", {"textureScale"}, "a material with a \"texture\" or maps");
+  fields.idleUnless(!texture.empty(), "texture", {"bump"},
+                    "a material with a \"texture\", whose heights these are");
+  fields.idleUnless(!hasSkin, "skin", {"color", "texture", "textureScale", "bump", "roughness"},
+                    "a material without a \"skin\", which has its own");
 }
 
 void Skin::describe(Fields& fields) {
@@ -81,6 +121,8 @@ void Skin::describe(Fields& fields) {
   fields.vector("high", high, {-1, 1e9}, "", "Colour where the field is high, linear RGB.");
   fields.number("bump", bump, {-100, 100}, "", "Factor on the height of the relief.");
   fields.optionalNumber("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");
+  fields.idleUnless(look != Look::map, "look", {"threshold", "low", "high"},
+                    "a look of two colours; a \"map\" has the field's");
 }
 
 void Render::describe(Fields& fields) {
@@ -123,6 +165,7 @@ void Render::describe(Fields& fields) {
   fields.number("vignette", vignette, fraction, "", "Darkening towards the corners.");
   fields.group("bloom", "Light scattered around what is bright.",
                [&](Fields& inner) { bloom.describe(inner); });
+  fields.idleUnless(quality == Quality::high, "quality", {"raySamples"}, "\"quality\": \"high\"");
 }
 
 void Bloom::describe(Fields& fields) {
@@ -130,6 +173,7 @@ void Bloom::describe(Fields& fields) {
                 "Factor on the scattered light; 0 switches it off and costs nothing.");
   fields.number("threshold", threshold, notNegative, "", "Only light above this is scattered.");
   fields.number("radius", radius, {0.001, 1}, "", "How far, as a fraction of the picture's height.");
+  fields.idleUnless(!isNothing(strength), "strength", {"threshold", "radius"}, "bloom with a \"strength\"");
 }
 
 void Time::describe(Fields& fields) {
@@ -164,6 +208,7 @@ void Sun::describe(Fields& fields) {
     fields.error("direction", "\"direction\" is [0, 0, 0], which points nowhere");
     break;
   }
+  fields.idleUnless(shadow, "shadow", {"shadowSize", "shadowSoftness"}, "a sun with \"shadow\"");
 }
 
 void Sky::describe(Fields& fields) {
@@ -201,6 +246,8 @@ void Ground::describe(Fields& fields) {
     fields.error(
         fields.given("fadeStart") ? "fadeStart" : "fadeEnd",
         fmt::format("\"fadeStart\" ({} m) must be less than \"fadeEnd\" ({} m)", fadeStart, fadeEnd));
+  fields.idleUnless(visible, "visible", {"color", "roughness", "fadeStart", "fadeEnd"},
+                    "ground that is \"visible\"");
 }
 
 void describeScene(Fields& fields, Scene& scene) {
@@ -221,6 +268,8 @@ void describeScene(Fields& fields, Scene& scene) {
   fields.optionalGroup("ground", scene.hasGround, groundDoc,
                        [&](Fields& inner) { scene.ground.describe(inner); });
   describeLights(fields, scene);
+  remarkRays(fields, scene);
+  remarkSun(fields, scene);
 }
 
 std::span<const Section> sections() {

@@ -20,6 +20,7 @@ shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::
   // From an eye that is moved by o, a place at the distance of the focus is where it was if rays turn by -o
   // / focus.
   const glm::vec3 turned = through.aside / through.focus;
+  const float far = camera.far + view.farther;
   const float right = glm::dot(across, turned), above = glm::dot(up, turned);
   shader::ExactView exact{};
   exact.eye = glm::vec4(view.eye + through.aside, 0);
@@ -28,7 +29,7 @@ shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::
   exact.forward = glm::vec4(view.forward, 0);
   exact.ray = glm::vec4((view.forward - turned) - view.right + view.up, 0);
   if (view.parallel) {
-    const float span = 2 * camera.far;
+    const float span = 2 * far;
     exact.across = glm::vec4(half.x * across, 0);
     exact.down = glm::vec4(-half.y * up, 0);
     exact.forward = glm::vec4(view.forward, 1 / span);
@@ -39,8 +40,7 @@ shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::
   exact.size = size;
   exact.rows = {0, size.y};
   exact.near = camera.near;
-  exact.nearOverFar =
-      view.parallel ? 1 - (camera.far - camera.near) / (2 * camera.far) : camera.near / camera.far;
+  exact.nearOverFar = view.parallel ? 1 - (far - camera.near) / (2 * far) : camera.near / far;
   return exact;
 }
 

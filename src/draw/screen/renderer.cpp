@@ -108,7 +108,7 @@ void Renderer::State::drawExactly(const ExactScene::Moment& shown, const StageWa
   ExactScene::Exposure exposure{1, [&](int) { return shown; }};
   const double frameSeconds = 1.0 / scene.time.fps;
   if (motion) {
-    motion->begin(*shown.drawables, frameSeconds);
+    motion->begin(*shown.drawables, frameSeconds, shown.seconds);
     exposure.motion = &*motion;
     exposure.frameSeconds = frameSeconds;
   }

@@ -74,6 +74,14 @@ void Diagnostics::add(Place place, std::string message) {
   if (!full()) errors_.push_back({place, std::move(message)});
 }
 
+void Diagnostics::remark(Place place, std::string message) {
+  if (remarks_.size() < maxKept) remarks_.push_back({place, std::move(message)});
+}
+
+bool Diagnostics::isOverride(int source) const {
+  return !sources_[static_cast<std::size_t>(source)].isFile;
+}
+
 std::string_view Diagnostics::sourceText(int source) const {
   const Source& found = sources_[static_cast<std::size_t>(source)];
   return found.isFile ? found.text : std::string_view(found.owned);
@@ -107,22 +115,37 @@ std::string Diagnostics::where(Place place) const {
   return source.isFile ? fmt::format("{}:{}:{}", name, number, column) : name;
 }
 
-std::string Diagnostics::describe(const Error& error) const {
+std::string Diagnostics::describe(const Error& error, const char* kind) const {
   const Line line = lineOf(error.place);
-  return fmt::format("{}: error: {}\n{}", where(error.place), oneLine(error.message),
+  return fmt::format("{}: {}: {}\n{}", where(error.place), kind, oneLine(error.message),
                      excerpt(sourceText(error.place.source).substr(line.begin, line.end - line.begin),
                              line.at - line.begin, std::max(error.place.end, line.at + 1) - line.begin));
 }
 
-std::string Diagnostics::report() const {
-  constexpr std::size_t maxShown = 50;
+std::vector<const Diagnostics::Error*> Diagnostics::inOrder(const std::vector<Error>& found) {
   std::vector<const Error*> ordered;
-  for (const Error& error : errors_) ordered.push_back(&error);
+  for (const Error& error : found) ordered.push_back(&error);
   std::stable_sort(ordered.begin(), ordered.end(), [](const Error* a, const Error* b) {
     return std::tie(a->place.source, a->place.begin) < std::tie(b->place.source, b->place.begin);
   });
+  return ordered;
+}
+
+std::vector<std::string> Diagnostics::remarks() const {
+  std::vector<std::string> remarks;
+  for (const Error* remark : inOrder(remarks_)) {
+    remarks.push_back(describe(*remark, "warning"));
+    remarks.back().pop_back();
+  }
+  return remarks;
+}
+
+std::string Diagnostics::report() const {
+  constexpr std::size_t maxShown = 50;
+  const std::vector<const Error*> ordered = inOrder(errors_);
   std::string out;
-  for (std::size_t i = 0; i < std::min(maxShown, ordered.size()); ++i) out += describe(*ordered[i]);
+  for (std::size_t i = 0; i < std::min(maxShown, ordered.size()); ++i)
+    out += describe(*ordered[i], "error");
   if (count_ > maxShown) out += fmt::format("and {} more\n", count_ - maxShown);
   if (!out.empty()) out.pop_back();  // whoever prints a message ends its line
   return out;

@@ -24,6 +24,9 @@ class Diagnostics {
   /// Another file that mistakes may lie in. Returns its source number. `text` must outlive this object.
   int addFile(std::string file, std::string_view text);
   void add(Place place, std::string message);
+  /// What is no mistake, but worth a word.
+  void remark(Place place, std::string message);
+  [[nodiscard]] bool isOverride(int source) const;
 
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] std::size_t count() const { return count_; }
@@ -36,6 +39,9 @@ class Diagnostics {
   /// Each mistake as "file:line:column: error: message", the line and a caret; at most 50, then
   /// "and N more". Columns count code points from 1.
   [[nodiscard]] std::string report() const;
+  /// Each remark as "file:line:column: warning: message", the line and a caret, in the order of their
+  /// places.
+  [[nodiscard]] std::vector<std::string> remarks() const;
 
  private:
   static constexpr std::size_t maxKept = 1000;
@@ -49,16 +55,18 @@ class Diagnostics {
     Place place;
     std::string message;
   };
+  /// By their places, in the order in which they were found.
+  [[nodiscard]] static std::vector<const Error*> inOrder(const std::vector<Error>& found);
   /// Bytes [begin, end) of the line that a place begins in, at byte `at`.
   struct Line {
     std::size_t begin, end, at;
   };
   [[nodiscard]] std::string_view sourceText(int source) const;
   [[nodiscard]] Line lineOf(Place place) const;
-  [[nodiscard]] std::string describe(const Error& error) const;
+  [[nodiscard]] std::string describe(const Error& error, const char* kind) const;
 
   std::vector<Source> sources_;
-  std::vector<Error> errors_;
+  std::vector<Error> errors_, remarks_;
   std::size_t count_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -31,6 +32,15 @@ class Animated {
   [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
   [[nodiscard]] Ease ease() const { return ease_; }
 
+  /// When (s) it last jumped, at `seconds` or before: by two keys at one time, or with Ease::hold at any.
+  /// Minus infinity where it has not.
+  [[nodiscard]] double jumpedBy(double seconds) const {
+    for (std::size_t k = keys_.size(); k-- > 1;)
+      if (keys_[k].time <= seconds && keys_[k].value != keys_[k - 1].value &&
+          (ease_ == Ease::hold || keys_[k].time == keys_[k - 1].time))
+        return keys_[k].time;
+    return -std::numeric_limits<double>::infinity();
+  }
   /// Value at `seconds`. Smooth: s = 3u^2 - 2u^3 between neighbouring keys. Spline: the cubic with the
   /// speeds of speedAt() in both. Only plain arithmetic, so every machine computes the same bits.
   [[nodiscard]] T at(double seconds) const {
@@ -91,5 +101,11 @@ class Animated {
   std::vector<Key> keys_ = {{0.0, T{}}};
   Ease ease_ = Ease::linear;
 };
+
+/// Whether it is 0 at any time.
+template <class T>
+bool isNothing(const Animated<T>& value) {
+  return !value.moves() && value.at(0) == T(0);
+}
 
 }  // namespace simreel::scene

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -90,6 +91,19 @@ class Fields {
   /// scene does not give that text: at this group.
   virtual void errorIn(const std::vector<std::string>& /*path*/, std::size_t /*begin*/, std::size_t /*end*/,
                        const std::string& /*message*/) {}
+  /// Remarks that field `name`, which the scene gives, does nothing because of what field `ruler` says: a
+  /// warning and no mistake, so that one may be tried without leaving out the other. Not said where it is
+  /// only the ruling value that comes from the command line. Both may be paths, "group.name".
+  virtual void idle(const char* /*name*/, const char* /*ruler*/, const std::string& /*message*/) {}
+  /// The same of each of `names` unless they are `used`; "what" they are for.
+  void idleUnless(bool used, const char* ruler, std::initializer_list<const char*> names,
+                  const std::string& what) {
+    if (used) return;
+    for (const char* name : names)
+      idle(name, ruler,
+           "\"" + std::string(name).substr(std::string(name).rfind('.') + 1) + "\" is for " + what +
+               "; here it does nothing");
+  }
   /// Whether the scene gives this field itself (false while writing schema or help).
   [[nodiscard]] virtual bool given(const char* /*name*/) const { return false; }
 
@@ -226,6 +240,8 @@ struct Parameters {
   /// surroundings itself.
   enum class Looks { solid, cloth, shining, landscape };
   [[nodiscard]] virtual Looks looks() const { return Looks::solid; }
+  /// What it is drawn with in place of the object's material; null: that.
+  [[nodiscard]] virtual const char* drawnWith() const { return nullptr; }
 };
 
 /// One line of the list of simulations: what a scene calls it, one sentence, and how to make its

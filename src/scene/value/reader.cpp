@@ -215,6 +215,18 @@ const Node* Reader::find(const std::string& name) const {
   return object_->find(old == formerNames_.end() ? name : old->second);
 }
 
+const Node* Reader::at(const std::string& path) const {
+  std::size_t end = path.find('.');
+  const Node* node = find(path.substr(0, end));
+  while (node != nullptr && end != std::string::npos) {
+    const std::size_t begin = end + 1;
+    end = path.find('.', begin);
+    if (node->kind != Node::Kind::object) return nullptr;
+    node = node->find(std::string_view(path).substr(begin, end - begin));
+  }
+  return node;
+}
+
 void Reader::formerly(const char* old, const char* name) {
   if (object_ == nullptr || object_->find(old) == nullptr) return;
   if (object_->find(name) != nullptr) return;  // both: the old one is no key
@@ -332,6 +344,16 @@ void Reader::errorIn(const std::vector<std::string>& path, std::size_t begin, st
     place.begin = node->begin + byteWritten(written, begin);
   }
   context_.diagnostics.add(place, message);
+}
+
+void Reader::idle(const char* name, const char* ruler, const std::string& message) {
+  Diagnostics& diagnostics = context_.diagnostics;
+  if (diagnostics.count() != errorsBefore_) return;
+  const Node* node = at(name);
+  if (node == nullptr) return;
+  const Node* by = at(ruler);
+  if (by != nullptr && diagnostics.isOverride(by->source) && !diagnostics.isOverride(node->source)) return;
+  diagnostics.remark(node->headPlace(), message);
 }
 
 bool Reader::given(const char* name) const {

@@ -53,11 +53,14 @@ class Reader final : public Fields {
   void error(const char* name, const std::string& message) override;
   void errorIn(const std::vector<std::string>& path, std::size_t begin, std::size_t end,
                const std::string& message) override;
+  void idle(const char* name, const char* ruler, const std::string& message) override;
   [[nodiscard]] bool given(const char* name) const override;
 
  private:
   /// The member of that name, or of the one it had before; null when it is not given.
   [[nodiscard]] const Node* find(const std::string& name) const;
+  /// What a path "group.name" leads to.
+  [[nodiscard]] const Node* at(const std::string& path) const;
 
   const Node* object_;
   Place place_;

@@ -5,10 +5,12 @@
 #include "sim/body/skinned_surface.hpp"
 #include "sim/contact/solid.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/core/moments.hpp"
 #include "sim/mesh/buffers.hpp"
 #include "sim/mesh/looks.hpp"
 #include "sim/mesh/quantities.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace simreel::sim {
@@ -36,6 +38,13 @@ class Body : public Simulation, public ContactSolid {
     if (watch) watch(1);
   }
   void resumed(double time) override { surface_.begin(motion_.rowsAt(time), motion_.rowsAt(time)); }
+
+  [[nodiscard]] double jumpedBy(double time) const override {
+    double last = lastJump(time, parameters_.position, parameters_.rotation, parameters_.scale);
+    for (const KeyedBone& bone : parameters_.bones)
+      last = std::max(last, lastJump(time, bone.rotate, bone.move));
+    return last;
+  }
 
   void publish(double /*time*/, Drawables& drawables) const override {
     if (!parameters_.visible) return;

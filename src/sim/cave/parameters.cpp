@@ -47,6 +47,9 @@ void CaveParameters::describe(scene::Fields& f) {
   f.number("grip", grip, {0, 1e6}, "1/s",
            "Rate at which what slides over it loses speed, of cloth and particles with \"walls\".");
   f.boolean("visible", visible, "Whether it is drawn as a solid.");
+  f.idleUnless(connect, "connect", {"corridor"}, "rooms that \"connect\"");
+  f.idleUnless(ceiling, "ceiling", {"roof"}, "a cave with a \"ceiling\"");
+  f.idleUnless(visible, "visible", {"floor", "wall", "rock"}, "a cave that is \"visible\"");
   f.choice("show", show, {"cells", "distances"},
            "What the display shows: rock and floor, or steps from the entrance, 0 to those to the exit.");
   if (show == Show::distances) {

@@ -29,6 +29,7 @@ struct ChartParameters : ObjectParameters {
   float width = 0.42F, height = 0.3F;
 
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] const char* drawnWith() const override { return "its \"curves\""; }
   [[nodiscard]] std::vector<Named> namesQuantities() const override;
 };
 

@@ -48,6 +48,14 @@ void ClothMesh::describe(scene::Fields& f) {
     f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
   if (shape == ClothShape::plane && (size.x < 1e-4F || size.z < 1e-4F))
     f.error("size", "a plane is at least 0.0001 m wide and deep");
+  const char* const ruler = f.given("shape") ? "shape" : "file";
+  const bool cylinder = shape == ClothShape::cylinder, torus = shape == ClothShape::torus;
+  f.idleUnless(shape == ClothShape::plane, ruler, {"size"}, "a \"plane\"");
+  f.idleUnless(cylinder || torus || shape == ClothShape::disc || shape == ClothShape::sphere, ruler,
+               {"radius"}, "a \"disc\", \"sphere\", \"cylinder\" or \"torus\"");
+  f.idleUnless(torus, ruler, {"tube"}, "a \"torus\"");
+  f.idleUnless(cylinder, ruler, {"length"}, "a \"cylinder\"");
+  f.idleUnless(shape != ClothShape::file, ruler, {"resolution"}, "what is generated");
   if (std::int64_t{resolution.x} * resolution.y > mostClothVertices)
     f.error("resolution",
             fmt::format("{}x{} are more than {} vertices", resolution.x, resolution.y, mostClothVertices));

@@ -86,6 +86,12 @@ void ClothParameters::describe(scene::Fields& f) {
     if (f.given("solver") && solver == ClothSolver::springs)
       f.error("solver", "a fabric is solved by constraints; leave out \"solver\"");
   }
+  if (!hasFabric) {
+    const bool springs = solver == ClothSolver::springs;
+    f.idleUnless(springs, "solver", {"stiffness", "shear", "bend"}, "\"solver\": \"springs\"");
+    f.idleUnless(!springs, "solver", {"compliance", "shearCompliance", "bendCompliance"},
+                 "\"solver\": \"constraints\"");
+  }
   f.number(
       "damping", damping, {0, 1e4}, "1/s",
       "Rate at which velocity decays. With 0, constraints and fabrics in still air without contact keep "
@@ -108,6 +114,8 @@ void ClothParameters::describe(scene::Fields& f) {
                            "velocity; of a frame's end.");
                     a.number("fluidSpeed", air.fluidSpeed, {0, 200}, "m/s",
                              "The greatest expected of it: \"auto\" substeps reckon with it.");
+                    a.idleUnless(air.gusts > 0, "gusts", {"gustSize"}, "air with \"gusts\"");
+                    a.idleUnless(!air.fluid.empty(), "fluid", {"fluidSpeed"}, "air with a \"fluid\"");
                   });
   f.number("margin", margin, {0, 10}, "m", "Distance kept from colliders.");
   f.switchable("contact");

@@ -53,6 +53,8 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
   f.choice("at", at, {"bone", "nearest"},
            "Carried by that bone, or each pin by the nearest place of the body's skin, as far off as it is "
            "at the start.");
+  f.idleUnless(!rows.empty() || !columns.empty(), "rows", {"every"}, "\"rows\" and \"columns\"");
+  f.idleUnless(f.given("rotate") || f.given("scale"), "rotate", {"pivot"}, "\"rotate\" and \"scale\"");
   if (at == PinPlace::skin) {
     if (to.empty()) f.error("at", "pins at the nearest place of a skin need \"to\": the body");
     if (!bone.empty())

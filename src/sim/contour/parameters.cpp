@@ -37,6 +37,8 @@ void ContourParameters::describe(scene::Fields& f) {
   f.number("grip", grip, {0, 1e6}, "1/s",
            "Rate at which what slides over it loses speed, of cloth and particles with \"walls\".");
   f.boolean("visible", visible, "Whether it is drawn.");
+  f.idleUnless(visible, "visible", {"map"}, "a contour that is \"visible\"");
+  f.idleUnless(levels > 1, "levels", {"high"}, "two \"levels\" or more");
 }
 
 std::optional<scene::Box> ContourParameters::framed() const {

@@ -4,6 +4,7 @@
 #include "scene/scene.hpp"
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,8 @@ struct Surface {
   bool doubleSided = false;
   /// A number that no other mesh has, if positions, normals and indices are never written again; else 0.
   unsigned still = 0;
+  /// s: when its object last jumped along its keyframes (Simulation::jumpedBy).
+  double jumped = -std::numeric_limits<double>::infinity();
   const scene::Material* material = nullptr;
 };
 
@@ -168,6 +171,8 @@ struct Path {
 struct Place {
   const std::string* object = nullptr;  ///< its name in the scene
   glm::vec3 middle{0};                  ///< m
+  /// s: when it last jumped along keyframes.
+  double jumped = -std::numeric_limits<double>::infinity();
 };
 
 /// What a simulation publishes for drawing: a list per kind, one pass each.

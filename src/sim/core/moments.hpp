@@ -60,4 +60,10 @@ inline std::vector<double> momentsOf(const scene::Animated<glm::vec3>& position,
   return moments.all();
 }
 
+/// When (s) the last of these jumped, at `seconds` or before.
+template <class... T>
+double lastJump(double seconds, const scene::Animated<T>&... values) {
+  return std::max({values.jumpedBy(seconds)...});
+}
+
 }  // namespace simreel::sim

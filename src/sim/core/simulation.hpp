@@ -7,6 +7,7 @@
 #include "sim/core/state_array.hpp"
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -145,6 +146,11 @@ class Simulation {
   /// The middle of it at `time`: here that of its points, or of its surface's vertices, which are read
   /// back, in double and in their order. Nothing for things that have none.
   [[nodiscard]] virtual std::optional<glm::vec3> middle(double time) const;
+  /// When (s) it last jumped along its keyframes, at `time` or before (scene::Animated::jumpedBy): what is
+  /// between two frames there does not go from one place to the other.
+  [[nodiscard]] virtual double jumpedBy(double /*time*/) const {
+    return -std::numeric_limits<double>::infinity();
+  }
   /// Appends what is to be drawn of the state at `time`.
   virtual void publish(double time, Drawables& drawables) const = 0;
   /// After what was published was drawn, before the next step: whether that lacked memory, which is there

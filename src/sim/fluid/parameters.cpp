@@ -27,6 +27,7 @@ void describeSide(scene::Fields& f, const char* name, FluidSide& side) {
              "Of an inflow: even, or the velocity in the middle and 0 at both ends.");
     if (s.given("velocity") && side.kind != FluidSide::Kind::wall && side.kind != FluidSide::Kind::inflow)
       s.error("velocity", "only a \"wall\" or an \"inflow\" has a velocity");
+    s.idleUnless(side.kind == FluidSide::Kind::inflow, "kind", {"profile"}, "an \"inflow\"");
   });
 }
 
@@ -146,6 +147,11 @@ void FluidParameters::describe(scene::Fields& f) {
                  "Of an image: how light its edge is, of white.");
         o.number("scale", obstacle.scale, {1e-3, 1e3}, "cells", "Side of a pixel of an image.");
         o.boolean("measured", obstacle.measured, "Whether the quantities \"drag\" and \"lift\" count it.");
+        const bool image = obstacle.shape == FluidObstacle::Shape::image;
+        const char* const ruler = o.given("shape") ? "shape" : "image";
+        o.idleUnless(obstacle.shape == FluidObstacle::Shape::circle, ruler, {"radius"}, "a \"circle\"");
+        o.idleUnless(obstacle.shape == FluidObstacle::Shape::box, ruler, {"extent"}, "a \"box\"");
+        o.idleUnless(image, ruler, {"threshold", "scale"}, "an \"image\"");
         if (obstacle.shape == FluidObstacle::Shape::image && obstacle.image.empty())
           o.error("shape", "shape \"image\" needs \"image\", a picture");
       },
@@ -183,6 +189,7 @@ void FluidParameters::describe(scene::Fields& f) {
   for (const char* name : {"lineDetail", "lineRate"})
     if (show != Show::lines && f.given(name))
       f.error(name, fmt::format("\"{}\" is for \"show\": \"lines\"", name));
+  remarkIdle(f);
   f.optionalGroup("chart", hasChart, "Curves over the picture: quantities, a value each frame.",
                   [&](scene::Fields& c) { chart.describe(c); });
   if (hasChart && chart.showsForces() && obstacles.empty())
@@ -216,6 +223,17 @@ std::span<const scene::Quantity> FluidParameters::quantities() const {
       {"lift", "cells^3/s^2", "The same up the picture."},
   };
   return list;
+}
+
+void FluidParameters::remarkIdle(scene::Fields& f) const {
+  f.idleUnless(!substeps, "substeps", {"courant"}, "\"substeps\": \"auto\"");
+  f.idleUnless(heats(), "strokes", {"lift", "cooling"}, "a fluid whose \"strokes\" set a \"temperature\"");
+  f.idleUnless(dyes(), "strokes", {"dyeWeight"}, "a fluid whose \"strokes\" set \"dye\"");
+  f.idleUnless(!obstacles.empty(), "obstacles", {"obstaclesSlip", "obstacleColor"},
+               "a fluid with \"obstacles\"");
+  f.idleUnless(show == Show::dye, "show", {"look", "brightness", "paper"}, "\"show\": \"dye\"");
+  f.idleUnless(show != Show::dye, "show", {"display.map", "display.stops"},
+               "a \"show\" that is not \"dye\"");
 }
 
 bool FluidParameters::heats() const {

@@ -91,6 +91,7 @@ struct FluidParameters : ObjectParameters, FieldParts {
 
   FluidParameters();
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool isField() const override { return true; }
   [[nodiscard]] std::vector<std::string> fieldParts() const override {
     return {"u", "v", "temperature", "pressure", "red", "green", "blue"};
@@ -101,6 +102,7 @@ struct FluidParameters : ObjectParameters, FieldParts {
   [[nodiscard]] bool wrapsX() const { return left.kind == FluidSide::Kind::periodic; }
   [[nodiscard]] bool wrapsY() const { return top.kind == FluidSide::Kind::periodic; }
   /// Whether there is temperature at all, dye, and dye that is heavy.
+  void remarkIdle(scene::Fields& fields) const;
   [[nodiscard]] bool heats() const;
   [[nodiscard]] bool dyes() const;
   [[nodiscard]] bool sinks() const;

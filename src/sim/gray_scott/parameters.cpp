@@ -49,6 +49,7 @@ void GrayScottParameters::describe(scene::Fields& f) {
   if (hasHealth)
     for (const char* name : {"preset", "feed", "kill"})
       if (f.given(name)) f.error(name, fmt::format("\"health\" sets the rates; leave out \"{}\"", name));
+  if (feed && kill) f.idleUnless(false, "feed", {"preset"}, "rates that are not both given");
   f.optionalNumber("feedAcross", feedAcross, {0, 0.2}, "per unit of time",
                    "F at the right edge; it changes evenly from \"feed\" at the left.");
   f.optionalNumber("killDown", killDown, {0, 0.2}, "per unit of time",
@@ -68,6 +69,8 @@ void GrayScottParameters::describe(scene::Fields& f) {
     f.error("feedImage", "F is set by \"feedAcross\" already; leave out one");
   if (killDown && !killImage.empty())
     f.error("killImage", "k is set by \"killDown\" already; leave out one");
+  f.idleUnless(!feedImage.empty(), "feedImage", {"feedWhite"}, "a \"feedImage\"");
+  f.idleUnless(!killImage.empty(), "killImage", {"killWhite"}, "a \"killImage\"");
   f.number("diffuseU", diffuseU, {0, 1e3}, "cells^2 per unit of time", "How fast u spreads.");
   f.number("diffuseV", diffuseV, {0, 1e3}, "cells^2 per unit of time", "How fast v spreads.");
   f.number("dt", dt, {1e-3, 4}, "units of time", "Of a step.");
@@ -87,6 +90,7 @@ void GrayScottParameters::describe(scene::Fields& f) {
     s.number("radius", seedRadius, {0, 1e4}, "cells", "Of each.");
     s.number("value", seedValue, {0, 1}, "", "v within them; u is the rest of 1.");
     s.number("noise", seedNoise, {0, 1}, "", "Fraction by which v differs at random from cell to cell.");
+    s.idleUnless(seedCount > 0, "count", {"radius"}, "seeds of a \"count\"");
   });
   f.list("strokes", strokes, "Timed strokes of a brush.", [](scene::Fields& s, StrokeParameters& stroke) {
     stroke.describe(s, 1, "v that is painted; u becomes the rest of 1.");

@@ -49,6 +49,7 @@ struct GrayScottParameters : ObjectParameters, FieldParts {
 
   GrayScottParameters();
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool isField() const override { return true; }
   [[nodiscard]] std::vector<std::string> fieldParts() const override { return {"u"}; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;

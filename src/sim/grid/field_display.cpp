@@ -49,6 +49,11 @@ void FieldDisplay::describe(scene::Fields& fields) {
   } else if (fields.given("map")) {
     stops.clear();  // a scene's map goes before a simulation's own colours
   }
+  fields.idleUnless(layer != Layer::none, "layer",
+                    {"fit", "corner", "extent", "center", "zoom", "opacity", "tiled", "border", "relief"},
+                    "a field that is laid over the picture, with \"layer\": \"over\" or \"behind\"");
+  if (layer != Layer::none) fields.idleUnless(!tiled, "tiled", {"border"}, "a field that is not \"tiled\"");
+  fields.idleUnless(!fields.given("stops"), "stops", {"map"}, "a display without \"stops\"");
   fields.number("low", low, scene::anyNumber, "", "Value of the first colour.");
   fields.number("high", high, scene::anyNumber, "", "Value of the last colour.");
   if (!(low < high))

@@ -81,6 +81,8 @@ void StrokeParameters::describe(scene::Fields& f, double max, const char* valueD
   f.asset("image", image, "Picture of shape \"image\"; its light pixels are painted.");
   scene::implyShape(f, shape, Shape::image, "image", image, "image", "circle");
   if (hasPath && shape != Shape::circle) f.error("path", "only a circle has a path");
+  f.idleUnless(shape != Shape::image, f.given("shape") ? "shape" : "image", {"radius", "to"},
+               "a \"circle\" or a \"line\"");
   f.number("value", value, {0, max}, "", valueDoc);
   f.formerly("share", "fraction");
   f.number("fraction", fraction, {0, 1}, "", "Of the cells within reach, picked at random.");

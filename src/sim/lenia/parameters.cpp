@@ -94,6 +94,11 @@ void LeniaParameters::describe(scene::Fields& f) {
   f.number("surviveMax", surviveMax, {0, 1}, "", "and to.");
   f.number("alphaRing", alphaRing, {1e-3, 1}, "", "How soft the limits of the ring's filling are,");
   f.number("alphaDisc", alphaDisc, {1e-3, 1}, "", "and that between dead and living.");
+  const bool smooth = model == Model::smoothLife;
+  f.idleUnless(!smooth, "model", {"kernels"}, "the model \"lenia\"");
+  f.idleUnless(smooth, "model",
+               {"radius", "bornMin", "bornMax", "surviveMin", "surviveMax", "alphaRing", "alphaDisc"},
+               "the model \"smoothLife\"");
   if (bornMin > bornMax)
     f.error("bornMax", fmt::format("\"bornMin\" ({}) is above \"bornMax\" ({})", bornMin, bornMax));
   if (surviveMin > surviveMax)

@@ -48,6 +48,7 @@ struct LeniaParameters : ObjectParameters {
   std::vector<StrokeParameters> strokes;
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool isField() const override { return true; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };

@@ -45,6 +45,7 @@ struct LifeParameters : ObjectParameters {
   bool colorsGiven = false;  ///< by the scene, which goes before a rule file
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool isField() const override { return true; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] GridShape shape() const { return {border, shift}; }

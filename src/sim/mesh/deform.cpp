@@ -105,6 +105,8 @@ class DeformedMesh : public Simulation, public ContactSolid {
     deform(time);
   }
 
+  [[nodiscard]] double jumpedBy(double time) const override { return parameters_.jumpedBy(time); }
+
   void publish(double time, Drawables& drawables) const override {
     if (!parameters_.visible) return;
     Surface surface = topology_.surface();

@@ -102,6 +102,10 @@ void DeformParameters::describe(scene::Fields& f) {
     f.error("deform", fmt::format("{} displacements (each wave counts as one) are more than {}", count,
                                   shader::maxDisplacements));
   if (trails > 1) f.error("deform", "a mesh has one trail of footprints");
+  f.idleUnless(!list.empty(), "deform", {"technique", "readback"}, "a mesh with a \"deform\"");
+  if (!list.empty())
+    f.idleUnless(technique == DeformTechnique::compute, "technique", {"readback"},
+                 "the technique \"compute\"");
 }
 
 }  // namespace simreel::sim

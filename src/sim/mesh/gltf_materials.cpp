@@ -91,11 +91,17 @@ class MaterialReader {
             (!extension.starts_with("KHR_materials_") && !extension.starts_with("KHR_texture_") &&
              !extension.starts_with("EXT_texture_") && extension != "KHR_mesh_quantization"))
           all_.ignored.push_back(extension);
-    bool morphs = false;
+    bool morphs = false, tinted = false;
     for (std::size_t i = 0; i < document_.size("meshes"); ++i)
       document_.item("meshes", i).at("primitives").eachItem([&](const JsonValue& primitive) {
         morphs = morphs || primitive.has("targets");
+        const std::uint64_t material =
+            GltfDocument::number(primitive, "material", document_.size("materials"));
+        tinted = tinted ||
+                 (material < document_.size("materials") && primitive.at("attributes").has("COLOR_0") &&
+                  isUnlit(document_.item("materials", material)));
       });
+    if (tinted) all_.ignored.emplace_back("COLOR_0 of what is unlit");
     if (morphs) all_.ignored.emplace_back("morph targets");
   }
 
@@ -150,10 +156,32 @@ class MaterialReader {
       for (const char* key : {"KHR_materials_ior", "KHR_materials_volume"})
         if (material.transmission <= 0 && extensions->has(key)) ignore(key);
     }
+    if (isUnlit(json)) material = unlit(material);
     agreeOnPlace(material, gltfMapNames, [&](const char* key) {
       ignore(fmt::format("{} (its {} is not that of the others)", key, transformName));
     });
     return material;
+  }
+
+  static bool isUnlit(const JsonValue& material) {
+    const auto extensions = material.find("extensions");
+    return extensions && extensions->has("KHR_materials_unlit");
+  }
+
+  /// Of its colour, and that alone, whatever the light: it shines so, and mirrors nothing where it is not
+  /// seen from aside.
+  static MeshMaterial unlit(const MeshMaterial& material) {
+    MeshMaterial shining;
+    shining.color = glm::vec3(0);
+    shining.metallic = shining.roughness = 1;
+    shining.emission = material.color;
+    shining.emissionMap = material.colorMap;
+    if (material.alpha != static_cast<int>(scene::Alpha::opaque)) shining.colorMap = material.colorMap;
+    shining.alpha = material.alpha;
+    shining.opacity = material.opacity;
+    shining.cutoff = material.cutoff;
+    shining.doubleSided = material.doubleSided;
+    return shining;
   }
 
   void extend(MeshMaterial& material, const std::string& key, const JsonValue& value) {
@@ -176,7 +204,7 @@ class MaterialReader {
       material.ior = std::clamp(number(value, "ior", 1.5F), 1.0F, 4.0F);
     } else if (key == "KHR_materials_volume") {
       takeVolume(material, value);
-    } else {
+    } else if (key != "KHR_materials_unlit") {
       ignore(key);
     }
   }

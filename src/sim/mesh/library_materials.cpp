@@ -101,10 +101,12 @@ class LibraryReader {
             });
     for (auto& [name, material] : all_) {
       name_ = name;
+      if (const auto said = light_.find(name); said != light_.end()) ignoreLight(material, said->second);
       agreeOnPlace(material, libraryMapNames, [&](std::string_view key) {
         ignore(fmt::format("{} (its -o and -s are not those of the others)", key));
       });
     }
+    light_.clear();
     name_.clear();
   }
 
@@ -120,14 +122,40 @@ class LibraryReader {
     return std::nullopt;
   }
 
+  /// What a material says of light in terms that others have taken the place of.
+  struct OldLight {
+    std::optional<glm::vec3> ambient, mirrored;  ///< Ka, Ks
+    std::optional<float> index, model;           ///< Ni, illum
+  };
+
+  static bool isGrey(const glm::vec3& color) {
+    constexpr float slack = 0.02F;
+    return std::max({color.x, color.y, color.z}) - std::min({color.x, color.y, color.z}) <= slack;
+  }
+
+  /// Programs write these into every file, mostly with what they start from: a grey or black Ks, a Ka that
+  /// is grey or the colour itself, Ni between those of air and of plastics, an illum of what is opaque or,
+  /// beside a d below 1, of what is not. None of that would change a picture. What means more is noted.
+  void ignoreLight(const MeshMaterial& material, const OldLight& said) {
+    constexpr float plastic = 1.6F;
+    if (said.ambient && !isGrey(*said.ambient) && *said.ambient != material.color) ignore("Ka");
+    if (said.mirrored && !isGrey(*said.mirrored)) ignore("Ks");
+    const bool clear = said.model && (said.model == 4.0F || said.model == 6.0F || said.model == 7.0F ||
+                                      said.model == 9.0F);
+    if (said.index > plastic || (clear && material.opacity >= 1 && said.index > 1.0F)) ignore("Ni");
+    if (said.model == 0.0F || said.model == 10.0F || (clear && material.opacity >= 1))
+      ignore(fmt::format("illum {}", *said.model));
+  }
+
   void ignore(std::string_view key) {
     mesh_.ignored.push_back(fmt::format("{} of material \"{}\"", key, name_));
   }
 
   /// Whether the key has numbers, and there are none.
   static bool lacksNumbers(std::string_view key, std::string_view rest) {
-    constexpr std::array<std::string_view, 12> numeric = {"Kd",  "Ke", "Pr", "Pm", "Ns",    "Pc",
-                                                          "Pcr", "d",  "Tr", "Tf", "aniso", "Ps"};
+    constexpr std::array<std::string_view, 16> numeric = {"Kd",  "Ke", "Pr", "Pm",   "Ns",    "Pc",
+                                                          "Pcr", "d",  "Tr", "Tf",   "aniso", "Ps",
+                                                          "Ka",  "Ks", "Ni", "illum"};
     return std::find(numeric.begin(), numeric.end(), key) != numeric.end() && !numberIn(rest);
   }
 
@@ -150,6 +178,14 @@ class LibraryReader {
       // Blinn and Phong's exponent n has about the lobe of alpha^2 = 2 / (n + 2).
       if (hasRoughness_.count(name_) == 0)
         material.roughness = std::sqrt(std::sqrt(2.0F / (numbersIn(rest, 1e6F)[0] + 2)));
+    } else if (key == "Ka") {
+      light_[name_].ambient = colorIn(rest, 1);
+    } else if (key == "Ks") {
+      light_[name_].mirrored = colorIn(rest, 1);
+    } else if (key == "Ni") {
+      light_[name_].index = numberIn(rest);
+    } else if (key == "illum") {
+      light_[name_].model = numberIn(rest);
     } else if (key == "Pc") {
       material.coat = numbersIn(rest, 1)[0];
     } else if (key == "Pcr") {
@@ -275,6 +311,7 @@ class LibraryReader {
   std::string name_;  ///< of the material whose lines these are
   std::map<std::string, MeshMaterial, std::less<>> all_;
   std::map<std::string, bool> hasRoughness_;
+  std::map<std::string, OldLight> light_;  ///< of the library that is read
   std::map<std::string, int> numbers_;
 };
 

@@ -46,6 +46,8 @@ class RigidMesh : public Simulation, public ContactSolid {
   }
   void resumed(double time) override { time_ = time; }
 
+  [[nodiscard]] double jumpedBy(double time) const override { return parameters_.jumpedBy(time); }
+
   void publish(double time, Drawables& drawables) const override {
     if (!parameters_.visible) return;
     const auto show = [&](const MeshBuffers& buffers, const scene::Material& material) {

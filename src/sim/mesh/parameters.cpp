@@ -56,6 +56,7 @@ void MeshParameters::describe(scene::Fields& f) {
   f.boolean("visible", visible, "Whether it is drawn.");
   deform.describe(f);
   describeCollision(f);
+  remarkShape(f);
   if (shape == MeshShape::file && file.empty())
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
   const glm::ivec2 min = minResolution(shape);
@@ -66,6 +67,17 @@ void MeshParameters::describe(scene::Fields& f) {
             fmt::format("{}x{} are more than {} vertices", resolution.x, resolution.y, maxVertices));
   if (shape == MeshShape::torus && tube >= radius)
     f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
+}
+
+void MeshParameters::remarkShape(scene::Fields& f) const {
+  const char* const ruler = f.given("shape") ? "shape" : "file";
+  const bool plane = shape == MeshShape::plane, grass = shape == MeshShape::grass;
+  const bool sphere = shape == MeshShape::sphere, torus = shape == MeshShape::torus;
+  f.idleUnless(plane || grass, ruler, {"size"}, "a \"plane\" or \"grass\"");
+  f.idleUnless(sphere || torus, ruler, {"radius"}, "a \"sphere\" or a \"torus\"");
+  f.idleUnless(torus, ruler, {"tube"}, "a \"torus\"");
+  f.idleUnless(plane || sphere || torus, ruler, {"resolution"}, "a \"plane\", \"sphere\" or \"torus\"");
+  f.idleUnless(grass, ruler, {"blades", "bladeHeight", "bladeWidth"}, "\"grass\"");
 }
 
 void MeshParameters::describeCollision(scene::Fields& f) {
@@ -139,6 +151,10 @@ glm::mat4 MeshParameters::model(double time) const {
   for (int i = 0; i < 3; ++i) m[i] *= factor;
   m[3] = glm::vec4(position.at(time), 1.0F);
   return m;
+}
+
+double MeshParameters::jumpedBy(double time) const {
+  return lastJump(time, position, rotation, scale);
 }
 
 float MeshParameters::swell() const {

@@ -60,6 +60,8 @@ struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   [[nodiscard]] bool doubleSided() const;
   /// From the mesh's own space to the world's at `time`.
   [[nodiscard]] glm::mat4 model(double time) const;
+  /// When it last jumped there (s).
+  [[nodiscard]] double jumpedBy(double time) const;
   /// Generates or reads the mesh. Throws what loadMesh throws.
   [[nodiscard]] Mesh make(int seed) const;
 
@@ -68,6 +70,7 @@ struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   [[nodiscard]] float swell() const;
   /// Its vertices at each key of its position; none where its file cannot be read.
   [[nodiscard]] std::vector<glm::vec3> placesAtRest() const;
+  void remarkShape(scene::Fields& fields) const;
   void describeCollision(scene::Fields& fields);
   void checkSolid(scene::Fields& fields) const;
   void checkHeights(scene::Fields& fields) const;

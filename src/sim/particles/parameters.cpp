@@ -93,6 +93,11 @@ void ParticleGroup::describe(scene::Fields& f) {
     f.error("shape", "shape \"file\" needs \"file\", a CSV or PLY file");
   if (totalMass / static_cast<float>(count) < 1e-9F)
     f.error("totalMass", "shared by all particles this is less than 1e-9 kg each");
+  f.idleUnless(shape != Shape::file, "file", {"count", "radius", "centralMass"},
+               "groups that are no \"file\"");
+  f.idleUnless(shape == Shape::disk, "shape", {"thickness"}, "a \"disk\"");
+  f.idleUnless(shape == Shape::ball || shape == Shape::cube, "shape", {"speed", "spin"},
+               "a \"ball\" or a \"cube\"");
 }
 
 void Emitter::describe(scene::Fields& f) {
@@ -142,6 +147,7 @@ void ParticleParameters::describe(scene::Fields& f) {
     t.number("strength", turbulence.strength, {0, 1e5}, "m/s^2", "Typical acceleration; 0: none.");
     t.number("size", turbulence.size, {1e-3, 1e6}, "m", "Of the swirls.");
     t.number("speed", turbulence.speed, {0, 1e5}, "m/s", "At which they drift through the scene.");
+    t.idleUnless(turbulence.strength != 0, "strength", {"size", "speed"}, "turbulence with a \"strength\"");
   });
   f.optionalGroup("wind", hasWind, "Wind that carries them along.", [&](scene::Fields& w) {
     w.text(
@@ -168,8 +174,21 @@ void ParticleParameters::describe(scene::Fields& f) {
     if (!collides && walls.empty() && f.given(name))
       f.error(name, fmt::format("\"{}\" is for particles with \"collides\": true or \"walls\"", name));
   f.group("look", "How the particles are drawn.", [&](scene::Fields& l) { describeLook(l); });
+  remarkForces(f);
   if (groups.empty() && emitters.empty())
     f.error("groups", "no particles: give \"groups\" or \"emitters\"");
+}
+
+void ParticleParameters::remarkForces(scene::Fields& f) const {
+  const bool attracts = method != GravityMethod::none;
+  // Those in equilibrium start at the speed that it gives them.
+  const bool orbits = std::any_of(groups.begin(), groups.end(), [](const ParticleGroup& group) {
+    return group.shape == ParticleGroup::Shape::plummer || group.shape == ParticleGroup::Shape::disk;
+  });
+  f.idleUnless(method == GravityMethod::tree, "method", {"opening"}, "\"method\": \"tree\"");
+  f.idleUnless(attracts || orbits, "method", {"softening"}, "particles that attract each other");
+  f.idleUnless(attracts || orbits || hasAttractor, "method", {"gravity"},
+               "particles that attract each other (weight is an \"acceleration\")");
 }
 
 void ParticleParameters::describeLook(scene::Fields& l) {
@@ -203,6 +222,13 @@ void ParticleParameters::describeLook(scene::Fields& l) {
     l.error("shape", "shape \"mesh\" needs \"mesh\", an OBJ or PLY file");
   if (colorRange.x == colorRange.y) l.error("colorTo", "colorFrom and colorTo must differ");
   if (stops.size() == 1) l.error("colorStops", "a colour map needs at least two stops");
+  l.idleUnless(shape == Instances::Shape::mesh, "shape", {"alongVelocity"}, "shape \"mesh\"");
+  l.idleUnless(colorBy != Instances::ColorBy::material, "colorBy",
+               {"colorFrom", "colorTo", "colors", "colorStops"},
+               "\"colorBy\": \"speed\", \"mass\" or \"age\"");
+  l.idleUnless(stops.empty(), "colorStops", {"colors"}, "particles without \"colorStops\"");
+  l.idleUnless(additive, "additive", {"brightness", "fade"}, "particles that are \"additive\"");
+  if (additive) l.idleUnless(!emitters.empty(), "fade", {"fade"}, "particles of \"emitters\"");
   colors = colorMapStops(colorMaps[map]);
   if (!stops.empty()) {
     colors.clear();

@@ -106,6 +106,7 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   [[nodiscard]] ParticleParameters inStep(int contactSubsteps) const;
 
  private:
+  void remarkForces(scene::Fields& fields) const;
   void describeLook(scene::Fields& fields);
 };
 

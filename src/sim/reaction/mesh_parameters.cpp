@@ -44,6 +44,11 @@ void ReactionMesh::describe(scene::Fields& f) {
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
   if (shape != Shape::file && f.given("file"))
     f.error("file", "\"file\" is read only with \"shape\": \"file\", or none");
+  f.idleUnless(shape == Shape::plane, "shape", {"size"}, "a \"plane\"");
+  f.idleUnless(shape == Shape::sphere || shape == Shape::torus, "shape", {"radius"},
+               "a \"sphere\" or a \"torus\"");
+  f.idleUnless(shape == Shape::torus, "shape", {"tube"}, "a \"torus\"");
+  f.idleUnless(shape != Shape::file, "shape", {"resolution"}, "what is generated");
   if (shape == Shape::torus && tube >= radius)
     f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
 }

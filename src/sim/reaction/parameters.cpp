@@ -98,6 +98,8 @@ void ReactionParameters::describe(scene::Fields& f) {
         if (parameter.across.has_value() + parameter.down.has_value() + !parameter.image.empty() > 1)
           p.error(parameter.image.empty() ? "down" : "image",
                   "\"across\", \"down\" and \"image\" exclude each other");
+        p.idleUnless(!parameter.image.empty() || !parameter.field.empty(), "image", {"white"},
+                     "a parameter with an \"image\"");
       });
   f.shorthand("lets", "is");
   completed(f, "lets", "Names for expressions, which others may use; a stencil may be laid over them.",

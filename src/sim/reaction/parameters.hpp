@@ -108,6 +108,9 @@ struct ReactionParameters : ObjectParameters, FieldParts, FieldReading {
 
   ReactionParameters();
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] const char* drawnWith() const override {
+    return space() == RuleSpace::plane ? "its \"display\"" : nullptr;
+  }
   [[nodiscard]] bool isField() const override { return space() == RuleSpace::plane; }
   [[nodiscard]] std::vector<std::string> fieldParts() const override;
   [[nodiscard]] std::string takenBy() const override;

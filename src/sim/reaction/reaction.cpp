@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/core/moments.hpp"
 #include "sim/core/retunable.hpp"
 #include "sim/gray_scott/quantities.hpp"
 #include "sim/grid/field_values.hpp"
@@ -129,6 +130,11 @@ class Reaction : public Simulation, public FieldReader, public Retunable {
     }
     surface.material = &material_;
     drawables.surfaces.push_back(surface);
+  }
+
+  [[nodiscard]] double jumpedBy(double time) const override {
+    const ReactionMesh& mesh = plan_.parameters().mesh;
+    return lastJump(time, mesh.position, mesh.rotation, mesh.scale);
   }
 
   void carryOver(CarryOver& carry) override {

@@ -29,6 +29,10 @@ class Shape : public Simulation {
     return parameters_.shape.position.at(time);
   }
 
+  [[nodiscard]] double jumpedBy(double time) const override {
+    return lastJump(time, parameters_.shape.position, parameters_.shape.rotation);
+  }
+
   void publish(double time, Drawables& drawables) const override {
     if (!parameters_.visible) return;
     Surface surface = buffers_.surface();
@@ -86,6 +90,8 @@ void ShapeParameters::describe(scene::Fields& f) {
       "friction", shape.friction, {0, 100}, "",
       "Coulomb's coefficient, instead of grip: what lies there holds on slopes up to its arc tangent.");
   if (shape.friction && f.given("grip")) f.error("friction", "give \"grip\" or \"friction\", not both");
+  f.idleUnless(shape.kind != Kind::plane || visible, "visible", {"size"}, "a plane that is \"visible\"");
+  f.idleUnless(collides, "collides", {"grip", "friction"}, "what \"collides\"");
 }
 
 SimulationKind sphereKind() {

@@ -35,6 +35,7 @@ struct EpidemicParameters final : ObjectParameters, SpreadParameters {
   glm::vec3 nobody{0.004F, 0.007F, 0.013F};
 
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] const char* drawnWith() const override { return "its \"colors\""; }
   [[nodiscard]] bool isField() const override { return true; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };

@@ -58,6 +58,7 @@ void WildfireParameters::describe(scene::Fields& f) {
   f.number("fuelLevel", fuelLevel, {0, 1}, "", "Factor on the fuel everywhere.");
   f.number("patchiness", patchiness, {0, 1}, "", "Fraction of the fuel that noise may take away.");
   f.number("patchSize", patchSize, {1, 1e4}, "cells", "Size of the noise's largest patches.");
+  f.idleUnless(patchiness > 0, "patchiness", {"patchSize"}, "fuel with \"patchiness\"");
   f.asset("obstacles", obstacles, "Picture: nothing burns where it is light, as on water.");
   f.asset("terrain", terrain, "Picture of heights, for the shading and \"slope\"; none: hills of noise.");
   f.number("relief", relief, {0, 1e4}, "cells", "Height of white above black in the terrain.");
@@ -78,6 +79,8 @@ void WildfireParameters::describe(scene::Fields& f) {
              "fluid's wind where that has the fluid's \"speed\".");
     w.text("fluid", windFluid,
            "Name of a fluid that blows instead: its rectangle, stretched over the map, at a frame's end.");
+    w.idleUnless(!isNothing(windStrength) || !windFluid.empty(), "strength", {"direction"},
+                 "wind with a \"strength\"");
     if (windFluid.empty()) return;
     if (!w.given("strength")) windStrength = 1.0F;
     if (w.given("direction"))

@@ -45,6 +45,7 @@ struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::Wi
   glm::vec3 ash{0.052F, 0.047F, 0.043F};
 
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] const char* drawnWith() const override { return "its \"colors\""; }
   [[nodiscard]] bool isField() const override { return true; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] WindFrom windFrom() const override { return {windFluid, {"wind", "fluid"}}; }

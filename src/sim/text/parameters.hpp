@@ -42,6 +42,9 @@ struct TextParameters : ObjectParameters {
   ScreenText screen;  ///< instead of height, depth, place and material
 
   void describe(scene::Fields& fields) override;
+  [[nodiscard]] const char* drawnWith() const override {
+    return onScreen ? "the \"color\" of its \"screen\"" : nullptr;
+  }
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::vector<Named> namesQuantities() const override;
 

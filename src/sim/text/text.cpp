@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/core/moments.hpp"
 #include "sim/mesh/buffers.hpp"
 #include "sim/text/parameters.hpp"
 #include "sim/text/solid_text.hpp"
@@ -44,6 +45,10 @@ class Text : public Simulation {
 
   void step(double time, const StepWatch& /*watch*/) override { time_ = time + 1.0 / perFrame_; }
   void resumed(double time) override { time_ = time; }
+
+  [[nodiscard]] double jumpedBy(double time) const override {
+    return lastJump(time, parameters_.position, parameters_.rotation, parameters_.scale);
+  }
 
   void publish(double time, Drawables& drawables) const override {
     say(time);

@@ -216,6 +216,7 @@ void WaterParameters::describeLook(scene::Fields& f) {
              "Depth in which all but 1/e of the ground's light is lost.");
     l.number("foam", foam, {0, 1e3}, "", "White for each unit of slope beyond 0.1.");
   });
+  f.idleUnless(visible, "visible", {"look"}, "water that is \"visible\"");
   f.group("display", "How the depth is laid over the picture; \"layer\" shows it.",
           [&](scene::Fields& d) { display.describe(d); });
 }

@@ -27,6 +27,7 @@ World::State::State(const scene::Scene& scene, bool timing, const std::function<
   Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders,
                   timing};
   setting.clothsInContact = hasClothsInContact(scene);
+  for (const std::string& remark : scene.remarks) warnLinesOnce(remark);
   for (const std::string& remark : relationRemarks(scene)) warn("{}", remark);
   setting.startTime = startOf(scene);
   setting.presteps = presteps;

@@ -122,8 +122,10 @@ Drawables World::drawables() const {
     const std::size_t surfaces = all.surfaces.size();
     const std::size_t instances = all.instances.size();
     state_->objects[i]->publish(time(), all);
+    const double jumped = state_->objects[i]->jumpedBy(time());
     for (std::size_t k = surfaces; k < all.surfaces.size(); ++k) {
       all.surfaces[k].object = &state_->names[i];
+      all.surfaces[k].jumped = jumped;
       if (all.surfaces[k].material->finish.doubleSided) all.surfaces[k].doubleSided = true;
     }
     for (std::size_t k = instances; k < all.instances.size(); ++k)
@@ -133,7 +135,8 @@ Drawables World::drawables() const {
   }
   if (const auto tracked = state_->tracked)
     if (const auto middle = state_->trackedPlace())
-      all.places.push_back({&state_->names[*tracked], *middle});
+      all.places.push_back(
+          {&state_->names[*tracked], *middle, state_->objects[*tracked]->jumpedBy(time())});
   if (!state_->tracked)
     for (const Lag& lag : state_->lags)
       if (const auto place = lag.place()) all.lagging.push_back(*place);

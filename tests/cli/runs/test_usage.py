@@ -112,6 +112,22 @@ class SceneMistakes(Case):
         lines = self.mistake([], text).splitlines()
         self.assertEqual([lines[0], *lines[2:]], ["bad.json:" + head, caret])
 
+    def test_what_another_key_rules_out_is_a_warning(self):
+        self.write("idle.json", '{"version": 1, "render": {"size": [16, 9], "raySamples": 8},\n "objects": {"ball": {"sphere": {}}}}')
+        warning = ('idle.json:1:44: warning: "raySamples" is for "quality": "high"; here it does nothing\n'
+                   '  {"version": 1, "render": {"size": [16, 9], "raySamples": 8},\n'
+                   + " " * 45 + "^~~~~~~~~~~~\n")
+        checked = self.good("validate", "idle.json")
+        self.assertEqual((checked.err, checked.stdout), (warning, b"idle.json: ok\n"))
+        render = ("render", "idle.json", "--frames", "0-1", "--overwrite", "-o", "out/")
+        self.assertEqual(self.good(*render).err.count(warning), 1)
+        self.assertEqual(self.good(*render, "-q").err, "")
+        said = [json.loads(line) for line in self.good(*render, "--progress", "ndjson").err.splitlines()]
+        self.assertIn({"event": "message", "level": "warning", "text": warning[:-1]}, said)
+        self.assertEqual(self.good("validate", "idle.json", "-D", "render.quality=high").err, "")
+        self.write("idle.json", '{"version": 1, "render": {"quality": "high", "raySamples": 8}, "objects": {"ball": {"sphere": {}}}}')
+        self.assertEqual(self.good("validate", "idle.json", "-D", "render.quality=draft").err, "")
+
     def test_syntax(self):
         self.mistake(['bad.json:2:12: error: unknown word "x"; strings and keys need double quotes\n'
                       '    "title": x}\n'

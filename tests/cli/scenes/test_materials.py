@@ -157,6 +157,33 @@ class Materials(Case):
         self.square(b"map_Ke gone.png\n")  # no light without its picture
         self.assertEqual(self.picture(), ((0, 0, 0), (0, 0, 0)))
 
+    def test_light_in_libraries_as_of_old(self):
+        blender = b"Ns 250.000000\nKa 1.000000 1.000000 1.000000\nKs 0.500000 0.500000 0.500000\nKe 0 1 0\nNi 1.450000\nd 1.000000\nillum 2\n"
+        for library in (blender, b"Ke 0 1 0\nKa 0 0 0\nKs 0 0 0\nNi 1\nillum 1\n", b"Ke 0 1 0\nKa 0.5 0.2 0.1\nKd 0.5 0.2 0.1\nKs 1 1 1\nillum 3\n",
+                        b"Ke 0 1 0\nd 0.5\nNi 1.5\nillum 9\n", b"Ke 0 1 0\nillum 4\nTr 0.5\n"):
+            self.square(library)
+            self.assertNotIn(WORDS, self.said(), library)
+        for library, part in ((b"Ka 0.5 0.2 0.1\n", "Ka"), (b"Ks 0.9 0.7 0.3\n", "Ks"), (b"Ni 2.4\n", "Ni"), (b"illum 0\n", "illum 0"), (b"Ks spectral a.rfl\n", "\"Ks spectral a.rfl\""),
+                              (b"Ni 1.5\nillum 7\n", "Ni of material \"all\"; illum 7")):
+            self.square(b"Ke 0 1 0\n" + library)
+            self.assertIn(f"{WORDS}{part} of material \"all\"\n", self.said(), library)
+
+    def test_unlit(self):
+        self.write("leaf.png", png([(255, 255, 255, 255), (0, 255, 0, 40)]))
+        leaf = (self.folder / "leaf.png").read_bytes()
+        plain = {"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 1, 1], "metallicFactor": 0}, "emissiveFactor": [1, 0, 0], "extensions": {"KHR_materials_unlit": {}}}
+        holed = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "alphaMode": "MASK", "extensions": {"KHR_materials_unlit": {}, "KHR_materials_clearcoat": {"clearcoatFactor": 1}}}
+        self.write("square.gltf", {**gltf([plain, holed], [leaf], [{"source": 0}]), "extensionsUsed": ["KHR_materials_unlit"]})
+        self.scene("square.gltf")
+        self.assertEqual(self.picture(), ((0, 0, 255), (0, 0, 0)))  # its light is not that of "emissiveFactor"; a hole
+        self.assertNotIn(WORDS, self.said())
+        light = ("-D", "sun.intensity=9", "-D", "sun.direction=[0,0,1]")
+        self.assertEqual(self.picture(*light)[0], (0, 0, 255))
+        colored = gltf([plain])
+        colored["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 0
+        self.write("square.gltf", colored)
+        self.assertIn(WORDS + "COLOR_0 of what is unlit", self.said())
+
     def test_textures_that_a_gltf_moves(self):
         red, green, blue, white = (255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (255,) * 4
         across, down = png([red, red, green, green]), png([red, red, green, green, blue, blue, white, white], 1)

@@ -2,6 +2,7 @@
 #include "scene/value/animated.hpp"
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -62,4 +63,19 @@ TEST_CASE("keyframes: two at one time are a jump") {
   const Animated<float> cut({{0, 0.0F}, {1, 2.0F}, {1, 10.0F}, {2, 12.0F}}, Ease::spline);
   CHECK((cut.at(1 - 1e-3) - cut.at(1 - 2e-3)) / 1e-3 == doctest::Approx(2).epsilon(0.02));
   CHECK((cut.at(1 + 2e-3) - cut.at(1 + 1e-3)) / 1e-3 == doctest::Approx(2).epsilon(0.02));
+}
+
+TEST_CASE("keyframes: when a value has jumped last") {
+  const double never = -std::numeric_limits<double>::infinity();
+  const Animated<float> cut({{0, 1.0F}, {1, 2.0F}, {1, 5.0F}, {2, 5.0F}, {2, 5.0F}, {3, 0.0F}},
+                            Ease::linear);
+  CHECK(cut.jumpedBy(0.999) == never);
+  CHECK(cut.jumpedBy(1) == 1.0);  // where it has the second key's value
+  CHECK(cut.at(1) == 5.0F);
+  CHECK(cut.jumpedBy(9) == 1.0);  // from 5 to 5 is none
+  const Animated<float> steps({{0, 1.0F}, {1, 2.0F}, {2, 2.0F}}, Ease::hold);
+  CHECK(steps.jumpedBy(0.5) == never);
+  CHECK(steps.jumpedBy(1.5) == 1.0);
+  CHECK(steps.jumpedBy(2.5) == 1.0);
+  CHECK(Animated<float>(3.0F).jumpedBy(9) == never);
 }

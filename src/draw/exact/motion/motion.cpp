@@ -73,6 +73,7 @@ void Motion::keep(const sim::Drawables& before) {
     moving.indices = surface.indexCount;
     moving.still = surface.still;
     moving.model = surface.model;
+    moving.jumped = surface.jumped;
     if (moving.count == 0) continue;
     moving.before.makeRoom(moving.count);
     toWorld(surface, moving.before);
@@ -92,9 +93,15 @@ void Motion::keep(const sim::Drawables& before) {
   gl::barrier();
 }
 
-void Motion::begin(const sim::Drawables& now, double seconds) {
+std::optional<float> Motion::jumpAt(double before, double now) const {
+  if (now == before) return std::nullopt;
+  return static_cast<float>(1 - (at_ - now) / seconds_);
+}
+
+void Motion::begin(const sim::Drawables& now, double seconds, double at) {
   drawables_ = &now;
   seconds_ = seconds;
+  at_ = at;
   surfaces_.resize(now.surfaces.size());
   instances_.resize(now.instances.size());
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
@@ -105,6 +112,7 @@ void Motion::begin(const sim::Drawables& now, double seconds) {
                       moving.indices == surface.indexCount;
     const bool stays = surface.still != 0 && surface.still == moving.still && surface.model == moving.model;
     moving.moves = same && !stays;
+    moving.jump = same ? jumpAt(moving.jumped, surface.jumped) : std::nullopt;
     if (!moving.moves) continue;
     moving.now.makeRoom(moving.count);
     moving.shown.makeRoom(moving.count);
@@ -156,7 +164,7 @@ void Motion::place(sim::Instances& instances, Moving& moving, float part) {
 
 Motion::Way Motion::wayOf(std::size_t surface) const {
   const Moving& moving = surfaces_.at(surface);
-  if (!moving.moves) return {};
+  if (!moving.moves || moving.jump) return {};
   Way way{moving.before.first.readAll<glm::vec4>(), moving.now.first.readAll<glm::vec4>()};
   for (auto* places : {&way.before, &way.now}) places->resize(static_cast<std::size_t>(moving.count));
   return way;
@@ -179,8 +187,14 @@ sim::Drawables Motion::cameraAt(float part) const {
   camera.places = drawables_->places;
   camera.lagging = drawables_->lagging;
   camera.paths = drawables_->paths;
-  for (std::size_t i = 0; i < std::min(places_.size(), camera.places.size()); ++i)
-    camera.places[i].middle = glm::mix(places_[i].middle, camera.places[i].middle, part);
+  for (std::size_t i = 0; i < std::min(places_.size(), camera.places.size()); ++i) {
+    sim::Place& place = camera.places[i];
+    const std::optional<float> jump = jumpAt(places_[i].jumped, place.jumped);
+    if (!jump)
+      place.middle = glm::mix(places_[i].middle, place.middle, part);
+    else if (part < *jump)
+      place.middle = places_[i].middle;
+  }
   for (std::size_t i = 0; i < std::min(lagging_.size(), camera.lagging.size()); ++i)
     camera.lagging[i] = glm::mix(lagging_[i], camera.lagging[i], part);
   return camera;
@@ -191,7 +205,8 @@ const sim::Drawables& Motion::between(float part) {
   shown_ = *drawables_;
   gl::barrier();  // the moment before may still be drawn
   for (std::size_t i = 0; i < surfaces_.size(); ++i)
-    if (surfaces_[i].moves) place(shown_.surfaces[i], surfaces_[i], part);
+    if (Moving& moving = surfaces_[i]; moving.moves && (!moving.jump || part < *moving.jump))
+      place(shown_.surfaces[i], moving, moving.jump ? 0 : part);
   for (std::size_t i = 0; i < instances_.size(); ++i)
     if (instances_[i].moves) place(shown_.instances[i], instances_[i], part);
   const sim::Drawables camera = cameraAt(part);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,7 +16,8 @@
 namespace simreel::draw {
 
 /// Moments between two frames: vertices and instances go straight from where they were to where they are,
-/// as of two motion steps of a path tracer. Surfaces whose triangles the GPU makes anew (those with
+/// as of two motion steps of a path tracer. What jumped along its keyframes meanwhile stays where it was
+/// until then, and stands where it is from then on. Surfaces whose triangles the GPU makes anew (those with
 /// `arguments`), fields and charts stay as they are.
 class Motion {
  public:
@@ -24,14 +26,15 @@ class Motion {
 
   /// What was drawn, or would have been, of the frame before.
   void keep(const sim::Drawables& before);
-  /// What is drawn of the frame, `seconds` after that one. Its pointers have to live as long as between()
-  /// is asked.
-  void begin(const sim::Drawables& now, double seconds);
+  /// What is drawn of the frame at time `at` (s), `seconds` after that one. Its pointers have to live as
+  /// long as between() is asked.
+  void begin(const sim::Drawables& now, double seconds, double at = 0);
   /// At a part of the way, 0 at the frame before and 1 at this one; lives until the next call. Things that
   /// were not there before are as they are.
   [[nodiscard]] const sim::Drawables& between(float part);
 
-  /// Where the vertices of a surface were and are, in the world (m): xyz. Empty for what does not move.
+  /// Where the vertices of a surface were and are, in the world (m): xyz. Empty for what does not move, and
+  /// for what jumped.
   struct Way {
     std::vector<glm::vec4> before, now;
   };
@@ -57,18 +60,22 @@ class Motion {
     int indices = 0;
     unsigned still = 0;
     glm::mat4 model{1.0F};
-    bool moves = false;  ///< between the two frames, as far as the CPU knows
+    bool moves = false;              ///< between the two frames, as far as the CPU knows
+    double jumped = 0;               ///< s: when its object did last
+    std::optional<float> jump = {};  ///< the part of the way at which it jumps in between
     Elements before, now, shown;
   };
 
   const gl::Program& program(const std::string& name, const gl::Defines& defines = {});
+  /// The part of the way at which what jumped last at these times (s) does so between the frames.
+  [[nodiscard]] std::optional<float> jumpAt(double before, double now) const;
   void toWorld(const sim::Surface& surface, const Elements& into);
   void copy(const sim::Instances& instances, const Elements& into);
   void place(sim::Surface& surface, Moving& moving, float part);
   void place(sim::Instances& instances, Moving& moving, float part);
 
   bool fast_;
-  double seconds_ = 0;
+  double seconds_ = 0, at_ = 0;
   std::map<std::string, gl::Program> programs_;
   std::vector<Moving> surfaces_, instances_;
   std::vector<sim::Place> places_;  ///< of the frame before, and the next

@@ -130,6 +130,7 @@ struct ExactScene::State {
   std::optional<LampMaps> lampMaps;
   ShadedTiles tiles;
   Occlusion occlusion;
+  float farther = 0;                       ///< m that the moment's eye stands back (View::farther)
   float occlusionRadius = 0;               ///< of this picture (m)
   std::optional<Reflections> reflections;  ///< from the first picture on that has mirrors
   bool mirrors = false;                    ///< some of this picture show the scene

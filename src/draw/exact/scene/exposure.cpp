@@ -51,9 +51,10 @@ View ExactScene::State::prepare(const Moment& moment, sim::Drawables& drawables,
   sayFinishes(drawables);
   apart.take(drawables.surfaces);
   if (apart.anyBlended()) beginLayers();
-  const View seen = viewAt(scene.camera, moment.seconds, size, drawables);
+  const View seen = viewAt(scene.camera, moment.seconds, size, drawables, groundSeen(scene));
   const shader::ExactView values = exactView(seen, scene.camera, size);
   view.write(0, std::as_bytes(std::span(&values, 1)));
+  farther = seen.farther;
   occlusionRadius = occlusionRadiusOf(scene, seen);
   mirrors = occludes() && anyMirrors(drawables);
   if (mirrors) {

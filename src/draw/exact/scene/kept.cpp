@@ -76,9 +76,9 @@ std::optional<CameraWay> ExactScene::State::cameraWayNow() const {
       std::find(layersWanted.begin(), layersWanted.end(), Layer::vector) == layersWanted.end())
     return std::nullopt;
   const double seconds = exposed->frameSeconds;
-  const View now = viewAt(scene.camera, exposedSeconds, size, *there);
-  const View before =
-      viewAt(scene.camera, exposedSeconds - seconds, size, exposed->motion->cameraAt(exposed->part - 1));
+  const View now = viewAt(scene.camera, exposedSeconds, size, *there, groundSeen(scene));
+  const View before = viewAt(scene.camera, exposedSeconds - seconds, size,
+                             exposed->motion->cameraAt(exposed->part - 1), groundSeen(scene));
   return CameraWay{exactView(now, scene.camera, size), exactView(before, scene.camera, size), seconds};
 }
 
@@ -96,7 +96,8 @@ void ExactScene::State::keepLayers(const shader::ExactView& values) {
   const std::vector<DrawnThing> things = thingsDrawn();
   const std::optional<Velocities> velocities = velocitiesNow();
   const std::optional<CameraWay> way = cameraWayNow();
-  layerKeeper->add(visibility, values, things, velocities ? &*velocities : nullptr, way ? &*way : nullptr);
+  layerKeeper->add(visibility, values, things, velocities ? &*velocities : nullptr, way ? &*way : nullptr,
+                   farther);
 }
 
 /// What picture.comp makes a picture of.

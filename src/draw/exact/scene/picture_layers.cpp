@@ -76,7 +76,7 @@ void LayerKeeper::keepVector(std::size_t pixel, const std::optional<glm::dvec2>&
 // A key is less the nearer it is: most - the bits of near / depth.
 void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& view,
                       std::span<const DrawnThing> things, const Velocities* velocities,
-                      const CameraWay* way) {
+                      const CameraWay* way, float farther) {
   const std::vector<GLuint> keys = visibility.readKeys();
   const std::vector<GLuint> numbers =
       wants(Layer::primitive) || velocities != nullptr ? visibility.readNumbers() : std::vector<GLuint>();
@@ -91,7 +91,7 @@ void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& vie
         const float depth = depthOf(view, std::bit_cast<float>(farthestKey - key));
         const glm::vec3 place =
             placeOf(view, {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F}, depth);
-        if (!layers_.depth.empty()) layers_.depth[pixel] = depth;
+        if (!layers_.depth.empty()) layers_.depth[pixel] = depth - farther;
         for (int i = 0; i < 3 && !layers_.position.empty(); ++i)
           layers_.position[3 * pixel + static_cast<std::size_t>(i)] = place[i];
         const unsigned number =

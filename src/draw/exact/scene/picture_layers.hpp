@@ -89,9 +89,10 @@ class LayerKeeper {
  public:
   LayerKeeper(PictureLayers& into, std::span<const Layer> wanted, glm::ivec2 size, int samples);
   /// Waits for the device. `things`: what has numbers, their first ones ascending.
-  /// `velocities`: of all that moves, where they are wanted; `way`: where vectors are.
+  /// `velocities`: of all that moves, where they are wanted; `way`: where vectors are. `farther`: that the
+  /// eye stands back (View::farther), which is no depth.
   void add(const Visibility& visibility, const shader::ExactView& view, std::span<const DrawnThing> things,
-           const Velocities* velocities, const CameraWay* way);
+           const Velocities* velocities, const CameraWay* way, float farther = 0);
 
  private:
   [[nodiscard]] bool wants(Layer layer) const;

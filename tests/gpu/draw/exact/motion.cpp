@@ -2,8 +2,11 @@
 // moves between frames.
 #include "draw/exact/motion/motion.hpp"
 
+#include "frame/draw_world.hpp"
 #include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
 
 #include <bit>
 #include <cmath>
@@ -112,6 +115,74 @@ TEST_CASE("exact: a shutter spreads what moves over its way while it is open, an
                 .epsilon(0.01));
     }
   }
+}
+
+TEST_CASE("exact: a shutter sees what jumps at one place and then at the other, and nothing in between") {
+  testContext();
+  const auto before = sheetAt({-0.3F, 0.1F}), now = sheetAt({0.5F, -0.2F});
+  constexpr int samples = 13;
+  const scene::Scene scene = sceneOfSheet(360, samples);
+  const double metre = pixelsPerMetre(scene);
+  draw::PassPicture kept;
+  draw::Renderer renderer(scene, shotSize, 4, {.rasterizer = scene::Rasterizer::exact});
+  renderer.keepPasses(&kept);
+  const Smear rest = boxOf(metre);
+  sim::Surface jumped = now->surface;
+  jumped.jumped = 1 - 0.7 / scene.time.fps;  // so 9 of the 13 moments see it where it is
+  renderer.keepBefore({.surfaces = {before->surface}});
+  renderer.draw(1, {.surfaces = {jumped}});
+  const Smear seen = smearOf(kept, shotSize);
+  CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.01));
+  const glm::dvec2 end(0.5, 0.2), way(0.8, 0.3);
+  for (int i = 0; i < 2; ++i) {
+    CHECK(seen.middle[i] - rest.middle[i] ==
+          doctest::Approx(metre * (end[i] - 4.0 / 13 * way[i])).epsilon(0.02));
+    CHECK(seen.spread[i] ==
+          doctest::Approx(rest.spread[i] + 36.0 / 169 * metre * metre * way[i] * way[i]).epsilon(0.01));
+  }
+  // From then on it has jumped before.
+  renderer.keepBefore({.surfaces = {jumped}});
+  renderer.draw(1 + 1 / scene.time.fps, {.surfaces = {jumped}});
+  CHECK(smearOf(kept, shotSize).spread.x == doctest::Approx(rest.spread.x).epsilon(0.01));
+}
+
+TEST_CASE("exact: what jumps by keyframes has no speed there, and a camera that looks at it jumps along") {
+  testContext();
+  const auto layersAt = [](const char* keys, int frame) {
+    const scene::Scene scene = scene::parseScene(
+        R"({"version": 1, "render": {"size": [48, 27], "samples": 1}, "time": {"fps": 10},
+            "camera": {"position": [0, 0, 6], "track": "ball", "shutter": {"angle": 360, "samples": 4}}, "sun": {"intensity": 0},
+            "sky": {"zenith": [0.5, 0.5, 0.5], "horizon": [0.5, 0.5, 0.5], "ground": [0.5, 0.5, 0.5]},
+            "objects": {"ball": {"sphere": {"radius": 0.5, "position": {"keys": )" +
+            std::string(keys) + R"(}}, "material": {"color": [0.05, 0.05, 0.05]}}}})",
+        "scene.json", {}, sim::kinds());
+    sim::World world(scene);
+    draw::Renderer renderer(scene, scene.render.size, scene.render.samples);
+    renderer.keepLayers({{draw::Layer::velocity, draw::Layer::vector, draw::Layer::object}, false, 32});
+    frame::followMotion(renderer, world);
+    world.advanceTo(frame);
+    frame::drawWorld(renderer, world);
+    return renderer.takeLayers();
+  };
+  const auto middle = [](const draw::PictureLayers& layers) {
+    const std::size_t pixel = std::size_t{48} * 13 + 24;
+    return glm::vec4(layers.velocity[3 * pixel], layers.light[4 * pixel], layers.vector[2 * pixel],
+                     layers.light[4 * (pixel + 20)]);
+  };
+  // A metre a second, but for the jump of 2 m within frame 5.
+  const char* const jumping =
+      "[[0, [0, 0, 0]], [0.45, [0.45, 0, 0]], [0.45, [2.45, 0, 0]], [1, [3, 0, 0]]]";
+  const char* const steady = "[[0, [0, 0, 0]], [1, [1, 0, 0]]]";
+  for (const int frame : {4, 6}) {
+    CAPTURE(frame);
+    CHECK(middle(layersAt(jumping, frame)).x == doctest::Approx(1).epsilon(1e-3).scale(0));
+  }
+  const draw::PictureLayers there = layersAt(jumping, 5), plain = layersAt(steady, 5);
+  CHECK(middle(there).x == 0.0F);
+  CHECK(middle(plain).x == doctest::Approx(1).epsilon(1e-3).scale(0));
+  // The ball is in the middle at every moment: as bright as ever, and beside it there is nothing of it.
+  CHECK(middle(there).y == doctest::Approx(static_cast<double>(middle(plain).y)).epsilon(0.02).scale(0));
+  CHECK(middle(there).w == doctest::Approx(static_cast<double>(middle(plain).w)).epsilon(0.02).scale(0));
 }
 
 TEST_CASE("exact: a shutter sees the camera move, and a frame before which nothing is known stand still") {
