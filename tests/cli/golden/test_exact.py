@@ -18,8 +18,8 @@ SIZE = (150, 84, 4)
 FINE = (75, 42, 16)
 FINE_SCENES = {"cascade", "cave", "cave_map", "leather", "meadow", "raft", "sparks", "swarm", "waves"}
 FLIP = 0.01
-# One scene of each way of drawing; all of them where SIMREEL_LONG says so.
-FEW = ["cave", "contour", "flag", "lanterns", "smoke", "sparks"]
+# Surfaces with textures, fields, glows; all scenes where SIMREEL_LONG says so.
+FEW = ["contour", "flag", "sparks"]
 LONG = os.environ.get("SIMREEL_LONG") == "1"
 # Frames of scenes that show little in their first.
 LATER = dict.fromkeys(("collision", "contour", "raft", "ripple", "snow", "tablecloth", "waves"), 8)
