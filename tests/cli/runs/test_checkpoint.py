@@ -7,7 +7,7 @@ import time
 from common import SLOW, Case, main, with_values
 
 FIELDS = {
-    "version": 1, "render": {"size": [96, 54], "samples": 1}, "time": {"fps": 30, "duration": 1, "start": 0.1},
+    "version": 1, "render": {"size": [96, 54], "samples": 1}, "time": {"fps": 30, "duration": 2, "start": 0.1},
     "objects": {
         "people": {"epidemic": {"size": [331, 257], "infected": 0.01, "stepsPerSecond": 200, "chart": True}},
         "skin": {"grayScott": {"size": [255, 131], "steps": 30}},
@@ -21,7 +21,7 @@ class Checkpoints(Case):
 
     def setUp(self):
         super().setUp()
-        self.write("slow.json", with_values(SLOW | {"time.duration": 1.2}))
+        self.write("slow.json", with_values(SLOW | {"time.duration": 1.5}))
         self.checkpoint = self.folder / "out/checkpoint"
 
     def kill(self, number, count, *arguments):
