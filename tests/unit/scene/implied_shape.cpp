@@ -53,8 +53,8 @@ TEST_CASE("a file that is given says which shape") {
     const std::string without = understoodAs(kind.object, "");
     CHECK(without.front() == '{');
     CHECK(without == understoodAs(kind.object, named(kind.shape)));
-    test::checkHas(without, fmt::format(R"("shape":"{}")", kind.shape));
-    test::checkHas(understoodAs(kind.object, named(kind.other)),
-                   fmt::format(R"(is read only with "shape": "{}", or none)", kind.shape));
+    simreel::test::checkHas(without, fmt::format(R"("shape":"{}")", kind.shape));
+    simreel::test::checkHas(understoodAs(kind.object, named(kind.other)),
+                            fmt::format(R"(is read only with "shape": "{}", or none)", kind.shape));
   }
 }
