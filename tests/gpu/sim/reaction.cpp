@@ -272,8 +272,7 @@ TEST_CASE("reaction: several steps a pass give the same bits, and tell what is l
   const std::string grown = R"X("dt": 1, "steps": 11, "species": {
     "u": {"diffusion": 0.063, "start": "1 - 0.4*abs(random(1))", "rate": "0.04*(1 - u) - u*v^2 + 0.01*corners(v) - 0.01*neighbours(v)"},
     "v": {"diffusion": 0.0315, "start": "0.4*abs(random(2))", "rate": "u*v^2 - 0.1*v + 0.001*tanh(ddy(u))"}})X";
-  for (const glm::ivec2 size :
-       {glm::ivec2(4, 5), glm::ivec2(64, 37), glm::ivec2(148, 83), glm::ivec2(260, 9)}) {
+  for (const glm::ivec2 size : {glm::ivec2(4, 5), glm::ivec2(64, 37), glm::ivec2(260, 9)}) {
     CAPTURE(size.x);
     for (const bool isClosed : {false, true}) {
       CAPTURE(isClosed);
