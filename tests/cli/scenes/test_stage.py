@@ -1,11 +1,20 @@
 """Scenes of one line stand on a stage; a lens, spot lights: their pictures, against baselines beside them."""
+import os
+
 from common import SOURCE, Case, main, png_rows, unfiltered
+
+# Most of the time of all; what they show is in others and in tests/gpu/draw, too. With SIMREEL_LONG alone.
+LONG = {"casket", "neon"}
 
 
 class Stage(Case):
     def test_pictures_of_scenes_of_one_line(self):
-        done = self.good("test", str(SOURCE / "tests/cli/scenes/stage"), "--repeat", "1")
-        self.assertIn("20 scenes: 20 passed", done.stdout.decode())
+        stage = sorted((SOURCE / "tests/cli/scenes/stage").glob("*.json"))
+        self.assertLessEqual(LONG, {file.stem for file in stage})
+        self.assertGreaterEqual(len(stage), 20)
+        chosen = [file for file in stage if file.stem not in LONG or os.environ.get("SIMREEL_LONG") == "1"]
+        done = self.good("test", *chosen, "--repeat", "1", timeout=800)
+        self.assertIn(f"{len(chosen)} scenes: {len(chosen)} passed", done.stdout.decode())
 
 
     def test_what_the_driver_cannot_do_is_said(self):
