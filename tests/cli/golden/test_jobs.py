@@ -43,7 +43,9 @@ class Several(GoldenCase):
     def same_but_times(self, one, other):
         """Two report folders. The page is made of report.json alone, which it holds packed, with times and commands."""
         def told(name):
-            return {path: TIMES.sub(b"", content.replace(name.encode(), b"R")) for path, content in self.tree(name).items()}
+            # A picture's bytes may hold the folder's name by chance.
+            return {path: content if path.endswith(".png") else TIMES.sub(b"", content.replace(name.encode(), b"R"))
+                    for path, content in self.tree(name).items()}
         one, other = told(one), told(other)
         self.assertEqual(sorted(one), sorted(other))
         # Not their bytes, of which a difference takes minutes to print.
