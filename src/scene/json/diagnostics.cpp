@@ -124,6 +124,7 @@ std::string Diagnostics::describe(const Error& error, const char* kind) const {
 
 std::vector<const Diagnostics::Error*> Diagnostics::inOrder(const std::vector<Error>& found) {
   std::vector<const Error*> ordered;
+  ordered.reserve(found.size());
   for (const Error& error : found) ordered.push_back(&error);
   std::stable_sort(ordered.begin(), ordered.end(), [](const Error* a, const Error* b) {
     return std::tie(a->place.source, a->place.begin) < std::tie(b->place.source, b->place.begin);

@@ -18,6 +18,7 @@
 #include "draw/frame_values.hpp"
 #include "draw/rows_at_once.hpp"
 #include "draw/surface/shadow_pass.hpp"
+#include "draw/surface/surface_pass.hpp"
 
 #include <array>
 #include <optional>
