@@ -4,7 +4,9 @@
 #include "base/log.hpp"
 #include "gl/driver_threads.hpp"
 #include "gl/errors.hpp"
+#include "gl/kernel_compiler.hpp"
 #include "gl/limits.hpp"
+#include "gl/linked_program.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -23,6 +25,13 @@ namespace {
 Limits currentLimits;
 MemoryPath currentPath = MemoryPath::storage;
 bool currentIsSoftware = false;
+
+/// What further contexts are made of.
+struct Origin {
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLConfig config = EGL_NO_CONFIG_KHR;
+  std::vector<EGLint> attributes;
+} origin;
 
 /// An EGL display of one device with a current context on it.
 class Display {
@@ -46,6 +55,7 @@ class Display {
  private:
   void release() {
     if (display_ == EGL_NO_DISPLAY) return;
+    if (origin.display == display_) origin = {};
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
     eglTerminate(display_);
@@ -101,7 +111,9 @@ Display::Display(EGLDeviceEXT device, bool debug) {
     if (robust) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE});
     attributes.push_back(EGL_NONE);
     context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, attributes.data());
-    if (context_ != EGL_NO_CONTEXT) break;
+    if (context_ == EGL_NO_CONTEXT) continue;
+    origin = {display_, config, attributes};
+    break;
   }
   if (context_ == EGL_NO_CONTEXT ||
       eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
@@ -341,7 +353,26 @@ Context::Context(const ContextOptions& options) : state_(std::make_unique<State>
          state_->device.version, state_->reason, texel ? "texel" : "storage");
 }
 
-Context::~Context() = default;
+Context::~Context() {
+  KernelCompiler::end();
+  LinkedProgram::forgetAll();
+}
+
+std::unique_ptr<SideContext> SideContext::make() {
+  if (origin.display == EGL_NO_DISPLAY || eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) return nullptr;
+  EGLContext context =
+      eglCreateContext(origin.display, origin.config, EGL_NO_CONTEXT, origin.attributes.data());
+  if (context == EGL_NO_CONTEXT) return nullptr;
+  std::unique_ptr<SideContext> made(new SideContext(origin.display, context));
+  if (eglMakeCurrent(origin.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) return nullptr;
+  return made;
+}
+
+SideContext::~SideContext() {
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display_, context_);
+  eglReleaseThread();
+}
 
 const DeviceInfo& Context::device() const {
   return state_->device;

@@ -56,6 +56,24 @@ class Context {
   std::unique_ptr<State> state_;
 };
 
+/// A further context beside the current Context, on its device and current on the thread that makes it. It
+/// shares no objects with the other one. End it before that.
+class SideContext {
+ public:
+  /// Null where the driver offers none, or there is no Context.
+  static std::unique_ptr<SideContext> make();
+  ~SideContext();
+  SideContext(SideContext&&) = delete;
+  SideContext(const SideContext&) = delete;
+  SideContext& operator=(SideContext&&) = delete;
+  SideContext& operator=(const SideContext&) = delete;
+
+ private:
+  SideContext(void* display, void* context) : display_(display), context_(context) {}
+  void* display_;  ///< EGLDisplay
+  void* context_;  ///< EGLContext
+};
+
 /// Of the current context.
 [[nodiscard]] MemoryPath memoryPath();
 /// Whether the current context draws on the CPU, where some filters cost more than they show.

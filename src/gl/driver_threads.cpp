@@ -52,6 +52,10 @@ void shareProcessors(std::size_t processes) {
   sharers = std::max<std::size_t>(processes, 1);
 }
 
+std::size_t processorShare() {
+  return std::max<std::size_t>(processorCount() / sharers, 1);
+}
+
 void chooseDriverThreads() {
   // llvmpipe starts so many threads for pictures and so many for kernels, 32 at most; then come ours.
   constexpr std::size_t most = 32;

@@ -7,6 +7,9 @@ namespace simreel::gl {
 /// thread of the driver on each. Call before the first context.
 void shareProcessors(std::size_t processes);
 
+/// Processors that this process may use: all of them, or its part of them.
+[[nodiscard]] std::size_t processorShare();
+
 /// Call before the first context. How many threads a software driver shall use, as $LP_NUM_THREADS, which
 /// stays where it is set: two a processor, so that no processor waits for a slower one. Where the
 /// system grants few threads or little address space (prlimit --nproc, ulimit -v), one: it would wait for

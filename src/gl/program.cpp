@@ -1,83 +1,79 @@
 #include "gl/program.hpp"
 
 #include "base/error.hpp"
+#include "gl/buffer.hpp"
+#include "gl/context.hpp"
 #include "gl/errors.hpp"
 #include "gl/limits.hpp"
+#include "gl/linked_program.hpp"
+#include "gl/rehearsal.hpp"
+#include "gl/uniform.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace simreel::gl {
 
 namespace {
 
-Handle<DeleteShader> compile(GLenum stage, const std::string& path, const ShaderSource& source) {
-  Handle<DeleteShader> shader(glCreateShader(stage));
-  const char* text = source.text.c_str();
-  glShaderSource(shader.get(), 1, &text, nullptr);
-  glCompileShader(shader.get());
-  GLint good = GL_FALSE;
-  glGetShaderiv(shader.get(), GL_COMPILE_STATUS, &good);
-  if (good != GL_TRUE) {
-    GLint length = 0;
-    glGetShaderiv(shader.get(), GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(length), '\0');
-    glGetShaderInfoLog(shader.get(), length, nullptr, log.data());
-    throw UserError(ExitCode::device,
-                    fmt::format("simreel: error: the driver cannot compile glsl/{}:\n{}", path,
-                                source.explain(log.c_str())),
-                    UserError::Form::report);
-  }
-  return shader;
+void checkBlock(GLuint program, const char* block, std::size_t bytes) {
+  const GLuint index = glGetUniformBlockIndex(program, block);
+  checkCalls();
+  SIMREEL_CHECK(index != GL_INVALID_INDEX);
+  GLint size = 0;
+  glGetActiveUniformBlockiv(program, index, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
+  checkCalls();
+  SIMREEL_CHECK_EQ(static_cast<std::size_t>(size), bytes);
 }
 
 }  // namespace
 
-void Program::link(const std::string& label) {
-  label_ = label;
-  glLinkProgram(name());
-  GLint good = GL_FALSE;
-  glGetProgramiv(name(), GL_LINK_STATUS, &good);
-  if (good != GL_TRUE) {
-    GLint length = 0;
-    glGetProgramiv(name(), GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(length), '\0');
-    glGetProgramInfoLog(name(), length, nullptr, log.data());
-    throw UserError(ExitCode::device,
-                    fmt::format("simreel: error: the driver cannot link {}:\n{}", label, log.c_str()),
-                    UserError::Form::report);
+/// What a Program has by itself.
+struct Program::Own {
+  explicit Own(std::shared_ptr<LinkedProgram> shared) : linked(std::move(shared)) {}
+  ~Own() { linked->leave(this); }
+  Own(Own&&) = delete;
+  Own(const Own&) = delete;
+  Own& operator=(Own&&) = delete;
+  Own& operator=(const Own&) = delete;
+
+  Uniform& uniform(const char* name, const Uniform::Value& value) {
+    const auto found =
+        std::find_if(uniforms.begin(), uniforms.end(), [&](const Uniform& one) { return one.name == name; });
+    if (found != uniforms.end()) return *found;
+    uniforms.push_back({name, value});
+    linked->mayBeGiven(uniforms.back());
+    return uniforms.back();
   }
-  glObjectLabel(GL_PROGRAM, name(), -1, label.c_str());
-}
+
+  std::shared_ptr<LinkedProgram> linked;
+  std::vector<Uniform> uniforms;
+  std::vector<std::pair<std::string, std::size_t>> blocks;  ///< names and bytes, to be checked once linked
+};
+
+Program::Program() = default;
+Program::~Program() = default;
+Program::Program(Program&&) noexcept = default;
+Program& Program::operator=(Program&&) noexcept = default;
+Program::Program(std::shared_ptr<LinkedProgram> linked) : own_(std::make_unique<Own>(std::move(linked))) {}
 
 Program Program::compute(const std::string& path, const Defines& defines) {
-  return computeFrom(path, loadShader(path, defines));
+  return Program(LinkedProgram::of(path, {{GL_COMPUTE_SHADER, path, loadShader(path, defines)}}));
 }
 
 Program Program::computeText(const std::string& name, const std::string& text, const Defines& defines) {
-  return computeFrom(name, loadShaderText(name, text, defines));
-}
-
-Program Program::computeFrom(const std::string& path, const ShaderSource& source) {
-  Program program;
-  program.handle_ = Handle<DeleteProgram>(glCreateProgram());
-  const auto shader = compile(GL_COMPUTE_SHADER, path, source);
-  glAttachShader(program.name(), shader.get());
-  program.link(path);
-  glDetachShader(program.name(), shader.get());
-  glGetProgramiv(program.name(), GL_COMPUTE_WORK_GROUP_SIZE, program.groupSize_);
-  return program;
+  return Program(LinkedProgram::of(name, {{GL_COMPUTE_SHADER, name, loadShaderText(name, text, defines)}}));
 }
 
 Program Program::graphics(const std::string& vertexPath, const std::string& fragmentPath,
                           const Defines& defines) {
-  Program program;
-  program.handle_ = Handle<DeleteProgram>(glCreateProgram());
-  const auto vertex = compile(GL_VERTEX_SHADER, vertexPath, loadShader(vertexPath, defines));
-  const auto fragment = compile(GL_FRAGMENT_SHADER, fragmentPath, loadShader(fragmentPath, defines));
-  glAttachShader(program.name(), vertex.get());
-  glAttachShader(program.name(), fragment.get());
-  program.link(vertexPath + " + " + fragmentPath);
-  glDetachShader(program.name(), vertex.get());
-  glDetachShader(program.name(), fragment.get());
-  return program;
+  return Program(
+      LinkedProgram::of(vertexPath + " + " + fragmentPath,
+                        {{GL_VERTEX_SHADER, vertexPath, loadShader(vertexPath, defines)},
+                         {GL_FRAGMENT_SHADER, fragmentPath, loadShader(fragmentPath, defines)}}));
 }
 
 void checkGroups(const std::string& label, int x, int y, const Limits& allowed) {
@@ -87,59 +83,95 @@ void checkGroups(const std::string& label, int x, int y, const Limits& allowed) 
          y, allowed.groupsX, allowed.groupsY);
 }
 
-void Program::dispatch(int x, int y) const {
-  if (x <= 0 || y <= 0) return;
-  const GLint groupsX = (x - 1) / groupSize_[0] + 1;
-  const GLint groupsY = (y - 1) / groupSize_[1] + 1;
-  checkGroups(label_, groupsX, groupsY, limits());
-  use();
-  glDispatchCompute(static_cast<GLuint>(groupsX), static_cast<GLuint>(groupsY), 1);
+void Program::link() const {
+  own_->linked->link();
+  for (const auto& [block, bytes] : std::exchange(own_->blocks, {}))
+    checkBlock(own_->linked->name(), block.c_str(), bytes);
 }
 
-GLint Program::location(const char* uniform) const {
-  const auto found = locations_.find(uniform);
-  if (found != locations_.end()) return found->second;
-  const GLint place = glGetUniformLocation(name(), uniform);
-  locations_.emplace(uniform, place);
-  return place;
+GLuint Program::name() const {
+  if (own_ == nullptr) return 0;
+  link();
+  return own_->linked->name();
+}
+
+void Program::use() const {
+  link();
+  LinkedProgram& linked = *own_->linked;
+  if (linked.user() != own_.get()) linked.giveTo(own_.get(), own_->uniforms);
+  glUseProgram(linked.name());
+}
+
+void Program::dispatch(int x, int y) const {
+  if (x <= 0 || y <= 0) return;
+  if (Rehearsal::note(own_->linked)) return;
+  link();
+  const GLint* size = own_->linked->groupSize();
+  const GLint groupsX = (x - 1) / size[0] + 1;
+  const GLint groupsY = (y - 1) / size[1] + 1;
+  checkGroups(own_->linked->label(), groupsX, groupsY, limits());
+  dispatchGroups(static_cast<GLuint>(groupsX), static_cast<GLuint>(groupsY), 1);
+}
+
+void Program::dispatchGroups(GLuint x, GLuint y, GLuint z) const {
+  if (Rehearsal::note(own_->linked)) return;
+  use();
+  own_->linked->dispatch([&] { glDispatchCompute(x, y, z); });
+}
+
+void Program::dispatchIndirect(const Buffer& commands, std::size_t offset) const {
+  if (Rehearsal::note(own_->linked)) return;
+  // Reading costs a software driver microseconds, and machine code for a kernel up to half a second.
+  if (softwareDriver() && !own_->linked->dispatched()) {
+    std::array<GLuint, 3> groups{};
+    commands.read(offset, std::as_writable_bytes(std::span(groups)));
+    if (groups[0] == 0 || groups[1] == 0 || groups[2] == 0) return;
+  }
+  use();
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, commands.name());
+  own_->linked->dispatch([&] { glDispatchComputeIndirect(static_cast<GLintptr>(offset)); });
+}
+
+template <class T>
+void Program::assign(const char* uniform, const T& value) const {
+  Uniform& one = own_->uniform(uniform, value);
+  one.value = value;
+  if (own_->linked->user() == own_.get()) one.putInto(own_->linked->name());
 }
 
 void Program::set(const char* uniform, int value) const {
-  glProgramUniform1i(name(), location(uniform), value);
+  assign(uniform, value);
 }
 void Program::set(const char* uniform, unsigned value) const {
-  glProgramUniform1ui(name(), location(uniform), value);
+  assign(uniform, value);
 }
 void Program::set(const char* uniform, float value) const {
-  glProgramUniform1f(name(), location(uniform), value);
+  assign(uniform, value);
 }
 void Program::set(const char* uniform, const glm::ivec2& value) const {
-  glProgramUniform2i(name(), location(uniform), value.x, value.y);
+  assign(uniform, value);
 }
 void Program::set(const char* uniform, const glm::ivec4& value) const {
-  glProgramUniform4i(name(), location(uniform), value.x, value.y, value.z, value.w);
+  assign(uniform, value);
 }
 void Program::set(const char* uniform, const glm::vec2& value) const {
-  glProgramUniform2f(name(), location(uniform), value.x, value.y);
+  assign(uniform, value);
 }
 void Program::set(const char* uniform, const glm::vec3& value) const {
-  glProgramUniform3f(name(), location(uniform), value.x, value.y, value.z);
+  assign(uniform, value);
 }
 void Program::set(const char* uniform, const glm::vec4& value) const {
-  glProgramUniform4f(name(), location(uniform), value.x, value.y, value.z, value.w);
+  assign(uniform, value);
 }
 void Program::set(const char* uniform, const glm::mat4& value) const {
-  glProgramUniformMatrix4fv(name(), location(uniform), 1, GL_FALSE, &value[0][0]);
+  assign(uniform, value);
 }
 
 void Program::checkUniformBlock(const char* block, std::size_t bytes) const {
-  const GLuint index = glGetUniformBlockIndex(name(), block);
-  checkCalls();
-  SIMREEL_CHECK(index != GL_INVALID_INDEX);
-  GLint size = 0;
-  glGetActiveUniformBlockiv(name(), index, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
-  checkCalls();
-  SIMREEL_CHECK_EQ(static_cast<std::size_t>(size), bytes);
+  if (own_->linked->linked())
+    checkBlock(own_->linked->name(), block, bytes);
+  else
+    own_->blocks.emplace_back(block, bytes);
 }
 
 }  // namespace simreel::gl

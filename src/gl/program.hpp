@@ -3,7 +3,8 @@
 #include "gl/limits.hpp"
 #include "gl/shader_source.hpp"
 
-#include <map>
+#include <cstddef>
+#include <memory>
 #include <string>
 
 #include <glm/mat4x4.hpp>
@@ -13,22 +14,42 @@
 
 namespace simreel::gl {
 
-/// A linked program. Compile and link errors throw UserError(device) with file:line of the original
-/// shader files.
+class Buffer;
+class LinkedProgram;
+
+/// A program of the driver with uniform values of its own. Programs of one source share what the driver
+/// makes of it (LinkedProgram), which happens at the first use: compile and link errors throw
+/// UserError(device) there, with file:line of the original shader files.
 class Program {
  public:
-  Program() = default;
+  Program();
+  ~Program();
+  Program(Program&&) noexcept;
+  Program& operator=(Program&&) noexcept;
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  /// Throws UserError(device) where a file is missing.
   static Program compute(const std::string& path, const Defines& defines = {});
   /// Of a text in place of a file below glsl/, which it may include: for tests of what those files define.
   static Program computeText(const std::string& name, const std::string& text, const Defines& defines = {});
   static Program graphics(const std::string& vertexPath, const std::string& fragmentPath,
                           const Defines& defines = {});
 
-  void use() const { glUseProgram(name()); }
+  /// False for a default-constructed Program.
+  explicit operator bool() const { return own_ != nullptr; }
+
+  /// Makes it the current program, with its uniform values.
+  void use() const;
   /// Runs at least `items` (or x by y) invocations; shaders guard the rest. At most
   /// GL_MAX_COMPUTE_WORK_GROUP_COUNT groups in each direction: beyond it, UserError(device).
   void dispatch(int items) const { dispatch(items, 1); }
   void dispatch(int x, int y) const;
+  /// Runs x by y by z work groups.
+  void dispatchGroups(GLuint x, GLuint y, GLuint z) const;
+  /// Runs as many work groups as the command at byte `offset` of `commands` says, which is behind a
+  /// GL_COMMAND_BARRIER_BIT. On software drivers a kernel is not compiled for a command without groups.
+  void dispatchIndirect(const Buffer& commands, std::size_t offset) const;
 
   /// Uniforms by name; a name the driver optimised away is ignored.
   void set(const char* uniform, int value) const;
@@ -41,20 +62,21 @@ class Program {
   void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::mat4& value) const;
 
-  /// Stops the program unless the uniform block has exactly `bytes` bytes, as the C++ struct has.
+  /// Stops the program, at its first use, unless the uniform block has exactly `bytes` bytes, as the C++
+  /// struct has.
   void checkUniformBlock(const char* block, std::size_t bytes) const;
 
-  [[nodiscard]] GLuint name() const { return handle_.get(); }
+  /// The driver's name of it, linked; 0 for a default-constructed Program.
+  [[nodiscard]] GLuint name() const;
 
  private:
-  [[nodiscard]] GLint location(const char* uniform) const;
-  void link(const std::string& label);
-  static Program computeFrom(const std::string& label, const ShaderSource& source);
+  struct Own;
+  explicit Program(std::shared_ptr<LinkedProgram> linked);
+  void link() const;
+  template <class T>
+  void assign(const char* uniform, const T& value) const;
 
-  Handle<DeleteProgram> handle_;
-  std::string label_;
-  GLint groupSize_[3] = {1, 1, 1};
-  mutable std::map<std::string, GLint, std::less<>> locations_;
+  std::unique_ptr<Own> own_;
 };
 
 /// Throws UserError(device) where a dispatch of x by y work groups is beyond the limits.

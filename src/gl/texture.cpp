@@ -42,7 +42,8 @@ Texture Texture::image(const std::string& label, GLenum format, int width, int h
   texture.width_ = width;
   texture.height_ = height;
   const int all = std::bit_width(static_cast<unsigned>(std::max(width, height)));
-  glTextureStorage2D(texture.name(), levels == 0 ? all : levels, format, width, height);
+  texture.levels_ = levels == 0 ? all : levels;
+  glTextureStorage2D(texture.name(), texture.levels_, format, width, height);
   glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER,
                       levels == 1 ? GL_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
   glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -80,6 +81,31 @@ Texture Texture::view(const std::string& label, GLenum format, const BufferPart&
   glTextureBufferRange(texture.name(), format, part.buffer->name(), static_cast<GLintptr>(part.offset),
                        static_cast<GLsizeiptr>(part.bytes));
   return texture;
+}
+
+TextureShape Texture::shape() const {
+  TextureShape shape;
+  shape.format = format_;
+  shape.width = width_;
+  shape.height = height_;
+  shape.levels = levels_;
+  if (levels_ > 0) {
+    glGetTextureParameteriv(name(), GL_TEXTURE_MIN_FILTER, &shape.filters[0]);
+    glGetTextureParameteriv(name(), GL_TEXTURE_MAG_FILTER, &shape.filters[1]);
+    glGetTextureParameteriv(name(), GL_TEXTURE_WRAP_S, &shape.wraps[0]);
+    glGetTextureParameteriv(name(), GL_TEXTURE_WRAP_T, &shape.wraps[1]);
+    return shape;
+  }
+  GLint buffer = 0, offset = 0, bytes = 0;
+  GLint64 all = 0;
+  glGetTextureLevelParameteriv(name(), 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &buffer);
+  glGetTextureLevelParameteriv(name(), 0, GL_TEXTURE_BUFFER_OFFSET, &offset);
+  glGetTextureLevelParameteriv(name(), 0, GL_TEXTURE_BUFFER_SIZE, &bytes);
+  glGetNamedBufferParameteri64v(static_cast<GLuint>(buffer), GL_BUFFER_SIZE, &all);
+  shape.bufferBytes = static_cast<std::size_t>(all);
+  shape.offset = static_cast<std::size_t>(offset);
+  shape.viewBytes = static_cast<std::size_t>(bytes);
+  return shape;
 }
 
 void Texture::show(const Buffer& buffer, std::size_t texelBytes) {

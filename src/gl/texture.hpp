@@ -1,6 +1,7 @@
 #pragma once
 #include "gl/buffer.hpp"
 #include "gl/handle.hpp"
+#include "gl/rehearsal.hpp"
 
 #include <cstddef>
 #include <string>
@@ -26,7 +27,10 @@ class Texture {
   /// From now on a view of another buffer, or of one that was made anew.
   void show(const Buffer& buffer, std::size_t texelBytes);
 
-  void bind(GLuint unit) const { glBindTextureUnit(unit, name()); }
+  void bind(GLuint unit) const {
+    Rehearsal::bound(unit, *this);
+    glBindTextureUnit(unit, name());
+  }
   /// What reads beyond the border find: GL_REPEAT or GL_CLAMP_TO_EDGE.
   void wrap(GLint mode) const {
     glTextureParameteri(name(), GL_TEXTURE_WRAP_S, mode);
@@ -38,9 +42,17 @@ class Texture {
     glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
   void bindImage(GLuint unit, GLenum access) const {
-    glBindImageTexture(unit, name(), 0, GL_FALSE, 0, access, format_);
+    bindImage(unit, 0, access, format_);
   }
 
+  /// The same of one level, as another format.
+  void bindImage(GLuint unit, GLint level, GLenum access, GLenum format) const {
+    Rehearsal::boundImage(unit, *this, level, access, format);
+    glBindImageTexture(unit, name(), level, GL_FALSE, 0, access, format);
+  }
+
+  /// What drivers compile kernels for.
+  [[nodiscard]] TextureShape shape() const;
   [[nodiscard]] GLuint name() const { return handle_.get(); }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
@@ -53,6 +65,7 @@ class Texture {
   GLenum format_ = GL_NONE;
   int width_ = 0;
   int height_ = 0;
+  int levels_ = 0;  ///< 0: a view
   std::size_t offset_ = 0;
 };
 

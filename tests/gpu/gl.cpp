@@ -41,7 +41,7 @@ class ShaderFolder {
 
 std::string messageOf(const char* shader) {
   try {
-    static_cast<void>(gl::Program::compute(shader));
+    static_cast<void>(gl::Program::compute(shader).name());
   } catch (const UserError& error) {
     CHECK(error.code() == ExitCode::device);
     return error.what();

@@ -23,9 +23,8 @@ void GroupCounts::fill(const gl::Buffer& counts, const Order& order, const gl::B
   program_.dispatch(order.counts);
 }
 
-void GroupCounts::dispatch(const gl::Buffer& groups, std::size_t number) {
-  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.name());
-  glDispatchComputeIndirect(static_cast<GLintptr>(number * bytes));
+void GroupCounts::dispatch(const gl::Program& program, const gl::Buffer& groups, std::size_t number) {
+  program.dispatchIndirect(groups, number * bytes);
 }
 
 void GroupCounts::prepareLists(const gl::Buffer& counts, const Order& order,
@@ -40,14 +39,12 @@ void GroupCounts::prepareLists(const gl::Buffer& counts, const Order& order,
 void GroupCounts::dispatchList(const gl::Program& program, const gl::Buffer& groups, std::size_t number,
                                unsigned parts) {
   if (!gl::softwareDriver()) return dispatchFixed(program, parts);
-  program.use();
-  dispatch(groups, number);
+  dispatch(program, groups, number);
 }
 
 void GroupCounts::dispatchFixed(const gl::Program& program, unsigned parts) {
   constexpr unsigned groups = 2048;  // a card's processors hold about as many at a time
-  program.use();
-  glDispatchCompute(gl::softwareDriver() ? 16U : std::max(groups / parts, 1U), 1, parts);
+  program.dispatchGroups(gl::softwareDriver() ? 16U : std::max(groups / parts, 1U), 1, parts);
 }
 
 }  // namespace simreel::draw

@@ -24,8 +24,8 @@ class GroupCounts {
   };
   GroupCounts() : program_(gl::Program::compute("draw/exact/arguments.comp")) {}
   void fill(const gl::Buffer& counts, const Order& order, const gl::Buffer& groups) const;
-  /// Runs the program in use; what has filled the arguments is behind a barrier for commands.
-  static void dispatch(const gl::Buffer& groups, std::size_t number);
+  /// Runs the program; what has filled the arguments is behind a barrier for commands.
+  static void dispatch(const gl::Program& program, const gl::Buffer& groups, std::size_t number);
 
   /// Kernels that work through lists get groups for what is there on software drivers. On cards, where
   /// filling the arguments costs more than groups that find nothing, they get a fixed number, and go on

@@ -132,7 +132,7 @@ void Visibility::clear() const {
   // Cards for computing take a millisecond for what a kernel does in a fiftieth of it; software drivers
   // copy.
   constexpr GLuint most = 0xffffffffU;
-  if (clear_.name() == 0) {
+  if (!clear_) {
     glClearNamedBufferData(near_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &most);
     if (ids_.name() != 0)
       glClearNamedBufferData(ids_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &most);

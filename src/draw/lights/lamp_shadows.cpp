@@ -82,7 +82,7 @@ const gl::Buffer& LampShadows::allIndices(glm::ivec2 grid) {
 
 const gl::Program& LampShadows::programOf(const sim::Surface& surface) const {
   if (surface.deform == nullptr) return surface_;
-  if (deformed_.name() == 0) {
+  if (!deformed_) {
     gl::Defines defines = defines_;
     defines.emplace_back("DEFORMED", "1");
     deformed_ = gl::Program::graphics(surfaceVertices, fragments, defines);

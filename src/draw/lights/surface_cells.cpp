@@ -37,7 +37,7 @@ void SurfaceCells::growBox(const sim::Surface& surface, int number) {
   constexpr int maxInvocations = 1 << 14;
   constexpr int verticesEach = 32;
   gl::Program& program = surface.deform == nullptr ? box_ : deformedBox_;
-  if (program.name() == 0) program = gl::Program::compute(boxPath, {{"DEFORMED", "1"}});
+  if (!program) program = gl::Program::compute(boxPath, {{"DEFORMED", "1"}});
   const int invocations =
       std::clamp((surface.vertexCount + verticesEach - 1) / verticesEach, 1, maxInvocations);
   program.set("surface", number);

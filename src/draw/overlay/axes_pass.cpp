@@ -131,7 +131,7 @@ void AxesPass::draw(const sim::Drawables& drawables, double seconds, const gl::T
   SIMREEL_CHECK(exact_);
   const std::vector<glm::vec4> boxes = boxesOf(drawables, seconds);
   if (boxes.empty()) return;
-  if (program_.name() == 0) program_ = BoxList::kernel();
+  if (!program_) program_ = BoxList::kernel();
   imageBarrier();
   list_.paint(program_, boxes, picture);
   imageBarrier();
@@ -141,7 +141,7 @@ void AxesPass::draw(const sim::Drawables& drawables, double seconds) {
   SIMREEL_CHECK(!exact_);
   std::vector<glm::vec4> boxes = boxesOf(drawables, seconds);
   if (boxes.empty()) return;
-  if (program_.name() == 0)
+  if (!program_)
     program_ = gl::Program::graphics("draw/overlay/chart_text.vert", "draw/overlay/chart_text.frag");
   if (boxes != present_) {
     buffer_ = gl::Buffer::of<glm::vec4>("scales", boxes);

@@ -47,7 +47,7 @@ ChartLayout chartLayout(const sim::Chart& chart, glm::ivec2 picture) {
 }
 
 void ChartPass::compile() {
-  if (columns_.name() != 0) return;
+  if (columns_) return;
   columns_ = gl::Program::compute("draw/overlay/chart_columns.comp");
   curves_ = exact_ ? gl::Program::compute("draw/overlay/chart.comp")
                    : gl::Program::graphics("draw/overlay/chart.vert", "draw/overlay/chart.frag");

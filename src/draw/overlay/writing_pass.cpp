@@ -35,7 +35,7 @@ void WritingPass::cover(const sim::Writing& writing, Kept& kept) const {
 
 void WritingPass::draw(const sim::Drawables& drawables, const gl::Texture& picture) {
   if (drawables.writings.empty()) return;
-  if (program_.name() == 0) program_ = gl::Program::compute("draw/overlay/writing.comp");
+  if (!program_) program_ = gl::Program::compute("draw/overlay/writing.comp");
   kept_.resize(drawables.writings.size());
   for (std::size_t i = 0; i < kept_.size(); ++i) {
     const sim::Writing& writing = drawables.writings[i];

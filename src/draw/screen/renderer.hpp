@@ -24,8 +24,8 @@ struct RendererOptions {
 /// Draws one frame: the scene with the rasterizer it asks for, then fields, axes and charts over it.
 class Renderer {
  public:
-  /// Compiles every shader and loads every texture the scene's materials name. Throws UserError:
-  /// device for limits (samples, size), inputOutput or usage for textures. The scene must outlive it.
+  /// Loads every texture the scene's materials name; shaders are compiled at their first use. Throws
+  /// UserError: device for limits (samples, size), inputOutput or usage for textures. The scene must outlive it.
   Renderer(const scene::Scene& scene, glm::ivec2 size, int samples, const RendererOptions& options = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -65,5 +65,11 @@ class Renderer {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Finds out which kernels a Renderer will need for a frame with such drawables, and has a software driver
+/// compile them on the processors that are idle meanwhile. Changes no picture; does nothing where there is
+/// nothing to gain. Best before the first frame is simulated.
+void compileAhead(const scene::Scene& scene, glm::ivec2 size, int samples, double seconds,
+                  const sim::Drawables& drawables, const RendererOptions& options = {});
 
 }  // namespace simreel::draw

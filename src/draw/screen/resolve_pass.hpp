@@ -12,7 +12,7 @@ class ResolvePass {
  public:
   ResolvePass(glm::ivec2 size, int samples);
   /// Whether there is anything to do.
-  [[nodiscard]] bool on() const { return program_.name() != 0; }
+  [[nodiscard]] bool on() const { return static_cast<bool>(program_); }
   /// Of the light that draw() gives.
   [[nodiscard]] int samples() const { return on() ? 1 : samples_; }
   /// Whether draw() needs light where no depth was written. Cards for computing clear four samples of a

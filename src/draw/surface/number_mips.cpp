@@ -20,8 +20,8 @@ void NumberMips::make(const gl::Texture& texture, GLenum format) {
   for (int level = 1; above != glm::ivec2(1, 1); ++level) {
     const glm::ivec2 size = glm::max(above / 2, glm::ivec2(1));
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    glBindImageTexture(fieldImage, texture.name(), level - 1, GL_FALSE, 0, GL_READ_ONLY, format);
-    glBindImageTexture(reliefImage, texture.name(), level, GL_FALSE, 0, GL_WRITE_ONLY, format);
+    texture.bindImage(fieldImage, level - 1, GL_READ_ONLY, format);
+    texture.bindImage(reliefImage, level, GL_WRITE_ONLY, format);
     program.set("aboveSize", above);
     program.dispatch(size.x, size.y);
     above = size;

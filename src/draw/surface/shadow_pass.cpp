@@ -95,14 +95,14 @@ void ShadowPass::draw(const sim::Drawables& drawables, const std::function<void(
 
 const gl::Program& ShadowPass::boundsOf(const sim::Surface& surface) const {
   if (surface.deform == nullptr) return bounds_;
-  if (deformedBounds_.name() == 0)
+  if (!deformedBounds_)
     deformedBounds_ = gl::Program::compute("draw/surface/shadow_bounds.comp", {{"DEFORMED", "1"}});
   return deformedBounds_;
 }
 
 const gl::Program& ShadowPass::drawOf(const sim::Surface& surface) const {
   if (surface.deform == nullptr) return draw_;
-  if (deformedDraw_.name() == 0)
+  if (!deformedDraw_)
     deformedDraw_ =
         gl::Program::graphics("draw/surface/shadow.vert", "draw/surface/shadow.frag", {{"DEFORMED", "1"}});
   return deformedDraw_;

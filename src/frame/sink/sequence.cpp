@@ -1,6 +1,7 @@
 #include "frame/sink/sequence.hpp"
 
 #include "base/clock.hpp"
+#include "draw/screen/renderer.hpp"
 #include "frame/file/count_table.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/sink/checkpoint_keeper.hpp"
@@ -47,6 +48,7 @@ class Run {
         watch_(beside.watch) {
     if (beside.layers) frames_.keepLayers(*beside.layers);
     frames_.follow(world_);
+    draw::compileAhead(scene, scene.render.size, scene.render.samples, world_.time(), world_.drawables());
     if (watch_ != nullptr)
       frames_.onPicture([this](int frame, const Image& image) { watch_->drawn(frame, image); });
   }

@@ -27,6 +27,7 @@ class Runner {
         alpha_(scene.render.transparent),
         checker_(scene, world_, frames) {
     frame::followMotion(renderer_, world_);
+    draw::compileAhead(scene, scene.render.size, scene.render.samples, world_.time(), world_.drawables());
   }
 
   SceneRun run(std::span<const int> frames) {

@@ -155,9 +155,7 @@ bool Contact::endFrame() {
 }
 
 void Contact::dispatchIndirect(const gl::Program& program, int number) const {
-  program.use();
-  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
-  glDispatchComputeIndirect(4 * at::countWords + GLintptr{16} * number);
+  program.dispatchIndirect(control_, 4 * at::countWords + std::size_t{16} * static_cast<std::size_t>(number));
 }
 
 void Contact::fit() const {

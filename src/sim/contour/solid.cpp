@@ -140,7 +140,7 @@ void Solid::State::count(const FieldKernels& made) {
 }
 
 const gl::Program& Solid::State::laterSheet() {
-  if (sheet.name() == 0) sheet = gl::Program::compute("contour/sheet.comp", definesOf(shape));
+  if (!sheet) sheet = gl::Program::compute("contour/sheet.comp", definesOf(shape));
   return sheet;
 }
 

@@ -45,7 +45,7 @@ void StateHash::add(const gl::Buffer& array, std::size_t number, const gl::Buffe
 void StateHash::add(const StateArray& array, std::size_t number, const gl::Buffer& sums,
                     std::size_t place) const {
   const int texels = static_cast<int>(array.elements());
-  if (array.planes.count > 0 && ofPlanes_.name() == 0) {
+  if (array.planes.count > 0 && !ofPlanes_) {
     gl::Defines with = defines();
     with.emplace_back("PLANES", "1");
     ofPlanes_ = gl::Program::compute("common/state_hash.comp", with);

@@ -107,7 +107,7 @@ void FluidArrays::carryOver(CarryOver& carry) {
 
 void FluidArrays::carryOver(CarryOver& carry, int array, const char* name, int planes) {
   if (texels_) return carry.array(name, buffers_[array]);
-  if (gather_.name() == 0) {
+  if (!gather_) {
     gather_ = gl::Program::compute("fluid/gather.comp", gl::kernelDefines(false));
     gl::Defines scatter = gl::kernelDefines(false);
     scatter.emplace_back("SCATTER", "1");

@@ -81,7 +81,7 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
   judging.emplace_back("JUDGE", "1");
   judge_ = gl::Program::compute("fluid/solver/decide.comp", judging);
   if (gl::memoryPath() == gl::MemoryPath::storage) makeCoarse(plan, defines);
-  if (tileAGroup_ && coarse_.name() != 0) makeMiddle(defines);
+  if (tileAGroup_ && coarse_) makeMiddle(defines);
   if (gl::memoryPath() == gl::MemoryPath::storage) condition_.emplace();
   groups_ = groupsOf(*plan.solidsAt(0, 0));
   std::vector<std::uint32_t> words(controlWords + groups_.size());
@@ -237,8 +237,7 @@ std::vector<shader::FluidLevelPlace> FluidPressure::places(const FluidSolids& so
 }
 
 void FluidPressure::indirect(const gl::Program& program, std::size_t number) const {
-  program.use();
-  glDispatchComputeIndirect(groupsAt(number));
+  program.dispatchIndirect(control_, static_cast<std::size_t>(groupsAt(number)));
 }
 
 void FluidPressure::onLevel(const Pair& pair, std::size_t number) const {
@@ -259,7 +258,7 @@ void FluidPressure::cycle() const {
   for (std::size_t i = 0; i < firstDown_; ++i) onLevel(descend_, i);
   if (firstDown_ < firstCoarse_) alone(down_, single + 1);
   places_.bind(firstCoarse_, at::levelBinding);
-  alone(coarse_.name() != 0 ? coarse_ : bottom_, single);
+  alone(coarse_ ? coarse_ : bottom_, single);
   if (firstUp_ < firstCoarse_) alone(up_, single + 2);
   for (std::size_t i = firstUp_; i-- > 0;) onLevel(ascend_, i);
   onLevel(residual_, 0);
@@ -281,7 +280,6 @@ void FluidPressure::solve(const FluidArray& flow, const FluidArray& pool, const 
   pool.bindInput(at::poolBinding);
   raised.bindInput(at::raisedBinding);
   raised.bindStorage(at::raisedOutBinding);
-  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
   const bool leaves = condition_ && cycles_ > usualCycles;
   for (int i = 0; i < cycles_; ++i) {
     if (leaves && i == usualCycles) {

@@ -255,9 +255,9 @@ void ReactionKernels::run(int pass, const gl::Vec4Array& stage, const gl::Vec4Ar
 }
 
 void ReactionKernels::advance(long number, int steps, long first) {
-  if (mayStrip_ && strips_.name() == 0 && cellSteps_ >= cut_.stripsAfter) makeStrips();
+  if (mayStrip_ && !strips_ && cellSteps_ >= cut_.stripsAfter) makeStrips();
   cellSteps_ += static_cast<double>(steps) * size_.x * size_.y;
-  const int together = strips_.name() != 0 ? cut_.stepsPerPass : steps + 1;
+  const int together = strips_ ? cut_.stepsPerPass : steps + 1;
   for (int begun = 0; steps >= together; steps -= together, number += together) {
     strips_.set("lostFirst", static_cast<int>(number) - begun);
     strips(number);

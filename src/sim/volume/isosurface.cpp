@@ -40,7 +40,7 @@ struct Isosurface::State {
     }
     points = gl::Program::compute(shape.cubes ? "volume/boxes.comp" : "volume/points.comp", defines);
     for (const gl::Program* program : {&classify, &tally, &triangles, &points}) {
-      if (program->name() == 0) continue;
+      if (!*program) continue;
       program->set("volume", glm::ivec4(shape.size, shape.closed ? 1 : 0));
       program->set("rowElements", rowElements);
     }

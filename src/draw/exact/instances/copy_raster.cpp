@@ -90,7 +90,7 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
   reserve(largeCounts_, largeCountView_, "counts of large triangles", words(2 * parts), GL_R32UI, 4);
   reserve(smallGroups_, "groups for copies", parts * GroupCounts::bytes);
   reserve(largeGroups_, "groups for large triangles", parts * GroupCounts::bytes);
-  if (cull_.name() == 0)
+  if (!cull_)
     cull_ = gl::Program::compute("draw/exact/copies/cull_copies.comp", cullDefines(into_));
   clear(counts_);
   gl::barrier();
@@ -141,8 +141,7 @@ void CopyRaster::runPart(std::size_t number, Pass pass, const Visibility& into, 
   large_.bindStorage(largeBinding);
   largeCounts_.bindStorage(counterBinding);
   countView_.bind(counterUnit);
-  start(copiesPath).use();
-  GroupCounts::dispatch(smallGroups_, number);
+  GroupCounts::dispatch(start(copiesPath), smallGroups_, number);
   const unsigned shares = partsFor(into.size(), samples_);
   groups_.prepareLists(
       largeCounts_,

@@ -25,7 +25,7 @@ class Occlusion {
   /// Of pictures of which `visibility` holds all rows, or a band of them. `ground`: it is drawn.
   Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground);
 
-  [[nodiscard]] bool on() const { return horizons_.name() != 0; }
+  [[nodiscard]] bool on() const { return static_cast<bool>(horizons_); }
   /// Takes over how near things are in the band that is visible, and the ground. The frame's uniform block
   /// and the view's are bound.
   void add(const Visibility& visibility, const shader::ExactView& view) const;

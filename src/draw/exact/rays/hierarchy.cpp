@@ -28,7 +28,7 @@ gl::Program Hierarchy::made(const char* path, bool leaves) const {
 }
 
 void Hierarchy::makePrograms() {
-  if (bounds_.name() != 0) return;
+  if (bounds_) return;
   bounds_ = made("draw/exact/rays/bounds.comp");
   keys_ = made("draw/exact/rays/keys.comp");
   order_ = made("draw/exact/rays/order.comp");

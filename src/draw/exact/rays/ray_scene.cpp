@@ -71,7 +71,7 @@ const gl::Program& RayScene::gatherProgram(const sim::Surface& surface) {
   const unsigned key = (tinted ? 64U : 0U) | (grid ? 1U : 0U) | (deformed ? 2U : 0U) | (counted ? 4U : 0U) |
                        (colored ? 8U : 0U) | (laid ? 16U : 0U) | (sides ? 32U : 0U);
   gl::Program& kernel = gatherPrograms_[key];
-  if (kernel.name() == 0) {
+  if (!kernel) {
     gl::Defines defines;
     if (grid) defines.emplace_back("GRID", "1");
     if (deformed) defines.emplace_back("DEFORMED", "1");
@@ -117,7 +117,7 @@ void RayScene::gatherSurface(const sim::Surface& surface, int firstVertex, int f
 
 void RayScene::gatherCopies(const CopyRaster::Copies& copies, InstanceColors& colors, int firstVertex,
                             int firstTriangle, unsigned owner) {
-  if (copyProgram_.name() == 0) copyProgram_ = gl::Program::compute("draw/exact/rays/gather_copies.comp");
+  if (!copyProgram_) copyProgram_ = gl::Program::compute("draw/exact/rays/gather_copies.comp");
   copyRaster_.set(copyProgram_, copies, 0);
   colors.update(*copies.instances);
   colors.set(copyProgram_, *copies.instances);
@@ -129,7 +129,7 @@ void RayScene::gatherCopies(const CopyRaster::Copies& copies, InstanceColors& co
 
 void RayScene::gatherBalls(const sim::Instances& balls, InstanceColors& colors, int firstBall,
                            unsigned owner) {
-  if (ballProgram_.name() == 0) ballProgram_ = gl::Program::compute("draw/exact/rays/gather_balls.comp");
+  if (!ballProgram_) ballProgram_ = gl::Program::compute("draw/exact/rays/gather_balls.comp");
   setInstance(ballProgram_, balls, ballShapeRadius, 0);
   colors.update(balls);
   colors.set(ballProgram_, balls);
@@ -233,7 +233,7 @@ void RayScene::bind(const gl::Program& program) const {
 
 gl::Program& RayScene::tracer(Way way) {
   gl::Program& kernel = tracePrograms_[features() << 2U | static_cast<unsigned>(way)];
-  if (kernel.name() == 0) {
+  if (!kernel) {
     gl::Defines found = defines();
     if (way == Way::nearestListed) found.emplace_back("GOES_ON", "1");
     if (way == Way::light) {

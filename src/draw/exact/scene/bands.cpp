@@ -169,7 +169,7 @@ bool ExactScene::State::anyMirrors(const sim::Drawables& drawables) const {
   const auto mirror = [&](const sim::Surface& surface) {
     return SurfaceShading::mirrorsScene(surface, skins);
   };
-  return mirrorGround.name() != 0 || ExactInstances::anyMirrors(drawables) ||
+  return static_cast<bool>(mirrorGround) || ExactInstances::anyMirrors(drawables) ||
          std::any_of(drawables.surfaces.begin(), drawables.surfaces.end(), mirror) ||
          std::any_of(apart.cut().begin(), apart.cut().end(), mirror);
 }
@@ -182,7 +182,7 @@ void ExactScene::State::shadeReflections(const ShadedTiles& on) {
   surfaces.show(shownReflections);
   instances.show(shownReflections);
   shadeThings(on);
-  if (mirrorGround.name() != 0)
+  if (mirrorGround)
     for (int i = 0; i < (shadow.on() ? 2 : 1); ++i) on.shade(on.things() + i, mirrorGround);
   surfaces.show(0);
   instances.show(0);

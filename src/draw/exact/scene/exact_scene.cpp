@@ -192,7 +192,7 @@ void ExactScene::draw(const Exposure& exposure, const Moment& frame, const Overl
     if (s.passes) s.passes->keepLight("bloom", "", scattered, {0, scattered.height()});
     bindLight(scattered, bloomUnit, scatteredImage);
     for (const gl::Program* program : {&s.picture, &s.linear})
-      if (program->name() != 0) program->set("bloomStrength", s.scene.render.bloom.strength.at(seconds));
+      if (*program) program->set("bloomStrength", s.scene.render.bloom.strength.at(seconds));
     issued("bloom");
   }
   bindLight(s.sums, sceneUnit, lightImage);

@@ -20,7 +20,7 @@ void SkinTexels::update(const SkinTextures::Entry& entry) {
     const glm::ivec2 across = glm::max(size >> level, glm::ivec2(1));
     count += across.x * across.y;
   }
-  if (program_.name() == 0) program_ = gl::Program::compute("draw/exact/surface/skin_texels.comp");
+  if (!program_) program_ = gl::Program::compute("draw/exact/surface/skin_texels.comp");
   List& list = lists_[&entry];
   list.count = count;
   reserve(list.texels, list.view, "texels of a skin", static_cast<std::size_t>(count) * texelBytes,

@@ -82,7 +82,7 @@ void TriangleBins::bind(const gl::Program& program, int face) const {
 
 void TriangleBins::draw(const Visibility& into,
                         const std::function<void(int face, const gl::Program& program)>& bindFace) {
-  if (program_.name() == 0) program_ = gl::Program::compute("draw/exact/triangles/binned.comp", defines_);
+  if (!program_) program_ = gl::Program::compute("draw/exact/triangles/binned.comp", defines_);
   counts_.fill(bins_, {.firstCount = firstTileCount, .counts = rounds_}, groups_);
   gl::barrier();
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
@@ -96,8 +96,7 @@ void TriangleBins::draw(const Visibility& into,
   for (int round = 0; round < rounds_; ++round) {
     if (bindFace && round % faceRounds_ == 0) bindFace(round / faceRounds_, program_);
     program_.set("round_", round);
-    program_.use();
-    GroupCounts::dispatch(groups_, static_cast<std::size_t>(round));
+    GroupCounts::dispatch(program_, groups_, static_cast<std::size_t>(round));
     gl::barrier();
   }
 }

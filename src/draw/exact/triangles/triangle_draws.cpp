@@ -7,6 +7,7 @@
 #include "draw/exact/triangles/triangle_raster.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
+#include "gl/rehearsal.hpp"
 
 #include <algorithm>
 
@@ -65,6 +66,8 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
     const bool bins = binned_ && path != mediumPath;
     const sim::Surface* const own = into_ == Into::lampMap ? fragments_.only : drawn.surface;
     const bool cuts = path == largePath && own != nullptr && fragments_.cut && fragments_.cut(*own);
+    // Few plain triangles are large or cut by the near plane, and those kernels are dear to compile.
+    if (gl::Rehearsal::now() && path != trianglesPath && !cuts && !fragments_.layers) continue;
     const gl::Program& kernel = program({.path = path,
                                          .pass = pass,
                                          .layout = into.layout(),
@@ -92,8 +95,7 @@ void TriangleRaster::run(const char* path, int pass, const Visibility& into, boo
       GroupCounts::dispatchList(kernel, clips ? roomlessGroups_ : largeGroups_, i,
                                 partsFor(sizeOf(into, part), samples_));
     } else {
-      kernel.use();
-      GroupCounts::dispatch(groups, i);
+      GroupCounts::dispatch(kernel, groups, i);
     }
   }
 }
@@ -116,17 +118,16 @@ void TriangleRaster::runFaces(const char* path, int pass, const Visibility& into
   kernel.set("firstView", firstView_);
   kernel.set("doubleSided", 1);
   tell(kernel, into, first.face.part);
-  kernel.use();
   const auto faces = static_cast<GLuint>(asked_.size());
   const GLuint each = std::max(groups / faces, 1U);
   glm::ivec2 largest(0);
   for (const Drawn& drawn : asked_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
   if (path == largePath) {
     const unsigned parts = std::max(fewParts, leastParts(largest, samples_));
-    glDispatchCompute(std::max(each / parts, 1U), faces, parts);
+    kernel.dispatchGroups(std::max(each / parts, 1U), faces, parts);
   } else {
     const auto needed = static_cast<GLuint>(first.maxTriangles) / groupTriangles + 1;
-    glDispatchCompute(std::min(each, needed), 1, faces);
+    kernel.dispatchGroups(std::min(each, needed), 1, faces);
   }
 }
 

@@ -247,7 +247,7 @@ void CellEngine::run(const gl::WordsArray& from, const gl::WordsArray& to) {
   padded_.bindState(bind::paddedBinding);
   pad_.dispatch(paddedItems_, size_.y + 2 * range_);
   gl::barrier();
-  const bool sumsRows = rowSum_.name() != 0;
+  const bool sumsRows = static_cast<bool>(rowSum_);
   if (sumsRows) {
     padded_.bindInput(bind::paddedBinding);
     rowSums_.bindState(bind::sumsBinding);
@@ -255,7 +255,7 @@ void CellEngine::run(const gl::WordsArray& from, const gl::WordsArray& to) {
     gl::barrier();
     rowSums_.bindInput(bind::rowSumsBinding);
   }
-  if (columns_.name() != 0) {
+  if (columns_) {
     padded_.bindInput(bind::paddedBinding);
     sums_.bindState(bind::sumsBinding);
     columns_.dispatch(paddedItems_ * (sumsRows ? 4 : 1), (size_.y + columnRows - 1) / columnRows);

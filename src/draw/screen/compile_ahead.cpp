@@ -1,0 +1,54 @@
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "draw/screen/renderer.hpp"
+#include "gl/kernel_compiler.hpp"
+#include "gl/rehearsal.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace simreel::draw {
+
+namespace {
+
+/// No line is printed while it lives: the real picture prints all of them.
+class Silence {
+ public:
+  Silence() : before_(verbosity()) { setVerbosity(Verbosity::quiet); }
+  ~Silence() { setVerbosity(before_); }
+  Silence(Silence&&) = delete;
+  Silence(const Silence&) = delete;
+  Silence& operator=(Silence&&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  Verbosity before_;
+};
+
+/// A smaller picture needs the same kernels. Powers of two stay such: machine code depends on that.
+glm::ivec2 rehearsedSize(glm::ivec2 size) {
+  constexpr int enough = 640 * 400;
+  while (size.x * size.y > enough) size = (size + 1) / 2;
+  return size;
+}
+
+}  // namespace
+
+void compileAhead(const scene::Scene& scene, glm::ivec2 size, int samples, double seconds,
+                  const sim::Drawables& drawables, const RendererOptions& options) {
+  if (!gl::KernelCompiler::helps()) return;
+  if (options.rasterizer.value_or(scene.render.rasterizer) != scene::Rasterizer::exact) return;
+  std::vector<gl::Rehearsal::Kernel> kernels;
+  try {
+    const Silence silence;
+    gl::Rehearsal rehearsal;
+    Renderer renderer(scene, rehearsedSize(size), samples, options);
+    renderer.draw(seconds, drawables);
+    kernels = rehearsal.take();
+  } catch (const UserError&) {
+    return;  // the real picture meets it, too, and says so
+  }
+  gl::KernelCompiler::announce(std::move(kernels));
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,32 @@
+#pragma once
+#include <cstddef>
+#include <map>
+
+#include <epoxy/gl.h>
+
+namespace simreel::gl {
+
+/// What a software driver compiles a kernel for, of a texture: another format or size means other machine
+/// code.
+struct TextureShape {
+  GLenum format = GL_NONE;
+  int width = 0;
+  int height = 0;
+  int levels = 0;                                        ///< 0: a view of a buffer
+  std::size_t bufferBytes = 0, offset = 0, viewBytes = 0;  ///< of a view
+  GLint filters[2] = {}, wraps[2] = {};                  ///< min and mag; s and t
+};
+
+/// Shapes of what is bound to the units of textures and of images.
+struct BoundViews {
+  struct Image {
+    TextureShape shape;
+    GLint level = 0;
+    GLenum access = GL_READ_ONLY;
+    GLenum format = GL_NONE;
+  };
+  std::map<GLuint, TextureShape> textures;
+  std::map<GLuint, Image> images;
+};
+
+}  // namespace simreel::gl

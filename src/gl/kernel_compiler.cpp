@@ -1,0 +1,208 @@
+#include "gl/kernel_compiler.hpp"
+
+#include "base/clock.hpp"
+#include "base/log.hpp"
+#include "gl/context.hpp"
+#include "gl/driver_threads.hpp"
+#include "gl/handle.hpp"
+#include "gl/linked_program.hpp"
+#include "gl/shader_cache.hpp"
+
+#include <algorithm>
+#include <condition_variable>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace simreel::gl {
+
+namespace {
+
+/// A kernel to be compiled; a copy of its text, as the LinkedProgram belongs to the other thread.
+struct Job {
+  enum class State { waiting, running, done };
+  const LinkedProgram* program = nullptr;
+  std::string label, text;
+  std::vector<BoundViews> uses;
+  State state = State::waiting;
+};
+
+/// Objects of the shapes that a use had, bound to their units while it lives. Their memory is not touched.
+class Stand {
+ public:
+  explicit Stand(const BoundViews& views) {
+    for (const auto& [unit, shape] : views.textures) glBindTextureUnit(unit, make(shape));
+    for (const auto& [unit, image] : views.images)
+      glBindImageTexture(unit, make(image.shape), image.level, GL_FALSE, 0, image.access, image.format);
+  }
+
+ private:
+  GLuint make(const TextureShape& shape) {
+    GLuint name = 0;
+    glCreateTextures(shape.levels == 0 ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D, 1, &name);
+    textures_.emplace_back(name);
+    if (shape.levels > 0) {
+      glTextureStorage2D(name, shape.levels, shape.format, shape.width, shape.height);
+      glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, shape.filters[0]);
+      glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, shape.filters[1]);
+      glTextureParameteri(name, GL_TEXTURE_WRAP_S, shape.wraps[0]);
+      glTextureParameteri(name, GL_TEXTURE_WRAP_T, shape.wraps[1]);
+      return name;
+    }
+    GLuint buffer = 0;
+    glCreateBuffers(1, &buffer);
+    buffers_.emplace_back(buffer);
+    glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(shape.bufferBytes), nullptr, 0);
+    glTextureBufferRange(name, shape.format, buffer, static_cast<GLintptr>(shape.offset),
+                         static_cast<GLsizeiptr>(shape.viewBytes));
+    return name;
+  }
+
+  std::vector<Handle<DeleteBuffer>> buffers_;
+  std::vector<Handle<DeleteTexture>> textures_;
+};
+
+/// Compiles and links; the driver compiles machine code for each use when the kernel is dispatched, though
+/// without groups. Failures are for the thread that needs the kernel to report.
+void compile(const Job& job) {
+  const Handle<DeleteShader> shader(glCreateShader(GL_COMPUTE_SHADER));
+  const char* text = job.text.c_str();
+  glShaderSource(shader.get(), 1, &text, nullptr);
+  glCompileShader(shader.get());
+  const Handle<DeleteProgram> program(glCreateProgram());
+  glAttachShader(program.get(), shader.get());
+  glLinkProgram(program.get());
+  GLint good = GL_FALSE;
+  glGetProgramiv(program.get(), GL_LINK_STATUS, &good);
+  if (good != GL_TRUE) return;
+  glUseProgram(program.get());
+  for (const BoundViews& use : job.uses) {
+    const Stand stand(use);
+    glDispatchComputeIndirect(0);
+  }
+  glUseProgram(0);
+}
+
+/// Threads that take jobs from the end, while the thread that needs them goes through them from the start.
+class Pool {
+ public:
+  explicit Pool(std::vector<Job> jobs) : jobs_(std::move(jobs)) {}
+  ~Pool() {
+    {
+      const std::scoped_lock lock(mutex_);
+      ended_ = true;
+    }
+    for (std::thread& thread : threads_) thread.join();
+  }
+  Pool(Pool&&) = delete;
+  Pool(const Pool&) = delete;
+  Pool& operator=(Pool&&) = delete;
+  Pool& operator=(const Pool&) = delete;
+
+  bool claim(const LinkedProgram& program) {
+    std::unique_lock lock(mutex_);
+    const auto found =
+        std::find_if(jobs_.begin(), jobs_.end(), [&](const Job& job) { return job.program == &program; });
+    if (found == jobs_.end()) return false;
+    if (found->state == Job::State::waiting) found->state = Job::State::done;
+    finished_.wait(lock, [&] { return found->state == Job::State::done; });
+    return true;
+  }
+
+  void start() {
+    if (!threads_.empty()) return;
+    const std::size_t count = std::clamp<std::size_t>(processorShare() - 1, 1, 7);
+    try {
+      while (threads_.size() < count) threads_.emplace_back([this] { run(); });
+    } catch (const std::system_error&) {  // NOLINT(bugprone-empty-catch): fewer threads, or none
+    }
+  }
+
+ private:
+  void run() noexcept {
+    try {
+      const std::unique_ptr<SideContext> context = SideContext::make();
+      if (context == nullptr) return;
+      GLuint none = 0;
+      glCreateBuffers(1, &none);
+      const Handle<DeleteBuffer> noGroups(none);
+      constexpr GLuint groups[4] = {};
+      glNamedBufferStorage(none, sizeof groups, groups, 0);
+      glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, none);
+      while (Job* job = next()) {
+        const Finish finish{*this, *job};
+        const auto start = Clock::now();
+        compile(*job);
+        detail("shaders: {} compiled ahead in {:.0f} ms", job->label, 1000 * secondsSince(start));
+      }
+    } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the other thread compiles all itself
+    }
+  }
+
+  Job* next() {
+    const std::scoped_lock lock(mutex_);
+    if (ended_) return nullptr;
+    const auto last = std::find_if(jobs_.rbegin(), jobs_.rend(),
+                                   [](const Job& job) { return job.state == Job::State::waiting; });
+    if (last == jobs_.rend()) return nullptr;
+    last->state = Job::State::running;
+    return &*last;
+  }
+
+  /// Lets go of the thread that waits for a job, however compiling it ends.
+  struct Finish {
+    Pool& pool;
+    Job& job;
+    ~Finish() {
+      const std::scoped_lock lock(pool.mutex_);
+      job.state = Job::State::done;
+      pool.finished_.notify_all();
+    }
+  };
+
+  std::mutex mutex_;
+  std::condition_variable finished_;
+  std::vector<Job> jobs_;
+  bool ended_ = false;
+  std::vector<std::thread> threads_;
+};
+
+std::unique_ptr<Pool>& pool() {
+  static std::unique_ptr<Pool> one;
+  return one;
+}
+
+}  // namespace
+
+bool KernelCompiler::helps() {
+  return softwareDriver() && processorShare() > 1 && shaderCacheKept();
+}
+
+void KernelCompiler::announce(std::vector<Rehearsal::Kernel> kernels) {
+  std::vector<Job> jobs;
+  for (Rehearsal::Kernel& kernel : kernels) {
+    const auto& stages = kernel.program->stages();
+    if (stages.size() != 1 || kernel.program->linked()) continue;
+    jobs.push_back({kernel.program.get(), kernel.program->label(), stages.front().source.text, std::move(kernel.uses)});
+  }
+  pool() = std::make_unique<Pool>(std::move(jobs));
+}
+
+bool KernelCompiler::claim(const LinkedProgram& program) {
+  return pool() != nullptr && pool()->claim(program);
+}
+
+void KernelCompiler::linked(double seconds) {
+  constexpr double fromCache = 0.004;
+  if (seconds > fromCache && pool() != nullptr) pool()->start();
+}
+
+void KernelCompiler::end() {
+  pool().reset();
+}
+
+}  // namespace simreel::gl

@@ -1,0 +1,29 @@
+#pragma once
+#include "gl/rehearsal.hpp"
+
+#include <vector>
+
+namespace simreel::gl {
+
+class LinkedProgram;
+
+/// Has a software driver compile kernels on other threads before they are needed. Machine code belongs to
+/// one context and reaches another one through the driver's cache on disk: there is nothing to gain without
+/// such a cache, or on a single processor. One for each context at most.
+class KernelCompiler {
+ public:
+  /// Whether it is worth rehearsing what is to be compiled: on the current context, with what the machine has.
+  [[nodiscard]] static bool helps();
+  /// Announces kernels in the order in which they will be needed. Threads start when the first of them
+  /// turns out not to be in the driver's cache.
+  static void announce(std::vector<Rehearsal::Kernel> kernels);
+  /// Call before linking: waits where a thread is at it, and keeps the threads from it otherwise. Whether it
+  /// was announced.
+  static bool claim(const LinkedProgram& program);
+  /// Hears how long linking an announced program took.
+  static void linked(double seconds);
+  /// Ends the threads, each after the kernel that it is at. The context calls it before it ends.
+  static void end();
+};
+
+}  // namespace simreel::gl

@@ -1,0 +1,78 @@
+#pragma once
+#include "base/clock.hpp"
+#include "gl/handle.hpp"
+#include "gl/shader_source.hpp"
+#include "gl/uniform.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace simreel::gl {
+
+/// A program of the driver, shared by all Programs of one context that have the same source. It is compiled
+/// and linked at its first use.
+class LinkedProgram {
+ public:
+  struct Stage {
+    GLenum type = GL_COMPUTE_SHADER;
+    std::string path;  ///< below glsl/, for messages
+    ShaderSource source;
+  };
+
+  /// The program of these stages, which is kept until the context ends.
+  static std::shared_ptr<LinkedProgram> of(std::string label, std::vector<Stage> stages);
+  /// Forgets all programs. The context calls it before it ends.
+  static void forgetAll();
+
+  LinkedProgram(std::string label, std::vector<Stage> stages)
+      : label_(std::move(label)), stages_(std::move(stages)) {}
+
+  /// Compiles and links unless that is done. Throws UserError(device) with file:line of the original files.
+  void link();
+  [[nodiscard]] bool linked() const { return static_cast<bool>(handle_); }
+  [[nodiscard]] GLuint name() const { return handle_.get(); }
+  [[nodiscard]] const std::string& label() const { return label_; }
+  /// Invocations of a work group, by direction. Needs link().
+  [[nodiscard]] const GLint* groupSize() const { return groupSize_; }
+  /// The stages, until it is linked.
+  [[nodiscard]] const std::vector<Stage>& stages() const { return stages_; }
+
+  /// Whose uniform values it has; null: nobody's.
+  [[nodiscard]] const void* user() const { return user_; }
+  /// Gives it the uniform values of `user`; those that it does not set become zero. Needs link().
+  void giveTo(const void* user, std::vector<Uniform>& uniforms);
+  /// Notes a uniform that a user sets.
+  void mayBeGiven(const Uniform& uniform);
+  /// From here on it has nobody's values, if it had those of `user`.
+  void leave(const void* user) {
+    if (user_ == user) user_ = nullptr;
+  }
+
+  /// Calls `run`, which dispatches it as the current program.
+  template <class Run>
+  void dispatch(const Run& run) {
+    if (dispatched_) return run();
+    const auto start = Clock::now();
+    run();
+    dispatched_ = true;
+    compiledFor("dispatch first", secondsSince(start));
+  }
+  /// Whether it has been dispatched, so that the driver has machine code for it.
+  [[nodiscard]] bool dispatched() const { return dispatched_; }
+
+ private:
+  /// Tells of what the driver compiles, where that takes long.
+  void compiledFor(const char* what, double seconds) const;
+
+  std::string label_;
+  std::vector<Stage> stages_;  ///< empty once it is linked
+  Handle<DeleteProgram> handle_;
+  GLint groupSize_[3] = {1, 1, 1};
+  const void* user_ = nullptr;
+  std::vector<Uniform> zeros_;  ///< every uniform that a user has set
+  bool dispatched_ = false;
+};
+
+}  // namespace simreel::gl

@@ -1,0 +1,50 @@
+#include "gl/rehearsal.hpp"
+
+#include "base/error.hpp"
+#include "gl/linked_program.hpp"
+#include "gl/texture.hpp"
+
+#include <algorithm>
+
+namespace simreel::gl {
+
+namespace {
+
+Rehearsal* current = nullptr;
+
+}  // namespace
+
+Rehearsal::Rehearsal() {
+  SIMREEL_CHECK(current == nullptr);
+  current = this;
+}
+
+Rehearsal::~Rehearsal() {
+  current = nullptr;
+}
+
+bool Rehearsal::now() {
+  return current != nullptr;
+}
+
+bool Rehearsal::note(const std::shared_ptr<LinkedProgram>& program) {
+  if (current == nullptr) return false;
+  if (program->linked()) return true;
+  auto& kernels = current->kernels_;
+  auto found = std::find_if(kernels.begin(), kernels.end(),
+                            [&](const Kernel& kernel) { return kernel.program == program; });
+  if (found == kernels.end()) found = kernels.insert(kernels.end(), {program, {}});
+  constexpr std::size_t mostUses = 4;  // of which most are alike
+  if (found->uses.size() < mostUses) found->uses.push_back(current->bound_);
+  return true;
+}
+
+void Rehearsal::bound(GLuint unit, const Texture& texture) {
+  if (current != nullptr) current->bound_.textures[unit] = texture.shape();
+}
+
+void Rehearsal::boundImage(GLuint unit, const Texture& texture, GLint level, GLenum access, GLenum format) {
+  if (current != nullptr) current->bound_.images[unit] = {texture.shape(), level, access, format};
+}
+
+}  // namespace simreel::gl

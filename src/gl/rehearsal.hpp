@@ -1,0 +1,45 @@
+#pragma once
+#include "gl/bound_views.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace simreel::gl {
+
+class LinkedProgram;
+class Texture;
+
+/// While one exists, kernels are not run: it notes which would have run, and what was bound. Drawing a frame
+/// so tells the kernels of the frame in a few milliseconds. One at a time.
+class Rehearsal {
+ public:
+  struct Kernel {
+    std::shared_ptr<LinkedProgram> program;
+    std::vector<BoundViews> uses;  ///< what was bound, each time that it would have run
+  };
+
+  Rehearsal();
+  ~Rehearsal();
+  Rehearsal(Rehearsal&&) = delete;
+  Rehearsal(const Rehearsal&) = delete;
+  Rehearsal& operator=(Rehearsal&&) = delete;
+  Rehearsal& operator=(const Rehearsal&) = delete;
+
+  /// The kernels that are not linked yet, in the order of their first use.
+  [[nodiscard]] std::vector<Kernel> take() { return std::move(kernels_); }
+
+  /// Whether there is one now.
+  [[nodiscard]] static bool now();
+  /// Notes a kernel that is about to run. False where there is no rehearsal, so that it has to run.
+  static bool note(const std::shared_ptr<LinkedProgram>& program);
+  static void bound(GLuint unit, const Texture& texture);
+  static void boundImage(GLuint unit, const Texture& texture, GLint level, GLenum access, GLenum format);
+
+ private:
+  std::vector<Kernel> kernels_;
+  BoundViews bound_;
+};
+
+}  // namespace simreel::gl

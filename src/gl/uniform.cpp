@@ -1,0 +1,51 @@
+#include "gl/uniform.hpp"
+
+#include <type_traits>
+#include <utility>
+
+namespace simreel::gl {
+
+namespace {
+
+void put(GLuint program, GLint at, int value) {
+  glProgramUniform1i(program, at, value);
+}
+void put(GLuint program, GLint at, unsigned value) {
+  glProgramUniform1ui(program, at, value);
+}
+void put(GLuint program, GLint at, float value) {
+  glProgramUniform1f(program, at, value);
+}
+void put(GLuint program, GLint at, const glm::ivec2& value) {
+  glProgramUniform2i(program, at, value.x, value.y);
+}
+void put(GLuint program, GLint at, const glm::ivec4& value) {
+  glProgramUniform4i(program, at, value.x, value.y, value.z, value.w);
+}
+void put(GLuint program, GLint at, const glm::vec2& value) {
+  glProgramUniform2f(program, at, value.x, value.y);
+}
+void put(GLuint program, GLint at, const glm::vec3& value) {
+  glProgramUniform3f(program, at, value.x, value.y, value.z);
+}
+void put(GLuint program, GLint at, const glm::vec4& value) {
+  glProgramUniform4f(program, at, value.x, value.y, value.z, value.w);
+}
+void put(GLuint program, GLint at, const glm::mat4& value) {
+  glProgramUniformMatrix4fv(program, at, 1, GL_FALSE, &value[0][0]);
+}
+
+}  // namespace
+
+void Uniform::putInto(GLuint program) {
+  if (!std::exchange(located, true)) location = glGetUniformLocation(program, name.c_str());
+  if (location >= 0) std::visit([&](const auto& one) { put(program, location, one); }, value);
+}
+
+Uniform Uniform::zero() const {
+  Uniform same = *this;
+  std::visit([](auto& one) { one = std::decay_t<decltype(one)>(0); }, same.value);
+  return same;
+}
+
+}  // namespace simreel::gl
