@@ -171,8 +171,9 @@ class Pool {
   std::vector<std::thread> threads_;
 };
 
+/// Never destroyed, as the programs are not (linked_program.cpp).
 std::unique_ptr<Pool>& pool() {
-  static std::unique_ptr<Pool> one;
+  static auto& one = *new std::unique_ptr<Pool>();
   return one;
 }
 

@@ -14,9 +14,10 @@ namespace simreel::gl {
 
 namespace {
 
-/// Programs of the current context by the hash of their stages.
+/// Programs of the current context by the hash of their stages. Never destroyed: a context that ends with the
+/// process comes after whatever was made later.
 std::unordered_map<std::string, std::shared_ptr<LinkedProgram>>& store() {
-  static std::unordered_map<std::string, std::shared_ptr<LinkedProgram>> programs;
+  static auto& programs = *new std::unordered_map<std::string, std::shared_ptr<LinkedProgram>>();
   return programs;
 }
 
