@@ -9,7 +9,7 @@ import subprocess
 import sys
 import unittest
 
-from common import PROGRAM, SOURCE, Case, main, png_rows, unfiltered, with_values
+from common import PATIENCE, PROGRAM, SOURCE, Case, main, png_rows, unfiltered, with_values
 
 CYCLES = SOURCE / "tools/cycles"
 sys.dont_write_bytecode = True
@@ -66,7 +66,7 @@ class Cycles(Case):
         # It takes the first python3 of the path for its own, which may lack what it needs.
         done = subprocess.run([shutil.which("blender"), "-b", "--factory-startup", "--python-exit-code", "1", "--python", CYCLES / "scene.py", "--",
                                "scene.json", "baked", self.folder / "cycles.png", str(samples)], cwd=self.folder, env={**os.environ, "PATH": "/usr/bin:/bin"},
-                              capture_output=True, timeout=300, check=False)
+                              capture_output=True, timeout=PATIENCE, check=False)
         self.assertEqual(done.returncode, 0, done.stdout[-2000:])
 
     def pixels(self, name):
