@@ -100,7 +100,7 @@ class Running(GoldenCase):
             scene = self.one(code, "--retries", "20", *arguments, env=env)
             self.assertEqual(scene["status"], "flaky")
             self.assertGreaterEqual(len(scene["attempts"]), 1)
-            self.assertEqual({a["status"] for a in scene["attempts"]} - {"nondeterministic"}, {"fail"})
+            self.assertLessEqual({a["status"] for a in scene["attempts"]}, {"fail", "nondeterministic"})  # by whether it changed within a try
 
     def test_interrupt(self):
         for k in range(40):
