@@ -1,5 +1,5 @@
 """tools/cycles: what it hands over to Blender is where simreel draws it, and lit alike; what it cannot hand over it refuses. With Blender
-only in tools/test long (SIMREEL_LONG=1), and where it is installed."""
+only in tools/test all (SIMREEL_LONG=1), and where it is installed."""
 import copy
 import json
 import os
@@ -36,7 +36,7 @@ SMALL = {
 
 def blender_missing():
     if os.environ.get("SIMREEL_LONG") != "1":
-        return "left to tools/test long"
+        return "left to tools/test all"
     return "" if shutil.which("blender") else "Blender is not installed"
 
 
