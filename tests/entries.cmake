@@ -1,6 +1,6 @@
-# What ctest runs. Labels: quick is what tools/test runs, long what `tools/test all` alone does; all else is CI's, too.
+# Entries of ctest. Label quick: tools/test runs it. Label long: only `tools/test all` runs it. CI runs all others and the quick ones.
 
-# A hang, in seconds: no test's usual length.
+# Seconds until ctest takes a test for hung; no test usually takes a tenth of it.
 set(PATIENCE 3600)
 
 # Cases that take seconds and are close to others.
@@ -10,7 +10,7 @@ list(JOIN LONG_CASES "," LONG_CASES)
 file(STRINGS quick_cases.txt QUICK_CASES)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS quick_cases.txt)
 list(JOIN QUICK_CASES "," QUICK_CASES)
-# An entry of doctest's; `label` besides the suite: quick, long or nothing.
+# Adds an entry that runs some cases of a doctest program. `label`, besides the suite: quick, long or empty.
 function(suite_test label suite name program)
   add_test(NAME "${suite}: ${name}" COMMAND ${program} ${ARGN})
   set_tests_properties("${suite}: ${name}" PROPERTIES LABELS "${suite};${label}" TIMEOUT ${PATIENCE}
@@ -20,7 +20,7 @@ function(without_optimizing)
   set_property(TEST ${ARGN} APPEND PROPERTY ENVIRONMENT GALLIVM_PERF=nopt)
 endfunction()
 
-# A process for many sources: it takes longer to start than most tests, one with a context a quarter of a second.
+# A process runs many sources: it takes longer to start than most tests, and a context takes a quarter of a second.
 file(GLOB_RECURSE SOURCES RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS unit/*.cpp gpu/*.cpp)
 suite_test(quick unit "what reads, plans and writes" test_quick "--source-file=*/tests/unit/*" "--test-case-exclude=${LONG_CASES}")
 suite_test(quick gpu "kernels and their twins" test_quick "--source-file=*/tests/gpu/*" "--test-case=${QUICK_CASES}")

@@ -1,7 +1,7 @@
-# What each selection of tools/test has. `tools/test`: whether this build works on this machine, in two minutes; it compiles what
-# QUICK_SOURCES names alone. `tools/test ci`: what CI runs. `tools/test all`: everything.
+# Contents of the selections of tools/test. Without an argument, it tells in two minutes if this build works on this machine: it
+# compiles only the sources of QUICK_SOURCES. `tools/test ci` runs CI's tests, `tools/test all` runs everything.
 
-# Tests of what reads, plans and writes; each simulation's kernels beside their twins (quick_cases.txt says which cases of those).
+# Unit tests of reading, planning and writing. Kernels of each simulation beside their twins; quick_cases.txt names the cases.
 set(QUICK_UNIT base batch draw frame gl scene)
 set(QUICK_KERNELS automata body cave cloth collide contact deform epidemic fluid fluid_tracers garment gravity_tree gray_scott isosurface
     lenia life particles reaction solid walls water wildfire)
@@ -9,16 +9,16 @@ list(JOIN QUICK_UNIT "|" units)
 list(JOIN QUICK_KERNELS "|" kernels)
 set(QUICK_SOURCES "/tests/(unit/(${units})/[^/]+|gpu/sim/(${kernels}))[.]cpp$")
 
-# Shipped scenes of a dozen simulations, with what is drawn in most ways.
+# A dozen shipped scenes: one of most simulations, and most ways to draw.
 set(QUICK_SCENES cape cascade cave_map contour crystal epidemic flag life ripple smoke sparks waves)
 
-# The command line: what works, what is refused, kills and resumes, a report.
+# Modules of the command line: success, mistakes, kill and resume.
 set(QUICK_CLI success usage resume reproduce)
 
-# Groups of tests on a device: a name, the sources, and whether LLVM leaves out optimizing. A process each, or it would compile again
-# what another has compiled; two at a time take the same shaders from none. Most of what pictures and kernels of many kinds take is
-# the compiler of llvmpipe. Without optimizing it has to come to the same bits sooner; what it makes of the shaders as users run them:
-# "golden: shipped scenes", "cli: storage_path". Most kernels that step have barriers, whose coroutines take it twice as long so.
+# Groups of tests on a device: a name, the sources, and nopt where LLVM does not optimize. A group is one process, so it compiles a
+# shader once. Most time of pictures and kernels of many kinds is llvmpipe's compiler. Without optimizing, it has to produce the same
+# bits, sooner. "golden: shipped scenes" and "cli: storage_path" run shaders as users do. Most kernels that step have barriers: their
+# coroutines take twice as long without optimizing.
 set(GPU_GROUPS
   "draw @ ^gpu/draw/[^/]+$ @ nopt"
   "draw/exact a to k @ ^gpu/draw/exact/[a-k] @ nopt"

@@ -180,7 +180,7 @@ class Case(unittest.TestCase):
         return process
 
     def wait_until(self, good, *processes):
-        """What good() returns once that is true; whether it came before one of the processes ended is for the caller to see."""
+        """Waits until good() is true or one of the processes has ended, and returns what good() does."""
         end = time.monotonic() + PATIENCE
         while not (found := good()):
             if any(process.poll() is not None for process in processes):

@@ -1,5 +1,5 @@
-"""What a selection of tools/test has: its scenes, and the cases of test_gpu. Entries that run on another memory path or by another
-rasterizer have the same cases, and do not count."""
+"""Scenes and cases of test_gpu in a selection of tools/test. Entries on another memory path or by another rasterizer run the
+same cases, and do not count."""
 import json
 import pathlib
 import re
@@ -17,7 +17,7 @@ def cases(program, *arguments):
 
 
 def take(name):
-    """From here on mutants meet what this selection has."""
+    """Lets mutants meet only this selection from here on."""
     global chosen  # pylint: disable=global-statement
     if name == "all":
         return
@@ -46,7 +46,7 @@ def tests(names):
 
 
 def without(arguments):
-    """An argument for test_gpu that leaves out what is not chosen."""
+    """An argument for test_gpu that leaves out all other cases."""
     if chosen is None:
         return []
     other = sorted(cases(ROOT / "build/tests/test_gpu", *arguments) - chosen[1])
