@@ -6,6 +6,8 @@ processors waits for. ctest itself knows the time by the clock only.
     tests/dearest.py -L gpu -R cloth -j 1  those that ctest would choose so, one at a time
     tests/dearest.py --most 50             so many of them
     tests/dearest.py --table FILE          all of them into FILE: processor seconds, seconds, exit code, name
+    tests/dearest.py --selection ci --phases     seconds by phase and test, with an empty cache of shaders and again with what that
+                                           run has left; compiling is as long as the last build of each file was
 
 An empty cache of shaders, as on a machine that has run nothing: MESA_SHADER_CACHE_DIR=$(mktemp -d)."""
 import argparse
@@ -20,6 +22,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
+SELECTIONS = {"quick": ["-L", "^quick$"], "ci": ["-LE", "^long$"], "all": []}
 
 
 def properties(test):
@@ -42,6 +45,42 @@ def run(test):
     return used.ru_utime + used.ru_stime, time.monotonic() - start, child.returncode, test["name"]
 
 
+def compiled(build):
+    """Seconds that the program and the tests took, a job at a time, by what ninja notes."""
+    seconds = {}
+    for line in (build / ".ninja_log").read_text().splitlines()[1:]:
+        begin, end, _, output, _ = line.split("\t")
+        seconds[output] = (int(end) - int(begin)) / 1000
+    tests = sum(taken for output, taken in seconds.items() if output.startswith("tests/") and ".dir/" in output)
+    return sum(taken for output, taken in seconds.items() if ".dir/" in output) - tests, tests
+
+
+def all_of(tests, jobs):
+    """Results by name, and the seconds by the clock."""
+    start = time.monotonic()
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        results = {result[3]: result for result in pool.map(run, tests)}
+    return results, time.monotonic() - start
+
+
+def phases(options, tests):
+    """A table: shaders are what a run with an empty cache takes more, waiting is what the clock shows beyond processor time."""
+    with tempfile.TemporaryDirectory(prefix="simreel-shaders-") as cache:
+        os.environ["MESA_SHADER_CACHE_DIR"] = cache
+        (cold, cold_wall), (warm, warm_wall) = all_of(tests, options.jobs), all_of(tests, options.jobs)
+    rows = sorted((cold[name][0], max(0, cold[name][0] - warm[name][0]), warm[name][0], max(0, warm[name][1] - warm[name][0]), name)
+                  for name in cold)[::-1]
+    program, own = compiled(options.build)
+    print("| phase | processor s |\n|---|---|")
+    for phase, seconds in (("compile the program", program), ("compile tests", own), ("compile shaders", sum(row[1] for row in rows)),
+                           ("run", sum(row[2] for row in rows)), ("wait, a test at a time (no processor)", sum(row[3] for row in rows))):
+        print(f"| {phase} | {seconds:.0f} |")
+    print("\n| test | cold | of it shaders | warm | waits |\n|---|---|---|---|---|")
+    print("".join(f"| {name} | {c:.1f} | {s:.1f} | {w:.1f} | {t:.1f} |\n" for c, s, w, t, name in rows[:options.most]))
+    print(f"{len(rows)} tests, {options.jobs} at a time: {cold_wall:.0f} s by the clock cold, {warm_wall:.0f} s warm")
+    return 1 if any(code not in (0, 77) for results in (cold, warm) for _, _, code, _ in results.values()) else 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", default=ROOT / "build", type=pathlib.Path)
@@ -51,17 +90,20 @@ def main():
     parser.add_argument("-j", dest="jobs", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--most", type=int, default=30)
     parser.add_argument("--table", type=pathlib.Path)
+    parser.add_argument("--selection", choices=SELECTIONS, default="all", help="of tools/test's")
+    parser.add_argument("--phases", action="store_true")
     options = parser.parse_args()
     chosen = [(flag, text) for flag, text in (("-L", options.label), ("-R", options.only), ("-E", options.without)) if text]
-    listed = subprocess.run(["ctest", "--test-dir", options.build, "--show-only=json-v1", *(w for pair in chosen for w in pair)],
+    listed = subprocess.run(["ctest", "--test-dir", options.build, "--show-only=json-v1", *SELECTIONS[options.selection],
+                             *(w for pair in chosen for w in pair)],
                             check=True, capture_output=True, text=True)
     tests = json.loads(listed.stdout)["tests"]
     # What ctest runs after others goes last.
     tests.sort(key=lambda test: (bool(properties(test).get("DEPENDS")), -properties(test).get("COST", 0)))
-    start = time.monotonic()
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        results = sorted(pool.map(run, tests), reverse=True)
-    wall = time.monotonic() - start
+    if options.phases:
+        return phases(options, tests)
+    results, wall = all_of(tests, options.jobs)
+    results = sorted(results.values(), reverse=True)
     groups = collections.Counter()
     for processor, _, _, name in results:
         groups[name.split(":")[0]] += processor

@@ -20,7 +20,7 @@ class Browser:
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"} | ({"performance": "ALL"} if requests else {}))
         self.driver = webdriver.Chrome(service=Service(chromedriver), options=options)
-        self.driver.set_script_timeout(180)
+        self.driver.set_script_timeout(1200)
         self.size(1280, 800)
 
     def quit(self):
@@ -111,7 +111,7 @@ class Browser:
         self.pointer("mouseWheel", x, y, deltaX=0, deltaY=delta)
         self.settle()
 
-    def until(self, expression, seconds=5):
+    def until(self, expression, seconds=600):
         """Waits for a change that comes by itself; its last value. The page looks for itself: asking it again and again
         takes three processes each time."""
         return self.run("""const done = arguments[1], end = performance.now() + arguments[0];

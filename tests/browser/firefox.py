@@ -25,7 +25,7 @@ class Firefox:
                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
             self.number = 0
-            self.socket = socket.create_connection(("127.0.0.1", self.port()), timeout=60)
+            self.socket = socket.create_connection(("127.0.0.1", self.port()), timeout=600)
             self.receive()  # its greeting
             self.command("WebDriver:NewSession", capabilities={"alwaysMatch": {"acceptInsecureCerts": True}})
         except BaseException:
@@ -35,14 +35,14 @@ class Firefox:
     def port(self):
         """It writes the port that it took into its profile."""
         file = pathlib.Path(self.profile.name, "MarionetteActivePort")
-        end = time.monotonic() + 60
+        end = time.monotonic() + 600
         while time.monotonic() < end:
             if self.process.poll() is not None:
                 raise RuntimeError(f"Firefox ended with {self.process.returncode}")
             if file.exists() and (text := file.read_text().strip()):
                 return int(text)
             time.sleep(0.05)
-        raise RuntimeError("Firefox does not listen after 60 s")
+        raise RuntimeError("Firefox does not listen after 600 s")
 
     def quit(self):
         if hasattr(self, "socket"):

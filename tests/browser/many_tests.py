@@ -97,7 +97,7 @@ class ManyTests:
         cls.addClassCleanup(cls.browser.quit)
 
     def until(self, expression):
-        end = time.monotonic() + 10
+        end = time.monotonic() + 600
         while not (value := self.browser.value(expression)) and time.monotonic() < end:
             time.sleep(0.02)
         return value

@@ -60,7 +60,7 @@ class PageOfServe(unittest.TestCase):
         return self.browser
 
     def at(self, frame):
-        self.assertTrue(self.browser.until(f"{REST} && simreel.state.picture.frame === {frame}", 60), frame)
+        self.assertTrue(self.browser.until(f"{REST} && simreel.state.picture.frame === {frame}"), frame)
 
     def pixels(self, canvas="picture"):
         width, height, rgb = self.browser.run(PIXELS, canvas)
@@ -108,7 +108,7 @@ class PageOfServe(unittest.TestCase):
     def test_play_and_pause(self):
         b = self.open(scene=with_values({"time.duration": 60}))
         b.click("#play")
-        self.assertTrue(b.until("simreel.state.status.playing && simreel.state.picture.frame > 3", 30))
+        self.assertTrue(b.until("simreel.state.status.playing && simreel.state.picture.frame > 3"))
         self.assertTrue(b.value("document.getElementById('play').getAttribute('aria-label') === 'Pause'"))
         b.keys(" ")
         self.assertTrue(b.until("!simreel.state.status.playing"))
@@ -201,7 +201,7 @@ class PageOfServe(unittest.TestCase):
         b.keys(Keys.ARROW_RIGHT)
         self.at(1)
         b.click("#render")
-        self.assertTrue(b.until("document.querySelector('#rendered a')", 30))
+        self.assertTrue(b.until("document.querySelector('#rendered a')"))
         width, height, rows = png_rows((self.folder / "out" / "scene_000001.png").read_bytes())
         self.assertEqual((width, height, b"".join(unfiltered(rows, 3 * width, 3))), self.rendered(1))
         self.assertEqual(b.run("return fetch('render.png').then((answer) => answer.headers.get('content-type'))"), "image/png")
@@ -272,7 +272,7 @@ class PageOfServe(unittest.TestCase):
         self.assertTrue(b.until("document.getElementById('verdict').dataset.verdict === 'missing'"))
         self.assertEqual(json.loads(self.scene.read_text())["test"]["frames"], [0, 1, 3])
         b.click("#accept")
-        self.assertTrue(b.until("document.getElementById('verdict').dataset.verdict === 'pass'", 30))
+        self.assertTrue(b.until("document.getElementById('verdict').dataset.verdict === 'pass'"))
         subprocess.run([PROGRAM, "test", self.scene], check=True, stdout=subprocess.DEVNULL)
         b.click("#compare")
         self.assertTrue(b.until("document.getElementById('golden').hidden"))
@@ -381,7 +381,7 @@ class PageOfServe(unittest.TestCase):
         y = box["y"] + 0.3 * box["height"]
         b.drag(box["x"] + 0.2 * box["width"], y, box["x"] + 0.7 * box["width"], y)
         strokes = "simreel.state.scene.scene.objects.dish.grayScott.strokes"
-        self.assertTrue(b.until(f"{strokes}?.length >= 2 && simreel.state.scene.edits.length === 0", 20))
+        self.assertTrue(b.until(f"{strokes}?.length >= 2 && simreel.state.scene.edits.length === 0"))
         self.shows(1)
         self.assertNotEqual(self.pixels(), before)
         self.assertEqual(len(json.loads(self.scene.read_text())["objects"]["dish"]["grayScott"]["strokes"]), b.value(f"{strokes}.length"))

@@ -26,6 +26,10 @@ SCENE = {
 }
 FRAMES = 6
 
+# Seconds after which a test takes a program for hung. No test passes or fails by how fast the machine is: nothing is held to
+# less than this, and a signal that came after its program had ended is sent to another run.
+PATIENCE = 1200
+
 # Stable, but slow enough per frame for a signal to arrive midway.
 SLOW = {"render.size": [320, 240], "time.fps": 30, "time.duration": 2, "objects.flag.cloth.size": [64, 48],
         "objects.flag.cloth.spacing": 0.02, "objects.flag.cloth.substeps": 64}
@@ -106,7 +110,7 @@ class Case(unittest.TestCase):
             path.write_text(content if isinstance(content, str) else json.dumps(content, indent=1), encoding="utf-8")
         return path
 
-    def run_program(self, *arguments, env=None, stdout=subprocess.PIPE, timeout=240, **options):
+    def run_program(self, *arguments, env=None, stdout=subprocess.PIPE, timeout=PATIENCE, **options):
         environment = dict(os.environ, **(env or {}))
         done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, env=environment, stdout=stdout,
                               stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, timeout=timeout, check=False,
@@ -175,21 +179,42 @@ class Case(unittest.TestCase):
         self.addCleanup(process.stderr.close)
         return process
 
-    def signal_after(self, count, folder, number, *arguments):
-        """Runs in the background, sends the signal once `count` frames are there, and returns code and messages."""
-        process = self.start(*arguments)
-        end = time.monotonic() + 40
-        while process.poll() is None and time.monotonic() < end:
-            if len(list((self.folder / folder).glob("*.png"))) >= count:
-                process.send_signal(number)
-                break
+    def wait_until(self, good, *processes):
+        """Waits until good() is true or one of the processes has ended, and returns what good() does."""
+        end = time.monotonic() + PATIENCE
+        while not (found := good()):
+            if any(process.poll() is not None for process in processes):
+                return good()
+            self.assertLess(time.monotonic(), end, "it never came")
             time.sleep(0.002)
-        messages = process.communicate(timeout=40)[1].decode("utf-8", "replace")
+        return found
+
+    def signal_when(self, good, folder, number, *arguments, **options):
+        """Runs in the background, sends the signal once good() is true, and returns code and messages. A run that has ended
+        before is begun again, with the folder as it was."""
+        place = self.folder / folder
+        kept = self.folder / "kept before the signal"
+        if place.exists():
+            shutil.copytree(place, kept, symlinks=True)
+        for _ in range(20):
+            process = self.start(*arguments, **options)
+            self.wait_until(good, process)
+            process.send_signal(number)
+            messages = process.communicate(timeout=PATIENCE)[1].decode("utf-8", "replace")
+            if process.returncode != 0:
+                break
+            shutil.rmtree(place, True)
+            if kept.exists():
+                shutil.copytree(kept, place, symlinks=True)
+        shutil.rmtree(kept, True)
         if number != signal.SIGKILL:
             for word in CRASH:
                 self.assertNotIn(word, messages)
         return process.returncode, messages
 
+    def signal_after(self, count, folder, number, *arguments):
+        """The same once `count` frames are there."""
+        return self.signal_when(lambda: len(list((self.folder / folder).glob("*.png"))) >= count, folder, number, *arguments)
 
 def main():
     unittest.main(verbosity=2)

@@ -11,7 +11,7 @@ import struct
 import subprocess
 import time
 
-PROGRAM = os.environ.get("SIMREEL", "simreel")
+from common import PATIENCE, PROGRAM
 
 
 class Server:
@@ -31,7 +31,7 @@ class Server:
     def page(self):
         return f"http://127.0.0.1:{self.port}/{self.token}/"
 
-    def get(self, path, method="GET", host=None, headers=None, timeout=20):
+    def get(self, path, method="GET", host=None, headers=None, timeout=PATIENCE):
         """Status, headers and body of what `path` leads to; it goes out as it is written."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=timeout)
         try:
@@ -53,7 +53,7 @@ class Server:
     def stop(self, sent=signal.SIGTERM):
         if self.child.poll() is None:
             self.child.send_signal(sent)
-        out, err = self.child.communicate(timeout=60)
+        out, err = self.child.communicate(timeout=PATIENCE)
         return self.child.returncode, out, err
 
 
@@ -79,7 +79,7 @@ class Closed(Exception):
 class Viewer:
     """One WebSocket. `latest` has the newest message of each kind; pictures are (about, bytes)."""
 
-    def __init__(self, port, token, origin="same", host=None, path=None, acknowledges=True, timeout=30):
+    def __init__(self, port, token, origin="same", host=None, path=None, acknowledges=True, timeout=PATIENCE):
         self.acknowledges = acknowledges
         self.latest, self.pictures, self.heard = {}, [], []
         self.buffer = self.taken = b""
@@ -140,7 +140,7 @@ class Viewer:
         self.taken += piece
         return piece
 
-    def receive(self, timeout=30):
+    def receive(self, timeout=PATIENCE):
         """The next whole message, (kind, message); a picture's kind is "picture"."""
         self.end = time.monotonic() + timeout
         self.taken = b""
@@ -182,7 +182,7 @@ class Viewer:
             self.send_frame(f"shown {picture[0]['number']}".encode())
         return "picture", picture
 
-    def until(self, good, seconds=60):
+    def until(self, good, seconds=PATIENCE):
         """Receives until good(kind, message) says so; that message."""
         end = time.monotonic() + seconds
         while (left := end - time.monotonic()) > 0:
@@ -194,7 +194,7 @@ class Viewer:
                 return message
         raise AssertionError(f"nothing of the kind in {seconds} s; latest {self.latest}")
 
-    def rest(self, frame=None, seconds=120):
+    def rest(self, frame=None):
         """The whole picture of a frame."""
         return self.until(lambda kind, message: kind == "picture" and not message[0]["draft"] and
-                          not message[0]["carried"] and frame in (None, message[0]["frame"]), seconds)
+                          not message[0]["carried"] and frame in (None, message[0]["frame"]))

@@ -2,10 +2,9 @@
 import json
 import signal
 import subprocess
-import time
 import xml.etree.ElementTree as xml
 
-from common import PROGRAM, SLOW, SOURCE, Case, main, with_values
+from common import PATIENCE, PROGRAM, SLOW, SOURCE, Case, main, with_values
 
 FEW = ("--frames", "7", "--warm-up", "2")
 MASS = "objects.flag.cloth.mass"
@@ -172,15 +171,13 @@ class Mistakes(BenchCase):
             self.bad(2, [f"--technique {word}", "no object of this scene"], "bench", "scene.json", "--technique", word)
 
     def test_files_are_checked_before_anything_runs(self):
-        begin = time.monotonic()
-        endless = ("bench", "scene.json", "--frames", "1000000")
+        endless = ("bench", "scene.json", "--frames", "100000000")
         self.bad(6, "nowhere/a.json", *endless, "--json", "nowhere/a.json")
         self.bad(6, "nowhere/a.svg", *endless, "--chart", "nowhere/a.svg")
         (self.folder / "folder.svg").mkdir()
         self.bad(6, "it is a folder", *endless, "--chart", "folder.svg")
         for name in ("a.png", "a", "a.svgz"):
             self.bad(2, ["--chart", ".svg"], *endless, "--chart", name)
-        self.assertLess(time.monotonic() - begin, 30)
         self.assertFalse(any(p.name.endswith(".part") for p in self.folder.iterdir()))
 
     def test_an_old_file_stays_when_the_run_fails(self):
@@ -202,7 +199,7 @@ class Mistakes(BenchCase):
                     break
             process.send_signal(signal.SIGINT)
             messages = process.stderr.read().decode()
-            self.assertEqual(process.wait(timeout=40), 128 + signal.SIGINT, messages)
+            self.assertEqual(process.wait(timeout=PATIENCE), 128 + signal.SIGINT, messages)
         self.assertIn("interrupted", messages)
         self.assertIn("measured", (self.folder / "out").read_text())
         result = json.loads((self.folder / "a.json").read_text())

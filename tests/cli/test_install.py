@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 import common
-from common import PROGRAM, Case, main, png_rows
+from common import PATIENCE, PROGRAM, Case, main, png_rows
 from serve_client import Server
 
 BUILD = pathlib.Path(PROGRAM).parent
@@ -17,7 +17,7 @@ COMMANDS = ["render", "sweep", "pieces", "reproduce", "validate", "schema", "lis
 
 
 def run(*command, **options):
-    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=True, **options).stdout
+    return subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=True, **options).stdout
 
 
 @unittest.skipUnless(shutil.which("cmake") and (BUILD / "cmake_install.cmake").exists(), "no build folder")

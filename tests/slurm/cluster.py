@@ -80,13 +80,13 @@ SlurmctldLogFile={self.folder}/log/slurmctld.log
 SlurmdLogFile={self.folder}/log/slurmd-%n.log
 SlurmctldTimeout=10
 SlurmdTimeout=5
-KillWait=20
+KillWait=600
 MinJobAge=300
 InactiveLimit=0
 MaxArraySize={max_array}
 JobRequeue=1
 {nodes}
-PartitionName=all Nodes=ALL Default=YES MaxTime=10 State=UP
+PartitionName=all Nodes=ALL Default=YES MaxTime=600 State=UP
 """)
         self.environment = dict(os.environ, PATH=PATH, SLURM_CONF=str(self.config))
 
@@ -99,7 +99,7 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=10 State=UP
             self.daemon("slurmctld", ["slurmctld", "-D", "-c", "-f", str(self.config)])
             for node in NODES:
                 self.start_node(node)
-            self.wait(lambda: self.call("sinfo", "-h", "-N", "-o", "%T").split() == ["idle"] * len(NODES), "nodes", 60)
+            self.wait(lambda: self.call("sinfo", "-h", "-N", "-o", "%T").split() == ["idle"] * len(NODES), "nodes")
         except BaseException:
             self.stop()
             raise
@@ -117,9 +117,9 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=10 State=UP
         """Jobs first, then daemons in reverse; each by its own process id."""
         if "slurmctld" in self.daemons:
             subprocess.run(["scancel", "--state=RUNNING,PENDING", "-u", str(os.getuid())], env=self.environment,
-                           capture_output=True, timeout=20)
+                           capture_output=True, timeout=600)
             subprocess.run(["scancel", "-f", "-s", "KILL", "-u", str(os.getuid())], env=self.environment,
-                           capture_output=True, timeout=20)
+                           capture_output=True, timeout=600)
         for daemon in reversed(list(self.daemons.values())):
             if daemon.poll() is None:
                 daemon.send_signal(signal.SIGTERM)
@@ -131,7 +131,7 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=10 State=UP
                 daemon.wait()
         self.daemons.clear()
 
-    def wait(self, until, what, seconds=30):
+    def wait(self, until, what, seconds=600):
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             if until():
@@ -146,4 +146,4 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=10 State=UP
         return "\n".join(f"{path.name}: {path.read_text(errors='replace')[-1500:]}" for path in (self.folder / "log").iterdir())
 
     def call(self, *command):
-        return subprocess.run(command, env=self.environment, capture_output=True, text=True, timeout=60).stdout
+        return subprocess.run(command, env=self.environment, capture_output=True, text=True, timeout=600).stdout

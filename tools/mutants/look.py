@@ -1,5 +1,6 @@
 """Who notices a mutant: pictures, tests, baselines."""
 import concurrent.futures
+import functools
 import importlib.machinery
 import importlib.util
 import json
@@ -14,7 +15,7 @@ import threading
 import time
 
 import exact_pictures
-from mutants import code, compiled
+from mutants import code, compiled, selection
 from mutants.changes import GLSL, ROOT
 from mutants.processes import run
 
@@ -91,7 +92,7 @@ class Scenes:
     def __init__(self, program, jobs, names=None):
         self.program = program
         self.compiled = {}  # of mutants: whether a scene compiles the place
-        names = exact_pictures.scenes() if names is None else sorted(names)
+        names = selection.scenes(exact_pictures.scenes()) if names is None else sorted(names)
         with tempfile.TemporaryDirectory(prefix="simreel-mutate-") as folder, \
                 concurrent.futures.ThreadPoolExecutor(jobs) as pool:
             found = dict(zip(names, pool.map(lambda scene: looked_through(folder, program, scene, FRAME), names)))
@@ -164,10 +165,16 @@ def tested_frames_differ(program, scene, glsl, frames=None):
     return done != 0
 
 
+@functools.cache
+def groups_of_tests():
+    """Arguments of test_gpu for each."""
+    return [[*group, *selection.without(group)] for group in code.chosen.tests]
+
+
 def check_tests(names=None):
     """They (or those of `names`) notice nothing where nothing is changed."""
     folder = tempfile.gettempdir()
-    groups = code.chosen.tests if names is None else [["--test-case=" + ",".join(map(pattern, names))]]
+    groups = groups_of_tests() if names is None else [["--test-case=" + ",".join(map(pattern, names))]]
     for group in groups:
         if test := test_that_fails(folder, GLSL, *group):
             sys.exit(f"without a change, too, a test fails: {test}")
@@ -218,11 +225,11 @@ def outcome(mutant, scenes, with_tests):
             small = small or words and f"{scene} {words}, not its baseline"
             if count + 1 != min(FIRST_SCENES, len(names)):
                 continue
-            if with_tests and scenes.reads(mutant, folder) and (test := test_that_fails(folder, glsl, *code.chosen.tests[0])):
+            if with_tests and scenes.reads(mutant, folder) and (test := test_that_fails(folder, glsl, *groups_of_tests()[0])):
                 return "caught", "test_gpu", test
         if not scenes.reads(mutant, folder):
             return "not reached", "", ""
-        for group in code.chosen.tests[1:] if with_tests else ():
+        for group in groups_of_tests()[1:] if with_tests else ():
             if test := test_that_fails(folder, glsl, *group):
                 return "caught", "test_gpu", test
         for scene in scenes.reading(mutant.file) if with_tests else []:

@@ -14,7 +14,7 @@ import threading
 import time
 
 import exact_pictures
-from mutants import code, compiled, look
+from mutants import code, compiled, look, selection
 from mutants.changes import GLSL, ROOT
 from mutants.processes import run
 
@@ -51,9 +51,9 @@ class Watchers:
             # Of other shaders, lines and states are others.
             self.all = stored["watchers"] if stored["shaders"] == of else []
         known = {(watcher["kind"], watcher["name"]) for watcher in self.all}
-        names = [("trace", scene) for scene in exact_pictures.scenes()]
+        names = [("trace", scene) for scene in selection.scenes(exact_pictures.scenes())]
         if with_tests:
-            names += [("test", name) for name in tests()]
+            names += [("test", name) for name in selection.tests(tests())]
         self.all = [watcher for watcher in self.all if (watcher["kind"], watcher["name"]) in names]
         if more := [name for name in names if name not in known]:
             self.all += self.found(jobs, more)

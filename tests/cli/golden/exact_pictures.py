@@ -7,7 +7,7 @@ import pathlib
 import subprocess
 import tempfile
 
-from common import SOURCE, png_rows, unfiltered
+from common import PATIENCE, SOURCE, png_rows, unfiltered
 
 SIZE = "201x113"
 WORKERS = 2
@@ -17,7 +17,7 @@ def scenes():
     return sorted(file.stem for file in (SOURCE / "assets/scenes").glob("*.json"))
 
 
-def render(program, scene, output, *arguments, size=None, env=None, timeout=600):
+def render(program, scene, output, *arguments, size=None, env=None, timeout=PATIENCE):
     """`simreel render` of a shipped scene; `output` is a file, or - for bytes of RGBA in stdout."""
     environment = {**os.environ, "SIMREEL_ASSETS": str(SOURCE / "assets"), **(env or {})}
     return subprocess.run([program, "render", SOURCE / f"assets/scenes/{scene}.json", "-o", output, "--size", size or SIZE, "-q",
@@ -34,7 +34,7 @@ def pixels_hash(file):
     return hashlib.sha256(f"{width}x{height}\n".encode() + rows).hexdigest()
 
 
-def drawn(program, scene, frame, *arguments, env=None, timeout=600):
+def drawn(program, scene, frame, *arguments, env=None, timeout=PATIENCE):
     """The entry of a scene as this program makes it; with "failed" the last line where there is none."""
     with tempfile.TemporaryDirectory(prefix="simreel-exact-") as folder:
         file = pathlib.Path(folder) / "picture.png"

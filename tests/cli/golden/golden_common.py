@@ -1,10 +1,13 @@
 """What the tests of `simreel test` and `simreel accept` share."""
+import ctypes
 import json
+import os
+import select
 import shutil
 import struct
 import zlib
 
-from common import SCENE, SOURCE, Case, png_rows, unfiltered, with_values
+from common import PATIENCE, SCENE, SOURCE, Case, png_rows, unfiltered, with_values
 
 OTHER_PROCESSOR = "Testium 3, family 6 model 1 stepping 0"
 
@@ -45,10 +48,11 @@ class GoldenCase(Case):
         return done
 
     def run_suite(self, code, *arguments, **options):
-        """Runs `simreel test scenes`, expects the code, returns the report."""
+        """Runs `simreel test scenes`, expects the code if one is given, returns the report."""
         done = self.run_program("test", "scenes", "--json", "report.json", *arguments, **options)
         out = done.stdout.decode("utf-8", "replace") if done.stdout else ""
-        self.assertEqual(done.returncode, code, f"{arguments}: {done.err}\n{out}")
+        if code is not None:
+            self.assertEqual(done.returncode, code, f"{arguments}: {done.err}\n{out}")
         done.out = out
         report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
         return report, done
@@ -117,4 +121,32 @@ class GoldenCase(Case):
         return {"SIMREEL_GLSL": str(folder)}
 
 
-__all__ = ["GoldenCase", "HAIR", "OTHER_PROCESSOR", "RED", "SCENE", "TESTED", "png", "png_rows", "with_values"]
+class Readings:
+    """How often a file was read to its end, as the kernel tells."""
+    READ = 0x10  # IN_CLOSE_NOWRITE
+
+    def __init__(self, path):
+        libc = ctypes.CDLL(None, use_errno=True)
+        self.name, self.descriptor = path.name.encode(), libc.inotify_init1(os.O_CLOEXEC)
+        if self.descriptor < 0 or libc.inotify_add_watch(self.descriptor, os.fsencode(path.parent), self.READ) < 0:
+            raise OSError(ctypes.get_errno(), "inotify")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        os.close(self.descriptor)
+
+    def wait(self, seconds=PATIENCE):
+        """How many there have been since the last call, at least one; none only where none comes for so long."""
+        if not select.select([self.descriptor], [], [], seconds)[0]:
+            return 0
+        events, at, count = os.read(self.descriptor, 65536), 0, 0
+        while at < len(events):
+            (length,) = struct.unpack_from("I", events, at + 12)
+            count += events[at + 16:at + 16 + length].rstrip(b"\0") == self.name
+            at += 16 + length
+        return count
+
+
+__all__ = ["GoldenCase", "Readings", "HAIR", "OTHER_PROCESSOR", "RED", "SCENE", "TESTED", "png", "png_rows", "with_values"]

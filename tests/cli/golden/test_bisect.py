@@ -10,7 +10,7 @@ import struct
 import subprocess
 import time
 
-from common import PROGRAM, SCENE, main, with_values
+from common import PATIENCE, PROGRAM, SCENE, main, with_values
 from golden_common import GoldenCase
 
 GRAVITY = ("cloth/model.glsl", "force * here.w + vec3(stepData.gravity);",
@@ -163,7 +163,7 @@ class Trace(BisectCase):
             self.assertIn(b'"trace"', process.stdout.readline())
             self.assertIn(b'"frame":0', process.stdout.readline())
             process.stdout.close()
-            self.assertEqual(process.wait(timeout=30), 128 + signal.SIGPIPE)
+            self.assertEqual(process.wait(timeout=PATIENCE), 128 + signal.SIGPIPE)
             self.assertRegex(process.stderr.read(), rb"\Asimreel: warning: frame 2000000 is beyond [^\n]*\n\Z")
 
     def test_a_full_disk(self):
@@ -322,7 +322,7 @@ class Failures(BisectCase):
                       f'{change}\ncase "$*" in *--dump*) {PROGRAM_WORD} "$@" | head -c 999;; *) {PROGRAM_WORD} "$@";; esac')
 
     def gone(self, pid):
-        end = time.monotonic() + 10
+        end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             try:
                 os.kill(pid, 0)
@@ -333,7 +333,7 @@ class Failures(BisectCase):
 
     def waiting_pid(self, *names):
         """Process ids that scripts wrote."""
-        end = time.monotonic() + 30
+        end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             texts = [(self.folder / name).read_text() if (self.folder / name).exists() else "" for name in names]
             if all(text.endswith("\n") for text in texts):
@@ -343,18 +343,18 @@ class Failures(BisectCase):
 
     def test_no_child_is_left_after_an_error(self):
         """The other side has a child of its own that would sleep on."""
-        against = self.script("sleep 300 &\necho $! > sleeping\necho hello\nwait")
+        against = self.script("sleep 100000 &\necho $! > sleeping\necho hello\nwait")
         self.bad(6, "prints no trace", "bisect", "scene.json", "--against", against)
         self.assertTrue(self.gone(*self.waiting_pid("sleeping")))
 
     def test_interrupted(self):
-        against = self.script("sleep 300 &\necho $! > sleeping\nwait")
+        against = self.script("sleep 100000 &\necho $! > sleeping\nwait")
         for number in (signal.SIGINT, signal.SIGTERM):
             (self.folder / "sleeping").unlink(missing_ok=True)
             process = self.start("bisect", "scene.json", "--against", against)
             pids = self.waiting_pid("sleeping")
             process.send_signal(number)
-            messages = process.communicate(timeout=30)[1].decode()
+            messages = process.communicate(timeout=PATIENCE)[1].decode()
             self.assertEqual(process.returncode, 128 + number, messages)
             self.assertTrue(self.gone(*pids))
 

@@ -107,7 +107,7 @@ class Mutation(GoldenCase):
         for file in self.scenes():
             (scenes / file.name).write_text(json.dumps(self.shortened(file)), encoding="utf-8")
         assets = {"SIMREEL_ASSETS": str(SOURCE / "assets")}
-        self.good("test", "shipped", "--update", "--repeat", "1", env=assets, timeout=280)
+        self.good("test", "shipped", "--update", "--repeat", "1", env=assets)
         runs = [(kind, mutation, [f.stem for f in self.scenes() if self.has_kind(f, kind) and f.stem not in OTHERS])
                 for kind, mutation in self.mutations().items()]
         runs += [(kind, mutation, [scene]) for scene, (kind, mutation) in OTHERS.items() if EVERY or scene in FEW]
@@ -116,8 +116,7 @@ class Mutation(GoldenCase):
                 continue
             env = {**self.mutated_glsl(name, old, new), **assets}
             filters = [word for scene in names for word in ("--filter", scene)]
-            done = self.run_program("test", "shipped", "--repeat", "1", "--json", "report.json", *filters, env=env,
-                                    timeout=280)
+            done = self.run_program("test", "shipped", "--repeat", "1", "--json", "report.json", *filters, env=env)
             self.assertEqual(done.returncode, 1, done.err)
             report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
             for scene in report["scenes"]:

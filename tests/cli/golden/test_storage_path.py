@@ -36,7 +36,7 @@ class StoragePath(Case):
         self.assertEqual(kinds, set(), "no scene that is not long has these")
         self.assertIn("standard", qualities)
         done = self.run_program("test", "shipped", "--memory-path", "storage", "--repeat", "1", "--json", "report.json",
-                                env={"SIMREEL_ASSETS": str(SOURCE / "assets")}, timeout=800)
+                                env={"SIMREEL_ASSETS": str(SOURCE / "assets")})
         report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
         self.assertEqual([s["name"] for s in report["scenes"] if s["status"] != "pass"], [], done.stdout.decode())
         self.assertEqual(done.returncode, 0, done.err)

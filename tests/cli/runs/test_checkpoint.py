@@ -2,7 +2,6 @@
 import json
 import re
 import signal
-import time
 
 from common import SLOW, Case, main, with_values
 
@@ -49,11 +48,11 @@ class Checkpoints(Case):
         self.assertEqual([name for name in whole if out[name] != whole[name]], [])
 
     def test_kill(self):
-        run = ("slow.json", "-o", "out/", "--checkpoint", "0.1")
-        self.kill(signal.SIGKILL, 10, *run)
-        self.assertTrue(self.checkpoint.exists())
-        self.kill(signal.SIGKILL, 18, *run, "--resume")
-        self.assertGreater(self.resumed(*run), 5)
+        run = ("slow.json", "-o", "out/", "--checkpoint", "0.000001")
+        for frame, more in ((3, ()), (12, ("--resume",))):
+            code, _ = self.signal_when(lambda: self.stored_frame() >= frame, "out", signal.SIGKILL, "render", *run, *more)
+            self.assertEqual(code, -9)
+        self.assertGreaterEqual(self.resumed(*run), 12)
         self.assert_out_equals("slow.json")
 
     def test_interrupt_keeps_one_however_short_the_run(self):
@@ -103,11 +102,7 @@ class Checkpoints(Case):
 
     def test_none_before_the_first_frame(self):
         self.write("fields.json", json.dumps(FIELDS | {"time": {"fps": 30, "duration": 1, "start": 6}}))
-        process = self.start("render", "fields.json", "-o", "out/", "--checkpoint", "0.05")
-        while process.poll() is None and not self.checkpoint.exists():
-            time.sleep(0.001)
-        process.kill()
-        process.communicate()
+        self.signal_when(self.checkpoint.exists, "out", signal.SIGKILL, "render", "fields.json", "-o", "out/", "--checkpoint", "0.000001")
         self.assertRegex(self.checkpoint.read_bytes()[:4000].split(b"\n")[0], rb'"frame":\d')
         self.assertIsNotNone(self.resumed("fields.json", "-o", "out/"))
 
@@ -115,12 +110,8 @@ class Checkpoints(Case):
         # Frames before it displace no mesh, but what is stored of one of them is its state.
         self.write("sea.json", with_values(SLOW | {"objects.sea": {"mesh": {
             "shape": "plane", "resolution": [61, 47], "deform": [{"waves": [{"length": 1.5, "amplitude": 0.05}]}]}}}))
-        run = ("sea.json", "-o", "out/", "--frames", "0,59", "--checkpoint", "0.05")
-        process = self.start("render", *run)
-        while process.poll() is None and self.stored_frame() < 1:
-            time.sleep(0.001)
-        process.kill()
-        process.communicate()
+        run = ("sea.json", "-o", "out/", "--frames", "0,59", "--checkpoint", "0.000001")
+        self.signal_when(lambda: self.stored_frame() >= 1, "out", signal.SIGKILL, "render", *run)
         self.assertGreater(self.resumed(*run), 0)
         self.assert_out_equals("sea.json", "--frames", "0,59")
 
@@ -143,7 +134,7 @@ class Checkpoints(Case):
 
     def test_without_room_for_it_the_run_goes_on(self):
         (self.folder / "out/checkpoint.part").mkdir(parents=True)
-        done = self.good("render", "slow.json", "-o", "out/", "--checkpoint", "0.1", "--frames", "0-20")
+        done = self.good("render", "slow.json", "-o", "out/", "--checkpoint", "0.000001", "--frames", "0-20")
         self.assertEqual(done.err.count("no more checkpoints: cannot create out/checkpoint"), 1)
         (self.folder / "out/checkpoint.part").rmdir()
         self.assert_out_equals("slow.json", "--frames", "0-20")

@@ -3,7 +3,7 @@ import json
 import signal
 import time
 
-from common import SLOW, Case, main, with_values
+from common import PATIENCE, SLOW, Case, main, with_values
 
 TOWN = {"version": 1, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30, "duration": 0.5, "start": 0.2},
         "objects": {"town": {"epidemic": {"size": [65, 33], "infected": 0.05, "stepsPerSecond": 90}},
@@ -51,12 +51,8 @@ class Pieces(Case):
 
     def test_steps_by_hand_and_what_is_damaged(self):
         self.write("slow.json", with_values(SLOW))
-        steps = self.start("render", "slow.json", "-o", "out/", "--pieces", "3")
-        plan = self.folder / "out/pieces/plan.json"
-        while not plan.exists():
-            time.sleep(0.01)
-        steps.send_signal(signal.SIGTERM)
-        self.assertEqual(steps.wait(30), 128 + signal.SIGTERM)
+        code, _ = self.signal_when((self.folder / "out/pieces/plan.json").exists, "out", signal.SIGTERM, "render", "slow.json", "-o", "out/", "--pieces", "3")
+        self.assertEqual(code, 128 + signal.SIGTERM)
         folder = "out/pieces"
         self.bad(6, "use --resume or --overwrite", "render", "slow.json", "-o", "out/", "--pieces", "3")
         self.bad(2, "cannot resume", "render", "slow.json", "-o", "out/", "--pieces", "4", "--resume")
@@ -121,12 +117,8 @@ class Pieces(Case):
         """Of the same run: they stay in its manifest and log."""
         self.good("render", "town.json", "-o", "out/", "--frames", "0-5")
         beside = ("render", "town.json", "-o", "out/", "--frames", "6-14", "--pieces", "3")
-        process = self.start(*beside)
         folder = self.folder / "out/pieces"
-        while not list(folder.glob("0000/*.png")) and process.poll() is None:
-            time.sleep(0.005)
-        process.terminate()
-        process.wait()
+        self.signal_when(lambda: list(folder.glob("0000/*.png")), "out", signal.SIGTERM, *beside)
         self.good("pieces", "simulate", "out/pieces")
         state = folder / "checkpoint.000009"
         whole = state.read_bytes()
@@ -142,7 +134,7 @@ class Pieces(Case):
         if process.poll() is None:
             self.bad(6, "piece 1 is being drawn by another simreel", "pieces", "draw", "out/pieces", "1")
         process.send_signal(signal.SIGCONT)
-        self.assertEqual(process.wait(40), 0)
+        self.assertEqual(process.wait(PATIENCE), 0)
         done = self.good(*beside, "--resume", "--progress", "ndjson")
         self.assertIn("piece 2", [json.loads(line).get("job") for line in done.err.splitlines()])
         self.assert_whole("out")
@@ -153,7 +145,7 @@ class Pieces(Case):
         for rasterizer in ("exact", "driver"):
             out = f"{rasterizer}/"
             made = self.start("render", "town.json", "-o", out, "--pieces", "2", "--rasterizer", rasterizer)
-            self.assertEqual(made.wait(60), 0)
+            self.assertEqual(made.wait(PATIENCE), 0)
             process = self.start("render", "town.json", "-o", out, "--pieces", "2", "--rasterizer", rasterizer, "--overwrite")
             run = self.folder / rasterizer / "pieces/0001/run.json"
             while not run.exists() and process.poll() is None:

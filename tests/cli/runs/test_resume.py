@@ -9,7 +9,7 @@ import subprocess
 import time
 import zlib
 
-from common import FRAMES, PROGRAM, SLOW, Case, main, with_values
+from common import FRAMES, PATIENCE, PROGRAM, SLOW, Case, main, with_values
 
 
 class Interrupted(Case):
@@ -56,7 +56,7 @@ class Interrupted(Case):
             process.wait(0.7)
         except Exception:  # subprocess.TimeoutExpired: still at work, as it should be
             process.send_signal(signal.SIGINT)
-        messages = process.communicate(timeout=40)[1].decode()
+        messages = process.communicate(timeout=PATIENCE)[1].decode()
         return process.returncode, messages
 
 
@@ -81,7 +81,7 @@ class Signals(Case):
         while process.poll() is None and not list(self.folder.glob("out/*.png")):
             time.sleep(0.002)
         process.send_signal(signal.SIGHUP)
-        messages = process.communicate(timeout=40)[1].decode()
+        messages = process.communicate(timeout=PATIENCE)[1].decode()
         self.assertEqual(process.returncode, 0, messages)
 
     def test_a_file_too_large(self):
@@ -89,11 +89,10 @@ class Signals(Case):
         self.bad(6, ["File too large"], "render", "slow.json", "-o", "out/", preexec_fn=limit)
 
     def ended(self, process, number=signal.SIGTERM):
+        """The signal ends what would go on for hours."""
         process.send_signal(number)
-        begin = time.monotonic()
-        messages = process.communicate(timeout=40)[1].decode()
+        messages = process.communicate(timeout=PATIENCE)[1].decode()
         self.assertEqual(process.returncode, 128 + number, messages)
-        return time.monotonic() - begin
 
     def test_before_the_first_frame(self):
         dish = {"size": [400, 400], "presteps": 9000000}
@@ -105,16 +104,16 @@ class Signals(Case):
             while "prepare" not in events and (not more or len(events) < 1):
                 events.append(json.loads(process.stderr.readline())["event"])
             time.sleep(0.5)
-            self.assertLess(self.ended(process), 20)
+            self.ended(process)
 
     def test_ffmpeg_that_stops_reading(self):
-        fake = self.write("bin/ffmpeg", f"#!/bin/sh\necho $$ > {self.folder}/pid\nexec sleep 1000\n")
+        fake = self.write("bin/ffmpeg", f"#!/bin/sh\necho $$ > {self.folder}/pid\nexec sleep 100000\n")
         fake.chmod(0o755)
         process = self.start("render", "slow.json", "-o", "a.mp4", env={"PATH": f"{fake.parent}:/usr/bin:/bin"})
         while not (self.folder / "pid").exists() or not (self.folder / "pid").read_text():
             time.sleep(0.01)
         time.sleep(1)
-        self.assertLess(self.ended(process), 20)
+        self.ended(process)
         with self.assertRaises(ProcessLookupError):
             os.kill(int((self.folder / "pid").read_text()), 0)
         self.assertEqual([p.name for p in self.folder.glob("a.*")], [])
@@ -124,7 +123,7 @@ class Signals(Case):
         process = subprocess.Popen([PROGRAM, "render", "slow.json", "-o", "-"], cwd=self.folder, stdout=writer,
                                    stderr=subprocess.PIPE)
         time.sleep(2)
-        self.assertLess(self.ended(process), 20)
+        self.ended(process)
         os.close(reader)
         os.close(writer)
 

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import unittest
 
-from common import FRAMES, PROGRAM, SOURCE, Case, main, png_rows, with_values
+from common import FRAMES, PATIENCE, PROGRAM, SOURCE, Case, main, png_rows, with_values
 
 
 class Success(Case):
@@ -74,7 +74,7 @@ class Success(Case):
         for processors, env, threads in ((both[:1], {}, 2), (both, {}, 2 * len(both)), (None, own, 3)):
             with self.subTest(processors=processors):
                 run = ["taskset", "-c", ",".join(map(str, processors))] if processors else []
-                done = subprocess.run([*run, PROGRAM, "doctor"], capture_output=True, text=True, timeout=120, check=True,
+                done = subprocess.run([*run, PROGRAM, "doctor"], capture_output=True, text=True, timeout=PATIENCE, check=True,
                                       env={**{k: v for k, v in os.environ.items() if k != "LP_NUM_THREADS"}, **env})
                 if "(software)" in done.stdout:
                     self.assertIn(f"Driver's threads: {threads} ", done.stdout)
@@ -214,12 +214,12 @@ class OddButRight(Case):
         """Nobody listens: the run goes on, and no message lands in a file that took over its descriptor."""
         for closing in ("2>&-", ">&-", ">&- 2>&-", "<&-"):
             script = f'exec "$0" render scene.json -o out/ --overwrite {closing}'
-            done = subprocess.run(["sh", "-c", script, self.program()], cwd=self.folder, timeout=60, check=False,
+            done = subprocess.run(["sh", "-c", script, self.program()], cwd=self.folder, timeout=PATIENCE, check=False,
                                   capture_output=True)
             self.assertEqual(done.returncode, 0, closing)
             self.assertEqual(self.assert_manifest_is_whole("out"), list(range(FRAMES)))
         done = subprocess.run(["sh", "-c", 'exec "$0" render nothing.json -o out/ 2>&-', self.program()],
-                              cwd=self.folder, timeout=60, check=False, capture_output=True)
+                              cwd=self.folder, timeout=PATIENCE, check=False, capture_output=True)
         self.assertEqual(done.returncode, 2)
 
     @staticmethod

@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import unittest
 
-from common import PROGRAM, SOURCE, Case, main, with_values
+from common import PATIENCE, PROGRAM, SOURCE, Case, main, with_values
 
 ESC = "\x1b]0;owned\x07"
 C1 = "\x9b31m"
@@ -120,7 +120,7 @@ class SetUp(unittest.TestCase):
         """Arguments of 2 MB, and just enough memory to start without them."""
         def run(megabytes, arguments):
             limit = int(megabytes * (1 << 20))
-            return subprocess.run([PROGRAM, "list", *arguments], capture_output=True, check=False, timeout=60,
+            return subprocess.run([PROGRAM, "list", *arguments], capture_output=True, check=False, timeout=PATIENCE,
                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
         least, enough = 16.0, 2048.0
         while enough - least > 0.5:

@@ -8,10 +8,9 @@ import shutil
 import signal
 import struct
 import subprocess
-import time
 import unittest
 
-from common import Case, main, with_values
+from common import PATIENCE, Case, main, with_values
 
 PROGRAM = os.environ.get("SIMREEL", "simreel")
 SHEET = {"mesh": {"resolution": [7, 5], "deform": [{"ripple": {}}]}}
@@ -292,13 +291,10 @@ class Sequence(Case):
 
     def test_an_interrupt_leaves_nothing(self):
         self.write("scene.json", with_values({"time.duration": 300}))
-        process = self.start("bake", "scene.json", "-o", "out", "--format", "mdd")
-        part, end = self.folder / "out/flag.mdd.part", time.monotonic() + 40
-        while time.monotonic() < end and not (part.exists() and part.stat().st_size > 100_000):
-            time.sleep(0.002)
-        process.send_signal(signal.SIGTERM)
-        messages = process.communicate(timeout=40)[1].decode()
-        self.assertEqual(process.returncode, 143, messages)
+        part = self.folder / "out/flag.mdd.part"
+        code, messages = self.signal_when(lambda: part.exists() and part.stat().st_size > 100_000, "out", signal.SIGTERM, "bake", "scene.json",
+                                          "-o", "out", "--format", "mdd")
+        self.assertEqual(code, 143, messages)
         self.assertIn("no file was written", messages)
         self.assertEqual(self.content("out"), {})
 
@@ -324,7 +320,7 @@ class Sequence(Case):
         # It takes the first python3 of the path for its own, which may lack what it needs.
         system = {**os.environ, "PATH": "/usr/bin:/bin"}
         done = subprocess.run([shutil.which("blender"), "--background", "--factory-startup", "--python-exit-code", "3", "--python", self.folder / "look.py",
-                               "--", self.folder / "out"], cwd=self.folder, env=system, capture_output=True, timeout=300, check=False)
+                               "--", self.folder / "out"], cwd=self.folder, env=system, capture_output=True, timeout=PATIENCE, check=False)
         self.assertEqual(done.returncode, 0, done.stdout[-2000:])
         found = json.loads((self.folder / "out/found.json").read_text())
         for kind in ("glb", "pc2", "mdd"):

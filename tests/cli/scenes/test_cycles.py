@@ -1,5 +1,5 @@
 """tools/cycles: what it hands over to Blender is where simreel draws it, and lit alike; what it cannot hand over it refuses. With Blender
-only in tools/test long (SIMREEL_LONG=1), and where it is installed."""
+only in tools/test all (SIMREEL_LONG=1), and where it is installed."""
 import copy
 import json
 import os
@@ -9,7 +9,7 @@ import subprocess
 import sys
 import unittest
 
-from common import PROGRAM, SOURCE, Case, main, png_rows, unfiltered, with_values
+from common import PATIENCE, PROGRAM, SOURCE, Case, main, png_rows, unfiltered, with_values
 
 CYCLES = SOURCE / "tools/cycles"
 sys.dont_write_bytecode = True
@@ -36,7 +36,7 @@ SMALL = {
 
 def blender_missing():
     if os.environ.get("SIMREEL_LONG") != "1":
-        return "left to tools/test long"
+        return "left to tools/test all"
     return "" if shutil.which("blender") else "Blender is not installed"
 
 
@@ -66,7 +66,7 @@ class Cycles(Case):
         # It takes the first python3 of the path for its own, which may lack what it needs.
         done = subprocess.run([shutil.which("blender"), "-b", "--factory-startup", "--python-exit-code", "1", "--python", CYCLES / "scene.py", "--",
                                "scene.json", "baked", self.folder / "cycles.png", str(samples)], cwd=self.folder, env={**os.environ, "PATH": "/usr/bin:/bin"},
-                              capture_output=True, timeout=300, check=False)
+                              capture_output=True, timeout=PATIENCE, check=False)
         self.assertEqual(done.returncode, 0, done.stdout[-2000:])
 
     def pixels(self, name):

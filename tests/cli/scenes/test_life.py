@@ -4,7 +4,7 @@ import subprocess
 import unittest
 
 import golly
-from common import SOURCE, Case, main
+from common import PATIENCE, SOURCE, Case, main
 
 
 def read_rle(text):
@@ -31,7 +31,7 @@ def with_object(**life):
 class Golly(Case):
     def run_golly(self, file, generations):
         subprocess.run([golly.GOLLY, "-q", "-q", "-h", "-m", str(generations), "-i", "1", "-o", "golly.mc", file],
-                       cwd=self.folder, stdout=subprocess.DEVNULL, check=True, timeout=200)
+                       cwd=self.folder, stdout=subprocess.DEVNULL, check=True, timeout=PATIENCE)
         return set(golly.read_macrocell((self.folder / "golly.mc").read_text(encoding="ascii")))
 
     def compare(self, size, rule, generations):

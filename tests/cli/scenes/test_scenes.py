@@ -7,7 +7,7 @@ import subprocess
 import unittest
 import zlib
 
-from common import PROGRAM, SOURCE, Case, main, with_values
+from common import PATIENCE, PROGRAM, SOURCE, Case, main, with_values
 
 
 def png_texts(data):
@@ -233,7 +233,7 @@ class Warnings(Case):
 
 class StandardInput(Case):
     def feed(self, text, *arguments, code=0):
-        done = subprocess.run([PROGRAM, *arguments], cwd=self.folder, input=text, capture_output=True, timeout=60, check=False)
+        done = subprocess.run([PROGRAM, *arguments], cwd=self.folder, input=text, capture_output=True, timeout=PATIENCE, check=False)
         self.assertEqual(done.returncode, code, done.stderr)
         return done
 

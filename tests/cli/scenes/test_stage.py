@@ -13,7 +13,7 @@ class Stage(Case):
         self.assertLessEqual(LONG, {file.stem for file in stage})
         self.assertGreaterEqual(len(stage), 20)
         chosen = [file for file in stage if file.stem not in LONG or os.environ.get("SIMREEL_LONG") == "1"]
-        done = self.good("test", *chosen, "--repeat", "1", timeout=800)
+        done = self.good("test", *chosen, "--repeat", "1")
         self.assertIn(f"{len(chosen)} scenes: {len(chosen)} passed", done.stdout.decode())
 
 

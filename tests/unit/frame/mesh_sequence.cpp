@@ -1,4 +1,4 @@
-// A surface over several frames as one file: glTF as assimp reads it, and what cannot be one.
+// A surface over several frames as one file: glTF by its specification, and what cannot be one.
 #include "frame/mesh/mesh_sequence.hpp"
 
 #include "base/error.hpp"
@@ -6,12 +6,10 @@
 #include "frame/mesh/glb.hpp"
 #include "frame/mesh/obj.hpp"
 #include "frame/mesh/ply.hpp"
+#include "glb_file.hpp"
 #include "help.hpp"
 #include "sim/mesh/file.hpp"
 
-#include <assimp/Importer.hpp>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -24,6 +22,7 @@ using namespace simreel;
 
 namespace {
 
+using frame::test::GlbFile;
 using frame::test::TemporaryFolder;
 
 /// Two triangles that share an edge, moved; the first vertex is in neither.
@@ -95,40 +94,51 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("mesh sequences: assimp finds the frames as morph targets and their weights") {
+TEST_CASE("mesh sequences: glTF moves by the rules of morph targets and their weights") {
   const TemporaryFolder folder;
   const auto file = folder / "pair.glb";
   const auto sequence = frame::openSequence("glb", file, {"pair", {4, 5, 8}, 10, {"a comment"}});
   for (const float by : {0.0F, 0.5F, 1.0F}) sequence->add(movedPair(by));
   CHECK(!pathExists(file));
   sequence->finish();
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
-  REQUIRE_MESSAGE(scene != nullptr, importer.GetErrorString());
-  REQUIRE(scene->mNumMeshes == 1);
-  const aiMesh& mesh = *scene->mMeshes[0];
-  REQUIRE(mesh.mNumVertices == 4);
-  REQUIRE(mesh.mNumFaces == 2);
-  REQUIRE(mesh.mNumAnimMeshes == 2);
-  for (unsigned target = 0; target < 2; ++target) {
-    const sim::MeshTable wanted = movedPair(0.5F * static_cast<float>(target + 1));
-    const aiAnimMesh& found = *mesh.mAnimMeshes[target];
-    CHECK(std::string(found.mName.C_Str()) == (target == 0 ? "frame 5" : "frame 8"));
-    for (unsigned i = 0; i < 4; ++i) {
-      CHECK(glm::vec3(found.mVertices[i].x, found.mVertices[i].y, found.mVertices[i].z) ==
-            wanted.positions[i + 1]);
-      CHECK(glm::vec3(found.mNormals[i].x, found.mNormals[i].y, found.mNormals[i].z) ==
-            wanted.normals[i + 1]);
+  const GlbFile glb(file);
+  const nlohmann::json& document = glb.document();
+  REQUIRE(document["meshes"].size() == 1);
+  const nlohmann::json& mesh = document["meshes"][0];
+  REQUIRE(mesh["primitives"].size() == 1);
+  const nlohmann::json& primitive = mesh["primitives"][0];
+  CHECK(primitive.value("mode", 4) == 4);  // 5.24: triangles
+  CHECK(glb.values<std::uint32_t>(primitive["indices"]) == std::vector<std::uint32_t>{0, 2, 1, 0, 3, 2});
+  REQUIRE(primitive["targets"].size() == 2);
+  CHECK(mesh["extras"]["targetNames"] == nlohmann::json({"frame 5", "frame 8"}));
+  CHECK(!mesh.contains("weights"));  // 3.7.2.2: they are 0 without
+  // 3.11: one channel moves the weights of the node that has the mesh, by a sampler of seconds.
+  REQUIRE(document["animations"].size() == 1);
+  const nlohmann::json& animation = document["animations"][0];
+  REQUIRE(animation["channels"].size() == 1);
+  const nlohmann::json& target = animation["channels"][0]["target"];
+  CHECK(target["path"] == "weights");
+  CHECK(document["nodes"].at(target["node"].get<std::size_t>())["mesh"] == 0);
+  const nlohmann::json& sampler =
+      animation["samplers"].at(animation["channels"][0]["sampler"].get<std::size_t>());
+  CHECK(sampler.value("interpolation", "LINEAR") == "LINEAR");
+  CHECK(glb.values<float>(sampler["input"]) == std::vector<float>{0, 0.1F, 0.4F});
+  const std::vector<float> weights = glb.values<float>(sampler["output"]);
+  REQUIRE(weights.size() == 6);
+  // 3.7.2.2: what is seen is the mesh's attribute and the sum of each target's times its weight.
+  for (std::size_t key = 0; key < 3; ++key) {
+    const sim::MeshTable wanted = movedPair(0.5F * static_cast<float>(key));
+    for (const auto& [name, table] :
+         {std::pair{"POSITION", &wanted.positions}, std::pair{"NORMAL", &wanted.normals}}) {
+      std::vector<glm::vec3> found = glb.rows(primitive["attributes"][name]);
+      REQUIRE(found.size() == 4);  // without the vertex of no triangle
+      for (std::size_t k = 0; k < 2; ++k) {
+        const std::vector<glm::vec3> moved = glb.rows(primitive["targets"][k][name]);
+        REQUIRE(moved.size() == 4);
+        for (std::size_t i = 0; i < 4; ++i) found[i] += weights[2 * key + k] * moved[i];
+      }
+      for (std::size_t i = 0; i < 4; ++i) CHECK(found[i] == (*table)[i + 1]);
     }
-  }
-  REQUIRE(scene->mNumAnimations == 1);
-  REQUIRE(scene->mAnimations[0]->mNumMorphMeshChannels == 1);
-  const aiMeshMorphAnim& animation = *scene->mAnimations[0]->mMorphMeshChannels[0];
-  REQUIRE(animation.mNumKeys == 3);
-  const double milliseconds[3] = {0, 100, 400};
-  for (unsigned key = 0; key < 3; ++key) {
-    CHECK(animation.mKeys[key].mTime == doctest::Approx(milliseconds[key]));
-    for (unsigned k = 0; k < 2; ++k) CHECK(animation.mKeys[key].mWeights[k] == (k + 1 == key ? 1.0 : 0.0));
   }
 }
 

@@ -6,8 +6,8 @@
 #include "golden/trace/file.hpp"
 #include "golden/trace/layout.hpp"
 
-#include <chrono>
 #include <cstring>
+#include <ctime>
 #include <functional>
 
 #include <doctest/doctest.h>
@@ -177,13 +177,14 @@ TEST_CASE("equal traces have no divergence") {
 TEST_CASE("a trace without arrays costs nothing, however many frames it claims") {
   StepTrace trace;
   trace.frames = 1U << 31U;
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   CHECK_FALSE(compareTraces(trace, trace));
   StepTrace other = trace;
   other.detailed = 1;
   CHECK_FALSE(compareTraces(trace, other));
   CHECK(reduced(trace, true, 0).words.empty());
-  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+  CHECK(std::clock() - start <
+        CLOCKS_PER_SEC);  // of this process: microseconds, where each frame would cost some
 }
 
 TEST_CASE("one changed element is named exactly, wherever it is") {
