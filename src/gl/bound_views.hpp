@@ -12,9 +12,9 @@ struct TextureShape {
   GLenum format = GL_NONE;
   int width = 0;
   int height = 0;
-  int levels = 0;                                        ///< 0: a view of a buffer
+  int levels = 0;                                          ///< 0: a view of a buffer
   std::size_t bufferBytes = 0, offset = 0, viewBytes = 0;  ///< of a view
-  GLint filters[2] = {}, wraps[2] = {};                  ///< min and mag; s and t
+  GLint filters[2] = {}, wraps[2] = {};                    ///< min and mag; s and t
 };
 
 /// Shapes of what is bound to the units of textures and of images.

@@ -56,6 +56,12 @@ std::size_t processorShare() {
   return std::max<std::size_t>(processorCount() / sharers, 1);
 }
 
+std::size_t driverThreads() {
+  const char* text =
+      std::getenv("LP_NUM_THREADS");  // NOLINT(concurrency-mt-unsafe): nobody sets it meanwhile
+  return text == nullptr ? 0 : std::strtoul(text, nullptr, 10);
+}
+
 void chooseDriverThreads() {
   // llvmpipe starts so many threads for pictures and so many for kernels, 32 at most; then come ours.
   constexpr std::size_t most = 32;

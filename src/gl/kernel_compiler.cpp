@@ -180,7 +180,7 @@ std::unique_ptr<Pool>& pool() {
 }  // namespace
 
 bool KernelCompiler::helps() {
-  return softwareDriver() && processorShare() > 1 && shaderCacheKept();
+  return softwareDriver() && processorShare() > 1 && driverThreads() > 1 && shaderCacheKept();
 }
 
 void KernelCompiler::announce(std::vector<Rehearsal::Kernel> kernels) {
@@ -188,7 +188,8 @@ void KernelCompiler::announce(std::vector<Rehearsal::Kernel> kernels) {
   for (Rehearsal::Kernel& kernel : kernels) {
     const auto& stages = kernel.program->stages();
     if (stages.size() != 1 || kernel.program->linked()) continue;
-    jobs.push_back({kernel.program.get(), kernel.program->label(), stages.front().source.text, std::move(kernel.uses)});
+    jobs.push_back({kernel.program.get(), kernel.program->label(), stages.front().source.text,
+                    std::move(kernel.uses)});
   }
   pool() = std::make_unique<Pool>(std::move(jobs));
 }

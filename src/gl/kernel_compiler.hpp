@@ -12,13 +12,14 @@ class LinkedProgram;
 /// such a cache, or on a single processor. One for each context at most.
 class KernelCompiler {
  public:
-  /// Whether it is worth rehearsing what is to be compiled: on the current context, with what the machine has.
+  /// Whether it is worth rehearsing what is to be compiled: on the current context, with what the machine
+  /// has.
   [[nodiscard]] static bool helps();
   /// Announces kernels in the order in which they will be needed. Threads start when the first of them
   /// turns out not to be in the driver's cache.
   static void announce(std::vector<Rehearsal::Kernel> kernels);
-  /// Call before linking: waits where a thread is at it, and keeps the threads from it otherwise. Whether it
-  /// was announced.
+  /// Call before linking: waits where a thread is at it, and keeps the threads from it otherwise. Whether
+  /// it was announced.
   static bool claim(const LinkedProgram& program);
   /// Hears how long linking an announced program took.
   static void linked(double seconds);

@@ -14,8 +14,8 @@ namespace simreel::gl {
 
 namespace {
 
-/// Programs of the current context by the hash of their stages. Never destroyed: a context that ends with the
-/// process comes after whatever was made later.
+/// Programs of the current context by the hash of their stages. Never destroyed: a context that ends with
+/// the process comes after whatever was made later.
 std::unordered_map<std::string, std::shared_ptr<LinkedProgram>>& store() {
   static auto& programs = *new std::unordered_map<std::string, std::shared_ptr<LinkedProgram>>();
   return programs;
@@ -63,13 +63,16 @@ void LinkedProgram::compiledFor(const char* what, double seconds) const {
   if (seconds > fromCache) total += seconds;
   if (total < 1 || std::exchange(told, true)) return;
   if (::isatty(STDERR_FILENO) != 0)
-    info("the driver is compiling shaders, which takes seconds the first time; it keeps them for later runs");
+    info(
+        "the driver is compiling shaders, which takes seconds the first time; it keeps them for later "
+        "runs");
 }
 
 namespace {
 
 bool has(const std::vector<Uniform>& uniforms, const std::string& name) {
-  return std::any_of(uniforms.begin(), uniforms.end(), [&](const Uniform& one) { return one.name == name; });
+  return std::any_of(uniforms.begin(), uniforms.end(),
+                     [&](const Uniform& one) { return one.name == name; });
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ struct Program::Own {
   Own& operator=(const Own&) = delete;
 
   Uniform& uniform(const char* name, const Uniform::Value& value) {
-    const auto found =
-        std::find_if(uniforms.begin(), uniforms.end(), [&](const Uniform& one) { return one.name == name; });
+    const auto found = std::find_if(uniforms.begin(), uniforms.end(),
+                                    [&](const Uniform& one) { return one.name == name; });
     if (found != uniforms.end()) return *found;
     uniforms.push_back({name, value});
     linked->mayBeGiven(uniforms.back());

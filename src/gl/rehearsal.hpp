@@ -11,8 +11,8 @@ namespace simreel::gl {
 class LinkedProgram;
 class Texture;
 
-/// While one exists, kernels are not run: it notes which would have run, and what was bound. Drawing a frame
-/// so tells the kernels of the frame in a few milliseconds. One at a time.
+/// While one exists, kernels are not run: it notes which would have run, and what was bound. Drawing a
+/// frame so tells the kernels of the frame in a few milliseconds. One at a time.
 class Rehearsal {
  public:
   struct Kernel {

@@ -23,11 +23,13 @@ bool isOn(std::string_view text) {
 }  // namespace
 
 bool shaderCacheKept() {
-  if (isOn(variable("MESA_SHADER_CACHE_DISABLE")) || isOn(variable("MESA_GLSL_CACHE_DISABLE"))) return false;
+  if (isOn(variable("MESA_SHADER_CACHE_DISABLE")) || isOn(variable("MESA_GLSL_CACHE_DISABLE")))
+    return false;
   std::filesystem::path folder = variable("MESA_SHADER_CACHE_DIR");
   if (folder.empty()) folder = variable("MESA_GLSL_CACHE_DIR");
   if (folder.empty()) folder = variable("XDG_CACHE_HOME");
-  if (folder.empty() && !variable("HOME").empty()) folder = std::filesystem::path(variable("HOME")) / ".cache";
+  if (folder.empty() && !variable("HOME").empty())
+    folder = std::filesystem::path(variable("HOME")) / ".cache";
   if (folder.empty()) return false;
   std::error_code ignored;
   while (!folder.empty() && !std::filesystem::exists(folder, ignored) && folder != folder.parent_path())

@@ -41,9 +41,7 @@ class Texture {
     glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
-  void bindImage(GLuint unit, GLenum access) const {
-    bindImage(unit, 0, access, format_);
-  }
+  void bindImage(GLuint unit, GLenum access) const { bindImage(unit, 0, access, format_); }
 
   /// The same of one level, as another format.
   void bindImage(GLuint unit, GLint level, GLenum access, GLenum format) const {

@@ -25,7 +25,8 @@ struct RendererOptions {
 class Renderer {
  public:
   /// Loads every texture the scene's materials name; shaders are compiled at their first use. Throws
-  /// UserError: device for limits (samples, size), inputOutput or usage for textures. The scene must outlive it.
+  /// UserError: device for limits (samples, size), inputOutput or usage for textures. The scene must
+  /// outlive it.
   Renderer(const scene::Scene& scene, glm::ivec2 size, int samples, const RendererOptions& options = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;

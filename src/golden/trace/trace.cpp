@@ -67,8 +67,7 @@ class Tracer {
 
   void addArray(const sim::StateArray& state, const StepTrace::Array& array, std::uint32_t place) {
     const bool planes = state.planes.count > 0;
-    if (planes && !ofPlanes_)
-      ofPlanes_ = gl::Program::compute("common/block_hash.comp", {{"PLANES", "1"}});
+    if (planes && !ofPlanes_) ofPlanes_ = gl::Program::compute("common/block_hash.comp", {{"PLANES", "1"}});
     const gl::Program& hash = planes ? ofPlanes_ : hash_;
     const sim::StateWords words(state);
     words.bind(hash);

@@ -155,7 +155,8 @@ bool Contact::endFrame() {
 }
 
 void Contact::dispatchIndirect(const gl::Program& program, int number) const {
-  program.dispatchIndirect(control_, 4 * at::countWords + std::size_t{16} * static_cast<std::size_t>(number));
+  program.dispatchIndirect(control_,
+                           4 * at::countWords + std::size_t{16} * static_cast<std::size_t>(number));
 }
 
 void Contact::fit() const {

@@ -90,8 +90,7 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
   reserve(largeCounts_, largeCountView_, "counts of large triangles", words(2 * parts), GL_R32UI, 4);
   reserve(smallGroups_, "groups for copies", parts * GroupCounts::bytes);
   reserve(largeGroups_, "groups for large triangles", parts * GroupCounts::bytes);
-  if (!cull_)
-    cull_ = gl::Program::compute("draw/exact/copies/cull_copies.comp", cullDefines(into_));
+  if (!cull_) cull_ = gl::Program::compute("draw/exact/copies/cull_copies.comp", cullDefines(into_));
   clear(counts_);
   gl::barrier();
   listed_.bindStorage(largeBinding);
