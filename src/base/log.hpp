@@ -11,6 +11,20 @@ enum class Verbosity { quiet, normal, verbose };
 void setVerbosity(Verbosity verbosity);
 [[nodiscard]] Verbosity verbosity();
 
+/// Only errors are shown while it lives.
+class Silence {
+ public:
+  Silence() : before_(verbosity()) { setVerbosity(Verbosity::quiet); }
+  ~Silence() { setVerbosity(before_); }
+  Silence(Silence&&) = delete;
+  Silence(const Silence&) = delete;
+  Silence& operator=(Silence&&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  Verbosity before_;
+};
+
 /// From here on each line is a JSON object: {"event":"message","level":"error","text":"..."}.
 void logAsJson();
 /// One line of plain ASCII on standard error, for signal handlers.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <deque>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -90,11 +91,12 @@ void compile(const Job& job) {
 /// Threads that take jobs from the end, while the thread that needs them goes through them from the start.
 class Pool {
  public:
-  explicit Pool(std::vector<Job> jobs) : jobs_(std::move(jobs)) {}
+  Pool() = default;
   ~Pool() {
     {
       const std::scoped_lock lock(mutex_);
       ended_ = true;
+      added_.notify_all();
     }
     for (std::thread& thread : threads_) thread.join();
   }
@@ -103,14 +105,21 @@ class Pool {
   Pool& operator=(Pool&&) = delete;
   Pool& operator=(const Pool&) = delete;
 
-  bool claim(const LinkedProgram& program) {
+  void add(Job job) {
+    const std::scoped_lock lock(mutex_);
+    const bool known = std::any_of(jobs_.begin(), jobs_.end(),
+                                   [&](const Job& other) { return other.program == job.program; });
+    if (!known) jobs_.push_back(std::move(job));
+    added_.notify_all();
+  }
+
+  void claim(const LinkedProgram& program) {
     std::unique_lock lock(mutex_);
     const auto found =
         std::find_if(jobs_.begin(), jobs_.end(), [&](const Job& job) { return job.program == &program; });
-    if (found == jobs_.end()) return false;
+    if (found == jobs_.end()) return;
     if (found->state == Job::State::waiting) found->state = Job::State::done;
     finished_.wait(lock, [&] { return found->state == Job::State::done; });
-    return true;
   }
 
   void start() {
@@ -143,14 +152,19 @@ class Pool {
     }
   }
 
+  /// The last job that waits, once there is one; null: the pool ends.
   Job* next() {
-    const std::scoped_lock lock(mutex_);
-    if (ended_) return nullptr;
-    const auto last = std::find_if(jobs_.rbegin(), jobs_.rend(),
-                                   [](const Job& job) { return job.state == Job::State::waiting; });
-    if (last == jobs_.rend()) return nullptr;
-    last->state = Job::State::running;
-    return &*last;
+    std::unique_lock lock(mutex_);
+    while (!ended_) {
+      const auto last = std::find_if(jobs_.rbegin(), jobs_.rend(),
+                                     [](const Job& job) { return job.state == Job::State::waiting; });
+      if (last != jobs_.rend()) {
+        last->state = Job::State::running;
+        return &*last;
+      }
+      added_.wait(lock);
+    }
+    return nullptr;
   }
 
   /// Lets go of the thread that waits for a job, however compiling it ends.
@@ -165,8 +179,8 @@ class Pool {
   };
 
   std::mutex mutex_;
-  std::condition_variable finished_;
-  std::vector<Job> jobs_;
+  std::condition_variable finished_, added_;
+  std::deque<Job> jobs_;  ///< threads hold pointers to them
   bool ended_ = false;
   std::vector<std::thread> threads_;
 };
@@ -177,34 +191,44 @@ std::unique_ptr<Pool>& pool() {
   return one;
 }
 
+/// Whether linking a program of this context took so long that it was not in the driver's cache.
+bool cacheLacks = false;
+
 }  // namespace
 
 bool KernelCompiler::helps() {
   return softwareDriver() && processorShare() > 1 && driverThreads() > 1 && shaderCacheKept();
 }
 
+bool KernelCompiler::isCold() {
+  return cacheLacks;
+}
+
 void KernelCompiler::announce(std::vector<Rehearsal::Kernel> kernels) {
-  std::vector<Job> jobs;
+  if (pool() == nullptr) pool() = std::make_unique<Pool>();
   for (Rehearsal::Kernel& kernel : kernels) {
     const auto& stages = kernel.program->stages();
     if (stages.size() != 1 || kernel.program->linked()) continue;
-    jobs.push_back({kernel.program.get(), kernel.program->label(), stages.front().source.text,
-                    std::move(kernel.uses)});
+    pool()->add({kernel.program.get(), kernel.program->label(), stages.front().source.text,
+                 std::move(kernel.uses)});
   }
-  pool() = std::make_unique<Pool>(std::move(jobs));
+  if (cacheLacks) pool()->start();
 }
 
-bool KernelCompiler::claim(const LinkedProgram& program) {
-  return pool() != nullptr && pool()->claim(program);
+void KernelCompiler::claim(const LinkedProgram& program) {
+  if (pool() != nullptr) pool()->claim(program);
 }
 
 void KernelCompiler::linked(double seconds) {
   constexpr double fromCache = 0.004;
-  if (seconds > fromCache && pool() != nullptr) pool()->start();
+  if (seconds <= fromCache) return;
+  cacheLacks = true;
+  if (pool() != nullptr) pool()->start();
 }
 
 void KernelCompiler::end() {
   pool().reset();
+  cacheLacks = false;
 }
 
 }  // namespace simreel::gl

@@ -15,13 +15,14 @@ class KernelCompiler {
   /// Whether it is worth rehearsing what is to be compiled: on the current context, with what the machine
   /// has.
   [[nodiscard]] static bool helps();
-  /// Announces kernels in the order in which they will be needed. Threads start when the first of them
-  /// turns out not to be in the driver's cache.
+  /// Whether linking a program of this context took so long that it was not in the driver's cache.
+  [[nodiscard]] static bool isCold();
+  /// Announces kernels in the order in which they will be needed. Threads start once linking any program
+  /// has shown that the driver's cache is not filled.
   static void announce(std::vector<Rehearsal::Kernel> kernels);
-  /// Call before linking: waits where a thread is at it, and keeps the threads from it otherwise. Whether
-  /// it was announced.
-  static bool claim(const LinkedProgram& program);
-  /// Hears how long linking an announced program took.
+  /// Call before linking: waits where a thread is at it, and keeps the threads from it otherwise.
+  static void claim(const LinkedProgram& program);
+  /// Takes the seconds that linking a program took.
   static void linked(double seconds);
   /// Ends the threads, each after the kernel that it is at. The context calls it before it ends.
   static void end();

@@ -90,7 +90,7 @@ void LinkedProgram::giveTo(const void* user, std::vector<Uniform>& uniforms) {
 
 void LinkedProgram::link() {
   if (linked()) return;
-  const bool announced = KernelCompiler::claim(*this);
+  KernelCompiler::claim(*this);
   const auto start = Clock::now();
   std::vector<Handle<DeleteShader>> shaders;
   for (const Stage& stage : stages_) shaders.push_back(compile(stage));
@@ -115,7 +115,7 @@ void LinkedProgram::link() {
   handle_ = std::move(program);
   stages_.clear();
   const double seconds = secondsSince(start);
-  if (announced) KernelCompiler::linked(seconds);
+  KernelCompiler::linked(seconds);
   compiledFor("link", seconds);
 }
 

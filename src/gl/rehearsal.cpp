@@ -29,6 +29,9 @@ bool Rehearsal::now() {
 
 bool Rehearsal::note(const std::shared_ptr<LinkedProgram>& program) {
   if (current == nullptr) return false;
+  // A loop that waits for what a kernel finds would not end.
+  constexpr int most = 20000;
+  if (++current->noted_ > most) fail(ExitCode::device, "a rehearsal of more than {} dispatches", most);
   if (program->linked()) return true;
   auto& kernels = current->kernels_;
   auto found = std::find_if(kernels.begin(), kernels.end(),

@@ -40,6 +40,7 @@ class Rehearsal {
  private:
   std::vector<Kernel> kernels_;
   BoundViews bound_;
+  int noted_ = 0;
 };
 
 }  // namespace simreel::gl

@@ -11,20 +11,6 @@ namespace simreel::draw {
 
 namespace {
 
-/// No line is printed while it lives: the real picture prints all of them.
-class Silence {
- public:
-  Silence() : before_(verbosity()) { setVerbosity(Verbosity::quiet); }
-  ~Silence() { setVerbosity(before_); }
-  Silence(Silence&&) = delete;
-  Silence(const Silence&) = delete;
-  Silence& operator=(Silence&&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  Verbosity before_;
-};
-
 /// A smaller picture needs the same kernels. Powers of two stay such: machine code depends on that.
 glm::ivec2 rehearsedSize(glm::ivec2 size) {
   constexpr int enough = 640 * 400;

@@ -19,7 +19,7 @@ namespace {
 class Runner {
  public:
   Runner(const scene::Scene& scene, std::span<const int> frames)
-      : world_(scene),
+      : world_((sim::compileWorldAhead(scene), scene)),
         summaries_(world_, [this](const auto& summary) { summary_ = summary; }),
         renderer_(scene, scene.render.size, scene.render.samples),
         readback_(scene.render.size),

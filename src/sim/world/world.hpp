@@ -90,4 +90,8 @@ class World {
   std::unique_ptr<State> state_;
 };
 
+/// Finds out which kernels the scene's World needs up to frame 0, and has a software driver compile them on
+/// the processors that are idle meanwhile. Changes no state; does nothing where there is nothing to gain.
+void compileWorldAhead(const scene::Scene& scene);
+
 }  // namespace simreel::sim
