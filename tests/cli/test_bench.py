@@ -171,7 +171,7 @@ class Mistakes(BenchCase):
             self.bad(2, [f"--technique {word}", "no object of this scene"], "bench", "scene.json", "--technique", word)
 
     def test_files_are_checked_before_anything_runs(self):
-        endless = ("bench", "scene.json", "--frames", "100000000")
+        endless = ("bench", "scene.json", "--frames", "1000000")
         self.bad(6, "nowhere/a.json", *endless, "--json", "nowhere/a.json")
         self.bad(6, "nowhere/a.svg", *endless, "--chart", "nowhere/a.svg")
         (self.folder / "folder.svg").mkdir()

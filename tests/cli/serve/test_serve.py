@@ -30,7 +30,7 @@ class Pictures(ServeCase):
         server = self.serve("--memory", "8")
         viewer = server.viewer()
         viewer.send(do="seek", frame=12)
-        viewer.rest(12, 240)
+        viewer.rest(12)
         if viewer.latest["status"].get("kept", {}).get("every", 1) <= 1:  # or it was told already
             viewer.until(lambda kind, m: kind == "status" and m.get("kept", {}).get("every", 1) > 1)
         self.assertLessEqual(viewer.latest["status"]["kept"]["bytes"], 8 << 20)

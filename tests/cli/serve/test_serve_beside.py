@@ -14,7 +14,7 @@ DAMPING = "objects.flag.cloth.damping"
 
 class TwoSides(ServeCase):
     def sides(self, viewer, frame):
-        picture = viewer.rest(frame, 20)
+        picture = viewer.rest(frame)
         self.assertIn("beside", picture[0])
         return [self.pixels(file) for file in files_of(picture)]
 

@@ -43,7 +43,7 @@ class NamedFiles(ViewerCase):
     def becomes_rendered(self, viewer, frame, file="scene.json"):
         self.__dict__.pop("pictures", None)  # they know a scene by its text
         wanted = self.rendered(frame, file=file)
-        while self.pixels(viewer.rest(frame, 20)[1]) != wanted:
+        while self.pixels(viewer.rest(frame)[1]) != wanted:
             pass
         return wanted
 
