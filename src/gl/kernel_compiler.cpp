@@ -194,6 +194,11 @@ std::unique_ptr<Pool>& pool() {
 /// Whether linking a program of this context took so long that it was not in the driver's cache.
 bool cacheLacks = false;
 
+void lacks() {
+  cacheLacks = true;
+  if (pool() != nullptr) pool()->start();
+}
+
 }  // namespace
 
 bool KernelCompiler::helps() {
@@ -221,9 +226,14 @@ void KernelCompiler::claim(const LinkedProgram& program) {
 
 void KernelCompiler::linked(double seconds) {
   constexpr double fromCache = 0.004;
-  if (seconds <= fromCache) return;
-  cacheLacks = true;
-  if (pool() != nullptr) pool()->start();
+  static bool first = true;  // sets up the compiler of GLSL, too, which takes longer
+  if (!std::exchange(first, false) && seconds > fromCache) lacks();
+}
+
+void KernelCompiler::dispatched(double seconds) {
+  constexpr double fromCache = 0.02;
+  static bool first = true;  // of a kernel that computes next to nothing
+  if (std::exchange(first, false) && seconds > fromCache) lacks();
 }
 
 void KernelCompiler::end() {

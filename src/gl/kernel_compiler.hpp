@@ -24,6 +24,8 @@ class KernelCompiler {
   static void claim(const LinkedProgram& program);
   /// Takes the seconds that linking a program took.
   static void linked(double seconds);
+  /// Takes the seconds of a kernel's first dispatch.
+  static void dispatched(double seconds);
   /// Ends the threads, each after the kernel that it is at. The context calls it before it ends.
   static void end();
 };

@@ -55,6 +55,11 @@ void LinkedProgram::forgetAll() {
   store().clear();
 }
 
+void LinkedProgram::firstDispatchTook(double seconds) const {
+  KernelCompiler::dispatched(seconds);
+  compiledFor("dispatch first", seconds);
+}
+
 void LinkedProgram::compiledFor(const char* what, double seconds) const {
   constexpr double fromCache = 0.005;
   if (seconds > fromCache) detail("shaders: {} took {:.0f} ms to {}", label_, 1000 * seconds, what);

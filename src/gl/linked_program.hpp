@@ -57,12 +57,13 @@ class LinkedProgram {
     const auto start = Clock::now();
     run();
     dispatched_ = true;
-    compiledFor("dispatch first", secondsSince(start));
+    firstDispatchTook(secondsSince(start));
   }
   /// Whether it has been dispatched, so that the driver has machine code for it.
   [[nodiscard]] bool dispatched() const { return dispatched_; }
 
  private:
+  void firstDispatchTook(double seconds) const;
   /// Tells of what the driver compiles, where that takes long.
   void compiledFor(const char* what, double seconds) const;
 
