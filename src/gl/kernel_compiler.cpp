@@ -143,9 +143,12 @@ class Pool {
       glNamedBufferStorage(none, sizeof groups, groups, 0);
       glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, none);
       while (Job* job = next()) {
-        const Finish finish{*this, *job};
         const auto start = Clock::now();
-        compile(*job);
+        try {
+          compile(*job);
+        } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): left to the other thread
+        }
+        finish(*job);
         detail("shaders: {} compiled ahead in {:.0f} ms", job->label, 1000 * secondsSince(start));
       }
     } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the other thread compiles all itself
@@ -167,16 +170,11 @@ class Pool {
     return nullptr;
   }
 
-  /// Lets go of the thread that waits for a job, however compiling it ends.
-  struct Finish {
-    Pool& pool;
-    Job& job;
-    ~Finish() {
-      const std::scoped_lock lock(pool.mutex_);
-      job.state = Job::State::done;
-      pool.finished_.notify_all();
-    }
-  };
+  void finish(Job& job) {
+    const std::scoped_lock lock(mutex_);
+    job.state = Job::State::done;
+    finished_.notify_all();
+  }
 
   std::mutex mutex_;
   std::condition_variable finished_, added_;
