@@ -1,8 +1,7 @@
-#include "gl/program.hpp"
-
 #include "gl/buffer.hpp"
 #include "gl/element_array.hpp"
 #include "gl/linked_program.hpp"
+#include "gl/program.hpp"
 #include "gl/rehearsal.hpp"
 #include "gl/texture.hpp"
 #include "gpu/context.hpp"
