@@ -90,7 +90,10 @@ void warnLinesOnce(const std::string& report) {
 }
 
 void infoLine(const std::string& message) {
-  if (level != Verbosity::quiet) say("info", "simreel: ", oneLine(message));
+  if (level == Verbosity::quiet) return;
+  // A bar of progress may stand in the terminal's line.
+  if (!json && ::isatty(STDERR_FILENO) != 0) put(stderr, "\r\x1b[K");
+  say("info", "simreel: ", oneLine(message));
 }
 
 void detailLine(const std::string& message) {
