@@ -6,8 +6,7 @@
 
 namespace simreel::gl {
 
-/// What a software driver compiles a kernel for, of a texture: another format or size means other machine
-/// code.
+/// Properties of a bound texture that a software driver's machine code depends on.
 struct TextureShape {
   GLenum format = GL_NONE;
   int width = 0;

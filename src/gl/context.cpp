@@ -26,7 +26,7 @@ Limits currentLimits;
 MemoryPath currentPath = MemoryPath::storage;
 bool currentIsSoftware = false;
 
-/// What further contexts are made of.
+/// Display, configuration and attributes for further contexts.
 struct Origin {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLConfig config = EGL_NO_CONFIG_KHR;

@@ -189,7 +189,7 @@ std::unique_ptr<Pool>& pool() {
   return one;
 }
 
-/// Whether linking a program of this context took so long that it was not in the driver's cache.
+/// True once a program of this context took too long to come from the driver's cache.
 bool cacheLacks = false;
 
 void lacks() {

@@ -12,10 +12,9 @@ class LinkedProgram;
 /// such a cache, or on a single processor. One for each context at most.
 class KernelCompiler {
  public:
-  /// Whether it is worth rehearsing what is to be compiled: on the current context, with what the machine
-  /// has.
+  /// True if compiling ahead can help: a software driver with a cache on disk, and an idle processor.
   [[nodiscard]] static bool helps();
-  /// Whether linking a program of this context took so long that it was not in the driver's cache.
+  /// True once a program of this context took too long to come from the driver's cache.
   [[nodiscard]] static bool isCold();
   /// Announces kernels in the order in which they will be needed. Threads start once linking any program
   /// has shown that the driver's cache is not filled.

@@ -39,13 +39,13 @@ class LinkedProgram {
   /// The stages, until it is linked.
   [[nodiscard]] const std::vector<Stage>& stages() const { return stages_; }
 
-  /// Whose uniform values it has; null: nobody's.
+  /// The Program whose uniform values it has; null for none.
   [[nodiscard]] const void* user() const { return user_; }
   /// Gives it the uniform values of `user`; those that it does not set become zero. Needs link().
   void giveTo(const void* user, std::vector<Uniform>& uniforms);
   /// Notes a uniform that a user sets.
   void mayBeGiven(const Uniform& uniform);
-  /// From here on it has nobody's values, if it had those of `user`.
+  /// Forgets `user`, whose values it may have.
   void leave(const void* user) {
     if (user_ == user) user_ = nullptr;
   }
@@ -59,7 +59,7 @@ class LinkedProgram {
     dispatched_ = true;
     firstDispatchTook(secondsSince(start));
   }
-  /// Whether it has been dispatched, so that the driver has machine code for it.
+  /// True once it has been dispatched, so that the driver has machine code for it.
   [[nodiscard]] bool dispatched() const { return dispatched_; }
 
  private:

@@ -31,7 +31,7 @@ void checkBlock(GLuint program, const char* block, std::size_t bytes) {
 
 }  // namespace
 
-/// What a Program has by itself.
+/// Uniform values and checks of one Program, and the program that it shares.
 struct Program::Own {
   explicit Own(std::shared_ptr<LinkedProgram> shared) : linked(std::move(shared)) {}
   ~Own() { linked->leave(this); }

@@ -30,7 +30,7 @@ class Rehearsal {
   /// The kernels that are not linked yet, in the order of their first use.
   [[nodiscard]] std::vector<Kernel> take() { return std::move(kernels_); }
 
-  /// Whether there is one now.
+  /// True while a rehearsal exists.
   [[nodiscard]] static bool now();
   /// Notes a kernel that is about to run. False where there is no rehearsal, so that it has to run.
   static bool note(const std::shared_ptr<LinkedProgram>& program);

@@ -2,7 +2,7 @@
 
 namespace simreel::gl {
 
-/// Whether Mesa keeps compiled shaders on disk: the environment does not switch it off, and the folder can
+/// True if Mesa keeps compiled shaders on disk: the environment does not switch it off, and the folder can
 /// be written to.
 [[nodiscard]] bool shaderCacheKept();
 

@@ -49,7 +49,7 @@ class Texture {
     glBindImageTexture(unit, name(), level, GL_FALSE, 0, access, format);
   }
 
-  /// What drivers compile kernels for.
+  /// Properties that a software driver's machine code depends on.
   [[nodiscard]] TextureShape shape() const;
   [[nodiscard]] GLuint name() const { return handle_.get(); }
   [[nodiscard]] int width() const { return width_; }

@@ -11,7 +11,7 @@ namespace simreel::draw {
 class ResolvePass {
  public:
   ResolvePass(glm::ivec2 size, int samples);
-  /// Whether there is anything to do.
+  /// False where there is nothing to do.
   [[nodiscard]] bool on() const { return static_cast<bool>(program_); }
   /// Of the light that draw() gives.
   [[nodiscard]] int samples() const { return on() ? 1 : samples_; }
