@@ -98,7 +98,7 @@ def main():
                              *(w for pair in chosen for w in pair)],
                             check=True, capture_output=True, text=True)
     tests = json.loads(listed.stdout)["tests"]
-    # What ctest runs after others goes last.
+    # Tests with DEPENDS go last, as in ctest.
     tests.sort(key=lambda test: (bool(properties(test).get("DEPENDS")), -properties(test).get("COST", 0)))
     if options.phases:
         return phases(options, tests)

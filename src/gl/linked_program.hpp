@@ -21,7 +21,7 @@ class LinkedProgram {
     ShaderSource source;
   };
 
-  /// The program of these stages, which is kept until the context ends.
+  /// Returns the shared program with these stages. It lives until the context ends.
   static std::shared_ptr<LinkedProgram> of(std::string label, std::vector<Stage> stages);
   /// Forgets all programs. The context calls it before it ends.
   static void forgetAll();
@@ -64,7 +64,7 @@ class LinkedProgram {
 
  private:
   void firstDispatchTook(double seconds) const;
-  /// Tells of what the driver compiles, where that takes long.
+  /// Logs a slow compilation, and tells a terminal once they add up to a second.
   void compiledFor(const char* what, double seconds) const;
 
   std::string label_;

@@ -43,7 +43,7 @@ class Texture {
   }
   void bindImage(GLuint unit, GLenum access) const { bindImage(unit, 0, access, format_); }
 
-  /// The same of one level, as another format.
+  /// Binds one level as an image, read or written as `format`.
   void bindImage(GLuint unit, GLint level, GLenum access, GLenum format) const {
     Rehearsal::boundImage(unit, *this, level, access, format);
     glBindImageTexture(unit, name(), level, GL_FALSE, 0, access, format);

@@ -111,7 +111,7 @@ class Safety(ServeCase):
         quick.send(do="pause")
         quick.send(do="seek", frame=3)
         last = quick.rest(3)[0]["number"]
-        # Of all those pictures the slow one gets the two that were under way, and once it says so the latest.
+        # The slow viewer gets the two pictures under way, and the latest one when it acknowledges them.
         slow.send_frame(f"shown {last}".encode())
         slow.until(lambda kind, message: kind == "picture" and message[0]["number"] == last)
         self.assertLessEqual(len(slow.pictures), 3)
