@@ -9,14 +9,26 @@
 // pressure over the surface is that of its gradient over the volume). The water's level counts what a body displaces as
 // water: a body that goes down by some volume raises the level by as much where it does so, and takes it back when it leaves.
 // What pushes a body along is taken from the water's discharge, so their momentum stays.
+//
+// A body displaces its volume under a reference level r, which follows the mean level w of the water over it:
+//
+//   T m1' = w - m1,   T m2' = m1 - m2,   T r' = m2 - r
+//
+// A rising r adds water where the level is w, so r' does the work rho g A (w - r) r' on the water (A: area of its section). At
+// the frequency f = omega T that is proportional to Re(i f / (1 + i f)^3) = f^2 (3 - f^2) / (1 + f^2)^3, which is negative for
+// f > sqrt(3): T is so long that the slowest wave of the grid has f = 2, and following never feeds a wave. A single stage
+// always does.
 
 struct FloatBody {
   vec3 at;        // m
-  float level;    // m, of the water around it
+  float level;    // m: reference level
   vec4 turn;      // quaternion
   vec3 velocity;  // m/s
   float under;    // m^3 under that level
   vec3 spin;      // angular momentum (kg m^2/s)
+  vec2 stages;    // m: of the reference level
+  float around;   // m: mean level of the water over its points
+  float wet;      // m^3 under the water
 };
 
 FUNCTION FloatBody floatBody(int i) {
@@ -28,6 +40,10 @@ FUNCTION FloatBody floatBody(int i) {
   body.velocity = vec3(b);
   body.under = b.w;
   body.spin = vec3(loadFloat(i * floatTexels + 3));
+  vec4 e = loadFloat(i * floatTexels + 4);
+  body.stages = vec2(e.x, e.y);
+  body.around = e.z;
+  body.wet = e.w;
   return body;
 }
 
@@ -162,9 +178,9 @@ FUNCTION FloatWater floatWater(float column, float row) {
 
 // What a body has of its points.
 struct FloatSum {
-  vec4 push;  // force (N), volume under the water around it (m^3)
+  vec4 push;  // force (N), volume under the reference level (m^3)
   vec4 turn;  // moment (N m), volume over wet cells (m^3)
-  vec4 rest;  // level there times that volume less the body's level (m^4), unused
+  vec4 rest;  // that volume times its level over the reference level (m^4), volume under the water (m^3), unused
 };
 
 // What touches pushes a point of mass 1 with unit normal n, `deep` m within, by this acceleration, Coulomb's friction along.
@@ -243,7 +259,7 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   precise float around = (body.level - at.y) * perHeight + 0.5f;
   around = clamp(around, 0.0f, 1.0f);
   precise float volume = point.w * around;
-  float works = water.share > 0.0f ? volume : 0.0f;
+  precise float works = point.w * under;
   precise vec3 own = drive * works;
   precise vec3 aside = exactCross(steering, arm) * works;
   precise float pullX = pushX + (own.x + aside.x);
@@ -276,7 +292,7 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   FloatSum sum;
   sum.push = vec4(force, volume);
   sum.turn = vec4(moment, wet);
-  sum.rest = vec4(risen, 0.0f, 0.0f, 0.0f);
+  sum.rest = vec4(risen, works, 0.0f, 0.0f);
   return sum;
 }
 
@@ -303,9 +319,9 @@ FUNCTION FloatSum floatLane(int lane, FloatBody body, FloatTold t) {
   precise float perY = 0.5f * exactReciprocal(wideY);
   // Its own push, shared out by what of it was under water a step ago: it works there only, and the water gets the opposite.
   precise float least = 0.02f * t.grain.w;
-  precise float thrust = t.reach.w * exactReciprocal(max(body.under, least));
+  precise float thrust = t.reach.w * exactReciprocal(max(body.wet, least));
   precise vec3 drive = thrust * floatTurned(body.turn, vec3(0.0f, 0.0f, 1.0f));
-  precise float swing = t.head.z * exactReciprocal(max(body.under, least));
+  precise float swing = t.head.z * exactReciprocal(max(body.wet, least));
   precise vec3 steering = swing * floatTurned(body.turn, vec3(0.0f, 1.0f, 0.0f));
   FloatSum sum;
   sum.push = vec4(0.0f);

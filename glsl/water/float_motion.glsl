@@ -22,7 +22,7 @@ FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, Float
   precise float falling = velocity.y - floats.dt * floats.gravity;
   velocity = vec3(clamp(velocity.x, -floats.most, floats.most), falling, clamp(velocity.z, -floats.most, floats.most));
   // Air slows down what is not in the water, implicit.
-  precise float over = t.grain.w - sum.push.w;
+  precise float over = t.grain.w - sum.rest.y;
   precise float dry = max(over, 0.0f) * exactReciprocal(t.grain.w);
   precise float slower = 1.0f + floats.dt * t.head.w * dry;
   precise float kept = exactReciprocal(slower);
@@ -45,13 +45,20 @@ FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, Float
   precise float real = q.w - half_ * exactDot(turned, vec3(q));
   precise float norm = exactDot(axis, axis) + real * real;
   precise vec4 unit = vec4(axis, real) * exactInverseSqrt(norm);
-  precise float followed = body.level + t.reach.y * sum.rest.x * exactReciprocal(max(sum.turn.w, 1e-20f));
+  precise float around = body.level + sum.rest.x * exactReciprocal(max(sum.turn.w, 1e-20f));
+  around = sum.turn.w > 0.0f ? around : body.around;
+  precise float first = body.stages.x + t.reach.y * (around - body.stages.x);
+  precise float second = body.stages.y + t.reach.y * (body.stages.x - body.stages.y);
+  precise float level = body.level + t.reach.y * (body.stages.y - body.level);
   next.at = at;
-  next.level = sum.turn.w > 0.0f ? followed : body.level;
+  next.level = level;
   next.turn = unit;
   next.velocity = velocity;
   next.under = sum.push.w;
   next.spin = spin;
+  next.stages = vec2(first, second);
+  next.around = around;
+  next.wet = sum.rest.y;
   return next;
 }
 

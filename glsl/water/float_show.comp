@@ -2,6 +2,7 @@
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "water/float_bindings.glsl"
+#include "water/float_types.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(floatsBinding, FloatsBlock, bodies)
 INPUT_ARRAY(hullPositionsBinding, HullPositionBlock, hullPositions)
@@ -21,8 +22,8 @@ vec3 turned(vec4 q, vec3 v) {
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= count) return;
-  vec3 at = LOAD_INPUT(bodies, body * 4).xyz;
-  vec4 turn = LOAD_INPUT(bodies, body * 4 + 1);
+  vec3 at = LOAD_INPUT(bodies, body * floatTexels).xyz;
+  vec4 turn = LOAD_INPUT(bodies, body * floatTexels + 1);
   precise vec3 place = origin + (at + turned(turn, LOAD_INPUT(hullPositions, i).xyz));
   STORE_STATE(placedPositions, i, vec4(place, 1.0f));
   STORE_STATE(placedNormals, i, vec4(turned(turn, LOAD_INPUT(hullNormals, i).xyz), 0.0f));

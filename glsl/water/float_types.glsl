@@ -27,9 +27,10 @@ struct STD140 FloatStep {
   int count;            // of bodies
 };
 
-// A body's state is four texels: place of the middle of mass and the level around it; quaternion; velocity, w the volume
-// under that level (m^3); angular momentum (kg m^2/s).
-const int floatTexels = 4;
+// State of a body, in texels: place of the middle of mass, w the reference level (m); quaternion; velocity, w the volume under
+// the reference level (m^3); angular momentum (kg m^2/s); both stages before the reference level (m), mean level of the water
+// over its points (m), volume under the water (m^3).
+const int floatTexels = 5;
 
 // What a frame is told of each body.
 struct FloatTold {
@@ -38,7 +39,7 @@ struct FloatTold {
   vec4 turnB;   // xy, xz, yz, number behind its last point
   vec4 grain;   // sides of the cuboids that its points stand for (m), its volume (m^3)
   vec4 drag;    // linear (1/s), quadratic (1/m), more of it sideways (factor - 1), mass by area and density (m)
-  vec4 reach;   // half of its window (cells), share by which the level around it follows in a step, friction, push (N)
+  vec4 reach;   // half of its window (cells), share by which a stage of its reference level follows in a step, friction, push (N)
   vec4 tow;     // target at the frame's beginning (x, z), its speed
   vec4 head;    // direction there (x, z), turning moment over the mean square way of its volume off its y (N/m), drag of the air (1/s)
   vec4 pull;    // stiffness and damping of the tow (1/s^2, 1/s) and of the direction

@@ -87,10 +87,12 @@ void main() {
   FloatBody next = body;
   if (stepNumber >= 0) next = floatMoved(stepNumber, body, t, sum);
   next.under = sum.push.w;
+  next.wet = sum.rest.y;
   STORE_STATE(nextBodies, me * floatTexels, vec4(next.at, next.level));
   STORE_STATE(nextBodies, me * floatTexels + 1, next.turn);
   STORE_STATE(nextBodies, me * floatTexels + 2, vec4(next.velocity, next.under));
   STORE_STATE(nextBodies, me * floatTexels + 3, vec4(next.spin, 0.0f));
+  STORE_STATE(nextBodies, me * floatTexels + 4, vec4(next.stages, next.around, next.wet));
   if (!(isNumber(next.at.x) && isNumber(next.at.y) && isNumber(next.at.z) && isNumber(next.turn.w) && isNumber(next.spin.x)))
     noteLost(uint(max(stepNumber, 0) + 1), uint(cellCount + me));
 }

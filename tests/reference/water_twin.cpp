@@ -132,11 +132,13 @@ void WaterTwin::drift(double time, int index) {
       if (i != body) lanes[0] = kernel.withContact(lanes[0], body, i);
     shader::FloatKernel::FloatBody next = index < 0 ? now : kernel.floatMoved(index, now, what, lanes[0]);
     next.under = lanes[0].push.w;
+    next.wet = lanes[0].rest.y;
     const auto first = static_cast<std::size_t>(body * shader::floatTexels);
     floats[first] = {next.at, next.level};
     floats[first + 1] = next.turn;
     floats[first + 2] = {next.velocity, next.under};
     floats[first + 3] = {next.spin, 0.0F};
+    floats[first + 4] = {next.stages, next.around, next.wet};
   }
   for (int body = 0; body < kernel.floats.count; ++body) {
     const int side = plan_.floats().side();

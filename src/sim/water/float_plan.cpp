@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -74,6 +75,12 @@ double FloatPlan::longestStep(const WaterParameters& water, const std::vector<Hu
   return seconds;
 }
 
+// The slowest wave between walls takes two lengths of the grid, omega = pi c / length; omega T = 2.
+double FloatPlan::followSeconds(const WaterParameters& water, double depth) {
+  const double length = std::max(water.size.x, water.size.y) * static_cast<double>(water.cell);
+  return 2 * length / (std::numbers::pi * std::sqrt(water.gravity * depth));
+}
+
 FloatPlan::FloatPlan(const WaterParameters& water, const std::string& object, std::vector<Hull> hulls,
                      double frameSeconds, int substeps, double depth, const std::vector<glm::vec4>& cells)
     : floats_(water.floats), hulls_(std::move(hulls)), frameSeconds_(frameSeconds) {
@@ -130,7 +137,7 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
   const double lighter = waterDensity * hull.volume / hull.mass;
   // By Cauchy a body's mean shadow is a quarter of its surface.
   const double perLength = 0.25 * hull.area / hull.volume;
-  const double followed = step_.dt * std::sqrt(water.gravity * depth / hull.outline);
+  const double followed = step_.dt / followSeconds(water, depth);
   shader::FloatTold t{};
   const FloatShape& touched = hull.touched;
   const double around = touched.radius > 0 ? touched.radius : hull.reach;
@@ -168,10 +175,12 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
   const glm::vec4& under = cells[held(body.position.z / cell + 0.5 * water.size.y, water.size.y) *
                                      static_cast<std::size_t>(water.size.x) +
                                  held(body.position.x / cell + 0.5 * water.size.x, water.size.x)];
-  first_.emplace_back(body.position + middle, under.x - under.w > step_.dry ? under.x : water.level);
+  const float level = under.x - under.w > step_.dry ? under.x : water.level;
+  first_.emplace_back(body.position + middle, level);
   first_.push_back(quaternionOf(turned));
   first_.emplace_back(body.velocity, 0.0F);
   first_.emplace_back(glm::vec3(momentum), 0.0F);
+  first_.emplace_back(level, level, level, 0.0F);
 }
 
 std::vector<glm::vec4> FloatPlan::toldAt(double time) const {

@@ -23,6 +23,8 @@ class FloatPlan {
   [[nodiscard]] static std::vector<Hull> hullsOf(const WaterParameters& water, const std::string& object);
   /// In which these (s) lie on the ground as they should.
   [[nodiscard]] static double longestStep(const WaterParameters& water, const std::vector<Hull>& hulls);
+  /// Seconds in which each stage of a reference level follows the one before (glsl/water/float_model.glsl).
+  [[nodiscard]] static double followSeconds(const WaterParameters& water, double depth);
   /// `cells`: WaterPlan::firstCells(); `depth`: the water's greatest (m). Throws usage for a body that
   /// reaches over too many cells.
   FloatPlan(const WaterParameters& water, const std::string& object, std::vector<Hull> hulls,

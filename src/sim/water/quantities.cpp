@@ -22,10 +22,10 @@ std::span<const scene::Quantity> WaterParameters::quantities() const {
       {"wetArea", "m^2", "Of cells with more than 1/200 of the greatest depth."},
       {"highestLevel", "m", "Of the water there."},
       {"lowestLevel", "m", "Of the water there; both 0 where all is dry."},
-      {"displaced", "m^3", "By all floats, under the level around each."},
+      {"displaced", "m^3", "By all floats, under the reference level of each, which follows the water around it."},
       {"floatSpeed", "m/s", "Of the fastest float."},
       {"leastUpright", "", "Least cosine of the angle between a float's y and upwards."},
-      {"draft", "m", "Of the first float: its lowest point below the level around it; 0 without floats."},
+      {"draft", "m", "Of the first float: its lowest point below the mean level of the water there; 0 without floats."},
       {"floatX", "m", "Of the first float's middle of mass, from the grid's middle."},
       {"floatY", "m", "The same over level 0."},
       {"floatZ", "m", "The same along z."}};
@@ -56,7 +56,7 @@ std::vector<double> measureFloats(const WaterPlan& plan, std::span<const glm::ve
     double lowest = 1e300;
     for (const glm::vec3& p : plan.floats().hulls()[0].corners)
       lowest = std::min(lowest, heightOf(q, glm::dvec3(p)));
-    draft = floats[0].w - (at.y + lowest);
+    draft = floats[4].z - (at.y + lowest);
   }
   return {displaced, fastest, upright, draft, at.x, at.y, at.z};
 }

@@ -65,7 +65,7 @@ WaterTwin meetTwin(std::vector<sim::WaterFloat> floats, int cells = 16, bool tor
 }
 
 glm::dvec3 meetSpeed(const WaterTwin& twin, std::size_t body) {
-  return glm::dvec3(twin.floats[4 * body + 2]);
+  return glm::dvec3(twin.floats[5 * body + 2]);
 }
 double meetMass(const WaterTwin& twin, std::size_t body) {
   return twin.plan().floats().hulls()[body].mass;
@@ -77,7 +77,7 @@ std::array<glm::dvec3, 2> momenta(const WaterTwin& twin) {
   for (std::size_t i = 0; i < twin.floats.size() / 4; ++i) {
     const glm::dvec3 p = meetMass(twin, i) * meetSpeed(twin, i);
     sum[0] += p;
-    sum[1] += crossOf(glm::dvec3(twin.floats[4 * i]), p) + glm::dvec3(twin.floats[4 * i + 3]);
+    sum[1] += crossOf(glm::dvec3(twin.floats[5 * i]), p) + glm::dvec3(twin.floats[5 * i + 3]);
   }
   return sum;
 }
@@ -92,11 +92,11 @@ double overlap(const WaterTwin& twin, std::size_t one, std::size_t other, const 
   const sim::Hull& hull = twin.plan().floats().hulls()[other];
   double deepest = 0;
   for (const glm::vec3& corner : twin.plan().floats().hulls()[one].corners) {
-    const glm::dvec3 world = glm::dvec3(twin.floats[4 * one]) +
-                             meetTurned(glm::dvec4(twin.floats[4 * one + 1]), glm::dvec3(corner));
-    glm::dvec4 inverse(twin.floats[4 * other + 1]);
+    const glm::dvec3 world = glm::dvec3(twin.floats[5 * one]) +
+                             meetTurned(glm::dvec4(twin.floats[5 * one + 1]), glm::dvec3(corner));
+    glm::dvec4 inverse(twin.floats[5 * other + 1]);
     inverse.w = -inverse.w;
-    const glm::dvec3 p = meetTurned(inverse, world - glm::dvec3(twin.floats[4 * other])) + hull.middle;
+    const glm::dvec3 p = meetTurned(inverse, world - glm::dvec3(twin.floats[5 * other])) + hull.middle;
     if (p.x < mesh.low.x || p.y < mesh.low.y || p.z < mesh.low.z || p.x > mesh.high.x ||
         p.y > mesh.high.y || p.z > mesh.high.z)
       continue;
@@ -153,7 +153,7 @@ TEST_CASE("water floats: two that meet in the air do not bounce, and keep their 
   CHECK(std::abs(meetSpeed(flat, 0).x - meetSpeed(flat, 1).x) < 0.1);
   CHECK((meetSpeed(flat, 0).x + 3 * meetSpeed(flat, 1).x) / 4 == doctest::Approx(-0.5).epsilon(1e-4));
   CHECK(longOf(glm::dvec3(flat.floats[3])) < 0.02 * meetMass(flat, 0));
-  CHECK(flat.floats[4].x - flat.floats[0].x > 0.76);
+  CHECK(flat.floats[5].x - flat.floats[0].x > 0.76);
   // Askew, turning: linear and angular momentum.
   box.rotation = {20, 30, 10};
   box.spin = {90, 40, -100};
