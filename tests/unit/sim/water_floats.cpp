@@ -105,7 +105,8 @@ TEST_CASE("water floats: drafts at rest are Archimedes'") {
 }
 
 TEST_CASE("water floats: a box and the water in a closed basin only lose energy") {
-  // Half of a 6 m basin's slowest wave is much longer than the box, which a reference level that follows at once feeds.
+  // Half of a 6 m basin's slowest wave is much longer than the box, which a reference level that follows at
+  // once feeds.
   for (const float density : {250.0F, 500.0F}) {
     auto body = boxOf({1, 0.4F, 1}, density);
     body.drag = 0;
