@@ -23,8 +23,8 @@ struct Touch {
 };
 
 // Out along the normal; relative to the surface the inward velocity goes, or turns round by the share that is given back.
-// Of the tangential one a fraction stays; or Coulomb's law takes as much as the coefficient times what is taken along the
-// normal, of the way since `before` too, so that what is held does not creep.
+// Of the tangential one a fraction stays; or Coulomb's law takes at most the coefficient times the change along the normal,
+// mu (1 + e) |v_n| of an impact, of the way since `before` too, so that what is held does not creep.
 FUNCTION Motion pushedOut(Motion m, vec3 before, Touch touch) {
   bool touching = touch.depth > 0.0f;
   vec3 normal = touch.normal, surface = touch.surface;
@@ -34,9 +34,10 @@ FUNCTION Motion pushedOut(Motion m, vec3 before, Touch touch) {
   bool rubs = friction >= 0.0f;
   precise vec3 sliding = relative - normal * inward;
   precise float back = inward * -touch.bounce;
-  precise float mostSpeed = friction * max(-inward, 0.0f);
+  float outward = max(inward, back);
+  precise float mostSpeed = friction * (outward - inward);
   float stays = rubs ? leftByFriction(sliding, mostSpeed) : touch.grip;
-  precise vec3 kept = sliding * stays + normal * max(inward, back) + surface;
+  precise vec3 kept = sliding * stays + normal * outward + surface;
   precise vec3 way = m.position - before - surface * stepData.dt;
   float through = exactDot(way, normal);
   precise vec3 slid = way - normal * through;

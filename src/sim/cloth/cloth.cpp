@@ -172,7 +172,7 @@ class Cloth : public Simulation, public LockStep {
   }
   [[nodiscard]] PointTable points() const override {
     const auto positions = positions_[0].buffer().readAll<glm::vec4>();
-    const auto velocities = velocities_[0].buffer().readAll<glm::vec4>();
+    const auto velocities = shownVelocities(positions);
     PointTable table{{"x", "y", "z", "vx", "vy", "vz"}, {}};
     table.values.reserve(positions.size() * table.columns.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
@@ -185,8 +185,8 @@ class Cloth : public Simulation, public LockStep {
   }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
   [[nodiscard]] std::vector<double> measure() const override {
-    return measureCloth(plan_.parameters(), positions_[0].buffer().readAll<glm::vec4>(),
-                        velocities_[0].buffer().readAll<glm::vec4>(), time_, plan_.softness());
+    const auto positions = positions_[0].buffer().readAll<glm::vec4>();
+    return measureCloth(plan_.parameters(), positions, shownVelocities(positions), time_, plan_.softness());
   }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(size_.x);
@@ -202,6 +202,10 @@ class Cloth : public Simulation, public LockStep {
  private:
   /// Whether constraints have a trend: those that keep energy are forces.
   [[nodiscard]] bool trendy() const { return constrained_ && !keeps_; }
+  [[nodiscard]] std::vector<glm::vec4> shownVelocities(const std::vector<glm::vec4>& positions) const {
+    return actualVelocities(positions, velocities_[0].buffer().readAll<glm::vec4>(),
+                            trendy() ? trends_.buffer().readAll<glm::vec4>() : std::vector<glm::vec4>());
+  }
 
   /// Velocities as far as the substep has come.
   [[nodiscard]] const gl::Vec4Array& velocities() const {

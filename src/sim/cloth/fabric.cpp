@@ -1,5 +1,6 @@
 #include "sim/cloth/fabric.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace simreel::sim {
@@ -50,6 +51,23 @@ shader::FabricConstants Fabric::constants() const {
   set(c.shear, shear);
   set(c.bending, bending);
   set(c.thickness, thickness);
+  return c;
+}
+
+// Diagonals of stiffness d in every cell store d ((ex + ey)^2 + g^2) / 2 for an area, so links of stiffness
+// x and y resist a pull along x alone, with ey free, by x + d - d^2 / (y + d) = x + d y / (y + d).
+shader::FabricConstants Fabric::ofLinks(double diagonal) const {
+  shader::FabricConstants c = constants();
+  const double weft = c.weft;
+  const double warp = c.warp;
+  double x = weft;
+  double y = warp;
+  for (int i = 0; i < 64; ++i) {
+    x = std::max(weft - diagonal * y / (y + diagonal), 0.05 * weft);
+    y = std::max(warp - diagonal * x / (x + diagonal), 0.05 * warp);
+  }
+  c.weft = static_cast<float>(x);
+  c.warp = static_cast<float>(y);
   return c;
 }
 

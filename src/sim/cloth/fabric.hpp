@@ -49,6 +49,10 @@ struct Fabric {
   double stretchDamping = 0;        ///< s: T of stress = k (strain + T d strain / dt)
   void describe(scene::Fields& fields);
   [[nodiscard]] shader::FabricConstants constants() const;
+  /// Stiffnesses of the links of a grid whose diagonals have the stiffness `diagonal` (N/m): those resist
+  /// stretching along rows and columns, too, so the links have what is left of "weft" and "warp", at least
+  /// a twentieth.
+  [[nodiscard]] shader::FabricConstants ofLinks(double diagonal) const;
 };
 
 }  // namespace simreel::sim

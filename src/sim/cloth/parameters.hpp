@@ -120,14 +120,19 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   [[nodiscard]] bool keepsEnergy() const {
     return constrained() && damping == 0 && !hasAir && !damped() && !hasContact && seams.empty();
   }
+  /// Particles that hang on the pinned particle that carries most: each hangs on the nearest pinned one
+  /// along rows and columns. 0: nothing is pinned, or it is a mesh.
+  [[nodiscard]] int mostOnOnePin() const;
   /// 1/s^2: how fast the longest line that hangs swings sideways at most, w^2.
   [[nodiscard]] double hangingSquared() const;
+  /// 1/s^2: how fast a line at the pinned particle that carries most does.
+  [[nodiscard]] double pinnedSquared() const;
   /// kg of a particle: of a fabric, the density times its share of the area.
   [[nodiscard]] float massAt(glm::ivec2 at) const;
   /// The pin group that clamps the border left, right, top or bottom; -1: none.
   [[nodiscard]] int clampOf(int border) const;
   /// Longest stable substep in seconds, of the sheet near rest in the fastest air and gusts of the whole
-  /// run; with constraints, of one that hangs by a border.
+  /// run; with constraints, of one that hangs by its pins.
   [[nodiscard]] double stableSeconds() const { return stableSeconds(1.0); }
   /// The same where a line carries so many times what the air pulls at its own particles.
   [[nodiscard]] double stableSeconds(double lines) const;

@@ -66,6 +66,8 @@ class ClothPlan {
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
   /// Of constraints that keep energy; zero of others.
   [[nodiscard]] Softness softness() const;
+  /// N/m, of the diagonals of a fabric in one substep.
+  [[nodiscard]] double diagonalStiffness() const;
 
  private:
   /// Of each particle of a grid: its pin group; -1: free.

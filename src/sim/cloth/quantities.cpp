@@ -41,7 +41,7 @@ double share(int line, int count) {
 
 /// N/m of a link of a fabric at `from`: one along a border stands for half as much.
 double linkStiffness(const ClothParameters& p, const SpringFamily& family, glm::ivec2 from) {
-  const shader::FabricConstants fabric = p.fabric.constants();
+  const shader::FabricConstants fabric = p.fabric.ofLinks(p.fabric.constants().shear);
   if (family.kind != 0) return family.kind == 1 ? fabric.shear : 0;
   return family.reach.x != 0 ? fabric.weft * share(from.y, p.size.y)
                              : fabric.warp * share(from.x, p.size.x);
@@ -180,6 +180,18 @@ std::vector<glm::vec4> beforeHalf(std::span<const glm::vec4> positions,
     before[i] = glm::vec4(
         glm::vec3(before[i]) - glm::vec3(velocities[i]) * static_cast<float>(0.5 * seconds), before[i].w);
   return before;
+}
+
+// A substep moves by dt u + dt p / 18 + s with v' = u + p' and p' = p / 3 + s / h: v' - p' / 3 - p / 6 for
+// each second, which is v' - p' / 2 where the trend is steady.
+std::vector<glm::vec4> actualVelocities(std::span<const glm::vec4> positions,
+                                        std::span<const glm::vec4> velocities,
+                                        std::span<const glm::vec4> trends) {
+  std::vector<glm::vec4> actual(velocities.begin(), velocities.end());
+  for (std::size_t i = 0; i < std::min(actual.size(), trends.size()); ++i)
+    if (positions[i].w > 0)
+      actual[i] = glm::vec4(glm::vec3(actual[i]) - 0.5F * glm::vec3(trends[i]), actual[i].w);
+  return actual;
 }
 
 std::vector<double> measureCloth(const ClothParameters& parameters, std::span<const glm::vec4> left,

@@ -20,6 +20,13 @@ struct Softness {
 [[nodiscard]] std::vector<glm::vec4> beforeHalf(std::span<const glm::vec4> positions,
                                                 std::span<const glm::vec4> velocities, double seconds);
 
+/// Velocities at which particles actually moved in the last substep, from those and the trends that
+/// constraints without kept energy leave (glsl/cloth/motion.glsl): v - p / 2. What hangs at rest has v = p
+/// / 2, half a substep of gravity upwards. Pinned particles (w = 0 of `positions`) keep theirs.
+[[nodiscard]] std::vector<glm::vec4> actualVelocities(std::span<const glm::vec4> positions,
+                                                      std::span<const glm::vec4> velocities,
+                                                      std::span<const glm::vec4> trends);
+
 /// ClothParameters::quantities() of a state, in that order. Pinned particles count with the parameter's
 /// mass; while pinned they have no velocity. `positions` (m) and `velocities` (m/s): size.x
 /// * size.y elements, x fastest, w inverse masses (1/kg), used with `softness`. Gravity is that of `time`

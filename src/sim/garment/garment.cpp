@@ -155,7 +155,7 @@ class Garment : public Simulation, public LockStep {
   }
   [[nodiscard]] PointTable points() const override {
     const auto positions = positions_[0].buffer().readAll<glm::vec4>();
-    const auto velocities = velocities_.buffer().readAll<glm::vec4>();
+    const auto velocities = shownVelocities(positions);
     PointTable table{{"x", "y", "z", "vx", "vy", "vz"}, {}};
     for (const unsigned i : plan_.cloth().vertexOf)
       table.values.insert(table.values.end(), {positions[i].x, positions[i].y, positions[i].z,
@@ -173,8 +173,8 @@ class Garment : public Simulation, public LockStep {
   }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
   [[nodiscard]] std::vector<double> measure() const override {
-    return measureGarment(plan_, positions_[0].buffer().readAll<glm::vec4>(),
-                          velocities_.buffer().readAll<glm::vec4>(), time_);
+    const auto positions = positions_[0].buffer().readAll<glm::vec4>();
+    return measureGarment(plan_, positions, shownVelocities(positions), time_);
   }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     return fmt::format(
@@ -184,6 +184,11 @@ class Garment : public Simulation, public LockStep {
   }
 
  private:
+  [[nodiscard]] std::vector<glm::vec4> shownVelocities(const std::vector<glm::vec4>& positions) const {
+    const bool keeps = plan_.parameters().keepsEnergy();
+    return actualVelocities(positions, velocities_.buffer().readAll<glm::vec4>(),
+                            keeps ? std::vector<glm::vec4>() : trends_.buffer().readAll<glm::vec4>());
+  }
   void makeArrays() {
     const auto positions = plan_.firstPositions();
     positions_[0] = gl::Vec4Array(name_ + " positions", positions);

@@ -210,6 +210,25 @@ TEST_CASE("fabric: it hangs longer by rho g H / 2 k, borders as much as the rest
   }
 }
 
+TEST_CASE("fabric: a grid of rubber hangs longer by rho g H / 2 k, whatever the substeps") {
+  // Its diagonals, a third as stiff as its links, are part of k.
+  for (const int substeps : {6, 24}) {
+    sim::ClothParameters p = freeFabric({9, 21}, 0.05F);
+    p.fabric = {};
+    p.fabric.material = sim::FabricMaterial::rubber;
+    p.gravity = glm::vec3(0, -9.8F, 0);
+    p.rotation = glm::vec3(90, 0, 0);
+    p.damping = 6;
+    p.substeps = substeps;
+    p.pins.emplace_back().rows = {0};
+    ClothTwin twin(sim::ClothPlan(p, 3, 1.0 / 60, {}));
+    for (int frame = 0; frame < 300; ++frame) twin.step(frame / 60.0);
+    const double strain = twin.positions[4].y - twin.positions[20 * 9 + 4].y - 1;  // of 1 m
+    CAPTURE(substeps);
+    CHECK(strain == doctest::Approx(0.47 * 9.8 / (2 * 750)).epsilon(0.02).scale(0));
+  }
+}
+
 TEST_CASE("fabric: bending is stable up to the declared limit and blows up soon beyond it") {
   const auto fastestAfter = [](sim::ClothParameters p, double dt) {
     p.substeps = 1;

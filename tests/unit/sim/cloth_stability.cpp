@@ -1,7 +1,9 @@
 // When cloth stays stable: the declared limit against the spectrum of the lattice, against the equation of
 // one oscillator stepped in float64, and against cloth that is stepped near it.
 #include "base/error.hpp"
+#include "measured.hpp"
 #include "reference/cloth_twin.hpp"
+#include "sim/cloth/quantities.hpp"
 #include "unit/help.hpp"
 
 #include <algorithm>
@@ -224,4 +226,44 @@ TEST_CASE("auto refuses what more substeps than there may be would take") {
     CHECK(has(air, "slow the air"));
     CHECK_FALSE(has(air, "constraints"));
   }
+}
+
+TEST_CASE("a damped sheet that hangs by two corners comes to rest, with a speed of 0") {
+  // By lines alone it would take 8 substeps, at which it never does: half of the sheet hangs on each corner.
+  sim::ClothParameters p;
+  p.hasFabric = true;
+  p.size = {24, 24};
+  p.spacing = 0.01F;
+  p.rotation = {90, 0, 0};
+  p.wind = glm::vec3(0);
+  p.substeps.reset();
+  p.pins = {sim::PinGroup()};
+  p.pins[0].rows = {0};
+  CHECK(p.mostOnOnePin() == 24);
+  p.pins[0].rows.clear();
+  p.pins[0].corners = {0, 1};
+  CHECK(p.mostOnOnePin() == 288);
+  const double frame = 1.0 / 60;
+  CHECK(p.substepsPerFrame(frame) == 17);
+  p.substeps = 9;
+  CHECK(p.instability(frame) != "");
+  p.substeps.reset();
+  ClothTwin twin(sim::ClothPlan(p, 1, frame, {}));
+  std::vector<glm::vec4> before;
+  for (int i = 0; i < 360; ++i) {
+    before = twin.positions;
+    twin.step(i * frame);
+  }
+  float most = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    most = std::max(most, glm::distance(glm::vec3(before[i]), glm::vec3(twin.positions[i])));
+  CHECK(most < 5e-5F);
+  const auto quantity = [&](const std::vector<glm::vec4>& velocities, const char* name) {
+    return named(p, sim::measureCloth(p, twin.positions, velocities, 0), name);
+  };
+  // Velocities themselves are half a substep of gravity: 5 mm/s.
+  CHECK(quantity(twin.velocities, "speed") > 4e-3);
+  const auto actual = sim::actualVelocities(twin.positions, twin.velocities, twin.trends);
+  CHECK(quantity(actual, "speed") < 1e-3);
+  CHECK(quantity(actual, "kineticEnergy") < 1e-9);
 }

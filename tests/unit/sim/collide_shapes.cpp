@@ -60,6 +60,18 @@ TEST_CASE("collide: a particle leaves a capsule by the law of reflection, and lo
   }
 }
 
+TEST_CASE("collide: friction of an impact takes mu (1 + e) of the speed into the surface") {
+  for (const float bounce : {0.0F, 0.5F, 1.0F}) {
+    CAPTURE(bounce);
+    auto ground = smoothShape(sim::ColliderShape::Kind::plane, 0);
+    ground.friction = 0.2;
+    auto twin = oneBeside(ground, {0, 0.1F, 0}, {2, -3, 0}, glm::vec3(0), bounce, 0.02F);
+    for (int frame = 0; frame < 3; ++frame) twin.step(frame * collideFrame);
+    CHECK(twin.velocities[0].x == doctest::Approx(2 - 0.2 * (1 + bounce) * 3).epsilon(1e-5));
+    CHECK(twin.velocities[0].y == doctest::Approx(3 * bounce).epsilon(1e-5));
+  }
+}
+
 TEST_CASE("collide: on a slope Coulomb's law holds a particle below its angle, and slides it above") {
   for (const double degrees : {20.0, 35.0}) {
     CAPTURE(degrees);
