@@ -4,6 +4,7 @@
 #include "base/ieee.hpp"
 #include "sim/core/path.hpp"
 #include "sim/core/shader_code.hpp"
+#include "sim/core/turn.hpp"
 
 #include <cmath>
 
@@ -86,9 +87,9 @@ View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const 
     up = glm::cross(right, view.forward);
   }
   // Sines of our own: a library's differ from machine to machine.
-  const float roll = radiansPerDegree * camera.roll.at(seconds);
-  const glm::vec3 r = shader::exactCos(roll) * right - shader::exactSin(roll) * up;
-  const glm::vec3 u = shader::exactSin(roll) * right + shader::exactCos(roll) * up;
+  const glm::vec2 roll = sim::cosineAndSine(camera.roll.at(seconds));
+  const glm::vec3 r = roll.x * right - roll.y * up;
+  const glm::vec3 u = roll.y * right + roll.x * up;
 
   view.parallel = isParallel(camera);
   const float half = 0.5F * radiansPerDegree * camera.fieldOfView.at(seconds);

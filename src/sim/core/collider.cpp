@@ -1,19 +1,21 @@
 #include "sim/core/collider.hpp"
 
-#include "sim/core/shader_code.hpp"
+#include "sim/core/turn.hpp"
 
 #include <cmath>
 
 namespace simreel::sim {
 
 glm::mat4 rotationMatrix(const glm::vec3& degrees) {
-  const glm::vec3 angle = degrees * 0.017453293F;
-  const float cx = shader::exactCos(angle.x);
-  const float sx = shader::exactSin(angle.x);
-  const float cy = shader::exactCos(angle.y);
-  const float sy = shader::exactSin(angle.y);
-  const float cz = shader::exactCos(angle.z);
-  const float sz = shader::exactSin(angle.z);
+  const glm::vec2 aboutX = cosineAndSine(degrees.x);
+  const glm::vec2 aboutY = cosineAndSine(degrees.y);
+  const glm::vec2 aboutZ = cosineAndSine(degrees.z);
+  const float cx = aboutX.x;
+  const float sx = aboutX.y;
+  const float cy = aboutY.x;
+  const float sy = aboutY.y;
+  const float cz = aboutZ.x;
+  const float sz = aboutZ.y;
   // Columns of Rz Ry Rx.
   return {glm::vec4(cz * cy, sz * cy, -sy, 0),
           glm::vec4(cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx, 0),

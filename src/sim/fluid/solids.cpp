@@ -1,5 +1,7 @@
 #include "sim/fluid/solids.hpp"
 
+#include "sim/core/turn.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -21,9 +23,9 @@ class PlacedObstacle {
       : what_(what), picture_(picture) {
     const glm::vec3 center = what.center.at(time);
     center_ = {center.x, center.y};
-    const float angle = what.turn.at(time) * (std::numbers::pi_v<float> / 180);
-    cos_ = shader::exactCos(angle);
-    sin_ = shader::exactSin(angle);
+    const glm::vec2 turn = cosineAndSine(what.turn.at(time));
+    cos_ = turn.x;
+    sin_ = turn.y;
     half_ = 0.5 * glm::max(glm::dvec2(what.extent), glm::dvec2(1));
     const glm::dvec2 pixels = 0.5 * double{what.scale} * glm::dvec2(picture.size());
     const glm::dvec2 corner = what.shape == FluidObstacle::Shape::image ? pixels : half_;

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "sim/core/shader_code.hpp"
+#include "sim/core/turn.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +22,6 @@ float reduced(double angle) {
   return static_cast<float>(angle - turn * std::floor(angle / turn));
 }
 
-/// Cosine and sine of degrees, the same bits everywhere.
-glm::vec2 heading(float degrees) {
-  const float angle = degrees * 0.017453293F;
-  return {shader::exactCos(angle), shader::exactSin(angle)};
-}
-
 shader::Displacement of(const Ripple& r, double time) {
   shader::Displacement d{};
   d.kind = shader::rippleKind;
@@ -43,7 +38,7 @@ shader::Displacement of(const Wave& w, double time) {
   shader::Displacement d{};
   d.kind = shader::waveKind;
   d.wave = w;
-  d.wave.heading = heading(w.direction);
+  d.wave.heading = cosineAndSine(w.direction);
   // A cusp where surge k = 1; more would fold the surface over itself.
   d.wave.surge = w.steepness * std::min(w.amplitude, static_cast<float>(1.0 / k));
   d.wave.wavenumber = static_cast<float>(k);
@@ -56,7 +51,7 @@ shader::Displacement of(const Sway& s, double time) {
   shader::Displacement d{};
   d.kind = shader::swayKind;
   d.sway = s;
-  d.sway.heading = heading(s.direction);
+  d.sway.heading = cosineAndSine(s.direction);
   d.sway.perHeight = 1.0F / s.height;
   d.sway.wavenumber = static_cast<float>(turn / s.wavelength);
   d.sway.phases = {reduced(phase), reduced(1.73 * phase), reduced(3.91 * phase), 0};
