@@ -15,7 +15,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::int64_t mostClothVertices = 4'000'000;
+constexpr std::int64_t mostClothVertices = 250'000;  // 6 kB of plan each
 
 /// A point of a circle, `part` of a turn from +z on.
 glm::dvec2 onCircle(double part) {

@@ -82,13 +82,19 @@ FluidPlan::FluidPlan(FluidParameters parameters, const std::string& object, int 
          object, dt * viscosity, maxDiffusion, byFriction);
   const double passes = std::ceil(p.speed * dt / shader::maxDyeWay - 1e-9);
   dyePasses_ = p.dyes() ? static_cast<int>(std::clamp(passes, 1.0, 10000.0)) : 0;
-  still_ = std::make_shared<FluidSolids>(p, pictures_, 0, dt, stepAt(0, 0));
+}
+
+const std::shared_ptr<const FluidSolids>& FluidPlan::stillSolids() const {
+  if (!still_)
+    still_ =
+        std::make_shared<FluidSolids>(parameters_, pictures_, 0, frameSeconds_ / substeps_, stepAt(0, 0));
+  return still_;
 }
 
 std::shared_ptr<const FluidSolids> FluidPlan::solidsAt(double time, int step) const {
   const FluidParameters& p = parameters_;
   const bool changes = p.obstaclesMove() || (p.pocketsGrow() && inflowMoves(p));
-  if (!changes) return still_;
+  if (!changes) return stillSolids();
   const double dt = frameSeconds_ / substeps_;
   return std::make_shared<FluidSolids>(p, pictures_, time + step * dt, dt, stepAt(time, step));
 }

@@ -35,7 +35,7 @@ class FluidPlan {
   /// Passes of dye in each substep; none where no stroke sets any.
   [[nodiscard]] int dyePasses() const { return dyePasses_; }
   /// The multigrid's grids; their weights are those of the start where obstacles move.
-  [[nodiscard]] const FluidLevels& levels() const { return still_->levels(); }
+  [[nodiscard]] const FluidLevels& levels() const { return stillSolids()->levels(); }
   /// The obstacles after `step` substeps of the frame that starts at `time` (s); always the same object
   /// where none moves.
   [[nodiscard]] std::shared_ptr<const FluidSolids> solidsAt(double time, int step) const;
@@ -58,7 +58,11 @@ class FluidPlan {
   int substeps_ = 1, dyePasses_ = 1;
   std::vector<PictureDistances> pictures_;  ///< of the obstacles
   Strokes strokes_;
-  std::shared_ptr<const FluidSolids> still_;  ///< at 0 s
+  /// What stands at 0 s. Made when it is first asked for: a plan that is only checked takes no memory for
+  /// each cell.
+  [[nodiscard]] const std::shared_ptr<const FluidSolids>& stillSolids() const;
+
+  mutable std::shared_ptr<const FluidSolids> still_;
 };
 
 }  // namespace simreel::sim

@@ -45,6 +45,8 @@ namespace simreel::sim {
 
 namespace {
 
+constexpr int mostTexels = 1 << 27;  ///< texels that a buffer of a common device has
+
 /// Most pixels that so many bytes of a file can hold.
 double pixelsIn(std::string_view bytes) {
   const auto size = static_cast<double>(bytes.size());
@@ -112,6 +114,9 @@ Picture decodePicture(std::string_view bytes, const std::string& name, const cha
   if (std::max(width, height) > maxSide)
     fail(ExitCode::device, "the {} {} is {}x{}, above the limit of {}x{} here", what, name, width, height,
          maxSide, maxSide);
+  if (static_cast<double>(width) * height > mostTexels)
+    fail(ExitCode::device, "the {} {} of {}x{} pixels is above the limit of {} pixels; make it smaller",
+         what, name, width, height, mostTexels);
   if (static_cast<double>(width) * height > pixelsIn(bytes))
     refuse(fmt::format("{}x{} pixels do not fit in its {} bytes", width, height, bytes.size()));
   // stb_image 2.27 reads beyond such a picture's end.

@@ -25,8 +25,8 @@ struct Picture {
 
 /// Reads PNG, JPEG and PNM of 8 bits. `what` names its use in messages ("texture", "fuel map"). Throws
 /// UserError: what readFile says for a file that cannot be read, inputOutput for one that is no picture or
-/// promises more pixels than its bytes can hold, device for one wider or higher than `maxSide`, usage
-/// for one with a pixel that is not opaque.
+/// promises more pixels than its bytes can hold, device for one wider or higher than `maxSide` or of more
+/// than 2^27 pixels, usage for one with a pixel that is not opaque.
 [[nodiscard]] Picture loadPicture(const std::filesystem::path& file, const char* what, int maxSide);
 /// The same from the file's bytes, opaque or not; `name` is what messages call it.
 [[nodiscard]] Picture decodePicture(std::string_view bytes, const std::string& name, const char* what,

@@ -12,6 +12,7 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfPartType.h>
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <vector>
@@ -92,6 +93,37 @@ Chosen choose(const Imf::ChannelList& channels) {
   return chosen;
 }
 
+/// Throws where an attribute of the headers is longer than the rest of the file: the library would ask for
+/// its memory first. A header is a list of names, types and lengths; an empty name ends it, and of several
+/// parts a second one ends all.
+void checkAttributes(std::string_view bytes, bool severalParts) {
+  std::size_t at = 8;  // magic number, version and flags
+  const auto word = [&] {
+    const std::size_t end = bytes.find('\0', at);
+    const bool none = end == std::string_view::npos;
+    const std::string_view text = none ? std::string_view() : bytes.substr(at, end - at);
+    at = none ? bytes.size() : end + 1;
+    return text;
+  };
+  for (bool ended = false; at < bytes.size();) {
+    if (word().empty()) {
+      if (ended || !severalParts) return;
+      ended = true;
+      continue;
+    }
+    ended = false;
+    static_cast<void>(word());  // type
+    if (bytes.size() - at < 4) return;
+    std::uint32_t length = 0;
+    for (std::size_t i = 4; i-- > 0;) length = length << 8U | static_cast<unsigned char>(bytes[at + i]);
+    at += 4;
+    if (length > bytes.size() - at)
+      throw std::runtime_error(
+          fmt::format("an attribute of {} bytes, where {} are left", length, bytes.size() - at));
+    at += length;
+  }
+}
+
 LightFile read(MemoryStream& stream) {
   Imf::MultiPartInputFile file(stream);
   const Imf::Header& header = file.header(0);
@@ -100,6 +132,11 @@ LightFile read(MemoryStream& stream) {
   const Window data = windowOf(header.dataWindow()), shown = windowOf(header.displayWindow());
   if (double(data.width) * data.height > mostPixels || double(shown.width) * shown.height > mostPixels)
     throw std::runtime_error("more than 100 million pixels");
+  constexpr double leastShare = 1.0 / 64, smallArea = 1e6;
+  if (double(shown.width) * shown.height > smallArea &&
+      double(data.width) * data.height < leastShare * shown.width * shown.height)
+    throw std::runtime_error(fmt::format("a display window of {}x{} pixels around {}x{} that there are",
+                                         shown.width, shown.height, data.width, data.height));
   const Chosen chosen = choose(header.channels());
   Imf::InputPart part(file, 0);
   std::vector<float> pixels(4 * std::size_t(data.width) * std::size_t(data.height), 0.0F);
@@ -156,7 +193,9 @@ bool isExr(std::string_view bytes) {
 
 LightFile decodeExr(std::string_view bytes, const std::string& label, const std::string& advice) {
   MemoryStream stream(bytes);
+  constexpr unsigned char multipart = 0x10;  // of the second byte of the version field
   try {
+    checkAttributes(bytes, bytes.size() > 5 && (static_cast<unsigned char>(bytes[5]) & multipart) != 0);
     return read(stream);
   } catch (const std::exception& error) {
     if (stream.beyond())

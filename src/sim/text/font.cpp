@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
 #include <ft2build.h>
 #include <string>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include FT_FREETYPE_H
+#include FT_MODULE_H
 #include FT_OUTLINE_H
 
 namespace simreel::sim {
@@ -81,20 +85,50 @@ void clean(TextOutlines& outlines) {
 
 struct Font::Library {
   Library() {
-    if (FT_Init_FreeType(&library) != 0) fail(ExitCode::device, "FreeType cannot start");
+    if (FT_New_Library(&memory, &library) != 0) fail(ExitCode::device, "FreeType cannot start");
+    FT_Add_Default_Modules(library);
+    FT_Set_Default_Properties(library);
   }
   ~Library() {
     if (face != nullptr) FT_Done_Face(face);
-    FT_Done_FreeType(library);
+    FT_Done_Library(library);
   }
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
   Library(Library&&) = delete;
   Library& operator=(Library&&) = delete;
 
+  /// Memory at once: outlines of glyphs made of glyphs made of glyphs would take gigabytes.
+  static constexpr std::size_t mostMemory = std::size_t{64} << 20;
+  std::size_t taken = 0;
+  FT_MemoryRec_ memory{this, take, giveBack, resize};
   std::string bytes;  ///< which FreeType reads from
   FT_Library library = nullptr;
   FT_Face face = nullptr;
+
+ private:
+  static void* take(FT_Memory memory, long size) { return resize(memory, 0, size, nullptr); }
+  static void giveBack(FT_Memory memory, void* block) {
+    if (block == nullptr) return;
+    auto* start = static_cast<std::max_align_t*>(block) - 1;
+    std::size_t size = 0;
+    std::memcpy(&size, start, sizeof size);
+    static_cast<Library*>(memory->user)->taken -= size;
+    std::free(start);
+  }
+  // A block begins with its size.
+  static void* resize(FT_Memory memory, long before, long size, void* block) {
+    auto& library = *static_cast<Library*>(memory->user);
+    const auto wanted = static_cast<std::size_t>(size);
+    const auto had = static_cast<std::size_t>(before);
+    if (library.taken - had + wanted > mostMemory) return nullptr;
+    auto* old = block == nullptr ? nullptr : static_cast<std::max_align_t*>(block) - 1;
+    auto* start = static_cast<std::max_align_t*>(std::realloc(old, sizeof(std::max_align_t) + wanted));
+    if (start == nullptr) return nullptr;
+    std::memcpy(start, &wanted, sizeof wanted);
+    library.taken += wanted - had;
+    return start + 1;
+  }
 };
 
 Font::Font(std::filesystem::path file) : file_(std::move(file)), library_(std::make_unique<Library>()) {

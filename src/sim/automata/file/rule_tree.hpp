@@ -27,6 +27,6 @@ enum class TableShape { vonNeumann, moore, hexagonal, oneDimensional };
 /// more items than maxTreeItems.
 [[nodiscard]] std::shared_ptr<const RuleTree> treeOf(const std::vector<RuleTransition>& table,
                                                      TableShape shape, int states);
-inline constexpr std::size_t maxTreeItems = std::size_t{1} << 24;
+inline constexpr std::size_t maxTreeItems = std::size_t{1} << 21;
 
 }  // namespace simreel::sim
