@@ -229,6 +229,17 @@ bool pathExists(const std::filesystem::path& path) {
   return std::filesystem::exists(path, error);
 }
 
+bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  const auto whole = [](const std::filesystem::path& given) {
+    std::error_code error;
+    const auto found = std::filesystem::weakly_canonical(std::filesystem::absolute(given, error), error);
+    return error ? std::filesystem::path() : found;
+  };
+  const auto inner = whole(path), outer = whole(folder.empty() ? "." : folder);
+  if (inner.empty() || outer.empty()) return false;
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
 std::filesystem::path programFolder() {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);

@@ -77,6 +77,10 @@ void makeFolders(const std::filesystem::path& folder);
 /// Whether something is there; false where that cannot be found out.
 [[nodiscard]] bool pathExists(const std::filesystem::path& path);
 
+/// Whether a path lies in a folder (empty: the current one) or below it, or is the folder itself, symbolic
+/// links followed; neither has to be there.
+[[nodiscard]] bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
+
 /// The folder of shipped assets: $SIMREEL_ASSETS, else share/simreel/assets or assets beside the
 /// program's folder, else those of the source tree that the program was built in. Empty when none exists.
 [[nodiscard]] std::filesystem::path assetFolder();

@@ -213,7 +213,8 @@ void addRender(CLI::App& app) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{10'000}));
   command->add_option("-j,--jobs", o->jobs, "Pieces at once; auto: one a processor")->capture_default_str();
   o->cluster.add(*command);
-  command->add_flag("--skip-existing", o->skipExisting, "Keep every frame whose file exists");
+  command->add_flag("--skip-existing", o->skipExisting,
+                    "Keep every frame whose file exists; those of another scene or size are refused");
   command->add_flag(
       "--no-counts", o->noCounts,
       "Do not write what epidemics, fires, fluids and water count (NAME.counts.csv beside the frames)");

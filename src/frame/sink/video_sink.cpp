@@ -104,11 +104,18 @@ class VideoSink final : public FrameSink {
   /// The existing file stays; its manifest, where one is readable, knows the state hashes.
   void skip() {
     skipped_ = true;
+    std::optional<std::string> difference;
     try {
-      if (auto old = readManifest(output_.manifestFile()))
-        if (!runDifference(manifest_.run, old->run)) manifest_ = std::move(*old);
-    } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): then nothing is known of the frames.
+      auto old = readManifest(output_.manifestFile());
+      if (!old) return;
+      difference = runDifference(manifest_.run, old->run);
+      if (!difference) manifest_ = std::move(*old);
+    } catch (const UserError& error) {
+      warn("{}", error.what());
     }
+    if (difference)
+      fail(ExitCode::usage, "cannot skip the existing video: {} ({}); use --overwrite to start afresh",
+           *difference, output_.manifestFile().string());
   }
 
   /// Says so before the first frame is drawn, and in plainer words than ffmpeg's.

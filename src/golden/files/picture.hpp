@@ -1,5 +1,6 @@
 #pragma once
 #include "frame/image.hpp"
+#include "golden/files/exr_layers.hpp"
 
 #include <filesystem>
 #include <string>
@@ -24,7 +25,9 @@ struct Picture {
   Depth depth = Depth::unorm8;
   std::vector<float> values;  ///< RGBA of each pixel where the file is deeper than 8 bits; else empty
   std::string colours;        ///< colourWords()
-  std::string note;           ///< what of the file is not in it: "channels Z are not compared"; or empty
+  std::string note = {};      ///< what of the file is not in it; or empty
+  std::vector<PictureLayer> layers = {};  ///< of OpenEXR
+  bool layered = false;                   ///< whether the file is of a kind that may have layers
 };
 
 /// Reads a whole file into `bytes`, whose memory is used again. Throws UserError(inputOutput) in one line
@@ -49,8 +52,8 @@ void checkPicture(std::string_view bytes, const char* what, const std::string& n
 /// cannot be read, and for text (PNM and Radiance begin as that, too).
 [[nodiscard]] bool holdsPicture(const std::filesystem::path& file);
 
-/// Hash of size, depth and all four channels, independent of the file's kind and encoder. 32 hexadecimal
-/// digits.
+/// Hash of size, depth, all four channels and layers, independent of the file's kind and encoder. 32
+/// hexadecimal digits.
 [[nodiscard]] std::string pictureHash(const Picture& picture);
 
 /// Values in units of 1/255 of the encoded range, RGBA: deeper pictures have fractions, light above white

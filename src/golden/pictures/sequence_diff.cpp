@@ -171,13 +171,15 @@ PairResult comparePair(const Pair& pair, const PairTerms& terms, const fs::path&
   const Comparison made = compare(a, b, terms.tolerance, terms.allowance, terms.measures);
   result.metrics = made.metrics;
   if (!made.colours.empty()) result.notes.push_back(made.colours);
+  if (!made.layerNote.empty()) result.notes.push_back(made.layerNote);
   result.broken = brokenBounds(*result.metrics, terms.tolerance, made.a.width, made.a.height);
   if (!made.sizes.empty())
     result.broken.insert(result.broken.begin(),
                          fmt::format("sizes differ: {} is {}x{}, {} is {}x{}; compared as {}x{}, padded",
                                      pair.a.string(), a.image.width, a.image.height, pair.b.string(),
                                      b.image.width, b.image.height, made.a.width, made.a.height));
-  const bool differs = result.metrics->differentPixels > 0 || !made.sizes.empty();
+  if (!made.layers.empty()) result.broken.insert(result.broken.begin(), made.layers);
+  const bool differs = result.metrics->differentPixels > 0 || !result.broken.empty();
   if (differs)
     result.outcome = result.broken.empty() ? PairResult::Outcome::within : PairResult::Outcome::different;
   if (wantsImage && (differs || always))
