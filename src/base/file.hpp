@@ -21,17 +21,18 @@ namespace simreel {
 /// so for all files of a folder at once.
 enum class NameSync { now, later };
 
-/// Writes to `path` + ".part" in the same folder, syncs it and renames it, so that a reader sees the old
-/// file or the whole new one, after a power cut too. Throws UserError(inputOutput) naming the path and the
-/// system's reason; the temporary file is removed then.
+/// Writes to `path` + ".part" in the same folder (".part2" and so on where another program is at it), syncs
+/// it and renames it, so that a reader sees the old file or the whole new one, after a power cut too.
+/// Throws UserError(inputOutput) naming the path and the system's reason; the temporary file is removed
+/// then.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
                          NameSync name = NameSync::now);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text,
                          NameSync name = NameSync::now);
 
-/// A file that is written piece by piece, for what does not fit into memory: as `path` + ".part", which
-/// takes the name once it is whole; into what is no file (a device, a pipe) it goes at once. All of it
-/// throws UserError(inputOutput) naming the path and the system's reason.
+/// A file that is written piece by piece, for what does not fit into memory: as `path` + ".part", locked,
+/// which takes the name once it is whole; into what is no file (a device, a pipe) it goes at once. All of
+/// it throws UserError(inputOutput) naming the path and the system's reason.
 class PartFile {
  public:
   explicit PartFile(std::filesystem::path path);

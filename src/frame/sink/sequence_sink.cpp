@@ -15,6 +15,7 @@
 #include "frame/file/shared_manifest.hpp"
 #include "frame/sink/frame_queue.hpp"
 #include "frame/sink/frame_sink.hpp"
+#include "frame/sink/open_sink.hpp"
 #include "scene/json/words.hpp"
 #include "scene/scene.hpp"
 
@@ -42,7 +43,7 @@ class SequenceSink final : public FrameSink {
         folder_(output_.folder),
         file_(output_, run, frames) {
     manifest_.run = run;
-    if (existing == Existing::error) refuseExisting();
+    if (existing == Existing::error) refuseExisting(output_, frames_);
     // Of a manifest, or more; run.json beside it.
     constexpr std::size_t runBytes = 16384, frameBytes = 256;
     room_ = ReservedRoom(output_.folder, runBytes + frameBytes * frames_.size());
@@ -133,21 +134,6 @@ class SequenceSink final : public FrameSink {
     std::optional<ManifestFrame> whole = {};  ///< how the manifest lists it; nothing: it does not
     std::string difference = {};              ///< from the pictures of this run
   };
-
-  void refuseExisting() const {
-    std::size_t count = 0;
-    fs::path first;
-    for (const int frame : frames_) {
-      const fs::path file = output_.file(frame);
-      std::error_code error;
-      if (!fs::exists(fs::symlink_status(file, error))) continue;
-      if (count++ == 0) first = file;
-    }
-    if (count == 0) return;
-    const std::string more = count == 1 ? "" : fmt::format(" and {} more", count - 1);
-    fail(ExitCode::inputOutput, "{}{} exist{}; use --overwrite, --skip-existing or --resume",
-         first.string(), more, count == 1 ? "s" : "");
-  }
 
   /// Decides which frames need not be drawn. Reads the files, so on all cores.
   void keepWholeFrames(Existing existing, const std::map<int, ManifestFrame>& known) {

@@ -8,6 +8,7 @@
 #include "frame/file/shared_manifest.hpp"
 #include "frame/sink/ffmpeg.hpp"
 #include "frame/sink/frame_queue.hpp"
+#include "frame/sink/frame_rate.hpp"
 #include "frame/sink/frame_sink.hpp"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ class VideoSink final : public FrameSink {
           "{}: this encoder needs even sides, so {}x{} becomes {}x{} with a black edge; choose --size "
           "{}x{}",
           file_.string(), run.width, run.height, width, height, width, height);
-    ffmpeg_.emplace(ffmpegArguments(part_, run.width, run.height, run.fps));
+    ffmpeg_.emplace(ffmpegArguments(part_, run.width, run.height, playedRate(run.fps, frames)));
     queue_.emplace(1, FrameQueue::maxWaitingInOrder,
                    [this](const FrameInfo& info, const std::optional<Image>& image) {
                      if (image) handle(info, *image);

@@ -2,6 +2,7 @@
 #include "frame/image.hpp"
 #include "golden/files/exr_layers.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -9,8 +10,8 @@
 
 namespace simreel::golden {
 
-/// Pixels; a file that claims more is damaged, or nothing to compare.
-inline constexpr int largestPictureSide = 16384;
+/// Pixels in all; a file that claims more is damaged, or nothing to compare.
+inline constexpr std::size_t mostPicturePixels = std::size_t{1} << 28;
 
 /// What the numbers of a picture file are.
 enum class Depth {
@@ -35,8 +36,9 @@ struct Picture {
 void readBytes(const std::filesystem::path& path, const char* what, std::string& bytes);
 
 /// PNG (8 and 16 bits, grey, palette, alpha), JPEG, Radiance HDR, OpenEXR and PNM, told apart by their
-/// first bytes. Throws UserError(inputOutput) for what is none of them, is damaged, larger than 16384 on a
-/// side, or something else in its place (standsForAnother()).
+/// first bytes. Throws UserError(inputOutput) for what is none of them, is damaged, larger than
+/// mostPicturePixels (OpenEXR, Radiance and PNM: than 16384 on a side), or something else in its place
+/// (standsForAnother()).
 [[nodiscard]] Picture decodePicture(std::string_view bytes, const char* what, const std::string& name);
 [[nodiscard]] Picture readPicture(const std::filesystem::path& path, const char* what);
 

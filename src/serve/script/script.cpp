@@ -148,8 +148,9 @@ bool standsAlike(const scene::Light& a, const scene::Light& b) {
 /// Objects of one kind in what a stage dresses them with.
 bool dressedAlike(const scene::Object& a, const scene::Object& b) {
   const scene::Parameters &one = *a.parameters, &other = *b.parameters;
-  return a.name == b.name && typeid(one) == typeid(other) && a.material.color == b.material.color &&
-         a.material.roughness == b.material.roughness && a.material.translucency == b.material.translucency;
+  return a.name == b.name && a.kind == b.kind && typeid(one) == typeid(other) &&
+         a.material.color == b.material.color && a.material.roughness == b.material.roughness &&
+         a.material.translucency == b.material.translucency;
 }
 
 /// Whether all that follows from what the objects are, and that the scene does not say, is the same.
