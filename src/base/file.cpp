@@ -124,8 +124,8 @@ bool hasName(int file, const std::filesystem::path& name) {
 /// until it is closed; what a program left that was killed is taken over. -1 with errno set where none can
 /// be made.
 int openPart(const std::filesystem::path& path, std::filesystem::path& part) {
-  constexpr int most = 100;
-  for (int number = 1; number <= most;) {
+  constexpr int most = 1000;
+  for (int attempt = 0, number = 1; attempt < most; ++attempt) {
     part = path.string() + (number == 1 ? ".part" : fmt::format(".part{}", number));
     const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0) return file;

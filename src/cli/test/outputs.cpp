@@ -163,13 +163,11 @@ void TestOutputs::prepare() const {
   const fs::path place = report;
   if (fs::exists(place, error) && !fs::is_directory(place, error))
     fail(ExitCode::usage, "--report takes a folder, and {} is a file", report);
-  if (fs::exists(place, error) && !fs::is_empty(place, error) && !golden::isReport(place) &&
-      !fs::exists(place / "report.json", error))
+  if (fs::exists(place, error) && !fs::is_empty(place, error) && !fs::exists(place / "report.json", error))
     fail(ExitCode::usage, "the folder {} is not empty and holds no report; give --report another one",
          report);
   fs::remove_all(artifacts(), error);
   makeFolders(place);
-  golden::markReport(place);
 }
 
 void TestOutputs::show(const golden::SceneResult& scene, const std::string& unit) const {
@@ -191,7 +189,7 @@ void TestOutputs::write(golden::SuiteResult& suite) const {
     writeFileAtomically(json, golden::reportText(report.empty() ? suite : forElsewhere(suite)));
   const fs::path place = folder();
   const bool kept = !artifacts().empty();
-  if (report.empty() && kept && pathExists(artifacts())) golden::markReport(artifacts());
+  if (kept && pathExists(artifacts())) golden::markReport(artifacts());
   if (!junit.empty())
     writeFileAtomically(junit, golden::junitText(suite, kept ? folderInProject(place) : fs::path()));
   if (!markdown.empty()) {

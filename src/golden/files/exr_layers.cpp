@@ -31,6 +31,7 @@ namespace simreel::golden {
 namespace {
 
 constexpr double mostValues = 5e8;
+constexpr double mostOfOneByte = 65536;  ///< values: what no compression of OpenEXR's comes near
 
 class ByteStream final : public Imf::IStream {
  public:
@@ -131,6 +132,8 @@ class PartLayers {
       values += width * height;
       if (width < 1 || height < 1 || values > mostValues)
         throw std::runtime_error("more than 500 million values in its layers");
+      if (values > mostOfOneByte * static_cast<double>(bytes_.size()))
+        throw std::runtime_error("more values in its layers than its bytes can hold");
       const bool whole = found.type == Imf::UINT;
       Channel& channel = channels_[at.name()];
       channel = {whole || identifies(at.name()) ? PictureLayer::Kind::exact : PictureLayer::Kind::number,

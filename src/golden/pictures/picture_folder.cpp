@@ -19,6 +19,7 @@ constexpr const char* reportMark = "simreel-report.txt";
 }  // namespace
 
 void markReport(const fs::path& folder) {
+  if (isReport(folder)) return;
   writeFileAtomically(folder / reportMark,
                       std::string_view("The pictures in and below this folder are of a report that simreel "
                                        "test wrote. It takes none of them for a baseline.\n"));

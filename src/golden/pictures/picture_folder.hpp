@@ -12,7 +12,7 @@ struct PictureFolder {
   std::vector<std::string> others;
 };
 
-/// Marks a folder whose pictures are those of a report, and no baselines.
+/// Marks a folder whose pictures are those of a report, and no baselines; nothing where it is marked.
 void markReport(const std::filesystem::path& folder);
 [[nodiscard]] bool isReport(const std::filesystem::path& folder);
 

@@ -10,6 +10,7 @@
 #include "golden/compare/compare.hpp"
 #include "golden/compare/comparison.hpp"
 #include "golden/files/picture.hpp"
+#include "golden/pictures/picture_folder.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -171,6 +172,7 @@ class PictureTest {
   std::string write(const std::string& name, std::span<const std::byte> bytes) const {
     const fs::path file = options_.artifacts / case_.name / name;
     makeFolders(file.parent_path());
+    markReport(options_.artifacts);
     writeFileAtomically(file, bytes);
     return file.lexically_relative(options_.reportFolder).generic_string();
   }
