@@ -31,4 +31,17 @@ std::string driverVariables() {
   return words;
 }
 
+std::string driverAdvice() {
+  const std::string variables = driverVariables();
+  const std::string first =
+      variables.empty()
+          ? std::string()
+          : fmt::format("{} in the environment changes which driver there is: unset that first, or ",
+                        variables);
+  return first +
+         "install a driver (Debian/Ubuntu: apt install libegl1 libegl-mesa0 libgl1-mesa-dri) and see "
+         "`simreel "
+         "doctor`";
+}
+
 }  // namespace simreel::gl

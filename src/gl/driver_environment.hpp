@@ -7,4 +7,7 @@ namespace simreel::gl {
 /// "GALLIUM_DRIVER=softpipe and LIBGL_DRIVERS_PATH=/x"; empty: none is.
 [[nodiscard]] std::string driverVariables();
 
+/// What to do where no device can run the program, for the end of a message.
+[[nodiscard]] std::string driverAdvice();
+
 }  // namespace simreel::gl

@@ -70,7 +70,7 @@ std::string formatProblem(std::string_view header) {
 
 /// What is wrong with the file, to follow its name; empty when nothing is.
 std::string problem(std::string_view file) {
-  if (const std::string other = standsForAnother(file); !other.empty()) return other;
+  if (std::string other = standsForAnother(file); !other.empty()) return other;
   if (file.empty()) return fmt::format("is empty; {}", restoreIt);
   // A file that ends inside the signature was a PNG, as far as one can tell.
   if (file.substr(0, signature.size()) != signature.substr(0, std::min(file.size(), signature.size())))
