@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -109,20 +110,59 @@ const std::string& standardInput(const char* what, std::size_t maxBytes) {
   return text;
 }
 
+namespace {
+
+/// Whether an open file still has this name.
+bool hasName(int file, const std::filesystem::path& name) {
+  struct stat opened {
+  }, named{};
+  return ::fstat(file, &opened) == 0 && ::stat(name.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+/// Opens the first of "path.part", "path.part2" and so on that nobody else has in hand, empty and locked
+/// until it is closed; what a program left that was killed is taken over. -1 with errno set where none can
+/// be made.
+int openPart(const std::filesystem::path& path, std::filesystem::path& part) {
+  constexpr int most = 1000;
+  for (int attempt = 0, number = 1; attempt < most; ++attempt) {
+    part = path.string() + (number == 1 ? ".part" : fmt::format(".part{}", number));
+    const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (file < 0) return file;
+    // Where the file system has no locks, as before there were any.
+    const bool held = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (!held && hasName(file, part)) {
+      if (::ftruncate(file, 0) == 0) return file;
+      const int reason = errno;
+      ::close(file);
+      errno = reason;
+      return -1;
+    }
+    ::close(file);
+    if (held) ++number;  // else it was whole and took its name meanwhile: once more
+  }
+  errno = EBUSY;
+  return -1;
+}
+
+}  // namespace
+
 PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)) {
   if (isDevice(path_)) {
     open_ = false;
     file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   } else {
-    part_ = path_.string() + ".part";
-    file_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    file_ = openPart(path_, part_);
   }
-  if (file_ < 0) giveUp("create");
+  if (file_ < 0) {
+    part_.clear();
+    giveUp("create");
+  }
 }
 
 PartFile::~PartFile() {
+  if (open_) ::unlink(part_.c_str());  // while it is locked
   if (file_ >= 0) ::close(file_);
-  if (open_) ::unlink(part_.c_str());
 }
 
 void PartFile::giveUp(const char* verb) {
@@ -152,6 +192,8 @@ void PartFile::put(std::uint64_t offset, std::span<const std::byte> bytes) {
 
 void PartFile::finish(NameSync name) {
   if (!synced(file_)) giveUp("write");
+  // Locked until it has its name, or another program would take it for one that was left.
+  const Descriptor lock(open_ ? ::fcntl(file_, F_DUPFD_CLOEXEC, 0) : -1);
   // Some file systems report a full disk only here.
   if (::close(std::exchange(file_, -1)) != 0) giveUp("write");
   if (!open_) return;  // a device
@@ -192,8 +234,8 @@ void checkWritable(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error))
     fail(ExitCode::inputOutput, "cannot write {}: it is a folder", path.string());
   if (isDevice(path)) return;
-  const std::filesystem::path part = path.string() + ".part";
-  const Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+  std::filesystem::path part;
+  const Descriptor file(openPart(path, part));
   if (file.get() < 0) {
     const int reason = errno;
     fail(ExitCode::inputOutput, "cannot create {}: {}", path.string(), std::strerror(reason));
@@ -227,6 +269,17 @@ void makeFolders(const std::filesystem::path& folder) {
 bool pathExists(const std::filesystem::path& path) {
   std::error_code error;
   return std::filesystem::exists(path, error);
+}
+
+bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  const auto whole = [](const std::filesystem::path& given) {
+    std::error_code error;
+    const auto found = std::filesystem::weakly_canonical(std::filesystem::absolute(given, error), error);
+    return error ? std::filesystem::path() : found;
+  };
+  const auto inner = whole(path), outer = whole(folder.empty() ? "." : folder);
+  if (inner.empty() || outer.empty()) return false;
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
 std::filesystem::path programFolder() {

@@ -21,17 +21,18 @@ namespace simreel {
 /// so for all files of a folder at once.
 enum class NameSync { now, later };
 
-/// Writes to `path` + ".part" in the same folder, syncs it and renames it, so that a reader sees the old
-/// file or the whole new one, after a power cut too. Throws UserError(inputOutput) naming the path and the
-/// system's reason; the temporary file is removed then.
+/// Writes to `path` + ".part" in the same folder (".part2" and so on where another program is at it), syncs
+/// it and renames it, so that a reader sees the old file or the whole new one, after a power cut too.
+/// Throws UserError(inputOutput) naming the path and the system's reason; the temporary file is removed
+/// then.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
                          NameSync name = NameSync::now);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text,
                          NameSync name = NameSync::now);
 
-/// A file that is written piece by piece, for what does not fit into memory: as `path` + ".part", which
-/// takes the name once it is whole; into what is no file (a device, a pipe) it goes at once. All of it
-/// throws UserError(inputOutput) naming the path and the system's reason.
+/// A file that is written piece by piece, for what does not fit into memory: as `path` + ".part", locked,
+/// which takes the name once it is whole; into what is no file (a device, a pipe) it goes at once. All of
+/// it throws UserError(inputOutput) naming the path and the system's reason.
 class PartFile {
  public:
   explicit PartFile(std::filesystem::path path);
@@ -76,6 +77,10 @@ void removeFile(const std::filesystem::path& path);
 void makeFolders(const std::filesystem::path& folder);
 /// Whether something is there; false where that cannot be found out.
 [[nodiscard]] bool pathExists(const std::filesystem::path& path);
+
+/// Whether a path lies in a folder (empty: the current one) or below it, or is the folder itself, symbolic
+/// links followed; neither has to be there.
+[[nodiscard]] bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 /// The folder of shipped assets: $SIMREEL_ASSETS, else share/simreel/assets or assets beside the
 /// program's folder, else those of the source tree that the program was built in. Empty when none exists.

@@ -93,7 +93,8 @@ pid_t forkProcess() {
   }
   ::setpgid(0, 0);
   for (std::atomic<pid_t>& slot : running) slot = 0;
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  // What it has written is whole. Ending in its own time it would hold what the next run needs.
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);  // it ended before that held
   return 0;
 }

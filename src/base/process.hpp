@@ -18,7 +18,7 @@ struct ChildStreams {
 [[nodiscard]] int startProcess(const std::vector<std::string>& arguments, const ChildStreams& streams,
                                pid_t& child);
 
-/// A copy of this process, in a process group of its own as well, which SIGTERM reaches when this one ends.
+/// A copy of this process, in a process group of its own as well, which is killed when this one ends.
 /// Returns 0 in the copy, which knows nothing of the children of this one; -1 with errno set where there is
 /// none. Call it while no other thread runs.
 [[nodiscard]] pid_t forkProcess();

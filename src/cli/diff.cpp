@@ -74,6 +74,10 @@ void comparePictures(const DiffOptions& options, const scene::Tolerance& toleran
   if (!options.output.empty()) {
     if (fs::is_directory(options.output))
       fail(ExitCode::usage, "-o {} is a folder; two pictures need a file name", options.output);
+    if (const std::string ending = lowerExtension(options.output); !ending.empty() && ending != ".png")
+      fail(ExitCode::usage,
+           "-o {}: the difference is a PNG picture; give it a name that ends in .png, not {}",
+           options.output, ending);
     checkOutput(options.output, options.a, options.b);
   }
   const auto result = golden::comparePair({options.a, options.a, options.b}, termsFor(options, tolerance),

@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "draw/screen/picture_probe.hpp"
 #include "gl/context.hpp"
+#include "gl/driver_environment.hpp"
 #include "gl/limits.hpp"
 #include "gl/machine.hpp"
 #include "scene/scene.hpp"
@@ -61,6 +62,8 @@ void doctor(const std::string& device) {
   print("simreel {}\n", version());
   const auto assets = assetFolder();
   print("Assets: {}\n", assets.empty() ? "not found; set SIMREEL_ASSETS" : assets.string());
+  if (const std::string variables = gl::driverVariables(); !variables.empty())
+    print("Environment: {} changes which driver there is\n", variables);
   printDevices(gl::listDevices());
   // Throws with the advice what to install where nothing can run.
   const gl::Context context({.device = device, .debug = false, .memoryPath = ""});

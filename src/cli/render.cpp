@@ -163,8 +163,8 @@ void addRender(CLI::App& app) {
       "Of a file of cells: the rule instead of its own, for example B2-a/S12; `simreel list life` "
       "has the notations");
   command->add_option("--frames", o->frames,
-                      "Frames to write, for example 0-99x2,150; all are simulated. none: draw nothing, for "
-                      "--checkpoint-at");
+                      "Frames to write, for example 0-99x2,150; all are simulated. A video of every second "
+                      "frame plays as fast as the scene. none: draw nothing, for --checkpoint-at");
   command
       ->add_option("--fields", o->fields,
                    "Also the raw values of every field, beside each picture: npy or pfm")
@@ -213,7 +213,8 @@ void addRender(CLI::App& app) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{10'000}));
   command->add_option("-j,--jobs", o->jobs, "Pieces at once; auto: one a processor")->capture_default_str();
   o->cluster.add(*command);
-  command->add_flag("--skip-existing", o->skipExisting, "Keep every frame whose file exists");
+  command->add_flag("--skip-existing", o->skipExisting,
+                    "Keep every frame whose file exists; those of another scene or size are refused");
   command->add_flag(
       "--no-counts", o->noCounts,
       "Do not write what epidemics, fires, fluids and water count (NAME.counts.csv beside the frames)");

@@ -3,8 +3,10 @@
 #include "base/process.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
+#include "cli/stack_room.hpp"
 #include "scene/json/words.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fcntl.h>
@@ -57,15 +59,56 @@ bool asksForNdjson(int argc, char** argv) {
   return false;
 }
 
-std::string explain(const CLI::App& app, const CLI::ParseError& error) {
-  const auto unknown = app.remaining(true);
-  if (!app.get_subcommands().empty() || unknown.empty() || unknown.front().starts_with('-'))
-    return error.what();
+/// The command that was typed, as far as it is known: `report merge`, or the program itself.
+const CLI::App& typedCommand(const CLI::App& app) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  return *command;
+}
+
+/// Its words, from the program's name on.
+std::string wordsOf(const CLI::App& command) {
+  return command.get_parent() == nullptr ? command.get_name()
+                                         : wordsOf(*command.get_parent()) + " " + command.get_name();
+}
+
+/// Its options, and those that the program has for all.
+std::vector<std::string> optionsOf(const CLI::App& command) {
   std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(command->get_name());
-  return fmt::format("unknown command \"{}\"; {}", unknown.front(),
-                     scene::suggestion(unknown.front(), names));
+  for (const CLI::App* one = &command; one != nullptr; one = one->get_parent())
+    for (const CLI::Option* option : one->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    }
+  return names;
+}
+
+/// "; did you mean ...?", where a name is near; a long list of all would help nobody.
+std::string nearest(const std::string& word, const std::vector<std::string>& names) {
+  const std::string words = scene::suggestion(word, names);
+  return words.starts_with("did you mean") ? "; " + words : std::string();
+}
+
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = typedCommand(app);
+  const std::string page = fmt::format("; see `{} --help`", wordsOf(command));
+  const auto unknown = app.remaining(true);
+  std::vector<std::string> names;
+  for (const CLI::App* one : command.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(one->get_name());
+  if (!names.empty() && !unknown.empty() && !unknown.front().starts_with('-'))
+    return fmt::format("unknown command \"{}\"; {}{}", unknown.front(),
+                       scene::suggestion(unknown.front(), names), page);
+  // Before what is missing: a mistyped option is why it is.
+  const auto option = std::find_if(unknown.begin(), unknown.end(), [](const std::string& word) {
+    return word.size() > 1 && word.starts_with('-') && word != "--";
+  });
+  if (option != unknown.end()) {
+    const std::string name = option->substr(0, option->find('='));
+    return fmt::format("{} has no option \"{}\"{}{}", wordsOf(command), name,
+                       nearest(name, optionsOf(command)), page);
+  }
+  return error.what() + page;
 }
 
 }  // namespace
@@ -117,13 +160,14 @@ int runCommand(int argc, char** argv) {
   } catch (const CLI::CallForVersion& versionCall) {
     return flushed(app.exit(versionCall));
   } catch (const CLI::ParseError& error) {
-    return print(explain(app, error) + "; see `simreel --help`", ExitCode::usage);
+    return print(explain(app, error), ExitCode::usage);
   }
 }
 
 /// Whatever is thrown, while the command line is set up or later, becomes one line and its code.
 int explained(int argc, char** argv) {
   try {
+    takeStackRoom(argv);
     return runCommand(argc, argv);
   } catch (const UserError& error) {
     return print(error);

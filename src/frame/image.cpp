@@ -14,6 +14,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -97,7 +98,9 @@ std::optional<std::size_t> compressZlib(std::span<const unsigned char> in, std::
   return size;
 }
 
-constexpr int largestSide = 16384;
+constexpr int largestSide = 16384;         ///< of a picture whose header is not looked at here
+constexpr int largestSideOfAll = 1 << 24;  ///< more than decoders take
+constexpr std::size_t mostPixels = std::size_t{1} << 28;
 constexpr std::size_t signatureAndHeader = 8 + 25;  // the signature, then the whole IHDR chunk
 constexpr std::size_t emptyChunk = 12;
 
@@ -277,15 +280,53 @@ void addText(std::vector<std::byte>& png, const ImageText& text) {
   png.insert(png.begin() + signatureAndHeader, texts.begin(), texts.end());
 }
 
+namespace {
+
+/// Width and height of a JPEG: in its first frame header (ITU-T T.81, B.2.2).
+std::optional<glm::ivec2> sizeOfJpeg(std::string_view bytes) {
+  const auto two = [&](std::size_t at) {
+    return static_cast<unsigned char>(bytes[at]) << 8 | static_cast<unsigned char>(bytes[at + 1]);
+  };
+  for (std::size_t at = 2; at + 9 <= bytes.size() && bytes[at] == '\xff';) {
+    const auto marker = static_cast<unsigned char>(bytes[at + 1]);
+    if (marker == 0xff) {
+      ++at;
+      continue;
+    }
+    const bool other = marker == 0xc4 || marker == 0xc8 || marker == 0xcc;
+    if (marker >= 0xc0 && marker <= 0xcf && !other) return glm::ivec2(two(at + 7), two(at + 5));
+    at += 2 + static_cast<std::size_t>(two(at + 2));
+  }
+  return std::nullopt;
+}
+
+/// Width and height as a PNG or a JPEG gives them; nothing for other kinds.
+std::optional<glm::ivec2> sizeInHeader(std::string_view bytes) {
+  if (bytes.starts_with("\xff\xd8")) return sizeOfJpeg(bytes);
+  constexpr std::size_t widthAt = 16, end = 24;
+  if (!bytes.starts_with("\x89PNG") || bytes.size() < end) return std::nullopt;
+  std::array<std::uint32_t, 2> size{};
+  for (std::size_t i = 0; i < 8; ++i)
+    size[i / 4] = size[i / 4] << 8U | static_cast<unsigned char>(bytes[widthAt + i]);
+  if (std::max(size[0], size[1]) > static_cast<std::uint32_t>(largestSideOfAll)) return std::nullopt;
+  return glm::ivec2(size[0], size[1]);
+}
+
+}  // namespace
+
 Image decodeImage(std::span<const std::byte> file, const std::string& name) {
   const auto whole = [](Image image) {
     image.alpha = !isOpaque(image);
     return image;
   };
-  if (auto image = decodePlainPng(file, largestSide)) return whole(std::move(*image));
+  const std::string_view bytes(reinterpret_cast<const char*>(file.data()), file.size());
+  const auto size = sizeInHeader(bytes);
+  if (size && static_cast<double>(size->x) * size->y > static_cast<double>(mostPixels))
+    fail(ExitCode::inputOutput, "the image {} is {}x{}, more than {} million pixels", name, size->x,
+         size->y, mostPixels / 1'000'000);
+  if (auto image = decodePlainPng(file, largestSideOfAll)) return whole(std::move(*image));
   try {
-    sim::Picture picture = sim::decodePicture({reinterpret_cast<const char*>(file.data()), file.size()},
-                                              name, "image", largestSide);
+    sim::Picture picture = sim::decodePicture(bytes, name, "image", size ? largestSideOfAll : largestSide);
     return whole({picture.size.x, picture.size.y, std::move(picture.rgba)});
   } catch (const UserError& error) {
     throw UserError(ExitCode::inputOutput, error.what());

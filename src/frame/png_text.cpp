@@ -38,6 +38,7 @@ ImageText readPngText(std::span<const std::byte> png) {
     const std::size_t length = wordAt(bytes, at);
     if (length > bytes.size() - at - around) break;
     const std::string_view kind = bytes.substr(at + 4, 4), body = bytes.substr(at + 8, length);
+    if (kind == "IEND") break;
     const std::size_t end = body.find('\0');
     if (end != std::string_view::npos && kind == "tEXt")
       texts.emplace_back(body.substr(0, end), fromLatin1(body.substr(end + 1)));

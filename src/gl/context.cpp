@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "gl/driver_environment.hpp"
 #include "gl/driver_threads.hpp"
 #include "gl/errors.hpp"
 #include "gl/kernel_compiler.hpp"
@@ -203,10 +204,6 @@ Limits readLimits() {
   return found;
 }
 
-constexpr const char* advice =
-    "install a driver (Debian/Ubuntu: apt install libegl1 libegl-mesa0 libgl1-mesa-dri) and see `simreel "
-    "doctor`";
-
 }  // namespace
 
 const Limits& limits() {
@@ -302,7 +299,7 @@ struct Context::State {
 void Context::State::choose(const ContextOptions& options) {
   chooseDriverThreads();
   const auto devices = enumerate();
-  if (devices.empty()) fail(ExitCode::device, "EGL finds no device to render with; {}", advice);
+  if (devices.empty()) fail(ExitCode::device, "EGL finds no device to render with; {}", driverAdvice());
   std::vector<int> order(devices.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
@@ -332,7 +329,7 @@ void Context::State::choose(const ContextOptions& options) {
   if (!options.device.empty())
     fail(ExitCode::device, "no device matches --device {} (there is {}){}", options.device,
          seen.empty() ? fmt::format("{} device(s)", devices.size()) : seen, problems);
-  fail(ExitCode::device, "no device can run the program{}; {}", problems, advice);
+  fail(ExitCode::device, "no device can run the program{}; {}", problems, driverAdvice());
 }
 
 Context::Context(const ContextOptions& options) : state_(std::make_unique<State>()) {

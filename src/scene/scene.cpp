@@ -92,14 +92,19 @@ const Node* memberOf(const Node& node, const std::string& key) {
 }
 
 /// Where a path from an object's node ends, as far as the scene gives it.
-Place placeOf(const Node& object, const std::vector<std::string>& path) {
+struct PathEnd {
+  const Node* node;
+  bool whole;  ///< whether the scene gives all of it
+  [[nodiscard]] Place place() const { return whole ? node->place() : node->headPlace(); }
+};
+PathEnd endOf(const Node& object, const std::vector<std::string>& path) {
   const Node* node = &object;
   for (const std::string& key : path) {
     const Node* next = memberOf(*node, key);
-    if (next == nullptr) return node->headPlace();
+    if (next == nullptr) return {node, false};
     node = next;
   }
-  return node->place();
+  return {node, true};
 }
 
 void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std::vector<Object>& objects) {
@@ -118,8 +123,10 @@ void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std:
   kinds.check(objects,
               [&](const Object& object, const std::vector<std::string>& path, const std::string& message) {
                 const auto i = static_cast<std::size_t>(&object - objects.data());
+                const PathEnd end = endOf(node.children[i], path);
                 // A value that could not be read kept its default, which says nothing about the scene.
-                if (good[i]) context.diagnostics.add(placeOf(node.children[i], path), message);
+                if (good[i] || (end.whole && !context.diagnostics.anyWithin(end.place())))
+                  context.diagnostics.add(end.place(), message);
               });
 }
 
@@ -228,13 +235,13 @@ void checkObjectNamed(const Node* owner, const char* group, const std::string& n
   names.reserve(objects.size());
   for (const Object& object : objects) names.push_back(object.name);
   const auto found = std::find(names.begin(), names.end(), name);
-  const char* const drawnWith =
-      found == names.end()
-          ? nullptr
-          : objects[static_cast<std::size_t>(found - names.begin())].parameters->drawnWith();
+  const Parameters* const parameters =
+      found == names.end() ? nullptr
+                           : objects[static_cast<std::size_t>(found - names.begin())].parameters.get();
+  const char* const drawnWith = parameters == nullptr ? nullptr : parameters->drawnWith();
   if (found != names.end() && (drawnWith == nullptr || std::string_view(group) != "track")) return;
   const Node* given = owner == nullptr ? nullptr : owner->find(group);
-  if (given == nullptr) return;
+  if (given == nullptr || diagnostics.anyWithin(given->place())) return;
   const Node* named = given->kind == Node::Kind::object ? given->find("object") : given;
   const Place place = named == nullptr ? given->headPlace() : named->place();
   if (drawnWith != nullptr)
@@ -269,8 +276,12 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   describeScene(fields, scene);
   // A length that could not be read says nothing about the frames.
   const bool lengthKnown = heldToLength && context.diagnostics.count() == errorsBefore;
-  if (const Node* objects = fields.take("objects")) readObjects(*objects, context, kinds, scene.objects);
-  if (context.diagnostics.count() == 0) checkFollowed(root, scene, context.diagnostics);
+  const Node* objects = fields.take("objects");
+  if (objects != nullptr) readObjects(*objects, context, kinds, scene.objects);
+  // Whatever else is wrong, a name that no object has is.
+  const bool namesKnown = objects == nullptr || (objects->kind == Node::Kind::object &&
+                                                 objects->children.size() == scene.objects.size());
+  if (namesKnown) checkFollowed(root, scene, context.diagnostics);
   if (context.diagnostics.count() == 0) openCamera(root, context, kinds, scene.camera);
   if (context.diagnostics.count() == 0) {
     // Boxes may take reading files that the scene names, and making what they hold finer.

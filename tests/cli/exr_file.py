@@ -57,3 +57,40 @@ def undone(packed):
 def bits(value):
     """Of a float."""
     return struct.unpack("<I", struct.pack("<f", value))[0]
+
+
+def write_exr(*parts, display=None):
+    """An uncompressed OpenEXR file; each part is (width, height, {channel: (kind, values)}, {attribute: text}) with kinds as
+    read_exr() has them: 0 whole numbers, 1 halves, 2 floats. `display` is the last pixel of the window that is shown."""
+    def attribute(name, kind, value):
+        return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(value)) + value
+
+    formats, headers, blocks = {0: "I", 1: "e", 2: "f"}, [], []
+    for number, (width, height, channels, texts) in enumerate(parts):
+        listed = b"".join(name.encode() + b"\0" + struct.pack("<iiii", channels[name][0], 0, 1, 1) for name in sorted(channels))
+        window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+        shown = struct.pack("<4i", 0, 0, *(display or (width - 1, height - 1)))
+        header = (attribute("channels", "chlist", listed + b"\0") + attribute("compression", "compression", b"\0")
+                  + attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", shown)
+                  + attribute("lineOrder", "lineOrder", b"\0") + attribute("pixelAspectRatio", "float", struct.pack("<f", 1))
+                  + attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0))
+                  + attribute("screenWindowWidth", "float", struct.pack("<f", 1))
+                  + b"".join(attribute(name, "string", text.encode()) for name, text in texts.items()))
+        if len(parts) > 1:
+            header += (attribute("name", "string", b"part%d" % number) + attribute("type", "string", b"scanlineimage")
+                       + attribute("chunkCount", "int", struct.pack("<i", height)))
+        headers.append(header + b"\0")
+        rows = []
+        for y in range(height):
+            raw = b"".join(struct.pack(f"<{width}{formats[channels[name][0]]}", *channels[name][1][y * width:(y + 1) * width])
+                           for name in sorted(channels))
+            rows.append((struct.pack("<i", number) if len(parts) > 1 else b"") + struct.pack("<ii", y, len(raw)) + raw)
+        blocks.append(rows)
+    head = struct.pack("<II", 20000630, 2 if len(parts) == 1 else 2 | 0x1000) + b"".join(headers) + (b"\0" if len(parts) > 1 else b"")
+    at = len(head) + 8 * sum(map(len, blocks))
+    table, body = b"", b""
+    for rows in blocks:
+        for row in rows:
+            table += struct.pack("<Q", at + len(body))
+            body += row
+    return head + table + body

@@ -5,7 +5,9 @@
 #include "frame/file/manifest.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <map>
+#include <system_error>
 #include <utility>
 
 namespace simreel::batch {
@@ -14,8 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A cell as RFC 4180 has it.
-std::string cell(const std::string& text) {
+/// A cell as RFC 4180 has it. What a spreadsheet would run as a formula begins with an apostrophe.
+std::string cell(std::string text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number);
+  if (text.find_first_of("=+-@\t\r") == 0 && (read.ec != std::errc() || read.ptr != end))
+    text.insert(0, 1, '\'');
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

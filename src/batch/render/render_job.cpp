@@ -38,6 +38,8 @@ RenderJob::RenderJob(RenderRequest request)
   if (request_.fields)
     fields_.emplace(output_, frame::parseFieldFormat(*request_.fields), request_.existing, frames_);
   chooseCheckpoints();
+  // Before a device starts, and before anything is simulated to place a camera.
+  frame::checkOutput(output_, request_.existing, frames_);
 }
 
 void RenderJob::chooseLayers() {

@@ -4,6 +4,8 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "base/log.hpp"
+#include "base/process.hpp"
 #include "base/strict_json.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
@@ -186,14 +188,22 @@ RenderRequest renderingOf(const ReproduceRequest& request, const Wanted& wanted,
     for (const std::string& change : wanted.overrides)
       render.overrides.push_back(scene::parseOverride(change));
   render.assets = request.assets;
-  for (const std::string& folder : wanted.record.folders)
-    if (std::error_code error; fs::is_directory(folder, error)) render.assets.emplace_back(folder);
   render.output = place.output();
   render.frames = std::to_string(wanted.frame);
   render.existing = frame::Existing::overwrite;
   render.counts = false;
   render.checkpoint = 0;
   return render;
+}
+
+/// The folders that run.json tells of, as arguments. It comes with the pictures from anywhere, so they are
+/// told and not read.
+std::string assetWords(const ReproduceRequest& request, const Wanted& wanted) {
+  std::string words;
+  for (const std::string& folder : wanted.record.folders)
+    if (std::error_code error; request.assets.empty() && fs::is_directory(folder, error))
+      words += " --assets " + inShellQuotes(folder);
+  return words;
 }
 
 /// What may be why results differ, or differs though they do not.
@@ -226,10 +236,18 @@ void compareOrigins(const ReproduceRequest& request, const Wanted& wanted, const
 Reproduction reproduce(const ReproduceRequest& request) {
   const Wanted wanted = wantedOf(request);
   const Place place(request.output);
-  RenderJob job(renderingOf(request, wanted, place));
+  std::optional<RenderJob> job;
+  try {
+    job.emplace(renderingOf(request, wanted, place));
+  } catch (const UserError&) {
+    if (const std::string words = assetWords(request, wanted); !words.empty())
+      info("run.json names folders that its files came from. If whoever made it may have them read, add:{}",
+           words);
+    throw;
+  }
   const gl::Context context(request.on);
   frame::Progress progress(frame::Progress::Mode::none);
-  if (const auto done = job.run(context, progress, Clock::now()); done.signal != 0)
+  if (const auto done = job->run(context, progress, Clock::now()); done.signal != 0)
     fail(ExitCode::inputOutput, "interrupted");
   const auto again =
       frame::parseManifest(readFile(place.manifest(), "manifest"), place.manifest().string());

@@ -49,6 +49,8 @@ void addAccept(CLI::App& app) {
                     "Accept beside a scene's baseline instead of in its place");
   command->add_option("--expected", o->how.expected,
                       "Of pictures: the folder of the baselines (default: as tested)");
+  command->add_option("--scenes", o->how.scenes,
+                      "Of scenes: the folder that they have to lie below (default: this one)");
   command->callback([o] { accept(o->report, o->how); });
 }
 

@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "base/process.hpp"
+#include "golden/pictures/picture_folder.hpp"
 #include "golden/report/github.hpp"
 #include "golden/report/html.hpp"
 #include "golden/report/json.hpp"
@@ -90,12 +91,27 @@ bool colored() {
   return ::isatty(STDOUT_FILENO) == 1;
 }
 
+/// The folder above all scenes that lie outside of this one; empty: none does.
+fs::path folderOutside(const golden::SuiteResult& suite) {
+  fs::path common;
+  for (const golden::SceneResult& scene : suite.scenes) {
+    if (scene.candidate.empty() || liesBelow(scene.file, {})) continue;
+    const fs::path folder = fs::path(scene.file).parent_path();
+    if (common.empty()) common = folder;
+    while (common.has_relative_path() && !liesBelow(folder, common)) common = common.parent_path();
+  }
+  return common;
+}
+
 /// What accepts a run whose baselines are not below the folder that it ran in has to be told their folder.
 std::string acceptCommand(const golden::SuiteResult& suite, const std::string& reportFile) {
   std::string command = "simreel accept " + inShellQuotes(reportFile);
   if (const fs::path expected = suite.expected;
       expected.is_absolute() || suite.expected.find("..") != std::string::npos)
     command += " --expected " + inShellQuotes(suite.expected);
+  if (suite.unit == "scene")
+    if (const fs::path folder = folderOutside(suite); !folder.empty())
+      command += " --scenes " + inShellQuotes(folder.string());
   return command;
 }
 
@@ -173,6 +189,7 @@ void TestOutputs::write(golden::SuiteResult& suite) const {
     writeFileAtomically(json, golden::reportText(report.empty() ? suite : forElsewhere(suite)));
   const fs::path place = folder();
   const bool kept = !artifacts().empty();
+  if (kept && pathExists(artifacts())) golden::markReport(artifacts());
   if (!junit.empty())
     writeFileAtomically(junit, golden::junitText(suite, kept ? folderInProject(place) : fs::path()));
   if (!markdown.empty()) {

@@ -14,11 +14,13 @@
 #include "golden/pictures/picture_folder.hpp"
 #include "golden/pictures/picture_test.hpp"
 #include "golden/pictures/render_command.hpp"
+#include "golden/suite/suite.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -69,8 +71,11 @@ void checkOptions(const TestOptions& o) {
   if (!o.shard.empty() && o.updateMode() == golden::Update::prune)
     fail(ExitCode::usage,
          "--update=prune has to know all pictures, and --shard leaves some out; give one of them");
-  if (!o.profile.empty() || !o.reason.empty() || o.retries > 0 || o.timeout > 0)
-    fail(ExitCode::usage, "--profile, --reason, --retries and --timeout are for scenes, not for pictures");
+  if (!o.profile.empty() || !o.reason.empty())
+    fail(ExitCode::usage, "--profile and --reason are for scenes, not for pictures");
+  if (o.run.empty() && (o.retries > 0 || o.timeout > 0))
+    fail(ExitCode::usage,
+         "--retries and --timeout are for scenes and for --run; --actual has its pictures");
   std::error_code unknown;
   if (!fs::is_directory(o.expected, unknown) && o.updateMode() != golden::Update::all &&
       o.updateMode() != golden::Update::missing)
@@ -79,6 +84,17 @@ void checkOptions(const TestOptions& o) {
     fail(ExitCode::usage, "--actual {} is no folder", o.actual);
   if (fs::equivalent(o.expected, o.actual, unknown))
     fail(ExitCode::usage, "--expected and --actual are the same folder {}", o.expected);
+  for (const auto& [inner, outer] : {std::pair(&o.expected, &o.actual), std::pair(&o.actual, &o.expected)})
+    if (!outer->empty() && !inner->empty() && liesBelow(*inner, *outer))
+      fail(ExitCode::usage,
+           "the folder {} lies below {}, so its pictures would count twice; give --expected and --actual "
+           "folders beside each other",
+           *inner, *outer);
+  if (o.updateMode() == golden::Update::prune && o.run.find("{scene}") != std::string::npos)
+    for (const std::string& path : o.paths)
+      if (!fs::is_directory(path, unknown))
+        fail(ExitCode::usage,
+             "--update=prune has to know all scenes, and {} is one of them; give their folder", path);
 }
 
 /// The rules of the file and, stronger, of the command line.
@@ -119,12 +135,15 @@ class PictureRun {
     options_.reportFolder = o.outputs.folder();
     options_.artifacts = o.outputs.artifacts();
     command_.text = o.run;
+    command_.timeout = o.timeout;
+    command_.retries = o.retries;
     if (!o.run.empty()) command_.check();
     suite_.version = version();
     suite_.unit = "picture";
     suite_.expected = fs::path(o.expected).generic_string();
     suite_.command = o.command;
     suite_.strict = o.strict;
+    suite_.allowFlaky = o.allowFlaky;
     suite_.shard = o.shard;
   }
 
@@ -184,27 +203,59 @@ class PictureRun {
     if (folder_.empty()) folder_ = temporary_.emplace().path();
     makeFolders(folder_);
     command_.folder = folder_;
-    if (!command_.eachScene()) {
-      if (const auto mistake = command_.runAll({{}}, 1).front()) throw UserError(*mistake);
-      return;
-    }
-    for (const golden::SceneFile& scene : scenes_) inputs_[scene.name] = golden::inputsOf(scene.file, {});
-    const auto mistakes = command_.runAll(scenes_, jobs_);
+    if (!command_.eachScene()) scenes_ = {{}};
+    for (const golden::SceneFile& scene : scenes_)
+      if (command_.eachScene()) inputs_[scene.name] = golden::inputsOf(scene.file, {});
+    std::vector<std::size_t> all(scenes_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    ends_ = command_.runAll(scenes_, std::move(all), jobs_);
+    if (!command_.eachScene() && ends_.front().mistake) throw UserError(*ends_.front().mistake);
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
-      if (!mistakes[i]) continue;
+      if (!ends_[i].mistake) continue;
       golden::SceneResult result;
       result.name = scenes_[i].name;
       result.file = scenes_[i].file.generic_string();
       result.status = golden::Status::error;
-      result.messages.emplace_back(mistakes[i]->what());
-      failed_.push_back(scenes_[i].name);
-      add(std::move(result), mistakes[i]->code());
+      result.messages.emplace_back(ends_[i].mistake->what());
+      addFailures(i, result);
+      add(std::move(result), ends_[i].mistake->code());
     }
+  }
+
+  /// Tries of a scene's command that failed.
+  void addFailures(std::size_t scene, golden::SceneResult& result) const {
+    std::vector<golden::Attempt> attempts;
+    for (const std::string& message : ends_[scene].failures)
+      attempts.push_back({golden::Status::error, {message}});
+    golden::addAttempts(std::move(attempts), result);
+  }
+
+  /// The scene that a picture is rendered from, by index; nothing where no command of this run makes it.
+  [[nodiscard]] std::optional<std::size_t> sceneOf(const std::string& picture) const {
+    if (o_.run.empty()) return std::nullopt;
+    if (!command_.eachScene()) return 0;
+    const golden::SceneFile* owner = golden::ownerOf(picture, scenes_);
+    if (owner == nullptr) return std::nullopt;
+    return static_cast<std::size_t>(owner - scenes_.data());
+  }
+
+  [[nodiscard]] golden::PictureSet pairs() const {
+    // Baselines without a scene are stale where all scenes are known: of whole folders.
+    std::error_code unknown;
+    const bool whole = o_.globs.empty() && o_.shard.empty() &&
+                       std::all_of(o_.paths.begin(), o_.paths.end(), [&](const std::string& path) {
+                         return fs::is_directory(path, unknown);
+                       });
+    return golden::pairPictures(o_.expected, folder_, [&](const std::string& name, bool made) {
+      if (!command_.eachScene()) return true;
+      const auto scene = sceneOf(name);
+      return scene ? made || !ends_[*scene].mistake : whole;
+    });
   }
 
   /// Those that were chosen, of scenes that were rendered.
   std::vector<golden::PictureCase> cases() {
-    golden::PictureSet set = golden::pairPictures(o_.expected, folder_);
+    golden::PictureSet set = pairs();
     if (!set.passedOver.empty())
       suite_.notes.push_back("passed over, no pictures: " + golden::someOf(set.passedOver));
     auto& all = set.cases;
@@ -215,12 +266,6 @@ class PictureRun {
       if (!all.empty()) takeShard(all, "picture");
       return std::move(all);
     }
-    const bool whole = o_.globs.empty() && o_.shard.empty();
-    std::erase_if(all, [&](const golden::PictureCase& one) {
-      const golden::SceneFile* owner = golden::ownerOf(one.name, scenes_);
-      if (owner == nullptr) return !whole;  // of a scene that is gone, or was not chosen
-      return one.actual.empty() && std::find(failed_.begin(), failed_.end(), owner->name) != failed_.end();
-    });
     return std::move(all);
   }
 
@@ -229,22 +274,72 @@ class PictureRun {
     if (all.empty() && suite_.scenes.empty() && !emptyShard_)
       fail(ExitCode::nothingRan, "no picture to test: neither {} nor {} has one{}", o_.expected,
            folder_.string(), o_.globs.empty() ? "" : " that matches --filter");
+    // What is updated is not tried again.
+    const bool retries = o_.retries > 0 && options_.update == golden::Update::none;
+    std::vector<golden::SceneResult> results;
     golden::testPictures(all, options_, [&](golden::SceneResult&& result) {
-      if (command_.eachScene()) nameScene(result);
-      add(std::move(result));
+      if (retries)
+        results.push_back(std::move(result));
+      else
+        tell(std::move(result));
     });
+    for (int attempt = 0; retries && attempt < o_.retries; ++attempt) retry(results);
+    for (golden::SceneResult& result : results) tell(std::move(result));
   }
 
-  /// What a picture was rendered from.
-  void nameScene(golden::SceneResult& result) const {
-    const golden::SceneFile* owner = golden::ownerOf(result.name, scenes_);
-    if (owner == nullptr) return;
-    if (!result.candidate.empty()) result.inputs = inputs_.at(owner->name);
-    if (golden::isFailure(result.status, false)) result.blame = {owner->file.generic_string(), 1};
+  /// Renders scenes again whose pictures fail, and compares those.
+  void retry(std::vector<golden::SceneResult>& results) {
+    std::vector<golden::SceneResult*> failed;
+    std::vector<std::size_t> chosen;
+    for (golden::SceneResult& result : results) {
+      const auto scene = sceneOf(result.name);
+      const bool may = result.status == golden::Status::fail || result.status == golden::Status::error;
+      if (!may || !scene || ends_[*scene].mistake) continue;
+      failed.push_back(&result);
+      if (std::find(chosen.begin(), chosen.end(), *scene) == chosen.end()) chosen.push_back(*scene);
+    }
+    if (failed.empty()) return;
+    golden::RenderCommand once = command_;
+    once.retries = 0;
+    const auto ends = once.runAll(scenes_, chosen, jobs_);
+    const std::vector<golden::PictureCase> again = pairs().cases;
+    for (golden::SceneResult* result : failed) {
+      std::vector<golden::Attempt> attempts = std::move(result->attempts);
+      attempts.push_back({result->status, result->messages});
+      const auto one = std::find_if(again.begin(), again.end(), [&](const golden::PictureCase& found) {
+        return found.name == result->name;
+      });
+      const std::optional<UserError>& mistake = ends[*sceneOf(result->name)].mistake;
+      if (one != again.end() && !mistake) {
+        std::error_code ignored;
+        if (!options_.artifacts.empty()) fs::remove_all(options_.artifacts / result->name, ignored);
+        *result = golden::testPicture(*one, options_);
+      } else if (mistake) {
+        result->messages = {mistake->what()};
+      }
+      golden::addAttempts(std::move(attempts), *result);
+    }
+  }
+
+  void tell(golden::SceneResult&& result) {
+    const auto scene = sceneOf(result.name);
+    if (scene) addFailures(*scene, result);
+    nameScene(scene, result);
+    add(std::move(result));
+  }
+
+  /// What a picture was rendered from. A picture in a temporary folder is called after what lasts.
+  void nameScene(std::optional<std::size_t> scene, golden::SceneResult& result) const {
+    if (temporary_) result.file = result.baselines;
+    if (!scene || !command_.eachScene()) return;
+    const golden::SceneFile& owner = scenes_[*scene];
+    if (temporary_) result.file = owner.file.generic_string();
+    if (!result.candidate.empty()) result.inputs = inputs_.at(owner.name);
+    if (golden::isFailure(result.status, false)) result.blame = {owner.file.generic_string(), 1};
   }
 
   void add(golden::SceneResult&& result, ExitCode error = ExitCode::inputOutput) {
-    tally_.add(result.status, false, error);
+    tally_.add(result.status, o_.allowFlaky, error);
     o_.outputs.show(result, suite_.unit);
     suite_.scenes.push_back(std::move(result));
   }
@@ -269,7 +364,7 @@ class PictureRun {
   fs::path folder_;  ///< of the pictures
   std::vector<golden::SceneFile> scenes_;
   std::map<std::string, golden::Inputs> inputs_;  ///< by scene
-  std::vector<std::string> failed_;               ///< scenes whose command failed
+  std::vector<golden::CommandEnd> ends_;          ///< of each scene's command
   bool emptyShard_ = false;
   std::string shardNote_;
   golden::Tally tally_;

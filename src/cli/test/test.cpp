@@ -71,14 +71,15 @@ void addTest(CLI::App& app) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
-      ->add_option("--retries", o->retries,
-                   "Further tries of a scene that fails, or whose process ends; passing then is flaky")
+      ->add_option(
+          "--retries", o->retries,
+          "Further tries of a scene that fails, or whose process or command ends; passing then is flaky")
       ->check(CLI::Range(0, 100));
   command
       ->add_option(
           "--timeout", o->timeout,
-          "Seconds that a process may take for a scene; it is ended then, and the scene is an error "
-          "(default: any)")
+          "Seconds that a process, or a command of --run, may take for a scene; it is ended then, and the "
+          "scene is an error (default: any)")
       ->check(CLI::Range(0.1, 1e6));
   command->add_flag("--quick", o->quick,
                     "Without SSIM and FLIP, which take most of the time, where no bound is on them");

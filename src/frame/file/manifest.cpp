@@ -8,6 +8,9 @@
 #include "frame/file/run_info.hpp"
 #include "scene/scene.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 #include <nlohmann/json.hpp>
 
 namespace simreel::frame {
@@ -17,7 +20,21 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* manifestFormat = "simreel-manifest";
-constexpr int formatVersion = 3;  // 2: hashes of files; 3: machines are in run.json
+constexpr int formatVersion = 4;  // 2: hashes of files; 3: machines are in run.json; 4: hash of itself
+constexpr int oldestVersion = 3;
+
+/// The end of a manifest, with the hash of all before it.
+std::string closing(std::string_view before) {
+  return fmt::format(",\n  \"hash\": \"{}\"\n}}\n", hashHex(before));
+}
+
+void checkHash(std::string_view text, const JsonValue& object) {
+  if (object.at("version").integer() < formatVersion) return;
+  const std::size_t length = closing("").size();
+  const auto before = text.substr(0, text.size() - std::min(length, text.size()));
+  if (text.substr(before.size()) != closing(before))
+    throw JsonError("it was changed after it was written: it is not what its hash says");
+}
 
 ManifestFrame readFrame(const JsonValue& item) {
   ManifestFrame frame = {item.at("file").text(), item.at("bytes").text(), item.at("pixels").text(),
@@ -58,14 +75,17 @@ std::string manifestText(const Manifest& manifest) {
     text += separator + ("    " + dump(item, -1));
     separator = ",\n";
   }
-  return text + (manifest.frames.empty() ? "]\n}\n" : "\n  ]\n}\n");
+  text += manifest.frames.empty() ? "]" : "\n  ]";
+  return text + closing(text);
 }
 
 Manifest manifestOf(const JsonValue& object) {
   const auto format = object.find("format");
   if (!format || !format->is(manifestFormat)) throw JsonError("it is not a simreel manifest");
-  if (const int version = object.at("version").integer(); version != formatVersion)
-    throw JsonError(fmt::format("its version is {}, this program reads {}", version, formatVersion));
+  if (const int version = object.at("version").integer();
+      version < oldestVersion || version > formatVersion)
+    throw JsonError(fmt::format("its version is {}, this program reads {} and {}", version, oldestVersion,
+                                formatVersion));
   Manifest result;
   RunInfo& run = result.run;
   run.title = object.at("title").text();
@@ -89,7 +109,9 @@ Manifest manifestOf(const JsonValue& object) {
 Manifest parseManifest(const std::string& text, const std::string& name) {
   try {
     const auto json = parseStrictJson(text);
-    return manifestOf(JsonValue(json));
+    Manifest manifest = manifestOf(JsonValue(json));
+    checkHash(text, JsonValue(json));
+    return manifest;
   } catch (const JsonError& error) {
     fail(ExitCode::usage, "manifest {} cannot be read: {}", name, error.what());
   }

@@ -20,7 +20,8 @@ struct ManifestFrame {
 
 /// What is written beside the frames: the run, and the hashes of each frame. Holds no time, no path and
 /// nothing of the machine, so all runs of one scene write the same bytes; of pictures that depend on the
-/// driver the fingerprint of its numerics.
+/// driver the fingerprint of its numerics. As text it ends with the hash of all before, by which one that
+/// was changed afterwards is known.
 struct Manifest {
   RunInfo run;
   std::string counts = {};  ///< hash of the table of counts; empty: there is none
@@ -30,7 +31,8 @@ struct Manifest {
 [[nodiscard]] std::string manifestText(const Manifest& manifest);
 /// Members that it does not know are passed over: a later program may have written them. Throws JsonError.
 [[nodiscard]] Manifest manifestOf(const JsonValue& object);
-/// The same of a text. Throws UserError(usage) naming the file and what is wrong in it.
+/// The same of a text, which has to be as it was written. Throws UserError(usage) naming the file and what
+/// is wrong in it.
 [[nodiscard]] Manifest parseManifest(const std::string& text, const std::string& name);
 /// Nothing when the file does not exist. Throws as parseManifest does.
 [[nodiscard]] std::optional<Manifest> readManifest(const std::filesystem::path& path);

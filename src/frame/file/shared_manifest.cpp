@@ -49,11 +49,13 @@ std::map<int, ManifestFrame> SharedManifest::inherit(Existing existing) {
     old = readManifest(output_.manifestFile());
   } catch (const UserError& error) {
     if (existing == Existing::resume) warn("{}; starting over", error.what());
+    if (existing == Existing::skip) warn("{}", error.what());
   }
   if (!old) return {};
   if (const auto difference = runDifference(others_.run, old->run)) {
-    if (existing == Existing::resume)
-      fail(ExitCode::usage, "cannot resume: {} ({}); use --overwrite to start afresh", *difference,
+    if (existing == Existing::resume || existing == Existing::skip)
+      fail(ExitCode::usage, "cannot {}: {} ({}); use --overwrite to start afresh",
+           existing == Existing::resume ? "resume" : "skip existing frames", *difference,
            output_.manifestFile().string());
     return {};
   }

@@ -24,8 +24,8 @@ class SharedManifest {
 
   /// The frames to be rendered that an earlier manifest of the same run lists; those of others it keeps for
   /// itself, where their files exist, so that rendering some frames anew does not forget the rest. Throws
-  /// UserError(usage) where `existing` is resume and the manifest is of another run; one that cannot be
-  /// read is a warning then.
+  /// UserError(usage) where `existing` is resume or skip and the manifest is of another run; one that
+  /// cannot be read is a warning then.
   [[nodiscard]] std::map<int, ManifestFrame> inherit(Existing existing);
   /// The machine that drew a frame that inherit() has found, where that is another one and matters; else
   /// empty.

@@ -61,15 +61,11 @@ void closeIfOpen(int& descriptor) {
 }  // namespace
 
 std::vector<std::string> ffmpegArguments(const std::filesystem::path& file, int width, int height,
-                                         double fps) {
-  std::vector<std::string> result = {"ffmpeg",   "-hide_banner",
-                                     "-nostdin", "-loglevel",
-                                     "error",    "-y",
-                                     "-f",       "rawvideo",
-                                     "-pix_fmt", "rgba",
-                                     "-s",       fmt::format("{}x{}", width, height),
-                                     "-r",       fmt::format("{}", fps),
-                                     "-i",       "pipe:0"};
+                                         const FrameRate& rate) {
+  std::vector<std::string> result = {
+      "ffmpeg", "-hide_banner", "-nostdin", "-loglevel", "error", "-y",
+      "-f",     "rawvideo",     "-pix_fmt", "rgba",      "-s",    fmt::format("{}x{}", width, height),
+      "-r",     rate.text('/'), "-i",       "pipe:0"};
   const std::vector<std::string> encoder = encoderArguments(lowerExtension(file));
   result.insert(result.end(), encoder.begin(), encoder.end());
   // What x264 and others write depends on how many threads they are, which is by processors unless given;

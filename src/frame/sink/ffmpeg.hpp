@@ -1,4 +1,6 @@
 #pragma once
+#include "frame/sink/frame_rate.hpp"
+
 #include <cstddef>
 #include <filesystem>
 #include <mutex>
@@ -13,7 +15,7 @@ namespace simreel::frame {
 /// Arguments that make ffmpeg read RGBA frames from its standard input and encode `file` as its
 /// extension suggests.
 [[nodiscard]] std::vector<std::string> ffmpegArguments(const std::filesystem::path& file, int width,
-                                                       int height, double fps);
+                                                       int height, const FrameRate& rate);
 
 /// Width and height that the video gets: 4:2:0 encoders need even sides, so an odd one is one pixel longer.
 [[nodiscard]] std::pair<int, int> videoSize(const std::filesystem::path& file, int width, int height);

@@ -24,8 +24,8 @@ struct FrameInfo {
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
-  /// False when this frame need not be drawn: it is already there (--skip-existing), or the manifest
-  /// and the file's hash say it is whole (--resume).
+  /// False when this frame need not be drawn: it is already there and of no other run (--skip-existing),
+  /// or the manifest and the file's hash say it is whole (--resume).
   [[nodiscard]] virtual bool wants(int frame) = 0;
   /// The state hash that an earlier run's manifest holds for a frame that is not wanted again.
   [[nodiscard]] virtual std::optional<std::string> knownStateHash(int frame) const = 0;

@@ -44,7 +44,7 @@ void FramesUnderWay::draw(sim::World& world, std::optional<std::string> stateHas
   if (wanted && keepsLayers_)
     waiting_.back().layers = std::make_shared<const draw::PictureLayers>(renderer_.takeLayers());
   if (fields_ != nullptr) {
-    const Stopwatch time = timers_.watch(&StageTimes::readBack);
+    const Stopwatch time = timers_.watch(&StageTimes::readBack, frame);
     waiting_.back().files = fields_->read(frame, world.drawables().fields, sink_);
   }
   // One slot stays free for the next picture.
@@ -66,8 +66,7 @@ void FramesUnderWay::drain() {
 }
 
 void FramesUnderWay::deliverOldest() {
-  const StageTimes before = timers_.stages();
-  timers_.wait(&StageTimes::simulate, [&] {
+  timers_.wait(&StageTimes::simulate, waiting_.front().frame, [&] {
     while (!waiting_.front().stateHash) awaitSummary_();
   });
   Waiting oldest = std::move(waiting_.front());
@@ -78,19 +77,20 @@ void FramesUnderWay::deliverOldest() {
   else
     compareWithStored(std::move(oldest));
   ++delivered_;
-  const StageTimes& now = timers_.stages();
-  progress_.frame(frame, {.simulate = now.simulate - before.simulate,
-                          .draw = now.draw - before.draw,
-                          .readBack = now.readBack - before.readBack});
+  StageTimes stages = timers_.takeUpTo(frame);
+  const double encoded = sink_.encodeSeconds();
+  stages.encode = encoded - toldEncode_;
+  toldEncode_ = encoded;
+  progress_.frame(frame, stages);
 }
 
 void FramesUnderWay::store(Waiting waiting) {
   // A software driver draws in the background: waiting for it is drawing time.
-  timers_.wait(&StageTimes::draw, [&] { readback_.waitForOldest(); });
+  timers_.wait(&StageTimes::draw, waiting.frame, [&] { readback_.waitForOldest(); });
   timers_.collect(waiting.frame);
   Image image{size_.x, size_.y, {}, alpha_};
   {
-    const Stopwatch time = timers_.watch(&StageTimes::readBack);
+    const Stopwatch time = timers_.watch(&StageTimes::readBack, waiting.frame);
     auto taken = readback_.take(true);
     SIMREEL_CHECK(taken.has_value());
     SIMREEL_CHECK_EQ(taken->first, waiting.frame);

@@ -77,6 +77,7 @@ class FramesUnderWay {
   draw::Readback readback_;
   std::deque<Waiting> waiting_;
   int delivered_ = 0;
+  double toldEncode_ = 0;  ///< of encodeSeconds(), what progress has heard of
 };
 
 }  // namespace simreel::frame

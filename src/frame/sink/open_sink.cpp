@@ -1,12 +1,17 @@
 #include "frame/sink/open_sink.hpp"
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "frame/file/output_name.hpp"
 #include "frame/file/run_info.hpp"
 #include "frame/sink/frame_sink.hpp"
 #include "frame/sink/sequence_sink.hpp"
 #include "frame/sink/stream_sink.hpp"
 #include "frame/sink/video_sink.hpp"
+
+#include <filesystem>
+#include <system_error>
+#include <vector>
 
 namespace simreel::frame {
 
@@ -19,12 +24,65 @@ std::unique_ptr<FrameSink> openSink(const OutputName& output, Existing existing,
       if (existing == Existing::resume || existing == Existing::skip)
         fail(ExitCode::usage,
              "--output -: --resume and --skip-existing keep frames of an earlier run, a stream has none");
-      return openStreamSink(streamFormat, run);
+      return openStreamSink(streamFormat, run, frames);
     case OutputName::Kind::sequence:
     case OutputName::Kind::single:
       break;
   }
   return openSequenceSink(output, existing, run, frames);
+}
+
+namespace {
+
+/// A folder that is made for a moment, with those above it.
+class TriedFolder {
+ public:
+  explicit TriedFolder(const std::filesystem::path& folder) {
+    for (std::filesystem::path at = folder; !at.empty() && !pathExists(at); at = at.parent_path())
+      if (at.has_filename()) made_.push_back(at);
+    makeFolders(folder);
+  }
+  ~TriedFolder() {
+    std::error_code notEmpty;
+    for (const std::filesystem::path& folder : made_) std::filesystem::remove(folder, notEmpty);
+  }
+  TriedFolder(const TriedFolder&) = delete;
+  TriedFolder& operator=(const TriedFolder&) = delete;
+  TriedFolder(TriedFolder&&) = delete;
+  TriedFolder& operator=(TriedFolder&&) = delete;
+
+ private:
+  std::vector<std::filesystem::path> made_;  ///< the lowest first
+};
+
+}  // namespace
+
+void refuseExisting(const OutputName& output, std::span<const int> frames) {
+  std::size_t count = 0;
+  std::filesystem::path first;
+  for (const int frame : frames) {
+    const std::filesystem::path file = output.file(frame);
+    std::error_code error;
+    if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) continue;
+    if (count++ == 0) first = file;
+  }
+  if (count == 0) return;
+  const std::string more = count == 1 ? "" : fmt::format(" and {} more", count - 1);
+  fail(ExitCode::inputOutput, "{}{} exist{}; use --overwrite, --skip-existing or --resume", first.string(),
+       more, count == 1 ? "s" : "");
+}
+
+void checkOutput(const OutputName& output, Existing existing, std::span<const int> frames) {
+  if (output.kind == OutputName::Kind::stream || frames.empty()) return;
+  const std::filesystem::path file = output.file(frames.front());
+  if (output.kind == OutputName::Kind::video) {
+    if (existing == Existing::error && pathExists(file))
+      fail(ExitCode::inputOutput, "{} exists; use --overwrite or --skip-existing", file.string());
+  } else if (existing == Existing::error) {
+    refuseExisting(output, frames);
+  }
+  const TriedFolder tried(output.folder);
+  checkWritable(output.manifestFile());
 }
 
 }  // namespace simreel::frame

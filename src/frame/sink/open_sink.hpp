@@ -15,4 +15,11 @@ namespace simreel::frame {
                                                   const RunInfo& run, std::span<const int> frames,
                                                   const std::string& streamFormat);
 
+/// Throws UserError(inputOutput) where a file of one of the frames is there.
+void refuseExisting(const OutputName& output, std::span<const int> frames);
+
+/// What openSink() would refuse without a device: files that exist, and a place that cannot be written.
+/// Leaves nothing. Throws as openSink() does.
+void checkOutput(const OutputName& output, Existing existing, std::span<const int> frames);
+
 }  // namespace simreel::frame

@@ -88,9 +88,16 @@ void Progress::event(const std::string& object) const {
   write((job_.empty() ? object : fmt::format("{{\"job\":\"{}\",{}", job_, object.substr(1))) + "\n");
 }
 
-void Progress::finish(const char* status) {
-  event(fmt::format("{{\"event\":\"end\",\"status\":\"{}\",\"done\":{},\"total\":{},\"seconds\":{:.3f}}}",
-                    status, done_, total_, secondsSince(begin_)));
+void Progress::finish(const char* status, const StageTimes& stages) {
+  event(fmt::format(
+      "{{\"event\":\"end\",\"status\":\"{}\",\"done\":{},\"total\":{},\"seconds\":{:.3f},\"start\":{:.6f},"
+      "\"simulate\":{:.6f},\"draw\":{:.6f},\"readBack\":{:.6f},\"encode\":{:.6f},\"wait\":{:.6f}}}",
+      status, done_, total_, secondsSince(begin_), stages.start, stages.simulate, stages.draw,
+      stages.readBack, stages.encode, stages.wait));
+  clear();
+}
+
+void Progress::clear() {
   if (shown_) write("\r\x1b[K");
   shown_ = false;
 }

@@ -28,7 +28,9 @@ class Progress {
   void start(int total);
   /// How far the steps before the first frame are.
   void prepare(long done, long total);
-  /// One frame is done (or was already there). `stages` are the times of this frame alone.
+  /// One frame is done (or was already there). `stages` are its times, and those of frames before it that
+  /// are not wanted; encode is that of other frames: it goes on beside, and is what was done since the last
+  /// call.
   void frame(int number, const StageTimes& stages);
   /// A check of the scene was made.
   void check(const std::string& what, int frame, std::optional<double> value, bool passed);
@@ -40,8 +42,10 @@ class Progress {
   [[nodiscard]] bool tellsEvents() const { return mode_ == Mode::ndjson; }
   /// From here on each event says that it is of this job of several.
   void ofJob(std::string job) { job_ = std::move(job); }
-  /// Clears the bar. `status` is "ok", "interrupted" or "failed".
-  void finish(const char* status = "ok");
+  /// Clears the bar, before messages that come after it.
+  void clear();
+  /// Clears the bar. `status` is "ok", "interrupted" or "failed"; `stages` are the times of the whole run.
+  void finish(const char* status = "ok", const StageTimes& stages = {});
 
  private:
   void show();

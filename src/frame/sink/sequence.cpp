@@ -240,16 +240,17 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
     failure = std::current_exception();
   }
   const auto waited = Clock::now();
-  progress.finish(failure ? "failed" : result.signal != 0 ? "interrupted" : "ok");
+  progress.clear();
   try {
     sink.finish();
   } catch (...) {
     // The first failure is the cause; what the sink says after it is a consequence.
     if (!failure) failure = std::current_exception();
   }
-  if (failure) std::rethrow_exception(failure);
   result.stages.encode += sink.encodeSeconds();
   result.stages.wait += secondsSince(waited);
+  progress.finish(failure ? "failed" : result.signal != 0 ? "interrupted" : "ok", result.stages);
+  if (failure) std::rethrow_exception(failure);
   result.seconds = secondsSince(beside.began);
   return result;
 }

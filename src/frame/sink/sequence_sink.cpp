@@ -9,11 +9,13 @@
 #include "base/version.hpp"
 #include "frame/exr.hpp"
 #include "frame/file/output_name.hpp"
+#include "frame/file/picture_origin.hpp"
 #include "frame/file/reserved_room.hpp"
 #include "frame/file/run_info.hpp"
 #include "frame/file/shared_manifest.hpp"
 #include "frame/sink/frame_queue.hpp"
 #include "frame/sink/frame_sink.hpp"
+#include "frame/sink/open_sink.hpp"
 #include "scene/json/words.hpp"
 #include "scene/scene.hpp"
 
@@ -41,7 +43,7 @@ class SequenceSink final : public FrameSink {
         folder_(output_.folder),
         file_(output_, run, frames) {
     manifest_.run = run;
-    if (existing == Existing::error) refuseExisting();
+    if (existing == Existing::error) refuseExisting(output_, frames_);
     // Of a manifest, or more; run.json beside it.
     constexpr std::size_t runBytes = 16384, frameBytes = 256;
     room_ = ReservedRoom(output_.folder, runBytes + frameBytes * frames_.size());
@@ -126,33 +128,34 @@ class SequenceSink final : public FrameSink {
     bool made;
   };
 
-  void refuseExisting() const {
-    std::size_t count = 0;
-    fs::path first;
-    for (const int frame : frames_) {
-      const fs::path file = output_.file(frame);
-      std::error_code error;
-      if (!fs::exists(fs::symlink_status(file, error))) continue;
-      if (count++ == 0) first = file;
-    }
-    if (count == 0) return;
-    const std::string more = count == 1 ? "" : fmt::format(" and {} more", count - 1);
-    fail(ExitCode::inputOutput, "{}{} exist{}; use --overwrite, --skip-existing or --resume",
-         first.string(), more, count == 1 ? "s" : "");
-  }
+  /// A file that is there already.
+  struct Kept {
+    bool exists = false;
+    std::optional<ManifestFrame> whole = {};  ///< how the manifest lists it; nothing: it does not
+    std::string difference = {};              ///< from the pictures of this run
+  };
 
   /// Decides which frames need not be drawn. Reads the files, so on all cores.
   void keepWholeFrames(Existing existing, const std::map<int, ManifestFrame>& known) {
-    std::vector<std::optional<ManifestFrame>> found(frames_.size());
+    std::vector<Kept> found(frames_.size());
     tbb::parallel_for(std::size_t{0}, frames_.size(), [&](std::size_t i) {
       const auto entry = known.find(frames_[i]);
-      if (entry != known.end())
-        found[i] = wholeFrame(existing, frames_[i], entry->second);
-      else if (existing == Existing::skip)
-        found[i] = unknownFrame(frames_[i]);
+      if (entry != known.end()) found[i].whole = wholeFrame(frames_[i], entry->second);
+      if (!found[i].whole && existing == Existing::skip) found[i] = unlistedFrame(frames_[i]);
     });
-    for (std::size_t i = 0; i < frames_.size(); ++i)
-      if (found[i]) kept_[frames_[i]] = manifest_.frames[frames_[i]] = *found[i];
+    std::size_t unlisted = 0;
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+      if (!found[i].difference.empty())
+        fail(ExitCode::usage, "cannot skip existing frames: {}; use --overwrite, or another folder",
+             found[i].difference);
+      if (found[i].whole)
+        kept_[frames_[i]] = manifest_.frames[frames_[i]] = *found[i].whole;
+      else if (found[i].exists)
+        kept_[frames_[i]] = {}, ++unlisted;
+    }
+    if (unlisted > 0)
+      warn("{} of {} kept frames do not say that they are of this run; the manifest does not list them",
+           unlisted, kept_.size());
     tellOfOtherMachines();
   }
 
@@ -174,10 +177,8 @@ class SequenceSink final : public FrameSink {
   }
 
   /// What of a frame that the manifest lists is whole: nothing where its picture is not.
-  [[nodiscard]] std::optional<ManifestFrame> wholeFrame(Existing existing, int frame,
-                                                        ManifestFrame listed) const {
-    if (existing == Existing::resume && hashOfFile(output_.file(frame)) != listed.bytes)
-      return std::nullopt;
+  [[nodiscard]] std::optional<ManifestFrame> wholeFrame(int frame, ManifestFrame listed) const {
+    if (hashOfFile(output_.file(frame)) != listed.bytes) return std::nullopt;
     std::erase_if(listed.files, [&](const auto& file) {
       const auto& [name, hash] = file;
       return name.find('/') != std::string::npos || hashOfFile(output_.folder / name) != hash;
@@ -185,17 +186,27 @@ class SequenceSink final : public FrameSink {
     return listed;
   }
 
-  /// A picture of which only its existence is known.
-  [[nodiscard]] std::optional<ManifestFrame> unknownFrame(int frame) const {
+  /// A picture that no manifest lists as it is. Where it says itself that it is of this run, it is as good
+  /// as listed; where it says that it is of another, `difference` tells how.
+  [[nodiscard]] Kept unlistedFrame(int frame) const {
     const fs::path path = output_.file(frame);
-    if (!pathExists(path)) return std::nullopt;
-    ManifestFrame result = {output_.fileName(frame), hashOfFile(path), "", ""};
+    Kept kept;
+    kept.exists = pathExists(path);
+    if (!kept.exists) return kept;
     try {
       const std::string bytes = readFile(path, "frame");
-      result.pixels = pixelHash(decodeImage(std::as_bytes(std::span(bytes)), path.string()));
+      const auto file = std::as_bytes(std::span(bytes));
+      const PictureOrigin origin = originOf(file, path, manifest_.run, frame);
+      kept.difference = origin.difference;
+      constexpr std::size_t bitsInHeader = 24;  // of a PNG; decodeImage() reads 8 of deeper ones
+      if (!origin.told || !origin.difference.empty() || output_.isLight() || bytes[bitsInHeader] != 8 ||
+          origin.driver != (manifest_.run.exact() ? std::string() : manifest_.run.driver))
+        return kept;
+      const std::string pixels = pixelHash(decodeImage(file, path.string()));
+      kept.whole = {output_.fileName(frame), hashHex(bytes), pixels, origin.state};
     } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): it is kept, whatever it is.
     }
-    return result;
+    return kept;
   }
 
   /// Empty where it cannot be read.

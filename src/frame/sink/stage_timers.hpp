@@ -4,6 +4,7 @@
 #include "gl/context.hpp"
 
 #include <deque>
+#include <map>
 
 namespace simreel::frame {
 
@@ -11,12 +12,19 @@ namespace simreel::frame {
 class Stopwatch {
  public:
   explicit Stopwatch(double& stage) : stage_(stage), begin_(Clock::now()) {}
-  ~Stopwatch() { stage_ += secondsSince(begin_); }
+  /// Of a frame as well, which outlives it.
+  Stopwatch(double& stage, double& ofFrame) : stage_(stage), ofFrame_(&ofFrame), begin_(Clock::now()) {}
+  ~Stopwatch() {
+    const double seconds = secondsSince(begin_);
+    stage_ += seconds;
+    if (ofFrame_ != nullptr) *ofFrame_ += seconds;
+  }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 
  private:
   double& stage_;
+  double* ofFrame_ = nullptr;
   Clock::time_point begin_;
 };
 
@@ -30,11 +38,25 @@ class StageTimers {
 
   /// By the clock, for as long as the stopwatch lives.
   [[nodiscard]] Stopwatch watch(double StageTimes::*stage) { return Stopwatch(stages_.*stage); }
+  /// The same for one frame.
+  [[nodiscard]] Stopwatch watch(double StageTimes::*stage, int frame) {
+    return {stages_.*stage, ofFrame_[frame].*stage};
+  }
+  /// Times of a frame, and of those before it that were not asked for.
+  [[nodiscard]] StageTimes takeUpTo(int frame) {
+    StageTimes sum;
+    const auto end = ofFrame_.upper_bound(frame);
+    for (auto at = ofFrame_.begin(); at != end; ++at)
+      for (const auto stage : {&StageTimes::simulate, &StageTimes::draw, &StageTimes::readBack})
+        sum.*stage += at->second.*stage;
+    ofFrame_.erase(ofFrame_.begin(), end);
+    return sum;
+  }
 
   template <class Work>
   void run(double StageTimes::*stage, int frame, const Work& work) {
     if (!byQuery_) {
-      const Stopwatch time = watch(stage);
+      const Stopwatch time = watch(stage, frame);
       return work();
     }
     pending_.push_back({{}, frame, stage});
@@ -44,15 +66,19 @@ class StageTimers {
   }
   /// Waiting for the device counts for a software driver only: elsewhere the queries have it.
   template <class Work>
-  void wait(double StageTimes::*stage, const Work& work) {
+  void wait(double StageTimes::*stage, int frame, const Work& work) {
     if (byQuery_) return work();
-    const Stopwatch time = watch(stage);
+    const Stopwatch time = watch(stage, frame);
     work();
   }
   /// Adds the results of everything up to a frame that the device has finished.
   void collect(int frame) {
-    for (; !pending_.empty() && pending_.front().frame <= frame; pending_.pop_front())
-      stages_.*pending_.front().stage += pending_.front().query.nanoseconds() * 1e-9;
+    for (; !pending_.empty() && pending_.front().frame <= frame; pending_.pop_front()) {
+      const Pending& done = pending_.front();
+      const double seconds = done.query.nanoseconds() * 1e-9;
+      stages_.*done.stage += seconds;
+      ofFrame_[done.frame].*done.stage += seconds;
+    }
   }
 
  private:
@@ -62,6 +88,7 @@ class StageTimers {
     double StageTimes::*stage;
   };
   StageTimes stages_;
+  std::map<int, StageTimes> ofFrame_;  ///< of frames that takeUpTo() has not handed out
   bool byQuery_;
   std::deque<Pending> pending_;
 };

@@ -4,11 +4,11 @@
 #include "frame/file/run_info.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/sink/frame_queue.hpp"
+#include "frame/sink/frame_rate.hpp"
 #include "frame/sink/frame_sink.hpp"
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <poll.h>
 #include <unistd.h>
@@ -17,17 +17,9 @@ namespace simreel::frame {
 
 namespace {
 
-/// Frame rate as a fraction; rates like 59.94 are 60000/1001.
-std::string frameRate(double fps) {
-  if (std::abs(fps - std::round(fps)) < 1e-9) return fmt::format("{}:1", std::lround(fps));
-  const double film = fps * 1.001;
-  if (std::abs(film - std::round(film)) < 1e-3) return fmt::format("{}:1001", std::lround(film) * 1000);
-  return fmt::format("{}:1000", std::lround(fps * 1000));
-}
-
 class StreamSink final : public FrameSink {
  public:
-  StreamSink(const std::string& format, const RunInfo& run, int descriptor)
+  StreamSink(const std::string& format, const RunInfo& run, std::span<const int> frames, int descriptor)
       : descriptor_(descriptor), y4m_(format == "y4m"), run_(run) {
     if (format != "rgba" && format != "y4m")
       fail(ExitCode::usage, "stream format {} is not known: rgba and y4m are", format);
@@ -35,6 +27,7 @@ class StreamSink final : public FrameSink {
       fail(ExitCode::usage,
            "--output - would write pixels to the terminal; pipe it into a program or a file");
     ignoreBrokenPipes();
+    if (y4m_) rate_ = playedRate(run.fps, frames);
   }
 
   bool wants(int /*frame*/) override { return true; }
@@ -57,7 +50,7 @@ class StreamSink final : public FrameSink {
     std::string header = "FRAME\n";
     if (!started_)
       header = fmt::format("YUV4MPEG2 W{} H{} F{} Ip A1:1 C444 XCOLORRANGE=FULL\nFRAME\n", run_.width,
-                           run_.height, frameRate(run_.fps));
+                           run_.height, rate_.text(':'));
     started_ = true;
     write(std::as_bytes(std::span(header)));
     const std::vector<std::uint8_t> planes = toFullRangeYuv444(image);
@@ -76,6 +69,7 @@ class StreamSink final : public FrameSink {
   bool y4m_;
   bool started_ = false;
   RunInfo run_;
+  FrameRate rate_;
   FrameQueue queue_{1, FrameQueue::maxWaitingInOrder,
                     [this](const FrameInfo&, const std::optional<Image>& image) {
                       if (image) handle(*image);
@@ -115,8 +109,9 @@ std::vector<std::uint8_t> toFullRangeYuv444(const Image& image) {
   return planes;
 }
 
-std::unique_ptr<FrameSink> openStreamSink(const std::string& format, const RunInfo& run, int descriptor) {
-  return std::make_unique<StreamSink>(format, run, descriptor);
+std::unique_ptr<FrameSink> openStreamSink(const std::string& format, const RunInfo& run,
+                                          std::span<const int> frames, int descriptor) {
+  return std::make_unique<StreamSink>(format, run, frames, descriptor);
 }
 
 }  // namespace simreel::frame

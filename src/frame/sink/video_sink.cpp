@@ -8,6 +8,7 @@
 #include "frame/file/shared_manifest.hpp"
 #include "frame/sink/ffmpeg.hpp"
 #include "frame/sink/frame_queue.hpp"
+#include "frame/sink/frame_rate.hpp"
 #include "frame/sink/frame_sink.hpp"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ class VideoSink final : public FrameSink {
           "{}: this encoder needs even sides, so {}x{} becomes {}x{} with a black edge; choose --size "
           "{}x{}",
           file_.string(), run.width, run.height, width, height, width, height);
-    ffmpeg_.emplace(ffmpegArguments(part_, run.width, run.height, run.fps));
+    ffmpeg_.emplace(ffmpegArguments(part_, run.width, run.height, playedRate(run.fps, frames)));
     queue_.emplace(1, FrameQueue::maxWaitingInOrder,
                    [this](const FrameInfo& info, const std::optional<Image>& image) {
                      if (image) handle(info, *image);
@@ -104,11 +105,18 @@ class VideoSink final : public FrameSink {
   /// The existing file stays; its manifest, where one is readable, knows the state hashes.
   void skip() {
     skipped_ = true;
+    std::optional<std::string> difference;
     try {
-      if (auto old = readManifest(output_.manifestFile()))
-        if (!runDifference(manifest_.run, old->run)) manifest_ = std::move(*old);
-    } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): then nothing is known of the frames.
+      auto old = readManifest(output_.manifestFile());
+      if (!old) return;
+      difference = runDifference(manifest_.run, old->run);
+      if (!difference) manifest_ = std::move(*old);
+    } catch (const UserError& error) {
+      warn("{}", error.what());
     }
+    if (difference)
+      fail(ExitCode::usage, "cannot skip the existing video: {} ({}); use --overwrite to start afresh",
+           *difference, output_.manifestFile().string());
   }
 
   /// Says so before the first frame is drawn, and in plainer words than ffmpeg's.

@@ -92,6 +92,13 @@ Accepted acceptScene(const fs::path& reportFolder, const SceneResult& scene, con
     if (scene.candidate.empty())
       fail(ExitCode::usage, "{}: nothing was kept to accept",
            scene.messages.empty() ? statusName(scene.status) : scene.messages.front());
+    // Where baselines are follows from the scene: a report from elsewhere does not choose it.
+    const fs::path baselines = baselineFolder(scene.file);
+    if (!liesBelow(scene.file, how.scenes) || !liesBelow(baselines, how.scenes))
+      fail(ExitCode::usage,
+           "its baselines would go to {}, which is not below {}; where the report may write there, say so "
+           "with --scenes FOLDER",
+           baselines.string(), how.scenes.empty() ? "this folder" : how.scenes);
     if (!pathExists(scene.file))
       fail(ExitCode::usage, "there is no {} here; accept from the folder in which the test ran",
            scene.file);
@@ -99,8 +106,6 @@ Accepted acceptScene(const fs::path& reportFolder, const SceneResult& scene, con
       fail(ExitCode::usage, "the report does not say what {} was when it was made; run the test again",
            scene.file);
     checkUnchanged(scene.inputs);
-    // Where baselines are follows from the scene: a report from elsewhere does not choose it.
-    const fs::path baselines = baselineFolder(scene.file);
     const fs::path folder = reportFolder / scene.candidate;
     Candidate kept = readCandidate(folder, scene);
     checkBaseline(scene, kept);
@@ -129,7 +134,7 @@ std::vector<Accepted> acceptReport(const fs::path& report, const Acceptance& how
                                         [&](const auto& glob) { return matches(glob, scene.name); });
     const bool accepted = !isFailure(scene.status, /*allowFlaky=*/true);
     if (!named || accepted) continue;
-    all.push_back(pictures ? acceptPicture(file.parent_path(), scene, expected)
+    all.push_back(pictures ? acceptPicture(file.parent_path(), scene, expected, how.expected.empty())
                            : acceptScene(file.parent_path(), scene, how));
   }
   return all;

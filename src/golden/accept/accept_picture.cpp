@@ -25,7 +25,7 @@ std::string hashOf(const fs::path& file, const char* what) {
 }
 
 void promotePicture(const fs::path& kept, const SceneResult& picture, const fs::path& expected,
-                    Accepted& result) {
+                    bool confined, Accepted& result) {
   const FrameResult& frame = picture.frames.front();
   std::string bytes;
   readBytes(kept, "picture", bytes);
@@ -33,6 +33,10 @@ void promotePicture(const fs::path& kept, const SceneResult& picture, const fs::
     fail(ExitCode::inputOutput, "{} does not have the pixels of that run; run the test again",
          kept.string());
   const fs::path baseline = expected / picture.name;
+  if (confined && !liesBelow(baseline, {}))
+    fail(ExitCode::usage,
+         "{} leads out of this folder; where the report may write there, say so with --expected",
+         baseline.string());
   const fs::path former = picture.renamedFrom.empty() ? fs::path() : expected / picture.renamedFrom;
   const std::string now = hashOf(baseline, "baseline");
   result.already = now == frame.pixels && (former.empty() || !pathExists(former));
@@ -68,7 +72,8 @@ fs::path expectedFolder(const SuiteResult& suite, const Acceptance& how) {
   return folder;
 }
 
-Accepted acceptPicture(const fs::path& reportFolder, const SceneResult& picture, const fs::path& expected) {
+Accepted acceptPicture(const fs::path& reportFolder, const SceneResult& picture, const fs::path& expected,
+                       bool confined) {
   Accepted result{picture.name, "", false};
   try {
     if (picture.candidate.empty() || picture.frames.empty())
@@ -80,7 +85,7 @@ Accepted acceptPicture(const fs::path& reportFolder, const SceneResult& picture,
       fail(ExitCode::usage, "the report names no picture below {}", expected.string());
     checkUnchanged(picture.inputs);
     promotePicture(reportFolder / picture.candidate / fs::path(picture.name).filename(), picture, expected,
-                   result);
+                   confined, result);
   } catch (const UserError& mistake) {
     result.problem = mistake.what();
   }

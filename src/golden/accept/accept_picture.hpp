@@ -10,8 +10,9 @@ namespace simreel::golden {
 /// because a report from elsewhere must not choose what is written. Throws UserError(usage).
 [[nodiscard]] std::filesystem::path expectedFolder(const SuiteResult& suite, const Acceptance& how);
 
-/// Makes a picture that a report kept the baseline, and removes the one it was renamed from.
+/// Makes a picture that a report kept the baseline, and removes the one it was renamed from. `confined`: it
+/// may not go out of the current folder, not by links either.
 [[nodiscard]] Accepted acceptPicture(const std::filesystem::path& reportFolder, const SceneResult& picture,
-                                     const std::filesystem::path& expected);
+                                     const std::filesystem::path& expected, bool confined);
 
 }  // namespace simreel::golden

@@ -10,6 +10,7 @@ struct Acceptance {
   std::string reason;
   bool alternate = false;  ///< as an alternate beside the baseline
   std::string expected;    ///< of pictures: the folder of the baselines; empty: as the report says
+  std::string scenes;      ///< the folder that scenes have to lie below; empty: the current one
 };
 
 struct Accepted {

@@ -53,8 +53,10 @@ std::vector<fs::path> buffersOf(const fs::path& file) {
     if (const auto listed = JsonValue(json).find("buffers"))
       listed->eachItem([&](const JsonValue& buffer) {
         const auto uri = buffer.find("uri");
-        if (uri && !uri->text().starts_with("data:"))
-          buffers.push_back(file.parent_path() / sim::decodePercent(uri->text()));
+        if (!uri || uri->text().starts_with("data:")) return;
+        const fs::path beside = file.parent_path() / sim::decodePercent(uri->text());
+        // No mesh is made of what lies elsewhere, so neither its hash nor that it is there is told.
+        if (liesBelow(beside, file.parent_path())) buffers.push_back(beside);
       });
   } catch (const std::runtime_error&) {  // NOLINT(bugprone-empty-catch)
   }

@@ -40,16 +40,20 @@ std::string decisiveLine(const std::string& messages) {
 
 }  // namespace
 
-ChildCommand::ChildCommand(const std::string& command, std::string name) : name_(std::move(name)) {
+ChildCommand::ChildCommand(const std::string& command, std::string name,
+                           const std::vector<std::string>& arguments, double timeout)
+    : name_(std::move(name)), timeout_(timeout) {
   int ends[2] = {-1, -1};
   if (::pipe2(ends, O_CLOEXEC) != 0)
     fail(ExitCode::inputOutput, "cannot make a pipe: {}", std::strerror(errno));
   output_ = ends[0];
   messages_ = makeMemoryFile("simreel-child");
-  const int error = messages_ < 0
-                        ? errno
-                        : startProcess({"/bin/sh", "-c", command},
-                                       {.input = -1, .output = ends[1], .messages = messages_}, process_);
+  std::vector<std::string> words = {"/bin/sh", "-c", command, "sh"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const int error =
+      messages_ < 0
+          ? errno
+          : startProcess(words, {.input = -1, .output = ends[1], .messages = messages_}, process_);
   ::close(ends[1]);
   if (error == 0) return;
   end();
@@ -75,9 +79,18 @@ void ChildCommand::end() noexcept {
   }
 }
 
+void ChildCommand::checkTime() {
+  frame::throwIfInterrupted();
+  if (timeout_ <= 0 || secondsSince(began_) < timeout_) return;
+  const std::string message = decisiveLine(endOfMemoryFile(messages_));
+  end();
+  fail(ExitCode::inputOutput, "{} took longer than {:g} s (--timeout) and was ended{}{}", name_, timeout_,
+       message.empty() ? "" : ": ", message);
+}
+
 bool ChildCommand::more() {
   for (;;) {
-    frame::throwIfInterrupted();
+    checkTime();
     pollfd wait{output_, POLLIN, 0};
     const int ready = ::poll(&wait, 1, patience);
     if (ready < 0 && errno != EINTR)
@@ -123,7 +136,7 @@ std::vector<std::byte> ChildCommand::rest(std::size_t maxBytes) {
 void ChildCommand::finish() {
   int status = 0;
   for (;;) {
-    frame::throwIfInterrupted();
+    checkTime();
     const pid_t ended = ::waitpid(process_, &status, WNOHANG);
     if (ended == process_ || (ended < 0 && errno != EINTR)) break;
     ::usleep(2000);

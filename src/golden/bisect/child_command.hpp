@@ -1,4 +1,6 @@
 #pragma once
+#include "base/clock.hpp"
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -12,8 +14,10 @@ namespace simreel::golden {
 class ChildCommand {
  public:
   /// `name` is how messages call it, for example "this side". Throws UserError(inputOutput) when it cannot
-  /// be started.
-  ChildCommand(const std::string& command, std::string name);
+  /// be started. `arguments` are $1 and so on to the command. After so many seconds it is ended, and
+  /// waiting for it throws UserError(inputOutput); 0: never.
+  ChildCommand(const std::string& command, std::string name, const std::vector<std::string>& arguments = {},
+               double timeout = 0);
   ~ChildCommand();
   ChildCommand(const ChildCommand&) = delete;
   ChildCommand& operator=(const ChildCommand&) = delete;
@@ -34,9 +38,12 @@ class ChildCommand {
   /// Waits for more and appends it to read_; false at the end.
   bool more();
   [[noreturn]] void failed(int status);
+  void checkTime();
   void end() noexcept;
 
   std::string name_;
+  Clock::time_point began_ = Clock::now();
+  double timeout_;
   pid_t process_ = -1;
   int output_ = -1;
   int messages_ = -1;

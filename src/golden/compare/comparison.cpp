@@ -8,22 +8,97 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+
+#include <fmt/ranges.h>
 
 namespace simreel::golden {
 
 namespace {
+
+/// Layers of one name that differ.
+struct LayerPair {
+  const PictureLayer *a, *b;
+};
+
+const PictureLayer* layerOf(const Picture& picture, const std::string& name) {
+  const auto found = std::find_if(picture.layers.begin(), picture.layers.end(),
+                                  [&](const PictureLayer& layer) { return layer.name == name; });
+  return found == picture.layers.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> layersOnlyIn(const Picture& one, const Picture& other) {
+  std::vector<std::string> names;
+  for (const PictureLayer& layer : one.layers)
+    if (layerOf(other, layer.name) == nullptr) names.push_back(layer.name);
+  return names;
+}
+
+/// Pairs the layers that differ, and says what no bound can excuse.
+std::vector<LayerPair> pairLayers(const Picture& a, const Picture& b, Comparison& made) {
+  std::vector<LayerPair> pairs;
+  std::vector<std::string> clauses;
+  if (!a.layered || !b.layered) {
+    if (const auto names = a.layered ? layersOnlyIn(a, b) : layersOnlyIn(b, a); !names.empty())
+      made.layerNote =
+          fmt::format("not compared, as one file can have no layers: {}", fmt::join(names, ", "));
+    return pairs;
+  }
+  for (const auto& [names, who] :
+       {std::pair(layersOnlyIn(a, b), "baseline"), std::pair(layersOnlyIn(b, a), "picture")})
+    if (!names.empty()) clauses.push_back(fmt::format("only the {} has {}", who, fmt::join(names, ", ")));
+  for (const PictureLayer& layer : a.layers) {
+    const PictureLayer* other = layerOf(b, layer.name);
+    if (other == nullptr || layer == *other) continue;
+    if (layer.kind == PictureLayer::Kind::content || other->kind == PictureLayer::Kind::content)
+      clauses.push_back(layer.name + " differs");
+    else
+      pairs.push_back({&layer, other});
+  }
+  made.layers = fmt::format("{}", fmt::join(clauses, "; "));
+  return pairs;
+}
+
+/// Says where each of the layers differs.
+std::string layerWords(const std::vector<LayerPair>& pairs, const std::vector<Excuse>& excuses, int width) {
+  std::vector<std::string> clauses;
+  for (const auto& [a, b] : pairs) {
+    long count = 0;
+    std::size_t at = 0;
+    double worst = 0;
+    for (std::size_t pixel = 0; pixel < a->bits.size(); ++pixel) {
+      if (!excuses.empty() && excuses[pixel] != Excuse::none) continue;
+      const double apart = a->apart(*b, pixel);
+      count += apart > 0 ? 1 : 0;
+      if (apart <= worst) continue;
+      worst = apart;
+      at = pixel;
+    }
+    if (count == 0) continue;
+    const auto value = [at](const PictureLayer& layer) {
+      return layer.kind == PictureLayer::Kind::number ? fmt::format("{:g}", layer.number(at))
+                                                      : fmt::format("{:08x}", layer.bits[at]);
+    };
+    clauses.push_back(fmt::format("{} at {} pixel{} ({} and {} at x {}, y {})", a->name, count,
+                                  count == 1 ? "" : "s", value(*a), value(*b), at % std::size_t(width),
+                                  at / std::size_t(width)));
+  }
+  return clauses.empty() ? std::string() : fmt::format("layers that differ: {}", fmt::join(clauses, ", "));
+}
 
 /// What two pictures are held against each other by, where bytes do not tell.
 struct DeepPair {
   std::vector<float> a, b;
   bool sameDepth;
   const Picture &pictureA, &pictureB;
+  std::vector<LayerPair> layers;
 
   /// Largest difference of a channel in units of 1/255, at most 255; above 0 wherever the files' numbers
   /// differ.
   [[nodiscard]] double apart(std::size_t pixel) const {
     double worst = 0;
     for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i) worst = std::max(worst, channelApart(i));
+    for (const LayerPair& layer : layers) worst = std::max(worst, layer.a->apart(*layer.b, pixel));
     return worst;
   }
 
@@ -94,18 +169,19 @@ Comparison compare(const Picture& baseline, const Picture& picture, const scene:
   if (!allowance.mask.empty() && allowance.mask.size() != std::size_t(width) * std::size_t(height))
     fail(ExitCode::usage, "the mask has {} pixels, the pictures that it masks {}x{}", allowance.mask.size(),
          width, height);
+  const std::vector<LayerPair> layers = pairLayers(a, b, made);
   const bool deep = a.depth != Depth::unorm8 || b.depth != Depth::unorm8;
   if (!allowance.none() && (!equalPixels(a, b) || !allowance.mask.empty())) {
     made.excuses = excuses(inUnits(a), inUnits(b), width, height, allowance, tolerance.maxChannelDiff);
     excuse(a, b, made);
   }
   const Metrics counted = made.metrics;
-  if (equalPixels(a, b)) {
+  if (layers.empty() && equalPixels(a, b)) {
     made.metrics = measure(a.image, a.image, tolerance);
   } else if (!deep) {
     made.metrics = measure(a.image, b.image, tolerance, measures);
   } else {
-    const DeepPair pair{inUnits(a), inUnits(b), a.depth == b.depth, a, b};
+    const DeepPair pair{inUnits(a), inUnits(b), a.depth == b.depth, a, b, layers};
     std::vector<float> apart(std::size_t(width) * std::size_t(height));
     made.apart.resize(apart.size());
     for (std::size_t pixel = 0; pixel < apart.size(); ++pixel) {
@@ -114,6 +190,7 @@ Comparison compare(const Picture& baseline, const Picture& picture, const scene:
       made.apart[pixel] = static_cast<std::uint8_t>(std::ceil(apart[pixel]));
     }
     made.metrics = measureApart(apart, a.image, b.image, tolerance, measures);
+    if (!layers.empty()) made.layerNote = layerWords(layers, made.excuses, width);
   }
   made.metrics.maskedPixels = counted.maskedPixels;
   made.metrics.antialiasedPixels = counted.antialiasedPixels;

@@ -18,6 +18,9 @@ struct Comparison {
   /// What the files say their numbers mean, where that differs: "the colour profile ..., which is not
   /// compared".
   std::string colours;
+  /// Layers that one of them lacks or whose differences have no size, which no bound excuses; empty: none.
+  std::string layers;
+  std::string layerNote;        ///< layers that differ, and where most
   frame::Image a, b;            ///< as screens show them; padded to the larger width and height
   std::vector<Excuse> excuses;  ///< of each pixel; empty: none
   std::vector<std::uint8_t>
@@ -26,7 +29,8 @@ struct Comparison {
 
 /// Compares pictures of any depth. Where sizes differ both are padded at the right and below to the larger,
 /// and what one has beside the other differs. Pixels with an excuse count as equal. A deeper picture's
-/// differences are fractions of 1/255; PSNR, SSIM and FLIP are of what a screen shows.
+/// differences are fractions of 1/255, and those of layers of 1/255 of their unit; PSNR, SSIM and FLIP are
+/// of what a screen shows.
 [[nodiscard]] Comparison compare(const Picture& baseline, const Picture& picture,
                                  const scene::Tolerance& tolerance, const Allowance& allowance,
                                  Measures measures = Measures::all);

@@ -47,9 +47,9 @@ Picture decodeDeepPng(std::string_view bytes, const std::string& label) {
   maxBytes = forHeaders;
   if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) refuse(stbi_failure_reason());
   if (width < 1 || height < 1) refuse("no width or no height");
-  if (std::max(width, height) > largestPictureSide)
-    refuse(fmt::format("{}x{}, more than {} on a side", width, height, largestPictureSide));
   const std::size_t pixels = std::size_t(width) * std::size_t(height);
+  if (pixels > mostPicturePixels)
+    refuse(fmt::format("{}x{}, more than {} million pixels", width, height, mostPicturePixels / 1'000'000));
   // deflate makes at most 1032 bytes of one; a pixel has at least two.
   if (static_cast<double>(pixels) * 2 > static_cast<double>(bytes.size()) * 1032)
     refuse(fmt::format("{}x{} pixels do not fit in its {} bytes", width, height, bytes.size()));

@@ -185,7 +185,6 @@ Picture ofLight(sim::LightFile file) {
   Picture picture;
   picture.values = std::move(file.values);
   picture.colours = std::move(file.colours);
-  if (!file.note.empty()) picture.note = file.note + " are not compared";
   showLight(picture, file.size.x, file.size.y);
   return picture;
 }
@@ -193,7 +192,17 @@ Picture ofLight(sim::LightFile file) {
 Picture decode(std::string_view bytes, const char* what, const std::string& name) {
   check(bytes, what, name);
   const Kind kind = kindOf(bytes);
-  if (kind == Kind::exr) return ofLight(sim::decodeExr(bytes, labelOf(what, name), restoreIt));
+  if (kind == Kind::exr) {
+    Picture picture = ofLight(sim::decodeExr(bytes, labelOf(what, name), restoreIt));
+    picture.layers = readExrLayers(bytes, labelOf(what, name));
+    picture.layered = true;
+    // A part has the display window of the first, or else no pixels of its picture.
+    for (PictureLayer& layer : picture.layers)
+      if (layer.kind != PictureLayer::Kind::content && layer.bits.size() != picture.values.size() / 4)
+        layer = {
+            layer.name, PictureLayer::Kind::content, {}, hashHex(std::as_bytes(std::span(layer.bits)))};
+    return picture;
+  }
   if (kind == Kind::radiance) return ofLight(sim::decodeRadiance(bytes, labelOf(what, name), restoreIt));
   constexpr std::size_t bitsInHeader = 24;  // of IHDR, which checkPng has seen
   if (kind == Kind::png && bytes[bitsInHeader] == 16) return decodeDeepPng(bytes, labelOf(what, name));
@@ -240,8 +249,14 @@ bool holdsPicture(const fs::path& file) {
 std::string pictureHash(const Picture& picture) {
   const auto pixels = picture.depth == Depth::unorm8 ? std::as_bytes(std::span(picture.image.bytes))
                                                      : std::as_bytes(std::span(picture.values));
-  return hashHex(fmt::format("{}x{} {} {}", picture.image.width, picture.image.height,
-                             static_cast<int>(picture.depth), hashHex(pixels)));
+  std::string all = fmt::format("{}x{} {} {}", picture.image.width, picture.image.height,
+                                static_cast<int>(picture.depth), hashHex(pixels));
+  for (const PictureLayer& layer : picture.layers)
+    all += fmt::format(" {} {}", layer.name,
+                       layer.kind == PictureLayer::Kind::content
+                           ? layer.hash
+                           : hashHex(std::as_bytes(std::span(layer.bits))));
+  return hashHex(all);
 }
 
 std::vector<float> inUnits(const Picture& picture) {
@@ -258,14 +273,16 @@ std::vector<float> inUnits(const Picture& picture) {
 Picture padded(const Picture& picture, int width, int height) {
   const auto& from = picture.image;
   Picture made = picture;
-  const auto enlarge = [&](const auto& old, auto& grown) {
-    grown.assign(std::size_t(width) * std::size_t(height) * 4, {});
+  const auto enlarge = [&](const auto& old, auto& grown, std::ptrdiff_t each = 4) {
+    grown.assign(std::size_t(width) * std::size_t(height) * std::size_t(each), {});
     for (int y = 0; y < from.height; ++y)
-      std::copy_n(old.begin() + std::ptrdiff_t{4} * y * from.width, std::ptrdiff_t{4} * from.width,
-                  grown.begin() + std::ptrdiff_t{4} * y * width);
+      std::copy_n(old.begin() + each * y * from.width, each * from.width, grown.begin() + each * y * width);
   };
   enlarge(from.bytes, made.image.bytes);
   if (!picture.values.empty()) enlarge(picture.values, made.values);
+  for (std::size_t i = 0; i < made.layers.size(); ++i)
+    if (made.layers[i].kind != PictureLayer::Kind::content)
+      enlarge(picture.layers[i].bits, made.layers[i].bits, 1);
   made.image.width = width;
   made.image.height = height;
   return made;

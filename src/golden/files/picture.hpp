@@ -1,6 +1,8 @@
 #pragma once
 #include "frame/image.hpp"
+#include "golden/files/exr_layers.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -8,8 +10,8 @@
 
 namespace simreel::golden {
 
-/// Pixels; a file that claims more is damaged, or nothing to compare.
-inline constexpr int largestPictureSide = 16384;
+/// Pixels in all; a file that claims more is damaged, or nothing to compare.
+inline constexpr std::size_t mostPicturePixels = std::size_t{1} << 28;
 
 /// What the numbers of a picture file are.
 enum class Depth {
@@ -24,7 +26,9 @@ struct Picture {
   Depth depth = Depth::unorm8;
   std::vector<float> values;  ///< RGBA of each pixel where the file is deeper than 8 bits; else empty
   std::string colours;        ///< colourWords()
-  std::string note;           ///< what of the file is not in it: "channels Z are not compared"; or empty
+  std::string note = {};      ///< what of the file is not in it; or empty
+  std::vector<PictureLayer> layers = {};  ///< of OpenEXR
+  bool layered = false;                   ///< whether the file is of a kind that may have layers
 };
 
 /// Reads a whole file into `bytes`, whose memory is used again. Throws UserError(inputOutput) in one line
@@ -32,8 +36,9 @@ struct Picture {
 void readBytes(const std::filesystem::path& path, const char* what, std::string& bytes);
 
 /// PNG (8 and 16 bits, grey, palette, alpha), JPEG, Radiance HDR, OpenEXR and PNM, told apart by their
-/// first bytes. Throws UserError(inputOutput) for what is none of them, is damaged, larger than 16384 on a
-/// side, or something else in its place (standsForAnother()).
+/// first bytes. Throws UserError(inputOutput) for what is none of them, is damaged, larger than
+/// mostPicturePixels (OpenEXR, Radiance and PNM: than 16384 on a side), or something else in its place
+/// (standsForAnother()).
 [[nodiscard]] Picture decodePicture(std::string_view bytes, const char* what, const std::string& name);
 [[nodiscard]] Picture readPicture(const std::filesystem::path& path, const char* what);
 
@@ -49,8 +54,8 @@ void checkPicture(std::string_view bytes, const char* what, const std::string& n
 /// cannot be read, and for text (PNM and Radiance begin as that, too).
 [[nodiscard]] bool holdsPicture(const std::filesystem::path& file);
 
-/// Hash of size, depth and all four channels, independent of the file's kind and encoder. 32 hexadecimal
-/// digits.
+/// Hash of size, depth, all four channels and layers, independent of the file's kind and encoder. 32
+/// hexadecimal digits.
 [[nodiscard]] std::string pictureHash(const Picture& picture);
 
 /// Values in units of 1/255 of the encoded range, RGBA: deeper pictures have fractions, light above white

@@ -70,7 +70,7 @@ std::string formatProblem(std::string_view header) {
 
 /// What is wrong with the file, to follow its name; empty when nothing is.
 std::string problem(std::string_view file) {
-  if (const std::string other = standsForAnother(file); !other.empty()) return other;
+  if (std::string other = standsForAnother(file); !other.empty()) return other;
   if (file.empty()) return fmt::format("is empty; {}", restoreIt);
   // A file that ends inside the signature was a PNG, as far as one can tell.
   if (file.substr(0, signature.size()) != signature.substr(0, std::min(file.size(), signature.size())))
@@ -94,14 +94,12 @@ std::string problem(std::string_view file) {
     pixels = pixels || chunk->type == "IDAT";
     if (chunk->type != "IEND") continue;
     if (!pixels) return fmt::format("is corrupt (it holds no pixels); {}", restoreIt);
-    if (!rest.empty())
-      return fmt::format("is corrupt ({} bytes follow its end); {}", rest.size(), restoreIt);
-    return {};
+    return {};  // what follows is no part of the picture (PNG specification 5.6)
   }
   return cutOff;
 }
 
-/// The next chunk that matters to pixels, or nothing at the end.
+/// The next chunk that matters to pixels, or nothing where the file is cut off.
 std::optional<Chunk> nextPixelChunk(std::string_view& rest) {
   auto chunk = takeChunk(rest);
   while (chunk && isText(*chunk)) chunk = takeChunk(rest);
@@ -136,14 +134,13 @@ std::optional<std::pair<int, int>> sizeOfPng(std::span<const std::byte> file) {
 
 bool sameEncodedPixels(std::span<const std::byte> a, std::span<const std::byte> b) {
   std::string_view restA = textOf(a), restB = textOf(b);
-  if (restA == restB) return true;
   if (!restA.starts_with(signature) || !restB.starts_with(signature)) return false;
   restA.remove_prefix(signature.size());
   restB.remove_prefix(signature.size());
   while (true) {
     const auto chunkA = nextPixelChunk(restA), chunkB = nextPixelChunk(restB);
-    if (!chunkA || !chunkB) return !chunkA && !chunkB && restA.empty() && restB.empty();
-    if (chunkA->whole != chunkB->whole) return false;
+    if (!chunkA || !chunkB || chunkA->whole != chunkB->whole) return false;
+    if (chunkA->type == "IEND") return true;
   }
 }
 

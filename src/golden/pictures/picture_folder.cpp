@@ -1,14 +1,33 @@
 #include "golden/pictures/picture_folder.hpp"
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "golden/files/picture.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace simreel::golden {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* reportMark = "simreel-report.txt";
+
+}  // namespace
+
+void markReport(const fs::path& folder) {
+  if (isReport(folder)) return;
+  writeFileAtomically(folder / reportMark,
+                      std::string_view("The pictures in and below this folder are of a report that simreel "
+                                       "test wrote. It takes none of them for a baseline.\n"));
+}
+
+bool isReport(const fs::path& folder) {
+  return pathExists(folder / reportMark);
+}
 
 PictureFolder listPictures(const fs::path& folder) {
   PictureFolder found;
@@ -24,7 +43,7 @@ PictureFolder listPictures(const fs::path& folder) {
            folder.string(), deepest);
     std::error_code unknown;
     if (entries->is_directory(unknown)) {
-      if (!path.filename().string().starts_with('.')) continue;
+      if (!path.filename().string().starts_with('.') && !isReport(path)) continue;
       entries.disable_recursion_pending();
       found.others.push_back(name + "/");
     } else {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <utility>
 
 namespace simreel::golden {
 
@@ -46,7 +47,8 @@ void findRenamed(std::vector<PictureCase>& cases) {
 
 }  // namespace
 
-PictureSet pairPictures(const fs::path& expected, const fs::path& actual) {
+PictureSet pairPictures(const fs::path& expected, const fs::path& actual,
+                        const std::function<bool(const std::string& name, bool made)>& counts) {
   const PictureFolder there = listPictures(expected), here = listPictures(actual);
   std::vector<std::string> names;
   std::set_union(there.pictures.begin(), there.pictures.end(), here.pictures.begin(), here.pictures.end(),
@@ -56,8 +58,10 @@ PictureSet pairPictures(const fs::path& expected, const fs::path& actual) {
                                                                                 : fs::path();
   };
   PictureSet set;
-  for (const std::string& name : names)
-    set.cases.push_back({name, fileIn(expected, there, name), fileIn(actual, here, name), {}});
+  for (const std::string& name : names) {
+    PictureCase one{name, fileIn(expected, there, name), fileIn(actual, here, name), {}};
+    if (counts(name, !one.actual.empty())) set.cases.push_back(std::move(one));
+  }
   findRenamed(set.cases);
   for (const auto& [folder, others] :
        {std::pair(&expected, &there.others), std::pair(&actual, &here.others)})

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,11 @@ struct PictureSet {
   std::vector<std::string> passedOver;  ///< files that are no pictures, hidden folders
 };
 
-/// Pairs the pictures of two folders by path, and those left over by their pixels. Throws as listPictures()
+/// Pairs the pictures of two folders by path, and those left over by their pixels: of the names that
+/// `counts` takes, asked with whether there is a picture and not only a baseline. Throws as listPictures()
 /// does.
-[[nodiscard]] PictureSet pairPictures(const std::filesystem::path& expected,
-                                      const std::filesystem::path& actual);
+[[nodiscard]] PictureSet pairPictures(
+    const std::filesystem::path& expected, const std::filesystem::path& actual,
+    const std::function<bool(const std::string& name, bool made)>& counts);
 
 }  // namespace simreel::golden

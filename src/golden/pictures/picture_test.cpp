@@ -10,6 +10,7 @@
 #include "golden/compare/compare.hpp"
 #include "golden/compare/comparison.hpp"
 #include "golden/files/picture.hpp"
+#include "golden/pictures/picture_folder.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -122,16 +123,18 @@ class PictureTest {
     made_ = compare(expected_->picture, actual_->picture, terms_.tolerance, allowance,
                     terms_.tolerance.maxFlipMean ? Measures::all : options_.measures);
     if (!made_->colours.empty()) result_.notes.push_back(made_->colours);
+    if (!made_->layerNote.empty()) result_.notes.push_back(made_->layerNote);
     if (!case_.renamedFrom.empty()) return;
     const auto broken = brokenBounds(made_->metrics, terms_.tolerance, made_->a.width, made_->a.height);
     const bool excused =
         made_->metrics.maskedPixels + made_->metrics.antialiasedPixels + made_->metrics.movedPixels > 0;
     if (made_->metrics.differentPixels > 0 || excused) frame_.metrics = made_->metrics;
-    if (made_->sizes.empty() && broken.empty()) return;
+    if (made_->sizes.empty() && made_->layers.empty() && broken.empty()) return;
     result_.status = Status::fail;
     if (!made_->sizes.empty())
       result_.messages.push_back(
           fmt::format("{}; compared as {}x{}, padded", made_->sizes, made_->a.width, made_->a.height));
+    if (!made_->layers.empty()) result_.messages.push_back(made_->layers);
     if (!broken.empty()) result_.messages.push_back(fmt::format("{}", fmt::join(broken, "; ")));
   }
 
@@ -169,6 +172,7 @@ class PictureTest {
   std::string write(const std::string& name, std::span<const std::byte> bytes) const {
     const fs::path file = options_.artifacts / case_.name / name;
     makeFolders(file.parent_path());
+    markReport(options_.artifacts);
     writeFileAtomically(file, bytes);
     return file.lexically_relative(options_.reportFolder).generic_string();
   }

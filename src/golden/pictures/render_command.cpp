@@ -36,96 +36,111 @@ void RenderCommand::check() const {
          "{{output}}'");
 }
 
-std::string RenderCommand::of(const SceneFile& scene) const {
-  std::string made;
-  const fs::path base = folder / scene.name;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::string_view rest = std::string_view(text).substr(at);
-    if (rest.starts_with(sceneWord)) {
-      made += inShellQuotes(scene.file.string());
-      at += sceneWord.size();
-    } else if (rest.starts_with(outputWord)) {
-      at += outputWord.size();
-      const char after = at < text.size() ? text[at] : ' ';
-      if (!eachScene())
-        made += inShellQuotes(folder.string());
-      else if (after == '.' || after == '/')
-        made += inShellQuotes(base.string());
-      else
-        made += inShellQuotes(base.string() + ".png");
-    } else {
-      made += text[at++];
-    }
-  }
-  return made;
+/// {output}, followed by `after`.
+std::string RenderCommand::outputOf(const SceneFile& scene, char after) const {
+  if (!eachScene()) return folder.string();
+  const std::string base = (folder / scene.name).string();
+  return after == '.' || after == '/' ? base : base + ".png";
 }
 
-std::vector<std::string> RenderCommand::madeOf(const SceneFile& scene) const {
+std::vector<Placeholder> RenderCommand::placeholders(const SceneFile& scene) const {
+  return {{"{scene}", "SIMREEL_SCENE", scene.file.string()},
+          {"{output}", "SIMREEL_BASE", outputOf(scene, '.'), "./"},
+          {"{output}", "SIMREEL_OUTPUT", outputOf(scene, ' ')}};
+}
+
+std::string RenderCommand::of(const SceneFile& scene) const {
+  const auto all = placeholders(scene);
+  if (std::all_of(all.begin(), all.end(),
+                  [](const Placeholder& one) { return inShellQuotes(one.value) == one.value; }))
+    return fillIn(text, all);
+  return fmt::format("{} with {} {}", text, sceneWord, scene.file.string());
+}
+
+std::vector<std::string> RenderCommand::madeOf(const SceneFile& scene,
+                                               const std::vector<SceneFile>& scenes) const {
   std::vector<std::string> own;
-  for (const std::string& picture : listPictures(folder).pictures)
-    if (!eachScene() || isOf(picture, scene.name)) own.push_back(picture);
+  for (const std::string& picture : listPictures(folder).pictures) {
+    const SceneFile* owner = eachScene() ? ownerOf(picture, scenes) : &scene;
+    if (owner != nullptr && owner->name == scene.name) own.push_back(picture);
+  }
   return own;
 }
 
-void RenderCommand::makeRoom(const SceneFile& scene) const {
+void RenderCommand::makeRoom(const SceneFile& scene, const std::vector<SceneFile>& scenes) const {
   makeFolders((folder / scene.name).parent_path());
   if (!eachScene()) return;
   // A folder of its own: {output}/####.png expects it.
   if (text.find("{output}/") != std::string::npos) makeFolders(folder / scene.name);
-  for (const std::string& picture : madeOf(scene)) removeFile(folder / picture);
+  for (const std::string& picture : madeOf(scene, scenes)) removeFile(folder / picture);
 }
 
-void RenderCommand::run(const SceneFile& scene) const {
-  const std::string command = of(scene);
-  // What it prints goes with its messages: only the end of those is ever shown.
-  ChildCommand child("{ " + command + "\n} >&2", "the command");
-  static_cast<void>(child.rest(0));
+void RenderCommand::run(const SceneFile& scene, const std::vector<SceneFile>& /*scenes*/) const {
+  const std::string command = fillIn(text, placeholders(scene));
   try {
+    // What it prints goes with its messages: only the end of those is ever shown.
+    ChildCommand child(
+        "export SIMREEL_SCENE=\"$1\" SIMREEL_OUTPUT=\"$2\" SIMREEL_BASE=\"$3\"; shift 3; { " + command +
+            "\n} >&2",
+        "the command", {scene.file.string(), outputOf(scene, ' '), outputOf(scene, '.')}, timeout);
+    static_cast<void>(child.rest(0));
     child.finish();
   } catch (const UserError& error) {
-    throw UserError(ExitCode::inputOutput, fmt::format("{} ({})", error.what(), oneLine(command)));
+    throw UserError(ExitCode::inputOutput, fmt::format("{} ({})", error.what(), oneLine(of(scene))));
   }
 }
 
-void RenderCommand::checkMade(const SceneFile& scene) const {
-  if (madeOf(scene).empty())
+void RenderCommand::checkMade(const SceneFile& scene, const std::vector<SceneFile>& scenes) const {
+  if (madeOf(scene, scenes).empty())
     fail(ExitCode::inputOutput, "the command ended well but made no picture {} ({})",
          eachScene() ? (folder / scene.name).string() + ".*" : "below " + folder.string(),
          oneLine(of(scene)));
 }
 
-std::vector<std::optional<UserError>> RenderCommand::runAll(const std::vector<SceneFile>& scenes,
-                                                            std::size_t jobs) const {
-  std::vector<std::optional<UserError>> mistakes(scenes.size());
+void RenderCommand::tryAll(const std::vector<SceneFile>& scenes, const std::vector<std::size_t>& chosen,
+                           std::size_t jobs, std::vector<CommandEnd>& ends) const {
   const auto trying = [&](std::size_t i, auto step) {
     try {
-      if (!mistakes[i]) (this->*step)(scenes[i]);
+      if (!ends[i].mistake) (this->*step)(scenes[i], scenes);
     } catch (const UserError& error) {
-      mistakes[i] = error;
+      ends[i].mistake = error;
     }
   };
-  // Before any runs: "a" would take "a.b.png" of "a.b" for its own.
-  for (std::size_t i = 0; i < scenes.size(); ++i) trying(i, &RenderCommand::makeRoom);
+  for (const std::size_t i : chosen) trying(i, &RenderCommand::makeRoom);
   std::atomic<std::size_t> next = 0;
   std::exception_ptr end;  // of all: an interrupt
   std::mutex guard;
   const auto work = [&] {
     try {
-      for (std::size_t i = next++; i < scenes.size(); i = next++) trying(i, &RenderCommand::run);
+      for (std::size_t i = next++; i < chosen.size(); i = next++) trying(chosen[i], &RenderCommand::run);
     } catch (...) {
       const std::lock_guard lock(guard);
       end = std::current_exception();
-      next = scenes.size();
+      next = chosen.size();
     }
   };
   {
     std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min(jobs, scenes.size()); ++i) others.emplace_back(work);
+    for (std::size_t i = 1; i < std::min(jobs, chosen.size()); ++i) others.emplace_back(work);
     work();
   }
   if (end) std::rethrow_exception(end);
-  for (std::size_t i = 0; i < scenes.size(); ++i) trying(i, &RenderCommand::checkMade);
-  return mistakes;
+  for (const std::size_t i : chosen) trying(i, &RenderCommand::checkMade);
+}
+
+std::vector<CommandEnd> RenderCommand::runAll(const std::vector<SceneFile>& scenes,
+                                              std::vector<std::size_t> chosen, std::size_t jobs) const {
+  std::vector<CommandEnd> ends(scenes.size());
+  tryAll(scenes, chosen, jobs, ends);
+  for (int attempt = 0; attempt < retries; ++attempt) {
+    std::erase_if(chosen, [&](std::size_t i) { return !ends[i].mistake; });
+    for (const std::size_t i : chosen) {
+      ends[i].failures.emplace_back(ends[i].mistake->what());
+      ends[i].mistake.reset();
+    }
+    tryAll(scenes, chosen, jobs, ends);
+  }
+  return ends;
 }
 
 std::vector<SceneFile> findInputs(std::span<const std::string> paths) {

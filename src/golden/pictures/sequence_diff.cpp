@@ -17,7 +17,6 @@
 #include <span>
 #include <string_view>
 #include <system_error>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -156,28 +155,31 @@ PairResult comparePair(const Pair& pair, const PairTerms& terms, const fs::path&
   PairResult result;
   const bool wantsImage = !differenceFile.empty();
   const auto bytesA = std::as_bytes(std::span(fileA)), bytesB = std::as_bytes(std::span(fileB));
-  // Checksums say that a PNG is whole; files of other kinds are decoded, or two that are cut off alike were
-  // equal.
-  if (const auto size = sizeOfPng(bytesA); size && sameEncodedPixels(bytesA, bytesB)) {
+  // One of two alike is decoded: what no decoder reads is equal to nothing.
+  if (sizeOfPng(bytesA) && sameEncodedPixels(bytesA, bytesB) && (!wantsImage || !always)) {
+    const Picture picture = decodePicture(fileA, "picture", pair.a.string());
     result.metrics = equalMetrics();
-    std::tie(result.width, result.height) = *size;
-    if (!wantsImage || !always) return result;
+    result.width = picture.image.width;
+    result.height = picture.image.height;
+    return result;
   }
   const auto [a, b] = decodeBoth(pair, fileA, fileB);
-  result.width = a.image.width;
-  result.height = a.image.height;
   for (const auto& [file, picture] : {std::pair(&pair.a, &a), std::pair(&pair.b, &b)})
     if (!picture->note.empty()) result.notes.push_back(file->string() + ": " + picture->note);
   const Comparison made = compare(a, b, terms.tolerance, terms.allowance, terms.measures);
+  result.width = made.a.width;
+  result.height = made.a.height;
   result.metrics = made.metrics;
   if (!made.colours.empty()) result.notes.push_back(made.colours);
+  if (!made.layerNote.empty()) result.notes.push_back(made.layerNote);
   result.broken = brokenBounds(*result.metrics, terms.tolerance, made.a.width, made.a.height);
   if (!made.sizes.empty())
     result.broken.insert(result.broken.begin(),
                          fmt::format("sizes differ: {} is {}x{}, {} is {}x{}; compared as {}x{}, padded",
                                      pair.a.string(), a.image.width, a.image.height, pair.b.string(),
                                      b.image.width, b.image.height, made.a.width, made.a.height));
-  const bool differs = result.metrics->differentPixels > 0 || !made.sizes.empty();
+  if (!made.layers.empty()) result.broken.insert(result.broken.begin(), made.layers);
+  const bool differs = result.metrics->differentPixels > 0 || !result.broken.empty();
   if (differs)
     result.outcome = result.broken.empty() ? PairResult::Outcome::within : PairResult::Outcome::different;
   if (wantsImage && (differs || always))

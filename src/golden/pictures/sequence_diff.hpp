@@ -34,7 +34,7 @@ struct PairList {
 struct PairResult {
   enum class Outcome { equal, within, different, unreadable };
   Outcome outcome = Outcome::equal;
-  int width = 0, height = 0;        ///< of A; 0 when unreadable
+  int width = 0, height = 0;        ///< of both, padded where they differ; 0 when unreadable
   std::optional<Metrics> metrics;   ///< none where a file could not be read
   std::vector<std::string> broken;  ///< why they are different, a clause each
   std::string message;              ///< unreadable: why

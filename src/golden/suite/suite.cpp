@@ -77,15 +77,19 @@ void applyExpectation(Outcome& made) {
   }
 }
 
-/// A pass after a failure.
-void makeFlaky(const Attempt& first, int attempt, SceneResult& result) {
+}  // namespace
+
+void addAttempts(std::vector<Attempt> attempts, SceneResult& result, int losses) {
+  if (attempts.empty()) return;
+  attempts.insert(attempts.end(), result.attempts.begin(), result.attempts.end());
+  result.attempts = std::move(attempts);
+  if (result.status != Status::pass) return;
+  const Attempt& first = result.attempts.front();
   result.status = Status::flaky;
   result.messages.push_back(
-      fmt::format("passed on try {}; before that: {}", attempt,
+      fmt::format("passed on try {}; before that: {}", result.attempts.size() + std::size_t(losses) + 1,
                   first.messages.empty() ? statusName(first.status) : first.messages.front()));
 }
-
-}  // namespace
 
 Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device, int losses) {
   const auto begin = Clock::now();
@@ -101,8 +105,7 @@ Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Dev
     everHardFailed = everHardFailed || made.hardFailed;
   }
   SceneResult& result = made.scene;
-  if (!attempts.empty() && result.status == Status::pass) makeFlaky(attempts.front(), attempt, result);
-  result.attempts = std::move(attempts);
+  addAttempts(std::move(attempts), result, losses);
   for (std::size_t i = 0; i < earlier.size(); ++i)
     addEarlier(earlier[i], fmt::format("attempt {}", std::size_t(losses) + i + 1), result);
   applyExpectation(made);
@@ -118,11 +121,9 @@ void addLosses(const std::vector<std::string>& losses, Outcome& made) {
   std::vector<Attempt> attempts;
   attempts.reserve(losses.size());
   for (const std::string& loss : losses) attempts.push_back({Status::error, {loss}});
-  if (result.status == Status::pass) {
-    makeFlaky(attempts.front(), static_cast<int>(losses.size()) + 1, result);
-    result.blame = blameOf(result);
-  }
-  result.attempts.insert(result.attempts.begin(), attempts.begin(), attempts.end());
+  const bool passed = result.status == Status::pass;
+  addAttempts(std::move(attempts), result);
+  if (passed) result.blame = blameOf(result);
 }
 
 }  // namespace simreel::golden

@@ -42,6 +42,10 @@ struct Device {
 [[nodiscard]] Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device,
                                 int losses = 0);
 
+/// Puts failed tries before those of a result, which is flaky where it passed. `losses`: tries before them
+/// that are added later.
+void addAttempts(std::vector<Attempt> attempts, SceneResult& result, int losses = 0);
+
 /// Puts tries whose processes ended, with what each said of it, before those of a scene that was then done.
 void addLosses(const std::vector<std::string>& losses, Outcome& made);
 

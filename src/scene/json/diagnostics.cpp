@@ -74,6 +74,13 @@ void Diagnostics::add(Place place, std::string message) {
   if (!full()) errors_.push_back({place, std::move(message)});
 }
 
+bool Diagnostics::anyWithin(Place place) const {
+  return full() || std::any_of(errors_.begin(), errors_.end(), [&](const Error& error) {
+           return error.place.source == place.source && error.place.begin >= place.begin &&
+                  error.place.begin < place.end;
+         });
+}
+
 void Diagnostics::remark(Place place, std::string message) {
   if (remarks_.size() < maxKept) remarks_.push_back({place, std::move(message)});
 }

@@ -30,6 +30,8 @@ class Diagnostics {
 
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] std::size_t count() const { return count_; }
+  /// Whether a mistake lies in a place.
+  [[nodiscard]] bool anyWithin(Place place) const;
   /// No more mistakes are kept from here on, only counted; callers may stop looking.
   [[nodiscard]] bool full() const { return errors_.size() >= maxKept; }
   [[nodiscard]] std::string_view textAt(Place place) const;

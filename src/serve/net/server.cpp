@@ -14,6 +14,7 @@
 #include <new>
 #include <optional>
 #include <set>
+#include <sys/socket.h>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -23,6 +24,8 @@ namespace simreel::serve {
 namespace {
 
 constexpr std::size_t pieceBytes = std::size_t{32} << 10;  ///< that a socket is offered at once
+constexpr unsigned short headerRooms = 64;                 ///< of connections that are being read at once
+constexpr std::size_t mostStrangers = 32;
 constexpr int picturesUnderWay = 2;  ///< sent to a viewer that has not said yet that it shows them
 
 /// What is on its way to one connection. Made and ended by the library's callbacks.
@@ -79,6 +82,7 @@ struct Server::State {
   std::thread thread;
   std::atomic<bool> stop{false};
   std::set<lws*> viewers;
+  std::deque<lws*> strangers;  ///< who has not shown the token, the eldest first
   int connections = 0;
   std::vector<unsigned char> scratch;
 
@@ -94,6 +98,8 @@ struct Server::State {
   int sendBody(lws* wsi, Connection& to);
   [[nodiscard]] bool admits(lws* wsi) const;
   int receive(lws* wsi, Connection& from, const char* in, std::size_t length);
+  void welcome(lws* wsi);
+  void know(lws* wsi);
   int say(lws* wsi, Connection& from);
   bool next(Connection& to);
   int sendPiece(lws* wsi, Connection& to);
@@ -146,7 +152,7 @@ void Server::State::listen() {
   info.server_string = "simreel";
   info.vhost_name = "simreel";
   info.max_http_header_data = 4096;
-  info.max_http_header_pool = 64;
+  info.max_http_header_pool = headerRooms;
   errno = 0;
   context = lws_create_context(&info);
   if (context != nullptr) host = lws_get_vhost_by_name(context, info.vhost_name);
@@ -165,9 +171,11 @@ int Server::State::handle(lws* wsi, lws_callback_reasons reason, Slot* slot, voi
       return connections >= mostConnections ? 1 : 0;
     case LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED:
       ++connections;
+      welcome(wsi);
       return 0;
     case LWS_CALLBACK_WSI_DESTROY:
       if (connections > 0) --connections;
+      know(wsi);
       return 0;
     case LWS_CALLBACK_HTTP:
       if (slot->connection == nullptr) slot->connection = new Connection();
@@ -177,6 +185,7 @@ int Server::State::handle(lws* wsi, lws_callback_reasons reason, Slot* slot, voi
     case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION:
       return admits(wsi) ? 0 : -1;
     case LWS_CALLBACK_ESTABLISHED:
+      know(wsi);
       slot->connection = new Connection();
       slot->connection->viewer = hub.enter();
       viewers.insert(wsi);
@@ -203,6 +212,20 @@ int Server::State::handle(lws* wsi, lws_callback_reasons reason, Slot* slot, voi
   }
 }
 
+/// Each connection that has not shown the token holds room for its headers: beyond so many the eldest goes,
+/// so that none keeps who has it waiting.
+void Server::State::welcome(lws* wsi) {
+  strangers.push_back(wsi);
+  if (strangers.size() <= mostStrangers) return;
+  // A timeout of the library's would be set anew by the next byte.
+  ::shutdown(lws_get_socket_fd(strangers.front()), SHUT_RDWR);
+  strangers.pop_front();
+}
+
+void Server::State::know(lws* wsi) {
+  strangers.erase(std::remove(strangers.begin(), strangers.end(), wsi), strangers.end());
+}
+
 int Server::State::refuse(lws* wsi, Connection& to, int status, const char* text) {
   return begin(wsi, to, status, "text/plain; charset=utf-8", std::make_shared<const std::string>(text));
 }
@@ -214,6 +237,7 @@ int Server::State::answer(lws* wsi, Connection& to, std::string_view path) {
   std::string_view name;
   if (!guard.splitPath(path, name))
     return refuse(wsi, to, 403, "simreel: open the whole address that `simreel serve` has printed\n");
+  know(wsi);
   const std::unique_ptr<Content> found = options.find(name.empty() ? "index.html" : name);
   if (!found) return refuse(wsi, to, 404, "simreel: there is nothing of this name\n");
   return begin(wsi, to, 200, found->type.c_str(), found->bytes);

@@ -49,14 +49,22 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
   }
 }
 
+/// What separates the values of a file whose first line this is: programs of countries with a decimal comma
+/// write semicolons, spreadsheets tabs.
+char separatorOf(std::string_view line) {
+  for (const char separator : {',', ';', '\t'})
+    if (line.find(separator) != std::string_view::npos) return separator;
+  return ',';
+}
+
 /// Parts of a line of CSV, which may be in quotes.
-std::vector<std::string_view> splitCsv(std::string_view line) {
+std::vector<std::string_view> splitCsv(std::string_view line, char separator) {
   std::vector<std::string_view> parts;
   bool quoted = false;
   std::size_t begin = 0;
   for (std::size_t at = 0; at <= line.size(); ++at) {
     if (at < line.size() && line[at] == '"') quoted = !quoted;
-    if (at < line.size() && (quoted || line[at] != ',')) continue;
+    if (at < line.size() && (quoted || line[at] != separator)) continue;
     std::string_view part = trimmed(line.substr(begin, at - begin));
     if (part.size() >= 2 && part.front() == '"' && part.back() == '"')
       part = trimmed(part.substr(1, part.size() - 2));
@@ -135,11 +143,13 @@ void readCsv(std::string_view text, Collector& collector) {
     text.remove_prefix(byteOrderMark.size());
   std::int64_t number = 0;
   std::vector<std::optional<Column>> layout;
+  char separator = ',';
   while (!text.empty()) {
     const std::string_view line = takeLine(text);
     ++number;
     if (line.empty() || line.front() == '#') continue;
-    const auto parts = splitCsv(line);
+    if (layout.empty()) separator = separatorOf(line);
+    const auto parts = splitCsv(line, separator);
     if (layout.empty()) {
       std::array<bool, columns> given{};
       for (const std::string_view part : parts) {

@@ -10,7 +10,6 @@ import xml.etree.ElementTree as ElementTree
 from common import PROGRAM, SOURCE, main, png_rows
 from golden_common import RED, GoldenCase, png
 
-STEPS = SOURCE / "tools/ci/steps.sh"
 # Variables that a server running these tests sets itself.
 SERVER = {"GITHUB_ACTIONS": "", "GITHUB_STEP_SUMMARY": "", "CI_PROJECT_DIR": "", "WORKSPACE": ""}
 
@@ -119,54 +118,139 @@ class Servers(GoldenCase):
         self.assertNotIn("ATTACHMENT", (self.folder / "j.xml").read_text(encoding="utf-8"))
 
 
-class Steps(GoldenCase):
-    def step(self, code, *arguments, **env):
-        server = {**os.environ, **SERVER, "SIMREEL": PROGRAM, "SCENES": "scenes", "JOBS": "1", **env}
-        done = subprocess.run([STEPS, *arguments], cwd=self.folder, env=server, capture_output=True, text=True, check=False)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done
+def shell_steps(text):
+    """{job: its shell steps in order} of a workflow of GitHub Actions or GitLab, read by indentation; those of what a job extends
+    come first. A step is (its own environment, script)."""
+    jobs, job, steps, bases, env = {}, None, [], {}, {}
+    lines = [line for line in text.split("\n") if line.strip() and not line.strip().startswith("#")]
+    github = "jobs:" in lines
+    top = 2 if github else 0
+    inside = not github
+    for i, line in enumerate(lines):
+        depth = len(line) - len(line.lstrip())
+        word = line.strip()
+        inside = inside or word == "jobs:"
+        if inside and depth == top and word.endswith(":") and word != "jobs:":
+            job = word[:-1]
+            steps = jobs.setdefault(job, [])
+        elif word.startswith("extends: "):
+            bases[job] = word.removeprefix("extends: ")
+        elif github and word.startswith("- "):
+            env = {}
+        if github and word.startswith("env: {") and depth > top + 2:
+            env.update(re.findall(r'(\w+): "([^"]*)"', word))
+        if github and "run: " in word:
+            script = word.partition("run: ")[2]
+            if script == "|":
+                block = []
+                for more in lines[i + 1:]:
+                    if len(more) - len(more.lstrip()) <= depth:
+                        break
+                    block.append(more.strip())
+                script = "\n".join(block)
+            steps.append((env, script))
+        elif not github and word in ("script:", "before_script:"):
+            for more in lines[i + 1:]:
+                if not more.strip().startswith("- ") or len(more) - len(more.lstrip()) <= depth:
+                    break
+                steps.append(({}, more.strip()[2:]))
+    return {name: jobs.get(bases.get(name), []) + own for name, own in jobs.items() if not name.startswith(".")}
 
-    def test_steps(self):
-        """As tools/ci/github.yml and gitlab.yml have a server run them, on one machine."""
+
+class Workflows(GoldenCase):
+    """The shell steps of tools/ci/github.yml and gitlab.yml in a repository that has scenes and nothing of simreel's, on machines
+    that have no simreel until they have installed the package."""
+
+    def setUp(self):
+        super().setUp()
         self.set_scene({}, "b")
         self.make_baselines()
         self.set_scene(RED, "b")
-        self.step(0, "test", "1/3")
-        self.step(1, "test", "2/3")
-        self.step(0, "test", "3/3")  # which no scene falls into
-        for _ in range(2):  # again, over what it left
-            self.step(1, "merge")
-        reports = self.folder / "simreel-reports"
-        self.assertEqual(sorted(p.name for p in reports.iterdir()), ["1", "2", "3", "all", "junit.xml", "summary.md"])
-        self.assertIn("data:image/png", (reports / "summary.md").read_text(encoding="utf-8"))
-        self.assertIn("[[ATTACHMENT|simreel-reports/all/files/b/", (reports / "junit.xml").read_text(encoding="utf-8"))
-        summary = self.folder / "summary"
-        done = self.step(1, "merge", GITHUB_ACTIONS="true", GITHUB_STEP_SUMMARY=str(summary), REPORT_URL="https://host/r")
-        self.assertIn("::error file=scenes/b.json,line=", done.stdout)
-        self.assertIn('src="https://host/r/files/b/', summary.read_text(encoding="utf-8"))
-        self.good("accept", "simreel-reports/all")
-        shutil.rmtree(reports)
-        for part in "12":
-            self.step(0, "test", f"{part}/3")
-        self.assertIn("no report of shard 3/3", self.step(5, "merge").stdout)  # its machine was lost
-        self.step(2, "test")
-        self.step(2, "tset")
+        package = self.write("package.deb", "the package")
+        # What fetches and installs: curl gives the package, apt-get installs what it is given and knows.
+        self.tools = self.folder / "tools"
+        self.machines = 0
+        stubs = {"curl": f'[ "$1 $2 $4" = "-fsSL -o https://example.com/simreel_amd64.deb" ] && cp "{package}" "$3"',
+                 "apt-get": 'case "$*" in "update -qq") ;; "install -y -qq ca-certificates curl"*) ;;\n'
+                            '"install -y -qq /tmp/simreel.deb") [ "$(cat /tmp/simreel.deb)" = "the package" ] && ln -s "$PROGRAM" "$BIN/simreel" ;;\n'
+                            "*) echo \"apt-get: $*?\" >&2; exit 100 ;; esac"}
+        for name, text in stubs.items():
+            self.write(f"tools/{name}", "#!/bin/sh\n" + text.replace("/tmp/simreel.deb", str(self.folder / "fetched.deb")) + "\n").chmod(0o755)
 
-    def test_the_examples_call_them(self):
-        """Every step, with what their servers put in, and nothing that the steps do not know."""
-        def calls(name):
-            text = (SOURCE / "tools/ci" / name).read_text(encoding="utf-8")
-            try:
-                import yaml
-                self.assertIsInstance(yaml.safe_load(text), dict)
-            except ImportError:
-                pass
-            return re.findall(r"^ +- (?:run: )?(tools/ci/steps\.sh .+)$", text, re.M)
-        self.assertEqual(calls("github.yml"), ["tools/ci/steps.sh test ${{ matrix.part }}/4", "tools/ci/steps.sh merge"])
-        self.assertEqual(calls("gitlab.yml"),
-                         ['tools/ci/steps.sh test "$CI_NODE_INDEX/$CI_NODE_TOTAL"', "tools/ci/steps.sh merge"])
-        self.assertIn("part: [1, 2, 3, 4]", (SOURCE / "tools/ci/github.yml").read_text(encoding="utf-8"))
-        self.assertIn("parallel: 4", (SOURCE / "tools/ci/gitlab.yml").read_text(encoding="utf-8"))
+    def run_job(self, steps, values, reports, **env):
+        """In a fresh clone on a fresh machine, as far as its own programs go; returns the code of its last step and what it said.
+        Reports of jobs before are put there, and taken from there, as their artifacts are."""
+        self.machines += 1
+        clone, binaries = (self.folder / f"{kind}{self.machines}" for kind in ("clone", "bin"))
+        binaries.mkdir()
+        shutil.copytree(self.folder / "scenes", clone / "scenes")
+        if reports.exists():
+            shutil.copytree(reports, clone / "simreel-reports")
+        whole = {"PATH": f"{self.tools}:{binaries}:/usr/bin:/bin", "BIN": str(binaries), "PROGRAM": PROGRAM, "HOME": str(clone),
+                 "SIMREEL_PACKAGE": "https://example.com/simreel_amd64.deb", "SCENES": "scenes", **env}
+        said = ""
+        for own, script in steps:
+            for name, value in values.items():
+                script = script.replace(name, value)
+                own = {key: text.replace(name, value) for key, text in own.items()}
+            script = script.replace("/tmp/simreel.deb", str(self.folder / "fetched.deb"))
+            self.assertNotIn("${{", script + "".join(own.values()))
+            if "MESA_SHADER_CACHE_DIR=" in script:  # the cache of this machine's tests does as well, and is full
+                script = script.replace(script[script.index("export MESA"):].split("\n")[0], ":")
+            done = subprocess.run(["bash", "-e", "-c", script], cwd=clone, env={**whole, **own}, capture_output=True, text=True, check=False)
+            said += done.stdout + done.stderr
+            if done.returncode != 0:
+                break
+        if (clone / "simreel-reports").exists():
+            shutil.copytree(clone / "simreel-reports", reports, dirs_exist_ok=True)
+        return done.returncode, said
+
+    def declared(self, text):
+        self.assertIn("SIMREEL_PACKAGE: https://example.com/simreel_amd64.deb", text)
+        self.assertIn("SCENES: scenes", text)
+
+    def test_github(self):
+        text = (SOURCE / "tools/ci/github.yml").read_text(encoding="utf-8")
+        self.declared(text)
+        self.assertIn("part: [1, 2, 3, 4]", text)
+        jobs = shell_steps(text)
+        self.assertEqual(list(jobs), ["test", "merge"])
+        reports, summary = self.folder / "reports", self.folder / "summary"
+        codes = [self.run_job(jobs["test"], {"${{ matrix.part }}": str(part)}, reports) for part in (1, 2, 3, 4)]
+        self.assertEqual([code for code, _ in codes], [0, 1, 0, 0], codes)
+        self.assertEqual(sorted(p.name for p in reports.iterdir()), ["1", "2", "3", "4"])
+        for address, source in (("", "data:image/png"), ("https://host/r", 'src="https://host/r/files/b/')):
+            code, said = self.run_job(jobs["merge"], {"${{ vars.REPORT_URL }}": address}, reports, GITHUB_STEP_SUMMARY=str(summary))
+            self.assertEqual(code, 1, said)
+            self.assertIn("::error file=scenes/b.json,line=", said)
+            self.assertIn(source, summary.read_text(encoding="utf-8"))
+            self.assertTrue((reports / "all/index.html").exists())
+            summary.unlink()
+            shutil.rmtree(reports / "all")
+        shutil.rmtree(reports / "3")
+        code, said = self.run_job(jobs["merge"], {"${{ vars.REPORT_URL }}": ""}, reports, GITHUB_STEP_SUMMARY=str(summary))
+        self.assertIn("no report of shard 3/4", said)  # its machine was lost
+
+    def test_gitlab(self):
+        text = (SOURCE / "tools/ci/gitlab.yml").read_text(encoding="utf-8")
+        self.declared(text)
+        self.assertIn("parallel: 4", text)
+        jobs = shell_steps(text)
+        jobs.pop("variables")
+        self.assertEqual(list(jobs), ["golden", "golden-report"])
+        reports = self.folder / "reports"
+        codes = [self.run_job(jobs["golden"], {}, reports, CI_NODE_INDEX=str(part), CI_NODE_TOTAL="4")[0] for part in (1, 2, 3, 4)]
+        self.assertEqual(codes, [0, 1, 0, 0])
+        code, said = self.run_job(jobs["golden-report"], {}, reports)
+        self.assertEqual(code, 1, said)
+        self.assertIn("[[ATTACHMENT|", (reports / "junit.xml").read_text(encoding="utf-8"))
+        self.assertTrue((reports / "summary.md").exists())
+
+    def test_a_package_that_cannot_be_had_ends_the_job(self):
+        (self.folder / "package.deb").unlink()
+        jobs = shell_steps((SOURCE / "tools/ci/github.yml").read_text(encoding="utf-8"))
+        self.assertNotEqual(self.run_job(jobs["test"], {"${{ matrix.part }}": "1"}, self.folder / "reports")[0], 0)
+        self.assertFalse((self.folder / "reports").exists())
 
 
 if __name__ == "__main__":

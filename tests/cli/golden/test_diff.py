@@ -240,9 +240,35 @@ class Pictures(DiffCase):
                                   (["--max-flip-mean", "nan"], "a.png", "b.png", "--max-flip-mean", "nan"),
                                   (["--window-size", "1 to"], "a.png", "b.png", "--window-size", "0"),
                                   (["-o folder is a folder"], "a.png", "b.png", "-o", "folder"),
+                                  (["the difference is a PNG picture", ".exr"], "a.png", "b.png", "-o", "d.exr"),
+                                  (["the difference is a PNG picture", ".jpg"], "a.png", "b.png", "-o", "d.JPG"),
                                   (["may stand once"], "##_##.png", "##_##.png")):
             with self.subTest(arguments):
                 self.bad(2, words, "diff", *arguments)
+
+
+class Sizes(DiffCase):
+    def test_shares_are_of_what_is_compared(self):
+        self.write("a.png", png(picture(8, 4, lambda x, y: (255, 255, 255))))
+        self.write("b.png", png(picture(8, 8, lambda x, y: (128, 0, 128))))
+        done = self.diff(1, "a.png", "b.png")
+        self.assertIn("size            8x8\n", done.out)
+        self.assertIn("64 differ (100%)", done.out)
+        found = self.json(1, "b.png", "a.png")
+        self.assertEqual((found["width"], found["height"], found["metrics"]["ratioBeyond"]), (8, 8, 1))
+
+    def test_long_pictures(self):
+        """More than 16384 on a side, of 8 and of 16 bits."""
+        for depth, pixel in ((8, b"\1\2\3"), (16, b"\0\1\0\2\0\3")):
+            row = b"\0" + 2 * pixel
+            self.write("a.png", png(None, depth=depth, size=(2, 20000), raw=20000 * row))
+            self.write("b.png", png(None, depth=depth, size=(2, 20000), raw=19999 * row + b"\0" + pixel + b"\7" * len(pixel)))
+            self.assertEqual(self.json(0, "a.png", "a.png")["height"], 20000)
+            metrics = self.json(1, "a.png", "b.png", "--quick")["metrics"]
+            self.assertEqual((metrics["differentPixels"], metrics["worstX"], metrics["worstY"]), (1, 1, 19999))
+        # The pixels count: a small file does not take all memory.
+        self.write("a.png", png(None, size=(100000, 100000), raw=bytes(10000)))
+        self.bad(6, ["100000x100000", "million pixels"], "diff", "a.png", "b.png")
 
 
 class BrokenFiles(DiffCase):
@@ -262,7 +288,6 @@ class BrokenFiles(DiffCase):
             self.refused([f"cut off after {size} bytes"], whole[:size])
         for at in (18, 45, len(whole) - 20, len(whole) - 2):
             self.refused(["is corrupt (wrong checksum"], whole[:at] + bytes([whole[at] ^ 4]) + whole[at + 1:])
-        self.refused(["3 bytes follow"], whole + b"abc")
         self.refused(["no header"], whole[:8] + whole[33:])
         self.refused(["no pixels"], whole[:33] + chunk(b"IEND", b""))
 
@@ -277,9 +302,23 @@ class BrokenFiles(DiffCase):
         self.refused(["animated"], png(BASE, extra=chunk(b"acTL", bytes(8))))
 
     def test_pixels_are_missing_inside(self):
+        """Also of two files that are byte for byte the same."""
         self.write("a.png", png(BASE))
         self.write("b.png", png(None, size=(20, 12), raw=bytes(100)))
         self.bad(6, ["b.png"], "diff", "a.png", "b.png")
+        self.bad(6, ["b.png"], "diff", "b.png", "b.png")
+        shutil.copy(self.folder / "b.png", self.folder / "c.png")
+        self.bad(6, ["b.png"], "diff", "b.png", "c.png", "--quick")
+
+    def test_what_follows_a_png_is_no_part_of_it(self):
+        whole = png(BASE)
+        self.write("a.png", whole)
+        for more in (b"abc", bytes(1000), whole):
+            self.write("b.png", whole + more)
+            for order in (("a.png", "b.png"), ("b.png", "a.png"), ("b.png", "b.png")):
+                self.assertEqual(self.json(0, *order)["result"], "equal")
+        self.write("b.png", png(picture(20, 12, lambda x, y: (1, 2, 3))) + b"abc")
+        self.assertEqual(self.json(1, "a.png", "b.png")["metrics"]["differentPixels"], 240)
 
     def test_missing(self):
         self.write("a.png", png(BASE))

@@ -3,10 +3,12 @@ import json
 import shutil
 import struct
 import subprocess
+import tempfile
 import unittest
 import zlib
 
 from common import Case, main
+from exr_file import write_exr
 from golden_common import png
 
 WIDTH, HEIGHT = 24, 16
@@ -158,6 +160,92 @@ class Kinds(PicturesCase):
         self.suite(1, "--search-radius", "2", "--ignore-antialiased", "--max-channel-diff", "254")
 
 
+class Layers(PicturesCase):
+    """Channels of OpenEXR files that no screen shows."""
+    SIZE = (6, 4)
+    COUNT = SIZE[0] * SIZE[1]
+    MATTE = {"cryptomatte/0123456/name": "Crypto"}
+
+    def exr(self, changes=None, without=(), more=None, part=None, display=None):
+        """With values of some channels changed: {"Z": {pixel: value}}."""
+        channels = {"R": (1, [0.25] * self.COUNT), "G": (1, [0.5] * self.COUNT), "B": (1, [0.75] * self.COUNT),
+                    "Z": (2, [3.0 + i for i in range(self.COUNT)]), "N.X": (2, [0.5] * self.COUNT), "id": (0, list(range(self.COUNT))),
+                    "Crypto00.R": (2, [1e-30] * self.COUNT), "Crypto00.G": (2, [1.0] * self.COUNT), **(more or {})}
+        for name, values in (changes or {}).items():
+            changed_values = list(channels[name][1])
+            for pixel, value in values.items():
+                changed_values[pixel] = value
+            channels[name] = (channels[name][0], changed_values)
+        for name in without:
+            del channels[name]
+        parts = [(*self.SIZE, channels, self.MATTE)]
+        if part is not None:
+            parts.append((*self.SIZE, {"Z": (2, part)}, {}))
+        return write_exr(*parts, display=display)
+
+    def test_each_differs(self):
+        self.both("a.exr", self.exr())
+        results, _ = self.suite(0)
+        self.assertEqual(results["a.exr"]["notes"], [])
+        for changes, words in (({"Z": {8: 10.5}}, "layers that differ: Z at 1 pixel (11 and 10.5 at x 2, y 1)"),
+                               ({"N.X": {0: 0.25, 1: float("nan")}}, "N.X at 2 pixels (0.5 and nan at x 1, y 0)"),
+                               ({"id": {23: 22}}, "id at 1 pixel (00000017 and 00000016 at x 5, y 3)"),
+                               ({"Crypto00.R": {3: 2e-30}}, "Crypto00.R at 1 pixel"), ({"Crypto00.G": {3: 0.5}}, "Crypto00.G at 1 pixel")):
+            with self.subTest(words):
+                self.write("actual/a.exr", self.exr(changes))
+                results, _ = self.suite(1)
+                self.assertEqual(results["a.exr"]["status"], "fail")
+                self.assertIn(words, " ".join(results["a.exr"]["notes"]))
+                self.assertEqual(results["a.exr"]["frames"][0]["metrics"]["differentPixels"], len(next(iter(changes.values()))))
+                done = self.run_program("diff", "expected/a.exr", "actual/a.exr")
+                self.assertEqual(done.returncode, 1)
+                self.assertIn(words, done.stdout.decode())
+        self.suite(0, "--update")
+        self.assertEqual((self.folder / "expected/a.exr").read_bytes(), (self.folder / "actual/a.exr").read_bytes())
+
+    def test_bounds_and_masks(self):
+        self.both("a.exr", self.exr(), self.exr({"Z": {8: 11.01}}))  # 2.55 of 255
+        for bound, code in (("2", 1), ("3", 0)):
+            self.suite(code, "--max-channel-diff", bound)
+        self.write("mask.png", picture(lambda x, y: ((255,) if (x, y) == (2, 1) else (0,)), size=self.SIZE, kind=0))
+        self.suite(0, "--mask", "mask.png")
+        self.write("actual/a.exr", self.exr({"Crypto00.R": {3: 2e-30}}))
+        self.suite(1, "--max-channel-diff", "254")  # another object is another object
+
+    def test_what_has_no_size(self):
+        """No bound excuses it."""
+        more = {"depth": (2, [1.0] * self.COUNT)}
+        for a, b, words in ((self.exr(), self.exr(without=("Z", "id")), "only the baseline has Z, id"),
+                            (self.exr(), self.exr(more=more), "only the picture has depth"),
+                            (self.exr(display=(3, 2)), self.exr({"Z": {5: 1}}, display=(3, 2)), "pixels outside of the display window differs"),
+                            (self.exr(display=(3, 2)), self.exr({"R": {5: 1}}, display=(3, 2)), "pixels outside of the display window differs")):
+            with self.subTest(words):
+                self.both("a.exr", a, b)
+                results, _ = self.suite(1, "--max-diff-ratio", "1")
+                self.assertIn(words, results["a.exr"]["messages"])
+                self.both("a.exr", a)
+                self.suite(0)
+
+    def test_parts(self):
+        depth = [1.0] * self.COUNT
+        self.both("a.exr", self.exr(part=depth))
+        self.suite(0)
+        self.write("actual/a.exr", self.exr(part=[2.0, *depth[1:]]))
+        results, _ = self.suite(1)
+        self.assertIn("layers that differ: part1.Z at 1 pixel (1 and 2 at x 0, y 0)", results["a.exr"]["notes"])
+
+    def test_accept_and_rename_look_at_layers(self):
+        self.write("expected/a.exr", self.exr())
+        self.write("actual/b.exr", self.exr({"Z": {0: 9}}))
+        results, _ = self.suite(1)
+        self.assertEqual(results["b.exr"]["renamedFrom"], "")
+        self.both("a.exr", self.exr(), self.exr({"Z": {0: 9}}))
+        (self.folder / "actual/b.exr").unlink()
+        self.suite(1)
+        self.good("accept", "report.json")
+        self.suite(0)
+
+
 class Differences(PicturesCase):
     def test_sizes_are_padded_and_said(self):
         self.both("a.png", picture(), picture(size=(WIDTH - 4, HEIGHT + 2)))
@@ -189,6 +277,23 @@ class Differences(PicturesCase):
         self.suite(0, "--update=prune")
         self.assertFalse((self.folder / "expected/gone.png").exists())
         self.assertEqual(set(self.statuses(0).values()), {"pass"})
+
+    def test_pictures_of_reports_are_no_baselines(self):
+        self.both("a.png", picture(), changed({(1, 1): (1, 1, 1)}))
+        for i, more in enumerate((("--report", "actual/report"), ("--json", "actual/b.json"), ("--markdown", "actual/c.md"),
+                                  ("--report", "expected/report"))):
+            self.good("test", "--expected", "expected", "--actual", "actual", "--update")
+            self.write("actual/a.png", changed({(2, 2): (i, 1, 1)}))
+            done = self.run_program("test", "--expected", "expected", "--actual", "actual", *more)
+            self.assertEqual(done.returncode, 1, done.err)
+            self.assertGreater(len(list(self.folder.rglob("difference.png"))), 0)
+        self.assertEqual(self.statuses(0, "--update"), {"a.png": "updated"})
+        self.assertEqual([p.relative_to(self.folder).as_posix() for p in self.folder.glob("expected/**/*.png") if "report/" not in str(p)],
+                         ["expected/a.png"])
+        # Nor are those of a folder within the other.
+        self.usage(["actual/golden lies below actual"], "--expected", "actual/golden", "--actual", "actual", "--update")
+        (self.folder / "expected/new").mkdir()
+        self.usage(["expected/new lies below expected"], "--expected", "expected", "--actual", "expected/new")
 
     def test_nothing_is_passed_over_in_silence(self):
         self.both("a.png", picture())
@@ -354,6 +459,86 @@ class Commands(PicturesCase):
         results, _ = self.suite(6, "in", actual=("--run", "true {scene} {output}"))
         self.assertIn("made no picture", results["one"]["messages"][0])
 
+    def test_one_of_the_scenes(self):
+        """What was not named is neither tested, nor removed, nor taken for renamed."""
+        for name in ("one", "two", "three"):
+            self.write(f"in/{name}.txt", changed({(1, 1): (len(name), 1, 1)}))
+        run = ("--run", "cp {scene} {output}")
+        self.statuses(0, "in", "--update", actual=run)
+        baselines = self.content("expected")
+        self.assertEqual(self.statuses(0, "in/one.txt", actual=run), {"one.png": "pass"})
+        self.bad(2, ["--update=prune has to know all scenes, and in/one.txt is one of them"], "test", "--expected", "expected", *run,
+                 "in/one.txt", "--update=prune")
+        self.write("in/new.txt", baselines["two.png"])  # the pixels of a scene that is not tested here
+        self.assertEqual(self.statuses(0, "in/new.txt", "--update", actual=run), {"new.png": "updated"})
+        self.assertEqual(self.content("expected"), {**baselines, "new.png": baselines["two.png"]})
+        # Of the whole folder: what is gone is stale.
+        (self.folder / "in/two.txt").unlink()
+        (self.folder / "in/new.txt").unlink()
+        self.assertEqual(self.statuses(1, "in", actual=run)["two.png"], "fail")
+        self.statuses(0, "in", "--update=prune", actual=run)
+        self.assertEqual(sorted(self.content("expected")), ["one.png", "three.png"])
+
+    def test_names_are_no_commands(self):
+        """Wherever a placeholder stands, a file's name is one argument or refused."""
+        names = ["a$(touch PWNED)", "b`touch PWNED`", "c';touch PWNED;'", 'd";touch PWNED;"', "e f", "g\\", "h&touch PWNED&", "i\nj"]
+        for name in names:
+            self.write(f"in/{name}.txt", picture())
+        for run in ("cp {scene} {output}", 'cp "{scene}" "{output}"', "cp '{scene}' '{output}'",
+                    'x="$(cat "{scene}" >/dev/null)" && cp {scene} "$x"{output}  # don\'t', 'cp "./{scene}" ./{output}',
+                    'cp "$SIMREEL_SCENE" "$SIMREEL_OUTPUT"; : {scene} {output}'):
+            with self.subTest(run):
+                shutil.rmtree(self.folder / "expected")
+                self.assertEqual(set(self.statuses(0, "in", "--update", actual=("--run", run, "--actual", "made"))), {f"{n}.png" for n in names})
+        for run in ("sh -c 'cp {scene} {output}'", 'sh -c "cp {scene} {output}"'):
+            with self.subTest(run):
+                results, _ = self.suite(2, "in", actual=("--run", run))
+                for result in results.values():
+                    self.assertIn('write "$SIMREEL_SCENE" there instead of {scene}', result["messages"][0])
+        self.assertEqual([str(p) for p in self.folder.rglob("PWNED*")], [])
+        # A name that no shell takes for anything else may stand there.
+        shutil.rmtree(self.folder / "expected")
+        self.write("plain/one.txt", picture())
+        self.assertEqual(self.statuses(0, "plain", "--update", actual=("--run", "sh -c 'cp {scene} {output}'")), {"one.png": "updated"})
+
+    def test_a_command_that_hangs_or_fails_at_times(self):
+        for name in ("one", "one.more"):
+            self.write(f"in/{name}.txt", picture())
+        self.statuses(0, "in", "--update", actual=("--run", "cp {scene} {output}"))
+        results, _ = self.suite(6, "in/one.txt", "--timeout", "0.2", actual=("--run", "sleep 1000 & echo asleep >&2; wait; : {scene} {output}"))
+        self.assertIn("took longer than 0.2 s (--timeout) and was ended: asleep", results["one"]["messages"][0])
+        run = ("--run", "case {scene} in *more*) ;; *) if mkdir tried; then %s; fi ;; esac; cp {scene} {output}")
+        for first, words in (("echo busy >&2; exit 1", "busy"), ("sleep 1000", "took longer than"), ("exit 0", "made no picture"),
+                             ("cp other.png {output}; exit 0", "1 pixel differs")):
+            with self.subTest(first):
+                self.write("other.png", changed({(1, 1): (1, 1, 1)}))
+                arguments = {"actual": (run[0], run[1] % first)}
+                retries = ("in", "--retries", "2", "--timeout", "2" if "sleep" in first else "1000")
+                results, done = self.suite(1, *retries, **arguments)
+                self.assertEqual({n: r["status"] for n, r in results.items()}, {"one.png": "flaky", "one.more.png": "pass"})
+                self.assertIn(words, results["one.png"]["attempts"][0]["messages"][0])
+                self.assertIn("passed on try 2; before that: ", results["one.png"]["messages"][0])
+                shutil.rmtree(self.folder / "tried")
+                self.suite(0, *retries, "--allow-flaky", **arguments)
+                shutil.rmtree(self.folder / "tried")
+                self.suite(1 if "cp" in first else 6, "in", "--timeout", retries[-1], **arguments)
+                shutil.rmtree(self.folder / "tried")
+        results, _ = self.suite(6, "in", "--retries", "2", actual=("--run", "echo no licence >&2; false {scene} {output}"))
+        self.assertEqual([len(r["attempts"]) for r in results.values()], [2, 2])
+        self.usage(["--retries and --timeout are for scenes and for --run"], "--expected", "expected", "--actual", "actual", "--retries", "1")
+
+    def test_reports_name_no_temporary_folder(self):
+        self.write("in/sub/one.txt", picture())
+        texts = []
+        for _ in range(2):
+            self.suite(0, "in", "--update", "--junit", "out.xml", actual=("--run", "cp {scene} {output}"))
+            self.suite(0, "in", "--junit", "out.xml", actual=("--run", "cp {scene} {output}"))
+            texts.append((self.folder / "out.xml").read_text())
+            self.assertIn('classname="in/sub" name="sub/one.png"', texts[-1])
+        shutil.rmtree(self.folder / "expected")
+        self.suite(0, "--update", "--junit", "out.xml", actual=("--run", "cp in/sub/one.txt {output}/a.png"))
+        self.assertIn('classname="expected" name="a.png"', (self.folder / "out.xml").read_text())
+
     def test_once(self):
         self.write("one.png", picture())
         run = ("--run", "mkdir -p {output}/sub && cp one.png {output}/sub/a.png")
@@ -406,6 +591,9 @@ class Reports(PicturesCase):
         report = json.loads(path.read_text())
         self.write("other.json", json.dumps({**report, "expected": "/tmp"}))
         self.bad(2, ["say so with --expected"], "accept", "other.json")
+        (self.folder / "link").symlink_to(tempfile.gettempdir())
+        self.write("other.json", json.dumps({**report, "expected": "link"}))
+        self.bad(1, ["leads out of this folder", "--expected"], "accept", "other.json")
         self.good("accept", "report.json", "--expected", str(self.folder / "expected"))
 
 

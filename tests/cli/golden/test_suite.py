@@ -67,6 +67,33 @@ class Baselines(GoldenCase):
         self.run_suite(0)
         self.bad(5, "nothing to accept", "accept", "report.json")
 
+    def test_accept_stays_below(self):
+        """A report from elsewhere names no scene out of this folder, by "..", from the root or over a link."""
+        self.make_baselines()
+        self.set_scene(RED)
+        report, done = self.run_suite(1)
+        self.assertIn("To accept: simreel accept report.json\n", done.out)
+        outside = self.folder.with_name(self.folder.name + "-outside")
+        self.addCleanup(shutil.rmtree, outside, True)
+        shutil.copytree(self.folder / "scenes", outside)
+        shutil.rmtree(outside / "golden")
+        (self.folder / "link").symlink_to(outside)
+        for file in (f"../{outside.name}/a.json", str(outside / "a.json"), "link/a.json"):
+            inputs = {file if k == "scenes/a.json" else k.replace("scenes/", file[:-6]): v for k, v in report["scenes"][0]["inputs"].items()}
+            self.write("report.json", json.dumps({**report, "scenes": [{**report["scenes"][0], "file": file, "inputs": inputs}]}))
+            self.bad(1, ["its baselines would go to", "which is not below this folder", "--scenes FOLDER"], "accept", "report.json")
+            self.assertFalse((outside / "golden").exists())
+        (self.folder / "scenes/golden").rename(self.folder / "golden before")
+        (self.folder / "scenes/golden").symlink_to(outside)
+        self.write("report.json", json.dumps(report))
+        self.bad(1, ["which is not below this folder"], "accept", "report.json")
+        # Whoever tests there is told how to accept, and may.
+        done = self.run_program("test", str(outside), "--json", "there.json")
+        words = f"simreel accept there.json --scenes {outside}"
+        self.assertIn(f"To accept: {words}\n", done.stdout.decode())
+        self.good(*words.split()[1:])
+        self.assertTrue((outside / "golden/a/any/baseline.json").exists())
+
     def test_accept_refuses_what_has_changed(self):
         self.make_baselines()
         self.set_scene(RED)

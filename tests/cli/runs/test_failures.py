@@ -36,9 +36,26 @@ class Device(Case):
         self.bad(4, ["no device matches"], "doctor", "--device", "nonsense")
         self.assertFalse((self.folder / "out").exists())
 
+    def test_a_small_stack(self):
+        """As much as drivers and threads need is taken, or it is said."""
+        def limited(size, hard):
+            return lambda: resource.setrlimit(resource.RLIMIT_STACK, (size << 10, hard))
+        self.good("render", "scene.json", "-o", "out/", "--frames", "0", preexec_fn=limited(64, resource.RLIM_INFINITY))
+        # Nobody may have more: as another user than root.
+        done = subprocess.run(["setpriv", "--bounding-set=-sys_resource", "--inh-caps=-sys_resource", "prlimit", f"--stack={64 << 10}:{64 << 10}",
+                               PROGRAM, "list"], cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertEqual(done.stderr, "simreel: error: the stack may have 64 KiB here, and drivers need 256; allow more: ulimit -s 8192\n")
+
     def test_no_driver(self):
         for env in ({"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"}, {"__EGL_VENDOR_LIBRARY_DIRS": str(self.folder)}):
             self.bad(4, ["install a driver", "simreel doctor"], "render", "scene.json", "-o", "out/", env=env)
+        # What the environment chooses is named first.
+        for name, value in (("GALLIUM_DRIVER", "softpipe"), ("MESA_GL_VERSION_OVERRIDE", "3.3"), ("__EGL_VENDOR_LIBRARY_FILENAMES", "/nothing")):
+            words = f"{name}={value} in the environment changes which driver there is: unset that first, or install a driver"
+            self.bad(4, [words], "render", "scene.json", "-o", "out/", env={name: value})
+            done = self.bad(4, [words], "doctor", env={name: value})
+            self.assertIn(f"Environment: {name}={value} changes which driver there is", done.stdout.decode())
             done = self.bad(4, "install a driver", "doctor", env=env)
             self.assertIn(b"EGL devices: none", done.stdout)
         self.assertFalse((self.folder / "out").exists())

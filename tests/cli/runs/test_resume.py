@@ -9,7 +9,7 @@ import subprocess
 import time
 import zlib
 
-from common import FRAMES, PATIENCE, PROGRAM, SLOW, Case, main, with_values
+from common import FRAMES, PATIENCE, PROGRAM, SLOW, Case, main, with_values, without_hash
 
 
 class Interrupted(Case):
@@ -177,7 +177,7 @@ class Resume(Case):
     def change_manifest(self, old, new, name="manifest.json"):
         text = (self.folder / "out" / name).read_text(encoding="utf-8")
         self.assertIn(old, text)
-        self.write(f"out/{name}", text.replace(old, new))
+        self.write(f"out/{name}", without_hash(text.replace(old, new)))
 
     def change_run(self, old, new):
         self.change_manifest(old, new, "run.json")
@@ -231,7 +231,7 @@ class Resume(Case):
     def test_malformed_manifests(self):
         """Nothing can be trusted then: all starts over, and says so."""
         whole = self.whole["manifest.json"].decode()
-        for text in ("", "{", "[]", "null", "{}", "\0\0", whole[:-30], whole.replace('"version": 3', '"version": 99'),
+        for text in ("", "{", "[]", "null", "{}", "\0\0", whole[:-30], whole.replace('"version": 4', '"version": 99'),
                      whole.replace('"frame":0', '"frame":"a"'), whole.replace('"frame":0', '"frame":1e99'),
                      whole.replace('"fps": 30.0', '"fps": 1e999'), "[" * 100000):
             self.write("out/manifest.json", text)
@@ -250,7 +250,7 @@ class Resume(Case):
         self.assertEqual(self.content("out"), self.whole)
 
     def test_manifest_with_wicked_names(self):
-        text = self.whole["manifest.json"].decode().replace("000001.png", "../scene.json")
+        text = without_hash(self.whole["manifest.json"].decode().replace("000001.png", "../scene.json"))
         self.write("out/manifest.json", text)
         self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual(self.content("out"), self.whole)
@@ -258,17 +258,42 @@ class Resume(Case):
     def test_wrong_state_is_noticed(self):
         text = self.whole["manifest.json"].decode()
         state = self.manifest("out")["frames"][3]["state"]
-        self.write("out/manifest.json", text.replace(state, "0" * len(state)))
+        self.write("out/manifest.json", without_hash(text.replace(state, "0" * len(state))))
         self.bad(1, ["frame 3", "--overwrite"], "render", "scene.json", "-o", "out/", "--resume")
+
+    def test_a_changed_digit_starts_over(self):
+        """One of a state before the checkpoint, which nothing simulates again, and one of pixels."""
+        text = self.whole["manifest.json"].decode()
+        for item in ("state", "pixels"):
+            value = self.manifest("out")["frames"][1][item]
+            self.write("out/manifest.json", text.replace(value, ("1" if value[0] == "0" else "0") + value[1:]))
+            done = self.good("render", "scene.json", "-o", "out/", "--resume")
+            self.assert_words(["out/manifest.json cannot be read: it was changed after it was written", "starting over"], done)
+            self.assertEqual(self.content("out"), self.whole)
 
     def test_skip_existing_keeps(self):
         self.damage()
+        self.path(2).write_bytes(self.whole["000002.png"])
         damaged = self.content("out")
-        self.good("render", "scene.json", "-o", "out/", "--skip-existing", "--seed", "7")
+        done = self.good("render", "scene.json", "-o", "out/", "--skip-existing")
+        self.assert_words("3 of 5 kept frames do not say that they are of this run; the manifest does not list them", done)
         after = self.content("out")
         for frame in (0, 1, 2, 3, 5):
             self.assertEqual(after[f"{frame:06}.png"], damaged[f"{frame:06}.png"])
-        self.assertIn("000004.png", after)
+        self.assertEqual([frame["frame"] for frame in self.manifest("out")["frames"]], [2, 4, 5])
+        self.good("render", "scene.json", "-o", "out/", "--resume")
+        self.assertEqual(self.content("out"), self.whole)
+
+    def test_skip_existing_refuses_another_run(self):
+        again = ("render", "scene.json", "-o", "out/", "--skip-existing")
+        words = ["cannot skip existing frames: ", "--overwrite"]
+        self.bad(2, words + ["-D seed=7 in this run and nothing in the earlier one"], *again, "--seed", "7")
+        (self.folder / "out/manifest.json").unlink()
+        self.bad(2, words + ["size is 32x18 in this run and 64x36 in out/000000.png"], *again, "--size", "32x18")
+        self.write("scene.json", with_values({"title": "other"}))
+        self.bad(2, words + ["scene hash is"], *again)
+        self.whole.pop("manifest.json")
+        self.assertEqual(self.content("out"), self.whole)
 
     def test_overwrite_replaces(self):
         self.damage()

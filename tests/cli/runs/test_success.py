@@ -127,6 +127,26 @@ class Streams(Case):
         self.assertEqual([e["frame"] for e in events[1:-1]], list(range(FRAMES)))
         self.assertEqual(events[-1]["status"], "ok")
 
+    def test_stage_times_of_frames_are_those_of_the_run(self):
+        """All that was simulated, drawn and read back is some frame's, also of frames that are passed over."""
+        self.write("scene.json", with_values({"objects.flag.cloth.substeps": 40}))
+        for frames in ("0-5", "1,5"):
+            done = self.good("render", "scene.json", "-o", "out/", "--progress", "ndjson", "-q", "--frames", frames, "--overwrite")
+            events = [json.loads(line) for line in done.err.splitlines()]
+            for stage in ("simulate", "draw", "readBack"):
+                of_frames = sum(e[stage] for e in events if e["event"] == "frame")
+                self.assertAlmostEqual(of_frames, events[-1][stage], delta=1e-5)
+                self.assertGreater(of_frames, 0)
+            self.assertGreater(events[-1]["encode"], 0)
+            self.assertLessEqual(sum(e["encode"] for e in events if e["event"] == "frame"), events[-1]["encode"] + 1e-5)
+
+    def test_a_film_of_every_third_frame_lasts_as_long(self):
+        done = self.good("render", "scene.json", "-o", "-", "--stream-format", "y4m", "--frames", "0-5x3")
+        self.assertIn(b" F10:1 ", done.stdout.partition(b"\n")[0])
+        done = self.good("render", "scene.json", "-o", "-", "--stream-format", "y4m", "--frames", "0,1,5")
+        self.assertIn(b" F30:1 ", done.stdout.partition(b"\n")[0])
+        self.assert_words("the frames are not evenly spaced", done)
+
     def test_all_messages_are_json(self):
         """Warnings, errors of every kind and the closing line."""
         def lines(*arguments):

@@ -244,6 +244,20 @@ class Sweep(Case):
         self.good("sweep", "job", "sw", "1")
         self.assertEqual((self.folder / "sw/jobs/0001/manifest.json").stat().st_ino, before)
 
+    def test_no_worker_outlives_a_killed_sweep(self):
+        """None goes on to finish its frame and keep its state, which the next run would wait for."""
+        self.write("slow.json", with_values(SLOW))
+        for arguments, places in ((("sweep", "slow.json", "--vary", "seed=1,2", "-o", "sw/", "--jobs", "2"), "sw/jobs/*"),
+                                  (("render", "slow.json", "-o", "out/", "--pieces", "2", "--jobs", "2"), "out/pieces/*")):
+            process = self.start(*arguments)
+            self.wait_until(lambda: list(self.folder.glob(f"{places}/*.png")), process)
+            workers = [int(name) for name in (pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text()).split()]
+            self.assertGreater(len(workers), 0)
+            process.kill()
+            process.wait(PATIENCE)
+            self.wait_until(lambda: not any(pathlib.Path(f"/proc/{worker}").exists() for worker in workers))
+            self.assertEqual(list(self.folder.glob(f"{places}/checkpoint")), [])
+
     def test_devices(self):
         """One process a device, whatever --jobs says; a scene's test does the same."""
         self.write("dish.json", with_values({"checks": []}, DISH))

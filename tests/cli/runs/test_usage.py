@@ -24,6 +24,33 @@ class CommandLine(Case):
         self.usage(["extra"], "schema", "extra")
         self.usage(["clth", "did you mean \"cloth\"?"], "list", "clth")
 
+    def test_mistyped_options(self):
+        """Named first, with the nearest of the command's and the command's page."""
+        for arguments, name, meant, command in (
+                (("render", "scene.json", "-o", "out/", "--frame", "3"), "--frame", "--frames", "render"),
+                (("render", "scene.json", "--outpt", "out/"), "--outpt", "--output", "render"),
+                (("render", "--sise=3x3"), "--sise", "--size", "render"), (("render", "scene.json", "-o", "out/", "--verbos"), "--verbos", "--verbose", "render"),
+                (("test", ".", "--filtr", "x"), "--filtr", "--filter", "test"),
+                (("report", "merge", "a", "-o", "b", "--junt", "c"), "--junt", "--junit", "report merge")):
+            with self.subTest(name):
+                self.bad(2, [f'simreel {command} has no option "{name}"; did you mean "{meant}"?; see `simreel {command} --help`'], *arguments)
+        self.usage(['simreel render has no option "--frobnicate"; see `simreel render --help`'], "render", "scene.json", "-o", "out/", "--frobnicate")
+        self.usage(["--output is required; see `simreel render --help`"], "render", "scene.json")
+        self.usage(['unknown command "mrge"; did you mean "merge"?; see `simreel report --help`'], "report", "mrge")
+        self.usage(["other.json", "see `simreel render --help`"], "render", "scene.json", "other.json", "-o", "out/")
+
+    def test_outputs_are_tried_before_a_device_is(self):
+        """What cannot be written, or is there already, is told before anything is simulated to place a camera."""
+        nothing = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nothing"}
+        for output in ("scene.json/out/", "/proc/self/out/", "/proc/nowhere/a.mp4", "/proc/self/a_####.png"):
+            self.bad(6, ["cannot create"], "render", "scene.json", "-o", output, env=nothing)
+        self.write("a.mp4", "here")
+        self.write("there/000003.png", "here")
+        for output in ("a.mp4", "there/"):
+            self.bad(6, ["exist", "--overwrite"], "render", "scene.json", "-o", output, env=nothing)
+        self.bad(4, ["install a driver"], "render", "scene.json", "-o", "new/deep/", env=nothing)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["a.mp4", "scene.json", "there"])
+
     def test_scene_files(self):
         self.usage(["none.json", "No such file"], "render", "none.json", "-o", "out/")
         self.usage(["is a folder"], "render", ".", "-o", "out/")
@@ -98,6 +125,21 @@ class CommandLine(Case):
 
 
 class SceneMistakes(Case):
+    def test_names_of_nothing_are_told_with_all_other_mistakes(self):
+        self.write("bad.json", """{"version": 1, "objects": {
+            "flag": {"cloth": {"spacing": -1, "air": {"fluid": "smoke"}, "walls": "cave"}}, "ball": {"sphere": {"radius": -1}}},
+            "camera": {"track": "bal"}, "lights": {"lamp": {"follow": {"object": "cve"}}}, "test": {"frames": [9999]}}""")
+        for command in (("validate", "bad.json"), ("render", "bad.json", "-o", "out/")):
+            done = self.run_program(*command)
+            self.assertEqual(done.returncode, 2)
+            for words in ('"spacing" must be', '"radius" must be', "frame 9999 is beyond", 'no object is named "bal"; did you mean "ball"?',
+                          'no object is named "cve"', "smoke", "cave"):
+                self.assertIn(words, done.err)
+            self.assertEqual(done.err.count("error: "), 7 + (command[0] == "validate"), done.err)
+        # One whose value could not be read, or whose object is none, names nothing.
+        self.write("bad.json", '{"version": 1, "objects": {"flag": {"clth": {}}}, "camera": {"track": "flag"}}')
+        self.assertEqual(self.run_program("validate", "bad.json").err.count("error: "), 2)
+
     def mistake(self, words, text):
         """The same report from validate and from render."""
         self.write("bad.json", text)

@@ -92,6 +92,19 @@ class Pictures(ServeCase):
         self.assertEqual(json.loads((self.folder / "scene.json").read_text()), SCENE)
 
 
+    def test_geometry_that_moves_the_stage(self):
+        """Camera, ground and lamps of a stage stand where the objects do."""
+        scene = {"version": 1, "render": {"size": [48, 27], "samples": 1}, "objects": {"ball": {"sphere": {"radius": 0.5}}}}
+        self.write("scene.json", scene)
+        viewer = self.serve().viewer()
+        viewer.rest(0)
+        viewer.send(do="set", path="objects.ball.sphere.radius", value=0.8, moving=False)
+        viewer.until(lambda kind, message: kind == "scene" and message["edits"])
+        end, right = time.monotonic() + PATIENCE, self.rendered(0, "-D", "objects.ball.sphere.radius=0.8")
+        while self.pixels(viewer.rest(0)[1]) != right:
+            self.assertLess(time.monotonic(), end)
+
+
 class Files(ServeCase):
     def test_what_is_saved_is_shown_and_mistakes_stand_at_their_place(self):
         server = self.serve()

@@ -116,6 +116,22 @@ class Safety(ServeCase):
         slow.until(lambda kind, message: kind == "picture" and message[0]["number"] == last)
         self.assertLessEqual(len(slow.pictures), 3)
 
+    def test_half_open_connections_hold_nobody(self):
+        """Those that never say what they want, of which none has shown the token."""
+        server = self.serve()
+        held = [socket.create_connection(("127.0.0.1", server.port), timeout=60) for _ in range(200)]
+        for one in held:
+            try:
+                one.sendall(b"GET /")
+            except OSError:
+                pass  # hung up already
+        begin = time.monotonic()
+        self.assertEqual(server.get(f"/{server.token}/app.js")[0], 200)
+        held.append(server.viewer().socket)
+        self.assertLess(time.monotonic() - begin, 8)  # the others' time is up after 10
+        for one in held:
+            one.close()
+
     def test_a_thousand_connections(self):
         soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
         resource.setrlimit(resource.RLIMIT_NOFILE, (min(hard, 4096), hard))

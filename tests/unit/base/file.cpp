@@ -3,7 +3,9 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 #include <vector>
 
@@ -35,6 +37,36 @@ TEST_CASE("files: what a link of the system's leads to is written into and keeps
   CHECK(readFile(other, "text") == "told");
   writeFileAtomically(file, std::string_view("new"));
   CHECK(readFile(other, "text") == "told");
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("files: two that write one file at once both write it whole") {
+  std::string folder = (std::filesystem::temp_directory_path() / "simreel-test-XXXXXX").string();
+  REQUIRE(::mkdtemp(folder.data()) != nullptr);
+  const std::filesystem::path file = folder + "/a";
+  const auto bytes = [](std::string_view text) {
+    return std::as_bytes(std::span(text.data(), text.size()));
+  };
+  writeFileAtomically(file.string() + ".part", std::string_view("left by one that was killed"));
+  {
+    PartFile first(file), second(file);
+    first.append(bytes("first"));
+    second.append(bytes("second one"));
+    CHECK_NOTHROW(checkWritable(file));  // takes nobody's part away
+    first.finish();
+    CHECK(readFile(file, "text") == "first");
+    PartFile third(file);
+    third.append(bytes("3"));
+    second.finish();
+    CHECK(readFile(file, "text") == "second one");
+    third.finish();
+    CHECK(readFile(file, "text") == "3");
+    const PartFile dropped(file);
+  }
+  std::size_t left = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    left += entry.is_regular_file() ? 1 : 0;
+  CHECK(left == 1);
   std::filesystem::remove_all(folder);
 }
 

@@ -125,6 +125,14 @@ TEST_CASE("sweep: results keep every number, and what is missing or failed is to
                         "passed energy of flag,mass of dish (kg),lost,town.ill\n"
                         "0000,done,0.03,1,0.30000000000000004,yes,1e-300,,12\n"
                         "0001,missing,0.03,4,,,,,\n"));
+  // No spreadsheet runs what a scene's author wrote.
+  for (const auto& [value, cell] :
+       {std::pair("=cmd|' /C calc'!A0", "'=cmd|' /C calc'!A0"), std::pair("@x,y", "\"'@x,y\""),
+        std::pair("+x", "'+x"), std::pair("-1.5e3", "-1.5e3"), std::pair("-x", "'-x")}) {
+    SweepPlan other = plan;
+    other.jobs[1].values[0].value = value;
+    CHECK(tableText(collect(other)).find(std::string("0001,missing,") + cell + ",4,") != std::string::npos);
+  }
 }
 
 TEST_CASE("sweep: exit codes") {

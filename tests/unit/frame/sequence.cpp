@@ -1,3 +1,4 @@
+#include "draw/exact/scene/picture_layers.hpp"
 #include "frame/file/manifest.hpp"
 #include "frame/file/output_name.hpp"
 #include "frame/file/run_info.hpp"
@@ -7,6 +8,7 @@
 #include "help.hpp"
 
 #include <map>
+#include <memory>
 #include <numeric>
 #include <sys/mount.h>
 #include <unistd.h>
@@ -205,15 +207,98 @@ TEST_CASE("sequence: files beside a frame are kept where the manifest and their 
   CHECK(text(folder / "manifest.json") == manifest);
 }
 
-TEST_CASE("sequence: skipping goes by existence and keeps the frames in the manifest") {
+TEST_CASE("sequence: skipping lists kept frames that say that they are of the run") {
   const TemporaryFolder folder;
   renderInto(folder.string(), Existing::error, 3);
+  const std::string manifest = text(folder / "manifest.json");
   std::filesystem::remove(folder / "manifest.json");
+  CHECK(renderInto(folder.string(), Existing::skip, 3).empty());
+  CHECK(text(folder / "manifest.json") == manifest);
+  // Foreign, damaged and empty ones are kept, and not listed: to resume draws them.
+  std::filesystem::remove(folder / "manifest.json");
+  writeFileAtomically(folder / "000000.png", encodePng(picture(32, 18), {}));
+  std::filesystem::resize_file(folder / "000001.png", 100);
+  std::filesystem::resize_file(folder / "000002.png", 0);
+  const std::string damaged = text(folder / "000001.png");
   CHECK(renderInto(folder.string(), Existing::skip, 5) == std::vector{3, 4});
-  const Manifest manifest = parseManifest(text(folder / "manifest.json"), "manifest");
-  CHECK(manifest.frames.at(1).pixels == pixelHash(picture(32, 18, 1)));
-  CHECK(manifest.frames.at(1).state.empty());
-  CHECK(manifest.frames.at(4).state == "state4");
+  CHECK(text(folder / "000001.png") == damaged);
+  const Manifest after = parseManifest(text(folder / "manifest.json"), "manifest");
+  CHECK(after.frames.size() == 2);
+  CHECK(after.frames.at(4).state == "state4");
+  CHECK(renderInto(folder.string(), Existing::resume, 5) == std::vector{0, 1, 2});
+}
+
+TEST_CASE("sequence: skipping refuses frames of another run, by the manifest or by what they say") {
+  RunInfo seed = runInfo(), scene = runInfo(), changed = runInfo();
+  seed.seed = 8;
+  scene.sceneHash = "other";
+  changed.overrides = {"a=1"};
+  const std::vector<std::pair<RunInfo, std::string>> others = {
+      {seed, "seed is 8 in this run and 7 in "},
+      {scene, "scene hash is other in this run and scenehash in "},
+      {changed, "what is changed in the scene is -D a=1 in this run and nothing in "},
+      {runInfo(64, 18), "size is 64x18 in this run and 32x18 in "}};
+  for (const char* name : {"", "f_##.png", "f_##.exr"}) {
+    const TemporaryFolder folder;
+    const std::string output = (folder / name).string();
+    const bool light = output.ends_with(".exr");
+    if (light) {
+      const auto sink = openSink(parseOutput(output, 2), Existing::error, runInfo(), upTo(2), "rgba");
+      for (const int frame : upTo(2)) {
+        FrameInfo info = frameInfo(frame);
+        auto layers = std::make_shared<draw::PictureLayers>();
+        layers->size = {32, 18};
+        layers->light.resize(std::size_t{4} * 32 * 18);
+        info.layers = layers;
+        sink->add(info, picture(32, 18));
+      }
+      sink->finish();
+    } else {
+      renderInto(output, Existing::error, 2);
+    }
+    const auto manifest = parseOutput(output, 2).manifestFile();
+    const std::string before = text(manifest);
+    for (const bool listed : {true, false}) {
+      if (!listed) std::filesystem::remove(manifest);
+      for (const auto& [run, words] : others) {
+        const auto [code, message] = errorOf([&] { renderInto(output, Existing::skip, 5, run); });
+        CHECK(code == ExitCode::usage);
+        CHECK(contains(message, "cannot skip existing frames: " + words));
+        CHECK(pathExists(manifest) == listed);
+        if (listed) CHECK(text(manifest) == before);
+      }
+    }
+    // A foreign picture tells its size.
+    if (light) continue;
+    const auto first = parseOutput(output, 2).file(0);
+    writeFileAtomically(first, encodePng(picture(30, 18), {}));
+    CHECK(contains(errorOf([&] { renderInto(output, Existing::skip, 2); }).second,
+                   "size is 32x18 in this run and 30x18 in " + first.string()));
+  }
+}
+
+TEST_CASE("sequence: any digit of a manifest that was changed starts over") {
+  const TemporaryFolder folder;
+  renderInto(folder.string(), Existing::error, 2);
+  const std::string manifest = text(folder / "manifest.json");
+  for (const std::string word :
+       {"\"pixels\":\"", "\"state\":\"state", "\"seed\": ", "\"title\": \"Te", "\"hash\": \""}) {
+    std::string changed = manifest;
+    char& digit = changed[changed.find(word) + word.size()];
+    REQUIRE(&digit < changed.data() + changed.size());
+    digit = digit == '7' ? '8' : '7';
+    CHECK(contains(errorOf([&] { static_cast<void>(parseManifest(changed, "m.json")); }).second,
+                   "manifest m.json cannot be read: it was changed after it was written"));
+    writeFileAtomically(folder / "manifest.json", std::string_view(changed));
+    CHECK(renderInto(folder.string(), Existing::resume, 2).size() == 2);
+    CHECK(text(folder / "manifest.json") == manifest);
+  }
+  // Manifests of earlier versions have no hash.
+  const std::string old = manifest.substr(0, manifest.rfind(",\n  \"hash\"")) + "\n}\n";
+  CHECK_THROWS_AS(static_cast<void>(parseManifest(old, "m.json")), UserError);
+  std::string three = old;
+  three.replace(three.find("\"version\": 4"), 12, "\"version\": 3");
+  CHECK(manifestText(parseManifest(three, "m.json")) == manifest);
 }
 
 TEST_CASE("sequence: a later run with other frames keeps the earlier ones in the manifest") {

@@ -2,6 +2,7 @@
 #include "frame/file/output_name.hpp"
 #include "frame/file/run_info.hpp"
 #include "frame/interrupt.hpp"
+#include "frame/sink/frame_rate.hpp"
 #include "frame/sink/open_sink.hpp"
 #include "frame/sink/stream_sink.hpp"
 #include "help.hpp"
@@ -196,7 +197,7 @@ TEST_CASE("video: a missing or dying ffmpeg is one line, and never a hang") {
 
 TEST_CASE("stream: raw frames") {
   const std::string bytes = throughPipe([](int descriptor) {
-    const auto sink = openStreamSink("rgba", runInfo(3, 2), descriptor);
+    const auto sink = openStreamSink("rgba", runInfo(3, 2), {}, descriptor);
     for (int frame = 0; frame < 3; ++frame) sink->add(frameInfo(frame), picture(3, 2, frame));
     sink->finish();
     CHECK(sink->summary() == "standard output");
@@ -212,7 +213,7 @@ TEST_CASE("stream: y4m header, frames and values") {
   run.fps = 59.94;
   const Image image{2, 1, {255, 255, 255, 255, 255, 0, 0, 255}};
   const std::string bytes = throughPipe([&](int descriptor) {
-    const auto sink = openStreamSink("y4m", run, descriptor);
+    const auto sink = openStreamSink("y4m", run, {}, descriptor);
     for (int frame = 0; frame < 2; ++frame) sink->add(frameInfo(frame), image);
     sink->finish();
   });
@@ -227,19 +228,34 @@ TEST_CASE("stream: y4m header, frames and values") {
   }
 }
 
+TEST_CASE("films of every fifth frame play as fast as the scene") {
+  const auto rate = [](double fps, std::initializer_list<int> frames) {
+    return playedRate(fps, std::vector<int>(frames)).text('/');
+  };
+  CHECK(rate(30, {}) == "30/1");
+  CHECK(rate(30, {7}) == "30/1");
+  CHECK(rate(30, {0, 1, 2}) == "30/1");
+  CHECK(rate(30, {0, 5, 10}) == "6/1");
+  CHECK(rate(30, {3, 10}) == "30/7");
+  CHECK(rate(29.97, {0, 1}) == "30000/1001");
+  CHECK(rate(59.94, {0, 2, 4}) == "30000/1001");
+  CHECK(rate(12.5, {0, 1}) == "12500/1000");
+  CHECK(rate(30, {0, 1, 3}) == "30/1");  // a warning says so
+}
+
 TEST_CASE("stream: a closed pipe and an unknown format are user errors") {
   int ends[2];
   REQUIRE(::pipe2(ends, O_CLOEXEC) == 0);
   ::close(ends[0]);
   const auto [code, message] = errorOf([&] {
-    const auto sink = openStreamSink("rgba", runInfo(), ends[1]);
+    const auto sink = openStreamSink("rgba", runInfo(), {}, ends[1]);
     for (const int frame : frames) sink->add(frameInfo(frame), picture(32, 18));
     sink->finish();
   });
   ::close(ends[1]);
   CHECK(code == ExitCode::inputOutput);
   CHECK(contains(message, "standard output was closed"));
-  CHECK(errorOf([] { (void)openStreamSink("bmp", runInfo(), 1); }).first == ExitCode::usage);
+  CHECK(errorOf([] { (void)openStreamSink("bmp", runInfo(), {}, 1); }).first == ExitCode::usage);
 }
 
 TEST_CASE("interrupt: the first signal is noted") {

@@ -17,7 +17,12 @@ TEST_CASE("inputs: the scene, its sidecar, what it names and the buffers of glTF
     writeFileAtomically(file(name), text);
   };
   write("a.json", "{}");
-  write("m.gltf", R"({"buffers": [{"uri": "my%20buffer.bin"}, {"uri": "data:;base64,AA"}, {}]})");
+  // Those outside of its folder, which no mesh is made of, are none.
+  write(
+      "m.gltf",
+      R"({"buffers": [{"uri": "my%20buffer.bin"}, {"uri": "data:;base64,AA"}, {}, {"uri": "/etc/hostname"},
+      {"uri": "..%2f..%2fetc/hostname"}, {"uri": "link.bin"}]})");
+  std::filesystem::create_symlink("/etc/hostname", file("link.bin"));
   write("my buffer.bin", "123");
   write("torn.gltf", "{");
   const std::vector<std::filesystem::path> named = {file("m.gltf"), file("torn.gltf"),

@@ -114,6 +114,17 @@ TEST_CASE("particle PLY files are read, ascii and binary") {
   }
 }
 
+TEST_CASE("particle files may have semicolons or tabs between their values") {
+  for (const char separator : {',', ';', '\t'}) {
+    std::string text = "x,y,z,mass\n1,2,3,7\n";
+    for (char& c : text)
+      if (c == ',') c = separator;
+    const TemporaryFile file("separated.csv", text);
+    CHECK(sim::readParticles(file.path(), 1, 10).positions.at(0) == glm::vec4(1, 2, 3, 7));
+  }
+  CHECK(problemOf("x;y;z\n1,5;2;3\n") == "line 2: \"1,5\" is not a number");
+}
+
 TEST_CASE("particle files that cannot be used say in one line why") {
   CHECK(problemOf("") == "no particles in it");
   CHECK(problemOf("x,y,z\n") == "no particles in it");

@@ -1,0 +1,105 @@
+#include "frame/file/picture_origin.hpp"
+
+#include "frame/png_text.hpp"
+#include "scene/scene.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <glm/vec2.hpp>
+
+namespace simreel::frame {
+
+namespace {
+
+/// Size and texts of a picture's header.
+struct PictureHeader {
+  std::optional<glm::ivec2> size;
+  std::map<std::string, std::string> texts;
+};
+
+std::uint32_t headerWord(std::string_view bytes, std::size_t at, bool bigEndian) {
+  std::uint32_t word = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    word = word << 8U | static_cast<unsigned char>(bytes[at + (bigEndian ? i : 3 - i)]);
+  return word;
+}
+
+PictureHeader headerOfPng(std::span<const std::byte> file, std::string_view bytes) {
+  PictureHeader header;
+  constexpr std::size_t widthAt = 16, heightAt = 20, end = 24;
+  if (bytes.size() >= end)
+    header.size = glm::ivec2(headerWord(bytes, widthAt, true), headerWord(bytes, heightAt, true));
+  for (auto& [keyword, text] : readPngText(file)) header.texts[keyword] = std::move(text);
+  return header;
+}
+
+/// Attributes up to an empty name: name, type, four bytes of size, value (OpenEXR file layout).
+PictureHeader headerOfExr(std::string_view bytes) {
+  PictureHeader header;
+  constexpr std::size_t magicAndVersion = 8, box = 16;
+  bytes.remove_prefix(std::min(bytes.size(), magicAndVersion));
+  const auto word = [&]() -> std::optional<std::string> {
+    const std::size_t end = bytes.find('\0');
+    if (end == std::string_view::npos) return std::nullopt;
+    std::string text(bytes.substr(0, end));
+    bytes.remove_prefix(end + 1);
+    return text;
+  };
+  while (true) {
+    const auto name = word();
+    if (!name || name->empty()) return header;
+    const auto type = word();
+    if (!type || bytes.size() < 4) return header;
+    const std::size_t size = headerWord(bytes, 0, false);
+    bytes.remove_prefix(4);
+    if (size > bytes.size()) return header;
+    const std::string_view value = bytes.substr(0, size);
+    if (*type == "string") header.texts[*name] = value;
+    const auto side = [&](std::size_t i) { return static_cast<int>(headerWord(value, 4 * i, false)); };
+    if (*name == "dataWindow" && size == box)
+      header.size = glm::ivec2(side(2), side(3)) - glm::ivec2(side(0), side(1)) + 1;
+    bytes.remove_prefix(size);
+  }
+}
+
+PictureHeader pictureHeader(std::span<const std::byte> file) {
+  const std::string_view bytes(reinterpret_cast<const char*>(file.data()), file.size());
+  if (bytes.starts_with("\x89PNG")) return headerOfPng(file, bytes);
+  if (bytes.starts_with("\x76\x2f\x31\x01")) return headerOfExr(bytes);
+  return {};
+}
+
+}  // namespace
+
+PictureOrigin originOf(std::span<const std::byte> file, const std::filesystem::path& name,
+                       const RunInfo& run, int frame) {
+  PictureHeader header = pictureHeader(file);
+  auto& texts = header.texts;
+  PictureOrigin origin;
+  origin.told = texts.contains("simreel:scene") && texts.contains("simreel:frame");
+  const auto compare = [&](const char* item, const std::string& here, const std::string& there) {
+    if (here != there && origin.difference.empty())
+      origin.difference =
+          fmt::format("{} is {} in this run and {} in {}", item, here, there, name.string());
+  };
+  const auto sizeText = [](int width, int height) { return fmt::format("{}x{}", width, height); };
+  if (header.size)
+    compare("size", sizeText(run.width, run.height), sizeText(header.size->x, header.size->y));
+  if (!origin.told) return origin;
+  const auto changes = scene::asArguments(run.overrides);
+  const auto listed = [](const std::string& text) { return text.empty() ? std::string("nothing") : text; };
+  compare("what is changed in the scene", listed(changes), listed(texts["simreel:overrides"]));
+  compare("scene hash", run.sceneHash, texts["simreel:scene"]);
+  compare("seed", std::to_string(run.seed), texts["simreel:seed"]);
+  compare("frame", std::to_string(frame), texts["simreel:frame"]);
+  origin.state = texts["simreel:state"];
+  origin.driver = texts["simreel:driver"];
+  return origin;
+}
+
+}  // namespace simreel::frame
