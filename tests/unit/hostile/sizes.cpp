@@ -1,0 +1,138 @@
+// Small files and short scenes that stand for gigabytes: refused before anything is decoded or built.
+#include "base/file.hpp"
+#include "scene/scene.hpp"
+#include "sim/fluid/plan.hpp"
+#include "sim/grid/picture_file.hpp"
+#include "sim/light/light_file.hpp"
+#include "sim/text/font.hpp"
+#include "sim/world/list.hpp"
+#include "unit/help.hpp"
+#include "unit/hostile/hostile.hpp"
+
+#include <cstdint>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+using namespace simreel;
+using namespace simreel::test;
+
+namespace {
+
+/// Bytes of a number, the lowest first, or the highest.
+std::string low(std::uint32_t value, int bytes = 4) {
+  std::string all;
+  for (int i = 0; i < bytes; ++i) all += static_cast<char>(value >> (8 * i));
+  return all;
+}
+std::string high(std::uint32_t value, int bytes) {
+  const std::string all = low(value, bytes);
+  return {all.rbegin(), all.rend()};
+}
+
+std::string attribute(const std::string& name, const std::string& type, const std::string& value) {
+  return name + '\0' + type + '\0' + low(static_cast<std::uint32_t>(value.size())) + value;
+}
+
+/// An EXR's header, with `more` attributes, and a few pixels that are cut off.
+std::string exr(std::uint32_t shown, const std::string& more) {
+  const auto window = [](std::uint32_t side) {
+    return low(0) + low(0) + low(side - 1) + low(side / 2 - 1);
+  };
+  const std::string channel = low(2) + low(0) + low(1) + low(1);
+  const std::string channels = 'R' + std::string(1, '\0') + channel + std::string(1, '\0');
+  return low(20000630) + low(2) + attribute("channels", "chlist", channels) +
+         attribute("compression", "compression", low(0, 1)) + attribute("dataWindow", "box2i", window(2)) +
+         attribute("displayWindow", "box2i", window(shown)) +
+         attribute("lineOrder", "lineOrder", low(0, 1)) +
+         attribute("pixelAspectRatio", "float", low(0x3f800000)) +
+         attribute("screenWindowCenter", "v2f", low(0) + low(0)) +
+         attribute("screenWindowWidth", "float", low(0x3f800000)) + more + '\0' + std::string(64, '\0');
+}
+
+/// A TrueType font of glyphs that are two of the next one each, `depth` times; the letter H is the second.
+std::string doublingFont(unsigned depth) {
+  std::string glyphs, places = high(0, 4);
+  for (unsigned i = 0; i <= depth; ++i) {
+    if (i < depth) {
+      glyphs += high(0xffff, 2) + high(0, 2) + high(0, 2) + high(100, 2) + high(100, 2);
+      glyphs += high(0x22, 2) + high(i + 1, 2) + high(0, 2) + high(0x02, 2) + high(i + 1, 2) + high(0, 2);
+    } else {  // a triangle
+      glyphs +=
+          high(1, 2) + high(0, 2) + high(0, 2) + high(100, 2) + high(100, 2) + high(2, 2) + high(0, 2);
+      glyphs +=
+          std::string("\x37\x37\x37", 3) + std::string("\x01\x64\x01", 3) + std::string("\x01\x01\x64", 3);
+      glyphs += std::string(1, '\0');
+    }
+    places += high(static_cast<std::uint32_t>(glyphs.size()), 4);
+  }
+  const unsigned count = depth + 1;
+  const std::string map = high(0, 2) + high(1, 2) + high(3, 2) + high(10, 2) + high(12, 4) + high(12, 2) +
+                          high(0, 2) + high(28, 4) + high(0, 4) + high(1, 4) + high('H', 4) + high('H', 4) +
+                          high(1, 4);
+  const std::string head = high(0x10000, 4) + high(0x10000, 4) + high(0, 4) + high(0x5f0f3cf5, 4) +
+                           high(0, 2) + high(1000, 2) + std::string(16, '\0') + high(0, 2) + high(0, 2) +
+                           high(1000, 2) + high(1000, 2) + high(0, 2) + high(8, 2) + high(2, 2) +
+                           high(1, 2) + high(0, 2);
+  const std::string lines =
+      high(0x10000, 4) + high(800, 2) + high(0xff38, 2) + std::string(26, '\0') + high(1, 2);
+  const std::string wide = high(1000, 2) + std::string(2 * (count + 1), '\0');
+  const std::string most = high(0x10000, 4) + high(count, 2) + std::string(8, '\xff') + high(2, 2) +
+                           std::string(12, '\0') + std::string(4, '\xff');
+  const std::pair<const char*, const std::string*> tables[] = {
+      {"cmap", &map},  {"glyf", &glyphs}, {"head", &head}, {"hhea", &lines},
+      {"hmtx", &wide}, {"loca", &places}, {"maxp", &most}};
+  std::string font = high(0x10000, 4) + high(7, 2) + high(64, 2) + high(2, 2) + high(48, 2), rest;
+  for (const auto& [name, table] : tables) {
+    font += name + high(0, 4) + high(static_cast<std::uint32_t>(124 + rest.size()), 4) +
+            high(static_cast<std::uint32_t>(table->size()), 4);
+    rest += *table + std::string((4 - table->size() % 4) % 4, '\0');
+  }
+  return font + rest;
+}
+
+}  // namespace
+
+TEST_CASE("an attribute of an EXR longer than its file is refused") {
+  const std::string more = std::string("foo") + '\0' + "string" + '\0' + low(0x7fffffff) + "aaaa";
+  checkHas(refusal([&] { static_cast<void>(sim::decodeExr(exr(2, more), "sky", "")); }),
+           "an attribute of 2147483647 bytes");
+}
+
+TEST_CASE("an EXR whose display window is far larger than its pixels is refused") {
+  checkHas(refusal([&] { static_cast<void>(sim::decodeExr(exr(8192, ""), "sky", "")); }),
+           "a display window of 8192x4096 pixels around 2x1");
+}
+
+TEST_CASE("a PNG of 16384x16384 bits is refused by its size") {
+  std::string png = std::string("\x89PNG\r\n\x1a\n", 8) + high(13, 4) + "IHDR" + high(16384, 4) +
+                    high(16384, 4) + std::string("\1\0\0\0\0", 5) + high(0, 4) + high(40000, 4) + "IDAT" +
+                    std::string(40000, '\0');
+  checkHas(refusal([&] { static_cast<void>(sim::decodePicture(png, "bits.png", "texture", 16384)); }),
+           "16384x16384 pixels is above the limit of 134217728");
+}
+
+TEST_CASE("a font whose glyphs double 60 times takes no gigabytes") {
+  const TemporaryFile small("two.ttf", doublingFont(3));
+  CHECK(sim::Font(small.path()).glyph(U'H').outlines.size() == 4);
+  const TemporaryFile file("double.ttf", doublingFont(60));
+  checkHas(refusal([&] { static_cast<void>(sim::Font(file.path())); }), "the outline of U+0048 is damaged");
+}
+
+TEST_CASE("a cloth of four million vertices is refused where its resolution stands") {
+  checkHas(
+      refusal([&] {
+        static_cast<void>(scene::parseScene(
+            R"({"version": 1, "objects": {"a": {"cloth": {"mesh": {"shape": "plane", "resolution": [2000, 2000]}}}}})",
+            "cloth.json", {}, sim::kinds()));
+      }),
+      "2000x2000 are more than 250000 vertices");
+}
+
+TEST_CASE("a fluid of 268 million cells is planned without memory for each") {
+  sim::FluidParameters parameters;
+  parameters.size = {16384, 16384};
+  CHECK(refusal([&] { static_cast<void>(sim::FluidPlan(parameters, "ink", 1, 0.02)); }) ==
+        "nothing was refused");
+}
