@@ -211,7 +211,7 @@ Environment::Environment(const scene::Sky& sky) : side_(0) {
       environmentOf(sim::readSurroundings(sky.picture), static_cast<double>(sky.strength),
                     static_cast<double>(sky.turn), sim::surroundingsLabel(sky.picture));
   side_ = made.side;
-  buffer_ = gl::Buffer::of("environment", std::span<const glm::vec4>(made.texels));
+  buffer_ = gl::Buffer::ofTexels("environment", std::span<const glm::vec4>(made.texels));
   view_ = gl::Texture::view("environment", GL_RGBA32F, buffer_);
   const auto term = [&](int i) { return glm::vec3(made.texels[static_cast<std::size_t>(i)]); };
   up_ = glm::max(term(0) + term(2) + 2.0F * term(8), glm::vec3(0));

@@ -44,10 +44,14 @@ Buffer::Buffer(const std::string& label, std::size_t bytes, const void* items)
 }
 
 Buffer Buffer::inParts(const std::string& label, std::size_t bytes) {
+  return unchecked(label, bytes, nullptr);
+}
+
+Buffer Buffer::unchecked(const std::string& label, std::size_t bytes, const void* items) {
   Buffer buffer;
   buffer.handle_ = Handle<DeleteBuffer>(createBuffer());
   buffer.bytes_ = bytes;
-  buffer.store(label, nullptr);
+  buffer.store(label, items);
   return buffer;
 }
 

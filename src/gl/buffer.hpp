@@ -9,8 +9,8 @@
 
 namespace simreel::gl {
 
-/// GPU memory of fixed size. Allocation beyond the device's block limit throws UserError(device)
-/// naming the limit. An empty Buffer (default constructed) has size 0 and name 0.
+/// GPU memory of fixed size, which kernels get as a block. Allocation beyond the device's block limit
+/// throws UserError(device) naming the limit. An empty Buffer (default constructed) has size 0 and name 0.
 class Buffer {
  public:
   Buffer() = default;
@@ -21,6 +21,13 @@ class Buffer {
   static Buffer of(const std::string& label, std::span<const T> items) {
     static_assert(std::is_trivially_copyable_v<T>);
     return Buffer(label, items.size_bytes(), items.data());
+  }
+
+  /// Memory that is only read through texel views: its limit is theirs, which Texture::view() checks.
+  template <class T>
+  static Buffer ofTexels(const std::string& label, std::span<const T> items) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    return unchecked(label, items.size_bytes(), items.data());
   }
 
   /// Of which kernels get parts (BufferPart), each within the device's block limit; zeros.
@@ -53,7 +60,8 @@ class Buffer {
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:
-  /// Null: zeros.
+  /// Whatever the size. Null: zeros.
+  static Buffer unchecked(const std::string& label, std::size_t bytes, const void* items);
   Buffer(const std::string& label, std::size_t bytes, const void* items);
   void store(const std::string& label, const void* items);
   [[nodiscard]] bool staged() const;

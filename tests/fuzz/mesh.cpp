@@ -20,10 +20,7 @@ const char* extensionOf(std::string_view bytes) {
 void readMesh(std::string_view bytes) {
   const auto file = scratchFolder() / (std::string("fuzz") + extensionOf(bytes));
   writeFileAtomically(file, bytes);
-  // glTF is read by ourselves and has to survive everything; what the library does not, its process
-  // survives for us.
-  const bool ours = file.extension() == ".gltf" || file.extension() == ".glb";
-  const sim::Mesh mesh = ours ? sim::importMesh(file) : sim::loadMesh(file);
+  const sim::Mesh mesh = sim::importMesh(file);
   SIMREEL_CHECK(!mesh.indices.empty() && mesh.indices.size() % 3 == 0);
   SIMREEL_CHECK_EQ(mesh.normals.size(), mesh.positions.size());
   SIMREEL_CHECK(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size());

@@ -158,6 +158,14 @@ TEST_CASE("limits are named before anything is allocated") {
                        doctest::Contains("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"), UserError);
   CHECK_THROWS_WITH_AS(gl::Texture::image("wide", GL_RGBA8, gl::limits().textureSize + 1, 1),
                        doctest::Contains("GL_MAX_TEXTURE_SIZE"), UserError);
+  // What is only read as texels has the limit of texels, which is the larger one with software drivers.
+  if (tooMany > std::size_t{256} << 20 || gl::limits().texelBufferTexels < 1 << 27) return;
+  const std::vector<glm::vec2> texels(tooMany / sizeof(glm::vec2));
+  const gl::Buffer buffer = gl::Buffer::ofTexels<glm::vec2>("maps", texels);
+  CHECK(buffer.bytes() == tooMany);
+  CHECK(gl::Texture::view("maps", GL_RG32F, buffer, sizeof(glm::vec2)).name() != 0);
+  CHECK_THROWS_WITH_AS(static_cast<void>(gl::Texture::view("maps", GL_R8UI, buffer, 1)),
+                       doctest::Contains("GL_MAX_TEXTURE_BUFFER_SIZE"), UserError);
 }
 
 TEST_CASE("dispatches are left out where a command has no groups, and nothing else changes") {

@@ -80,7 +80,7 @@ inline GltfText tubeText(const TubeFaults& faults = {}) {
   constexpr int rings = 41;
   constexpr float radius = 0.1F;
   GltfText gltf;
-  std::vector<float> positions, weights;
+  std::vector<float> positions, normals, weights;
   std::vector<std::uint8_t> joints;
   std::vector<std::uint16_t> indices;
   for (int ring = 0; ring < rings; ++ring)
@@ -88,6 +88,7 @@ inline GltfText tubeText(const TubeFaults& faults = {}) {
       const float angle = 6.2831853F * static_cast<float>(k) / around;
       const float y = static_cast<float>(ring) / (rings - 1);
       positions.insert(positions.end(), {radius * std::cos(angle), y, radius * std::sin(angle)});
+      normals.insert(normals.end(), {std::cos(angle), 0, std::sin(angle)});
       const float upper = std::min(std::max((y - 0.4F) / 0.2F, 0.0F), 1.0F);
       weights.insert(weights.end(), {(1 - upper) * faults.weightSum, upper * faults.weightSum, 0, 0});
       joints.insert(joints.end(), {0, faults.joint, 0, 0});
@@ -97,7 +98,8 @@ inline GltfText tubeText(const TubeFaults& faults = {}) {
                                          at(ring + 1, k), at(ring + 1, k + 1)})
         indices.push_back(corner);
     }
-  nlohmann::json attributes = {{"POSITION", gltf.floats(positions, "VEC3", 3)}};
+  nlohmann::json attributes = {{"POSITION", gltf.floats(positions, "VEC3", 3)},
+                               {"NORMAL", gltf.floats(normals, "VEC3", 3)}};
   if (!faults.noJoints) attributes["JOINTS_0"] = gltf.add(joints, 5121, "VEC4", 4);
   if (!faults.noWeights) attributes["WEIGHTS_0"] = gltf.floats(weights, "VEC4", 4);
   std::vector<float> binds;

@@ -37,6 +37,7 @@ class FigureReader {
     figure_.mesh.materials = std::move(looks.materials);
     figure_.mesh.images = std::move(looks.images);
     figure_.mesh.ignored = std::move(looks.ignored);
+    figure_.mesh.undrawn = parts_.undrawn();
     if (fades_) figure_.mesh.ignored.emplace_back("the opacity in COLOR_0");
     if (figure_.mesh.materials.empty()) figure_.mesh.materialOf.clear();
     placeTextures(figure_.mesh);
@@ -113,7 +114,7 @@ class FigureReader {
   }
 
   void add(const Placed& placed) {
-    parts_.eachPart(placed.mesh, placed.skinned, [&](const GltfPart& part) {
+    parts_.eachPart(placed.mesh, {placed.skinned, {}}, [&](const GltfPart& part) {
       builder_.begin(part.vertices.size(), part.triangles.size(), glm::mat4(1), part.hasUvs, part.material);
       for (const GltfVertex& vertex : part.vertices) {
         addVertex(builder_, part, vertex);

@@ -76,7 +76,7 @@ Mesh ClothMesh::make() const {
     case ClothShape::file:
       break;
   }
-  return loadMesh(file);
+  return loadMesh(file, MeshNormals::shared);
 }
 
 std::string ClothMesh::text() const {

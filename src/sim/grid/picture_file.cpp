@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <memory>
+#include <type_traits>
 
 namespace {
 
@@ -36,6 +38,7 @@ void* resizeForStb(void* data, std::size_t size) {
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_PNM
+#define STBI_ONLY_BMP
 #define STBI_MALLOC(size) takeForStb(size)
 #define STBI_REALLOC(data, size) resizeForStb(data, size)
 #define STBI_FREE(data) std::free(data)
@@ -46,11 +49,27 @@ namespace simreel::sim {
 namespace {
 
 constexpr int mostTexels = 1 << 27;  ///< texels that a buffer of a common device has
+constexpr std::size_t forHeaders = 1 << 16;
+
+/// Whether a BMP has all bytes of its rows: stb_image takes those that are missing for zeros.
+bool bmpIsWhole(std::string_view bytes, glm::ivec2 size) {
+  const auto number = [&](std::size_t at, std::size_t length) {
+    std::size_t value = 0;
+    for (std::size_t k = length; k-- > 0;)
+      value = value << 8U | (at + k < bytes.size() ? static_cast<unsigned char>(bytes[at + k]) : 0U);
+    return value;
+  };
+  const bool old = number(14, 4) == 12;  // OS/2's header
+  const std::size_t bits = number(old ? 24 : 28, 2);
+  const std::size_t row = (static_cast<std::size_t>(size.x) * bits + 31) / 32 * 4;
+  return number(10, 4) + row * static_cast<std::size_t>(size.y) <= bytes.size();
+}
 
 /// Most pixels that so many bytes of a file can hold.
 double pixelsIn(std::string_view bytes) {
   const auto size = static_cast<double>(bytes.size());
   if (bytes.starts_with('P')) return size;
+  if (bytes.starts_with("BM")) return size * 8;       // a bit a pixel; compressed ones are not read
   if (!bytes.starts_with('\x89')) return size * 512;  // JPEG: a block of 8 x 8 pixels takes at least a bit
   if (bytes.size() < 26) return 0;
   constexpr int channels[] = {1, 0, 3, 1, 2, 0, 4};  // by colour type
@@ -77,39 +96,25 @@ bool pnmNumbersFit(std::string_view bytes) {
   return true;
 }
 
-}  // namespace
-
-Picture loadPicture(const std::filesystem::path& file, const char* what, int maxSide) {
-  Picture picture = decodePicture(readFile(file, what), file.string(), what, maxSide);
-  std::size_t seenThrough = 0;
-  for (std::size_t at = 3; at < picture.rgba.size(); at += 4) seenThrough += picture.rgba[at] < 255 ? 1 : 0;
-  if (seenThrough > 0)
-    fail(ExitCode::usage,
-         "the {} {} is transparent in {} of {} pixels{}; flatten it onto a colour, for example with "
-         "ImageMagick: convert picture.png -background white -flatten flat.png",
-         what, file.string(), seenThrough, picture.rgba.size() / 4,
-         what == std::string_view("texture")
-             ? ", which needs a material with \"alpha\": \"cut\" or \"blend\""
-             : "");
-  return picture;
+[[noreturn]] void refusePicture(const char* what, const std::string& name, const std::string& why) {
+  fail(ExitCode::inputOutput, "the {} {} is not a picture this program reads ({}); use PNG or JPEG", what,
+       name, oneLine(why));  // stb quotes the file
 }
 
-Picture decodePicture(std::string_view bytes, const std::string& name, const char* what, int maxSide) {
-  const auto refuse = [&](const std::string& why) {
-    fail(ExitCode::inputOutput, "the {} {} is not a picture this program reads ({}); use PNG or JPEG", what,
-         name, oneLine(why));  // stb quotes the file
-  };
+/// Checks what a picture's header promises and gives its size.
+glm::ivec2 checkedSize(std::string_view bytes, const std::string& name, const char* what, int maxSide) {
+  const auto refuse = [&](const std::string& why) { refusePicture(what, name, why); };
   if (bytes.size() > std::size_t{1} << 30) refuse("larger than 1 GiB");
   int width = 0;
   int height = 0;
   int channels = 0;
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
-  constexpr std::size_t forHeaders = 1 << 16;
   maxBytes = forHeaders;
   if (bytes.starts_with('P') && !pnmNumbersFit(bytes)) refuse("a number of more than nine digits");
   // The header first: a small file may promise a picture that takes all memory.
   if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) refuse(stbi_failure_reason());
+  if (bytes.starts_with("BM") && height < 0 && height >= -maxSide) height = -height;  // rows from the top
   if (width < 1 || height < 1) refuse("no width or no height");
   if (std::max(width, height) > maxSide)
     fail(ExitCode::device, "the {} {} is {}x{}, above the limit of {}x{} here", what, name, width, height,
@@ -119,37 +124,113 @@ Picture decodePicture(std::string_view bytes, const std::string& name, const cha
          what, name, width, height, mostTexels);
   if (static_cast<double>(width) * height > pixelsIn(bytes))
     refuse(fmt::format("{}x{} pixels do not fit in its {} bytes", width, height, bytes.size()));
+  if (bytes.starts_with("BM") && !bmpIsWhole(bytes, {width, height})) refuse("it is cut off");
   // stb_image 2.27 reads beyond such a picture's end.
   if (bytes.starts_with('P') && stbi_is_16_bit_from_memory(data, size) != 0)
     fail(ExitCode::inputOutput,
          "the {} {} is a PNM picture of 16 bits, which this program does not read; use PNG", what, name);
+  return {width, height};
+}
+
+/// Channels of so many bits as `Value` has, RGBA; `load` is stb_image's function for them.
+template <class Value, class Load>
+std::vector<Value> decodedChannels(std::string_view bytes, const std::string& name, const char* what,
+                                   glm::ivec2 side, const Load& load) {
+  const auto area = static_cast<std::size_t>(side.x) * static_cast<std::size_t>(side.y);
   // Four channels of 16 bits a pixel, rounded up to whole blocks, or twice the file's bytes.
-  maxBytes = std::max(8 * (static_cast<std::size_t>(width) + 64) * (static_cast<std::size_t>(height) + 64),
+  maxBytes = std::max(8 * (static_cast<std::size_t>(side.x) + 64) * (static_cast<std::size_t>(side.y) + 64),
                       2 * bytes.size()) +
              forHeaders;
   askedForMore = false;
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
-      stbi_load_from_memory(data, size, &width, &height, &channels, 4), &stbi_image_free);
+  int width = 0, height = 0, channels = 0;
+  const std::unique_ptr<Value, decltype(&stbi_image_free)> texels(
+      load(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()), &width, &height,
+           &channels, 4),
+      &stbi_image_free);
   if (!texels && askedForMore)
-    refuse(fmt::format("it holds more than the {}x{} pixels of its header", width, height));
-  if (!texels) refuse(stbi_failure_reason());
-  Picture picture{{width, height}, {}};
-  picture.rgba.assign(
-      texels.get(), texels.get() + 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    refusePicture(what, name,
+                  fmt::format("it holds more than the {}x{} pixels of its header", side.x, side.y));
+  if (!texels) refusePicture(what, name, stbi_failure_reason());
+  return {texels.get(), texels.get() + 4 * area};
+}
+
+/// Refuses pixels that are not opaque.
+template <class Value>
+void checkOpaque(const std::vector<Value>& rgba, const std::string& name, const char* what) {
+  std::size_t seenThrough = 0;
+  for (std::size_t at = 3; at < rgba.size(); at += 4)
+    seenThrough += rgba[at] < std::numeric_limits<Value>::max() ? 1 : 0;
+  if (seenThrough > 0)
+    fail(ExitCode::usage,
+         "the {} {} is transparent in {} of {} pixels{}; flatten it onto a colour, for example with "
+         "ImageMagick: convert picture.png -background white -flatten flat.png",
+         what, name, seenThrough, rgba.size() / 4,
+         what == std::string_view("texture")
+             ? ", which needs a material with \"alpha\": \"cut\" or \"blend\""
+             : "");
+}
+
+/// A cell's nearest pixel: (2 cell + 1) / (2 cells) of the picture's width, in integers.
+int nearestPixel(int cell, int cells, int pixels) {
+  return static_cast<int>((2LL * cell + 1) * pixels / (2LL * cells));
+}
+
+}  // namespace
+
+bool beginsAsPicture(std::string_view bytes) {
+  return bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8") || bytes.starts_with("BM") ||
+         bytes.starts_with("P5") || bytes.starts_with("P6");
+}
+
+Picture loadPicture(const std::filesystem::path& file, const char* what, int maxSide) {
+  Picture picture = decodePicture(readFile(file, what), file.string(), what, maxSide);
+  checkOpaque(picture.rgba, file.string(), what);
   return picture;
+}
+
+Picture decodePicture(std::string_view bytes, const std::string& name, const char* what, int maxSide) {
+  const glm::ivec2 size = checkedSize(bytes, name, what, maxSide);
+  return {size, decodedChannels<stbi_uc>(bytes, name, what, size, &stbi_load_from_memory)};
+}
+
+Levels loadLevels(const std::filesystem::path& file, const char* what, int maxSide) {
+  const std::string bytes = readFile(file, what), name = file.string();
+  Levels levels;
+  levels.size = checkedSize(bytes, name, what, maxSide);
+  const auto take = [&](const auto& rgba) {
+    checkOpaque(rgba, name, what);
+    levels.white = std::numeric_limits<typename std::decay_t<decltype(rgba)>::value_type>::max();
+    levels.values.reserve(rgba.size() / 4);
+    for (std::size_t at = 0; at < rgba.size(); at += 4)
+      levels.values.push_back(static_cast<std::uint16_t>(
+          (54U * rgba[at] + 183U * rgba[at + 1] + 19U * rgba[at + 2]) >> 8U));  // as Picture::level()
+  };
+  constexpr std::size_t depthAt = 24;  // in a PNG's first chunk
+  if (bytes.starts_with('\x89') && bytes.size() > depthAt && bytes[depthAt] == 16)
+    take(decodedChannels<stbi_us>(bytes, name, what, levels.size, &stbi_load_16_from_memory));
+  else
+    take(decodedChannels<stbi_uc>(bytes, name, what, levels.size, &stbi_load_from_memory));
+  return levels;
+}
+
+std::vector<double> sharesOnGrid(const Levels& levels, glm::ivec2 grid) {
+  std::vector<double> shares;
+  shares.reserve(static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y));
+  for (int y = 0; y < grid.y; ++y)
+    for (int x = 0; x < grid.x; ++x)
+      shares.push_back(
+          levels.at(nearestPixel(x, grid.x, levels.size.x), nearestPixel(y, grid.y, levels.size.y)) /
+          levels.white);
+  return shares;
 }
 
 std::vector<std::uint8_t> levelsOnGrid(const Picture& picture, glm::ivec2 grid) {
   std::vector<std::uint8_t> levels;
   levels.reserve(static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y));
-  // (2 x + 1) / (2 grid) of the picture's width, in integers.
-  const auto nearest = [](int cell, int cells, int pixels) {
-    return static_cast<int>((2LL * cell + 1) * pixels / (2LL * cells));
-  };
   for (int y = 0; y < grid.y; ++y)
     for (int x = 0; x < grid.x; ++x)
       levels.push_back(static_cast<std::uint8_t>(
-          picture.level(nearest(x, grid.x, picture.size.x), nearest(y, grid.y, picture.size.y))));
+          picture.level(nearestPixel(x, grid.x, picture.size.x), nearestPixel(y, grid.y, picture.size.y))));
   return levels;
 }
 

@@ -2,11 +2,11 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/gzip.hpp"
 #include "sim/life/macrocell.hpp"
 #include "sim/life/rle.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <limits>
 
@@ -15,6 +15,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr std::size_t maxFileBytes = std::size_t{256} << 20;
+constexpr std::size_t maxUnpackedBytes = std::size_t{64} << 20;
 
 /// Formats whose lines are rows or places of cells.
 class LineReader : public PatternText {
@@ -32,10 +33,12 @@ class LineReader : public PatternText {
   CellPattern life105() {
     for (std::string_view line; next(line);) {
       if (line.starts_with("#P")) {
-        std::size_t at = 2;
-        block_.x = number(line, at);
-        block_.y = number(line, at);
-        row_ = 0;
+        // Without numbers the rows begin where they are.
+        if (std::size_t at = 2; line.size() > at) {
+          block_.x = number(line, at);
+          block_.y = number(line, at);
+          row_ = 0;
+        }
       } else if (line.starts_with("#R") || line.starts_with("#r")) {
         takeRule(line);
       } else if (line.starts_with("#N")) {
@@ -160,7 +163,10 @@ std::string PatternText::place(std::size_t at) const {
 void PatternText::takeRuleText(std::size_t at, std::string_view text) {
   CellRule rule;
   const RuleProblem problem = parseCellRule(text, rule);
-  if (problem.message.empty()) {
+  const bool bornOnly = !problem.message.empty() && (text.starts_with('B') || text.starts_with('b')) &&
+                        text.find_first_of("/_sS") == std::string_view::npos &&
+                        parseCellRule(fmt::format("{}/S", text), rule).message.empty();
+  if (problem.message.empty() || bornOnly) {
     pattern_.rule = rule;
     return;
   }
@@ -189,8 +195,8 @@ void PatternText::add(int x, int y, int length, int state, std::size_t from) {
 }
 
 bool isPatternName(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  std::string extension = lowerExtension(file);
+  if (extension == ".gz") extension = lowerExtension(file.stem());
   return extension == ".rle" || extension == ".cells" || extension == ".life" || extension == ".lif" ||
          extension == ".mc";
 }
@@ -209,7 +215,10 @@ CellPattern parsePattern(std::string_view text, const std::string& name) {
 }
 
 CellPattern readPattern(const std::filesystem::path& file) {
-  return parsePattern(readFile(file, "pattern", maxFileBytes), file.string());
+  const std::string bytes = readFile(file, "pattern", maxFileBytes);
+  if (isGzip(bytes))
+    return parsePattern(unpackedGzip(bytes, file.string(), maxUnpackedBytes), file.string());
+  return parsePattern(bytes, file.string());
 }
 
 }  // namespace simreel::sim

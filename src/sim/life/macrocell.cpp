@@ -69,9 +69,9 @@ class MacrocellReader : public PatternText {
     const std::size_t start = line.find_first_not_of(" \t", 2);
     if (start == std::string_view::npos) return;
     std::string_view text = line.substr(start);
-    // A bounded grid's suffix says nothing of where the cells lie in it.
-    text = text.substr(0, text.find(':'));
-    takeRuleText(at_ + start, text);
+    const std::size_t colon = text.find(':');
+    takeRuleText(at_ + start, text.substr(0, colon));
+    if (colon != std::string_view::npos) takeGrid(at_ + start + colon + 1);
   }
 
   void raster(std::string_view line) {
@@ -178,7 +178,18 @@ class MacrocellReader : public PatternText {
       run.x -= min.x;
       run.y -= min.y;
     }
+    if (pattern_.shape) placeInGrid(origin_.first + min.x, origin_.second + min.y);
     return std::move(pattern_);
+  }
+
+  /// The middle of the largest square is that of the grid; Golly, whose y points up within, has the row
+  /// that is 0 above it.
+  void placeInGrid(std::int64_t x, std::int64_t y) {
+    const std::int64_t half = std::int64_t{1} << (nodes_.back().level - 1);
+    const auto within = [](std::int64_t place) {
+      return static_cast<int>(std::clamp<std::int64_t>(place, -2 * maxLifeSide, 2 * maxLifeSide));
+    };
+    pattern_.corner = glm::ivec2(within(x - half), within(y - half + 1)) + pattern_.grid / 2;
   }
 
   std::vector<Node> nodes_;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -26,7 +27,8 @@ namespace {
 /// Where a cell of a pattern goes: flipped within its size, then turned clockwise.
 class Placement {
  public:
-  Placement(const LifePattern& pattern, glm::ivec2 size) : pattern_(pattern), size_(size) {}
+  Placement(const LifePattern& pattern, const CellPattern& cells)
+      : pattern_(pattern), cells_(cells), size_(cells.size) {}
 
   [[nodiscard]] glm::ivec2 turnedSize() const {
     return pattern_.rotate % 180 == 0 ? size_ : glm::ivec2(size_.y, size_.x);
@@ -35,9 +37,29 @@ class Placement {
   [[nodiscard]] bool upright() const {
     return pattern_.rotate == 0 && pattern_.flip == LifePattern::Flip::none;
   }
-  /// Cell of the top left corner in a grid.
+  /// Cell of the top left corner in a grid: where the scene says, else the file, of the grid that it was
+  /// made for, else in the middle.
   [[nodiscard]] glm::ivec2 corner(glm::ivec2 grid) const {
-    return pattern_.at.value_or(grid / 2 - turnedSize() / 2);
+    if (pattern_.at) return *pattern_.at;
+    const bool turns = pattern_.rotate % 180 != 0;
+    if (!cells_.corner || cells_.grid != grid || (turns && grid.x != grid.y))
+      return grid / 2 - turnedSize() / 2;
+    // The whole grid is flipped and turned.
+    glm::ivec2 least = *cells_.corner, most = least + size_;
+    if (pattern_.flip == LifePattern::Flip::horizontal)
+      std::tie(least.x, most.x) = std::pair(grid.x - most.x, grid.x - least.x);
+    if (pattern_.flip == LifePattern::Flip::vertical)
+      std::tie(least.y, most.y) = std::pair(grid.y - most.y, grid.y - least.y);
+    switch (pattern_.rotate) {
+      case 90:
+        return {grid.x - most.y, least.x};
+      case 180:
+        return grid - most;
+      case 270:
+        return {least.y, grid.y - most.x};
+      default:
+        return least;
+    }
   }
   /// From the corner.
   [[nodiscard]] glm::ivec2 operator()(glm::ivec2 cell) const {
@@ -57,6 +79,7 @@ class Placement {
 
  private:
   const LifePattern& pattern_;
+  const CellPattern& cells_;
   glm::ivec2 size_;
 };
 
@@ -120,7 +143,7 @@ void LifePlan::fitGrid() {
       }
       return;
     }
-    const glm::ivec2 turned = Placement(pattern, cells.size).turnedSize();
+    const glm::ivec2 turned = Placement(pattern, cells).turnedSize();
     longest = std::max({longest, turned.x, turned.y});
     if (pattern.at)
       reach = glm::max(reach, *pattern.at + turned);
@@ -206,7 +229,7 @@ void LifePlan::takeRule(const std::string& object) {
 void LifePlan::checkPlaces(const std::string& object) const {
   const glm::ivec2 size = parameters_.size;
   for (const LifePattern& pattern : parameters_.patterns) {
-    const Placement placement(pattern, cellsOf(pattern).size);
+    const Placement placement(pattern, cellsOf(pattern));
     const glm::ivec2 turned = placement.turnedSize();
     if (turned.x > size.x || turned.y > size.y)
       fail(ExitCode::usage,
@@ -250,7 +273,7 @@ void LifePlan::addPatterns(std::vector<std::uint32_t>& words) const {
   const glm::ivec2 size = parameters_.size;
   for (const LifePattern& pattern : parameters_.patterns) {
     const CellPattern& cells = cellsOf(pattern);
-    const Placement placement(pattern, cells.size);
+    const Placement placement(pattern, cells);
     const glm::ivec2 corner = placement.corner(size);
     const glm::ivec2 end = corner + cells.size;
     if (placement.upright() && corner.x >= 0 && corner.y >= 0 && end.x <= size.x && end.y <= size.y) {
@@ -305,7 +328,7 @@ std::vector<std::uint8_t> LifePlan::firstStates() const {
       }
   for (const LifePattern& pattern : parameters_.patterns) {
     const CellPattern& cells = cellsOf(pattern);
-    const Placement placement(pattern, cells.size);
+    const Placement placement(pattern, cells);
     const glm::ivec2 corner = placement.corner(size);
     for (const CellPattern::Run& run : cells.runs)
       for (int i = 0; i < run.length; ++i) {

@@ -25,9 +25,10 @@ class RleReader : public PatternText {
   using PatternText::PatternText;
 
   CellPattern read() {
-    skipComments();
+    comments();
     headed_ = at_ < text_.size() && text_[at_] == 'x';
     if (headed_) header();
+    placeInGrid();
     while (true) {
       skipBlanks();
       if (at_ == text_.size()) {
@@ -55,8 +56,36 @@ class RleReader : public PatternText {
   void skipSpaces() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
   }
-  void skipComments() {
-    for (skipBlanks(); at_ < text_.size() && text_[at_] == '#'; skipBlanks()) skipLine();
+  /// Golly says where a pattern lies ("#CXRLE Pos=-3,4 Gen=0"), XLife the rule ("#r 23/3").
+  void comments() {
+    for (skipBlanks(); at_ < text_.size() && text_[at_] == '#'; skipBlanks()) {
+      const std::size_t start = at_;
+      skipLine();
+      std::string_view line = text_.substr(start, at_ - start);
+      while (!line.empty() && isBlank(line.back())) line.remove_suffix(1);
+      if (line.starts_with("#CXRLE")) position(line, start);
+      const std::size_t rule = std::min(line.find_first_not_of(" \t", 2), line.size());
+      if (line.starts_with("#r ") && !pattern_.rule && rule < line.size())
+        takeRuleText(start + rule, line.substr(rule, line.find_first_of(" \t", rule) - rule));
+    }
+  }
+
+  /// Of the top left corner; the middle of a grid is at 0, 0.
+  void position(std::string_view line, std::size_t start) {
+    constexpr std::string_view key = "Pos=";
+    const std::size_t at = line.find(key);
+    if (at == std::string_view::npos) return;
+    std::string_view rest = line.substr(at + key.size());
+    const auto x = takeInteger(rest);
+    const bool both = rest.starts_with(',');
+    if (both) rest.remove_prefix(1);
+    const auto y = takeInteger(rest);
+    if (!x || !both || !y || std::max(std::abs(*x), std::abs(*y)) > 2 * maxLifeSide)
+      wrong(start + at, "a place is expected here, as in \"Pos=-16,4\"");
+    position_ = {*x, *y};
+  }
+  void placeInGrid() {
+    if (pattern_.shape && position_) pattern_.corner = *position_ + pattern_.grid / 2;
   }
 
   /// Digits as a number up to `most`; `what` names it.
@@ -106,55 +135,7 @@ class RleReader : public PatternText {
     while (at_ < text_.size() && !isBlank(text_[at_]) && text_[at_] != ':') ++at_;
     const std::string_view name = text_.substr(start, at_ - start);
     takeRuleText(start, name);
-    if (at_ < text_.size() && text_[at_] == ':') bounded();
-  }
-
-  /// A side of a bounded grid: cells, '*' where its edges are reversed, and their shift.
-  int side(const char* what, bool& reversed, int& shift) {
-    const std::size_t start = at_;
-    const int cells = number(what, maxLifeSide);
-    if (cells == 0) wrong(start, "a side of 0, which is endless: grids have two sides here");
-    if (at_ < text_.size() && text_[at_] == '*') {
-      reversed = true;
-      ++at_;
-    }
-    if (at_ < text_.size() && (text_[at_] == '+' || text_[at_] == '-')) {
-      const bool less = text_[at_++] == '-';
-      shift = number("the shift", maxLifeSide) % cells * (less ? -1 : 1);
-    }
-    return cells;
-  }
-
-  /// ":T30+5,20", ":P30,20", ":K30*,20", ":C30,20" or ":S30".
-  void bounded() {
-    const std::size_t start = ++at_;
-    const char c = at_ < text_.size() ? text_[at_] : '\0';
-    const char kind = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    if (kind != 'T' && kind != 'P' && kind != 'K' && kind != 'C' && kind != 'S')
-      wrong(at_,
-            "a bounded grid is \":T257,130\" (torus), P (dead border), K (Klein bottle, "
-            "\":K30*,20\"), C (cross-surface) or S (sphere, \":S30\")");
-    ++at_;
-    GridShape shape;
-    bool across = false, down = false;
-    pattern_.grid.x = side("the grid's width", across, shape.shift.x);
-    pattern_.grid.y = pattern_.grid.x;
-    if (kind != 'S' || (at_ < text_.size() && text_[at_] == ',')) {
-      expect(',');
-      pattern_.grid.y = side("the grid's height", down, shape.shift.y);
-    }
-    if ((across || down) && kind != 'K') wrong(start, "'*' reverses edges of a Klein bottle only");
-    if (kind == 'K' && across == down)
-      wrong(start, "a Klein bottle has one pair of edges reversed, as in \":K30*,20\" or \":K30,20*\"");
-    shape.border = kind == 'T'   ? GridBorder::torus
-                   : kind == 'P' ? GridBorder::dead
-                   : kind == 'C' ? GridBorder::crossSurface
-                   : kind == 'S' ? GridBorder::sphere
-                   : across      ? GridBorder::klein
-                                 : GridBorder::kleinSideways;
-    if (kind == 'K') shape.shift = {std::abs(shape.shift.x) % 2, std::abs(shape.shift.y) % 2};
-    if (const std::string problem = shape.problem(pattern_.grid); !problem.empty()) wrong(start, problem);
-    pattern_.shape = shape;
+    if (at_ < text_.size() && text_[at_] == ':') at_ = takeGrid(at_ + 1);
   }
 
   /// One count and what it counts. False at the final '!'.
@@ -215,6 +196,7 @@ class RleReader : public PatternText {
   bool headed_ = false;  ///< a header says the size
   bool empty_ = true;
   glm::ivec2 place_{0, 0};
+  std::optional<glm::ivec2> position_;  ///< from the middle of a grid
 };
 
 /// Collects items and breaks lines between them.

@@ -17,10 +17,10 @@ class RadianceFile {
 
   LightFile read() {
     readHeader();
-    picture_.values.resize(4 * std::size_t(width_) * std::size_t(height_));
     std::string scanline(4 * std::size_t(width_), '\0');
     for (int y = 0; y < height_; ++y) {
       readScanline(scanline);
+      picture_.values.resize(4 * std::size_t(width_) * std::size_t(y + 1));
       for (int x = 0; x < width_; ++x) setPixel(x, y, scanline);
     }
     picture_.size = {width_, height_};
@@ -61,8 +61,8 @@ class RadianceFile {
     };
     height_ = number("-Y ");
     width_ = number(" +X ");
-    // A run of 127 takes two bytes in each of four planes.
-    if (double(width_) * height_ > double(rest_.size()) * 127 / 8 + 127) cutOff();
+    // A run of 255 pixels takes four bytes, in the newer form one of 127 two bytes in each of four planes.
+    if (double(width_) * height_ > double(rest_.size()) * 255 / 4 + 255) cutOff();
   }
 
   int byte() {
@@ -72,16 +72,13 @@ class RadianceFile {
     return value;
   }
 
-  /// Four planes (R, G, B, exponent) one after the other in the new form, or pixels as they are.
+  /// Four planes (R, G, B, exponent) one after the other in the new form, or pixels.
   void readScanline(std::string& out) {
     const auto size = std::size_t(width_);
     const std::string mark = {2, 2, static_cast<char>(width_ >> 8), static_cast<char>(width_ & 255)};
     planar_ = width_ >= 8 && width_ <= 0x7fff && rest_.starts_with(mark);
     if (!planar_) {
-      if (rest_.size() < out.size()) cutOff();
-      if (rest_.starts_with("\1\1\1")) refuse("has the run-length encoding of before 1991; convert it");
-      out.assign(rest_.substr(0, out.size()));
-      rest_.remove_prefix(out.size());
+      readPixels(out);
       return;
     }
     rest_.remove_prefix(mark.size());
@@ -94,6 +91,27 @@ class RadianceFile {
         const int value = run ? byte() : 0;
         for (; count > 0; --count) out[plane * size + at++] = static_cast<char>(run ? value : byte());
       }
+  }
+
+  /// Pixels as they are; mantissas of 1, 1 and 1 repeat the last one as often as the fourth byte says. One
+  /// behind the other, such runs are digits of a number to the base 256, the lowest first.
+  void readPixels(std::string& out) {
+    unsigned shift = 0;
+    for (std::size_t at = 0; at < out.size();) {
+      if (rest_.size() < 4) cutOff();
+      const std::string_view pixel = rest_.substr(0, 4);
+      rest_.remove_prefix(4);
+      if (!pixel.starts_with("\1\1\1")) {
+        out.replace(at, 4, pixel);
+        at += 4;
+        shift = 0;
+        continue;
+      }
+      const std::size_t bytes = 4 * (std::size_t{static_cast<unsigned char>(pixel[3])} << shift);
+      if (at == 0 || shift > 16 || bytes > out.size() - at) refuse("is corrupt (a run leaves its row)");
+      for (std::size_t k = 0; k < bytes; ++k, ++at) out[at] = out[at - 4];
+      shift += 8;
+    }
   }
 
   /// (m + 0.5) / 256 * 2^(e - 128); e = 0 is black. Writers cut mantissas off (setcolr), so m + 0.5 is what

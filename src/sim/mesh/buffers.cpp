@@ -40,11 +40,11 @@ MeshTopology::MeshTopology(const std::string& name, const Mesh& mesh)
       vertexCount_(static_cast<int>(mesh.positions.size())),
       indexCount_(static_cast<int>(mesh.indices.size())) {
   const std::vector<glm::vec2> none(mesh.uvs.empty() ? mesh.positions.size() : 0, glm::vec2(0));
-  uvs_ = gl::Buffer::of<glm::vec2>(name + " uvs", mesh.uvs.empty() ? none : mesh.uvs);
-  indices_ = gl::Buffer::of<unsigned>(name + " indices", mesh.indices);
+  uvs_ = gl::Buffer::ofTexels<glm::vec2>(name + " uvs", mesh.uvs.empty() ? none : mesh.uvs);
+  indices_ = gl::Buffer::ofTexels<unsigned>(name + " indices", mesh.indices);
   uvView_ = gl::Texture::view(name + " uvs", GL_RG32F, uvs_, sizeof(glm::vec2));
   if (mesh.colors.empty()) return;
-  colors_ = gl::Buffer::of<glm::vec4>(name + " colours", widened(mesh.colors, 1.0F));
+  colors_ = gl::Buffer::ofTexels<glm::vec4>(name + " colours", widened(mesh.colors, 1.0F));
   colorView_ = gl::Texture::view(name + " colours", GL_RGBA32F, colors_);
 }
 
@@ -65,8 +65,8 @@ void MeshTopology::complete(MeshTable& table) const {
 
 MeshBuffers::MeshBuffers(const std::string& name, const Mesh& mesh)
     : number_(nextNumber()), topology_(name, mesh) {
-  positions_ = gl::Buffer::of<glm::vec4>(name + " positions", widened(mesh.positions, 1.0F));
-  normals_ = gl::Buffer::of<glm::vec4>(name + " normals", widened(mesh.normals, 0.0F));
+  positions_ = gl::Buffer::ofTexels<glm::vec4>(name + " positions", widened(mesh.positions, 1.0F));
+  normals_ = gl::Buffer::ofTexels<glm::vec4>(name + " normals", widened(mesh.normals, 0.0F));
   positionView_ = gl::Texture::view(name + " positions", GL_RGBA32F, positions_);
   normalView_ = gl::Texture::view(name + " normals", GL_RGBA32F, normals_);
 }

@@ -1,6 +1,7 @@
 #include "sim/mesh/builder.hpp"
 
 #include "base/error.hpp"
+#include "base/ieee.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,26 @@ namespace fs = std::filesystem;
 
 void refuseMesh(const fs::path& file, const std::string& why) {
   fail(ExitCode::inputOutput, "the mesh {} {}", file.string(), why);
+}
+
+glm::vec3 linearColor(const glm::vec3& encoded) {
+  const auto linear = [](float part) {
+    const double c = std::clamp(static_cast<double>(part), 0.0, 1.0);
+    return static_cast<float>(c <= 0.04045 ? c / 12.92 : ieee::pow((c + 0.055) / 1.055, 2.4));
+  };
+  return {linear(encoded.r), linear(encoded.g), linear(encoded.b)};
+}
+
+fs::path besidePath(const fs::path& mesh, std::string_view name) {
+  fs::path path = mesh.parent_path() / name;
+  std::error_code error;
+  if (name.find('\\') == std::string_view::npos || fs::exists(path, error)) return path;
+  std::string slashes;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool beforeBlank = name[i] == '\\' && i + 1 < name.size() && name[i + 1] == ' ';
+    if (!beforeBlank) slashes += name[i] == '\\' ? '/' : name[i];
+  }
+  return mesh.parent_path() / slashes;
 }
 
 bool liesBeside(const fs::path& mesh, const fs::path& named) {
@@ -34,7 +55,7 @@ std::string whyUnread(const fs::path& mesh, const fs::path& named) {
 
 void MeshBuilder::begin(std::size_t vertices, std::size_t triangles, const glm::mat4& transform,
                         bool hasUvs, int material) {
-  if (mesh_.positions.size() + vertices > maxMeshItems ||
+  if (mesh_.positions.size() + vertices > 3 * maxMeshItems ||
       mesh_.indices.size() / 3 + triangles > maxMeshItems)
     refuseMesh(file_, fmt::format("has more than {} vertices or triangles; simplify it", maxMeshItems));
   transform_ = transform;
@@ -57,6 +78,7 @@ void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, con
   const float length = glm::length(n);
   mesh_.normals.push_back(length > 1e-20F && length < 1e20F ? n / length : glm::vec3(0));
   mesh_.uvs.push_back(uv);
+  sharing_.push_back(static_cast<unsigned>(sharing_.size()));
   if (!mesh_.colors.empty()) mesh_.colors.emplace_back(1);
 }
 
@@ -93,12 +115,13 @@ void MeshBuilder::fillNormals() {
     const glm::vec3& a = mesh_.positions[mesh_.indices[i]];
     const glm::vec3 normal =
         glm::cross(mesh_.positions[mesh_.indices[i + 1]] - a, mesh_.positions[mesh_.indices[i + 2]] - a);
-    for (std::size_t k = 0; k < 3; ++k) sums[mesh_.indices[i + k]] += normal;
+    for (std::size_t k = 0; k < 3; ++k) sums[sharing_[mesh_.indices[i + k]]] += normal;
   }
   for (std::size_t i = 0; i < sums.size(); ++i) {
     if (mesh_.normals[i] != glm::vec3(0)) continue;
-    const float length = glm::length(sums[i]);
-    mesh_.normals[i] = length > 0 && std::isfinite(length) ? sums[i] / length : glm::vec3(0, 1, 0);
+    const glm::vec3& sum = sums[sharing_[i]];
+    const float length = glm::length(sum);
+    mesh_.normals[i] = length > 0 && std::isfinite(length) ? sum / length : glm::vec3(0, 1, 0);
   }
 }
 

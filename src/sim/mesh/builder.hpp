@@ -5,19 +5,28 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
 namespace simreel::sim {
 
-/// Most vertices, and most triangles, of a mesh.
+/// Most vertices, and most triangles, of a mesh as a file has it; of a flat one's triangles each has three
+/// vertices of its own.
 constexpr std::size_t maxMeshItems = 8'000'000;
 /// Most levels of nodes in one another.
 constexpr int maxNodeDepth = 256;
 
 /// Throws UserError(inputOutput): the mesh `file`, then `why`.
 [[noreturn]] void refuseMesh(const std::filesystem::path& file, const std::string& why);
+
+/// Linear light of what pictures and scanners write, IEC 61966-2-1.
+[[nodiscard]] glm::vec3 linearColor(const glm::vec3& encoded);
+
+/// Where a file lies that a mesh names, from the mesh's folder: with slashes for backslashes, none before
+/// blanks, where there is none by the name as it is.
+[[nodiscard]] std::filesystem::path besidePath(const std::filesystem::path& mesh, std::string_view name);
 
 /// Whether a file named by a mesh lies in the mesh's folder or below, links followed.
 [[nodiscard]] bool liesBeside(const std::filesystem::path& mesh, const std::filesystem::path& named);
@@ -40,6 +49,11 @@ class MeshBuilder {
   /// The next one, with a colour (linear RGB); of others it is white.
   void vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv,
               const glm::vec3& color);
+  /// Where normals are computed, the last vertex has that of an earlier one, by its number in the mesh:
+  /// from the triangles around both.
+  void shareNormal(std::size_t with) { sharing_.back() = static_cast<unsigned>(with); }
+  /// So far.
+  [[nodiscard]] std::size_t vertexCount() const { return mesh_.positions.size(); }
   /// Corners by number within the part.
   void triangle(const std::array<unsigned, 3>& corners);
   [[nodiscard]] Mesh finish();
@@ -49,6 +63,7 @@ class MeshBuilder {
 
   const std::filesystem::path& file_;
   Mesh mesh_;
+  std::vector<unsigned> sharing_;  ///< of each vertex: whose triangles make its normal, too
   glm::mat4 transform_{1};
   glm::mat3 turn_{1};  ///< of normals
   bool mirrored_ = false;

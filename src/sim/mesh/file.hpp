@@ -68,7 +68,8 @@ struct Mesh {
   std::vector<MeshMaterial> materials;  ///< empty where the file has none
   std::vector<int> materialOf;          ///< of each triangle, -1: none; empty where there are no materials
   std::vector<MeshImage> images;
-  std::vector<std::string> ignored;  ///< what is not drawn: a key and whose it is
+  std::vector<std::string> ignored;  ///< what looks have that is not drawn: a key and whose it is
+  std::vector<std::string> undrawn;  ///< what else is not drawn, whatever the look: "lines (3)"
 
   template <class Archive>
   void pack(Archive& archive) {
@@ -81,21 +82,25 @@ struct Mesh {
     archive(materialOf);
     archive(images);
     archive(ignored);
+    archive(undrawn);
   }
 };
 
+/// What faces get whose file has no normals. `shown`: what the format says, flat ones with vertices of
+/// their own. `shared`: a normal around each vertex of the file, for those who work with these vertices.
+enum class MeshNormals { shown, shared };
+
 /// Reads OBJ, PLY, glTF or GLB: every mesh of the file with its node's transform, polygons as triangles,
-/// points and lines left out; normals are computed where the file has none. Throws UserError: usage for
-/// another extension, what readFile says for a file that cannot be read, inputOutput for one that is not
-/// what it says, promises more than its bytes can hold, names a file outside its folder, holds no triangle,
-/// a vertex that is not finite or beyond 1e9 m, a face of more than 10,000 corners, or more than 8 million
-/// vertices or triangles. A library reads OBJ and PLY, and no check of ours knows all that it does not
-/// survive: so all this happens in a process of its own with limits on memory and time, and a crash there
-/// is one such error here.
-[[nodiscard]] Mesh loadMesh(const std::filesystem::path& file);
+/// points and lines left out. Where a file has no normals, glTF is flat, OBJ by its smoothing groups, PLY
+/// smooth around its vertices. Throws UserError: usage for another extension, what readFile says for a file
+/// that cannot be read, inputOutput for one that is not what it says, promises more than its bytes can
+/// hold, names a file outside its folder, holds no triangle, a vertex that is not finite or beyond 1e9 m, a
+/// face of more than 10,000 corners, or more than 8 million vertices or triangles. All of it happens in a
+/// process of its own with limits on memory and time; a crash there is one such error here.
+[[nodiscard]] Mesh loadMesh(const std::filesystem::path& file, MeshNormals normals = MeshNormals::shown);
 
 /// The same in this process, for those who look for such crashes.
-[[nodiscard]] Mesh importMesh(const std::filesystem::path& file);
+[[nodiscard]] Mesh importMesh(const std::filesystem::path& file, MeshNormals normals = MeshNormals::shown);
 
 /// Whether its name ends as those of glTF files do.
 [[nodiscard]] bool isGltf(const std::filesystem::path& file);

@@ -114,6 +114,18 @@ std::size_t GltfDocument::size(const char* list) const {
   return found ? found->size() : 0;
 }
 
+std::vector<std::uint64_t> GltfDocument::rootNodes() const {
+  if (size("scenes") > 0) return wholeNumbers(item("scenes", number(root(), "scene", 0)), "nodes");
+  std::vector<bool> below(size("nodes"));
+  for (std::size_t i = 0; i < below.size(); ++i)
+    for (const std::uint64_t child : wholeNumbers(item("nodes", i), "children"))
+      if (child < below.size()) below[child] = true;
+  std::vector<std::uint64_t> roots;
+  for (std::size_t i = 0; i < below.size(); ++i)
+    if (!below[i]) roots.push_back(i);
+  return roots;
+}
+
 JsonValue GltfDocument::item(const char* list, std::size_t number) const {
   if (number >= size(list)) refuse(fmt::format("names number {} of its {} {}", number, size(list), list));
   return root().at(list).at(number);
@@ -167,6 +179,9 @@ std::string_view GltfDocument::buffer(std::size_t number) const {
   std::string_view bytes;
   const auto uri = described.find("uri");
   if (!uri) {
+    const auto extensions = described.find("extensions");
+    if (extensions && extensions->has("EXT_meshopt_compression"))
+      refuse("has its vertices by EXT_meshopt_compression alone, which is not read; export it without");
     if (number != 0 || !glbBytes_) refuse(fmt::format("has no bytes for its buffer {}", number));
     bytes = *glbBytes_;
   } else {
@@ -222,7 +237,7 @@ std::size_t GltfDocument::count(std::size_t accessor) const {
       static_cast<std::size_t>(described.at("count").integer<std::int64_t>(1, 3 * maxMeshItems));
   if (described.has("bufferView"))
     static_cast<void>(values(described));
-  else if (!described.has("sparse") || count > maxZeros)
+  else if (count > maxZeros)
     refuse(fmt::format("has an accessor whose count is {} and whose bytes are missing", count));
   return count;
 }

@@ -23,6 +23,9 @@ class GltfDocument {
   GltfDocument(const std::filesystem::path& file, std::string_view text);
 
   [[nodiscard]] JsonValue root() const { return JsonValue(json_); }
+  /// The nodes that are drawn, without those below them: of the default scene; of a file without scenes,
+  /// the roots of all its nodes.
+  [[nodiscard]] std::vector<std::uint64_t> rootNodes() const;
   /// An object of a list of the document, such as the accessor 3.
   [[nodiscard]] JsonValue item(const char* list, std::size_t number) const;
   [[nodiscard]] std::size_t size(const char* list) const;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,23 +19,30 @@ namespace simreel::sim {
 
 namespace {
 
-/// A drawn mesh with the transform of its node.
+/// A drawn mesh with the transform of its node, or with its skin.
 struct Placed {
   std::size_t mesh;
   glm::mat4 transform;
+  std::optional<std::uint64_t> skin;
 };
 
 class GltfReader {
  public:
-  GltfReader(const std::filesystem::path& file, std::string_view text)
-      : parts_(file, text), builder_(file) {}
+  GltfReader(const std::filesystem::path& file, std::string_view text, MeshNormals normals)
+      : parts_(file, text, normals), builder_(file) {}
 
   Mesh read() {
     const std::vector<Placed> placed = walk();
     for (const Placed& mesh : placed) parts_.count(mesh.mesh);
-    for (const Placed& mesh : placed)
-      parts_.eachPart(mesh.mesh, false, [&](const GltfPart& part) { add(part, mesh.transform); });
+    for (const Placed& mesh : placed) {
+      GltfSkin skin;
+      if (mesh.skin) skin.pose = parts_.poseOf(*mesh.skin, nodes_);
+      // The joints have the vertices' place, whatever the node's (glTF 2.0, 3.7.3.2).
+      const glm::mat4 transform = mesh.skin ? glm::mat4(1) : mesh.transform;
+      parts_.eachPart(mesh.mesh, skin, [&](const GltfPart& part) { add(part, transform); });
+    }
     Mesh mesh = builder_.finish();
+    mesh.undrawn = parts_.undrawn();
     GltfMaterials looks = readMaterials(parts_.document());
     mesh.materials = std::move(looks.materials);
     mesh.images = std::move(looks.images);
@@ -66,34 +74,37 @@ class GltfReader {
             glm::vec4(place, 1)};
   }
 
-  /// The meshes of the default scene's nodes, which have to form trees.
-  std::vector<Placed> walk() const {
+  /// The meshes of the nodes that are drawn, which have to form trees; of a file without nodes all meshes.
+  std::vector<Placed> walk() {
     struct Step {
       std::uint64_t node;
       glm::mat4 parent;
       int depth;
     };
-    const JsonValue scene =
-        parts_.document().item("scenes", GltfDocument::number(parts_.document().root(), "scene", 0));
     std::vector<Step> open;
-    for (const std::uint64_t node : GltfDocument::wholeNumbers(scene, "nodes"))
-      open.push_back({node, glm::mat4(1), 0});
+    for (const std::uint64_t node : parts_.document().rootNodes()) open.push_back({node, glm::mat4(1), 0});
     std::vector<Placed> placed;
-    std::vector<bool> met(parts_.document().size("nodes"));
+    nodes_.resize(parts_.document().size("nodes"));
+    if (nodes_.empty())
+      for (std::size_t i = 0; i < parts_.document().size("meshes"); ++i)
+        placed.push_back({i, glm::mat4(1), std::nullopt});
     while (!open.empty()) {
       const Step step = open.back();
       open.pop_back();
       const JsonValue node = parts_.document().item("nodes", step.node);
-      if (met[step.node])
+      if (nodes_[step.node])
         parts_.document().refuse(fmt::format("has a node with two parents (number {})", step.node));
-      met[step.node] = true;
       if (step.depth > maxNodeDepth)
         parts_.document().refuse(fmt::format("nests its nodes deeper than {} levels", maxNodeDepth));
       const glm::mat4 transform = step.parent * transformOf(node);
-      if (node.has("mesh")) placed.push_back({GltfDocument::number(node, "mesh"), transform});
+      nodes_[step.node] = transform;
+      if (node.has("mesh")) {
+        placed.push_back({GltfDocument::number(node, "mesh"), transform, std::nullopt});
+        if (node.has("skin")) placed.back().skin = GltfDocument::number(node, "skin");
+      }
       for (const std::uint64_t child : GltfDocument::wholeNumbers(node, "children"))
         open.push_back({child, transform, step.depth + 1});
-      if (open.size() > met.size()) parts_.document().refuse("has a node with two parents");
+      if (open.size() > nodes_.size()) parts_.document().refuse("has a node with two parents");
     }
     return placed;
   }
@@ -107,14 +118,15 @@ class GltfReader {
 
   GltfParts parts_;
   MeshBuilder builder_;
+  std::vector<std::optional<glm::mat4>> nodes_;  ///< where they are, of those that are drawn
   bool fades_ = false;
 };
 
 }  // namespace
 
-Mesh readGltf(const std::filesystem::path& file, std::string_view text) {
+Mesh readGltf(const std::filesystem::path& file, std::string_view text, MeshNormals normals) {
   try {
-    return GltfReader(file, text).read();
+    return GltfReader(file, text, normals).read();
   } catch (const JsonError& error) {
     refuseMesh(file, fmt::format("is no sound glTF: {}", error.what()));
   }

@@ -11,6 +11,6 @@ namespace simreel::sim {
 /// beside `file`. Everything is counted before it is allocated: each list against the bytes that hold it,
 /// nodes as the tree that they have to be, vertices over all nodes. Throws UserError as loadMesh() does,
 /// also for required extensions that change the mesh.
-[[nodiscard]] Mesh readGltf(const std::filesystem::path& file, std::string_view text);
+[[nodiscard]] Mesh readGltf(const std::filesystem::path& file, std::string_view text, MeshNormals normals);
 
 }  // namespace simreel::sim

@@ -60,6 +60,14 @@ TexturePlace transformedPlace(const JsonValue& transform) {
   return {{scale.x * c, -scale.x * s, scale.y * s, scale.y * c}, pair("offset", 0)};
 }
 
+/// The name of a format that extensions of glTF bring and that is not read; null of others.
+const char* unreadFormat(std::string_view bytes) {
+  if (bytes.starts_with("RIFF") && bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WEBP"))
+    return "WebP";
+  if (bytes.starts_with("\xABKTX 20")) return "KTX2";
+  return bytes.starts_with("DDS ") ? "DDS" : nullptr;
+}
+
 class MaterialReader {
  public:
   explicit MaterialReader(const GltfDocument& document) : document_(document) {}
@@ -271,6 +279,11 @@ class MaterialReader {
       const auto name = described.find("name");
       kept.name = name ? name->text() : fmt::format("image {}", image);
       kept.bytes = document_.bytesOfView(GltfDocument::number(described, "bufferView"));
+    }
+    if (const char* format = unreadFormat(kept.bytes)) {
+      all_.ignored.push_back(fmt::format("{} (a picture of the format {})", kept.name, format));
+      numbers_.emplace(image, -1);
+      return -1;
     }
     const int number = static_cast<int>(all_.images.size());
     all_.images.push_back(std::move(kept));

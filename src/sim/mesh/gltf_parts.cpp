@@ -2,13 +2,16 @@
 
 #include "sim/mesh/builder.hpp"
 #include "sim/mesh/gltf_materials.hpp"
+#include "sim/polygons/distinct.hpp"
 
 #include <bit>
 #include <cmath>
 #include <string>
-#include <unordered_map>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 
 namespace simreel::sim {
 
@@ -20,18 +23,34 @@ constexpr std::size_t maxParts = 100'000;
 constexpr float weightSlack = 0.02F;
 
 struct VertexHash {
-  std::size_t operator()(const GltfVertex& vertex) const {
-    std::uint64_t hash = 14695981039346656037U;  // FNV-1a over words
-    const auto add = [&](std::uint32_t word) { hash = (hash ^ word) * 1099511628211U; };
-    for (const float value : vertex.values) add(std::bit_cast<std::uint32_t>(value == 0 ? 0.0F : value));
-    for (const std::uint32_t bone : vertex.bones) add(bone);
-    for (const float weight : vertex.weights) add(std::bit_cast<std::uint32_t>(weight));
-    return hash ^ hash >> 29U;
+  std::uint64_t operator()(const GltfVertex& vertex) const {
+    WordHash hash;
+    for (const float value : vertex.values)
+      hash.add(std::bit_cast<std::uint32_t>(value == 0 ? 0.0F : value));
+    for (const std::uint32_t bone : vertex.bones) hash.add(bone);
+    for (const float weight : vertex.weights) hash.add(std::bit_cast<std::uint32_t>(weight));
+    return hash.value();
   }
 };
 
 std::uint64_t modeOf(const JsonValue& primitive) {
   return GltfDocument::number(primitive, "mode", triangleList);
+}
+
+glm::vec3 placeIn(const GltfVertex& vertex) {
+  return {vertex.values[0], vertex.values[1], vertex.values[2]};
+}
+
+void setNormal(GltfVertex& vertex, const glm::vec3& normal) {
+  for (int k = 0; k < 3; ++k) vertex.values[3 + static_cast<std::size_t>(k)] = normal[k];
+}
+
+/// 0 of a triangle without area.
+glm::vec3 normalOf(const GltfVertex& a, const GltfVertex& b, const GltfVertex& c) {
+  const glm::dvec3 from(placeIn(a));
+  const glm::dvec3 normal = glm::cross(glm::dvec3(placeIn(b)) - from, glm::dvec3(placeIn(c)) - from);
+  const double length = glm::length(normal);
+  return length > 0 && std::isfinite(length) ? glm::vec3(normal / length) : glm::vec3(0);
 }
 
 std::size_t position(const JsonValue& primitive) {
@@ -40,7 +59,8 @@ std::size_t position(const JsonValue& primitive) {
 
 }  // namespace
 
-GltfParts::GltfParts(const std::filesystem::path& file, std::string_view text) : document_(file, text) {
+GltfParts::GltfParts(const std::filesystem::path& file, std::string_view text, MeshNormals normals)
+    : document_(file, text), normals_(normals) {
   checkExtensions();
 }
 
@@ -64,7 +84,13 @@ JsonValue GltfParts::primitivesOf(std::size_t mesh) const {
 void GltfParts::count(std::size_t mesh) {
   parts_ += primitivesOf(mesh).size();
   if (parts_ > maxParts) document_.refuse(fmt::format("has more than {} parts; join them", maxParts));
+  primitivesOf(mesh).eachItem([&](const JsonValue& primitive) {
+    const std::uint64_t mode = modeOf(primitive);
+    if (mode == 0) ++points_;
+    if (mode > 0 && mode < triangleList) ++lines_;
+  });
   forEachPrimitive(mesh, [&](const JsonValue& primitive) {
+    checkCompression(primitive);
     vertices_ += document_.count(position(primitive));
     corners_ += cornerCount(primitive);
     if (vertices_ > maxMeshItems || corners_ > 3 * maxMeshItems)
@@ -90,7 +116,17 @@ std::vector<float> GltfParts::attribute(const JsonValue& primitive, const char* 
   return document_.floats(accessor, components);
 }
 
-GltfPart GltfParts::part(std::size_t mesh, const JsonValue& primitive, bool skinned) const {
+/// Where the file gives compressed vertices only.
+void GltfParts::checkCompression(const JsonValue& primitive) const {
+  const auto extensions = primitive.find("extensions");
+  const bool draco = extensions && extensions->has("KHR_draco_mesh_compression");
+  if (draco && !document_.item("accessors", position(primitive)).has("bufferView"))
+    document_.refuse(
+        "has its vertices by KHR_draco_mesh_compression alone, which is not read; export it without");
+}
+
+GltfPart GltfParts::part(std::size_t mesh, const JsonValue& primitive, const GltfSkin& skin) const {
+  checkCompression(primitive);
   const std::size_t count = document_.count(position(primitive));
   const std::vector<float> positions = attribute(primitive, "POSITION", 3, count);
   const std::vector<float> normals = attribute(primitive, "NORMAL", 3, count);
@@ -114,23 +150,100 @@ GltfPart GltfParts::part(std::size_t mesh, const JsonValue& primitive, bool skin
       if (k < 2 && !uvs.empty()) all[i].values[6 + k] = uvs[2 * i + k];
       if (!colors.empty()) all[i].values[8 + k] = colors[each * i + k];
     }
-  if (skinned) addBones(mesh, primitive, all);
+  if (skin.kept) addBones(mesh, primitive, all);
+  if (!skin.pose.empty()) poseVertices(mesh, primitive, skin.pose, all);
   GltfPart part;
   part.hasUvs = !uvs.empty();
   part.hasColors = !colors.empty();
   for (std::size_t i = 3; each == 4 && i < colors.size(); i += 4) part.fades = part.fades || colors[i] < 1;
   if (material < materials) part.material = static_cast<int>(material);
   part.triangles = trianglesOf(primitive, count);
-  std::unordered_map<GltfVertex, unsigned, VertexHash> known;
-  std::vector<unsigned> first(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto [at, fresh] = known.try_emplace(all[i], static_cast<unsigned>(part.vertices.size()));
-    if (fresh) part.vertices.push_back(all[i]);
-    first[i] = at->second;
+  Distinct<GltfVertex, VertexHash> distinct;
+  if (normals.empty() && normals_ == MeshNormals::shown) {
+    for (auto& triangle : part.triangles) {
+      const glm::vec3 normal = normalOf(all[triangle[0]], all[triangle[1]], all[triangle[2]]);
+      for (unsigned& corner : triangle) {
+        GltfVertex vertex = all[corner];
+        setNormal(vertex, normal);
+        corner = distinct.number(vertex).first;
+      }
+    }
+  } else {
+    std::vector<unsigned> numbers;
+    numbers.reserve(count);
+    for (const GltfVertex& vertex : all) numbers.push_back(distinct.number(vertex).first);
+    for (auto& triangle : part.triangles)
+      for (unsigned& corner : triangle) corner = numbers[corner];
   }
-  for (auto& triangle : part.triangles)
-    for (unsigned& corner : triangle) corner = first[corner];
+  part.vertices = distinct.take();
   return part;
+}
+
+std::vector<std::string> GltfParts::undrawn() const {
+  std::vector<std::string> found;
+  if (lines_ > 0) found.push_back(fmt::format("lines ({})", lines_));
+  if (points_ > 0) found.push_back(fmt::format("points ({})", points_));
+  return found;
+}
+
+std::vector<glm::mat4> GltfParts::poseOf(std::uint64_t skin,
+                                         const std::vector<std::optional<glm::mat4>>& nodes) const {
+  const JsonValue described = document_.item("skins", skin);
+  const std::vector<std::uint64_t> joints = GltfDocument::wholeNumbers(described, "joints");
+  if (joints.empty()) document_.refuse(fmt::format("has a skin without joints (number {})", skin));
+  std::vector<float> binds;
+  if (described.has("inverseBindMatrices")) {
+    binds = document_.floats(GltfDocument::number(described, "inverseBindMatrices"), 16);
+    if (binds.size() < 16 * joints.size())
+      document_.refuse(fmt::format("has a skin of {} joints with {} inverse bind matrices", joints.size(),
+                                   binds.size() / 16));
+  }
+  std::vector<glm::mat4> pose;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (joints[i] >= nodes.size() || !nodes[joints[i]])
+      document_.refuse(fmt::format(
+          "has a skin whose joint {} is node {}, which is none of its default scene", i, joints[i]));
+    pose.push_back(binds.empty() ? *nodes[joints[i]] : *nodes[joints[i]] * glm::make_mat4(&binds[16 * i]));
+  }
+  return pose;
+}
+
+/// Every set of joints and weights counts. A vertex without weights stays.
+void GltfParts::poseVertices(std::size_t mesh, const JsonValue& primitive,
+                             const std::vector<glm::mat4>& pose, std::vector<GltfVertex>& vertices) const {
+  const auto refuse = [&](const std::string& why) {
+    document_.refuse(fmt::format("has a skin for its mesh {}, {}", mesh, why));
+  };
+  std::vector<glm::mat4> moved(vertices.size(), glm::mat4(0));
+  std::vector<float> sums(vertices.size(), 0.0F);
+  constexpr int sets = 8;
+  for (int set = 0; set < sets; ++set) {
+    const std::vector<float> bones =
+        attribute(primitive, fmt::format("JOINTS_{}", set).c_str(), 4, vertices.size());
+    const std::vector<float> weights =
+        attribute(primitive, fmt::format("WEIGHTS_{}", set).c_str(), 4, vertices.size());
+    if (bones.size() != weights.size() || (set == 0 && bones.empty()))
+      refuse(fmt::format("which lacks JOINTS_{0} or WEIGHTS_{0}", set));
+    for (std::size_t i = 0; i < bones.size(); ++i) {
+      const float weight = weights[i], bone = bones[i];
+      if (weight == 0) continue;  // what is left over may name any joint
+      if (!(weight > 0 && weight <= 2))
+        refuse(fmt::format("whose vertex {} has the weight {}", i / 4, weight));
+      if (!(bone >= 0 && bone < static_cast<float>(pose.size())))
+        refuse(fmt::format("whose vertex {} follows joint {} of {}", i / 4, bone, pose.size()));
+      moved[i / 4] += weight * pose[static_cast<std::size_t>(bone)];
+      sums[i / 4] += weight;
+    }
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (sums[i] == 0) continue;
+    auto& v = vertices[i].values;
+    const glm::mat4 matrix = moved[i] / sums[i];
+    const glm::vec3 place = glm::vec3(matrix * glm::vec4(placeIn(vertices[i]), 1));
+    const glm::vec3 normal = glm::transpose(glm::inverse(glm::mat3(matrix))) * glm::vec3(v[3], v[4], v[5]);
+    for (int k = 0; k < 3; ++k) v[static_cast<std::size_t>(k)] = place[k];
+    setNormal(vertices[i], normal);
+  }
 }
 
 void GltfParts::addBones(std::size_t mesh, const JsonValue& primitive,

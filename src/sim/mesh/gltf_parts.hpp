@@ -1,14 +1,18 @@
 #pragma once
+#include "sim/mesh/file.hpp"
 #include "sim/mesh/gltf_document.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/mat4x4.hpp>
 
 namespace simreel::sim {
 
@@ -21,8 +25,8 @@ struct GltfVertex {
   bool operator==(const GltfVertex&) const = default;
 };
 
-/// Triangles with one material. Vertices that are equal in all that is read are one, so that computed
-/// normals are smooth.
+/// Triangles with one material. Vertices that are equal in all that is read are one. Without normals the
+/// triangles are flat (glTF 2.0, 3.7.2.1) where they are shown.
 struct GltfPart {
   bool hasUvs = false;
   bool hasColors = false;
@@ -30,6 +34,13 @@ struct GltfPart {
   int material = -1;   ///< its number; -1: none
   std::vector<GltfVertex> vertices;
   std::vector<std::array<unsigned, 3>> triangles;
+};
+
+/// What a node makes of its mesh's bones: nothing; they stay, for who moves them; or they have moved it,
+/// by a matrix for each joint.
+struct GltfSkin {
+  bool kept = false;
+  std::vector<glm::mat4> pose;
 };
 
 class MeshBuilder;
@@ -40,18 +51,24 @@ void addVertex(MeshBuilder& builder, const GltfPart& part, const GltfVertex& ver
 class GltfParts {
  public:
   /// Refuses required extensions that change the mesh.
-  GltfParts(const std::filesystem::path& file, std::string_view text);
+  GltfParts(const std::filesystem::path& file, std::string_view text,
+            MeshNormals normals = MeshNormals::shown);
 
   [[nodiscard]] const GltfDocument& document() const { return document_; }
   /// Notes that a mesh is used once more; refuses more vertices, triangles or parts than there may be,
   /// before any of them is read.
   void count(std::size_t mesh);
-  /// The parts of a mesh; with `skinned` their bones, and a mistake where those are missing. `visit` takes
-  /// a GltfPart.
+  /// The parts of a mesh; of a skin their bones, and a mistake where those are missing. `visit` takes a
+  /// GltfPart.
   template <class Visit>
-  void eachPart(std::size_t mesh, bool skinned, const Visit& visit) const {
-    forEachPrimitive(mesh, [&](const JsonValue& primitive) { visit(part(mesh, primitive, skinned)); });
+  void eachPart(std::size_t mesh, const GltfSkin& skin, const Visit& visit) const {
+    forEachPrimitive(mesh, [&](const JsonValue& primitive) { visit(part(mesh, primitive, skin)); });
   }
+  /// Primitives of meshes counted that are lines or points: "lines (2)".
+  [[nodiscard]] std::vector<std::string> undrawn() const;
+  /// The matrices of a skin's joints, given where the file's nodes are.
+  [[nodiscard]] std::vector<glm::mat4> poseOf(std::uint64_t skin,
+                                              const std::vector<std::optional<glm::mat4>>& nodes) const;
 
  private:
   void checkExtensions() const;
@@ -61,13 +78,18 @@ class GltfParts {
   [[nodiscard]] std::size_t cornerCount(const JsonValue& primitive) const;
   [[nodiscard]] std::vector<float> attribute(const JsonValue& primitive, const char* name,
                                              std::size_t components, std::size_t vertices) const;
-  [[nodiscard]] GltfPart part(std::size_t mesh, const JsonValue& primitive, bool skinned) const;
+  [[nodiscard]] GltfPart part(std::size_t mesh, const JsonValue& primitive, const GltfSkin& skin) const;
+  void checkCompression(const JsonValue& primitive) const;
+  void poseVertices(std::size_t mesh, const JsonValue& primitive, const std::vector<glm::mat4>& pose,
+                    std::vector<GltfVertex>& vertices) const;
   void addBones(std::size_t mesh, const JsonValue& primitive, std::vector<GltfVertex>& vertices) const;
   [[nodiscard]] std::vector<std::array<unsigned, 3>> trianglesOf(const JsonValue& primitive,
                                                                  std::size_t vertices) const;
 
   GltfDocument document_;
+  MeshNormals normals_;
   std::size_t vertices_ = 0, corners_ = 0, parts_ = 0;  ///< counted so far
+  std::size_t points_ = 0, lines_ = 0;                  ///< primitives of them
 };
 
 /// Modes of a primitive by their numbers in glTF.

@@ -6,6 +6,7 @@
 #include "sim/grid/picture_file.hpp"
 #include "sim/mesh/builder.hpp"
 #include "sim/mesh/texture_place.hpp"
+#include "sim/polygons/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +14,8 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,25 +24,35 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::string_view betweenWords = " \t\r";
 constexpr int librarySide = 16384;
-
-std::string_view withoutBlanks(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(betweenWords);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(betweenWords) - first + 1);
-}
 
 /// Calls each(key, rest) for the lines of a text.
 template <class Each>
 void eachKey(std::string_view text, const Each& each) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = withoutBlanks(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    const std::size_t key = std::min(line.find_first_of(betweenWords), line.size());
-    if (!line.empty() && line[0] != '#') each(line.substr(0, key), withoutBlanks(line.substr(key)));
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  TextLines lines(text);
+  for (std::string_view line; lines.next(line);) {
+    line = withoutComment(line, true);
+    const std::string_view key = takeWord(line);
+    if (!key.empty()) each(key, withoutBlanks(line));
   }
+}
+
+/// What a line `mtllib` may name: all of it as one file, as names with blanks are written; its names by
+/// their ends ".mtl"; its words.
+std::vector<std::string> libraryNames(const std::filesystem::path& mesh, std::string_view line) {
+  std::error_code error;
+  if (std::filesystem::exists(besidePath(mesh, line), error)) return {std::string(line)};
+  std::vector<std::string> byEnd, words;
+  std::string name;
+  for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+    words.emplace_back(word);
+    name += (name.empty() ? "" : " ") + std::string(word);
+    if (lowerExtension(name) != ".mtl") continue;
+    byEnd.push_back(name);
+    name.clear();
+  }
+  return name.empty() ? byEnd : words;
 }
 
 /// The first numbers of a text, held between 0 and `most`; one stands for all that follow.
@@ -67,11 +80,10 @@ std::optional<float> numberIn(std::string_view text) {
   return static_cast<float>(std::clamp(value, -1e6, 1e6));
 }
 
-/// Takes the first word off a text.
-std::string_view takeWord(std::string_view& text) {
-  const std::size_t end = std::min(text.find_first_of(betweenWords), text.size());
-  const std::string_view word = text.substr(0, end);
-  text = withoutBlanks(text.substr(end));
+/// Takes the first word and the blanks behind it off a text.
+std::string_view takeFirst(std::string_view& text) {
+  const std::string_view word = takeWord(text);
+  text = withoutBlanks(text);
   return word;
 }
 
@@ -115,7 +127,7 @@ class LibraryReader {
  private:
   /// The text of a file beside the mesh; without, that it is not read has been noted.
   std::optional<std::string> beside(const std::string& name, const char* what) {
-    const std::filesystem::path path = file_.parent_path() / name;
+    const std::filesystem::path path = besidePath(file_, name);
     const std::string why = whyUnread(file_, path);
     if (why.empty()) return readFile(path, what);
     mesh_.ignored.push_back(fmt::format("{} ({})", name, why));
@@ -161,7 +173,7 @@ class LibraryReader {
 
   void take(MeshMaterial& material, std::string_view key, std::string_view rest) {
     if (key == "d" && rest.starts_with("-halo")) {
-      takeWord(rest);
+      takeFirst(rest);
       ignore("-halo of d");
     }
     if (lacksNumbers(key, rest)) return ignore(fmt::format("\"{} {}\"", key, rest.substr(0, 40)));
@@ -226,7 +238,7 @@ class LibraryReader {
   static glm::vec3 takeNumbers(std::string_view& rest, glm::vec3 numbers) {
     for (int i = 0; i < 3; ++i) {
       std::string_view after = rest;
-      const std::string word(takeWord(after));
+      const std::string word(takeFirst(after));
       char* end = nullptr;
       const double number = std::strtod(word.c_str(), &end);
       if (word.empty() || *end != '\0' || !std::isfinite(number) || after.empty()) break;
@@ -240,7 +252,7 @@ class LibraryReader {
   bool takeOption(std::string_view key, std::string_view& rest, Named& named, glm::vec2& scale,
                   glm::vec2& offset) {
     std::string_view after = rest;
-    const std::string_view option = takeWord(after);
+    const std::string_view option = takeFirst(after);
     if (option == "-s") {
       scale = glm::vec2(takeNumbers(after, glm::vec3(1)));
     } else if (option == "-o") {
@@ -248,19 +260,19 @@ class LibraryReader {
     } else if (option == "-t") {
       if (takeNumbers(after, glm::vec3(0)) != glm::vec3(0)) ignore(fmt::format("-t of {}", key));
     } else if (option == "-mm") {
-      const float base = numberIn(takeWord(after)).value_or(0),
-                  gain = numberIn(takeWord(after)).value_or(1);
+      const float base = numberIn(takeFirst(after)).value_or(0),
+                  gain = numberIn(takeFirst(after)).value_or(1);
       if (base != 0 || gain != 1) ignore(fmt::format("-mm of {}", key));
     } else if (option == "-bm") {
-      named.strength = numberIn(takeWord(after)).value_or(1);
+      named.strength = numberIn(takeFirst(after)).value_or(1);
     } else if (option == "-clamp") {
-      named.map.repeats = takeWord(after) != "on";
-    } else if (option == "-imfchan" || option == "-cc") {
-      const std::string_view word = takeWord(after);
+      named.map.repeats = takeFirst(after) != "on";
+    } else if (option == "-imfchan" || option == "-cc" || option == "-colorspace") {
+      const std::string_view word = takeFirst(after);
       if (word != "off") ignore(fmt::format("{} {} of {}", option, word, key));
     } else if (option == "-blendu" || option == "-blendv" || option == "-boost" || option == "-texres" ||
                option == "-type") {
-      takeWord(after);  // how it is filtered
+      takeFirst(after);  // how it is filtered
     } else {
       return false;
     }
@@ -283,6 +295,10 @@ class LibraryReader {
       return named;
     }
     std::optional<std::string> bytes = beside(name, "texture");
+    if (bytes && !beginsAsPicture(*bytes)) {
+      mesh_.ignored.push_back(fmt::format("{} (it is none of PNG, JPEG, PNM and BMP)", name));
+      bytes.reset();
+    }
     named.map.image = bytes ? static_cast<int>(mesh_.images.size()) : -1;
     if (bytes) mesh_.images.push_back({name, std::move(*bytes)});
     numbers_.emplace(name, named.map.image);
@@ -317,23 +333,25 @@ class LibraryReader {
 
 }  // namespace
 
-std::vector<std::string> librariesOf(std::string_view text) {
-  std::vector<std::string> names;
-  eachKey(text, [&](std::string_view key, std::string_view rest) {
-    if (key == "mtllib" && !rest.empty()) names.emplace_back(rest);
-  });
-  return names;
+void checkLibrary(const std::filesystem::path& file, const std::string& line) {
+  for (const std::string& name : libraryNames(file, line))
+    if (!liesBeside(file, besidePath(file, name)))
+      refuseMesh(file, fmt::format("names {}, which lies outside its folder", name));
 }
 
 void addLibraryMaterials(const std::filesystem::path& file, const std::vector<std::string>& libraries,
                          const std::vector<std::string>& names, Mesh& mesh) {
   LibraryReader reader(file, mesh);
-  for (const std::string& library : libraries) reader.read(library);
+  for (const std::string& line : libraries)
+    for (const std::string& library : libraryNames(file, line)) reader.read(library);
   std::vector<int> numbers;  // of the library's materials among the mesh's
   for (const std::string& name : names) {
     const auto found = reader.all().find(name);
     numbers.push_back(found == reader.all().end() ? -1 : static_cast<int>(mesh.materials.size()));
-    if (found != reader.all().end()) mesh.materials.push_back(found->second);
+    if (found != reader.all().end())
+      mesh.materials.push_back(found->second);
+    else
+      mesh.ignored.push_back(fmt::format("usemtl {} (no material library has that name)", inQuotes(name)));
   }
   for (int& material : mesh.materialOf) {
     const auto at = static_cast<std::size_t>(material);

@@ -176,13 +176,14 @@ void MovingLooks::show(const Surface& surface, Drawables& drawables) const {
 }
 
 std::string ignoredLooks(const scene::Object& object, const Mesh& mesh) {
-  if (object.hasMaterial || mesh.ignored.empty()) return {};
+  std::vector<std::string> all = mesh.undrawn;
+  if (!object.hasMaterial) all.insert(all.end(), mesh.ignored.begin(), mesh.ignored.end());
+  if (all.empty()) return {};
   constexpr std::size_t most = 8;
-  const std::size_t said = std::min(most, mesh.ignored.size());
-  std::string line = fmt::format(
-      "{}",
-      fmt::join(mesh.ignored.begin(), mesh.ignored.begin() + static_cast<std::ptrdiff_t>(said), "; "));
-  if (said < mesh.ignored.size()) line += fmt::format("; and {} more", mesh.ignored.size() - said);
+  const std::size_t said = std::min(most, all.size());
+  std::string line =
+      fmt::format("{}", fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(said), "; "));
+  if (said < all.size()) line += fmt::format("; and {} more", all.size() - said);
   return line;
 }
 

@@ -1,5 +1,7 @@
 #include "sim/mesh/mesh.hpp"
 
+#include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/log.hpp"
 #include "sim/contact/solid.hpp"
 #include "sim/core/kind.hpp"
@@ -10,10 +12,17 @@
 #include "sim/mesh/looks.hpp"
 #include "sim/mesh/parameters.hpp"
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace simreel::sim {
 
@@ -123,12 +132,37 @@ std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting&
   return std::make_unique<RigidMesh>(object, parameters, mesh, setting);
 }
 
+/// A mesh given as a scene is refused, with the scene that draws it.
+std::string sceneAroundMesh(const std::filesystem::path& file) {
+  constexpr std::array<std::string_view, 4> read = {".obj", ".ply", ".gltf", ".glb"};
+  constexpr std::array<std::string_view, 8> others = {".stl", ".fbx",  ".dae", ".3ds",
+                                                      ".usd", ".usdz", ".off", ".blend"};
+  const std::string extension = lowerExtension(file);
+  const auto isOneOf = [&](const auto& list) {
+    return std::find(list.begin(), list.end(), extension) != list.end();
+  };
+  if (!pathExists(file)) return {};
+  if (isOneOf(others))
+    fail(ExitCode::usage,
+         "{} is a mesh, not a scene, and of a format that is not read; export it as glTF (.glb)",
+         file.string());
+  if (!isOneOf(read)) return {};
+  const std::string name = nlohmann::json(file.filename().string())
+                               .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  fail(ExitCode::usage,
+       "{} is a mesh, not a scene; this scene, saved beside it, draws it: "
+       "{{\"version\": 1, \"objects\": {{\"model\": {{\"mesh\": {{\"file\": {}}}}}}}}}",
+       file.string(), name);
+}
+
 }  // namespace
 
 SimulationKind meshKind() {
-  return kindOf<MeshParameters>(
+  SimulationKind mesh = kindOf<MeshParameters>(
       "mesh", "A generated mesh or one from a file, that may move along keyframes and be deformed.",
       checkMesh, makeMesh);
+  mesh.kind.sceneAround = sceneAroundMesh;
+  return mesh;
 }
 
 }  // namespace simreel::sim

@@ -43,9 +43,8 @@ void GltfNodes::walk(const Visit& visit) {
     std::uint64_t node;
     int parent, depth;
   };
-  const JsonValue scene = document_.item("scenes", GltfDocument::number(document_.root(), "scene", 0));
   std::vector<Step> open;
-  for (const std::uint64_t node : GltfDocument::wholeNumbers(scene, "nodes")) open.push_back({node, -1, 0});
+  for (const std::uint64_t node : document_.rootNodes()) open.push_back({node, -1, 0});
   place_.assign(document_.size("nodes"), -1);
   while (!open.empty()) {
     const Step step = open.back();

@@ -2,18 +2,19 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "sim/polygons/ply.hpp"
+#include "sim/polygons/problem.hpp"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace simreel::sim {
 
@@ -36,17 +37,6 @@ std::string_view takeLine(std::string_view& rest) {
   const std::string_view line = rest.substr(0, end);
   rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
   return trimmed(line);
-}
-
-std::vector<std::string_view> split(std::string_view line, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const auto end = line.find(separator);
-    const std::string_view part = trimmed(line.substr(0, end));
-    if (separator != ' ' || !part.empty()) parts.push_back(part);
-    if (end == std::string_view::npos) return parts;
-    line.remove_prefix(end + 1);
-  }
 }
 
 /// What separates the values of a file whose first line this is: programs of countries with a decimal comma
@@ -175,113 +165,30 @@ void readCsv(std::string_view text, Collector& collector) {
   }
 }
 
-/// A property of a PLY element.
-struct Property {
-  std::string name;
-  int bytes = 0;
-  char kind = 'f';  ///< f float, i signed, u unsigned
-};
-
-std::optional<Property> propertyOf(std::string_view type, std::string_view name) {
-  constexpr struct {
-    const char* name;
-    int bytes;
-    char kind;
-  } types[] = {{"char", 1, 'i'},  {"int8", 1, 'i'},    {"uchar", 1, 'u'},  {"uint8", 1, 'u'},
-               {"short", 2, 'i'}, {"int16", 2, 'i'},   {"ushort", 2, 'u'}, {"uint16", 2, 'u'},
-               {"int", 4, 'i'},   {"int32", 4, 'i'},   {"uint", 4, 'u'},   {"uint32", 4, 'u'},
-               {"float", 4, 'f'}, {"float32", 4, 'f'}, {"double", 8, 'f'}, {"float64", 8, 'f'}};
-  for (const auto& known : types)
-    if (type == known.name) return Property{std::string(name), known.bytes, known.kind};
-  return std::nullopt;
-}
-
-/// A number of a binary PLY; `at` points to little-endian bytes.
-double binaryNumber(const char* at, const Property& property) {
-  std::uint64_t bits = 0;
-  for (int i = property.bytes - 1; i >= 0; --i) bits = bits << 8U | static_cast<unsigned char>(at[i]);
-  if (property.kind == 'f' && property.bytes == 8) return std::bit_cast<double>(bits);
-  if (property.kind == 'f') return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-  const auto shift = static_cast<unsigned>(64 - 8 * property.bytes);
-  if (property.kind == 'i') return static_cast<double>(static_cast<std::int64_t>(bits << shift) >> shift);
-  return static_cast<double>(bits);
-}
-
-struct PlyHeader {
-  bool binary = false;
-  std::int64_t vertices = -1;
-  std::vector<Property> properties;  ///< of "vertex", which must come first
-};
-
-PlyHeader readPlyHeader(std::string_view& text, const Collector& collector) {
-  PlyHeader header;
-  std::string element;
-  bool format = false;
-  while (true) {
-    if (text.empty()) collector.refuse("the PLY header has no end_header");
-    const std::string_view line = takeLine(text);
-    const auto words = split(line, ' ');
-    if (words.empty() || words[0] == "comment" || words[0] == "obj_info" || words[0] == "ply") continue;
-    if (words[0] == "end_header") break;
-    if (words[0] == "format" && words.size() > 1) {
-      format = true;
-      header.binary = words[1] == "binary_little_endian";
-      if (!header.binary && words[1] != "ascii")
-        collector.refuse("PLY format {}; only ascii and binary_little_endian are read", words[1]);
-    } else if (words[0] == "element" && words.size() == 3) {
-      if (header.vertices < 0 && words[1] != "vertex")
-        collector.refuse("element {} comes before the vertices; write the vertices first", words[1]);
-      element = words[1];
-      const auto count = numberOf(words[2]);
-      if (!count || *count < 0 || *count > 1e15) collector.refuse("\"{}\" is no PLY element", line);
-      if (element == "vertex") header.vertices = static_cast<std::int64_t>(*count);
-    } else if (words[0] == "property" && words.size() >= 3) {
-      if (element != "vertex") continue;
-      const auto property = propertyOf(words[1], words[2]);
-      if (!property || words.size() != 3)
-        collector.refuse("property \"{}\" of the vertices cannot be read", line);
-      header.properties.push_back(*property);
-    } else {
-      collector.refuse("\"{}\" is no line of a PLY header", line.substr(0, 60));
-    }
-  }
-  if (!format || header.vertices < 0) collector.refuse("the PLY header names no format or no vertices");
-  return header;
-}
-
 void readPly(std::string_view text, Collector& collector) {
-  const PlyHeader header = readPlyHeader(text, collector);
-  std::array<bool, columns> given{};
-  std::size_t bytes = 0;
-  for (const Property& property : header.properties) {
-    if (const auto column = columnOf(property.name)) given[*column] = true;
-    bytes += static_cast<std::size_t>(property.bytes);
-  }
-  collector.requirePosition(given);
-  for (std::int64_t vertex = 0; vertex < header.vertices; ++vertex) {
-    Row row{};
-    std::vector<std::string_view> words;
-    if (header.binary ? text.size() < bytes : text.empty())
-      collector.refuse("ends at vertex {} of {}", vertex, header.vertices);
-    if (!header.binary) {
-      words = split(takeLine(text), ' ');
-      if (words.size() != header.properties.size())
-        collector.refuse("vertex {}: {} values, the header names {} properties", vertex, words.size(),
-                         header.properties.size());
-    }
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < header.properties.size(); ++i) {
-      const Property& property = header.properties[i];
-      const auto value =
-          header.binary ? std::optional(binaryNumber(text.data() + at, property)) : numberOf(words[i]);
-      at += static_cast<std::size_t>(property.bytes);
-      const auto column = columnOf(property.name);
-      if (!column) continue;
-      if (!value) collector.refuse("vertex {}: \"{}\" is not a number", vertex, words[i].substr(0, 40));
-      row[*column] = *value;
-    }
-    if (header.binary) text.remove_prefix(bytes);
-    collector.add(row, "vertex", vertex);
+  try {
+    const PlyFile file(text);
+    std::array<bool, columns> given{};
+    std::array<std::size_t, columns> properties{};
+    std::size_t vertices = 0;
+    while (vertices < file.elements().size() && file.elements()[vertices].name != "vertex") ++vertices;
+    if (vertices == file.elements().size()) collector.refuse("has no vertices");
+    const std::vector<PlyProperty>& all = file.elements()[vertices].properties;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (const auto column = columnOf(all[i].name); column && !all[i].counts) {
+        given[*column] = true;
+        properties[*column] = i;
+      }
+    collector.requirePosition(given);
+    file.read([&](std::size_t element, std::uint64_t item, const PlyItem& values) {
+      if (element != vertices) return;
+      Row row{};
+      for (std::size_t c = 0; c < columns; ++c)
+        if (given[c]) row[c] = values[properties[c]];
+      collector.add(row, "vertex", static_cast<std::int64_t>(item));
+    });
+  } catch (const PolygonProblem& problem) {
+    collector.refuse("{}", problem.what());
   }
 }
 

@@ -8,7 +8,7 @@
 namespace simreel::sim {
 
 /// Particles of a CSV file (first line names the columns: x,y,z, then any of vx,vy,vz and mass) or a PLY
-/// file (ascii or binary little endian; properties of element "vertex" by the same names). Lines of a CSV
+/// file (properties of its element "vertex" by the same names). Lines of a CSV
 /// that start with # are comments. Without a mass column the particles share `totalMass` (kg) equally.
 /// Throws UserError(usage) with file, line or vertex, and what is wrong: no particles, a malformed number,
 /// NaN or infinity, a mass that is not positive, more than `maxParticles`.

@@ -70,7 +70,7 @@ Mesh ReactionMesh::make() const {
   }
   Mesh made = shape == Shape::plane   ? planeMesh(size, resolution)
               : shape == Shape::torus ? torusMesh(radius, tube, resolution)
-                                      : loadMesh(file);
+                                      : loadMesh(file, MeshNormals::shared);
   if (refine > 0) check(static_cast<std::int64_t>(made.indices.size() / 3) << (2 * refine));
   for (int i = 0; i < refine; ++i) made = refined(made);
   return made;

@@ -72,7 +72,7 @@ Pace::Steps Pace::during(double time) const {
 }
 
 std::vector<double> smoothLevels(const std::filesystem::path& file, const char* what, glm::ivec2 grid) {
-  const Picture picture = loadPicture(file, what, maxMapSide);
+  const Levels picture = loadLevels(file, what, maxMapSide);
   std::vector<double> levels;
   levels.reserve(static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y));
   for (int y = 0; y < grid.y; ++y)
@@ -85,9 +85,9 @@ std::vector<double> smoothLevels(const std::filesystem::path& file, const char* 
       const int bottom = std::min(top + 1, picture.size.y - 1);
       const double u = px - left;
       const double v = py - top;
-      const double above = picture.level(left, top) * (1 - u) + picture.level(right, top) * u;
-      const double below = picture.level(left, bottom) * (1 - u) + picture.level(right, bottom) * u;
-      levels.push_back((above * (1 - v) + below * v) / 255.0);
+      const double above = picture.at(left, top) * (1 - u) + picture.at(right, top) * u;
+      const double below = picture.at(left, bottom) * (1 - u) + picture.at(right, bottom) * u;
+      levels.push_back((above * (1 - v) + below * v) / picture.white);
     }
   return levels;
 }

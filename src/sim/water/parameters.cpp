@@ -94,7 +94,8 @@ void WaterParameters::describeStart(scene::Fields& f) {
          });
   f.group("terrain", "What is under the water.", [&](scene::Fields& t) {
     t.number("bed", bed, heights, "m", "Height of a flat bed; with an image it counts for nothing.");
-    t.asset("image", terrain, "Picture of heights: \"low\" where it is black, \"high\" where white.");
+    t.asset("image", terrain,
+            "Picture of heights: \"low\" where it is black, \"high\" where white; a PNG may have 16 bits.");
     t.number("low", terrainLow, heights, "m", "Where the image is black.");
     t.number("high", terrainHigh, heights, "m", "Where it is white.");
     t.integer("smooth", terrainSmooth, {0, 64}, "",

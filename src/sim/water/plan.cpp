@@ -79,9 +79,9 @@ std::vector<float> WaterPlan::bedHeights() const {
   const auto count = static_cast<std::size_t>(p.size.x) * static_cast<std::size_t>(p.size.y);
   std::vector<float> bed(count, p.bed);
   if (!p.terrain.empty()) {
-    const auto levels = levelsOnGrid(loadPicture(p.terrain, "terrain", maxImageSide), p.size);
+    const std::vector<double> shares = sharesOnGrid(loadLevels(p.terrain, "terrain", maxImageSide), p.size);
     for (std::size_t i = 0; i < count; ++i)
-      bed[i] = static_cast<float>(p.terrainLow + (p.terrainHigh - p.terrainLow) * (levels[i] / 255.0));
+      bed[i] = static_cast<float>(p.terrainLow + (p.terrainHigh - p.terrainLow) * shares[i]);
     for (int i = 0; i < p.terrainSmooth; ++i) bed = smoothed(bed, p.size);
   }
   for (const WaterHill& hill : p.hills) {

@@ -288,6 +288,8 @@ TEST_CASE("rule files that make no sense are refused at their place") {
   checkHas(fileMistake(head + "0,1,2,0,1\n"), "r.rule:6:10: a transition has 6 states here");
   checkHas(fileMistake(head + "var a={1,4}\n"), "r.rule:6:10: a state is 4 here");
   checkHas(fileMistake(head + "var a=1,2\n"), "r.rule:6:1: a variable is written as");
+  checkHas(fileMistake(head + "var a={1,2}\nvar b=a\n0,0,1,2,b,q\n"), "r.rule:8:11: \"q\" is neither");
+  checkHas(fileMistake(head + "var a={1,2}\nvar b=c\n"), "r.rule:7:7: \"c\" is neither a state nor");
   checkHas(fileMistake(head + "var a={1,2}\n0,0,1,2,0,a\n"),
            "r.rule:7:11: the new state is the variable \"a\"");
   checkHas(fileMistake("@RULE X\n@TABLE\nn_states:3\nsymmetries:rotate8\n0,0,0,0,0,1\n"),

@@ -63,7 +63,8 @@ TEST_CASE("a glider in every format is the same glider") {
         "!Name: Glider\r\n!\r\n.O.\r\n..O\r\nOOO\r\n", "!\n.*\n..*\n***",
         "#Life 1.06\n0 -1\n1 0\n-1 1\n0 1\n1 1\n", "#Life 1.06\r\n7 7\r\n8 8\r\n6 9\r\n7 9\r\n8 9\r\n",
         "#Life 1.05\n#D a glider\n#N\n#P -1 -1\n.*.\n..*\n***\n",
-        "#Life 1.05\n#P 4 5\n*\n.*\n#P 3 7\n***\n", "\xEF\xBB\xBF#Life 1.06\n1 0\n2 1\n0 2\n1 2\n2 2\n"}) {
+        "#Life 1.05\n#P 4 5\n*\n.*\n#P 3 7\n***\n", "#Life 1.05\n#P\n.*\n#P\n..*\n***\n",
+        "\xEF\xBB\xBF#Life 1.06\n1 0\n2 1\n0 2\n1 2\n2 2\n"}) {
     CAPTURE(text);
     const CellPattern pattern = parsePattern(text, "p");
     CHECK(cellsOf(pattern) == glider);
@@ -71,6 +72,10 @@ TEST_CASE("a glider in every format is the same glider") {
   }
   CHECK(cellsOf(parsePattern("!c\n\n.O\n\nO\n", "p")) == Cells{{1, 0}, {0, 2}});
   CHECK(parsePattern("#Life 1.05\n#R 23/36\n#P 0 0\n*", "p").rule->text() == "B36/S23");
+  // As Golly's own files have rules in which nothing survives, and XLife's have theirs.
+  CHECK(parsePattern("#Life 1.05\n#R B234\n#P 0 0\n*", "p").rule->text() == "B234/S");
+  CHECK(parsePattern("x = 1, y = 1, rule = b2\no!", "p").rule->text() == "B2/S");
+  CHECK(parsePattern("#C one\n#r 12/34\no!", "p").rule->text() == "B34/S12");
 }
 
 TEST_CASE("mistakes in patterns have line and column") {
@@ -105,8 +110,11 @@ TEST_CASE("mistakes in patterns have line and column") {
 }
 
 TEST_CASE("names of pattern files") {
-  for (const char* name : {"gun.rle", "a/b.RLE", "c.cells", "d.Life", "e.lif"}) CHECK(isPatternName(name));
-  for (const char* name : {"gun.json", "rle", "gun.rle.json", "gun"}) CHECK_FALSE(isPatternName(name));
+  for (const char* name :
+       {"gun.rle", "a/b.RLE", "c.cells", "d.Life", "e.lif", "f.mc", "g.rle.gz", "h.mc.GZ"})
+    CHECK(isPatternName(name));
+  for (const char* name : {"gun.json", "rle", "gun.rle.json", "gun", "gun.gz"})
+    CHECK_FALSE(isPatternName(name));
 }
 
 TEST_CASE("a grid that is not given fits its patterns, 16 to 9, and they lie in its middle") {
@@ -162,6 +170,57 @@ TEST_CASE("a pattern that was made for a bounded grid brings it along") {
   CHECK(living(plan) == Cells{{14, 10}, {15, 10}, {16, 10}});
   p.borderGiven = true;  // a torus, and the file says otherwise
   CHECK_THROWS_AS(LifePlan(p, "cells", 1, 0.1), UserError);
+}
+
+TEST_CASE("where a file says that its pattern lies in a bounded grid, there it lies") {
+  const auto placed = [](const std::string& name, const std::string& text, auto change) {
+    const simreel::test::TemporaryFile file(name, text);
+    LifeParameters p = fitted("glider");
+    p.patterns[0].file = file.path();
+    change(p.patterns[0]);
+    const LifePlan plan(p, "cells", 1, 0.1);
+    CHECK(plan.parameters().size == glm::ivec2(30, 30));
+    return living(plan);
+  };
+  const auto asIs = [](LifePattern&) {};
+  const std::string rle = "#CXRLE Pos=-15,-14 Gen=7\nx = 3, y = 1, rule = B3/S23:P30,30\n2ob!";  // as Golly
+  CHECK(placed("at.rle", "#C\n" + rle, asIs) == Cells{{0, 1}, {1, 1}});
+  CHECK(placed("at.rle", rle, [](LifePattern& p) { p.at = glm::ivec2(4, 5); }) == Cells{{4, 5}, {5, 5}});
+  // The whole grid is flipped and turned.
+  CHECK(placed("at.rle", rle, [](LifePattern& p) { p.flip = LifePattern::Flip::horizontal; }) ==
+        Cells{{29, 1}, {28, 1}});
+  CHECK(placed("at.rle", rle, [](LifePattern& p) { p.flip = LifePattern::Flip::vertical; }) ==
+        Cells{{0, 28}, {1, 28}});
+  CHECK(placed("at.rle", rle, [](LifePattern& p) { p.rotate = 90; }) == Cells{{28, 0}, {28, 1}});
+  CHECK(placed("at.rle", rle, [](LifePattern& p) { p.rotate = 180; }) == Cells{{29, 28}, {28, 28}});
+  CHECK(placed("at.rle", rle, [](LifePattern& p) { p.rotate = 270; }) == Cells{{1, 29}, {1, 28}});
+  // Two squares of 8 x 8 in the north-west and the south-east of one of 16 x 16, around the grid's middle.
+  CHECK(placed("at.mc", "[M2] (golly 3.3)\n#R B3/S23:T30,30\n.*$\n4 1 0 0 1\n", asIs) ==
+        Cells{{8, 8}, {16, 16}});
+  checkHas(mistake("#CXRLE Pos=3\nx = 3, y = 1\n3o!"), "p:1:8: a place is expected here");
+}
+
+TEST_CASE("patterns packed by gzip are read, cut-off ones and those of 64 MiB refused") {
+  // gzip -9 of "x = 3, y = 1\n3o!\n"
+  const std::string packed(
+      "\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\x03\xab\x50\xb0\x55\x30\xd6\x51"
+      "\xa8\x04\x52\x86\x5c\xc6\xf9\x8a\x5c\x00\xa0\x80\xbc\x91\x11\x00\x00\x00",
+      35);
+  const simreel::test::TemporaryFile whole("three.rle.gz", packed);
+  CHECK(cellsOf(readPattern(whole.path())) == Cells{{0, 0}, {1, 0}, {2, 0}});
+  const auto refused = [](const std::string& bytes) {
+    const simreel::test::TemporaryFile file("three.rle.gz", bytes);
+    try {
+      static_cast<void>(readPattern(file.path()));
+    } catch (const UserError& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing was refused");
+  };
+  checkHas(refused(packed.substr(0, packed.size() - 3)), "is cut off within its gzip data");
+  std::string damaged = packed;
+  damaged[damaged.size() - 6] = 'x';
+  checkHas(refused(damaged), "is damaged");
 }
 
 TEST_CASE("macrocell files of two states and of several") {

@@ -91,14 +91,13 @@ TEST_CASE("normals and texture coordinates of the file are kept") {
   }
 }
 
-TEST_CASE("mesh: a PLY header is read before the library gets to see it") {
+TEST_CASE("mesh: a PLY header has the lines of one") {
   const auto with = [](const std::string& old, const std::string& text) {
     std::string changed = asciiSquare;
     const auto at = changed.find(old);
     REQUIRE(at != std::string::npos);
     return failure("head.ply", changed.replace(at, old.size(), text));
   };
-  // The library looked for ever.
   simreel::test::checkHas(with("end_header\n", "end_headerin\n"),
                           "line 9 \"end_headerin\", which is no line of a PLY header");
   simreel::test::checkHas(with("property float x\n", std::string("\0\0property float x\n", 19)),

@@ -1,4 +1,5 @@
 // What the bytes of a Radiance picture stand for: with what its own writer makes of light, cut off.
+#include "base/error.hpp"
 #include "sim/light/light_file.hpp"
 
 #include <algorithm>
@@ -48,4 +49,24 @@ TEST_CASE("Radiance: a mantissa is the middle of what was cut off to it") {
   const sim::LightFile found = readBack(pixels);
   for (std::size_t i = 0; i < count; ++i) read += static_cast<double>(found.values[4 * i]);
   CHECK(read == doctest::Approx(light).epsilon(2e-4).scale(0));
+}
+
+TEST_CASE(
+    "Radiance: run lengths of before 1991 repeat pixels, one run behind the other by 256 times as many") {
+  const auto picture = [](const std::string& size, const std::string& pixels) {
+    return sim::decodeRadiance("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + size + "\n" + pixels, "a.hdr",
+                               "");
+  };
+  const std::string red("\x80\x01\x01\x81", 4), green("\x01\x80\x01\x81", 4);
+  const auto run = [](int count) { return std::string("\1\1\1", 3) + static_cast<char>(count); };
+  const sim::LightFile found =
+      picture("-Y 2 +X 600", red + run(0x57) + run(2) + green + run(10) + red + run(0x4c) + run(2));
+  REQUIRE(found.size == glm::ivec2(600, 2));
+  for (std::size_t i = 0; i < 1200; ++i) {
+    const bool isGreen = i >= 600 && i < 611;
+    REQUIRE(found.values[4 * i] == (isGreen ? 1.5F / 128 : 128.5F / 128));
+  }
+  for (const std::string& pixels : {run(3) + red, red + run(16), red + run(1) + run(1) + run(1) + run(1)})
+    CHECK_THROWS_WITH_AS(static_cast<void>(picture("-Y 1 +X 16", pixels)),
+                         doctest::Contains("a run leaves its row"), UserError);
 }

@@ -120,7 +120,7 @@ glm::ivec4 MapTexels::place(const scene::Map& map, Holds holds) {
 void MapTexels::bind() {
   if (texels_.size() > uploaded_) {
     view_ = {};
-    buffer_ = gl::Buffer::of<Texel>("maps of materials", texels_);
+    buffer_ = gl::Buffer::ofTexels<Texel>("maps of materials", texels_);
     view_ = gl::Texture::view("maps of materials", GL_RG32UI, buffer_, sizeof(Texel));
     uploaded_ = texels_.size();
   }

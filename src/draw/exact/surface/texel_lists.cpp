@@ -48,7 +48,7 @@ TexelLists::List listOf(const std::filesystem::path& file) {
     words[i + 1][0] = static_cast<std::uint32_t>(words.size());
     append(words, levels[i].size, levels[i].rgba);
   }
-  list.texels = gl::Buffer::of<Words>("texels of " + file.string(), words);
+  list.texels = gl::Buffer::ofTexels<Words>("texels of " + file.string(), words);
   list.view = gl::Texture::view("texels of " + file.string(), GL_RGBA32UI, list.texels, sizeof(Words));
   return list;
 }

@@ -136,10 +136,16 @@ class TableReader {
 
   void variable(const RuleFileText::Line& line) {
     needStates(line);
-    const std::size_t equals = line.text.find('='), open = line.text.find('{'), close = line.text.find('}');
+    const std::size_t equals = line.text.find('=');
+    std::size_t open = line.text.find('{'), close = line.text.find('}');
+    if (open == std::string_view::npos && close == std::string_view::npos &&
+        line.text.find(',') == std::string_view::npos) {
+      open = equals;  // "var b=a"
+      close = line.text.size();
+    }
     if (equals == std::string_view::npos || open == std::string_view::npos ||
         close == std::string_view::npos || open < equals || close < open)
-      file_.wrong(line, 0, "a variable is written as \"var a={1,2,3}\"");
+      file_.wrong(line, 0, "a variable is written as \"var a={1,2,3}\" or \"var b=a\"");
     const auto name = wordsOf(line.text.substr(4, equals - 4), false);
     if (name.size() != 1 || isDigit(name[0].text[0]))
       file_.wrong(line, 4, "the name of a variable is one word that begins with a letter");

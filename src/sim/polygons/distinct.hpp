@@ -1,0 +1,69 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace simreel::sim {
+
+/// Numbers for keys, from 0 on in the order in which they first come. `Hash` gives 64 bits, all of them
+/// mixed. A table of numbers beside the keys: 4 to 16 bytes a key.
+template <class Key, class Hash>
+class Distinct {
+ public:
+  /// A key's number, and whether it is new.
+  std::pair<unsigned, bool> number(const Key& key) {
+    if (2 * (keys_.size() + 1) > slots_.size()) grow();
+    const std::size_t at = find(key);
+    if (slots_[at] != none) return {slots_[at], false};
+    slots_[at] = static_cast<std::uint32_t>(keys_.size());
+    keys_.push_back(key);
+    return {slots_[at], true};
+  }
+  [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
+  /// Gives the keys away.
+  [[nodiscard]] std::vector<Key> take() {
+    slots_.clear();
+    return std::move(keys_);
+  }
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// The slot that a key has, or would have.
+  [[nodiscard]] std::size_t find(const Key& key) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = static_cast<std::size_t>(Hash{}(key)) & mask;
+    while (slots_[at] != none && !(keys_[slots_[at]] == key)) at = (at + 1) & mask;
+    return at;
+  }
+
+  void grow() {
+    slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), none);
+    for (std::size_t i = 0; i < keys_.size(); ++i) slots_[find(keys_[i])] = static_cast<std::uint32_t>(i);
+  }
+
+  std::vector<Key> keys_;
+  std::vector<std::uint32_t> slots_;  ///< a power of two
+};
+
+/// Mixes 32-bit words into 64 bits (MurmurHash3's last step, by Appleby).
+class WordHash {
+ public:
+  void add(std::uint32_t word) {
+    state_ = (state_ ^ word) * 0x9e3779b97f4a7c15U;
+    state_ ^= state_ >> 32U;
+  }
+  [[nodiscard]] std::uint64_t value() const {
+    std::uint64_t h = state_;
+    h = (h ^ h >> 33U) * 0xff51afd7ed558ccdU;
+    h = (h ^ h >> 33U) * 0xc4ceb9fe1a85ec53U;
+    return h ^ h >> 33U;
+  }
+
+ private:
+  std::uint64_t state_ = 0x2545f4914f6cdd1dU;
+};
+
+}  // namespace simreel::sim

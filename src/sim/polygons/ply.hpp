@@ -1,0 +1,79 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace simreel::sim {
+
+/// A type of PLY's numbers.
+struct PlyType {
+  unsigned bytes = 4;
+  char kind = 'f';  ///< f float, i signed, u unsigned
+};
+
+struct PlyProperty {
+  std::string name;
+  PlyType type;
+  std::optional<PlyType> counts;  ///< of a list: the type of its length
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+
+  /// The number of the first property with one of those names; -1: none.
+  [[nodiscard]] int find(std::initializer_list<std::string_view> names, bool list = false) const;
+};
+
+/// The values of one item of an element.
+class PlyItem {
+ public:
+  /// A property's values: one, or those of a list.
+  [[nodiscard]] std::span<const double> list(std::size_t property) const {
+    const std::size_t from = property == 0 ? 0 : ends_[property - 1];
+    return std::span<const double>(values_).subspan(from, ends_[property] - from);
+  }
+  [[nodiscard]] double operator[](std::size_t property) const { return list(property)[0]; }
+
+ private:
+  friend class PlyFile;
+  std::vector<double> values_;
+  std::vector<std::size_t> ends_;  ///< of each property's values
+};
+
+/// A PLY file: text or binary, of either byte order (Greg Turk, The PLY Polygon File Format, 1994). Text is
+/// read number by number; an item's last one ends its line. Throws PolygonProblem.
+class PlyFile {
+ public:
+  /// Reads the header. Refuses a line that it may not have and a count that the bytes cannot hold.
+  explicit PlyFile(std::string_view text);
+
+  [[nodiscard]] const std::vector<PlyElement>& elements() const { return elements_; }
+  [[nodiscard]] const std::vector<std::string>& comments() const { return comments_; }
+
+  /// Hears of each item: its element's number, its own, its values.
+  using Visit = std::function<void(std::size_t element, std::uint64_t item, const PlyItem& values)>;
+  /// Reads the items in the file's order. Returns how many bytes follow the last one, but for blanks.
+  std::size_t read(const Visit& visit) const;
+
+ private:
+  void takeHeaderLine(std::string_view line, std::size_t number);
+  void readText(const Visit& visit, std::string_view& rest) const;
+  void readBinary(const Visit& visit, std::string_view& rest) const;
+
+  std::vector<PlyElement> elements_;
+  std::vector<std::string> comments_;
+  bool binary_ = false, bigEndian_ = false;
+  bool hasFormat_ = false;
+  std::size_t bytes_;      ///< of the whole file
+  std::size_t lines_ = 0;  ///< of the header
+  std::string_view body_;
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,54 @@
+"""Meshes given as scenes, and what files of meshes bring along: pictures, libraries, what is not drawn."""
+import json
+import struct
+
+from common import Case, main
+
+SQUARE = ("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+          "usemtl m\nf 1/1 2/2 3/3 4/4\n")
+BMP = (b"BM" + struct.pack("<IIIIiiHHIIIIII", 58, 0, 54, 40, 1, 1, 1, 24, 0, 4, 0, 0, 0, 0) + b"\0\0\xff\0")
+
+
+class MeshFiles(Case):
+    def said(self, obj, material=None, **files):
+        """What `validate` says of a scene with that OBJ, beside files whose names have _ for their dots."""
+        self.write("m.obj", obj)
+        for name, content in files.items():
+            self.write(name.replace("_", "."), content)
+        thing = {"mesh": {"file": "m.obj"}, **({"material": material} if material else {})}
+        self.write("m.json", json.dumps({"version": 1, "objects": {"m": thing}}))
+        return self.good("validate", "m.json").err
+
+    def test_a_mesh_as_a_scene_is_answered_with_the_scene_that_draws_it(self):
+        for name in ("a model.obj", "m.ply", "m.gltf", "m.GLB"):
+            self.write(name, "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n")
+            said = self.bad(2, [f"{name} is a mesh, not a scene; this scene, saved beside it, draws it: "], "render", name, "-o", "out/").err
+            shown = said[said.index("draws it: ") + 10:].strip()
+            self.assertEqual(json.loads(shown)["objects"]["model"]["mesh"]["file"], name)
+            self.write("shown.json", shown)
+            if name.endswith(".obj"):
+                self.good("validate", "shown.json")
+        self.write("m.stl", "solid\n")
+        self.bad(2, ["m.stl is a mesh, not a scene, and of a format that is not read"], "render", "m.stl", "-o", "out/")
+
+    def test_lines_and_points_are_said_not_to_be_drawn_whatever_the_material(self):
+        for material in (None, {"color": [1, 0, 0]}):
+            self.assertIn("not drawn: lines (1); points (1)", self.said(SQUARE.replace("usemtl m\n", "") + "l 1 2\np 3\n", material))
+        self.assertIn("not drawn: usemtl \"m\" (no material library has that name)", self.said(SQUARE))
+
+    def test_libraries_pictures_and_comments_as_other_programs_write_them(self):
+        library = "newmtl m # red\nKd 1 1 1 # white\nmap_Kd maps\\red.bmp\n"
+        (self.folder / "maps").mkdir()
+        (self.folder / "maps/red.bmp").write_bytes(BMP)
+        for line in ("mtllib a.mtl", "mtllib a.mtl b.mtl", "mtllib none.mtl a.mtl # two"):
+            said = self.said(f"{line}\n{SQUARE}", a_mtl=library, b_mtl="newmtl n\n")
+            self.assertEqual("none.mtl (it is not there" in said, "none" in line, said)
+            self.assertNotIn("usemtl", said)
+            self.assertNotIn("red.bmp", said)
+        said = self.said(f"mtllib a.mtl\n{SQUARE}", a_mtl="newmtl m\nmap_Kd t.tga\n", t_tga=b"\0\0\2" + b"\0" * 40)
+        self.assertIn("t.tga (it is none of PNG, JPEG, PNM and BMP)", said)
+        self.assertIn("a.mtl (it is not there", self.said(f"mtllib c d/a.mtl\n{SQUARE}"))
+
+
+if __name__ == "__main__":
+    main()

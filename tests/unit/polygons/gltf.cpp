@@ -1,0 +1,219 @@
+// What glTF 2.0 demands of meshes: flat normals where there are none, skins in their pose, files without
+// scenes.
+#include "base/error.hpp"
+#include "sim/body/figure.hpp"
+#include "sim/mesh/file.hpp"
+#include "unit/help.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+namespace simreel::test::polygons_gltf {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// A file put together from lists of floats, each with an accessor.
+class Document {
+ public:
+  Document() {
+    json = {{"asset", {{"version", "2.0"}}},
+            {"scene", 0},
+            {"scenes", {{{"nodes", {0}}}}},
+            {"nodes", {{{"mesh", 0}}}}};
+  }
+
+  int add(const std::vector<float>& values, const char* type, std::size_t each) {
+    json["accessors"].push_back(
+        {{"bufferView", views_}, {"componentType", 5126}, {"count", values.size() / each}, {"type", type}});
+    json["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", 4 * values.size()}});
+    for (const float value : values)
+      for (unsigned shift = 0; shift < 32; shift += 8)
+        bytes_ += static_cast<char>(std::bit_cast<std::uint32_t>(value) >> shift & 255U);
+    return views_++;
+  }
+
+  [[nodiscard]] std::string text() {
+    json["buffers"] = {
+        {{"byteLength", bytes_.size()}, {"uri", "data:application/octet-stream;base64," + base64()}}};
+    if (!fallback.empty()) json["buffers"].push_back(fallback);
+    return json.dump();
+  }
+  [[nodiscard]] sim::Mesh mesh() {
+    const TemporaryFile file("polygons.gltf", text());
+    return sim::importMesh(file.path());
+  }
+  [[nodiscard]] std::string refusal() {
+    try {
+      static_cast<void>(mesh());
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "nothing was refused";
+  }
+
+  Json json;
+  Json fallback;  ///< a second buffer
+
+ private:
+  [[nodiscard]] std::string base64() const {
+    std::string out;
+    for (std::size_t i = 0; i < bytes_.size(); i += 3) {
+      std::uint32_t bits = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        bits = bits << 8U | (i + k < bytes_.size() ? static_cast<unsigned char>(bytes_[i + k]) : 0U);
+      for (unsigned k = 0; k < 4; ++k)
+        out +=
+            i + k > bytes_.size()
+                ? '='
+                : "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"[bits >> (18 - 6 * k) &
+                                                                                     63U];
+    }
+    return out;
+  }
+
+  std::string bytes_;
+  int views_ = 0;
+};
+
+/// A roof of two triangles that meet in an edge, as a strip.
+const std::vector<float> roof = {1, 0, 0, 0, 0, 1, 0, 1, 1, -1, 1, 0};
+const std::vector<float> triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+const std::vector<float> up = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+
+/// A triangle on a skin whose only joint is 7 m up; the node that has it is 100 m away.
+Document skinned() {
+  Document d;
+  Json attributes = {{"POSITION", d.add(triangle, "VEC3", 3)}, {"NORMAL", d.add(up, "VEC3", 3)}};
+  attributes["JOINTS_0"] = d.add(std::vector<float>(12, 0), "VEC4", 4);
+  attributes["WEIGHTS_0"] = d.add({1, 0, 0, 0, 1, 0, 0, 0, 0.25F, 0, 0.25F, 0}, "VEC4", 4);
+  // A quarter turn about x, and back by the node.
+  const int bind = d.add({1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1}, "MAT4", 16);
+  d.json["meshes"] = {{{"primitives", {{{"attributes", attributes}}}}}};
+  d.json["scenes"][0]["nodes"] = {0, 1};
+  d.json["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"translation", {100, 0, 0}}},
+                     {{"translation", {0, 7, 0}}}};
+  d.json["skins"] = {{{"joints", {1}}, {"inverseBindMatrices", bind}}};
+  return d;
+}
+
+}  // namespace
+
+TEST_CASE("glTF without normals is flat, with them as they are") {
+  for (const bool strip : {true, false}) {
+    Document d;
+    Json primitive = {{"attributes", {{"POSITION", d.add(roof, "VEC3", 3)}}}};
+    if (strip)
+      primitive["mode"] = 5;
+    else
+      primitive["attributes"]["POSITION"] =
+          d.add({1, 0, 0, 0, 0, 1, 0, 1, 1, 0, 0, 1, -1, 1, 0, 0, 1, 1}, "VEC3", 3);
+    d.json["meshes"] = {{{"primitives", {primitive}}}};
+    const sim::Mesh mesh = d.mesh();
+    CHECK(mesh.positions.size() == 6);
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+      const auto corner = [&](std::size_t k) { return mesh.positions[mesh.indices[i / 3 * 3 + k]]; };
+      const glm::vec3 face = glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+      CHECK(glm::length(mesh.normals[mesh.indices[i]] - face) < 1e-6F);
+    }
+  }
+  Document d;
+  const Json attributes = {{"POSITION", d.add(triangle, "VEC3", 3)},
+                           {"NORMAL", d.add({0, 0, 1, 0, 1, 0, 1, 0, 0}, "VEC3", 3)}};
+  d.json["meshes"] = {{{"primitives", {{{"attributes", attributes}}}}}};
+  CHECK(d.mesh().normals == std::vector<glm::vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}});
+}
+
+TEST_CASE("a skinned glTF mesh stands where its joints put it, wherever its node is") {
+  Document d = skinned();
+  const sim::Mesh mesh = d.mesh();
+  CHECK(mesh.positions == std::vector<glm::vec3>{{0, 7, 0}, {1, 7, 0}, {0, 7, 1}});
+  for (const glm::vec3& n : mesh.normals) CHECK(n == glm::vec3(0, -1, 0));
+  d.json["skins"][0].erase("inverseBindMatrices");
+  CHECK(d.mesh().positions[2] == glm::vec3(0, 8, 0));
+  // A second set of weights counts, too: to equal parts on the joint and on its child, 2 m further up.
+  d.json["nodes"][1]["children"] = {2};
+  d.json["nodes"].push_back({{"translation", {0, 2, 0}}});
+  d.json["skins"][0]["joints"] = {1, 2};
+  Json& attributes = d.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_1"] = d.add(std::vector<float>(12, 1), "VEC4", 4);
+  attributes["WEIGHTS_1"] = d.add({1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0, 0, 0}, "VEC4", 4);
+  CHECK(d.mesh().positions == std::vector<glm::vec3>{{0, 8, 0}, {1, 8, 0}, {0, 9, 0}});
+}
+
+TEST_CASE("a skin that cannot be followed is refused") {
+  Document d = skinned();
+  d.json["skins"][0]["joints"] = {5};
+  checkHas(d.refusal(), "joint 0 is node 5, which is none of its default scene");
+  d = skinned();
+  d.json["scenes"][0]["nodes"] = {0};
+  checkHas(d.refusal(), "joint 0 is node 1, which is none");
+  d = skinned();
+  d.json["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0");
+  checkHas(d.refusal(), "lacks JOINTS_0 or WEIGHTS_0");
+  d = skinned();
+  d.json["nodes"][0]["skin"] = 3;
+  checkHas(d.refusal(), "names number 3 of its 1 skins");
+}
+
+TEST_CASE("glTF without scenes has the roots of its nodes, and without nodes its meshes") {
+  Document d;
+  d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}}}}}};
+  d.json["nodes"] = {{{"mesh", 0}}, {{"children", {0}}, {"translation", {0, 0, 5}}}};
+  d.json.erase("scenes");
+  d.json.erase("scene");
+  CHECK(d.mesh().positions[1] == glm::vec3(1, 0, 5));
+  d.json.erase("nodes");
+  CHECK(d.mesh().positions[1] == glm::vec3(1, 0, 0));
+}
+
+TEST_CASE("glTF: what other extensions compress is read from its fallback, or refused by name") {
+  Document d;
+  const Json draco = {
+      {"KHR_draco_mesh_compression", {{"bufferView", 0}, {"attributes", {{"POSITION", 0}}}}}};
+  d.json["meshes"] = {
+      {{"primitives",
+        {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}, {"extensions", draco}}}}}};
+  d.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
+  CHECK(d.mesh().positions.size() == 3);
+  d.json["accessors"][0].erase("bufferView");
+  checkHas(d.refusal(), "by KHR_draco_mesh_compression alone");
+  Document packed;
+  packed.json["meshes"] = {
+      {{"primitives", {{{"attributes", {{"POSITION", packed.add(triangle, "VEC3", 3)}}}}}}}};
+  packed.json["bufferViews"][0]["buffer"] = 1;
+  checkHas(packed.refusal(), "names number 1 of its 1 buffers");
+  packed.fallback = {{"byteLength", 36},
+                     {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}};
+  checkHas(packed.refusal(), "by EXT_meshopt_compression alone");
+  // Without the extension values that are not there are zeros.
+  d.json["meshes"][0]["primitives"][0].erase("extensions");
+  CHECK(d.mesh().positions == std::vector<glm::vec3>{glm::vec3(0)});
+}
+
+TEST_CASE(
+    "glTF: lines and points beside triangles, and pictures of other formats, are said not to be drawn") {
+  Document d;
+  const Json attributes = {{"POSITION", d.add(triangle, "VEC3", 3)}};
+  d.json["meshes"] = {{{"primitives",
+                        {{{"attributes", attributes}, {"material", 0}},
+                         {{"attributes", attributes}, {"mode", 0}},
+                         {{"attributes", attributes}, {"mode", 3}}}}}};
+  d.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+  d.json["textures"] = {{{"source", 0}}};
+  d.json["images"] = {{{"uri", "data:image/webp;base64,UklGRjwAAABXRUJQVlA4IA=="}}};
+  const sim::Mesh mesh = d.mesh();
+  CHECK(mesh.undrawn == std::vector<std::string>{"lines (1)", "points (1)"});
+  CHECK(mesh.ignored == std::vector<std::string>{"image 0 (a picture of the format WebP)"});
+  CHECK(mesh.materials.at(0).colorMap.image == -1);
+}
+
+}  // namespace simreel::test::polygons_gltf
