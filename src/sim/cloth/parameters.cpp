@@ -148,6 +148,7 @@ void ClothParameters::describe(scene::Fields& f) {
   if (hasFabric && !f.given("substeps")) substeps.reset();
   f.list("pins", pins, "Particles that are held, and how they move.",
          [&](scene::Fields& p, PinGroup& group) { group.describe(p, size, hasMesh); });
+  f.leftOut("pins", "the last row of a grid; [] lets it fall");
   if (pins.size() > shader::maxPinFrames)
     f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));
   for (const PinGroup& group : pins) {

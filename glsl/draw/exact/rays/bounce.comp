@@ -83,8 +83,7 @@ vec3 towardsLight(int path, Facet f, vec3 weight, vec3 u) {
   } else if (chosen.lamp >= 0) {
     precise vec3 to = lampPlaceAt(f.place, chosen.lamp, u.x, u.y) - f.place;
     direction = unitOf(to);
-    precise float reach = exactSqrt(exactDot(to, to)) * 0.9999f;
-    far = reach;
+    far = lampReach(f.place, chosen.lamp, direction, exactSqrt(exactDot(to, to)));
     light = throughLamp;
   }
 #endif

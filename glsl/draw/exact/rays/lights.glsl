@@ -146,6 +146,19 @@ vec3 lampPlaceAt(vec3 p, int i, float u, float v) {
   precise vec3 q = ball.xyz + rightOf(towards) * at.x + upOf(towards) * at.y;
   return q;
 }
+
+// Distance over which things between p and a place of lamp i, `way` away in `direction`, keep out its light: to where the ray
+// enters the ball of the lamp's radius, within which nothing casts a shadow.
+float lampReach(vec3 p, int i, vec3 direction, float way) {
+  vec4 ball = lampPlace(i);
+  precise vec3 to = ball.xyz - p;
+  float along = exactDot(to, direction);
+  precise float half2 = ball.w * ball.w - (exactDot(to, to) - along * along);
+  precise float entry = along - exactSqrt(max(half2, 0.0f));
+  precise float whole = way * 0.9999f;
+  precise float reach = min(whole, half2 > 0.0f ? entry : whole);
+  return max(reach, 0.0f);
+}
 #endif
 
 // Light of the lamps that cast no shadows.

@@ -78,7 +78,7 @@ void towardsLamp(int path, Facet f, vec3 u) {
   if (chosen.lamp >= 0) {
     precise vec3 to = lampPlaceAt(f.place, chosen.lamp, u.x, u.y) - f.place;
     vec3 direction = unitOf(to);
-    precise float far = exactSqrt(exactDot(to, to)) * 0.9999f;
+    float far = lampReach(f.place, chosen.lamp, direction, exactSqrt(exactDot(to, to)));
     precise vec3 brings = chosen.light * times;
     putLightRay(1, lampKind, path, beginning(f, direction), direction, far, brings);
     return;

@@ -62,6 +62,25 @@ TEST_CASE("rays see: what shines lights the ground by its form factor") {
   CHECK(found.z == 0);
 }
 
+TEST_CASE("rays see: what lies within a lamp's radius keeps out none of its light") {
+  testContext();
+  scene::Scene scene = lightless(64);
+  setGround(scene, 0.5F);
+  lookDown(scene, 0.8F, 4);
+  scene::Light& lamp = scene.lights.emplace_back();
+  lamp.position = glm::vec3(0, 2, 0);
+  lamp.shadow = true;
+  const auto under = [&](float radius) {
+    lamp.radius = radius;
+    const Sheet sheet({-0.2F, 1.9F, -0.2F}, {0.4F, 0, 0}, {0, 0, 0.4F});
+    return rayPicture(scene, {.surfaces = {sheet.surface}}, {8, 8}).mean({1, 1}, {7, 7}).x;
+  };
+  const double open = rayPicture(scene, {}, {8, 8}).mean({1, 1}, {7, 7}).x;
+  CHECK(open > 0);
+  CHECK(under(0.4F) == doctest::Approx(open).epsilon(0.02));
+  CHECK(under(0.05F) < 0.1 * open);
+}
+
 TEST_CASE(
     "rays see: maps of colour and of light, a texture's relief, and vertices' colours, are in mirrors as "
     "the "
