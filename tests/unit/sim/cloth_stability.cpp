@@ -229,7 +229,8 @@ TEST_CASE("auto refuses what more substeps than there may be would take") {
 }
 
 TEST_CASE("a damped sheet that hangs by two corners comes to rest, with a speed of 0") {
-  // By lines alone it would take 8 substeps, at which it never does: half of the sheet hangs on each corner.
+  // By lines alone it would take 8 substeps, at which it never does: half of the sheet hangs on each
+  // corner.
   sim::ClothParameters p;
   p.hasFabric = true;
   p.size = {24, 24};
