@@ -4,7 +4,10 @@
 #include "sim/fluid/kernels.hpp"
 #include "sim/fluid/quantities.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -22,7 +25,8 @@ class Fluid : public Simulation {
         kernels_(name_, plan_, setting.fast, setting.startTime),
         wind_(plan_.parameters().plane, plan_.size(), plan_.parameters().speed,
               [this]() -> const FluidArray& { return kernels_.arrays().flow(); }),
-        colors_(plan_.parameters().display.colors()) {
+        colors_(plan_.parameters().display.colors()),
+        counts_(name_ + " counts", 3 * sizeof(glm::vec4)) {
     for (const std::string& part : plan_.parameters().fieldParts())
       channelNames_.push_back(fmt::format("{}.{}", name_, part));
     const FluidParameters& p = plan_.parameters();
@@ -33,7 +37,7 @@ class Fluid : public Simulation {
                          setting.frameSeconds, setting.fast);
     kernels_.start(setting.startTime);
     if (p.hasTracers) tracers_.show(kernels_.arrays().shown());
-    kernels_.measure();
+    count();
     if (!p.hasChart) return;
     chart_ = FluidChart(name_, p.chart, setting.frameSeconds);
     chart_.add(measure());
@@ -104,7 +108,14 @@ class Fluid : public Simulation {
       for (const StateArray& array : tracers_.state()) arrays.push_back(array);
     return arrays;
   }
-  [[nodiscard]] CountTable counts() const override { return kernels_.counts(); }
+  [[nodiscard]] CountTable counts() const override {
+    CountTable table = kernels_.counts();
+    if (!isPushed()) return table;
+    table.columns.insert(table.columns.end(), {"drag", "lift"});
+    table.steps = &counts_;
+    table.elements = 3;
+    return table;
+  }
   [[nodiscard]] const gl::Buffer* status() const override { return &kernels_.status(); }
   [[nodiscard]] std::string explainLoss(unsigned step, unsigned element) const override {
     const auto width = static_cast<unsigned>(plan_.size().x);
@@ -143,7 +154,23 @@ class Fluid : public Simulation {
   void show(double time) {
     kernels_.show(time);
     if (plan_.parameters().hasTracers) tracers_.show(kernels_.arrays().shown());
+    count();
+  }
+  /// True where the force on an obstacle is measured.
+  [[nodiscard]] bool isPushed() const {
+    return std::ranges::any_of(plan_.parameters().obstacles, &FluidObstacle::measured);
+  }
+  /// Quantities of the table beside the frames: those that the device sums, then the force on obstacles.
+  void count() {
     kernels_.measure();
+    if (!isPushed()) return;
+    const FluidParameters& p = plan_.parameters();
+    const auto flow = kernels_.arrays().flowState().readAll<glm::vec4>();
+    const glm::dvec2 force = forceOn(p, kernels_.solids(), p.viscosity.at(time_), flow).all();
+    std::array<glm::vec4, 3> row{};
+    kernels_.counts().steps->read(0, std::as_writable_bytes(std::span(row).first(2)));
+    row[2] = glm::vec4(glm::dvec4(force.x, -force.y, 0, 0));
+    counts_.write(0, std::as_bytes(std::span(row)));
   }
   void advance(double time, const StepWatch& watch) {
     time_ = time;
@@ -169,6 +196,7 @@ class Fluid : public Simulation {
   FluidChart chart_;
   std::vector<glm::vec3> colors_;
   std::vector<std::string> channelNames_;
+  gl::Buffer counts_;  ///< count()
   long steps_ = 0;
   double time_ = 0;  ///< s
 };

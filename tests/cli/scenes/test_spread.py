@@ -80,6 +80,20 @@ class Counts(SpreadCase):
             self.assertEqual(sum(map(int, row[2:])), 67 * 35)
         self.assertNotEqual(rows[1][2:], rows[-1][2:])
 
+    def test_force_on_obstacles(self):
+        """A stream from the left pushes a disc along, and across it by much less."""
+        disc = {"center": [20, 16, 0], "radius": 4}
+        for measured in (False, True):
+            self.write("flow.json", {"version": 1, "render": {"size": [64, 36]}, "time": {"fps": 30, "duration": 0.4}, "objects": {
+                "flow": {"fluid": {"size": [64, 32], "flow": [30, 0, 0], "viscosity": 4, "strokes": [],
+                                   "obstacles": [{**disc, "measured": measured}],
+                                   "sides": {"left": {"kind": "inflow", "velocity": [30, 0, 0]}, "right": "open"}}}}})
+            self.good("render", "flow.json", "-o", "flow.png", "--frames", "8", "--overwrite")
+            self.assertEqual(self.rows("flow.counts.csv")[0][10:], ["flow.drag", "flow.lift"] if measured else [])
+        drag, lift = (float(value) for value in self.rows("flow.counts.csv")[-1][10:])
+        self.assertGreater(drag, 30 * 30)  # of an area of 8 cells: a coefficient above 1/4
+        self.assertLess(abs(lift), 0.2 * drag)
+
     def test_names(self):
         for output, table in (("out/", "out/counts.csv"), ("a_####.png", "a.counts.csv"), ("b.mp4", "b.mp4.counts.csv")):
             self.good("render", "fire.json", "-o", output)
