@@ -146,9 +146,8 @@ void ClothParameters::describe(scene::Fields& f) {
       "constraints that nothing damps need to keep their energy.");
   f.leftOut("substeps", "4, or \"auto\" of a fabric");
   if (hasFabric && !f.given("substeps")) substeps.reset();
-  f.list("pins", pins, "Particles that are held, and how they move.",
+  f.list("pins", pins, "Particles that are held, and how they move; [] lets it fall.",
          [&](scene::Fields& p, PinGroup& group) { group.describe(p, size, hasMesh); });
-  f.leftOut("pins", "the last row of a grid; [] lets it fall");
   if (pins.size() > shader::maxPinFrames)
     f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));
   for (const PinGroup& group : pins) {

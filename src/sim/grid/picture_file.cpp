@@ -119,11 +119,11 @@ glm::ivec2 checkedSize(std::string_view bytes, const std::string& name, const ch
   if (std::max(width, height) > maxSide)
     fail(ExitCode::device, "the {} {} is {}x{}, above the limit of {}x{} here", what, name, width, height,
          maxSide, maxSide);
+  if (static_cast<double>(width) * height > pixelsIn(bytes))
+    refuse(fmt::format("{}x{} pixels do not fit in its {} bytes", width, height, bytes.size()));
   if (static_cast<double>(width) * height > mostTexels)
     fail(ExitCode::device, "the {} {} of {}x{} pixels is above the limit of {} pixels; make it smaller",
          what, name, width, height, mostTexels);
-  if (static_cast<double>(width) * height > pixelsIn(bytes))
-    refuse(fmt::format("{}x{} pixels do not fit in its {} bytes", width, height, bytes.size()));
   if (bytes.starts_with("BM") && !bmpIsWhole(bytes, {width, height})) refuse("it is cut off");
   // stb_image 2.27 reads beyond such a picture's end.
   if (bytes.starts_with('P') && stbi_is_16_bit_from_memory(data, size) != 0)

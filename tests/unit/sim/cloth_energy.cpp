@@ -34,7 +34,7 @@ TEST_CASE("energy: constraints of damped cloth keep it for a minute where nothin
   REQUIRE(!given.parameters.keepsEnergy());
   const auto course = swing::courseOfTwin(given, 60);
   CHECK(std::abs(course.drift()) < 0.01);
-  CHECK(course.rise < 3e-3);
+  CHECK(course.rise < 4e-3);  // links are counted as in short substeps
 }
 
 TEST_CASE("energy: fabrics and meshes that nothing damps keep it for a minute") {
