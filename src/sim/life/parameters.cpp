@@ -28,9 +28,11 @@ void LifePattern::describe(scene::Fields& f) {
   f.asset("file", file,
           "Pattern as RLE, plaintext (.cells), Life 1.05 or 1.06, or macrocell (.mc); also packed (.gz).");
   glm::ivec2 corner = at.value_or(glm::ivec2(0));
-  f.pair("at", corner, {-maxLifeSide, maxLifeSide}, "cells",
-         "Its top left corner, once flipped and turned; a torus wraps it round.");
-  f.leftOut("at", "where the file says in the bounded grid that it was made for, else the middle");
+  f.pair(
+      "at", corner, {-maxLifeSide, maxLifeSide}, "cells",
+      "Its top left corner, once flipped and turned; a torus wraps it round. Left out, a file made for a "
+      "bounded grid (Golly's) may say it.");
+  f.leftOut("at", "the middle");
   if (f.given("at")) at = corner;
   f.choice("flip", flip, {"none", "horizontal", "vertical"}, "Mirrored, before it is turned.");
   f.integer("rotate", rotate, {0, 270}, "degrees", "Clockwise: 0, 90, 180 or 270.");

@@ -167,7 +167,7 @@ class Life(Case):
         self.assertEqual(len(self.bright("s.json", 160, 160)), 36 * 4)
         listed = self.good("list", "life").stdout.decode()
         self.assertRegex(listed, r"(?m)^  size +\[512,512\], or fits the patterns ")
-        self.assertRegex(listed, r"(?m)^  patterns\[\]\.at +where the file says ")
+        self.assertRegex(listed, r"(?m)^  patterns\[\]\.at +the middle ")
 
     def test_a_pattern_is_a_scene(self):
         for name, text in (("g.rle", "bo$2bo$3o!"), ("g.CELLS", "!\n.O\n..O\nOOO\n"),

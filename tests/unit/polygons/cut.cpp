@@ -10,6 +10,7 @@
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 namespace simreel::test::polygons_cut {
 
