@@ -176,7 +176,7 @@ FUNCTION FloatWater floatWater(float column, float row) {
   return w;
 }
 
-// What a body has of its points.
+// Sums over the points of a body.
 struct FloatSum {
   vec4 push;  // force (N), volume under the reference level (m^3)
   vec4 turn;  // moment (N m), volume over wet cells (m^3)

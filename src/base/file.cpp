@@ -112,7 +112,7 @@ const std::string& standardInput(const char* what, std::size_t maxBytes) {
 
 namespace {
 
-/// Whether an open file still has this name.
+/// True if an open file still has this name.
 bool hasName(int file, const std::filesystem::path& name) {
   struct stat opened {
   }, named{};
@@ -129,7 +129,7 @@ int openPart(const std::filesystem::path& path, std::filesystem::path& part) {
     part = path.string() + (number == 1 ? ".part" : fmt::format(".part{}", number));
     const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0) return file;
-    // Where the file system has no locks, as before there were any.
+    // A file system without locks is used without them.
     const bool held = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     if (!held && hasName(file, part)) {
       if (::ftruncate(file, 0) == 0) return file;

@@ -78,7 +78,7 @@ void makeFolders(const std::filesystem::path& folder);
 /// Whether something is there; false where that cannot be found out.
 [[nodiscard]] bool pathExists(const std::filesystem::path& path);
 
-/// Whether a path lies in a folder (empty: the current one) or below it, or is the folder itself, symbolic
+/// True if a path lies in a folder (empty: the current one) or below it, or is the folder itself, symbolic
 /// links followed; neither has to be there.
 [[nodiscard]] bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
 

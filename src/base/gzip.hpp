@@ -5,10 +5,10 @@
 
 namespace simreel {
 
-/// Whether bytes begin as a gzip file (RFC 1952).
+/// True if bytes begin as a gzip file (RFC 1952).
 [[nodiscard]] bool isGzip(std::string_view bytes);
 
-/// What a gzip file holds, its members one after the other. `name` is what messages call it. Throws
+/// Contents of a gzip file, its members one after the other. `name` is what messages call it. Throws
 /// UserError(inputOutput) for one that is cut off or damaged, and usage for one that holds more than
 /// `maxBytes`.
 [[nodiscard]] std::string unpackedGzip(std::string_view bytes, const std::string& name,

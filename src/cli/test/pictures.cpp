@@ -253,7 +253,7 @@ class PictureRun {
     });
   }
 
-  /// Those that were chosen, of scenes that were rendered.
+  /// Chosen pictures of rendered scenes.
   std::vector<golden::PictureCase> cases() {
     golden::PictureSet set = pairs();
     if (!set.passedOver.empty())
@@ -274,7 +274,7 @@ class PictureRun {
     if (all.empty() && suite_.scenes.empty() && !emptyShard_)
       fail(ExitCode::nothingRan, "no picture to test: neither {} nor {} has one{}", o_.expected,
            folder_.string(), o_.globs.empty() ? "" : " that matches --filter");
-    // What is updated is not tried again.
+    // An updated picture is not tried again.
     const bool retries = o_.retries > 0 && options_.update == golden::Update::none;
     std::vector<golden::SceneResult> results;
     golden::testPictures(all, options_, [&](golden::SceneResult&& result) {

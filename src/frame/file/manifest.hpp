@@ -18,7 +18,7 @@ struct ManifestFrame {
   bool drawn = false;                             ///< by this very run; for run.json
 };
 
-/// What is written beside the frames: the run, and the hashes of each frame. Holds no time, no path and
+/// File beside the frames: the run, and the hashes of each frame. Holds no time, no path and
 /// nothing of the machine, so all runs of one scene write the same bytes; of pictures that depend on the
 /// driver the fingerprint of its numerics. As text it ends with the hash of all before, by which one that
 /// was changed afterwards is known.

@@ -12,7 +12,7 @@ namespace simreel::frame {
 class Stopwatch {
  public:
   explicit Stopwatch(double& stage) : stage_(stage), begin_(Clock::now()) {}
-  /// Of a frame as well, which outlives it.
+  /// Also adds to the times of a frame, which outlives it.
   Stopwatch(double& stage, double& ofFrame) : stage_(stage), ofFrame_(&ofFrame), begin_(Clock::now()) {}
   ~Stopwatch() {
     const double seconds = secondsSince(begin_);
