@@ -79,9 +79,9 @@ inline void bindPositions(const sim::Surface& surface, const gl::Program& progra
   program.set("heightShape", heights == nullptr
                                  ? glm::ivec4(0)
                                  : glm::ivec4(surface.grid, heights->component, heights->walls));
-  if (heights == nullptr) return;
-  program.set("heightGrid", glm::vec4(heights->corner, heights->cell, heights->base));
-  program.set("heightRim", heights->rim);
+  program.set("heightGrid",
+              heights == nullptr ? glm::vec4(0) : glm::vec4(heights->corner, heights->cell, heights->base));
+  program.set("heightRim", heights == nullptr ? 0.0F : heights->rim);
 }
 
 /// `rowOf` of draw/exact/triangles/surface_triangle.glsl.

@@ -41,10 +41,10 @@ class LinkedProgram {
 
   /// The Program whose uniform values it has; null for none.
   [[nodiscard]] const void* user() const { return user_; }
-  /// Gives it the uniform values of `user`; those that it does not set become zero. Needs link().
+  /// Gives it the uniform values of `user`, which has set all activeUniforms(). Needs link().
   void giveTo(const void* user, std::vector<Uniform>& uniforms);
-  /// Notes a uniform that a user sets.
-  void mayBeGiven(const Uniform& uniform);
+  /// Uniforms outside blocks that the driver kept, but for textures and images: "a" of "a[0]" and of "a.b". Needs link().
+  [[nodiscard]] const std::vector<std::string>& activeUniforms() const { return active_; }
   /// Forgets `user`, whose values it may have.
   void leave(const void* user) {
     if (user_ == user) user_ = nullptr;
@@ -72,7 +72,7 @@ class LinkedProgram {
   Handle<DeleteProgram> handle_;
   GLint groupSize_[3] = {1, 1, 1};
   const void* user_ = nullptr;
-  std::vector<Uniform> zeros_;  ///< every uniform that a user has set
+  std::vector<std::string> active_;
   bool dispatched_ = false;
 };
 

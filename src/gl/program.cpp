@@ -45,11 +45,23 @@ struct Program::Own {
                                     [&](const Uniform& one) { return one.name == name; });
     if (found != uniforms.end()) return *found;
     uniforms.push_back({name, value});
-    linked->mayBeGiven(uniforms.back());
     return uniforms.back();
   }
 
+  /// Throws UserError(device) unless each uniform that the driver kept has been set: a misspelt name would
+  /// be 0.
+  void checkUniforms() {
+    if (checked) return;
+    for (const std::string& name : linked->activeUniforms())
+      if (std::ranges::none_of(uniforms, [&](const Uniform& one) { return one.isPartOf(name); }))
+        fail(ExitCode::device,
+             "glsl/{} reads the uniform \"{}\", which the program never sets; check its spelling",
+             linked->label(), name);
+    checked = true;
+  }
+
   std::shared_ptr<LinkedProgram> linked;
+  bool checked = false;  ///< true once checkUniforms() has passed
   std::vector<Uniform> uniforms;
   std::vector<std::pair<std::string, std::size_t>> blocks;  ///< names and bytes, to be checked once linked
 };
@@ -98,6 +110,7 @@ GLuint Program::name() const {
 void Program::use() const {
   link();
   LinkedProgram& linked = *own_->linked;
+  own_->checkUniforms();
   if (linked.user() != own_.get()) linked.giveTo(own_.get(), own_->uniforms);
   glUseProgram(linked.name());
 }

@@ -1,6 +1,5 @@
 #include "gl/uniform.hpp"
 
-#include <type_traits>
 #include <utility>
 
 namespace simreel::gl {
@@ -40,12 +39,6 @@ void put(GLuint program, GLint at, const glm::mat4& value) {
 void Uniform::putInto(GLuint program) {
   if (!std::exchange(located, true)) location = glGetUniformLocation(program, name.c_str());
   if (location >= 0) std::visit([&](const auto& one) { put(program, location, one); }, value);
-}
-
-Uniform Uniform::zero() const {
-  Uniform same = *this;
-  std::visit([](auto& one) { one = std::decay_t<decltype(one)>(0); }, same.value);
-  return same;
 }
 
 }  // namespace simreel::gl

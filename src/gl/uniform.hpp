@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include <epoxy/gl.h>
@@ -20,10 +21,12 @@ struct Uniform {
   GLint location = -1;   ///< -1: the driver has optimised it away
   bool located = false;  ///< `location` has been looked up
 
+  /// True if it is `whole`, an element of it ("a[0]") or a member ("a.b").
+  [[nodiscard]] bool isPartOf(std::string_view whole) const {
+    return name.starts_with(whole) && (name.size() == whole.size() || name[whole.size()] == '[' || name[whole.size()] == '.');
+  }
   /// Sets it in a linked program.
   void putInto(GLuint program);
-  /// The same uniform with zeros, as it is after linking.
-  [[nodiscard]] Uniform zero() const;
 };
 
 }  // namespace simreel::gl

@@ -1,3 +1,4 @@
+#include "base/error.hpp"
 #include "gl/buffer.hpp"
 #include "gl/element_array.hpp"
 #include "gl/linked_program.hpp"
@@ -41,19 +42,35 @@ TEST_CASE("programs of one source share the driver's program and keep their own 
   a.set("first", 1);
   a.set("second", 2);
   b.set("first", 3);
+  b.set("second", 0);
   CHECK(a.name() == b.name());
   CHECK(resultOf(a) == 12);
-  CHECK(resultOf(b) == 30);  // "second" of a program that does not set it is zero
+  CHECK(resultOf(b) == 30);
   a.set("second", 4);
   CHECK(resultOf(b) == 30);
   CHECK(resultOf(a) == 14);
   {
     const gl::Program c = gl::Program::computeText("sum", sumText);
+    c.set("first", 0);
     c.set("second", 9);
     CHECK(resultOf(c) == 9);
   }
-  CHECK(resultOf(gl::Program::computeText("sum", sumText)) == 0);
   CHECK(resultOf(a) == 14);
+}
+
+TEST_CASE("a uniform that a shader reads and nothing sets stops the program, with file and name") {
+  testContext();
+  const gl::Program misspelt = gl::Program::computeText("sum", sumText);
+  misspelt.set("first", 1);
+  misspelt.set("secnd", 2);
+  try {
+    misspelt.dispatch(1);
+    FAIL("it ran");
+  } catch (const UserError& error) {
+    CHECK(std::string(error.what()).find("glsl/sum reads the uniform \"second\"") != std::string::npos);
+  }
+  misspelt.set("second", 2);
+  CHECK(resultOf(misspelt) == 12);
 }
 
 TEST_CASE("a program is linked at its first use") {

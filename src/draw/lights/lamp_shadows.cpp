@@ -62,7 +62,6 @@ void LampShadows::draw(const sim::Drawables& drawables, const std::function<void
     const sim::Surface& surface = drawables.surfaces[i];
     if (!castsShadow(surface)) continue;
     const gl::Program& shader = programOf(surface);
-    shader.use();
     shader.set("model", surface.model);
     bindPositions(surface, shader);
     bindDeformation(surface);

@@ -79,6 +79,7 @@ void SurfaceCells::find(const std::vector<sim::Surface>& surfaces) {
 
 void SurfaceCells::draw(const gl::Program& program, std::size_t i) const {
   program.set("firstCell", static_cast<int>(i) * cells_);
+  program.use();
   cellView_.bind(cellUnit);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments_.name());
   // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset for a pointer.

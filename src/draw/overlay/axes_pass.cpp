@@ -149,8 +149,8 @@ void AxesPass::draw(const sim::Drawables& drawables, double seconds) {
     present_ = std::move(boxes);
   }
   DrawState{.depthTest = false}.set();
-  program_.use();
   program_.set("picture", glm::vec2(picture_));
+  program_.use();
   view_.bind(boxUnit);
   vertices_.bind();
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(present_.size() / 2 * 6));

@@ -103,7 +103,6 @@ void ChartPass::condense(const sim::Chart& chart, const ChartLayout& layout, Kep
   if (kept.columns.width() != width)
     kept.columns = gl::Texture::image("chart columns", GL_RGBA32F, width, 4);
   if (chart.steps < 1) return;
-  columns_.use();
   columns_.set("columnCount", width);
   columns_.set("steps", chart.steps);
   columns_.set("perColumn", static_cast<float>(std::max(chart.width - 1, 1)) / static_cast<float>(width));
@@ -133,9 +132,9 @@ void ChartPass::setChart(const sim::Chart& chart, const ChartLayout& layout, con
 }
 
 void ChartPass::drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const {
-  curves_.use();
   setChart(chart, layout, kept);
   curves_.set("picture", glm::vec2(picture_));
+  curves_.use();
   vertices_.bind();
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }

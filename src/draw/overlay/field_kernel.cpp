@@ -68,7 +68,6 @@ void FieldKernel::average(const sim::Field& field, const FieldColors& colors, co
                                                        fieldDefines(field, colored)))
                 .first;
   const gl::Program& program = found->second;
-  program.use();
   setField(program, field, colors);
   const glm::ivec2 size(texture.width(), texture.height());
   program.set("size", size);

@@ -139,11 +139,11 @@ void FieldPass::drawOne(const sim::Field& field, const Kept& kept, double second
   DrawState{.depthTest = false}.set();
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  shader.use();
   setPlace(shader, field, kept, view, seconds);
   shader.set("part", glm::vec4(view.part));
   shader.set("picture", glm::vec2(picture_));
   shader.set("topFirst", static_cast<int>(field.display->layer == FieldLayer::over));
+  shader.use();
   vertices_.bind();
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }

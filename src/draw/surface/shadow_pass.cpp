@@ -83,10 +83,10 @@ void ShadowPass::draw(const sim::Drawables& drawables, const std::function<void(
   for (const sim::Surface& surface : drawables.surfaces) {
     if (!castsShadow(surface)) continue;
     const gl::Program& shader = drawOf(surface);
-    shader.use();
     shader.set("model", surface.model);
     bindPositions(surface, shader);
     bindDeformation(surface);
+    shader.use();
     vertices_.bind(*surface.indices);
     drawTriangles(surface);
   }

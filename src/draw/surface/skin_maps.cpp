@@ -20,7 +20,6 @@ SkinMaps SkinMapper::draw(const SkinTextures::Entry& entry, const scene::Skin& s
   const gl::Framebuffer framebuffer("skin maps", &target, nullptr);
   framebuffer.bind();
   DrawState{.depthTest = false}.set();
-  program.use();
   SkinTextures::bind(entry, skin, program);
   program.set("mapSize", size);
   vertices_.bind();
@@ -28,6 +27,7 @@ SkinMaps SkinMapper::draw(const SkinTextures::Entry& entry, const scene::Skin& s
   std::vector<glm::vec4>* const parts[] = {&maps.surface, &maps.relief, &maps.light};
   for (int part = 0; part < 3; ++part) {
     program.set("part", part);
+    program.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     std::vector<glm::vec4>& texels = *parts[part];
     texels.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));

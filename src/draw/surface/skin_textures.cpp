@@ -63,7 +63,6 @@ void SkinTextures::run(const char* path, const FieldTextures::Entry& field, cons
   const bool ownColors = path == colorsPath;
   const gl::Texture& result = ownColors ? entry.colors : entry.relief;
   const gl::Program& program = kernel(path, field.colored);
-  program.use();
   field.texture.bindImage(fieldImage, GL_READ_ONLY);
   result.bindImage(ownColors ? skinColorImage : reliefImage, GL_WRITE_ONLY);
   if (!ownColors) entry.surroundings.bindImage(surroundingsImage, GL_WRITE_ONLY);

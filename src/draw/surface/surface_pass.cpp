@@ -102,7 +102,6 @@ void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
               (surface.palette != nullptr && skin == nullptr ? palette : 0U) |
               (surface.colors != nullptr && skin == nullptr ? vertexColors : 0U));
   DrawState{.depthTest = true, .cullBack = !surface.doubleSided, .depthOffset = false}.set();
-  shader.use();
   shader.set("model", surface.model);
   shader.set("metallic", material.metallic);
   shader.set("translucency", material.translucency);
@@ -120,6 +119,7 @@ void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
     setSkin(*skin, material.skin, shader);
   else
     setPlain(material, isGrid, shader);
+  shader.use();
   vertices_.bind(*surface.indices);
   drawTriangles(surface);
 }

@@ -47,7 +47,6 @@ CaveWaves::Farthest CaveWaves::run(const gl::Buffer& cells, unsigned start) {
   waves_.set("waves", wavesTogether);
   while (wave.over == 0) {
     gl::barrier();
-    waves_.use();
     waves_.dispatch(1);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     wave_.read(0, std::as_writable_bytes(std::span(&wave, 1)));
