@@ -12,11 +12,6 @@ layout(std430, binding = edgesBinding) restrict buffer EdgeBlock { uint edges[];
 layout(std430, binding = linksBinding) restrict buffer LinkBlock { uint links[]; };
 #endif
 
-int stepsBetween(uint a, uint b) {
-  ivec2 way = abs(placeOf(a) - placeOf(b));
-  return way.x + way.y;
-}
-
 // An open cell's run is named by its first cell; corridors dug meanwhile make no cell rock.
 uint runOf(uint cell) {
   uint rock = cells[cell >> 5u];

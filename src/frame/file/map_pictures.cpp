@@ -1,7 +1,7 @@
 #include "frame/file/map_pictures.hpp"
 
 #include "base/error.hpp"
-#include "base/ieee.hpp"
+#include "base/srgb.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +14,6 @@ namespace {
 
 std::uint8_t byteOf(float fraction) {
   return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(fraction, 0.0F, 1.0F)));
-}
-
-/// Linear -> sRGB (IEC 61966-2-1).
-float encodedChannel(float x) {
-  return x < 0.0031308F ? 12.92F * x
-                        : 1.055F * static_cast<float>(ieee::pow(static_cast<double>(x), 1 / 2.4)) - 0.055F;
 }
 
 template <class ColorOf>
@@ -36,7 +30,7 @@ std::vector<std::byte> picture(const draw::SkinMaps& maps, const std::vector<glm
 }
 
 glm::vec3 encodedColor(const glm::vec3& linear) {
-  const auto channel = [](float x) { return encodedChannel(std::clamp(x, 0.0F, 1.0F)); };
+  const auto channel = [](float x) { return static_cast<float>(srgbOfLinear(std::clamp(x, 0.0F, 1.0F))); };
   return {channel(linear.x), channel(linear.y), channel(linear.z)};
 }
 

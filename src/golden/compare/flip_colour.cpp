@@ -1,10 +1,11 @@
 #include "golden/compare/flip_colour.hpp"
 
+#include "base/srgb.hpp"
+
 #include "golden/compare/four.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -42,10 +43,8 @@ const Matrix xyzOfRgb{relativeXyz()}, rgbOfXyz{glm::inverse(relativeXyz())};
 
 std::array<float, 256> linearTable() {
   std::array<float, 256> table{};
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const double value = double(i) / 255;
-    table[i] = static_cast<float>(value > 0.04045 ? std::pow((value + 0.055) / 1.055, 2.4) : value / 12.92);
-  }
+  for (std::size_t i = 0; i < table.size(); ++i)
+    table[i] = static_cast<float>(linearOfSrgb(static_cast<double>(i) / 255));
   return table;
 }
 const std::array<float, 256> linearOf = linearTable();

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "base/srgb.hpp"
 #include "golden/files/colours.hpp"
 #include "golden/files/damage.hpp"
 #include "golden/files/png_check.hpp"
@@ -72,9 +73,8 @@ bool jpegHasItsEnd(std::string_view bytes) {
 }
 
 float encoded(float light) {
-  const float size = std::abs(light);
-  const float curve = size <= 0.0031308F ? 12.92F * size : 1.055F * std::pow(size, 1 / 2.4F) - 0.055F;
-  return std::copysign(curve, light);
+  if (!std::isfinite(light)) return light;
+  return std::copysign(static_cast<float>(srgbOfLinear(std::abs(light))), light);
 }
 
 std::uint8_t rounded(float value) {

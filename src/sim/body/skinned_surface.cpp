@@ -47,7 +47,6 @@ int checkedCount(const std::string& name, const Mesh& mesh) {
 SkinnedSurface::SkinnedSurface(const std::string& name, const Figure& figure, bool fast)
     : name_(name),
       vertexCount_(checkedCount(name, figure.mesh)),
-      faceCount_(static_cast<int>(figure.mesh.indices.size() / 3)),
       restPositions_(name + " positions at bind", asVec4(figure.mesh.positions)),
       restNormals_(name + " normals at bind", asVec4(figure.mesh.normals)),
       weights_(name + " weights", figure.weights),

@@ -23,7 +23,6 @@ class SkinnedSurface {
   SkinnedSurface(const std::string& name, const Figure& figure, bool fast);
 
   [[nodiscard]] int vertexCount() const { return vertexCount_; }
-  [[nodiscard]] int faceCount() const { return faceCount_; }
   /// Makes before() and now() what they are at the beginning and the end of a substep of `substeps`.
   void moveTo(int substep, int substeps);
   /// xyz m, w 1, a vertex an element.
@@ -42,7 +41,7 @@ class SkinnedSurface {
   void skin(const gl::Program& program, double now, const gl::Vec4Array& positions) const;
 
   std::string name_;
-  int vertexCount_, faceCount_;
+  int vertexCount_;
   gl::Vec4Array restPositions_, restNormals_, weights_, poses_;
   gl::WordsArray follow_, faces_;
   gl::Vec4Array positions_, normals_;

@@ -1,6 +1,6 @@
 #include "sim/grid/color_map.hpp"
 
-#include "base/ieee.hpp"
+#include "base/srgb.hpp"
 
 #include <algorithm>
 #include <array>
@@ -67,10 +67,8 @@ struct Named {
 constexpr Named maps[] = {{"viridis", viridis}, {"magma", magma}, {"inferno", inferno}, {"plasma", plasma},
                           {"turbo", turbo},     {"polar", polar}, {"grey", grey}};
 
-/// IEC 61966-2-1.
 float linear(std::uint32_t byte) {
-  const double x = (byte & 255U) / 255.0;
-  return static_cast<float>(x <= 0.04045 ? x / 12.92 : ieee::pow((x + 0.055) / 1.055, 2.4));
+  return static_cast<float>(linearOfSrgb((byte & 255U) / 255.0));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "sim/mesh/builder.hpp"
 
 #include "base/error.hpp"
-#include "base/ieee.hpp"
+#include "base/srgb.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,7 @@ void refuseMesh(const fs::path& file, const std::string& why) {
 
 glm::vec3 linearColor(const glm::vec3& encoded) {
   const auto linear = [](float part) {
-    const double c = std::clamp(static_cast<double>(part), 0.0, 1.0);
-    return static_cast<float>(c <= 0.04045 ? c / 12.92 : ieee::pow((c + 0.055) / 1.055, 2.4));
+    return static_cast<float>(linearOfSrgb(std::clamp(static_cast<double>(part), 0.0, 1.0)));
   };
   return {linear(encoded.r), linear(encoded.g), linear(encoded.b)};
 }
