@@ -78,10 +78,11 @@ void LinkedProgram::compiledFor(const char* what, double seconds) const {
 namespace {
 
 bool isNumber(GLenum type) {
-  constexpr GLenum numbers[] = {GL_INT,        GL_INT_VEC2,          GL_INT_VEC3,          GL_INT_VEC4,
-                                GL_FLOAT,      GL_FLOAT_VEC2,        GL_FLOAT_VEC3,        GL_FLOAT_VEC4,
-                                GL_BOOL,       GL_UNSIGNED_INT,      GL_UNSIGNED_INT_VEC2, GL_UNSIGNED_INT_VEC3,
-                                GL_FLOAT_MAT3, GL_UNSIGNED_INT_VEC4, GL_FLOAT_MAT4};
+  constexpr GLenum numbers[] = {
+      GL_INT,        GL_INT_VEC2,          GL_INT_VEC3,          GL_INT_VEC4,
+      GL_FLOAT,      GL_FLOAT_VEC2,        GL_FLOAT_VEC3,        GL_FLOAT_VEC4,
+      GL_BOOL,       GL_UNSIGNED_INT,      GL_UNSIGNED_INT_VEC2, GL_UNSIGNED_INT_VEC3,
+      GL_FLOAT_MAT3, GL_UNSIGNED_INT_VEC4, GL_FLOAT_MAT4};
   return std::ranges::find(numbers, type) != std::end(numbers);
 }
 

@@ -43,7 +43,8 @@ class LinkedProgram {
   [[nodiscard]] const void* user() const { return user_; }
   /// Gives it the uniform values of `user`, which has set all activeUniforms(). Needs link().
   void giveTo(const void* user, std::vector<Uniform>& uniforms);
-  /// Uniforms outside blocks that the driver kept, but for textures and images: "a" of "a[0]" and of "a.b". Needs link().
+  /// Uniforms outside blocks that the driver kept, but for textures and images: "a" of "a[0]" and of "a.b".
+  /// Needs link().
   [[nodiscard]] const std::vector<std::string>& activeUniforms() const { return active_; }
   /// Forgets `user`, whose values it may have.
   void leave(const void* user) {

@@ -39,8 +39,8 @@ class Program {
   /// False for a default-constructed Program.
   explicit operator bool() const { return own_ != nullptr; }
 
-  /// Makes it the current program, with its uniform values. The first use throws UserError(device) where the
-  /// shader reads a uniform that has not been set.
+  /// Makes it the current program, with its uniform values. The first use throws UserError(device) where
+  /// the shader reads a uniform that has not been set.
   void use() const;
   /// Runs at least `items` (or x by y) invocations; shaders guard the rest. At most
   /// GL_MAX_COMPUTE_WORK_GROUP_COUNT groups in each direction: beyond it, UserError(device).

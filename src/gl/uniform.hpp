@@ -23,7 +23,8 @@ struct Uniform {
 
   /// True if it is `whole`, an element of it ("a[0]") or a member ("a.b").
   [[nodiscard]] bool isPartOf(std::string_view whole) const {
-    return name.starts_with(whole) && (name.size() == whole.size() || name[whole.size()] == '[' || name[whole.size()] == '.');
+    return name.starts_with(whole) &&
+           (name.size() == whole.size() || name[whole.size()] == '[' || name[whole.size()] == '.');
   }
   /// Sets it in a linked program.
   void putInto(GLuint program);

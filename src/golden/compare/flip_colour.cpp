@@ -1,7 +1,6 @@
 #include "golden/compare/flip_colour.hpp"
 
 #include "base/srgb.hpp"
-
 #include "golden/compare/four.hpp"
 
 #include <algorithm>
