@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_options.hpp"
-#include "cli/scene_options.hpp"
+#include "cli/options/device_options.hpp"
+#include "cli/options/scene_options.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
 

@@ -1,4 +1,4 @@
-#include "cli/bisect_report.hpp"
+#include "cli/compare/bisect_report.hpp"
 
 #include "base/text.hpp"
 

@@ -1,7 +1,8 @@
-#include "cli/scene_options.hpp"
+#include "cli/options/scene_options.hpp"
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "cli/options/shipped_scene.hpp"
 #include "sim/world/list.hpp"
 
 #include <CLI/CLI.hpp>
@@ -30,8 +31,9 @@ std::vector<scene::Override> parseOverrides(const std::vector<std::string>& text
 void addAssets(CLI::App& command, std::vector<std::string>& folders) {
   command
       .add_option("--assets", folders,
-                  "Folder below which scenes may find files, beside their own and the shipped ones; "
+                  "Folder where scenes may find files, besides their own folder and the shipped assets; "
                   "repeatable")
+      ->type_name("FOLDER")
       ->allow_extra_args(false);
 }
 
@@ -48,14 +50,22 @@ void SceneOptions::add(CLI::App& command) {
 }
 
 void SceneOptions::addOptional(CLI::App& command) {
-  command.add_option("scene", file, "Scene file, or - for standard input");
-  command.add_option("-D", overrides, "Override any value of the scene: path=value, repeatable")
+  findShipped(*command.add_option("scene", file,
+                                  "Scene file, name of a shipped scene (flag), or - for standard input"));
+  command
+      .add_option("-D", overrides,
+                  "Override any value of the scene, for example -D camera.fieldOfView=30; repeatable")
+      ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   command.add_option("--seed", seed, "Seed of all random numbers");
-  command.add_option("--size", size, "Picture size in pixels, WxH");
+  command.add_option("--size", size, "Picture size in pixels, for example 1280x720")->type_name("WxH");
   command.add_option("--fps", fps, "Frames per second of scene time");
   command.add_option("--samples", samples, "Samples per pixel");
-  command.add_option("--rasterizer", rasterizer, "Who draws: driver or exact");
+  command
+      .add_option("--rasterizer", rasterizer,
+                  "exact (the default) draws the same pixels on every machine; driver uses the GPU's own "
+                  "rasterizer")
+      ->type_name("exact|driver");
   addAssets(command, assets);
 }
 

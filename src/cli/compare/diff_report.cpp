@@ -1,4 +1,4 @@
-#include "cli/diff_report.hpp"
+#include "cli/compare/diff_report.hpp"
 
 #include "base/text.hpp"
 #include "golden/pictures/picture_folder.hpp"

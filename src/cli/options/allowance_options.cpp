@@ -1,4 +1,4 @@
-#include "cli/allowance_options.hpp"
+#include "cli/options/allowance_options.hpp"
 
 #include "golden/pictures/rules.hpp"
 

@@ -1,4 +1,4 @@
-#include "cli/job_count.hpp"
+#include "cli/options/job_count.hpp"
 
 #include "base/error.hpp"
 #include "base/processor.hpp"

@@ -1,15 +1,16 @@
-// Commands that only read: validate, schema, list.
+// simreel validate and simreel schema.
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_options.hpp"
-#include "cli/scene_options.hpp"
+#include "cli/options/device_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/shipped_scene.hpp"
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
 #include "frame/summaries.hpp"
 #include "gl/context.hpp"
-#include "scene/scene_texts.hpp"
+#include "scene/texts/schema_text.hpp"
 #include "sim/core/numerics.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
@@ -97,8 +98,12 @@ void validate(ValidateOptions o) {
 void addValidate(CLI::App& app) {
   auto o = std::make_shared<ValidateOptions>();
   auto* command = app.add_subcommand("validate", "Check scene files and report every mistake");
-  command->add_option("scenes", o->files, "Scene files, or - for standard input")->required();
-  command->add_option("-D", o->overrides, "Override any value: path=value, repeatable")
+  findShipped(
+      *command
+           ->add_option("scenes", o->files, "Scene files, names of shipped scenes, or - for standard input")
+           ->required());
+  command->add_option("-D", o->overrides, "Override any value of the scenes; repeatable")
+      ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   addAssets(*command, o->assets);
   command->add_flag(
@@ -110,17 +115,6 @@ void addValidate(CLI::App& app) {
 void addSchema(CLI::App& app) {
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->callback([] {
     printText(scene::schemaText(sim::kinds().list));
-  });
-}
-
-void addList(CLI::App& app) {
-  auto name = std::make_shared<std::string>();
-  auto* command =
-      app.add_subcommand("list", "Print what a scene may hold, or every parameter of one thing");
-  command->add_option("name", *name, "A simulation or section, for example cloth");
-  command->callback([name] {
-    printText(name->empty() ? scene::listText(sim::kinds().list)
-                            : scene::helpText(*name, sim::kinds().list));
   });
 }
 

@@ -1,4 +1,4 @@
-#include "cli/slurm_options.hpp"
+#include "cli/options/slurm_options.hpp"
 
 #include "base/error.hpp"
 

@@ -1,4 +1,4 @@
-#include "cli/device_options.hpp"
+#include "cli/options/device_options.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -1,4 +1,4 @@
-#include "cli/tolerance_options.hpp"
+#include "cli/options/tolerance_options.hpp"
 
 #include "base/error.hpp"
 #include "scene/json/words.hpp"
