@@ -3,8 +3,8 @@
 #include "base/log.hpp"
 #include "base/process.hpp"
 #include "batch/render/chosen_frames.hpp"
-#include "cli/compare/bisect_report.hpp"
 #include "cli/commands.hpp"
+#include "cli/compare/bisect_report.hpp"
 #include "cli/options/device_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "frame/frames_spec.hpp"
@@ -105,7 +105,7 @@ void addBisect(CLI::App& app) {
   auto o = std::make_shared<BisectOptions>();
   auto* command = app.add_subcommand(
       "bisect",
-      "Find the first frame, step and element, or pass and pixel, at which two builds or drivers differ");
+      "Find where two builds or drivers first differ: frame, step and element, or pass and pixel");
   o->scene.add(*command);
   command->add_option(
       "--against", o->against,
@@ -115,8 +115,9 @@ void addBisect(CLI::App& app) {
                       "Memory path of the other side (default: the same)");
   command->add_option("--frames", o->frames,
                       "How many frames to compare (default: all), beside the pre-roll");
-  command->add_flag("--passes", o->passes,
-                    "Also the exact pictures: the first pass that differs, and the pixel and primitive");
+  command->add_flag(
+      "--passes", o->passes,
+      "Compare the exact pictures, too: find the first pass that differs, and the pixel and primitive");
   addDevice(*command, o->on);
   command->add_flag("--json", o->json, "Print the result as JSON");
   command->callback([o] { bisect(*o); });

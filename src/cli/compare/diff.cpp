@@ -2,9 +2,9 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
-#include "cli/options/allowance_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/compare/diff_report.hpp"
+#include "cli/options/allowance_options.hpp"
 #include "cli/options/tolerance_options.hpp"
 #include "frame/file/output_name.hpp"
 #include "golden/baseline/tolerance.hpp"
@@ -153,14 +153,17 @@ void diff(const DiffOptions& options) {
 void addDiff(CLI::App& app) {
   const auto options = std::make_shared<DiffOptions>();
   CLI::App* command = app.add_subcommand("diff", "Compare two pictures, or two sequences of them");
-  command->add_option("A", options->a, "A picture, a folder with all below it, or a pattern (####, %04d)")
+  command
+      ->add_option("A", options->a,
+                   "A picture, a folder with everything below it, or a pattern (####, %04d)")
       ->required();
-  command->add_option("B", options->b, "What to compare with it: the same kind")->required();
-  command->add_option("-o,--output", options->output,
-                      "Difference image, blue (small) to red (large); a folder for sequences");
+  command->add_option("B", options->b, "The same kind of thing, which is compared with A")->required();
+  command->add_option(
+      "-o,--output", options->output,
+      "File for the difference picture, blue (small) to red (large); a folder for sequences");
   options->tolerance.add(*command);
   options->allowance.add(*command);
-  command->add_flag("--quick", options->quick, "Without SSIM and FLIP, which take most of the time");
+  command->add_flag("--quick", options->quick, "Do not measure SSIM and FLIP, which take most of the time");
   command->add_flag("--json", options->json, "Print one JSON object instead of text");
   command->footer(
       "Without a bound, pictures must be equal. The window is 16 x 16 unless given. --max-channel-diff "

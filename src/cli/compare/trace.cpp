@@ -180,13 +180,13 @@ void addTrace(CLI::App& app) {
   command->add_option(
       "--frames", o->frames,
       "all (default), one frame, or a range; frames below 0 are the pre-roll: --frames=-30-99");
-  command->add_option("--steps-of", o->stepsOf, "Instead, one line for each step of this frame");
+  command->add_option("--steps-of", o->stepsOf, "Print one line for each step of this frame instead");
   command->add_option("--dump", o->dump,
-                      "Instead, FRAME:STEP: the state after that step, as float32 after a line of JSON; "
-                      "FRAME:passes: all that the passes of its exact picture left");
+                      "Write data instead. FRAME:STEP: the state after that step, as float32 after a line "
+                      "of JSON; FRAME:passes: the buffers of the passes of its exact picture");
   command->add_flag("--passes", o->passes,
-                    "Also hashes of the passes of each frame's exact picture: visibility, shadow, light, "
-                    "glow, bloom, picture");
+                    "Print hashes of the passes of each frame's exact picture, too: visibility, shadow, "
+                    "light, glow, bloom, picture");
   command->add_option("-o,--output", o->output, "File that --dump writes, or -");
   addDevice(*command, o->on);
   command->callback([o] { trace(*o); });

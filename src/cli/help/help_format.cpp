@@ -103,7 +103,7 @@ void useHelpFormat(CLI::App& app) {
 }
 
 void groupCommands(CLI::App& app) {
-  app.description("simreel renders GPU simulations to pictures and videos, without a display");
+  app.description("Renders GPU simulations to pictures and videos, without a display");
   app.footer(examplesText());
   const std::array<Group, 5> groups = {{
       {"Render", {"render", "serve", "bake"}},

@@ -1,5 +1,7 @@
 #include "cli/help/option_text.hpp"
 
+#include <map>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,6 +20,48 @@ std::string rangeIn(const std::string& type) {
   return fmt::format("{} to {:.15g}", bounds[0], std::stod(bounds[2]));
 }
 
+/// The placeholder for the text that an option of this name takes.
+std::string placeholder(const std::vector<std::string>& longs) {
+  static const std::map<std::string, std::string> words = {
+      {"output", "PATH"},
+      {"frames", "FRAMES"},
+      {"device", "DEVICE"},
+      {"memory-path", "storage|texel"},
+      {"progress", "WORD"},
+      {"jobs", "N"},
+      {"rule", "RULE"},
+      {"from", "FILE"},
+      {"checkpoint-at", "FRAMES"},
+      {"sbatch", "OPTIONS"},
+      {"scratch", "FOLDER"},
+      {"report", "FOLDER"},
+      {"junit", "FILE"},
+      {"json", "FILE"},
+      {"markdown", "FILE"},
+      {"reason", "WORDS"},
+      {"profile", "NAME"},
+      {"expected", "FOLDER"},
+      {"actual", "FOLDER"},
+      {"run", "COMMAND"},
+      {"rules", "FILE"},
+      {"mask", "FILE"},
+      {"filter", "PATTERN"},
+      {"shard", "K/N"},
+      {"object", "NAME"},
+      {"only", "PATTERN"},
+      {"scene", "FILE"},
+      {"scenes", "FOLDER"},
+      {"beside", "PATH=VALUE"},
+      {"bind", "ADDRESS"},
+      {"look", "WORD"},
+      {"vary", "PATH=VALUES"},
+      {"baseline", "FILE"},
+  };
+  for (const std::string& name : longs)
+    if (const auto word = words.find(name); word != words.end()) return word->second;
+  return "TEXT";
+}
+
 void takeValue(const CLI::Option& option, OptionText& text) {
   const std::string type = option.get_type_name();
   const auto open = type.find('{');
@@ -28,7 +72,7 @@ void takeValue(const CLI::Option& option, OptionText& text) {
     return;
   }
   const std::string plain = type.substr(0, type.find(':'));
-  text.value = plain == "TEXT"                     ? "TEXT"
+  text.value = plain == "TEXT"                     ? placeholder(text.longs)
                : plain == "INT" || plain == "UINT" ? "N"
                : plain == "FLOAT"                  ? "NUMBER"
                                                    : plain;

@@ -5,7 +5,7 @@
 namespace simreel::cli {
 
 std::span<const Variable> variables() {
-  static constexpr std::array<Variable, 18> all = {{
+  static constexpr std::array<Variable, 20> all = {{
       {"COLUMNS", "Width of help and lists in characters, instead of the terminal's."},
       {"SIMREEL_ASSETS",
        "Folder of the shipped assets (scenes, fonts, meshes, textures), instead of the installed one."},
@@ -31,6 +31,9 @@ std::span<const Variable> variables() {
       {"LIBGL_DRIVERS_PATH, EGL_PLATFORM, DRI_PRIME, __EGL_VENDOR_LIBRARY_FILENAMES, "
        "__EGL_VENDOR_LIBRARY_DIRS, VK_ICD_FILENAMES, VK_DRIVER_FILES",
        "Choose the drivers of EGL and Vulkan. `simreel doctor` names those that are set."},
+      {"MESA_SHADER_CACHE_DIR, MESA_SHADER_CACHE_DISABLE, MESA_GLSL_CACHE_DIR, MESA_GLSL_CACHE_DISABLE",
+       "Mesa's cache of compiled shaders. With the cache off, every run compiles its shaders anew."},
+      {"XDG_CACHE_HOME, HOME", "Where Mesa keeps that cache, if its own variables do not say."},
       {"WORKSPACE, CI_PROJECT_DIR",
        "Project folder in Jenkins and GitLab: JUnit files name pictures relative to it."},
       {"GITHUB_STEP_SUMMARY", "File to which `simreel test --github` adds a summary of the run."},

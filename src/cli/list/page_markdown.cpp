@@ -105,18 +105,22 @@ std::string notesText(const KindNotes& notes) {
 }  // namespace
 
 std::string listMarkdown() {
-  std::string out =
-      "# Reference\n\nThe program writes these pages: `simreel list --reference FOLDER`.\n\n"
-      "## Kinds of objects\n\n";
-  for (const scene::HelpTitle& title : scene::kindTitles(sim::kinds().list))
-    out += fmt::format("- [{0}]({0}.md): {1}\n", title.name, title.doc);
-  out += "\n## Sections of a scene\n\n";
-  for (const scene::HelpTitle& title : scene::sectionTitles())
-    out += fmt::format("- [{0}]({0}.md): {1}\n", title.name, title.doc);
-  return out +
+  const auto table = [](const std::vector<scene::HelpTitle>& titles) {
+    std::string rows = "| page | what it describes |\n|---|---|\n";
+    for (const scene::HelpTitle& title : titles)
+      rows += fmt::format("| [{0}]({0}.md) | {1} |\n", title.name, cell(title.doc));
+    return rows;
+  };
+  return "# Reference\n\nThe program writes these pages: `simreel list --reference FOLDER`.\n\n"
+         "## Kinds of objects\n\n" +
+         table(scene::kindTitles(sim::kinds().list)) + "\n## Sections of a scene\n\n" +
+         table(scene::sectionTitles()) +
          "\n## The program\n\n"
-         "- [Command line](command-line.md)\n- [Exit codes](exit-codes.md)\n"
-         "- [Environment variables](environment.md)\n- [Messages and their cures](errors.md)\n";
+         "| page | what it describes |\n|---|---|\n"
+         "| [Command line](command-line.md) | All commands and their options. |\n"
+         "| [Exit codes](exit-codes.md) | The codes that commands end with. |\n"
+         "| [Environment variables](environment.md) | The variables that the program reads. |\n"
+         "| [Messages](errors.md) | The most frequent messages, each with its cure. |\n";
 }
 
 std::string pageMarkdown(std::string_view name) {

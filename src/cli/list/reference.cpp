@@ -70,7 +70,8 @@ std::string commandLinePage(const CLI::App& app) {
 
 std::string exitCodesPage() {
   std::string out =
-      "# Exit codes\n\nEvery command ends with one of these codes. A message on standard error says what "
+      "# Exit codes\n\nEvery command ends with a code from this table. A message on standard error says "
+      "what "
       "happened, where, and what to do.\n\n| code | meaning | what to do |\n|---|---|---|\n";
   for (const ExitMeaning& one : exitMeanings())
     out += fmt::format("| {} | {} | {} |\n", one.code, one.meaning, markdownCell(one.cure));
@@ -79,7 +80,7 @@ std::string exitCodesPage() {
 
 std::string environmentPage() {
   std::string out =
-      "# Environment variables\n\nNone of them has to be set.\n\n| variable | meaning |\n|---|---|\n";
+      "# Environment variables\n\nAll of them are optional.\n\n| variable | meaning |\n|---|---|\n";
   for (const Variable& one : variables())
     out += fmt::format("| `{}` | {} |\n", one.name, markdownCell(one.meaning));
   return out;

@@ -9,20 +9,20 @@ namespace {
 void add(CLI::App& command, gl::ContextOptions& options, const char* device) {
   command.add_option("--device", options.device, device);
   command.add_option("--memory-path", options.memoryPath,
-                     "storage (kernels read memory as GPUs like it, and finish the picture) or texel (as "
-                     "software drivers do); by driver if not given");
+                     "How kernels read memory: storage (fast on GPUs) or texel (fast on software drivers); "
+                     "left out: as suits the driver");
 }
 
 }  // namespace
 
 void addDevice(CLI::App& command, gl::ContextOptions& options) {
-  add(command, options, "Index or part of a name (see `simreel doctor`)");
+  add(command, options, "Device to use, by its number or a part of its name (see `simreel doctor`)");
 }
 
 void addDevices(CLI::App& command, gl::ContextOptions& options) {
   add(command, options,
-      "Index or part of a name (see `simreel doctor`); of several, 0,1, each process takes the next: at "
-      "least one a device runs");
+      "Device to use, by its number or a part of its name (see `simreel doctor`). With a list (0,1) each "
+      "process takes the next device, and at least one process for each device runs");
 }
 
 }  // namespace simreel::cli

@@ -20,9 +20,8 @@ void SlurmOptions::add(CLI::App& command) {
 
 void SlurmOptions::addScratch(CLI::App& command) {
   command.add_option("--scratch", scratch,
-                     "Folder on a machine's own disk to render in, such as '$TMPDIR' (of the machine that "
-                     "renders); what is "
-                     "made is copied to its place at the end");
+                     "Folder on the rendering machine's own disk to work in, such as '$TMPDIR'; the "
+                     "results are copied to their place at the end");
 }
 
 batch::Slurm SlurmOptions::cluster(const std::filesystem::path& folder) const {

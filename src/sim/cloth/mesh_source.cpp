@@ -32,9 +32,9 @@ void ClothMesh::describe(scene::Fields& f) {
   scene::implyShape(f, shape, ClothShape::file, "file", file, "file", "plane");
   f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane (x and z).");
   f.number("radius", radius, {1e-4, 1e4}, "m",
-           "Of a disc, sphere or cylinder; of a torus to the middle of its tube.");
+           "Radius of a disc, sphere or cylinder; of a torus, the distance to the middle of its tube.");
   f.number("tube", tube, {1e-4, 1e4}, "m", "Radius of a torus' tube.");
-  f.number("length", length, {1e-4, 1e4}, "m", "Of a cylinder, an open tube along y.");
+  f.number("length", length, {1e-4, 1e4}, "m", "Length of a cylinder, which is an open tube along y.");
   f.pair("resolution", resolution, {3, 4096}, "vertices",
          "Along u and v: x and z of a plane; around and along a cylinder; along and around the tube of a "
          "torus. The first across a disc, and along each of a sphere's six grids.");

@@ -20,7 +20,7 @@ void FieldDisplay::describe(scene::Fields& fields) {
                 "Width and height of its part, as fractions of the picture.");
   fields.vector("center", center, {-1e6, 1e6}, "", "Point of the field in the middle, as fractions of it.");
   fields.number("zoom", zoom, {1e-3, 1e6}, "", "Magnification.");
-  fields.number("opacity", opacity, {0, 1}, "", "0 shows nothing of it.");
+  fields.number("opacity", opacity, {0, 1}, "", "Opacity; 0 hides it.");
   fields.boolean("smooth", smooth, "Linear between cells; else each cell is a square.");
   fields.boolean("tiled", tiled, "Repeated beyond its border.");
   fields.vector("border", border, scene::notNegative, "", "Colour beyond its border, linear RGB.");

@@ -67,7 +67,7 @@ void LeniaCreature::describe(scene::Fields& f) {
   f.leftOut("at", "the middle");
   if (f.given("at")) at = corner;
   f.integer("rotate", rotate, {0, 270}, "degrees", "Clockwise: 0, 90, 180 or 270.");
-  f.boolean("mirrored", mirrored, "Left and right exchanged, before it is turned.");
+  f.boolean("mirrored", mirrored, "Mirrors left and right, before it is turned.");
   if (rotate % 90 != 0) f.error("rotate", "creatures turn by 0, 90, 180 or 270 degrees only");
 }
 
@@ -79,19 +79,20 @@ void LeniaParameters::describe(scene::Fields& f) {
            "of the "
            "filling n of a ring and m of a disc.");
   f.list(
-      "kernels", kernels, "Of Lenia; not given: one, Orbium's.",
+      "kernels", kernels, "Kernels of Lenia; left out: one, that of Orbium.",
       [](scene::Fields& g, LeniaKernel& kernel) { kernel.describe(g); }, maxKernels);
   if (kernels.empty()) f.error("kernels", "Lenia has at least one kernel");
   f.number("timeScale", timeScale, {1, 1000}, "", "T, steps in a unit of time: dt = 1 / T.");
   f.number("stepsPerSecond", stepsPerSecond, {1e-3, 1e5}, "1/s",
            "Steps a second, whatever the frame rate.");
   f.number("radius", radius, {3, maxLeniaRadius}, "cells",
-           "Of SmoothLife's ring; its disc is a third of that.");
+           "Radius of SmoothLife's ring; its disc is a third of that.");
   f.number("bornMin", bornMin, {0, 1}, "",
-           "Of SmoothLife: filling of the ring at which the dead come alive, from");
-  f.number("bornMax", bornMax, {0, 1}, "", "and to.");
-  f.number("surviveMin", surviveMin, {0, 1}, "", "At which the living stay so, from");
-  f.number("surviveMax", surviveMax, {0, 1}, "", "and to.");
+           "Least filling of the ring at which a dead cell of SmoothLife comes alive,");
+  f.number("bornMax", bornMax, {0, 1}, "", "and the greatest.");
+  f.number("surviveMin", surviveMin, {0, 1}, "",
+           "Least filling of the ring at which a living cell stays alive,");
+  f.number("surviveMax", surviveMax, {0, 1}, "", "and the greatest.");
   f.number("alphaRing", alphaRing, {1e-3, 1}, "", "How soft the limits of the ring's filling are,");
   f.number("alphaDisc", alphaDisc, {1e-3, 1}, "", "and that between dead and living.");
   const bool smooth = model == Model::smoothLife;

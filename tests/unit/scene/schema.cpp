@@ -100,9 +100,9 @@ TEST_CASE("every section has help, and a wrong name gets a suggestion") {
   }
 }
 
-TEST_CASE("the list has one line per kind and section") {
+TEST_CASE("the list has one entry for each kind and section") {
   const std::string list = listText(toyKinds().list, 100);
-  CHECK(has(list, "  cloth     A toy cloth.\n"));
+  CHECK(has(list, "  cloth      A toy cloth.\n"));
   CHECK(has(list, "  camera    "));
   CHECK(has(list, "  scene     "));
 }
