@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/options/device_options.hpp"
 #include "cli/options/scene_options.hpp"
+#include "cli/options/shipped_scene.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
 
@@ -50,6 +51,8 @@ serve::CounterpartOptions counterpart(const ServePageOptions& o) {
 void servePage(const ServePageOptions& o) {
   if (o.scene.file == "-")
     fail(ExitCode::usage, "serve watches the scene's file; standard input cannot be watched");
+  if (o.edit && o.scene.shipped)
+    fail(ExitCode::usage, "--edit would change the shipped scene; copy it first: cp {} .", o.scene.file);
   if (o.edit && std::filesystem::path(o.scene.file).extension() != ".json")
     fail(ExitCode::usage, "--edit {}: only scenes can be edited", o.scene.file);
   if (o.edit && !o.other.empty() && std::filesystem::path(o.other).extension() != ".json")
@@ -77,8 +80,8 @@ void addServe(CLI::App& app) {
   auto* command = app.add_subcommand("serve", "Show a scene in a browser while you edit it");
   o->scene.add(*command);
   command->get_option("scene")->description("Scene file; the page follows its changes");
-  command->add_option("other", o->other,
-                      "A second scene, shown side by side with the first at the same frame");
+  findShipped(*command->add_option("other", o->other,
+                                   "A second scene, shown side by side with the first at the same frame"));
   command
       ->add_option("--beside", o->beside,
                    "Override a value on the right side only: path=value, repeatable; without a second "

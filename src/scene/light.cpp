@@ -62,7 +62,7 @@ void Light::describe(Fields& fields) {
     fields.error("glow", "a light of type \"area\" is not seen by the camera; leave out \"glow\"");
   fields.vector("position", position, anyNumber, "m", "Place of the attractor.");
   fields.optionalGroup("follow", follows,
-                       "Place on a path that an object has found; the light is dark while there is none.",
+                       "Place on a path that an object has found; the light is dark until there is a path.",
                        [&](Fields& inner) { follow.describe(inner); });
   if (follows && fields.given("position"))
     fields.error("position", "\"follow\" says where the light is; leave out \"position\"");

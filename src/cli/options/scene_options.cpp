@@ -51,7 +51,8 @@ void SceneOptions::add(CLI::App& command) {
 
 void SceneOptions::addOptional(CLI::App& command) {
   findShipped(*command.add_option("scene", file,
-                                  "Scene file, name of a shipped scene (flag), or - for standard input"));
+                                  "Scene file, name of a shipped scene (flag), or - for standard input"),
+              &shipped);
   command
       .add_option("-D", overrides,
                   "Override any value of the scene, for example -D camera.fieldOfView=30; repeatable")

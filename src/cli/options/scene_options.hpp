@@ -15,6 +15,7 @@ namespace simreel::cli {
 /// Options of every command that reads a scene to run it.
 struct SceneOptions {
   std::string file;
+  bool shipped = false;                ///< whether `file` was found by the name of a shipped scene
   std::vector<std::string> overrides;  ///< -D path=value
   std::optional<int> seed;
   std::optional<std::string> size;  ///< WxH

@@ -79,10 +79,12 @@ std::string sceneFile(const std::string& name) {
   return name;
 }
 
-void findShipped(CLI::Option& option) {
+void findShipped(CLI::Option& option, bool* shipped) {
   option.transform(CLI::Validator(
-      [](std::string& word) {
-        word = sceneFile(word);
+      [shipped](std::string& word) {
+        const std::string file = sceneFile(word);
+        if (shipped != nullptr) *shipped = file != word;
+        word = file;
         return std::string();
       },
       ""));

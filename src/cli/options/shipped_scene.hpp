@@ -17,7 +17,7 @@ namespace simreel::cli {
 /// picture.
 [[nodiscard]] std::string sceneFile(const std::string& name);
 
-/// Makes a scene argument go through sceneFile().
-void findShipped(CLI::Option& option);
+/// Makes a scene argument go through sceneFile(). `shipped`: set where it named a shipped scene.
+void findShipped(CLI::Option& option, bool* shipped = nullptr);
 
 }  // namespace simreel::cli

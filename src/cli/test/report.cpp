@@ -64,7 +64,7 @@ void addReport(CLI::App& app) {
   command->require_subcommand(1);
   auto* merging = command->add_subcommand("merge",
                                           "Merge several reports, for example of --shard, into one; the "
-                                          "exit code is that of one test of everything");
+                                          "exit code is as for one test of everything");
   merging->add_option("reports", o->reports, "Folders of --report, or files of --json")->required();
   merging->add_option("-o,--report", o->outputs.report, "Folder for the report and its pictures")
       ->required();

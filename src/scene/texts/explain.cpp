@@ -91,7 +91,9 @@ class Explainer final : public Fields {
 
   void leftOut(const char* name, const char* what) override {
     for (ExplainedValue& value : shared_.values)
-      if (value.path == prefix_ + name && value.origin == followsText) value.origin = what;
+      if (value.path == prefix_ + name && find(name) == nullptr &&
+          (value.origin == followsText || value.value == "off"))
+        value.origin = what;
   }
 
   [[nodiscard]] bool given(const char* name) const override { return find(name) != nullptr; }

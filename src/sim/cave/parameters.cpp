@@ -57,7 +57,7 @@ void CaveParameters::describe(scene::Fields& f) {
     display.stops.clear();
     display.map = "inferno";
   }
-  f.group("display", "How its map is laid over the picture.", [&](scene::Fields& d) {
+  f.group("display", "Placement of its map over the picture.", [&](scene::Fields& d) {
     display.describe(d);
     d.leftOut("layer", "\"none\"");
   });

@@ -39,17 +39,18 @@ ClothParameters::ClothParameters() {
 void ClothParameters::describeMesh(scene::Fields& f) {
   f.optionalGroup("mesh", hasMesh, "Triangles that the cloth is made of, instead of a grid; a fabric.",
                   [&](scene::Fields& g) { mesh.describe(g); });
-  f.list(
-      "seams", seams, "Pairs of borders that are sewn together; for a cloth with a \"mesh\".",
-      [](scene::Fields& s, Seam& seam) {
-        s.integers("from", seam.from, {0, 1e7}, "",
-                   "Vertices of one side, from 0 on, in the order in which \"simreel bake\" writes them.");
-        s.integers("to", seam.to, {0, 1e7}, "", "As many vertices of the other side, in the same order.");
-        s.number("seconds", seam.seconds, {1e-3, 1e6}, "s", "Time until the seam has pulled shut.");
-        if (seam.from.size() != seam.to.size())
-          s.error("to", fmt::format("{} vertices are sewn to {}; each needs one", seam.from.size(),
-                                    seam.to.size()));
-      });
+  f.list("seams", seams, "Pairs of borders that are sewn together; for a cloth with a \"mesh\".",
+         [](scene::Fields& s, Seam& seam) {
+           s.integers(
+               "from", seam.from, {0, 1e7}, "",
+               "Vertices of one side, from 0 on, in the order in which \"simreel bake\" writes them.");
+           s.integers("to", seam.to, {0, 1e7}, "",
+                      "The same number of vertices of the other side, in the same order.");
+           s.number("seconds", seam.seconds, {1e-3, 1e6}, "s", "Time until the seam has pulled shut.");
+           if (seam.from.size() != seam.to.size())
+             s.error("to", fmt::format("{} vertices are sewn to {}; each needs one", seam.from.size(),
+                                       seam.to.size()));
+         });
   if (!seams.empty() && !hasMesh) f.error("seams", "a grid has no seams; give \"mesh\"");
   if (!hasMesh) return;
   for (const char* name : {"size", "spacing"})
@@ -116,7 +117,7 @@ void ClothParameters::describe(scene::Fields& f) {
                     a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
                     a.text("fluid", air.fluid,
                            "Name of a fluid whose wind is added to the air's velocity where its \"plane\" "
-                           "lies; the wind is that of the frame's end.");
+                           "lies; its flow at the end of the frame counts.");
                     a.number("fluidSpeed", air.fluidSpeed, {0, 200}, "m/s",
                              "Greatest wind speed that is expected of the fluid, for \"auto\" substeps.");
                     a.idleUnless(air.gusts > 0, "gusts", {"gustSize"}, "air with \"gusts\"");

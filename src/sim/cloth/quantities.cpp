@@ -163,8 +163,8 @@ std::span<const scene::Quantity> ClothParameters::quantities() const {
       {"kineticEnergy", "J", "Kinetic energy of all particles."},
       {"potentialEnergy", "J", "In the field of gravity, against the plane through the origin across it."},
       {"elasticEnergy", "J",
-       "Energy of all springs. With the constraints solver, that of compliant constraints; a fabric adds "
-       "its bending. For a mesh, and without damping, the stiffness that the substeps leave counts."},
+       "Energy of all springs, or of compliant constraints; a fabric adds its bending. For a mesh, and "
+       "without damping, the stiffness that the substeps leave counts."},
       {"energy", "J", "Kinetic, potential and elastic."},
       {"stretch", "",
        "Largest ratio of a structural spring's length to its rest length; for a mesh, of a face along weft "

@@ -198,7 +198,7 @@ void FluidParameters::describe(scene::Fields& f) {
   if (hasChart && chart.showsForces() && obstacles.empty())
     f.error("chart",
             "lift and drag are of \"obstacles\", and there are none; give some, or another \"of\"");
-  f.group("display", "How it is laid over the picture.", [&](scene::Fields& d) {
+  f.group("display", "Placement of the field over the picture.", [&](scene::Fields& d) {
     if (show == Show::speed) display.high = speed;
     if (show == Show::lines) display.high = 0.6 * speed;
     if (show == Show::lines || show == Show::temperature) display.map = "inferno";

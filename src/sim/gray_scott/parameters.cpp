@@ -95,7 +95,7 @@ void GrayScottParameters::describe(scene::Fields& f) {
   f.list("strokes", strokes, "Timed strokes of a brush.", [](scene::Fields& s, StrokeParameters& stroke) {
     stroke.describe(s, 1, "v that is painted; u becomes the rest of 1.");
   });
-  f.group("display", "How v is laid over the picture.", [&](scene::Fields& d) { display.describe(d); });
+  f.group("display", "Placement of v over the picture.", [&](scene::Fields& d) { display.describe(d); });
   if (axes && feedAcross)
     display.across =
         FieldDisplay::Axis{"F, feed rate", feed ? *feed : scene::Animated<float>(standard.feed),

@@ -79,7 +79,7 @@ void LeniaParameters::describe(scene::Fields& f) {
            "of the "
            "filling n of a ring and m of a disc.");
   f.list(
-      "kernels", kernels, "Kernels of Lenia; left out: one, that of Orbium.",
+      "kernels", kernels, "Kernels of Lenia; left out: the one kernel of Orbium.",
       [](scene::Fields& g, LeniaKernel& kernel) { kernel.describe(g); }, maxKernels);
   if (kernels.empty()) f.error("kernels", "Lenia has at least one kernel");
   f.number("timeScale", timeScale, {1, 1000}, "", "T, steps in a unit of time: dt = 1 / T.");
@@ -114,7 +114,7 @@ void LeniaParameters::describe(scene::Fields& f) {
   f.list("strokes", strokes, "Timed brush strokes.", [](scene::Fields& g, StrokeParameters& stroke) {
     stroke.describe(g, 1, "The value that is painted, 0 to 1.");
   });
-  f.group("display", "How it is laid over the picture. Values: 0 to 1.",
+  f.group("display", "Placement of the field over the picture. Values: 0 to 1.",
           [&](scene::Fields& g) { display.describe(g); });
 }
 

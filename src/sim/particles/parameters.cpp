@@ -151,7 +151,7 @@ void ParticleParameters::describe(scene::Fields& f) {
   f.optionalGroup("wind", hasWind, "Wind that carries them along.", [&](scene::Fields& w) {
     w.text("fluid", windFluid,
            "Name of the fluid whose flow is the wind, where its \"plane\" lies in the world; outside its "
-           "rectangle the air is still. For the whole frame it is the wind of the frame's end.");
+           "rectangle the air is still. The flow at the end of a frame counts for all of it.");
     w.number("drag", windDrag, {0, 1e4}, "1/s", "Rate at which their velocity becomes the wind's.");
     if (windFluid.empty()) w.error("fluid", "whose wind? Give \"fluid\", the name of one of this scene");
   });

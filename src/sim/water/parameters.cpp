@@ -167,9 +167,9 @@ void WaterParameters::describeFlow(scene::Fields& f) {
   f.leftOut("greatestSpeed", "sqrt(gravity * greatestDepth)");
   f.list("drops", drops, "Water that falls in at once, where there is water.",
          [](scene::Fields& d, WaterDropParameters& drop) {
-           d.number("at", drop.at, scene::anyNumber, "s", "When.");
+           d.number("at", drop.at, scene::anyNumber, "s", "Time at which it falls.");
            d.vector("center", drop.center, scene::anyNumber, "m",
-                    "Where, from the grid's middle; y is unused.");
+                    "Place, from the middle of the grid; y is unused.");
            d.number("radius", drop.radius, {1e-4, 1e4}, "m", "Radius of the drop.");
            d.number("height", drop.height, heights, "m",
                     "Rise of the level in its middle; below 0 it is a dent.");
@@ -177,20 +177,20 @@ void WaterParameters::describeFlow(scene::Fields& f) {
   f.list("drains", drains, "Holes through which water leaves, down to a film.",
          [](scene::Fields& d, WaterDrain& drain) {
            d.vector("center", drain.center, scene::anyNumber, "m",
-                    "Where, from the grid's middle; y is unused.");
+                    "Place, from the middle of the grid; y is unused.");
            d.number("radius", drain.radius, {1e-4, 1e4}, "m", "Radius of the drain.");
            d.number("speed", drain.speed, {0, 1e3}, "m/s",
                     "Speed at which the level falls in its middle: pi / 3 radius^2 speed m^3 a second.");
-           d.number("from", drain.from, scene::anyNumber, "s", "When it opens.");
-           d.number("until", drain.until, scene::anyNumber, "s", "When it closes.");
+           d.number("from", drain.from, scene::anyNumber, "s", "Time at which it opens.");
+           d.number("until", drain.until, scene::anyNumber, "s", "Time at which it closes.");
          });
   f.optionalGroup("rain", hasRain, "Drops at random places, where there is water.", [&](scene::Fields& r) {
     r.number("rate", rain.rate, {1e-3, 1e4}, "1/s", "Drops on the whole grid.");
     r.number("radius", rain.radius, {1e-4, 1e4}, "m",
              "Radius of the mean drop; drops have half to one and a half of it.");
     r.number("height", rain.height, heights, "m", "Rise of the level in the middle of each drop.");
-    r.number("from", rain.from, scene::anyNumber, "s", "When it begins.");
-    r.number("until", rain.until, scene::anyNumber, "s", "When it ends.");
+    r.number("from", rain.from, scene::anyNumber, "s", "Time at which it begins.");
+    r.number("until", rain.until, scene::anyNumber, "s", "Time at which it ends.");
   });
   f.list("strokes", strokes, "Timed strokes of a brush, in cells: sources.",
          [](scene::Fields& s, StrokeParameters& stroke) {
@@ -217,7 +217,7 @@ void WaterParameters::describeLook(scene::Fields& f) {
     l.number("foam", foam, {0, 1e3}, "", "White for each unit of slope beyond 0.1.");
   });
   f.idleUnless(visible, "visible", {"look"}, "water that is \"visible\"");
-  f.group("display", "How the depth is laid over the picture; \"layer\" shows it.",
+  f.group("display", "Placement of the depth over the picture; \"layer\" shows it.",
           [&](scene::Fields& d) { display.describe(d); });
 }
 

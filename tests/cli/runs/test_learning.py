@@ -77,6 +77,9 @@ class Shipped(Case):
         shutil.copy(self.folder / "scene.json", self.folder / "flag.json")
         self.assertEqual(self.good("validate", "flag.json").err, "")
 
+    def test_a_shipped_scene_is_not_edited_in_place(self):
+        self.bad(2, "--edit would change the shipped scene; copy it first: cp ", "serve", "flag", "--edit")
+
     def test_meshes_and_pictures_are_not_scenes(self):
         self.bad(2, ["model.obj is a mesh, not a scene", '"mesh": {"file": "model.obj"}'], "render", "model.obj", "-o", "x.png")
         self.bad(2, ["a.png is a picture, not a scene"], "render", "a.png", "-o", "x.png")
@@ -132,6 +135,12 @@ class Reference(Case):
         found = re.findall(r'\{"(?:\d|warning)",\s*"(?:[^"\\]|\\.)*",\s*"((?:[^"\\]|\\.)*)",', table)
         self.assertGreater(len(found), 25)
         self.assertEqual([part for part in found if part not in text], [])
+
+    def test_state_arrays_of_the_pages_are_in_the_source(self):
+        source = "".join(file.read_text() for file in sorted((SOURCE / "src/sim").rglob("*.cpp")))
+        for page in (SOURCE / "assets/guide/reference").glob("*.md"):
+            for name in re.findall(r"^\| `(\w+)` \|", page.read_text().partition("## State arrays")[2], re.M):
+                self.assertIn(f'"{name}"', source, page.name)
 
     def test_environment_has_every_variable_that_the_source_reads(self):
         page = (SOURCE / "assets/guide/reference/environment.md").read_text()
