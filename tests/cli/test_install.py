@@ -82,7 +82,7 @@ class Installed(Case):
             self.assertIn(words, text)
         for command in COMMANDS:
             section = text.split(f'.SS "{command}')[1].split(".SS ")[0].replace("\\-", "-")
-            for flag in re.findall(r"^ +(?:-\w, )?(--[\w-]+)", run(PROGRAM, command, "--help"), re.M):
+            for flag in re.findall(r"^  (?:-\w, )?(--[\w-]+)", run(PROGRAM, command, "--help"), re.M):
                 if flag != "--help":
                     self.assertIn(f"\\fB{flag}\\fR", section, command)
         if shutil.which("man"):

@@ -161,7 +161,7 @@ Json standardOf(Describe describe) {
 std::map<std::string, std::string> sectionOrigins(const Scene& scene) {
   std::map<std::string, std::string> origins;
   if (!scene.camera.filed)
-    origins["camera"] = scene.surveyed ? "a first run, to show all motion" : "placed to show all objects";
+    origins["camera"] = scene.surveyed ? "placed to show all motion" : "placed to show all objects";
   if (!scene.staged) return origins;
   for (const char* name : {"sun", "sky", "ground", "lights"}) origins[name] = "stage";
   origins["render"] = "stage";
