@@ -38,7 +38,7 @@ void remarkReach(Fields& fields, const Camera& camera) {
 
 void Follow::describe(Fields& fields) {
   PathPlace::describe(fields);
-  fields.number("ahead", ahead, positive, "m", "How far ahead on the path it looks.");
+  fields.number("ahead", ahead, positive, "m", "Distance ahead on the path that it looks at.");
   describeDamping(fields, damping,
                   "Time by which the camera lags behind, smoothly, like a critically damped spring; "
                   "corners become curves. 0: no lag.");
@@ -62,8 +62,8 @@ void CameraFile::describe(Fields& fields) {
   fields.number("start", start, {-1e6, 1e6}, "s", "Time in the motion at time 0 of the scene.");
   fields.boolean("loop", loop, "Starts the motion again when it has ended; else the last pose stays.");
   fields.number("distance", distance, positive, "m",
-                "Along its line of sight to its target, which a lens is focused on and the ground fades "
-                "around.");
+                "Distance along its line of sight to its target; a lens focuses there, and the ground "
+                "fades around it.");
   if (file.empty()) fields.error("file", "a camera of a file needs \"file\": the glTF to read");
 }
 
@@ -97,8 +97,8 @@ void Shutter::describe(Fields& fields) {
 void Orbit::describe(Fields& fields) {
   fields.number("turn", turn, {-1e6, 1e6}, "degrees",
                 "Angle at which it stands around the target: 0 on the side of +z, 90 on the side of +x.");
-  fields.number("elevation", elevation, {-89, 89}, "degrees", "How high it stands above the horizon.");
-  fields.number("distance", distance, positive, "m", "From the target.");
+  fields.number("elevation", elevation, {-89, 89}, "degrees", "Angle of the camera above the horizon.");
+  fields.number("distance", distance, positive, "m", "Distance from the target.");
   fields.leftOut("distance", "6, or all of it is in view where \"target\" is left out, too");
   distanced = fields.given("distance");
 }

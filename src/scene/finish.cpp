@@ -13,7 +13,7 @@ void Finish::describe(Fields& fields) {
                "Picture of factors as glTF has it: green on \"roughness\", blue on \"metallic\".");
   fields.asset("occlusionMap", occlusion.file,
                "Picture whose red channel is the fraction of ambient light that reaches the surface.");
-  fields.number("occlusionStrength", occlusionStrength, fraction, "", "How far the occlusion map goes.");
+  fields.number("occlusionStrength", occlusionStrength, fraction, "", "Strength of the occlusion map.");
   fields.vector("emission", emission, notNegative, "",
                 "Light that the surface emits, linear RGB; with quality high it lights other things, too.");
   fields.number("emissionStrength", emissionStrength, notNegative, "", "Factor on \"emission\".");
@@ -41,7 +41,7 @@ void Finish::describe(Fields& fields) {
   fields.vector("attenuationColor", attenuation, {1e-6, 1}, "",
                 "Colour that white light has after \"attenuationDistance\" in the solid, linear RGB.");
   fields.number("attenuationDistance", attenuationDistance, positive, "m",
-                "How far into the solid light has \"attenuationColor\".");
+                "Distance in the solid after which white light has \"attenuationColor\".");
   const auto needs = [&](const char* name, bool there, const char* what) {
     if (fields.given(name) && !there)
       fields.error(name, fmt::format("\"{}\" is for a material with {}", name, what));

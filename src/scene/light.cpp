@@ -17,9 +17,9 @@ void describeTemperature(Fields& fields, std::optional<double>& temperature) {
 
 void Flicker::describe(Fields& fields) {
   fields.number("amount", amount, fraction, "", "Share of the intensity that comes and goes.");
-  fields.number("rate", rate, {0.001, 1000}, "1/s", "How often it changes.");
+  fields.number("rate", rate, {0.001, 1000}, "1/s", "Rate of change.");
   fields.number("sway", sway, {0, 1000}, "m",
-                "How far the light moves about its position; its shadows move with it.");
+                "Distance that the light moves about its position; its shadows move with it.");
   fields.idleUnless(!isNothing(amount) || !isNothing(sway), "amount", {"rate"},
                     "a flicker with an \"amount\" or \"sway\"");
 }
@@ -60,7 +60,7 @@ void Light::describe(Fields& fields) {
         fmt::format("\"area\" is for lights of \"type\": \"area\", and this one is of type \"{}\"", own));
   if (type == Type::area && fields.given("glow"))
     fields.error("glow", "a light of type \"area\" is not seen by the camera; leave out \"glow\"");
-  fields.vector("position", position, anyNumber, "m", "Place of the attractor.");
+  fields.vector("position", position, anyNumber, "m", "Place of the light.");
   fields.optionalGroup("follow", follows,
                        "Place on a path that an object has found; the light is dark until there is a path.",
                        [&](Fields& inner) { follow.describe(inner); });
@@ -86,8 +86,8 @@ void Light::describe(Fields& fields) {
                 "Radius of the ball that shines. It widens highlights, and objects within it cast no "
                 "shadow; for a rectangle only the latter.");
   fields.number("range", range, {0, 1e6}, "m",
-                "Where its light ends, going out evenly by (1 - (d / range)^4)^2; of many lights without "
-                "shadow only those are computed that reach a place. 0: it reaches everywhere.");
+                "Distance at which its light ends; it fades by (1 - (d / range)^4)^2. Many lights without "
+                "shadows are faster with a range. 0: it reaches everywhere.");
   fields.number("glow", glow, notNegative, "",
                 "Factor on the shining ball as the camera sees it; 0 hides it.");
   fields.optionalGroup("flicker", hasFlicker, "Unrest of a flame, by a hash of name, time and seed.",

@@ -217,7 +217,7 @@ void Sky::describe(Fields& fields) {
                "picture, whose middle lies towards -z. It is seen, mirrored, and lights the scene.");
   fields.number("strength", strength, {0, 1e4}, "", "Factor on the picture's light.");
   fields.number("turn", turn, {-1e6, 1e6}, "degrees",
-                "By how much the picture is turned about the vertical; 90 moves its middle to +x.");
+                "Angle by which the picture is turned about the vertical; 90 moves its middle to +x.");
   for (const char* name : {"zenith", "horizon", "ground"})
     if (!picture.empty() && fields.given(name))
       fields.error(name, fmt::format("the sky is a \"picture\"; leave out \"{}\"", name));

@@ -138,14 +138,14 @@ std::string explainMistake(const CLI::App& app, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
     if (&command == &app)
       return "simreel needs a command, for example: simreel render flag -o flag.mp4" + page;
-    if (const std::string text = missing(command); !text.empty()) return text;
+    if (std::string text = missing(command); !text.empty()) return text;
     std::vector<std::string> names;
     for (const CLI::App* one : commandsBelow(command)) names.push_back(one->get_name());
     if (!names.empty())
       return fmt::format("`{}` needs a command: {}{}", wordsOf(command), fmt::join(names, ", "), page);
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
-    if (const std::string text = valueless(command, error.what()); !text.empty()) return text;
+    if (std::string text = valueless(command, error.what()); !text.empty()) return text;
   if (!unknown.empty())
     return fmt::format("`{}` takes no {}; usage: {}{}", wordsOf(command), oneLine(unknown.front()),
                        usageOf(command), page);

@@ -15,10 +15,10 @@ void BodyParameters::describe(scene::Fields& f) {
             "first. Otherwise the last pose stays.");
   f.list("bones", bones, "Bones that the scene moves, on top of the motion.",
          [](scene::Fields& b, KeyedBone& keyed) {
-           b.text("bone", keyed.bone, "Its name in the file.");
+           b.text("bone", keyed.bone, "Name of the bone in the file.");
            b.vector("rotate", keyed.rotate, scene::anyNumber, "degrees",
                     "About the bone's own x, then y, then z.");
-           b.vector("move", keyed.move, scene::anyNumber, "m", "In the axes of its parent.");
+           b.vector("move", keyed.move, scene::anyNumber, "m", "Movement in the axes of its parent.");
            if (keyed.bone.empty()) b.error("bone", "say which \"bone\" is moved");
          });
   f.vector("position", position, scene::anyNumber, "m", "Place of the file's origin.");

@@ -34,7 +34,8 @@ void CaveParameters::describe(scene::Fields& f) {
   f.boolean("connect", connect, "Joins rooms by corridors, each with its nearest.");
   f.integer("corridor", corridor, {1, 64}, "cells", "Width of corridors.");
   f.number("stepSeconds", stepSeconds, {0, 1e6}, "s",
-           "From noise, a smoothing each, then removal, then corridors; 0: all before the first frame.");
+           "Time between the steps that grow the cave: each smoothing of the noise, then removal, then "
+           "corridors; 0: all before the first frame.");
   f.vector("position", position, scene::anyNumber, "m", "Middle of the floor.");
   f.number("cell", cell, scene::positive, "m", "Side of a cell.");
   f.number("height", height, scene::notNegative, "m", "Height of the walls.");

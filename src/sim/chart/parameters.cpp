@@ -39,9 +39,9 @@ void ChartParameters::describe(scene::Fields& f) {
                                     curve.of));
       },
       mostCurves);
-  f.optionalNumber("low", low, anyValue, "", "At the chart's foot.");
+  f.optionalNumber("low", low, anyValue, "", "Value at the foot of the chart.");
   f.leftOut("low", "a round number below what was so far");
-  f.optionalNumber("high", high, anyValue, "", "At its top, more than \"low\".");
+  f.optionalNumber("high", high, anyValue, "", "Value at the top of the chart, greater than \"low\".");
   f.leftOut("high", "a round number above what was so far");
   if (low && high && !(*low < *high)) f.error("high", "\"high\" is not above \"low\"");
   f.number("seconds", seconds, {0, 1e6}, "s",

@@ -63,7 +63,7 @@ void ClothParameters::describe(scene::Fields& f) {
   f.pair("size", size, {2, 16384}, "particles", "Particles along a row and number of rows.");
   f.number("spacing", spacing, {1e-4, 1e3}, "m", "Rest distance between neighbours.");
   f.vector("position", position, scene::anyNumber, "m",
-           "Middle of the sheet at rest; of a mesh, where its origin is.");
+           "Place of the middle of the sheet at rest, or of the origin of a mesh.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees",
            "About x, then y, then z; unrotated the sheet lies flat, rows along x, and a mesh as it is.");
   f.number("jitter", jitter, {0, 10}, "m", "Largest random displacement of the particles at the start.");
@@ -113,7 +113,7 @@ void ClothParameters::describe(scene::Fields& f) {
                     a.number("drag", air.drag, {0, 100}, "", "Drag coefficient.");
                     a.number("lift", air.lift, {0, 100}, "", "Lift coefficient.");
                     a.number("gusts", air.gusts, {0, 10}, "",
-                             "How much the velocity varies, as a fraction of its magnitude.");
+                             "Variation of the velocity, as a fraction of its magnitude.");
                     a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
                     a.text("fluid", air.fluid,
                            "Name of a fluid whose wind is added to the air's velocity where its \"plane\" "
@@ -131,9 +131,8 @@ void ClothParameters::describe(scene::Fields& f) {
       "meshes and bodies with \"collides\": \"faces\".",
       [&](scene::Fields& c) {
         c.optionalNumber("thickness", contact.thickness, {1e-6, 10}, "m",
-                         "Kept between the middles of two layers, and off meshes and bodies; around small "
-                         "triangles of a "
-                         "mesh less.");
+                         "Distance that is kept between the middles of two layers, and from meshes and "
+                         "bodies; around small triangles of a mesh it is less.");
         c.leftOut("thickness",
                   "the fabric's, but of the way between neighbours at least 0.125 and at most 0.35");
         c.number("friction", contact.friction, {0, 10}, "",

@@ -43,7 +43,7 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
             "Hold the direction in which a fabric leaves a pinned border, too, as between two plates.");
   f.integer("every", every, {1, 1e6}, "",
             "Pins only every n-th particle of rows and columns, and the last one.");
-  f.vector("move", move, scene::anyNumber, "m", "How far the pins are moved.");
+  f.vector("move", move, scene::anyNumber, "m", "Movement of the pins.");
   f.vector("rotate", rotate, scene::anyNumber, "degrees", "Rotation of the pins about the pivot.");
   f.vector("scale", scale, {-1e3, 1e3}, "", "Scale of the pins about the pivot.");
   f.vector("pivot", pivot, scene::anyNumber, "m", "Fixed point of rotation and scale, in world space.");

@@ -161,7 +161,9 @@ std::span<const scene::Quantity> ClothParameters::quantities() const {
       {"population", "", "Number of particles."},
       {"mass", "kg", "Mass of all particles, including the pinned ones."},
       {"kineticEnergy", "J", "Kinetic energy of all particles."},
-      {"potentialEnergy", "J", "In the field of gravity, against the plane through the origin across it."},
+      {"potentialEnergy", "J",
+       "Potential energy in the field of gravity, relative to the plane through the origin at right angles "
+       "to it."},
       {"elasticEnergy", "J",
        "Energy of all springs, or of compliant constraints; a fabric adds its bending. For a mesh, and "
        "without damping, the stiffness that the substeps leave counts."},

@@ -51,8 +51,8 @@ void FluidChartParameters::describe(scene::Fields& f) {
         if (c.given("color")) curve.color = color;
       },
       4);
-  f.number("low", low, {-1e12, 1e12}, "", "At the chart's foot.");
-  f.number("high", high, {-1e12, 1e12}, "", "At its top, more than \"low\".");
+  f.number("low", low, {-1e12, 1e12}, "", "Value at the foot of the chart.");
+  f.number("high", high, {-1e12, 1e12}, "", "Value at the top of the chart, greater than \"low\".");
   if (high <= low) f.error("high", "\"high\" is not above \"low\"");
   f.number("seconds", seconds, {0, 1e6}, "s",
            "Length of its time axis, which grows beyond that when needed.");

@@ -116,10 +116,9 @@ void FluidParameters::describe(scene::Fields& f) {
               "viscosity need.");
   f.number("courant", courant, {0.05, 8}, "cells",
            "Cells that the greatest speed crosses in a substep of \"auto\".");
-  f.choice(
-      "advection", advection, {"macCormack", "semiLagrangian", "cubic"},
-      "How velocity and temperature are carried along: second-order with a limiter, first-order, or by "
-      "cubic interpolation with a limiter.");
+  f.choice("advection", advection, {"macCormack", "semiLagrangian", "cubic"},
+           "Scheme that carries velocity and temperature along: second-order with a limiter, first-order, "
+           "or by cubic interpolation with a limiter.");
   f.number("viscosity", viscosity, {0, 1e6}, "cells^2/s", "Kinematic viscosity of the fluid.");
   f.number("confinement", confinement, {0, 1e4}, "1/s",
            "Force that keeps up vortices of the size of cells; it fades beyond half of \"speed\" and ends "
@@ -136,7 +135,8 @@ void FluidParameters::describe(scene::Fields& f) {
       [](scene::Fields& o, FluidObstacle& obstacle) {
         o.choice("shape", obstacle.shape, {"circle", "box", "image"}, "Shape of the obstacle.");
         o.vector("center", obstacle.center, {-1e6, 1e6}, "cells",
-                 "Its middle; the third is unused. With keys it moves and pushes the fluid.");
+                 "Place of its middle; the third number is unused. With keyframes it moves and pushes the "
+                 "fluid.");
         o.number("radius", obstacle.radius, {0, 1e5}, "cells", "Radius of a circle.");
         o.vector("extent", obstacle.extent, {0, 1e5}, "cells",
                  "Width and height of a box, at least 1; the third is unused.");
@@ -223,7 +223,8 @@ std::span<const scene::Quantity> FluidParameters::quantities() const {
       {"cycles", "", "Cycles of the multigrid solver, on the average of all substeps so far."},
       {"drag", "cells^3/s^2",
        "Force of the fluid on measured obstacles, to the right, over density and depth."},
-      {"lift", "cells^3/s^2", "The same up the picture."},
+      {"lift", "cells^3/s^2",
+       "Force of the fluid on measured obstacles, up the picture, over density and depth."},
   };
   return list;
 }

@@ -71,8 +71,8 @@ void GrayScottParameters::describe(scene::Fields& f) {
     f.error("killImage", "k is set by \"killDown\" already; leave out one");
   f.idleUnless(!feedImage.empty(), "feedImage", {"feedWhite"}, "a \"feedImage\"");
   f.idleUnless(!killImage.empty(), "killImage", {"killWhite"}, "a \"killImage\"");
-  f.number("diffuseU", diffuseU, {0, 1e3}, "cells^2 per unit of time", "How fast u spreads.");
-  f.number("diffuseV", diffuseV, {0, 1e3}, "cells^2 per unit of time", "How fast v spreads.");
+  f.number("diffuseU", diffuseU, {0, 1e3}, "cells^2 per unit of time", "Diffusion rate of u.");
+  f.number("diffuseV", diffuseV, {0, 1e3}, "cells^2 per unit of time", "Diffusion rate of v.");
   f.number("dt", dt, {1e-3, 4}, "units of time", "Length of a step.");
   for (const auto& [name, diffusion] : {std::pair{"diffuseU", diffuseU}, std::pair{"diffuseV", diffuseV}})
     if (dt * diffusion > maxGrayScottDiffusion)

@@ -10,9 +10,9 @@ namespace simreel::sim {
 
 void FieldDisplay::describe(scene::Fields& fields) {
   fields.choice("layer", layer, {"over", "behind", "none"},
-                "Over the finished picture, behind all objects, or not shown.");
+                "over: on the finished picture; behind: behind all objects; none: not shown.");
   fields.choice("fit", fit, {"contain", "cover", "stretch"},
-                "How the field fills its part of the picture.");
+                "Fit of the field into its part of the picture.");
   fields.vector(
       "corner", corner, {-10, 10}, "",
       "Top left of its part, as fractions of the picture's width and height; the third is unused.");

@@ -28,10 +28,9 @@ void LifePattern::describe(scene::Fields& f) {
   f.asset("file", file,
           "Pattern as RLE, plaintext (.cells), Life 1.05 or 1.06, or macrocell (.mc); also packed (.gz).");
   glm::ivec2 corner = at.value_or(glm::ivec2(0));
-  f.pair(
-      "at", corner, {-maxLifeSide, maxLifeSide}, "cells",
-      "Its top left corner, once flipped and turned; a torus wraps it round. Left out, a file made for a "
-      "bounded grid (Golly's) may say it.");
+  f.pair("at", corner, {-maxLifeSide, maxLifeSide}, "cells",
+         "Place of its top left corner after flipping and turning; a torus wraps it round. Left out: a "
+         "file made for a bounded grid (Golly's) may give it.");
   f.leftOut("at", "the middle");
   if (f.given("at")) at = corner;
   f.choice("flip", flip, {"none", "horizontal", "vertical"}, "Mirrors it, before it is turned.");

@@ -6,13 +6,12 @@ namespace simreel::sim {
 
 namespace {
 
-const char* const directionDoc =
-    "Direction of the waves: an angle from +x towards +z, in the mesh's own space.";
+const char* const directionDoc = "Direction as an angle from +x towards +z, in the mesh's own space.";
 
 void describeRipple(scene::Fields& f, Ripple& r) {
   f.number("amplitude", r.amplitude, {-1e3, 1e3}, "m", "Height of the crests.");
   f.number("speed", r.speed, {-1e4, 1e4}, "1/s", "Radians of phase a second.");
-  f.number("wavelength", r.wavelength, {1e-3, 1e4}, "m", "From crest to crest.");
+  f.number("wavelength", r.wavelength, {1e-3, 1e4}, "m", "Distance from crest to crest.");
   f.number("decay", r.decay, {0, 1e3}, "1/m", "Rate at which it dies away from the centre.");
   glm::vec3 centre(r.centre);
   f.vector("centre", centre, {-1e4, 1e4}, "m", "Place that it spreads from, in the mesh's own space.");
@@ -21,7 +20,7 @@ void describeRipple(scene::Fields& f, Ripple& r) {
 
 void describeWave(scene::Fields& f, Wave& w) {
   f.number("direction", w.direction, {-360, 360}, "degrees", directionDoc);
-  f.number("length", w.length, {1e-3, 1e4}, "m", "From crest to crest.");
+  f.number("length", w.length, {1e-3, 1e4}, "m", "Distance from crest to crest.");
   f.number("amplitude", w.amplitude, {0, 1e3}, "m", "Height of the crests.");
   f.number("steepness", w.steepness, {0, 1}, "", "0: a sine; 1: as sharp as this amplitude allows.");
   f.number("speed", w.speed, {0, 1e3}, "m/s",
@@ -50,7 +49,8 @@ void describeFootprints(scene::Fields& f, Footprints& p) {
 }
 
 void describePush(scene::Fields& f, Push& p) {
-  f.number("softness", p.softness, {0, 1e3}, "m", "How far around a collider the mesh gives way.");
+  f.number("softness", p.softness, {0, 1e3}, "m",
+           "Distance around a collider within which the mesh gives way.");
   f.number("base", p.base, {-1e4, 1e4}, "m", "Height at which the mesh is rooted.");
   f.number("height", p.height, {0, 1e4}, "m",
            "Above the base, over which it begins to give way; 0: everywhere.");

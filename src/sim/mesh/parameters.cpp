@@ -33,17 +33,16 @@ glm::ivec2 minResolution(MeshShape shape) {
 
 void MeshParameters::describe(scene::Fields& f) {
   f.choice("shape", shape, {"plane", "sphere", "torus", "grass", "file"},
-           "Generated, or read from \"file\".");
+           "Shape that is generated, or \"file\": read from a file.");
   f.asset("file", file, "OBJ, PLY, glTF or GLB, in m, for the shape \"file\".");
   scene::implyShape(f, shape, MeshShape::file, "file", file, "file", "plane");
   f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane or of a field of grass (x and z).");
   f.number("radius", radius, {1e-4, 1e4}, "m",
            "Radius of a sphere; of a torus, the distance to the middle of its tube.");
   f.number("tube", tube, {1e-4, 1e4}, "m", "Radius of a torus' tube.");
-  f.pair(
-      "resolution", resolution, {2, 16384}, "vertices",
-      "Along u and v: x and z of a plane; around and from pole to pole of a sphere; along and around the "
-      "tube of a torus.");
+  f.pair("resolution", resolution, {2, 16384}, "vertices",
+         "Vertices along u and v: along x and z of a plane; around and from pole to pole of a sphere; "
+         "along and around the tube of a torus.");
   f.integer("blades", blades, {1, 1'000'000}, "",
             "Blades of grass, scattered over its field by the scene's seed.");
   f.number("bladeHeight", bladeHeight, {1e-4, 1e3}, "m", "Height of the tallest blades of grass.");

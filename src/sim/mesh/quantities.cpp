@@ -16,7 +16,8 @@ std::span<const scene::Quantity> MeshParameters::quantities() const {
       {"highest", "m", "Height of the highest vertex."},
       {"meanHeight", "m", "Mean height of all vertices."},
       {"area", "m^2", "Area of all triangles."},
-      {"volume", "m^3", "Enclosed; of an open mesh, with the origin as the tip of its cones."}};
+      {"volume", "m^3",
+       "Enclosed volume; for an open mesh, the volume of the cones from the origin to its triangles."}};
   return table;
 }
 

@@ -105,10 +105,10 @@ void Emitter::describe(scene::Fields& f) {
   f.number("radius", radius, {0, 1e5}, "m", "Radius of that ball.");
   f.vector("velocity", velocity, {-1e6, 1e6}, "m/s", "Mean velocity at birth.");
   f.number("spread", spread, {0, 180}, "degrees", "Half the angle of the cone of velocities.");
-  f.number("speedVariation", speedVariation, {0, 1}, "", "How much the speed varies, as a fraction.");
+  f.number("speedVariation", speedVariation, {0, 1}, "", "Variation of the speed, as a fraction.");
   f.number("lifetime", lifetime, {1e-3, 1e5}, "s", "Mean time a particle lives.");
   f.number("lifetimeVariation", lifetimeVariation, {0, 0.95}, "",
-           "How much the lifetime varies, as a fraction.");
+           "Variation of the lifetime, as a fraction.");
   f.number("mass", mass, {1e-9, 1e8}, "kg", "Mass of each particle.");
   f.number("from", from, {0, 1e9}, "s", "When it starts; 0: at once, before frame 0 too.");
   f.number("until", until, {0, 1e9}, "s", "When it stops.");
@@ -122,8 +122,8 @@ void ParticleParameters::describe(scene::Fields& f) {
       "emitters", emitters, "Sources of particles that live for a while.",
       [](scene::Fields& e, Emitter& emitter) { emitter.describe(e); }, shader::maxEmitters);
   f.choice("method", method, {"none", "all-pairs", "tree"},
-           "How particles attract each other: not at all, each by each (exact, N^2), or by groups far away "
-           "(N log N).");
+           "Attraction between particles. none: no attraction; all-pairs: each by each (exact, N^2); tree: "
+           "distant groups as one body (N log N).");
   f.leftOut("method", "\"all-pairs\", of emitters alone \"none\"");
   if (!f.given("method") && groups.empty() && !emitters.empty()) method = GravityMethod::none;
   f.number("gravity", gravity, {0, 1e6}, "m^3/(kg s^2)", "The constant G.");
@@ -139,7 +139,7 @@ void ParticleParameters::describe(scene::Fields& f) {
                              "Length below which its attraction fades.");
                   });
   f.vector("acceleration", acceleration, {-1e6, 1e6}, "m/s^2",
-           "The same for every particle, such as weight.");
+           "Acceleration of every particle, such as gravity.");
   f.number("damping", damping, {0, 1e4}, "1/s",
            "Rate at which velocity decays; 0.06 keeps 0.999 of it each 1/60 s.");
   f.group("turbulence", "Swirls without sources that push the particles about.", [&](scene::Fields& t) {
@@ -171,7 +171,7 @@ void ParticleParameters::describe(scene::Fields& f) {
   for (const char* name : {"bounce", "margin"})
     if (!collides && walls.empty() && f.given(name))
       f.error(name, fmt::format("\"{}\" is for particles with \"collides\": true or \"walls\"", name));
-  f.group("look", "How the particles are drawn.", [&](scene::Fields& l) { describeLook(l); });
+  f.group("look", "Look of the particles.", [&](scene::Fields& l) { describeLook(l); });
   remarkForces(f);
   if (groups.empty() && emitters.empty())
     f.error("groups", "no particles: give \"groups\" or \"emitters\"");
@@ -195,14 +195,15 @@ void ParticleParameters::describeLook(scene::Fields& l) {
   l.asset("mesh", mesh, "OBJ or PLY file of shape \"mesh\".");
   scene::implyShape(l, shape, Instances::Shape::mesh, "mesh", mesh, "mesh", "sprite");
   l.boolean("alongVelocity", alongVelocity, "Turns a mesh's z axis along the velocity.");
-  l.number("size", size, {1e-5, 1e5}, "m", "Diameter; of a mesh, factor on its coordinates.");
+  l.number("size", size, {1e-5, 1e5}, "m", "Diameter; for a mesh, a factor on its coordinates.");
   l.number("massExponent", massExponent, {0, 2}, "",
            "Size grows with mass to this power; 0.333 for balls of one density.");
   l.choice("colorBy", colorBy, {"material", "speed", "mass", "age"},
            "The object's material, or a colour map of the speed, mass or age.");
   l.number("colorFrom", colorRange.x, scene::anyNumber, "",
            "Speed (m/s), mass (kg) or age (0 to 1) at the start of the colour map.");
-  l.number("colorTo", colorRange.y, scene::anyNumber, "", "The same at its end.");
+  l.number("colorTo", colorRange.y, scene::anyNumber, "",
+           "Speed (m/s), mass (kg) or age (0 to 1) at the end of the colour map.");
   int map = 0;
   l.oneOf("colors", map, {std::begin(colorMaps), std::end(colorMaps)}, "Colour map.");
   std::vector<ColorStop> stops;

@@ -86,14 +86,14 @@ void WildfireParameters::describe(scene::Fields& f) {
     if (w.given("direction"))
       w.error("direction", "the fluid says where it blows; leave out \"direction\"");
   });
-  f.integer("burnSteps", burnSteps, {1, 63}, "steps", "How long a cell burns.");
+  f.integer("burnSteps", burnSteps, {1, 63}, "steps", "Time that a cell burns.");
   f.integer("coolSteps", coolSteps, {7, 1000000}, "steps",
             "Until burnt ground no longer glows, on average.");
   f.optionalGroup("embers", hasEmbers, "Sparks that the wind carries ahead.", [&](scene::Fields& e) {
     e.number("chance", embers.chance, {0, 0.0625}, "per step", "Embers that a burning cell throws.");
     e.number("distance", embers.distance, {1, 2000}, "cells", "Longest flight.");
     e.number("spread", embers.spread, {0, 1}, "",
-             "How far to the wind's side, as a fraction of the flight.");
+             "Spread of embers to the sides of the wind, as a fraction of the flight.");
   });
   f.list("strokes", strokes, "Timed brush strokes.", [](scene::Fields& s, StrokeParameters& stroke) {
     stroke.describe(s, 1, "1 lights fuel; 0 clears it away.");

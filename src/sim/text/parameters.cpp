@@ -60,7 +60,8 @@ void TextParameters::describe(scene::Fields& f) {
   f.vector("position", position, scene::anyNumber, "m", "Where its anchor is.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
   f.number("scale", scale, {1e-6, 1e6}, "", "Factor on its size.");
-  f.optionalGroup("screen", onScreen, "Over the picture instead of in the world, sharp, in one colour.",
+  f.optionalGroup("screen", onScreen,
+                  "Places the text over the picture instead of in the world, sharp, in one colour.",
                   [&](scene::Fields& inner) { screen.describe(inner); });
   for (const char* name : {"height", "depth", "position", "rotation", "scale"})
     if (onScreen && f.given(name))

@@ -39,9 +39,10 @@ void WaterFloat::describe(scene::Fields& f) {
            "not capsize.");
   f.vector("position", position, scene::anyNumber, "m",
            "Place of its origin at the start, from the middle of the grid; y is over level 0.");
-  f.vector("rotation", rotation, scene::anyNumber, "degrees", "At the start, about x, then y, then z.");
-  f.vector("velocity", velocity, {-1e3, 1e3}, "m/s", "At the start.");
-  f.vector("spin", spin, {-1e5, 1e5}, "degrees/s", "At the start, about x, y and z.");
+  f.vector("rotation", rotation, scene::anyNumber, "degrees",
+           "Rotation at the start, about x, then y, then z.");
+  f.vector("velocity", velocity, {-1e3, 1e3}, "m/s", "Velocity at the start.");
+  f.vector("spin", spin, {-1e5, 1e5}, "degrees/s", "Angular velocity at the start, about x, y and z.");
   f.number("drag", drag, scene::notNegative, "1/s",
            "Rate at which it loses its speed through the water, if it is as dense as water and wholly "
            "under it.");
@@ -64,7 +65,7 @@ void WaterFloat::describe(scene::Fields& f) {
              "Where to, from the grid's middle; y is unused: it floats there.");
     t.boolean("turns", turns, "Turns its z along the way.");
     t.number("pull", pull, {1e-2, 50}, "1/s",
-             "How fast it follows: the tow is a critically damped spring.");
+             "Rate at which it follows: the tow is a critically damped spring.");
   });
   f.vector(
       "color", material.color, scene::fraction, "linear RGB",

@@ -99,7 +99,8 @@ void WaterParameters::describeStart(scene::Fields& f) {
     t.number("low", terrainLow, heights, "m", "Height where the image is black.");
     t.number("high", terrainHigh, heights, "m", "Height where the image is white.");
     t.integer("smooth", terrainSmooth, {0, 64}, "",
-              "How often an image's heights become means of nine cells: it has but 256 of them.");
+              "Times that an image's heights are averaged over nine cells; an image of 8 bits has only 256 "
+              "heights.");
     t.list("hills", hills, "Round hills that are added, hollows where the height is negative.",
            [](scene::Fields& h, WaterHill& hill) {
              h.vector("center", hill.center, scene::anyNumber, "m",
@@ -107,7 +108,7 @@ void WaterParameters::describeStart(scene::Fields& f) {
              h.vector("radii", hill.radii, {0, 1e6}, "m", "To its foot along x and z; y is unused.");
              if (hill.radii.x < 1e-3F || hill.radii.z < 1e-3F)
                h.error("radii", "a hill is at least 0.001 m wide and deep");
-             h.number("height", hill.height, heights, "m", "In the middle.");
+             h.number("height", hill.height, heights, "m", "Height in the middle.");
            });
     for (const char* name : {"low", "high", "smooth"})
       if (terrain.empty() && t.given(name))
@@ -117,7 +118,7 @@ void WaterParameters::describeStart(scene::Fields& f) {
     t.number("roughness", groundRoughness, scene::fraction, "",
              "Roughness of the ground; 0 mirrors, 1 is matt.");
     t.asset("texture", groundTexture, "Picture laid over the ground, multiplied with its colour.");
-    t.number("repeat", groundRepeat, {1e-3, 1e4}, "", "How often the texture stands along x.");
+    t.number("repeat", groundRepeat, {1e-3, 1e4}, "", "Repeats of the texture along x.");
     if (groundTexture.empty() && t.given("repeat"))
       t.error("repeat", "\"repeat\" is of a texture; give \"texture\"");
   });
@@ -141,8 +142,8 @@ void WaterParameters::describeFlow(scene::Fields& f) {
       "swell", swell, "Waves that come in from a side that is \"sea\"; waves of one side add up.",
       [&](scene::Fields& w, WaterSwell& wave) {
         w.oneOf("side", wave.side, {sideNames.begin(), sideNames.end()}, "Where from.");
-        w.number("height", wave.height, {0, 1e3}, "m", "From trough to crest.");
-        w.number("period", wave.period, {1e-2, 1e4}, "s", "From crest to crest.");
+        w.number("height", wave.height, {0, 1e3}, "m", "Height from trough to crest.");
+        w.number("period", wave.period, {1e-2, 1e4}, "s", "Time from crest to crest.");
         w.number("phase", wave.phase, {-1e3, 1e3}, "periods", "0 rises through the sea's level at 0 s.");
         if (sides[static_cast<std::size_t>(wave.side)] != WaterBorder::sea)
           w.error("side", fmt::format("waves come in over a side that is \"sea\", and \"{}\" is none; give "

@@ -23,7 +23,8 @@ std::span<const scene::Quantity> WaterParameters::quantities() const {
       {"highestLevel", "m", "Highest level where there is water."},
       {"lowestLevel", "m", "Lowest level where there is water; both are 0 if everything is dry."},
       {"displaced", "m^3",
-       "By all floats, under the reference level of each, which follows the water around it."},
+       "Volume that all floats displace below the reference level of each, which follows the water around "
+       "it."},
       {"floatSpeed", "m/s", "Speed of the fastest float."},
       {"leastUpright", "", "Least cosine of the angle between a float's y and upwards."},
       {"draft", "m",
