@@ -4,7 +4,9 @@ include(GNUInstallDirs)
 install(TARGETS simreel)
 install(DIRECTORY glsl DESTINATION ${CMAKE_INSTALL_DATADIR}/simreel)
 install(DIRECTORY assets DESTINATION ${CMAKE_INSTALL_DATADIR}/simreel PATTERN gallery EXCLUDE
-        PATTERN golden EXCLUDE)
+        PATTERN golden EXCLUDE PATTERN guide EXCLUDE)
+# The guide, cookbook and reference, with their pictures.
+install(DIRECTORY assets/guide DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "simreel <simreel@localhost>")

@@ -37,6 +37,8 @@ void addBench(CLI::App& app);
 void addAccept(CLI::App& app);
 void addReport(CLI::App& app);
 void addServe(CLI::App& app);
+void addNew(CLI::App& app);
+void addExplain(CLI::App& app);
 
 /// What was typed, quoted for a shell where needed.
 [[nodiscard]] const std::string& commandLine();

@@ -96,10 +96,9 @@ void doctor(const std::string& device) {
 }  // namespace
 
 void addDoctor(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("doctor", "Show devices, drivers and limits, and what is wrong with them");
+  auto* command = app.add_subcommand("doctor", "Show devices, drivers, limits and their problems");
   auto device = std::make_shared<std::string>();
-  command->add_option("--device", *device, "Index or part of a name");
+  command->add_option("--device", *device, "Device to look at, by its number or a part of its name");
   command->callback([device] { doctor(*device); });
 }
 

@@ -11,8 +11,8 @@
 #include "batch/render/scratch.hpp"
 #include "batch/slurm/queue.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_options.hpp"
-#include "cli/job_count.hpp"
+#include "cli/options/device_options.hpp"
+#include "cli/options/job_count.hpp"
 #include "frame/file/manifest.hpp"
 #include "frame/file/output_name.hpp"
 #include "frame/interrupt.hpp"
@@ -284,7 +284,7 @@ void renderInPieces(const PiecesRequest& request) {
 
 void addPieces(CLI::App& app) {
   auto* pieces =
-      app.add_subcommand("pieces", "The steps of `render --pieces`, one by one: on any machines");
+      app.add_subcommand("pieces", "Run the steps of `render --pieces` one by one, on any machines");
   pieces->require_subcommand(1);
   auto o = std::make_shared<StepOptions>();
   const auto add = [&](const char* name, const char* doc, void (*act)(const StepOptions&)) {
@@ -298,13 +298,13 @@ void addPieces(CLI::App& app) {
     addDevice(*command, o->on);
     command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
   };
-  onDevice(add("simulate", "Simulate, and keep the states that pieces begin with", simulate));
-  auto* drawing = add("draw", "Draw pieces, or go on with them", draw);
-  drawing->add_option("pieces", o->pieces, "Their numbers, from 0")->required();
+  onDevice(add("simulate", "Simulate, and keep the states at which pieces begin", simulate));
+  auto* drawing = add("draw", "Draw pieces, or resume them", draw);
+  drawing->add_option("pieces", o->pieces, "Numbers of the pieces, from 0")->required();
   onDevice(drawing);
   o->cluster.addScratch(*drawing);
-  add("join", "Verify all pieces, and make one output of them", join);
-  add("status", "Which pieces are drawn", status);
+  add("join", "Verify all pieces, and join them to one output", join);
+  add("status", "Print which pieces are drawn", status);
 }
 
 }  // namespace simreel::cli

@@ -1,6 +1,6 @@
 #pragma once
 #include "batch/render/render_job.hpp"
-#include "cli/slurm_options.hpp"
+#include "cli/options/slurm_options.hpp"
 #include "gl/context.hpp"
 
 #include <cstddef>

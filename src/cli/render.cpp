@@ -4,10 +4,10 @@
 #include "batch/render/render_job.hpp"
 #include "batch/sweep/measurements.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_options.hpp"
+#include "cli/options/device_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/slurm_options.hpp"
 #include "cli/pieces.hpp"
-#include "cli/scene_options.hpp"
-#include "cli/slurm_options.hpp"
 #include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/sink/progress.hpp"
@@ -158,66 +158,62 @@ void addRender(CLI::App& app) {
       ->add_option("-o,--output", o->output,
                    "Folder, pattern (out/flag_####.png), picture, video file, or -")
       ->required();
+  command->add_option("--rule", o->rule,
+                      "Rule for a file of cells, instead of its own, for example B2-a/S12; `simreel list "
+                      "life` explains the notations");
   command->add_option(
-      "--rule", o->rule,
-      "Of a file of cells: the rule instead of its own, for example B2-a/S12; `simreel list life` "
-      "has the notations");
-  command->add_option("--frames", o->frames,
-                      "Frames to write, for example 0-99x2,150; all are simulated. A video of every second "
-                      "frame plays as fast as the scene. none: draw nothing, for --checkpoint-at");
-  command
-      ->add_option("--fields", o->fields,
-                   "Also the raw values of every field, beside each picture: npy or pfm")
+      "--frames", o->frames,
+      "Frames to write, for example 0-99x2,150; all frames are simulated. A video of every second frame "
+      "plays at the speed of the scene. none: draw nothing, for --checkpoint-at");
+  command->add_option("--fields", o->fields, "Also write the raw values of every field beside each picture")
       ->check(CLI::IsMember({"npy", "pfm"}));
   command
       ->add_option(
           "--layers", o->layers,
-          "Of OpenEXR pictures (-o NAME_####.exr), besides light before vignette and film, times alpha "
-          "where "
-          "there is one: depth (Z: m along the line of sight), position (P.X, P.Y, P.Z: m in the world), "
-          "normal (N.X, N.Y, N.Z: in the world), albedo (albedo.R, .G, .B), velocity (velocity.X, .Y, "
-          ".Z: m/s in the world), vector (vector.X, .Y: pixels back to the frame before), object "
-          "(Cryptomatte), primitive (which triangle or ball of its object, a whole number)")
+          "Layers of OpenEXR pictures (-o NAME_####.exr), besides the light before vignette and film, "
+          "premultiplied where there is alpha: depth (Z: m along the line of sight), position (P.X, P.Y, "
+          "P.Z: m in the world), normal (N.X, N.Y, N.Z: in the world), albedo (albedo.R, .G, .B), velocity "
+          "(velocity.X, .Y, .Z: m/s in the world), vector (vector.X, .Y: pixels back to the frame before), "
+          "object (Cryptomatte), primitive (number of the triangle or ball in its object)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(draw::layerNames.begin(), draw::layerNames.end())));
   command
       ->add_option("--bits", o->bits,
-                   "Of each number of a picture: of PNG 8 (the default) or 16, which are not dithered; of "
-                   "OpenEXR's light 16 (the default) or 32")
+                   "Bits of each number of a picture: PNG 8 (the default) or 16, which is not dithered; "
+                   "OpenEXR 16 (the default) or 32 for light")
       ->check(CLI::IsMember({8, 16, 32}));
   addDevices(*command, o->on);
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
-  command->add_option("--stream-format", o->streamFormat, "Of -o -: rgba or y4m")
+  command->add_option("--stream-format", o->streamFormat, "Format of the stream that -o - writes")
       ->check(CLI::IsMember({"rgba", "y4m"}));
   command->add_flag("--overwrite", o->overwrite, "Replace frames that exist");
-  command->add_flag("--resume", o->resume,
-                    "Keep the frames that the manifest and their hashes say are whole, and go on from the "
-                    "last checkpoint");
+  command->add_flag(
+      "--resume", o->resume,
+      "Keep the frames that are whole (the manifest has their hashes), and go on from the last checkpoint");
   command
-      ->add_option(
-          "--checkpoint", o->checkpoint,
-          "Seconds after which the state is kept beside the frames, for --resume to go on from; 0: "
-          "never (default: 60)")
+      ->add_option("--checkpoint", o->checkpoint,
+                   "Seconds between checkpoints of the state beside the frames, from which --resume goes "
+                   "on; 0: none (default: 60)")
       ->check(CLI::Range(0.0, 1e6));
   command->add_option("--checkpoint-at", o->checkpointAt,
-                      "Frames whose states are kept for good, beside the frames as checkpoint.000500, for "
-                      "example 0,500,1000");
+                      "Frames whose states are kept beside the pictures as checkpoint.000500 and so on, "
+                      "for example 0,500,1000");
   command->add_option("--from", o->from,
-                      "Begin at this checkpoint instead of at the scene's start; of any run whose "
-                      "simulation is the same, whatever it drew");
+                      "Begin at this checkpoint instead of at the scene's start; any run of the same "
+                      "simulation can have written it");
   command
-      ->add_option(
-          "--pieces", o->pieces,
-          "Draw the sequence in so many pieces, beside each other (--jobs), and join them: the same "
-          "bytes as without")
+      ->add_option("--pieces", o->pieces,
+                   "Draw the sequence in so many pieces at once (--jobs), and join them; the bytes are the "
+                   "same as without")
       ->check(CLI::Range(std::size_t{1}, std::size_t{10'000}));
-  command->add_option("-j,--jobs", o->jobs, "Pieces at once; auto: one a processor")->capture_default_str();
+  command->add_option("-j,--jobs", o->jobs, "Pieces at once; auto: one for each processor")
+      ->capture_default_str();
   o->cluster.add(*command);
   command->add_flag("--skip-existing", o->skipExisting,
-                    "Keep every frame whose file exists; those of another scene or size are refused");
+                    "Keep every frame whose file exists; frames of another scene or size are an error");
   command->add_flag(
       "--no-counts", o->noCounts,
-      "Do not write what epidemics, fires, fluids and water count (NAME.counts.csv beside the frames)");
+      "Do not write the counts of epidemics, fires, fluids and water (NAME.counts.csv beside the frames)");
   command->add_flag("--debug", o->on.debug, "Ask the driver for debug messages; serious ones are errors");
   command->callback([o] { render(*o); });
 }

@@ -5,8 +5,8 @@
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_options.hpp"
-#include "cli/scene_options.hpp"
+#include "cli/options/device_options.hpp"
+#include "cli/options/scene_options.hpp"
 #include "frame/interrupt.hpp"
 
 #include <memory>
@@ -40,14 +40,14 @@ void reproduce(ReproduceOptions& o) {
 void addReproduce(CLI::App& app) {
   auto o = std::make_shared<ReproduceOptions>();
   auto* command =
-      app.add_subcommand("reproduce", "Render a picture's frame again, and say whether it is the same");
+      app.add_subcommand("reproduce", "Render a picture's frame again, and check that it is the same");
   command
       ->add_option("file", o->request.file,
-                   "A picture that simreel rendered, a manifest, or a folder or video that has one")
+                   "A picture that simreel rendered, a manifest, or a folder or video with a manifest")
       ->required();
-  command->add_option("--frame", o->request.frame, "Of a manifest (default: its last)");
+  command->add_option("--frame", o->request.frame, "Frame of a manifest (default: its last)");
   command->add_option("--scene", o->request.scene,
-                      "The scene that it was made of, instead of as-run.json beside it");
+                      "Scene to render, instead of as-run.json beside the picture");
   addAssets(*command, o->assets);
   command->add_option("-o,--output", o->request.output, "Folder to keep the new picture in");
   addDevice(*command, o->request.on);

@@ -3,10 +3,10 @@
 #include "base/process.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
+#include "cli/help/help_format.hpp"
+#include "cli/help/mistyped.hpp"
 #include "cli/stack_room.hpp"
-#include "scene/json/words.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fcntl.h>
@@ -14,7 +14,6 @@
 #include <new>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -59,58 +58,6 @@ bool asksForNdjson(int argc, char** argv) {
   return false;
 }
 
-/// The command that was typed, as far as it is known: `report merge`, or the program itself.
-const CLI::App& typedCommand(const CLI::App& app) {
-  const CLI::App* command = &app;
-  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
-  return *command;
-}
-
-/// Its words, from the program's name on.
-std::string wordsOf(const CLI::App& command) {
-  return command.get_parent() == nullptr ? command.get_name()
-                                         : wordsOf(*command.get_parent()) + " " + command.get_name();
-}
-
-/// Its options, and those that the program has for all.
-std::vector<std::string> optionsOf(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::App* one = &command; one != nullptr; one = one->get_parent())
-    for (const CLI::Option* option : one->get_options()) {
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-      for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-    }
-  return names;
-}
-
-/// "; did you mean ...?", where a name is near; a long list of all would help nobody.
-std::string nearest(const std::string& word, const std::vector<std::string>& names) {
-  const std::string words = scene::suggestion(word, names);
-  return words.starts_with("did you mean") ? "; " + words : std::string();
-}
-
-std::string explain(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App& command = typedCommand(app);
-  const std::string page = fmt::format("; see `{} --help`", wordsOf(command));
-  const auto unknown = app.remaining(true);
-  std::vector<std::string> names;
-  for (const CLI::App* one : command.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(one->get_name());
-  if (!names.empty() && !unknown.empty() && !unknown.front().starts_with('-'))
-    return fmt::format("unknown command \"{}\"; {}{}", unknown.front(),
-                       scene::suggestion(unknown.front(), names), page);
-  // Before what is missing: a mistyped option is why it is.
-  const auto option = std::find_if(unknown.begin(), unknown.end(), [](const std::string& word) {
-    return word.size() > 1 && word.starts_with('-') && word != "--";
-  });
-  if (option != unknown.end()) {
-    const std::string name = option->substr(0, option->find('='));
-    return fmt::format("{} has no option \"{}\"{}{}", wordsOf(command), name,
-                       nearest(name, optionsOf(command)), page);
-  }
-  return error.what() + page;
-}
-
 }  // namespace
 
 const std::string& commandLine() {
@@ -130,18 +77,19 @@ void printError(const UserError& error) {
 
 void addCommands(CLI::App& app) {
   app.name("simreel");
-  app.description("Renders GPU simulations without a display.");
+  useHelpFormat(app);
   app.set_version_flag("--version", std::string("simreel ") + version());
   app.require_subcommand(1);
   app.fallthrough();
   app.add_flag_callback(
-      "-q,--quiet", [] { setVerbosity(Verbosity::quiet); }, "Say nothing but errors");
+      "-q,--quiet", [] { setVerbosity(Verbosity::quiet); }, "Print errors only");
   app.add_flag_callback(
-      "-v,--verbose", [] { setVerbosity(Verbosity::verbose); }, "Say more");
-  for (const auto add :
-       {addRender, addSweep, addPieces, addReproduce, addValidate, addSchema, addList, addDoctor, addBake,
-        addTest, addTrace, addBisect, addAccept, addReport, addDiff, addBench, addServe})
+      "-v,--verbose", [] { setVerbosity(Verbosity::verbose); }, "Print more");
+  for (const auto add : {addRender, addServe, addBake, addNew, addList, addExplain, addValidate, addTest,
+                         addAccept, addReport, addDiff, addReproduce, addTrace, addBisect, addSweep,
+                         addPieces, addDoctor, addBench, addSchema})
     add(app);
+  groupCommands(app);
 }
 
 namespace {
@@ -160,7 +108,8 @@ int runCommand(int argc, char** argv) {
   } catch (const CLI::CallForVersion& versionCall) {
     return flushed(app.exit(versionCall));
   } catch (const CLI::ParseError& error) {
-    return print(explain(app, error), ExitCode::usage);
+    return print(UserError(ExitCode::usage, "simreel: error: " + explainMistake(app, error),
+                           UserError::Form::report));
   }
 }
 

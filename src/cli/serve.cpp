@@ -2,8 +2,9 @@
 
 #include "base/error.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_options.hpp"
-#include "cli/scene_options.hpp"
+#include "cli/options/device_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/shipped_scene.hpp"
 #include "frame/interrupt.hpp"
 #include "gl/context.hpp"
 
@@ -50,6 +51,8 @@ serve::CounterpartOptions counterpart(const ServePageOptions& o) {
 void servePage(const ServePageOptions& o) {
   if (o.scene.file == "-")
     fail(ExitCode::usage, "serve watches the scene's file; standard input cannot be watched");
+  if (o.edit && o.scene.shipped)
+    fail(ExitCode::usage, "--edit would change the shipped scene; copy it first: cp {} .", o.scene.file);
   if (o.edit && std::filesystem::path(o.scene.file).extension() != ".json")
     fail(ExitCode::usage, "--edit {}: only scenes can be edited", o.scene.file);
   if (o.edit && !o.other.empty() && std::filesystem::path(o.other).extension() != ".json")
@@ -74,36 +77,34 @@ void servePage(const ServePageOptions& o) {
 
 void addServe(CLI::App& app) {
   auto o = std::make_shared<ServePageOptions>();
-  auto* command = app.add_subcommand("serve", "Show a scene in a browser while it is written");
+  auto* command = app.add_subcommand("serve", "Show a scene in a browser while you edit it");
   o->scene.add(*command);
-  command->get_option("scene")->description("Scene file, which is watched");
-  command->add_option("other", o->other,
-                      "A second scene, side by side with the first: at the same frame, drawn when it is");
+  command->get_option("scene")->description("Scene file; the page follows its changes");
+  findShipped(*command->add_option("other", o->other,
+                                   "A second scene, shown side by side with the first at the same frame"));
   command
-      ->add_option(
-          "--beside", o->beside,
-          "Value of the right side alone: path=value, repeatable; without a second scene the same one "
-          "stands there")
+      ->add_option("--beside", o->beside,
+                   "Override a value on the right side only: path=value, repeatable; without a second "
+                   "scene the right side shows the same scene")
       ->allow_extra_args(false);
   command->add_option("--port", o->port, "Port to listen at; 0: any that is free")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
   command
-      ->add_option(
-          "--bind", o->address,
-          "IP address to listen at; other machines reach 0.0.0.0, and whoever sees the address with "
-          "its token")
+      ->add_option("--bind", o->address,
+                   "IP address to listen at; with 0.0.0.0 other machines can connect, if they have the "
+                   "address with its token")
       ->check(CLI::ValidIPV4)
       ->capture_default_str();
-  command->add_option("--memory", o->memory, "MiB for states that are kept to go back to")
+  command->add_option("--memory", o->memory, "MiB for past states, to go back to")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
-  command->add_flag(
-      "--edit", o->edit,
-      "Values that are changed on the page are written into the scene file, those of the right side into "
-      "its own; without it nothing is ever written");
-  command->add_option("-o,--output", o->output,
-                      "Folder for what is rendered from the page; without it nothing is");
+  command->add_flag("--edit", o->edit,
+                    "Write values that are changed on the page into the scene file (and those of the right "
+                    "side into its file); without this flag no file changes");
+  command->add_option(
+      "-o,--output", o->output,
+      "Folder for pictures that are rendered from the page; left out: the page cannot render");
   addDevice(*command, o->on);
   command->callback([o] { servePage(*o); });
 }

@@ -38,18 +38,19 @@ void remarkReach(Fields& fields, const Camera& camera) {
 
 void Follow::describe(Fields& fields) {
   PathPlace::describe(fields);
-  fields.number("ahead", ahead, positive, "m", "How far ahead on the path it looks.");
+  fields.number("ahead", ahead, positive, "m", "Distance ahead on the path that it looks at.");
   describeDamping(fields, damping,
-                  "How far behind it goes and looks, smoothly: what \"progress\" does steadily it does so "
-                  "long after (a critically damped spring), and corners become curves. 0: at once.");
+                  "Time by which the camera lags behind, smoothly, like a critically damped spring; "
+                  "corners become curves. 0: no lag.");
 }
 
 void Track::describe(Fields& fields) {
-  fields.text("object", object, "Name of the object; its middle is what is looked at.");
-  fields.vector("offset", offset, anyNumber, "m", "From its middle to what is looked at.");
+  fields.text("object", object, "Name of the object; the camera looks at its middle.");
+  fields.vector("offset", offset, anyNumber, "m",
+                "Offset from the object's middle to the place that the camera looks at.");
   describeDamping(fields, damping,
-                  "How far behind the object it looks, smoothly: what moves steadily is looked at where it "
-                  "was so long ago (a critically damped spring). 0: where it is.");
+                  "Time by which the camera lags behind the object, smoothly, like a critically damped "
+                  "spring. 0: no lag.");
 }
 
 void CameraFile::describe(Fields& fields) {
@@ -57,30 +58,27 @@ void CameraFile::describe(Fields& fields) {
   fields.text("name", name, "Name of the camera, or of its node; a file with one camera needs none.");
   fields.text("animation", animation, "Name of the file's motion that the camera goes through.");
   fields.leftOut("animation", "the first that moves it; it stands where none does");
-  fields.number("speed", speed, {-100, 100}, "", "Of the motion; 2 is twice as fast, -1 backwards.");
-  fields.number("start", start, {-1e6, 1e6}, "s", "How far into the motion it is at time 0.");
-  fields.boolean("loop", loop,
-                 "Whether the motion begins anew when it has ended; else the last pose stays.");
+  fields.number("speed", speed, {-100, 100}, "", "Speed of the motion; 2 is twice as fast, -1 backwards.");
+  fields.number("start", start, {-1e6, 1e6}, "s", "Time in the motion at time 0 of the scene.");
+  fields.boolean("loop", loop, "Starts the motion again when it has ended; else the last pose stays.");
   fields.number("distance", distance, positive, "m",
-                "Along its line of sight to its target, which a lens is focused on and the ground fades "
-                "around.");
+                "Distance along its line of sight to its target; a lens focuses there, and the ground "
+                "fades around it.");
   if (file.empty()) fields.error("file", "a camera of a file needs \"file\": the glTF to read");
 }
 
 void Lens::describe(Fields& fields) {
-  fields.number(
-      "fNumber", fNumber, {0.01, 1000}, "",
-      "Focal length over the diameter of the opening; the smaller, the more is blurred. The focal "
-      "length is that of a picture 24 mm high: 33 mm at 40 degrees.");
+  fields.number("fNumber", fNumber, {0.01, 1000}, "",
+                "Focal length over the diameter of the opening; the smaller, the more is blurred. The "
+                "focal length is the one for a picture 24 mm high: 33 mm at 40 degrees.");
   fields.number("focus", focus, {0.001, 1e6}, "m",
-                "Distance along the line of sight at which all is sharp.");
+                "Distance along the line of sight at which the picture is sharp.");
   fields.leftOut("focus", "the distance of the target");
   focused = fields.given("focus");
   fields.integer("blades", blades, {0, 16}, "", "Sides of the opening, 3 or more; 0: it is round.");
-  fields.integer(
-      "samples", samples, {2, 1024}, "",
-      "Points of the opening: so many times each picture is drawn. Too few show as copies beside "
-      "each other where the blur is wide.");
+  fields.integer("samples", samples, {2, 1024}, "",
+                 "Points of the opening; each picture is drawn once for each. With too few, wide blurs "
+                 "show as separate copies.");
   if (blades == 1 || blades == 2)
     fields.error(
         "blades",
@@ -88,40 +86,38 @@ void Lens::describe(Fields& fields) {
 }
 
 void Shutter::describe(Fields& fields) {
-  fields.number(
-      "angle", angle, {1, 360}, "degrees",
-      "How long it is open: 360 is from the frame before to this one, 180 the second half of that.");
-  fields.integer(
-      "samples", samples, {2, 256}, "",
-      "Moments meanwhile: so many times each picture is drawn, or as often as the lens asks for. "
-      "Too few show as copies beside each other where things are fast.");
+  fields.number("angle", angle, {1, 360}, "degrees",
+                "Time that it is open: 360 is the whole time from the frame before to this one, 180 its "
+                "second half.");
+  fields.integer("samples", samples, {2, 256}, "",
+                 "Moments in that time; each picture is drawn once for each, or as often as the lens "
+                 "needs. With too few, fast things show as separate copies.");
 }
 
 void Orbit::describe(Fields& fields) {
   fields.number("turn", turn, {-1e6, 1e6}, "degrees",
-                "Where it stands around the target: 0 on the side of +z, 90 on that of +x.");
-  fields.number("elevation", elevation, {-89, 89}, "degrees", "How high it stands above the horizon.");
-  fields.number("distance", distance, positive, "m", "From the target.");
+                "Angle at which it stands around the target: 0 on the side of +z, 90 on the side of +x.");
+  fields.number("elevation", elevation, {-89, 89}, "degrees", "Angle of the camera above the horizon.");
+  fields.number("distance", distance, positive, "m", "Distance from the target.");
   fields.leftOut("distance", "6, or all of it is in view where \"target\" is left out, too");
   distanced = fields.given("distance");
 }
 
 void Camera::describe(Fields& fields) {
-  fields.vector("position", position, anyNumber, "m", "Where the camera stands.");
+  fields.vector("position", position, anyNumber, "m", "Place of the camera.");
   fields.leftOut("position",
                  "[0,1.5,6], or whole caves, contours, cloths, meshes, bodies, balls and "
                  "particles are in view");
-  fields.vector("target", target, anyNumber, "m", "What it looks at.");
+  fields.vector("target", target, anyNumber, "m", "Place that it looks at.");
   fields.leftOut("target", "[0,0,0], or its middle");
   fields.number("fieldOfView", fieldOfView, {1, 170}, "degrees", "Vertical angle of view.");
   fields.leftOut("fieldOfView", "40, 26 on a stage that is in view as a whole, or that of \"gltf\"");
-  fields.choice(
-      "projection", projection, {"perspective", "orthographic"},
-      "perspective: what is farther away is smaller. orthographic: it is not; all rays go along the "
-      "line of sight, and \"height\" takes the place of \"fieldOfView\".");
+  fields.choice("projection", projection, {"perspective", "orthographic"},
+                "perspective: distant things look smaller. orthographic: they do not; all rays are "
+                "parallel, and \"height\" takes the place of \"fieldOfView\".");
   fields.leftOut("projection", "perspective, or that of \"gltf\"");
   fields.number("height", height, positive, "m",
-                "Of the scene, how much the picture shows from its lower to its upper edge; orthographic.");
+                "Height of the part of the scene that the picture shows; for an orthographic camera.");
   fields.leftOut("height", "4, what is in view as a whole with \"position\", or that of \"gltf\"");
   hasHeight = fields.given("height");
   if (projection == Projection::orthographic && fields.given("fieldOfView"))
@@ -148,10 +144,9 @@ void Camera::describe(Fields& fields) {
     fields.error("orbit", "\"follow\" says where the camera is; leave out \"orbit\"");
   else if (orbits && fields.given("position"))
     fields.error("position", "\"orbit\" says where the camera is; leave out \"position\"");
-  describeDamping(
-      fields, damping,
-      "How far behind \"target\" it looks, smoothly: what the keys of that do steadily it does so "
-      "long after (a critically damped spring). 0: at once.");
+  describeDamping(fields, damping,
+                  "Time by which the camera lags behind \"target\", smoothly, like a critically damped "
+                  "spring. 0: no lag.");
   fields.idleUnless(target.moves(), "target", {"damping"}, "a \"target\" with keys");
   for (const char* name : {"follow", "track"})
     if (damping > 0 && fields.given(name))
@@ -172,17 +167,17 @@ void Camera::describe(Fields& fields) {
   gltf.hasFar = fields.given("far");
   fields.switchable("lens");
   fields.optionalGroup("lens", hasLens,
-                       "Depth of field: what is nearer or farther than the focus is blurred. The driver's "
+                       "Depth of field: things nearer or farther than the focus are blurred. The driver's "
                        "rasterizer has none.",
                        [&](Fields& f) { lens.describe(f); });
   if (hasLens && projection == Projection::orthographic)
     fields.error("lens", "an orthographic camera has no lens: all is sharp; leave out \"lens\"");
   fields.switchable("shutter");
-  fields.optionalGroup("shutter", hasShutter,
-                       "Motion blur: the picture is the mean over the time before its frame. Surfaces, "
-                       "particles, lights and the camera move; fields, charts and caves are those of the "
-                       "frame. The driver's rasterizer has none.",
-                       [&](Fields& f) { shutter.describe(f); });
+  fields.optionalGroup(
+      "shutter", hasShutter,
+      "Motion blur: the picture is the mean over the time before its frame. Surfaces, particles, lights "
+      "and the camera move; fields, charts and caves do not. The driver's rasterizer has none.",
+      [&](Fields& f) { shutter.describe(f); });
   hasAngle = fields.given("fieldOfView");
   placed = follows || tracks || filed || fields.given("position") || fields.given("target") ||
            (orbits && orbit.distanced);

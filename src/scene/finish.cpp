@@ -8,42 +8,40 @@ void Finish::describe(Fields& fields) {
   fields.asset("normalMap", normals.file,
                "Picture of normals in tangent space: red along u, green up the picture, blue outwards.");
   fields.number("normalStrength", normalStrength, {-10, 10}, "",
-                "Factor on the slopes of the normal map; negative: what stood out is sunk.");
+                "Factor on the slopes of the normal map; a negative one turns bumps into dents.");
   fields.asset("metallicRoughnessMap", metalRough.file,
                "Picture of factors as glTF has it: green on \"roughness\", blue on \"metallic\".");
   fields.asset("occlusionMap", occlusion.file,
-               "Picture whose red says how much of the surroundings' light gets there.");
-  fields.number("occlusionStrength", occlusionStrength, fraction, "", "How far the occlusion map goes.");
+               "Picture whose red channel is the fraction of ambient light that reaches the surface.");
+  fields.number("occlusionStrength", occlusionStrength, fraction, "", "Strength of the occlusion map.");
   fields.vector("emission", emission, notNegative, "",
-                "Light of its own, linear RGB; with quality high it lights other things, too.");
+                "Light that the surface emits, linear RGB; with quality high it lights other things, too.");
   fields.number("emissionStrength", emissionStrength, notNegative, "", "Factor on \"emission\".");
   fields.asset("emissionMap", emissionMap.file, "sRGB picture, a factor on \"emission\".");
   fields.choice(
       "alpha", alpha, {"opaque", "cut", "blend"},
-      "What becomes of the opacity, which is that of the texture's alpha channel times \"opacity\". "
-      "opaque: nothing; cut: below \"alphaCutoff\" there is a hole; blend: so much of what lies "
-      "behind is hidden.");
-  fields.number("opacity", opacity, fraction, "", "0 is not to be seen, 1 hides what lies behind.");
+      "Use of the opacity, which is the texture's alpha channel times \"opacity\". opaque: none; cut: "
+      "below \"alphaCutoff\" there is a hole; blend: the surface hides so much of the things behind it.");
+  fields.number("opacity", opacity, fraction, "", "Opacity: 0 is invisible, 1 hides the things behind it.");
   fields.number("alphaCutoff", cutoff, fraction, "",
                 "Least opacity that is drawn with \"alpha\": \"cut\".");
-  fields.boolean("doubleSided", doubleSided,
-                 "Whether backs are drawn, too; false: as the object has it by itself.");
+  fields.boolean("doubleSided", doubleSided, "Draws backs, too; false: as the object itself says.");
   fields.number("clearCoat", coat, fraction, "", "Strength of a clear coat over it, such as lacquer.");
   fields.number("clearCoatRoughness", coatRoughness, fraction, "", "0 mirrors, 1 is matt.");
   fields.vector("sheen", sheen, fraction, "", "Colour of fibres that stand up from cloth, linear RGB.");
   fields.number("sheenRoughness", sheenRoughness, {0.07, 1}, "",
                 "Low: seen along the edges alone; high: all over.");
   fields.number("transmission", transmission, fraction, "",
-                "With quality high: fraction of what is not mirrored that goes through, as through glass.");
+                "Fraction of the light that passes through, as through glass; with quality high.");
   fields.number("ior", ior, {1, 4}, "",
-                "Index of refraction beside that of air: 1.33 water, 1.5 glass, 2.42 diamond.");
+                "Index of refraction relative to air: 1.33 water, 1.5 glass, 2.42 diamond.");
   fields.boolean("thinWalled", thin,
-                 "Whether it is a sheet that light goes straight through; false: the surface of a solid, "
-                 "which bends light where it goes in and out.");
+                 "Makes it a thin sheet that light goes straight through; false: the surface of a solid, "
+                 "which bends light where it enters and leaves.");
   fields.vector("attenuationColor", attenuation, {1e-6, 1}, "",
-                "What is left of white light after \"attenuationDistance\" in the solid, linear RGB.");
+                "Colour that white light has after \"attenuationDistance\" in the solid, linear RGB.");
   fields.number("attenuationDistance", attenuationDistance, positive, "m",
-                "How far into the solid light has \"attenuationColor\".");
+                "Distance in the solid after which white light has \"attenuationColor\".");
   const auto needs = [&](const char* name, bool there, const char* what) {
     if (fields.given(name) && !there)
       fields.error(name, fmt::format("\"{}\" is for a material with {}", name, what));

@@ -7,9 +7,9 @@
 namespace simreel::scene {
 
 void describeTemperature(Fields& fields, std::optional<double>& temperature) {
-  fields.optionalNumber("temperature", temperature, blackBodyRange, "K",
-                        "Colour of its light as that of a black body so hot: candles 1900, lamps 2700, "
-                        "daylight 6500.");
+  fields.optionalNumber(
+      "temperature", temperature, blackBodyRange, "K",
+      "Colour of its light as the temperature of a black body: candles 1900, lamps 2700, daylight 6500.");
   fields.leftOut("temperature", "the colour");
   if (fields.given("temperature") && fields.given("color"))
     fields.error("temperature", "\"temperature\" says which colour the light has; leave out \"color\"");
@@ -17,25 +17,25 @@ void describeTemperature(Fields& fields, std::optional<double>& temperature) {
 
 void Flicker::describe(Fields& fields) {
   fields.number("amount", amount, fraction, "", "Share of the intensity that comes and goes.");
-  fields.number("rate", rate, {0.001, 1000}, "1/s", "How often it changes.");
+  fields.number("rate", rate, {0.001, 1000}, "1/s", "Rate of change.");
   fields.number("sway", sway, {0, 1000}, "m",
-                "How far the light moves about its position; its shadows move with it.");
+                "Distance that the light moves about its position; its shadows move with it.");
   fields.idleUnless(!isNothing(amount) || !isNothing(sway), "amount", {"rate"},
                     "a flicker with an \"amount\" or \"sway\"");
 }
 
 void Spot::describe(Fields& fields) {
-  fields.vector("target", target, anyNumber, "m", "What the middle of the cone points at.");
+  fields.vector("target", target, anyNumber, "m", "Place that the middle of the cone points at.");
   fields.number("angle", angle, {0.1, 179}, "degrees",
-                "Of the cone, from edge to edge; beyond it there is no light.");
+                "Angle of the cone, from edge to edge; beyond it there is no light.");
   fields.number("softness", softness, {0, 1}, "",
                 "Share of the angle over which the light fades towards the edge; 0: a sharp edge.");
 }
 
 void Area::describe(Fields& fields) {
-  fields.vector("target", target, anyNumber, "m", "What the middle of its front faces.");
-  fields.number("width", width, {0.001, 1e4}, "m", "Of its level sides.");
-  fields.number("height", height, {0.001, 1e4}, "m", "Of the others.");
+  fields.vector("target", target, anyNumber, "m", "Place that the middle of its front faces.");
+  fields.number("width", width, {0.001, 1e4}, "m", "Length of its horizontal sides.");
+  fields.number("height", height, {0.001, 1e4}, "m", "Length of the other sides.");
 }
 
 void Light::describe(Fields& fields) {
@@ -60,9 +60,9 @@ void Light::describe(Fields& fields) {
         fmt::format("\"area\" is for lights of \"type\": \"area\", and this one is of type \"{}\"", own));
   if (type == Type::area && fields.given("glow"))
     fields.error("glow", "a light of type \"area\" is not seen by the camera; leave out \"glow\"");
-  fields.vector("position", position, anyNumber, "m", "Where it is.");
+  fields.vector("position", position, anyNumber, "m", "Place of the light.");
   fields.optionalGroup("follow", follows,
-                       "By a path that an object has found; it is dark while there is none.",
+                       "Place on a path that an object has found; the light is dark until there is a path.",
                        [&](Fields& inner) { follow.describe(inner); });
   if (follows && fields.given("position"))
     fields.error("position", "\"follow\" says where the light is; leave out \"position\"");
@@ -76,23 +76,23 @@ void Light::describe(Fields& fields) {
                  "the light stands where its \"area\" faces, so it faces nowhere; move \"target\"");
   fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
   describeTemperature(fields, temperature);
-  fields.choice("unit", unit, {"cd", "lm", "W"},
-                "Of the intensity. cd: luminous intensity, in front of a rectangle; 1 cd gives 1 lx at 1 "
-                "m. lm: luminous flux, of "
-                "all that it sends. W: watts of light (not of electricity), 179 lm each.");
+  fields.choice(
+      "unit", unit, {"cd", "lm", "W"},
+      "Unit of the intensity. cd: luminous intensity, for a rectangle in front of it; 1 cd gives 1 lx at 1 "
+      "m. lm: luminous flux in all directions. W: watts of light (not of electricity), 179 lm each.");
   fields.number("intensity", intensity, notNegative, "",
-                "How bright it is, in its unit, for the colour 1; the sun's intensity is in lx.");
+                "Brightness in its \"unit\", for the colour 1; the sun's intensity is in lx.");
   fields.number("radius", radius, {0.001, 1000}, "m",
-                "Of the ball that shines: widens highlights; what lies within it casts no shadow. Of a "
-                "rectangle only the latter.");
+                "Radius of the ball that shines. It widens highlights, and objects within it cast no "
+                "shadow; for a rectangle only the latter.");
   fields.number("range", range, {0, 1e6}, "m",
-                "Where its light ends, going out evenly by (1 - (d / range)^4)^2; of many lights without "
-                "shadow only those are computed that reach a place. 0: it reaches everywhere.");
+                "Distance at which its light ends; it fades by (1 - (d / range)^4)^2. Many lights without "
+                "shadows are faster with a range. 0: it reaches everywhere.");
   fields.number("glow", glow, notNegative, "",
                 "Factor on the shining ball as the camera sees it; 0 hides it.");
   fields.optionalGroup("flicker", hasFlicker, "Unrest of a flame, by a hash of name, time and seed.",
                        [&](Fields& inner) { flicker.describe(inner); });
-  fields.boolean("shadow", shadow, "Whether it casts shadows.");
+  fields.boolean("shadow", shadow, "Casts shadows.");
   fields.integer("shadowSize", shadowSize, {16, 4096}, "texels",
                  "Side of each of the six maps of its shadow.");
   fields.number("shadowSoftness", shadowSoftness, {0, 16}, "texels", "Radius of the shadow's soft edge.");

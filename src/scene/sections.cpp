@@ -9,23 +9,23 @@ namespace simreel::scene {
 
 namespace {
 
-constexpr const char* renderDoc = "Size and look of the images.";
-constexpr const char* timeDoc = "Frame rate and length.";
-constexpr const char* cameraDoc = "Where the images are taken from.";
+constexpr const char* renderDoc = "Size and look of the pictures.";
+constexpr const char* timeDoc = "Frame rate, start and length.";
+constexpr const char* cameraDoc = "Camera that takes the pictures.";
 constexpr const char* sunDoc =
-    "The one directional light and its shadow. A scene of solids with none of sun, sky, ground and lights "
-    "stands on a stage, whose these are.";
+    "The one directional light and its shadow. A scene of solids that gives none of sun, sky, ground and "
+    "lights stands on a stage, which supplies them.";
 constexpr const char* skyDoc =
-    "Ambient light and background gradient; left out with sun, ground and lights those of a stage.";
+    "Ambient light and background gradient. If sun, sky, ground and lights are all left out, a stage "
+    "supplies them.";
 constexpr const char* groundDoc =
-    "A ground plane, drawn and collided with; left out with sun, sky and lights a stage's, below all, "
-    "which "
-    "nothing collides with.";
+    "Ground plane, which is drawn and collided with. If sun, sky, ground and lights are all left out, a "
+    "stage supplies one below everything, and nothing collides with it.";
 constexpr const char* lightsDoc =
-    "Lights at places of the scene, each {position, intensity, ...} by name; left out with sun, sky and "
-    "ground a stage's.";
+    "Lights at places of the scene, each {position, intensity, ...} by name. If sun, sky, ground and "
+    "lights are all left out, a stage supplies one.";
 constexpr const char* materialDoc =
-    "Surface of an object; left out as a whole on a stage a colour of its palette.";
+    "Surface of an object. If it is left out on a stage, the object gets a colour of the stage's palette.";
 
 template <class T>
 Section section(const char* name, const char* doc) {
@@ -84,8 +84,7 @@ void Material::describe(Fields& fields) {
   fields.number("metallic", metallic, fraction, "", "0 for plastic, cloth and wood; 1 for metal.");
   fields.number("translucency", translucency, fraction, "",
                 "Fraction of the light from behind that shines through.");
-  fields.boolean("castsShadow", castsShadow,
-                 "Whether it keeps the light of sun and lamps from what lies behind it.");
+  fields.boolean("castsShadow", castsShadow, "Casts shadows in the light of sun and lamps.");
   fields.optionalGroup("skin", hasSkin, "A live material grown from a field of the scene.",
                        [&](Fields& inner) { skin.describe(inner); });
   finish.describe(fields);
@@ -110,11 +109,12 @@ void Material::describe(Fields& fields) {
 }
 
 void Skin::describe(Fields& fields) {
-  fields.text("field", field, "Name of the object whose field it is.");
+  fields.text("field", field, "Name of the object that supplies the field.");
   fields.choice("look", look, {"leather", "spots", "cracks", "map"},
-                "What the field's values look like; map: the field's own colours.");
+                "Look of the field's values; map: the field's own colours.");
   fields.choice("projection", projection, {"uv", "triplanar"},
-                "By the surface's uv, or from three sides in its own space (for meshes without uv).");
+                "uv: by the surface's texture coordinates; triplanar: from three sides in its own space, "
+                "for meshes without uv.");
   fields.number("repeats", repeats, positive, "", "Copies of the field along u and v, or in a metre.");
   fields.optionalNumber("threshold", threshold, anyNumber, "", "Value where low and high meet.");
   fields.vector("low", low, {-1, 1e9}, "", "Colour where the field is low, linear RGB.");
@@ -135,35 +135,34 @@ void Render::describe(Fields& fields) {
       "rasterizer", rasterizer, {"exact", "driver"},
       "exact: kernels in exact arithmetic draw, with the same bytes on every machine; driver: vertex and "
       "fragment shaders, with the edges and filters of that driver.");
-  fields.choice(
-      "quality", quality, {"draft", "standard", "high"},
-      "standard: creases, folds and what stands close together get less light from around them "
-      "(ambient occlusion), and flat mirrors show what is near them, both by what is in the picture. "
-      "high: rays find the light, with soft shadows, one bounce, and mirrors that show the scene. The "
-      "driver's rasterizer knows draft alone.");
+  fields.choice("quality", quality, {"draft", "standard", "high"},
+                "draft: the fastest. standard: creases and folds get less ambient light "
+                "(ambient occlusion), and flat mirrors show things near them, both in screen space. high: "
+                "ray tracing with soft shadows, one bounce of light, and mirrors that show the scene. The "
+                "driver's rasterizer has only draft.");
   fields.leftOut("quality", "draft, or standard on a stage");
   hasQuality = fields.given("quality");
   fields.optionalNumber("occlusionRadius", occlusionRadius, positive, "m",
-                        "How far away what keeps that light out may be.");
+                        "Greatest distance of things that cause ambient occlusion.");
   fields.leftOut("occlusionRadius", "a sixth of the distance to the target");
-  fields.integer(
-      "raySamples", raySamples, {1, 1024}, "",
-      "With quality high: how often a pixel's light is sampled. Noise halves with four times as many.");
+  fields.integer("raySamples", raySamples, {1, 1024}, "",
+                 "Light samples of a pixel with quality high. Four times as many halve the noise.");
   fields.number("exposure", exposure, {-20, 20}, "EV", "Brightness; one more doubles it.");
-  fields.choice("tone", tone, {"aces", "agx", "filmic", "plain"},
-                "The curve from light to the picture. aces: contrasty; agx: bright colours go to white "
-                "softly; filmic: a gentle shoulder; plain: none, what is brighter than white is cut.");
+  fields.choice(
+      "tone", tone, {"aces", "agx", "filmic", "plain"},
+      "Tone curve from light to the picture. aces: high contrast; agx: bright colours fade softly to "
+      "white; filmic: a gentle shoulder; plain: no curve, light above white is cut off.");
   fields.number("whiteBalance", whiteBalance, blackBodyRange, "K",
                 "Light of a black body so hot is shown as white.");
   fields.leftOut("whiteBalance", "none: light is shown as it is");
   balanced = fields.given("whiteBalance");
   fields.boolean("transparent", transparent,
-                 "Whether the background is left out: pictures have an alpha channel (straight, not "
-                 "multiplied), and no sky; on a stage no ground, either.");
+                 "Leaves out the background: pictures get an alpha channel (straight, not premultiplied) "
+                 "and no sky; on a stage no ground, either.");
   if (transparent && rasterizer == Rasterizer::driver)
     fields.error("transparent", "only the exact rasterizer leaves the background out");
   fields.number("vignette", vignette, fraction, "", "Darkening towards the corners.");
-  fields.group("bloom", "Light scattered around what is bright.",
+  fields.group("bloom", "Light that scatters around bright places.",
                [&](Fields& inner) { bloom.describe(inner); });
   fields.idleUnless(quality == Quality::high, "quality", {"raySamples"}, "\"quality\": \"high\"");
 }
@@ -195,12 +194,13 @@ void Sun::describe(Fields& fields) {
   fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
   describeTemperature(fields, temperature);
   fields.number("intensity", intensity, notNegative, "lx",
-                "Illuminance of what faces it, for the colour 1.");
+                "Illuminance of a surface that faces it, for the colour 1.");
   fields.leftOut("intensity", "4, or 0 without a \"sun\" where the sky is a picture");
-  fields.number("diameter", diameter, {0, 60}, "degrees",
-                "Of its disc, by which penumbras grow with the distance from what casts them; ours has "
-                "0.53. 0: they do not grow. The driver's rasterizer knows 0 alone.");
-  fields.boolean("shadow", shadow, "Whether it casts shadows.");
+  fields.number(
+      "diameter", diameter, {0, 60}, "degrees",
+      "Angular diameter of its disc; the real sun has 0.53. Penumbras grow with it and with the distance "
+      "from the object that casts them; 0: they do not grow. The driver's rasterizer knows only 0.");
+  fields.boolean("shadow", shadow, "Casts shadows.");
   fields.integer("shadowSize", shadowSize, {16, 8192}, "texels", "Side of the shadow map.");
   fields.number("shadowSoftness", shadowSoftness, {0, 16}, "texels", "Radius of the shadow's soft edge.");
   for (const auto& key : direction.keys()) {
@@ -217,7 +217,7 @@ void Sky::describe(Fields& fields) {
                "picture, whose middle lies towards -z. It is seen, mirrored, and lights the scene.");
   fields.number("strength", strength, {0, 1e4}, "", "Factor on the picture's light.");
   fields.number("turn", turn, {-1e6, 1e6}, "degrees",
-                "By how much the picture is turned about the vertical; 90 moves its middle to +x.");
+                "Angle by which the picture is turned about the vertical; 90 moves its middle to +x.");
   for (const char* name : {"zenith", "horizon", "ground"})
     if (!picture.empty() && fields.given(name))
       fields.error(name, fmt::format("the sky is a \"picture\"; leave out \"{}\"", name));
@@ -232,16 +232,15 @@ void Sky::describe(Fields& fields) {
 
 void Ground::describe(Fields& fields) {
   fields.number("height", height, anyNumber, "m", "Height of the plane.");
-  fields.optionalNumber(
-      "friction", friction, {0, 100}, "",
-      "Coulomb's coefficient of what slides over it; without, it loses speed at 25.3 1/s, "
-      "which keeps 0.9 at 240 Hz.");
-  fields.boolean("visible", visible, "Whether it is drawn; things collide with it in any case.");
+  fields.optionalNumber("friction", friction, {0, 100}, "",
+                        "Coulomb's coefficient for sliding objects; left out, they lose speed at 25.3 1/s, "
+                        "which keeps 0.9 of it in 1/240 s.");
+  fields.boolean("visible", visible, "Draws it; objects collide with it in any case.");
   fields.vector("color", color, notNegative, "", "Base colour, linear RGB.");
   fields.number("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");
   fields.number("fadeStart", fadeStart, notNegative, "m",
                 "Distance from the camera's target where it begins to dissolve into the sky.");
-  fields.number("fadeEnd", fadeEnd, notNegative, "m", "Distance where nothing is left of it.");
+  fields.number("fadeEnd", fadeEnd, notNegative, "m", "Distance at which it has dissolved.");
   if (!(fadeStart < fadeEnd))
     fields.error(
         fields.given("fadeStart") ? "fadeStart" : "fadeEnd",
@@ -251,7 +250,7 @@ void Ground::describe(Fields& fields) {
 }
 
 void describeScene(Fields& fields, Scene& scene) {
-  fields.text("title", scene.title, "What the scene shows.");
+  fields.text("title", scene.title, "Title of the scene.");
   fields.integer("seed", scene.seed, {0, 2147483647}, "",
                  "Start of every random number; another one gives another take.");
   fields.choice("numerics", scene.numerics, {"exact", "fast"},

@@ -17,8 +17,9 @@ void describeScene(Fields& fields, Scene& scene);
 /// where frames cannot be held against it.
 void describeTests(Fields& fields, Scene& scene, std::optional<int> frameCount);
 
-inline constexpr const char* testDoc = "What \"simreel test\" compares with baselines.";
-inline constexpr const char* checksDoc = "What must hold of state and pictures while the scene is tested.";
+inline constexpr const char* testDoc =
+    "Frames and bounds for \"simreel test\", which compares them with baselines.";
+inline constexpr const char* checksDoc = "Conditions on states and pictures that \"simreel test\" checks.";
 
 /// A part of a scene that help is given for.
 struct Section {

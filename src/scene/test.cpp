@@ -126,7 +126,7 @@ void Tolerance::describe(Fields& fields) {
   fields.integer("maxChannelDiff", maxChannelDiff, channel, "",
                  "A pixel differs when one of its channels is further apart than this.");
   fields.optionalNumber("maxDiffPixels", maxDiffPixels, notNegative, "pixels",
-                        "How many pixels may differ.");
+                        "Number of pixels that may differ.");
   fields.optionalNumber("maxDiffRatio", maxDiffRatio, fraction, "",
                         "Fraction of all pixels that may differ.");
   fields.leftOut("maxDiffRatio", "0.02, or any where maxDiffPixels is given");
@@ -167,7 +167,7 @@ std::vector<Bound> Tolerance::bounds() {
 
 void Test::describe(Fields& fields) {
   fields.integers("frames", frames, frameNumber, "",
-                  "Frames that are compared, ascending; none given: first, middle and last.");
+                  "Frames that are compared, ascending; left out: the first, middle and last.");
   fields.pair("size", size, {1, 16384}, "pixels", "Width and height of the compared images.");
   fields.integerOr("samples", samples, "scene", {1, 16}, "",
                    "Samples per pixel; \"scene\" takes what the scene renders with.");
@@ -202,11 +202,11 @@ void Check::describe(Fields& fields) {
       "min, max or sum of a component, or a quantity that the simulation measures, such as mass (simreel "
       "list "
       "KIND names them).");
-  fields.text("object", object, "Name of the object; none given: the only one that has it.");
+  fields.text("object", object, "Name of the object; left out: the only object that measures it.");
   fields.text("of", of,
               "State array and component, such as \"positions.y\"; x, y, z, w or length (of xyz).");
   fields.integers("frames", frames, frameNumber, "",
-                  "Frames where it must hold, ascending; none given: every tested frame.");
+                  "Frames at which the condition must hold, ascending; left out: every tested frame.");
   fields.formerly("least", "min");
   fields.formerly("most", "max");
   fields.optionalNumber("min", min, {}, "", "The value may not be below.");

@@ -2,7 +2,7 @@
 
 #include "base/log.hpp"
 #include "frame/interrupt.hpp"
-#include "scene/scene_texts.hpp"
+#include "scene/texts/schema_text.hpp"
 #include "serve/net/guard.hpp"
 #include "serve/net/hub.hpp"
 #include "serve/net/page.hpp"

@@ -12,8 +12,8 @@ from common import PATIENCE, PROGRAM, Case, main, png_rows
 from serve_client import Server
 
 BUILD = pathlib.Path(PROGRAM).parent
-COMMANDS = ["render", "sweep", "pieces", "reproduce", "validate", "schema", "list", "doctor", "bake", "test", "trace",
-            "bisect", "accept", "report", "diff", "bench", "serve"]
+COMMANDS = ["render", "serve", "bake", "new", "list", "explain", "validate", "test", "accept", "report", "diff", "reproduce", "trace",
+            "bisect", "sweep", "pieces", "doctor", "bench", "schema"]
 
 
 def run(*command, **options):
@@ -60,6 +60,15 @@ class Installed(Case):
         self.addCleanup(viewer.close)
         self.assertEqual(png_rows(viewer.rest(0)[1])[:2], (64, 36))
 
+    def test_shipped_scenes_starters_and_the_guide_are_installed(self):
+        environment = {k: v for k, v in os.environ.items() if k != "SIMREEL_ASSETS"}
+        program = str(self.installed() / "bin/simreel")
+        self.assertIn("flag.json: ok", run(program, "validate", "flag", cwd=self.work, env=environment))
+        self.assertIn('"cloth": {', run(program, "new", "cloth", cwd=self.work, env=environment))
+        self.assertTrue((self.installed() / "share/doc/simreel/guide/reference/cloth.md").exists())
+        self.assertTrue((self.installed() / "share/doc/simreel/guide/pictures/starter_cloth.png").exists())
+        self.assertFalse((self.installed() / "share/simreel/assets/guide").exists())
+
     def test_the_tree_works_where_it_was_moved_to(self):
         shutil.copytree(self.installed(), self.root)
         self.assert_renders(self.root)
@@ -69,9 +78,11 @@ class Installed(Case):
         text = page.read_text(encoding="utf-8")
         self.assertTrue(text.startswith(".TH SIMREEL 1"))
         self.assertEqual(re.findall(r'^\.SS "(\w+)', text, re.M), COMMANDS)
+        for words in ("128 + n", "SIMREEL_ASSETS", "share/doc/simreel/guide"):
+            self.assertIn(words, text)
         for command in COMMANDS:
             section = text.split(f'.SS "{command}')[1].split(".SS ")[0].replace("\\-", "-")
-            for flag in re.findall(r"^ +(?:-\w,)?(--[\w-]+)", run(PROGRAM, command, "--help"), re.M):
+            for flag in re.findall(r"^  (?:-\w, )?(--[\w-]+)", run(PROGRAM, command, "--help"), re.M):
                 if flag != "--help":
                     self.assertIn(f"\\fB{flag}\\fR", section, command)
         if shutil.which("man"):

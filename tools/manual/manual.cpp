@@ -3,6 +3,9 @@
 //   simreel_manual man|bash|zsh|fish
 #include "base/version.hpp"
 #include "cli/commands.hpp"
+#include "cli/help/exit_codes.hpp"
+#include "cli/help/option_text.hpp"
+#include "cli/list/environment.hpp"
 
 #include <cstdio>
 #include <span>
@@ -15,20 +18,7 @@
 
 namespace {
 
-struct Flag {
-  std::vector<std::string> shorts, longs;  ///< without their dashes
-  std::string doc;
-  std::string value;  ///< what it takes, as --help names it; empty: nothing
-  std::vector<std::string> choices;
-
-  /// "-o", "--output"
-  [[nodiscard]] std::vector<std::string> names() const {
-    std::vector<std::string> all;
-    for (const std::string& name : shorts) all.push_back("-" + name);
-    for (const std::string& name : longs) all.push_back("--" + name);
-    return all;
-  }
-};
+using Flag = simreel::cli::OptionText;
 
 struct Command {
   std::string name, doc, footer;
@@ -49,31 +39,14 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
   return text;
 }
 
-Flag flagOf(const CLI::Option& option) {
-  Flag flag{option.get_snames(), option.get_lnames(), option.get_description(), {}, {}};
-  if (option.get_items_expected_max() == 0) return flag;
-  if (!option.get_default_str().empty()) flag.doc += " (default: " + option.get_default_str() + ")";
-  flag.value = option.get_type_name();
-  const auto open = flag.value.find('{');
-  const auto close = flag.value.rfind('}');
-  if (open != std::string::npos && close != std::string::npos) {  // CLI::IsMember
-    flag.choices = CLI::detail::split(flag.value.substr(open + 1, close - open - 1), ',');
-    flag.value = fmt::format("{}", fmt::join(flag.choices, "|"));
-  } else {
-    flag.value = flag.value.substr(0, flag.value.find(':'));
-  }
-  return flag;
-}
-
 Command commandOf(const CLI::App& app) {
   Command command{app.get_name(), app.get_description(), app.get_footer(), {}, {}};
   for (const CLI::Option* option : app.get_options()) {
-    if (option->nonpositional()) {
-      command.flags.push_back(flagOf(*option));
-      continue;
-    }
-    const std::string name = option->get_name() + (option->get_items_expected_max() > 1 ? "..." : "");
-    command.arguments += option->get_required() ? " " + name : " [" + name + "]";
+    const Flag flag = simreel::cli::textOf(*option);
+    if (flag.argument.empty())
+      command.flags.push_back(flag);
+    else
+      command.arguments += flag.required ? " " + flag.head() : " [" + flag.head() + "]";
   }
   return command;
 }
@@ -130,14 +103,15 @@ std::string man(const std::vector<Command>& commands) {
       if (flag.longs != std::vector<std::string>{"help"}) text += roffFlag(flag);
     if (!command.footer.empty()) text += ".PP\n" + roff(command.footer) + "\n";
   }
+  text += ".SH EXIT STATUS\n";
+  for (const simreel::cli::ExitMeaning& one : simreel::cli::exitMeanings())
+    text += fmt::format(".TP\n\\fB{}\\fR\n{}\n", roff(one.code), roff(one.meaning));
+  text += ".SH ENVIRONMENT\n";
+  for (const simreel::cli::Variable& one : simreel::cli::variables())
+    text += fmt::format(".TP\n\\fB{}\\fR\n{}\n", roff(one.name), roff(one.meaning));
   return text +
-         ".SH EXIT STATUS\n"
-         "0 ok; 1 images or state differ; 2 command line or scene; 3 baseline missing; 4 no device, a "
-         "limit, or\n"
-         "state lost to NaN; 5 nothing ran; 6 input or output; 128 + n after signal n.\n"
-         ".SH ENVIRONMENT\n"
-         ".TP\n\\fBSIMREEL_ASSETS\\fR\nThe asset folder, instead of the installed one.\n"
-         ".TP\n\\fBSIMREEL_GLSL\\fR\nA folder of shaders, instead of those built in.\n";
+         ".SH SEE ALSO\nThe guide, cookbook and reference in share/doc/simreel/guide; "
+         "\\fBsimreel list\\fR.\n";
 }
 
 std::string quoted(const std::string& text) {

@@ -9,8 +9,8 @@
 #include "cli/bake/maps.hpp"
 #include "cli/bake/sequences.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_options.hpp"
-#include "cli/scene_options.hpp"
+#include "cli/options/device_options.hpp"
+#include "cli/options/scene_options.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/mesh/mesh_sequence.hpp"
 #include "gl/context.hpp"
@@ -146,7 +146,7 @@ void bake(BakeOptions o) {
 void addBake(CLI::App& app) {
   auto o = std::make_shared<BakeOptions>();
   auto* command =
-      app.add_subcommand("bake", "Write what was simulated for other programs: states, materials");
+      app.add_subcommand("bake", "Write states, meshes, fields and materials for other programs");
   o->scene.add(*command);
   command->add_option("-o,--output", o->output, "Folder for NAME_000000.ply, NAME_000000_albedo.png ...")
       ->required();
@@ -164,11 +164,14 @@ void addBake(CLI::App& app) {
           "roughness, occlusion; --size sets theirs). None given: rle, ply or npy, what there is")
       ->check(CLI::IsMember(formats));
   command->add_option("--frames", o->frames,
-                      "Frames to write, for example 0-99x2,150; none given: all, of maps the last");
-  command->add_option("--look", o->look, "With maps: a field as it is, as leather, spots, cracks or map");
-  command->add_option("--object", o->object, "Only this object");
-  command->add_flag("--sequence", o->sequence,
-                    "All frames of a mesh in one file, NAME.glb: morph targets and an animation");
+                      "Frames to write, for example 0-99x2,150; left out: all, or the last for maps");
+  command->add_option(
+      "--look", o->look,
+      "Look of a field with --format maps: leather, spots, cracks or map; left out: the field as it is");
+  command->add_option("--object", o->object, "Only the object of this name");
+  command->add_flag(
+      "--sequence", o->sequence,
+      "Write all frames of a mesh into one file, NAME.glb, as morph targets and an animation");
   addDevice(*command, o->on);
   command->add_flag("--overwrite", o->overwrite, "Replace files that exist");
   command->callback([o] { bake(*o); });

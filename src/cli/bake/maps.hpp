@@ -1,5 +1,5 @@
 #pragma once
-#include "cli/scene_options.hpp"
+#include "cli/options/scene_options.hpp"
 #include "gl/context.hpp"
 
 #include <optional>

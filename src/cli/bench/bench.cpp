@@ -9,8 +9,8 @@
 #include "cli/bench/report.hpp"
 #include "cli/bench/rows.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_options.hpp"
-#include "cli/scene_options.hpp"
+#include "cli/options/device_options.hpp"
+#include "cli/options/scene_options.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/sink/progress.hpp"
 #include "gl/context.hpp"
@@ -163,31 +163,32 @@ void bench(const BenchOptions& o) {
 
 void addBench(CLI::App& app) {
   auto o = std::make_shared<BenchOptions>();
-  auto* command = app.add_subcommand("bench", "Time the frames of a scene and the stages they consist of");
+  auto* command = app.add_subcommand("bench", "Time the frames of a scene and their stages");
   o->scene.add(*command);
   command
       ->add_option("--vary", o->vary,
-                   "path=a,b,c: a row for each value; repeatable, then for each combination")
+                   "Measure a row for each value, path=a,b,c; repeatable, for a row for each combination")
       ->allow_extra_args(false);
   command->add_option("--technique", o->technique,
-                      "all, or some with commas: a row for each, set in every object that has techniques");
-  command->add_option("--frames", o->frames, "Frames to measure of each row")->capture_default_str();
-  command->add_option("--warm-up", o->warmUp, "Frames before them that do not count")
+                      "Measure a row for each technique (all, or some with commas between), set in every "
+                      "object that has techniques");
+  command->add_option("--frames", o->frames, "Frames to measure for each row")->capture_default_str();
+  command->add_option("--warm-up", o->warmUp, "Frames before these, which do not count")
       ->capture_default_str();
-  command->add_option("--rounds", o->rounds, "Rows take turns that many times")->capture_default_str();
+  command->add_option("--rounds", o->rounds, "Times that the rows take turns")->capture_default_str();
   command
-      ->add_option(
-          "--timing", o->timing,
-          "wait for each stage, query the device's clock, or whole frames (default: wait on a software "
-          "driver, else query)")
+      ->add_option("--timing", o->timing,
+                   "How time is measured: wait for each stage, query the device's clock, or whole frames "
+                   "(default: wait on a software driver, else query)")
       ->check(CLI::IsMember({"wait", "query", "whole"}));
-  command->add_option("--json", o->json, "File for all of it as JSON, or -");
+  command->add_option("--json", o->json, "File for all results as JSON, or -");
   command->add_option("--chart", o->chart, "File for a chart, .svg");
   addDevice(*command, o->on);
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
   command->footer(
-      "Processors busy: user and system time of all threads, a software driver's too, over the time that "
-      "the frames took and the processors that this process may use; as in `render` with --timing whole.");
+      "\"Processors busy\" is the user and system time of all threads, including a software driver's, "
+      "divided by the time that the frames took and by the processors that this process may use; with "
+      "--timing whole it is as in `render`.");
   command->callback([o] { bench(*o); });
 }
 

@@ -12,8 +12,8 @@
 #include "batch/sweep/sweep_job.hpp"
 #include "batch/sweep/sweep_run.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_options.hpp"
-#include "cli/job_count.hpp"
+#include "cli/options/device_options.hpp"
+#include "cli/options/job_count.hpp"
 #include "cli/sweep/sweep_options.hpp"
 #include "frame/image.hpp"
 #include "frame/interrupt.hpp"
@@ -227,14 +227,13 @@ void addSweepFollowers(CLI::App& sweep) {
     return command;
   };
   add("status",
-      "What has become of each job; exit code 0: all is well, 1: one failed, 7: one is under way or "
-      "queued, 3: "
-      "missing",
+      "Print the state of each job; exit code 0: all is well, 1: one failed, 7: one is running or queued, "
+      "3: one is missing",
       status);
-  o->run.add(*add("retry", "Run what failed, was aborted or is missing", retry));
+  o->run.add(*add("retry", "Run the jobs that failed, were aborted or are missing", retry));
   auto* collect = add("collect", "Write table.csv, counts.csv, sheet.png and index.html", writeCollected);
-  collect->add_option("--frame", o->frame, "The frame to show (default: each job's last)");
-  addDevice(*add("shared", "Simulate once what all jobs begin with, where there is any", shared),
+  collect->add_option("--frame", o->frame, "Frame to show (default: the last of each job)");
+  addDevice(*add("shared", "Simulate the common beginning of all jobs once, if there is one", shared),
             o->run.on);
   auto* one = add("job", "Run single jobs in this process, as a cluster does", job);
   one->add_option("jobs", o->jobs, "Numbers of the jobs, from 0")->required();

@@ -112,17 +112,18 @@ void addSweep(CLI::App& app) {
                    "A parameter and its values: path=a,b,c or path=first:last:step; repeatable")
       ->allow_extra_args(false);
   command->add_option("-o,--output", o->output, "Folder for the plan and a folder of each job");
-  command->add_flag("--grid", o->grid, "Each value with each of the others (default)");
-  command->add_flag("--zip", o->zip, "The first values together, then the second ones, ...");
+  command->add_flag("--grid", o->grid, "Combine each value with every other (default)");
+  command->add_flag("--zip", o->zip, "Combine the first values, then the second ones, and so on");
   command
       ->add_option("--sample", o->sample,
-                   "So many jobs drawn from the values, and from ranges path=low:high, by --seed")
+                   "Number of jobs with values drawn at random (by --seed) from the lists, and from ranges "
+                   "path=low:high")
       ->check(CLI::Range(std::size_t{1}, batch::maxJobs));
   command->add_option("--frames", o->frames, "Frames of each job, for example 0-99x2,150");
-  command->add_option("--fields", o->fields, "Also the raw values of every field: npy or pfm")
+  command->add_option("--fields", o->fields, "Also write the raw values of every field")
       ->check(CLI::IsMember({"npy", "pfm"}));
   command->add_flag("--plan-only", o->planOnly,
-                    "Only write plan.json: run its jobs by `simreel sweep job FOLDER NUMBER`, wherever");
+                    "Only write plan.json; `simreel sweep job FOLDER NUMBER` runs its jobs on any machine");
   command->add_flag("--overwrite", o->overwrite, "Replace another sweep in the folder");
   o->run.add(*command);
   addSweepFollowers(*command);

@@ -1,7 +1,7 @@
 #pragma once
 #include "batch/plan/sweep_plan.hpp"
-#include "cli/scene_options.hpp"
-#include "cli/slurm_options.hpp"
+#include "cli/options/scene_options.hpp"
+#include "cli/options/slurm_options.hpp"
 #include "gl/context.hpp"
 
 #include <cstddef>

@@ -40,17 +40,19 @@ void addAccept(CLI::App& app) {
   };
   auto o = std::make_shared<Arguments>();
   auto* command = app.add_subcommand(
-      "accept", "Make what a test run rendered or compared the new baselines, without rendering again");
+      "accept",
+      "Turn the pictures and states of a test run into the new baselines, without rendering again");
   command->add_option("report", o->report, "report.json, or the folder of --report")->required();
-  command->add_option("--only", o->how.only, "Only scenes or pictures whose name matches, repeatable")
+  command
+      ->add_option("--only", o->how.only,
+                   "Only scenes or pictures whose name matches this pattern; repeatable")
       ->allow_extra_args(false);
-  command->add_option("--reason", o->how.reason, "Why, kept in the baselines of scenes");
+  command->add_option("--reason", o->how.reason, "Reason, which the baselines of scenes keep");
   command->add_flag("--alternate", o->how.alternate,
-                    "Accept beside a scene's baseline instead of in its place");
+                    "Add an alternative to a scene's baseline instead of replacing it");
   command->add_option("--expected", o->how.expected,
-                      "Of pictures: the folder of the baselines (default: as tested)");
-  command->add_option("--scenes", o->how.scenes,
-                      "Of scenes: the folder that they have to lie below (default: this one)");
+                      "Folder of the baselines of pictures (default: as tested)");
+  command->add_option("--scenes", o->how.scenes, "Folder that the scenes must lie in (default: this one)");
   command->callback([o] { accept(o->report, o->how); });
 }
 

@@ -129,9 +129,9 @@ void TestOutputs::addFiles(CLI::App& command) {
                      "A summary with small pictures, for a comment or a page; without --report and --json, "
                      "pictures of failures go beside it");
   command.add_option("--markdown-pictures", pictures,
-                     "How they get there: files (the default), data (within the text; the default of job "
-                     "summaries, though github.com leaves those out), none, or the address (https://...) "
-                     "that the report's folder is served at");
+                     "How the text refers to pictures: files (the default); data, within the text (the "
+                     "default of job summaries, though github.com leaves those out); none; or the address "
+                     "(https://...) at which the report's folder is served");
   command.add_flag("--github", github, "Print annotations and write the job summary of GitHub Actions");
 }
 

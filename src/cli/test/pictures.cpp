@@ -7,7 +7,7 @@
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
-#include "cli/job_count.hpp"
+#include "cli/options/job_count.hpp"
 #include "cli/test/test_options.hpp"
 #include "frame/interrupt.hpp"
 #include "golden/baseline/inputs.hpp"

@@ -62,8 +62,9 @@ void addReport(CLI::App& app) {
   auto o = std::make_shared<Arguments>();
   auto* command = app.add_subcommand("report", "Work with reports of `simreel test`");
   command->require_subcommand(1);
-  auto* merging = command->add_subcommand(
-      "merge", "Make one report of several, as --shard makes them; ends as one test of all would have");
+  auto* merging = command->add_subcommand("merge",
+                                          "Merge several reports, for example of --shard, into one; the "
+                                          "exit code is as for one test of everything");
   merging->add_option("reports", o->reports, "Folders of --report, or files of --json")->required();
   merging->add_option("-o,--report", o->outputs.report, "Folder for the report and its pictures")
       ->required();

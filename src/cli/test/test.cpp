@@ -1,8 +1,8 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "cli/commands.hpp"
-#include "cli/device_options.hpp"
-#include "cli/scene_options.hpp"
+#include "cli/options/device_options.hpp"
+#include "cli/options/scene_options.hpp"
 #include "cli/test/test_options.hpp"
 
 #include <memory>
@@ -59,30 +59,31 @@ void addTest(CLI::App& app) {
   auto o = std::make_shared<TestOptions>();
   auto* command = app.add_subcommand("test", "Compare scenes with their baselines");
   command->add_option("scenes", o->paths, "Scenes and folders of scenes (default: this folder)");
-  command->add_option("--filter", o->globs, "Only scenes whose name or path matches, repeatable")
+  command
+      ->add_option("--filter", o->globs, "Only scenes whose name or path matches this pattern; repeatable")
       ->allow_extra_args(false);
   command->add_option("--shard", o->shard, "Only the k-th of n parts, for example 2/4");
   command
       ->add_option("-j,--jobs", o->jobs,
-                   "Scenes (or commands of --run) at once, each in a process of its own with an equal "
-                   "part of the processors; auto: one a processor")
+                   "Scenes (or commands of --run) at once, each in its own process with an equal share of "
+                   "the processors; auto: one for each processor")
       ->capture_default_str();
-  command->add_option("--repeat", o->repeat, "Runs of each scene, which have to agree")
+  command->add_option("--repeat", o->repeat, "Runs of each scene, which must agree")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
-      ->add_option(
-          "--retries", o->retries,
-          "Further tries of a scene that fails, or whose process or command ends; passing then is flaky")
+      ->add_option("--retries", o->retries,
+                   "Further tries of a scene that fails or whose process ends; a scene that passes then "
+                   "counts as flaky")
       ->check(CLI::Range(0, 100));
   command
-      ->add_option(
-          "--timeout", o->timeout,
-          "Seconds that a process, or a command of --run, may take for a scene; it is ended then, and the "
-          "scene is an error (default: any)")
+      ->add_option("--timeout", o->timeout,
+                   "Most seconds that a process, or a command of --run, may take for a scene; then it is "
+                   "ended, and the scene counts as an error (default: no limit)")
       ->check(CLI::Range(0.1, 1e6));
-  command->add_flag("--quick", o->quick,
-                    "Without SSIM and FLIP, which take most of the time, where no bound is on them");
+  command->add_flag(
+      "--quick", o->quick,
+      "Do not measure SSIM and FLIP, which take most of the time, unless there is a bound on them");
   command->add_flag("--allow-flaky", o->allowFlaky, "Flaky scenes do not fail the run");
   o->outputs.add(*command);
   command
@@ -92,18 +93,18 @@ void addTest(CLI::App& app) {
             o->updateGiven = true;
             o->update = mode;
           },
-          "Write baselines that are missing, changed or (default) both; prune: remove those that nothing "
-          "is tested against")
+          "Write baselines that are missing, changed or (default) both; prune: remove baselines that no "
+          "scene uses")
       ->expected(0, 1)
       ->default_str("all")
       ->check(CLI::IsMember({"missing", "changed", "all", "prune"}));
-  command->add_option("--reason", o->reason, "Why, kept in the baselines that are written");
+  command->add_option("--reason", o->reason, "Reason, which the written baselines keep");
   command->add_option("--profile", o->profile, "Name of the numerics family (default: by driver)");
   addAssets(*command, o->assets);
   addDevices(*command, o->on);
   command->add_flag("--debug", o->on.debug, "Ask the driver for debug messages; serious ones are errors");
-  command->add_flag("--list", o->list, "Only print the scenes that would be tested");
-  command->add_flag("--strict", o->strict, "Baselines that nothing is tested against fail the run, too");
+  command->add_flag("--list", o->list, "Print the scenes that would be tested, and do nothing");
+  command->add_flag("--strict", o->strict, "Baselines that no scene uses fail the run, too");
   addPictures(*command, *o);
   o->tolerance.add(*command);
   command->callback([o] {

@@ -1,7 +1,7 @@
 #pragma once
-#include "cli/allowance_options.hpp"
+#include "cli/options/allowance_options.hpp"
+#include "cli/options/tolerance_options.hpp"
 #include "cli/test/outputs.hpp"
-#include "cli/tolerance_options.hpp"
 #include "gl/context.hpp"
 #include "golden/compare/compare.hpp"
 #include "golden/update.hpp"

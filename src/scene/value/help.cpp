@@ -41,26 +41,18 @@ bool mayMove(const Member& member) {
 
 }  // namespace
 
-void HelpWriter::add(const std::string& name, std::string standard, std::string range, const char* unit,
-                     std::string doc) {
-  rows_.push_back({prefix_ + name, std::move(standard), std::move(range), unit, std::move(doc)});
+std::string HelpRow::facts() const {
+  std::string text;
+  const auto say = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  if (!standard.empty() && standard != "\"\"") say("default " + standard);
+  if (!range.empty()) say(range);
+  if (!unit.empty()) say(unit);
+  return text;
 }
 
-std::string HelpWriter::table() const {
-  std::vector<Row> rows = {{"name", "default", "range", "unit", "meaning"}};
-  rows.insert(rows.end(), rows_.begin(), rows_.end());
-  const auto width = [&](std::string Row::*column) {
-    std::size_t max = 0;
-    for (const Row& row : rows) max = std::max(max, (row.*column).size());
-    return max;
-  };
-  const std::size_t name = width(&Row::name), standard = width(&Row::standard);
-  const std::size_t range = width(&Row::range), unit = width(&Row::unit);
-  std::string out;
-  for (const Row& row : rows)
-    out += fmt::format("  {:<{}}  {:<{}}  {:<{}}  {:<{}}  {}\n", row.name, name, row.standard, standard,
-                       row.range, range, row.unit, unit, row.doc);
-  return out;
+void HelpWriter::add(const std::string& name, std::string standard, std::string range, const char* unit,
+                     std::string doc) {
+  rows_.push_back({prefix_ + name, std::move(standard), std::move(range), unit, std::move(doc), false});
 }
 
 void HelpWriter::field(const char* name, Member member, const Spec& spec) {
@@ -77,6 +69,7 @@ void HelpWriter::section(const char* name, bool* present, const char* doc,
       isShort                      ? fmt::format("{} A word alone is its \"{}\".", doc, word->second)
       : switchable_.contains(name) ? fmt::format("{} Or true: all as by default.", doc)
                                    : doc);
+  rows_.back().group = true;
   if (!expandGroups_) return;
   const std::string outer = prefix_;
   prefix_ += std::string(name) + ".";
@@ -85,7 +78,7 @@ void HelpWriter::section(const char* name, bool* present, const char* doc,
 }
 
 void HelpWriter::leftOut(const char* name, const char* what) {
-  for (Row& row : rows_)
+  for (HelpRow& row : rows_)
     if (row.name == prefix_ + name) row.standard = what;
 }
 
@@ -97,6 +90,7 @@ void HelpWriter::listOf(const char* name, const char* doc, std::size_t maxItems,
   const std::string text = standard.dump();
   add(name, text.size() <= widest ? text : fmt::format("{} items", standard.size()),
       fmt::format("up to {}", maxItems), "", doc);
+  rows_.back().group = true;
   if (!expandGroups_) return;
   const std::string outer = prefix_;
   prefix_ += std::string(name) + "[].";
@@ -112,6 +106,7 @@ void HelpWriter::namedGroups(const char* name, const char* doc, const char* one,
   add(name, "{}", fmt::format("up to {}", maxItems), "",
       value == shorthands_.end() ? doc
                                  : fmt::format("{} A value alone is its \"{}\".", doc, value->second));
+  rows_.back().group = true;
   if (!expandGroups_) return;
   const std::string outer = prefix_;
   prefix_ += fmt::format("{}.{}.", name, one);

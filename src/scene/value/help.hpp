@@ -8,16 +8,25 @@
 
 namespace simreel::scene {
 
-/// Fields that print a table for people: name, default, range, unit, sentence. Members of groups are
-/// named `group.member`, of lists `list[].member`.
+/// One parameter as help prints it.
+struct HelpRow {
+  std::string name;      ///< `group.member`, or `list[].member`
+  std::string standard;  ///< the default as JSON, or words for it; "off" of a group that is not there
+  std::string range, unit, doc;
+  bool group = false;  ///< whether other parameters lie in it
+
+  /// "default 500; >= 0; N/m"
+  [[nodiscard]] std::string facts() const;
+};
+
+/// Fields that collect the rows of help.
 class HelpWriter final : public Fields {
  public:
   /// `expandGroups`: false shows a group or list as one line.
   explicit HelpWriter(bool expandGroups) : expandGroups_(expandGroups) {}
   void add(const std::string& name, std::string standard, std::string range, const char* unit,
            std::string doc);
-  /// The table, columns aligned.
-  [[nodiscard]] std::string table() const;
+  [[nodiscard]] const std::vector<HelpRow>& rows() const { return rows_; }
 
   void field(const char* name, Member member, const Spec& spec) override;
   void section(const char* name, bool* present, const char* doc,
@@ -34,12 +43,9 @@ class HelpWriter final : public Fields {
   void switchable(const char* group) override { switchable_.insert(group); }
 
  private:
-  struct Row {
-    std::string name, standard, range, unit, doc;
-  };
   bool expandGroups_;
   std::string prefix_;
-  std::vector<Row> rows_;
+  std::vector<HelpRow> rows_;
   std::map<std::string, std::string> shorthands_;
   std::set<std::string> switchable_;
 };

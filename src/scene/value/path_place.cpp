@@ -4,8 +4,8 @@ namespace simreel::scene {
 
 void PathPlace::describe(Fields& fields) {
   fields.text("object", object, "Name of the object whose path it is: a cave.");
-  fields.number("progress", progress, fraction, "", "How far along, as a fraction of the path's length.");
-  fields.number("height", height, anyNumber, "m", "Over the path.");
+  fields.number("progress", progress, fraction, "", "Place on the path, as a fraction of its length.");
+  fields.number("height", height, anyNumber, "m", "Height over the path.");
   fields.number("side", side, anyNumber, "m", "To the right of the way; negative: to the left.");
 }
 

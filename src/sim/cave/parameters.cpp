@@ -34,10 +34,11 @@ void CaveParameters::describe(scene::Fields& f) {
   f.boolean("connect", connect, "Joins rooms by corridors, each with its nearest.");
   f.integer("corridor", corridor, {1, 64}, "cells", "Width of corridors.");
   f.number("stepSeconds", stepSeconds, {0, 1e6}, "s",
-           "From noise, a smoothing each, then removal, then corridors; 0: all before the first frame.");
+           "Time between the steps that grow the cave: each smoothing of the noise, then removal, then "
+           "corridors; 0: all before the first frame.");
   f.vector("position", position, scene::anyNumber, "m", "Middle of the floor.");
   f.number("cell", cell, scene::positive, "m", "Side of a cell.");
-  f.number("height", height, scene::notNegative, "m", "Of the walls.");
+  f.number("height", height, scene::notNegative, "m", "Height of the walls.");
   f.number("base", base, scene::positive, "m", "Rock below the floor.");
   f.boolean("ceiling", ceiling, "Closes the cave above; the sun no longer gets in.");
   f.number("roof", roof, scene::positive, "m", "Rock above a ceiling.");
@@ -45,18 +46,19 @@ void CaveParameters::describe(scene::Fields& f) {
   f.vector("wall", wall, scene::notNegative, "", "Colour of the walls, linear RGB.");
   f.vector("rock", rock, scene::notNegative, "", "Colour of the rock above them, linear RGB.");
   f.number("grip", grip, {0, 1e6}, "1/s",
-           "Rate at which what slides over it loses speed, of cloth and particles with \"walls\".");
-  f.boolean("visible", visible, "Whether it is drawn as a solid.");
+           "Rate at which sliding cloth and particles with \"walls\" lose speed.");
+  f.boolean("visible", visible, "Draws it as a solid.");
   f.idleUnless(connect, "connect", {"corridor"}, "rooms that \"connect\"");
   f.idleUnless(ceiling, "ceiling", {"roof"}, "a cave with a \"ceiling\"");
   f.idleUnless(visible, "visible", {"floor", "wall", "rock"}, "a cave that is \"visible\"");
   f.choice("show", show, {"cells", "distances"},
-           "What the display shows: rock and floor, or steps from the entrance, 0 to those to the exit.");
+           "Value that the display shows: rock and floor, or steps from the entrance, from 0 to the number "
+           "at the exit.");
   if (show == Show::distances) {
     display.stops.clear();
     display.map = "inferno";
   }
-  f.group("display", "How its map is laid over the picture.", [&](scene::Fields& d) {
+  f.group("display", "Placement of its map over the picture.", [&](scene::Fields& d) {
     display.describe(d);
     d.leftOut("layer", "\"none\"");
   });

@@ -165,8 +165,7 @@ void checkChart(const scene::Object& /*object*/, const Setting& /*setting*/) {}
 }  // namespace
 
 SimulationKind chartKind() {
-  return kindOf<ChartParameters>("chart",
-                                 "Curves over the picture: what other objects measure, up to the present.",
+  return kindOf<ChartParameters>("chart", "Curves over the picture, which show what other objects measure.",
                                  checkChart, makeSimulation<ChartObject>);
 }
 

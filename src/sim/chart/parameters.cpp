@@ -23,14 +23,14 @@ std::string ChartParameters::Curve::quantity() const {
 
 void ChartParameters::describe(scene::Fields& f) {
   f.list(
-      "curves", curves, "What is drawn, a value each frame, from time 0 on.",
+      "curves", curves, "Curves that are drawn, a value each frame, from time 0 on.",
       [](scene::Fields& c, Curve& curve) {
         c.text("of", curve.of, "OBJECT.QUANTITY, as \"checks\" know it.");
-        c.text("label", curve.label, "What the chart calls it; ASCII.");
+        c.text("label", curve.label, "Name of the curve on the chart; ASCII.");
         c.leftOut("label", "the quantity");
-        c.number("per", curve.per, {1e-12, 1e12}, "", "What the chart shows as 1.");
+        c.number("per", curve.per, {1e-12, 1e12}, "", "Value that the chart shows as 1.");
         glm::vec3 color = curve.color.value_or(glm::vec3(0));
-        c.vector("color", color, scene::fraction, "linear RGB", "Of the curve.");
+        c.vector("color", color, scene::fraction, "linear RGB", "Colour of the curve.");
         c.leftOut("color", "orange, blue, green, violet");
         if (c.given("color")) curve.color = color;
         const std::size_t point = curve.of.rfind('.');
@@ -39,17 +39,18 @@ void ChartParameters::describe(scene::Fields& f) {
                                     curve.of));
       },
       mostCurves);
-  f.optionalNumber("low", low, anyValue, "", "At the chart's foot.");
+  f.optionalNumber("low", low, anyValue, "", "Value at the foot of the chart.");
   f.leftOut("low", "a round number below what was so far");
-  f.optionalNumber("high", high, anyValue, "", "At its top, more than \"low\".");
+  f.optionalNumber("high", high, anyValue, "", "Value at the top of the chart, greater than \"low\".");
   f.leftOut("high", "a round number above what was so far");
   if (low && high && !(*low < *high)) f.error("high", "\"high\" is not above \"low\"");
-  f.number("seconds", seconds, {0, 1e6}, "s", "Length of its time axis, which grows when it is over.");
+  f.number("seconds", seconds, {0, 1e6}, "s",
+           "Length of its time axis, which grows beyond that when needed.");
   f.number("x", x, {-10, 10}, "",
            "Where its left side is: fraction of the picture's width, from the left.");
-  f.number("y", y, {-10, 10}, "", "The same of its top, of the picture's height.");
-  f.number("width", width, {0.01, 10}, "", "Fraction of the picture's.");
-  f.number("height", height, {0.01, 10}, "", "Fraction of the picture's.");
+  f.number("y", y, {-10, 10}, "", "Place of its top, as a fraction of the picture's height.");
+  f.number("width", width, {0.01, 10}, "", "Width as a fraction of the picture's.");
+  f.number("height", height, {0.01, 10}, "", "Height as a fraction of the picture's.");
   if (curves.empty()) f.error("curves", "a chart needs \"curves\": [{\"of\": \"OBJECT.QUANTITY\"}]");
 }
 

@@ -20,7 +20,7 @@ shader::FabricConstants fabricOf(FabricMaterial material) {
 
 void Fabric::describe(scene::Fields& f) {
   f.choice("material", material, {"cotton", "silk", "denim", "nylon", "canvas", "rubber"},
-           "What stands for every property that is not given.");
+           "Material that supplies every property that is not given.");
   const auto property = [&](const char* name, std::optional<double>& value, scene::Range range,
                             const char* unit, const char* doc) {
     f.optionalNumber(name, value, range, unit, doc);
@@ -35,9 +35,10 @@ void Fabric::describe(scene::Fields& f) {
            "Force along a side of unit length that shears by an angle of 1.");
   property("bending", bending, {0, 1e3}, "N m", "Moment on a side of unit length for a curvature of 1/m.");
   f.number("stretchDamping", stretchDamping, {0, 10}, "s",
-           "Damping of stretch and shear: they are resisted as by this time the rate at which they change "
-           "beside them, so what vibrates along the cloth at w rad/s decays at w^2/2 of it.");
-  property("thickness", thickness, {0, 1}, "m", "Half of it is kept from colliders beside \"margin\".");
+           "Damping of stretch and shear. The resistance is this time multiplied by the rate at which they "
+           "change; a vibration along the cloth at w rad/s decays at w^2/2 times this.");
+  property("thickness", thickness, {0, 1}, "m",
+           "Thickness of the fabric; half of it is kept from colliders in addition to \"margin\".");
 }
 
 shader::FabricConstants Fabric::constants() const {

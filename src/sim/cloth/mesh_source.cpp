@@ -27,21 +27,22 @@ glm::dvec2 onCircle(double part) {
 
 void ClothMesh::describe(scene::Fields& f) {
   f.choice("shape", shape, {"plane", "disc", "sphere", "cylinder", "torus", "file"},
-           "Generated, or read from \"file\".");
+           "Shape that is generated, or \"file\": read from a file.");
   f.asset("file", file, "OBJ, PLY, glTF or GLB, in m; its parts are pieces of the cloth.");
   scene::implyShape(f, shape, ClothShape::file, "file", file, "file", "plane");
   f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane (x and z).");
   f.number("radius", radius, {1e-4, 1e4}, "m",
-           "Of a disc, sphere or cylinder; of a torus to the middle of its tube.");
+           "Radius of a disc, sphere or cylinder; of a torus, the distance to the middle of its tube.");
   f.number("tube", tube, {1e-4, 1e4}, "m", "Radius of a torus' tube.");
-  f.number("length", length, {1e-4, 1e4}, "m", "Of a cylinder, an open tube along y.");
+  f.number("length", length, {1e-4, 1e4}, "m", "Length of a cylinder, which is an open tube along y.");
   f.pair("resolution", resolution, {3, 4096}, "vertices",
-         "Along u and v: x and z of a plane; around and along a cylinder; along and around the tube of a "
-         "torus. The first across a disc, and along each of a sphere's six grids.");
+         "Vertices along u and v: along x and z of a plane; around and along a cylinder; along and around "
+         "the tube of a torus. For a disc the first number counts vertices across it, for a sphere along "
+         "each of its six grids.");
   f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the mesh's coordinates.");
   f.number("weld", weld, {0, 10}, "m",
-           "Vertices no farther apart become one; of 0 those at the same place, as files split them for "
-           "uv and normals.");
+           "Distance within which vertices become one. 0 joins vertices at the same place, which files "
+           "split for uv and normals.");
   if (shape == ClothShape::file && file.empty())
     f.error("shape", "the shape \"file\" needs \"file\": the mesh to read");
   if (shape == ClothShape::torus && tube >= radius)

@@ -39,15 +39,18 @@ ClothParameters::ClothParameters() {
 void ClothParameters::describeMesh(scene::Fields& f) {
   f.optionalGroup("mesh", hasMesh, "Triangles that the cloth is made of, instead of a grid; a fabric.",
                   [&](scene::Fields& g) { mesh.describe(g); });
-  f.list("seams", seams, "Of a mesh: vertices that are sewn together.", [](scene::Fields& s, Seam& seam) {
-    s.integers("from", seam.from, {0, 1e7}, "",
+  f.list("seams", seams, "Pairs of borders that are sewn together; for a cloth with a \"mesh\".",
+         [](scene::Fields& s, Seam& seam) {
+           s.integers(
+               "from", seam.from, {0, 1e7}, "",
                "Vertices of one side, from 0 on, in the order in which \"simreel bake\" writes them.");
-    s.integers("to", seam.to, {0, 1e7}, "", "As many of the other side, in the same order.");
-    s.number("seconds", seam.seconds, {1e-3, 1e6}, "s", "Until it has pulled shut.");
-    if (seam.from.size() != seam.to.size())
-      s.error("to",
-              fmt::format("{} vertices are sewn to {}; each needs one", seam.from.size(), seam.to.size()));
-  });
+           s.integers("to", seam.to, {0, 1e7}, "",
+                      "The same number of vertices of the other side, in the same order.");
+           s.number("seconds", seam.seconds, {1e-3, 1e6}, "s", "Time until the seam has pulled shut.");
+           if (seam.from.size() != seam.to.size())
+             s.error("to", fmt::format("{} vertices are sewn to {}; each needs one", seam.from.size(),
+                                       seam.to.size()));
+         });
   if (!seams.empty() && !hasMesh) f.error("seams", "a grid has no seams; give \"mesh\"");
   if (!hasMesh) return;
   for (const char* name : {"size", "spacing"})
@@ -60,19 +63,22 @@ void ClothParameters::describe(scene::Fields& f) {
   f.pair("size", size, {2, 16384}, "particles", "Particles along a row and number of rows.");
   f.number("spacing", spacing, {1e-4, 1e3}, "m", "Rest distance between neighbours.");
   f.vector("position", position, scene::anyNumber, "m",
-           "Middle of the sheet at rest; of a mesh, where its origin is.");
+           "Place of the middle of the sheet at rest, or of the origin of a mesh.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees",
            "About x, then y, then z; unrotated the sheet lies flat, rows along x, and a mesh as it is.");
   f.number("jitter", jitter, {0, 10}, "m", "Largest random displacement of the particles at the start.");
-  f.number("mass", mass, {1e-6, 1e6}, "kg", "Of each particle.");
-  f.number("stiffness", stiffness, {0, 1e9}, "N/m", "Of the structural springs.");
+  f.number("mass", mass, {1e-6, 1e6}, "kg", "Mass of each particle.");
+  f.number("stiffness", stiffness, {0, 1e9}, "N/m",
+           "Stiffness of the structural springs, which join neighbours.");
   f.number("shear", shear, {0, 100}, "", "Stiffness of the diagonal springs as a ratio to stiffness.");
   f.number("bend", bend, {0, 100}, "", "Stiffness of the springs of length two as a ratio to stiffness.");
   f.choice("solver", solver, {"springs", "constraints"},
            "Springs as forces, or the same lengths kept by XPBD constraints, stable at any stiffness.");
-  f.number("compliance", compliance, {0, 1e6}, "m/N", "Of structural constraints; 0 cannot stretch.");
-  f.number("shearCompliance", shearCompliance, {0, 1e6}, "m/N", "Of diagonal constraints.");
-  f.number("bendCompliance", bendCompliance, {0, 1e6}, "m/N", "Of constraints of length two.");
+  f.number("compliance", compliance, {0, 1e6}, "m/N",
+           "Compliance of structural constraints; with 0 the cloth cannot stretch.");
+  f.number("shearCompliance", shearCompliance, {0, 1e6}, "m/N", "Compliance of diagonal constraints.");
+  f.number("bendCompliance", bendCompliance, {0, 1e6}, "m/N",
+           "Compliance of constraints between every second particle.");
   f.shorthand("fabric", "material");
   f.optionalGroup("fabric", hasFabric,
                   "A material by its properties per area and length, whatever the spacing, instead of "
@@ -102,18 +108,18 @@ void ClothParameters::describe(scene::Fields& f) {
   if (hasFabric && !f.given("wind")) wind = glm::vec3(0);
   f.optionalGroup("air", hasAir, "Moving air that drags and lifts the cloth's faces.",
                   [&](scene::Fields& a) {
-                    a.vector("velocity", air.velocity, {-200, 200}, "m/s", "Of the air.");
-                    a.number("density", air.density, {0, 1e4}, "kg/m^3", "Of the air.");
+                    a.vector("velocity", air.velocity, {-200, 200}, "m/s", "Velocity of the air.");
+                    a.number("density", air.density, {0, 1e4}, "kg/m^3", "Density of the air.");
                     a.number("drag", air.drag, {0, 100}, "", "Drag coefficient.");
                     a.number("lift", air.lift, {0, 100}, "", "Lift coefficient.");
                     a.number("gusts", air.gusts, {0, 10}, "",
-                             "How much the velocity varies, as a fraction of its magnitude.");
+                             "Variation of the velocity, as a fraction of its magnitude.");
                     a.number("gustSize", air.gustSize, {1e-2, 1e3}, "m", "Size of the gusts.");
                     a.text("fluid", air.fluid,
-                           "Name of a fluid whose wind, where its \"plane\" lies, is added to the air's "
-                           "velocity; of a frame's end.");
+                           "Name of a fluid whose wind is added to the air's velocity where its \"plane\" "
+                           "lies; its flow at the end of the frame counts.");
                     a.number("fluidSpeed", air.fluidSpeed, {0, 200}, "m/s",
-                             "The greatest expected of it: \"auto\" substeps reckon with it.");
+                             "Greatest wind speed that is expected of the fluid, for \"auto\" substeps.");
                     a.idleUnless(air.gusts > 0, "gusts", {"gustSize"}, "air with \"gusts\"");
                     a.idleUnless(!air.fluid.empty(), "fluid", {"fluidSpeed"}, "air with a \"fluid\"");
                   });
@@ -121,13 +127,12 @@ void ClothParameters::describe(scene::Fields& f) {
   f.switchable("contact");
   f.optionalGroup(
       "contact", hasContact,
-      "Its faces and edges keep off each other, off those of other cloths that have this, and off meshes "
-      "and bodies with \"collides\": \"faces\".",
+      "Faces and edges keep a distance from each other, from other cloths with \"contact\", and from "
+      "meshes and bodies with \"collides\": \"faces\".",
       [&](scene::Fields& c) {
         c.optionalNumber("thickness", contact.thickness, {1e-6, 10}, "m",
-                         "Kept between the middles of two layers, and off meshes and bodies; around small "
-                         "triangles of a "
-                         "mesh less.");
+                         "Distance that is kept between the middles of two layers, and from meshes and "
+                         "bodies; around small triangles of a mesh it is less.");
         c.leftOut("thickness",
                   "the fabric's, but of the way between neighbours at least 0.125 and at most 0.35");
         c.number("friction", contact.friction, {0, 10}, "",
@@ -140,13 +145,12 @@ void ClothParameters::describe(scene::Fields& f) {
                               *contact.thickness, spacing, 0.35 * static_cast<double>(spacing)));
       });
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops it meets.");
-  f.integerOr(
-      "substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
-      "Steps a frame is divided into; \"auto\" takes as many as the springs need to be stable, and as "
-      "constraints that nothing damps need to keep their energy.");
+  f.integerOr("substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
+              "Steps that a frame is divided into; \"auto\" takes as many as the springs need to be "
+              "stable, and as undamped constraints need to keep their energy.");
   f.leftOut("substeps", "4, or \"auto\" of a fabric");
   if (hasFabric && !f.given("substeps")) substeps.reset();
-  f.list("pins", pins, "Particles that are held, and how they move; [] lets it fall.",
+  f.list("pins", pins, "Particles that are held, and how they move; [] holds none.",
          [&](scene::Fields& p, PinGroup& group) { group.describe(p, size, hasMesh); });
   if (pins.size() > shader::maxPinFrames)
     f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));

@@ -26,22 +26,24 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
   f.someOf("corners", corners, {"top-left", "top-right", "bottom-left", "bottom-right"},
            "Corners to pin; row 0 is the top.");
   f.pairs("points", points, {0, 1e6}, "", "Single particles to pin, each [x, y].");
-  f.integers("vertices", vertices, {0, 1e7}, "",
-             "Of a mesh: vertices to pin, from 0 on, in the order in which \"simreel bake\" writes them.");
-  f.optionalGroup("box", hasBox, "Of a mesh: pins all that lies in it at the start.",
+  f.integers(
+      "vertices", vertices, {0, 1e7}, "",
+      "Vertices of a mesh to pin, counted from 0, in the order in which \"simreel bake\" writes them.");
+  f.optionalGroup("box", hasBox, "Box of a mesh: pins every vertex that lies in it at the start.",
                   [&](scene::Fields& b) {
-                    b.vector("min", box.min, scene::anyNumber, "m", "Its least corner, in world space.");
-                    b.vector("max", box.max, scene::anyNumber, "m", "Its greatest corner.");
+                    b.vector("min", box.min, scene::anyNumber, "m",
+                             "Least corner of the box, in world space.");
+                    b.vector("max", box.max, scene::anyNumber, "m", "Greatest corner of the box.");
                     for (int i = 0; i < 3; ++i)
                       if (box.max[i] < box.min[i])
                         b.error("max", "the greatest corner lies below the least one");
                   });
-  f.asset("map", map,
-          "Of a mesh: a picture over its uv; what lies where it is brighter than half is pinned.");
+  f.asset("map", map, "Picture over the uv of a mesh; vertices are pinned where it is brighter than half.");
   f.boolean("clamp", clamp,
             "Hold the direction in which a fabric leaves a pinned border, too, as between two plates.");
-  f.integer("every", every, {1, 1e6}, "", "Of rows and columns pin only each n-th particle, and the last.");
-  f.vector("move", move, scene::anyNumber, "m", "How far the pins are moved.");
+  f.integer("every", every, {1, 1e6}, "",
+            "Pins only every n-th particle of rows and columns, and the last one.");
+  f.vector("move", move, scene::anyNumber, "m", "Movement of the pins.");
   f.vector("rotate", rotate, scene::anyNumber, "degrees", "Rotation of the pins about the pivot.");
   f.vector("scale", scale, {-1e3, 1e3}, "", "Scale of the pins about the pivot.");
   f.vector("pivot", pivot, scene::anyNumber, "m", "Fixed point of rotation and scale, in world space.");
@@ -49,10 +51,10 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
          "Name of a body that carries the pins: they follow its \"bone\", or its skin, from where the "
          "sheet lies at the "
          "start.");
-  f.text("bone", bone, "Name of that bone in the body's file.");
+  f.text("bone", bone, "Name of the bone in the body's file.");
   f.choice("at", at, {"bone", "nearest"},
-           "Carried by that bone, or each pin by the nearest place of the body's skin, as far off as it is "
-           "at the start.");
+           "bone: the bone carries the pins; nearest: the nearest place of the body's skin carries each "
+           "pin, at the distance that it has at the start.");
   f.idleUnless(!rows.empty() || !columns.empty(), "rows", {"every"}, "\"rows\" and \"columns\"");
   f.idleUnless(f.given("rotate") || f.given("scale"), "rotate", {"pivot"}, "\"rotate\" and \"scale\"");
   if (at == PinPlace::skin) {

@@ -158,18 +158,20 @@ double keptEnergy(const ClothParameters& p, const SpringFamily& family, double s
 
 std::span<const scene::Quantity> ClothParameters::quantities() const {
   static const scene::Quantity table[] = {
-      {"population", "", "Particles."},
-      {"mass", "kg", "Of all particles, the pinned ones included."},
-      {"kineticEnergy", "J", "Of all particles."},
-      {"potentialEnergy", "J", "In the field of gravity, against the plane through the origin across it."},
+      {"population", "", "Number of particles."},
+      {"mass", "kg", "Mass of all particles, including the pinned ones."},
+      {"kineticEnergy", "J", "Kinetic energy of all particles."},
+      {"potentialEnergy", "J",
+       "Potential energy in the field of gravity, relative to the plane through the origin at right angles "
+       "to it."},
       {"elasticEnergy", "J",
-       "Of all springs; of the constraints solver that of compliant constraints; of a fabric its bending, "
-       "too; of a mesh, and where nothing damps, by what its substeps leave of the stiffness."},
+       "Energy of all springs, or of compliant constraints; a fabric adds its bending. For a mesh, and "
+       "without damping, the stiffness that the substeps leave counts."},
       {"energy", "J", "Kinetic, potential and elastic."},
       {"stretch", "",
-       "Largest length of a structural spring as a ratio to rest; of a mesh that of a face along weft or "
-       "warp."},
-      {"speed", "m/s", "Of the fastest particle."}};
+       "Largest ratio of a structural spring's length to its rest length; for a mesh, of a face along weft "
+       "or warp."},
+      {"speed", "m/s", "Speed of the fastest particle."}};
   return table;
 }
 

@@ -11,12 +11,11 @@ namespace simreel::sim {
 
 void ContourParameters::describe(scene::Fields& f) {
   f.text("field", field,
-         "Name of the object whose field is cut by levels; of several fields NAME.u and the like. The "
-         "field itself "
-         "fills the picture unless its \"display\" has \"layer\": \"none\".");
+         "Name of the object whose field is cut by levels; NAME.u and the like if it has several fields. "
+         "The field itself fills the picture unless its \"display\" has \"layer\": \"none\".");
   f.asset("image", image, "Picture that is cut instead: black is 0, white 1.");
   if (!image.empty() && !field.empty()) f.error("image", "a \"field\" is given already; leave out one");
-  f.integer("levels", levels, {1, maxSolidLevels}, "", "How many; each adds a terrace.");
+  f.integer("levels", levels, {1, maxSolidLevels}, "", "Number of levels; each adds a terrace.");
   f.optionalNumber("low", low, scene::anyNumber, "", "Value of the lowest level.");
   f.leftOut("low", "a tenth of the range that the field is shown in");
   f.optionalNumber("high", high, scene::anyNumber, "", "Value of the highest level.");
@@ -24,8 +23,9 @@ void ContourParameters::describe(scene::Fields& f) {
   if (levels > 1 && low && high && !(static_cast<float>(*low) < static_cast<float>(*high)))
     f.error("low", fmt::format("\"low\" ({}) must be less than \"high\" ({})", *low, *high));
   f.vector("position", position, scene::anyNumber, "m", "Middle of the lowest face.");
-  f.number("width", width, scene::positive, "m", "Of the field.");
-  f.number("height", height, scene::notNegative, "m", "Of the highest terrace over the lowest face.");
+  f.number("width", width, scene::positive, "m", "Width of the field.");
+  f.number("height", height, scene::notNegative, "m",
+           "Height of the highest terrace over the lowest face.");
   f.number("base", base, scene::positive, "m", "Material below the lowest face.");
   const std::vector<std::string>& names = colorMapNames();
   std::vector<const char*> maps;
@@ -35,8 +35,8 @@ void ContourParameters::describe(scene::Fields& f) {
   f.oneOf("map", index, maps, "Colour map of the terraces.");
   map = names.at(static_cast<std::size_t>(index));
   f.number("grip", grip, {0, 1e6}, "1/s",
-           "Rate at which what slides over it loses speed, of cloth and particles with \"walls\".");
-  f.boolean("visible", visible, "Whether it is drawn.");
+           "Rate at which sliding cloth and particles with \"walls\" lose speed.");
+  f.boolean("visible", visible, "Draws it.");
   f.idleUnless(visible, "visible", {"map"}, "a contour that is \"visible\"");
   f.idleUnless(levels > 1, "levels", {"high"}, "two \"levels\" or more");
 }

@@ -40,21 +40,22 @@ bool FluidChartParameters::showsForces() const {
 
 void FluidChartParameters::describe(scene::Fields& f) {
   f.list(
-      "curves", curves, "What is drawn; the lift alone if nothing is said.",
+      "curves", curves, "Curves that are drawn; left out: the lift.",
       [](scene::Fields& c, Curve& curve) {
         c.choice("of", curve.of, names, "The quantity, as \"checks\" know it.");
         c.number("per", curve.per, {1e-12, 1e12}, "",
-                 "What the chart shows as 1: of a coefficient speed^2 * diameter / 2.");
+                 "Value that the chart shows as 1; for a coefficient, speed^2 * diameter / 2.");
         glm::vec3 color = curve.color.value_or(glm::vec3(0));
-        c.vector("color", color, scene::fraction, "linear RGB", "Of the curve.");
+        c.vector("color", color, scene::fraction, "linear RGB", "Colour of the curve.");
         c.leftOut("color", "orange, blue, green, violet");
         if (c.given("color")) curve.color = color;
       },
       4);
-  f.number("low", low, {-1e12, 1e12}, "", "At the chart's foot.");
-  f.number("high", high, {-1e12, 1e12}, "", "At its top, more than \"low\".");
+  f.number("low", low, {-1e12, 1e12}, "", "Value at the foot of the chart.");
+  f.number("high", high, {-1e12, 1e12}, "", "Value at the top of the chart, greater than \"low\".");
   if (high <= low) f.error("high", "\"high\" is not above \"low\"");
-  f.number("seconds", seconds, {0, 1e6}, "s", "Length of its time axis, which grows when it is over.");
+  f.number("seconds", seconds, {0, 1e6}, "s",
+           "Length of its time axis, which grows beyond that when needed.");
 }
 
 FluidChart::FluidChart(const std::string& name, const FluidChartParameters& parameters, double frameSeconds)

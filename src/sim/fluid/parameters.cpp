@@ -22,9 +22,10 @@ void describeSide(scene::Fields& f, const char* name, FluidSide& side) {
         "A wall holds the fluid, a slip side does not; an inflow has a velocity, an open side pressure 0; "
         "periodic ones, in pairs, meet.");
     s.vector("velocity", side.velocity, {-1e5, 1e5}, "cells/s",
-             "Of a wall along itself; of an inflow. The third is unused.");
-    s.choice("profile", side.profile, {"even", "parabola"},
-             "Of an inflow: even, or the velocity in the middle and 0 at both ends.");
+             "Velocity of a wall along itself, or of an inflow. The third number is unused.");
+    s.choice(
+        "profile", side.profile, {"even", "parabola"},
+        "Profile of an inflow: even, or a parabola with the velocity in the middle and 0 at both ends.");
     if (s.given("velocity") && side.kind != FluidSide::Kind::wall && side.kind != FluidSide::Kind::inflow)
       s.error("velocity", "only a \"wall\" or an \"inflow\" has a velocity");
     s.idleUnless(side.kind == FluidSide::Kind::inflow, "kind", {"profile"}, "an \"inflow\"");
@@ -32,7 +33,8 @@ void describeSide(scene::Fields& f, const char* name, FluidSide& side) {
 }
 
 void describeStroke(scene::Fields& f, FluidStroke& stroke) {
-  stroke.describe(f, 1, "Part of the way to what it sets, in each substep: 1 sets it.");
+  stroke.describe(
+      f, 1, "Strength of the brush in each substep, as a part of the way to its values: 1 sets them.");
   f.number("strength", stroke.strength, {0, 1e6}, "", "Factor on \"value\" and \"force\", by keyframes.");
   f.vector("velocity", stroke.velocity, {-1e5, 1e5}, "cells/s",
            "Velocity that it sets; the third is unused.");
@@ -110,43 +112,44 @@ void FluidParameters::describe(scene::Fields& f) {
   f.number("speed", speed, {1e-3, 1e6}, "cells/s",
            "The greatest that is expected: \"auto\" substeps go by it, and dye goes no faster.");
   f.integerOr("substeps", substeps, "auto", {1, 10000}, "per frame",
-              "\"auto\": as many as \"speed\" / \"courant\" and the viscosity ask for.");
+              "Steps that a frame is divided into; \"auto\": as many as \"speed\" / \"courant\" and the "
+              "viscosity need.");
   f.number("courant", courant, {0.05, 8}, "cells",
-           "What the greatest speed goes in a substep of \"auto\".");
-  f.choice(
-      "advection", advection, {"macCormack", "semiLagrangian", "cubic"},
-      "How velocity and temperature are carried along: second-order with a limiter, first-order, or by "
-      "cubic interpolation with a limiter.");
-  f.number("viscosity", viscosity, {0, 1e6}, "cells^2/s", "Of the fluid.");
+           "Cells that the greatest speed crosses in a substep of \"auto\".");
+  f.choice("advection", advection, {"macCormack", "semiLagrangian", "cubic"},
+           "Scheme that carries velocity and temperature along: second-order with a limiter, first-order, "
+           "or by cubic interpolation with a limiter.");
+  f.number("viscosity", viscosity, {0, 1e6}, "cells^2/s", "Kinematic viscosity of the fluid.");
   f.number("confinement", confinement, {0, 1e4}, "1/s",
-           "Force that keeps up vortices of the size of cells; less of it beyond half of \"speed\", none "
-           "beyond \"speed\".");
+           "Force that keeps up vortices of the size of cells; it fades beyond half of \"speed\" and ends "
+           "at \"speed\".");
   f.number("lift", lift, {-1e5, 1e5}, "cells/s^2", "Acceleration, up the picture, of a temperature of 1.");
   f.number("cooling", cooling, {0, 1e3}, "1/s", "Rate at which temperature falls to 0.");
   f.number("dyeWeight", dyeWeight, {-1e5, 1e5}, "cells/s^2",
            "Acceleration, down the picture, of a dye of (1, 1, 1).");
-  f.integer(
-      "cycles", cycles, {1, 100}, "",
-      "Of the multigrid that solves for the pressure, at most, in each substep; as few as needed are run.");
+  f.integer("cycles", cycles, {1, 100}, "",
+            "Most cycles of the multigrid solver for the pressure in each substep; it stops once it is "
+            "exact enough.");
   f.list(
-      "obstacles", obstacles, "What stands in the fluid, or moves through it.",
+      "obstacles", obstacles, "Obstacles that stand in the fluid or move through it.",
       [](scene::Fields& o, FluidObstacle& obstacle) {
-        o.choice("shape", obstacle.shape, {"circle", "box", "image"}, "What it is.");
+        o.choice("shape", obstacle.shape, {"circle", "box", "image"}, "Shape of the obstacle.");
         o.vector("center", obstacle.center, {-1e6, 1e6}, "cells",
-                 "Its middle; the third is unused. With keys it moves and pushes the fluid.");
-        o.number("radius", obstacle.radius, {0, 1e5}, "cells", "Of a circle.");
+                 "Place of its middle; the third number is unused. With keyframes it moves and pushes the "
+                 "fluid.");
+        o.number("radius", obstacle.radius, {0, 1e5}, "cells", "Radius of a circle.");
         o.vector("extent", obstacle.extent, {0, 1e5}, "cells",
                  "Width and height of a box, at least 1; the third is unused.");
         o.number("turn", obstacle.turn, {-1e5, 1e5}, "degrees", "Clockwise, about its middle.");
         o.asset("image", obstacle.image,
-                "Picture of shape \"image\": what is light is solid, grey edges are so to a fraction of a "
-                "cell.");
+                "Picture of shape \"image\": light pixels are solid, grey edges are solid to a fraction of "
+                "a cell.");
         scene::implyShape(o, obstacle.shape, FluidObstacle::Shape::image, "image", obstacle.image, "image",
                           "circle");
         o.number("threshold", obstacle.threshold, {0.02, 0.98}, "",
-                 "Of an image: how light its edge is, of white.");
+                 "Brightness at the edge of an image's obstacle, as a fraction of white.");
         o.number("scale", obstacle.scale, {1e-3, 1e3}, "cells", "Side of a pixel of an image.");
-        o.boolean("measured", obstacle.measured, "Whether the quantities \"drag\" and \"lift\" count it.");
+        o.boolean("measured", obstacle.measured, "Counts it in the quantities \"drag\" and \"lift\".");
         const bool image = obstacle.shape == FluidObstacle::Shape::image;
         const char* const ruler = o.given("shape") ? "shape" : "image";
         o.idleUnless(obstacle.shape == FluidObstacle::Shape::circle, ruler, {"radius"}, "a \"circle\"");
@@ -156,29 +159,29 @@ void FluidParameters::describe(scene::Fields& f) {
           o.error("shape", "shape \"image\" needs \"image\", a picture");
       },
       shader::maxSolids);
-  f.boolean("obstaclesSlip", obstaclesSlip,
-            "Whether the fluid slips along obstacles; else it sticks to them.");
+  f.boolean("obstaclesSlip", obstaclesSlip, "Lets the fluid slip along obstacles; else it sticks to them.");
   f.vector("obstacleColor", obstacleColor, {0, 1e4}, "", "Colour of obstacles, linear RGB.");
   if (!f.given("strokes")) strokes = standardStrokes(size);
   f.list("strokes", strokes, "Timed strokes that set velocity, temperature or dye, or push.",
          describeStroke);
   f.leftOut("strokes", "jets of dye from five sides");
-  f.group("plane", "Where it lies in the world, for what takes it as its wind.", [&](scene::Fields& p) {
-    p.vector("position", plane.position, scene::anyNumber, "m", "Middle of its rectangle.");
-    p.vector("rotation", plane.rotation, scene::anyNumber, "degrees",
-             "About x, then y, then z; unturned it stands upright and is seen as it is along -z.");
-    p.number("cell", plane.cell, {1e-4, 1e3}, "m", "Width of a cell.");
-  });
+  f.group("plane", "Rectangle in the world where the flow is the wind of other objects.",
+          [&](scene::Fields& p) {
+            p.vector("position", plane.position, scene::anyNumber, "m", "Middle of its rectangle.");
+            p.vector("rotation", plane.rotation, scene::anyNumber, "degrees",
+                     "About x, then y, then z; unrotated it stands upright and faces +z.");
+            p.number("cell", plane.cell, {1e-4, 1e3}, "m", "Width of a cell.");
+          });
   f.switchable("tracers");
   f.optionalGroup("tracers", hasTracers, "Specks that the flow carries along and that draw streaks.",
                   [&](scene::Fields& t) { tracers.describe(t); });
-  f.choice(
-      "show", show, {"dye", "speed", "vorticity", "temperature", "pressure", "lines"},
-      "What is drawn: dye in its own colours, lines of flow in the colour of their speed, all else by the "
-      "display's colour map.");
+  f.choice("show", show, {"dye", "speed", "vorticity", "temperature", "pressure", "lines"},
+           "Value that is drawn: dye in its own colours, lines of flow in the colour of their speed, "
+           "everything else by the display's colour map.");
   f.choice("look", look, {"light", "ink", "fire"},
-           "Dye that shines on dark, ink that absorbs on paper, or dye that is smoke round what is hot.");
-  f.number("brightness", brightness, {0, 1e4}, "", "Of dye.");
+           "light: dye that shines on dark; ink: dye that absorbs light on paper; fire: dye that is smoke "
+           "around hot, glowing gas.");
+  f.number("brightness", brightness, {0, 1e4}, "", "Brightness of dye.");
   if (look == Look::ink) paper = glm::vec3(0.94F, 0.9F, 0.82F);
   f.vector("paper", paper, scene::fraction, "linear RGB", "Where there is no dye.");
   f.leftOut("paper", "dark for \"light\" and \"fire\", a warm white for \"ink\"");
@@ -195,7 +198,7 @@ void FluidParameters::describe(scene::Fields& f) {
   if (hasChart && chart.showsForces() && obstacles.empty())
     f.error("chart",
             "lift and drag are of \"obstacles\", and there are none; give some, or another \"of\"");
-  f.group("display", "How it is laid over the picture.", [&](scene::Fields& d) {
+  f.group("display", "Placement of the field over the picture.", [&](scene::Fields& d) {
     if (show == Show::speed) display.high = speed;
     if (show == Show::lines) display.high = 0.6 * speed;
     if (show == Show::lines || show == Show::temperature) display.map = "inferno";
@@ -216,11 +219,12 @@ std::span<const scene::Quantity> FluidParameters::quantities() const {
       {"dye", "", "Sum of red, green and blue of all cells."},
       {"temperature", "", "Mean over the open cells."},
       {"speed", "cells/s", "The greatest |u| or |v|."},
-      {"courant", "cells", "What the greatest |u| or |v| goes in a substep."},
-      {"cycles", "", "Of the multigrid, on the average of all substeps so far."},
+      {"courant", "cells", "Cells that the greatest |u| or |v| crosses in a substep."},
+      {"cycles", "", "Cycles of the multigrid solver, on the average of all substeps so far."},
       {"drag", "cells^3/s^2",
        "Force of the fluid on measured obstacles, to the right, over density and depth."},
-      {"lift", "cells^3/s^2", "The same up the picture."},
+      {"lift", "cells^3/s^2",
+       "Force of the fluid on measured obstacles, up the picture, over density and depth."},
   };
   return list;
 }

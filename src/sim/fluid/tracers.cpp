@@ -11,12 +11,11 @@
 namespace simreel::sim {
 
 void TracerParameters::describe(scene::Fields& f) {
-  f.integer("count", count, {1, 1e7}, "", "How many there are at any time.");
-  f.number("seconds", seconds, {1e-2, 1e6}, "s",
-           "How long one lives on the average; then it begins anew elsewhere.");
-  f.number("streak", streak, {1e-3, 1e6}, "s", "In which what they drew fades to 1/e.");
+  f.integer("count", count, {1, 1e7}, "", "Number of tracers at any time.");
+  f.number("seconds", seconds, {1e-2, 1e6}, "s", "Mean lifetime; then a tracer begins again elsewhere.");
+  f.number("streak", streak, {1e-3, 1e6}, "s", "Time in which their streaks fade to 1/e.");
   f.vector("color", color, {0, 1e4}, "", "Linear RGB.");
-  f.number("brightness", brightness, {0, 1e4}, "", "How much a streak covers of what is below it.");
+  f.number("brightness", brightness, {0, 1e4}, "", "Opacity of a streak.");
 }
 
 shader::TracerStep tracerStep(const TracerParameters& parameters, double dt, int seed, bool wrapsX,

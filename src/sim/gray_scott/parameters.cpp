@@ -39,10 +39,10 @@ void GrayScottParameters::describe(scene::Fields& f) {
          "0 to 1, with a warning when that changes one.");
   f.choice("preset", preset, presetNames, "Rates by name; README.md of src/sim says what each grows.");
   const FeedKill standard = ratesOf(preset);
-  rate(f, "feed", feed, standard.feed, "F, at which u comes in; the preset's unless it is given.");
-  rate(f, "kill", kill, standard.kill, "k, at which v goes away; the preset's unless it is given.");
+  rate(f, "feed", feed, standard.feed, "F, the rate at which u comes in; left out: the preset's.");
+  rate(f, "kill", kill, standard.kill, "k, the rate at which v goes away; left out: the preset's.");
   f.optionalGroup("health", hasHealth, "Moves the rates between two presets.", [&](scene::Fields& h) {
-    h.number("level", health, {0, 1}, "", "1: the rates of \"well\"; 0: those of \"ill\".");
+    h.number("level", health, {0, 1}, "", "1: the rates of \"well\"; 0: the rates of \"ill\".");
     h.choice("well", well, presetNames, "Preset at health 1.");
     h.choice("ill", ill, presetNames, "Preset at health 0.");
   });
@@ -71,9 +71,9 @@ void GrayScottParameters::describe(scene::Fields& f) {
     f.error("killImage", "k is set by \"killDown\" already; leave out one");
   f.idleUnless(!feedImage.empty(), "feedImage", {"feedWhite"}, "a \"feedImage\"");
   f.idleUnless(!killImage.empty(), "killImage", {"killWhite"}, "a \"killImage\"");
-  f.number("diffuseU", diffuseU, {0, 1e3}, "cells^2 per unit of time", "How fast u spreads.");
-  f.number("diffuseV", diffuseV, {0, 1e3}, "cells^2 per unit of time", "How fast v spreads.");
-  f.number("dt", dt, {1e-3, 4}, "units of time", "Of a step.");
+  f.number("diffuseU", diffuseU, {0, 1e3}, "cells^2 per unit of time", "Diffusion rate of u.");
+  f.number("diffuseV", diffuseV, {0, 1e3}, "cells^2 per unit of time", "Diffusion rate of v.");
+  f.number("dt", dt, {1e-3, 4}, "units of time", "Length of a step.");
   for (const auto& [name, diffusion] : {std::pair{"diffuseU", diffuseU}, std::pair{"diffuseV", diffuseV}})
     if (dt * diffusion > maxGrayScottDiffusion)
       f.error(f.given(name) ? name : "dt",
@@ -85,9 +85,9 @@ void GrayScottParameters::describe(scene::Fields& f) {
   f.group("seeds", "Round patches of v at the start.", [&](scene::Fields& s) {
     if (!image.empty()) seedCount = 0;
     s.integer("count", seedCount, {0, 1e6}, "",
-              "How many, at random places; none beside an \"image\" unless given.");
+              "Number of patches, at random places; none beside an \"image\" unless given.");
     s.leftOut("count", "24, or 0");
-    s.number("radius", seedRadius, {0, 1e4}, "cells", "Of each.");
+    s.number("radius", seedRadius, {0, 1e4}, "cells", "Radius of each patch.");
     s.number("value", seedValue, {0, 1}, "", "v within them; u is the rest of 1.");
     s.number("noise", seedNoise, {0, 1}, "", "Fraction by which v differs at random from cell to cell.");
     s.idleUnless(seedCount > 0, "count", {"radius"}, "seeds of a \"count\"");
@@ -95,7 +95,7 @@ void GrayScottParameters::describe(scene::Fields& f) {
   f.list("strokes", strokes, "Timed strokes of a brush.", [](scene::Fields& s, StrokeParameters& stroke) {
     stroke.describe(s, 1, "v that is painted; u becomes the rest of 1.");
   });
-  f.group("display", "How v is laid over the picture.", [&](scene::Fields& d) { display.describe(d); });
+  f.group("display", "Placement of v over the picture.", [&](scene::Fields& d) { display.describe(d); });
   if (axes && feedAcross)
     display.across =
         FieldDisplay::Axis{"F, feed rate", feed ? *feed : scene::Animated<float>(standard.feed),

@@ -137,7 +137,7 @@ std::span<const scene::Quantity> GrayScottParameters::quantities() const {
       {"spots", "", "Patches of such cells, joined over edges."},
       {"largestSpot", "", "Fraction of cells in the largest patch."},
       {"holes", "", "Patches of the other cells."},
-      {"wavelength", "cells", "Of most of the variance of v."}};
+      {"wavelength", "cells", "Wavelength that holds most of the variance of v."}};
   return table;
 }
 

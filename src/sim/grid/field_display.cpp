@@ -10,9 +10,9 @@ namespace simreel::sim {
 
 void FieldDisplay::describe(scene::Fields& fields) {
   fields.choice("layer", layer, {"over", "behind", "none"},
-                "Over the finished picture, behind all objects, or not shown.");
+                "over: on the finished picture; behind: behind all objects; none: not shown.");
   fields.choice("fit", fit, {"contain", "cover", "stretch"},
-                "How the field fills its part of the picture.");
+                "Fit of the field into its part of the picture.");
   fields.vector(
       "corner", corner, {-10, 10}, "",
       "Top left of its part, as fractions of the picture's width and height; the third is unused.");
@@ -20,7 +20,7 @@ void FieldDisplay::describe(scene::Fields& fields) {
                 "Width and height of its part, as fractions of the picture.");
   fields.vector("center", center, {-1e6, 1e6}, "", "Point of the field in the middle, as fractions of it.");
   fields.number("zoom", zoom, {1e-3, 1e6}, "", "Magnification.");
-  fields.number("opacity", opacity, {0, 1}, "", "0 shows nothing of it.");
+  fields.number("opacity", opacity, {0, 1}, "", "Opacity; 0 hides it.");
   fields.boolean("smooth", smooth, "Linear between cells; else each cell is a square.");
   fields.boolean("tiled", tiled, "Repeated beyond its border.");
   fields.vector("border", border, scene::notNegative, "", "Colour beyond its border, linear RGB.");

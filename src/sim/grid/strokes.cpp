@@ -63,21 +63,22 @@ double distanceToCells(glm::dvec2 a, glm::dvec2 b, glm::ivec2 size) {
 void StrokeParameters::describe(scene::Fields& f, double max, const char* valueDoc) {
   f.choice("shape", shape, {"circle", "line", "image"},
            "A circle that may move, a line, or the light pixels of an image.");
-  f.number("at", at, scene::anyNumber, "s", "When it begins; it is in the first state from then on.");
+  f.number("at", at, scene::anyNumber, "s",
+           "Time at which the stroke begins; if that is before the start, the first state has it.");
   f.number("until", until, scene::anyNumber, "s", "When it ends; not after \"at\": it paints once.");
   f.vector("from", from, {-1e6, 1e6}, "cells",
            "Middle of the circle, start of the line, or top left of the image; the third counts in "
            "volumes alone.");
-  f.vector("to", to, {-1e6, 1e6}, "cells", "Where the circle moves to, or the line's end.");
+  f.vector("to", to, {-1e6, 1e6}, "cells", "Place that the circle moves to, or the end of the line.");
   f.leftOut("to", "\"from\"");
   if (!f.given("to")) to = from;
   f.vector("path", path, {-1e6, 1e6}, "cells",
-           "Where the circle is, by keyframes; the third counts in volumes alone.");
+           "Place of the circle, by keyframes; the third number counts only in volumes.");
   f.leftOut("path", "from \"from\" to \"to\"");
   hasPath = f.given("path");
   if (hasPath && (f.given("from") || f.given("to")))
     f.error("path", "the path says where the circle is; leave out \"from\" and \"to\"");
-  f.number("radius", radius, {0, 1e5}, "cells", "Of the circle; half the width of the line.");
+  f.number("radius", radius, {0, 1e5}, "cells", "Radius of the circle; half the width of the line.");
   f.asset("image", image, "Picture of shape \"image\"; its light pixels are painted.");
   scene::implyShape(f, shape, Shape::image, "image", image, "image", "circle");
   if (hasPath && shape != Shape::circle) f.error("path", "only a circle has a path");
@@ -85,7 +86,8 @@ void StrokeParameters::describe(scene::Fields& f, double max, const char* valueD
                "a \"circle\" or a \"line\"");
   f.number("value", value, {0, max}, "", valueDoc);
   f.formerly("share", "fraction");
-  f.number("fraction", fraction, {0, 1}, "", "Of the cells within reach, picked at random.");
+  f.number("fraction", fraction, {0, 1}, "",
+           "Fraction of the cells within reach that are painted, picked at random.");
   if (shape == Shape::image && image.empty())
     f.error("shape", "shape \"image\" needs \"image\", a picture");
 }

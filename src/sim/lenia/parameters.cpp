@@ -51,8 +51,8 @@ void LeniaKernel::describe(scene::Fields& f) {
            "and else "
            "-1, of d = u - mu.");
   f.number("mu", mu, {0, 1}, "", "Weighted mean u of the cells around at which a cell grows most.");
-  f.number("sigma", sigma, {1e-4, 1}, "", "How far u may be from that.");
-  f.number("weight", weight, {-10, 10}, "", "Its part of the growth.");
+  f.number("sigma", sigma, {1e-4, 1}, "", "Distance that u may have from \"mu\".");
+  f.number("weight", weight, {-10, 10}, "", "Weight of this kernel in the growth.");
   bool any = false;
   for (const int ring : rings) any = any || ring > 0;
   if (!any || rings.size() > 8) f.error("rings", "a kernel has 1 to 8 rings, of which one is above 0 %");
@@ -63,11 +63,12 @@ void LeniaCreature::describe(scene::Fields& f) {
   for (const LeniaShape& shape : leniaCreatures()) names.push_back(shape.name);
   f.oneOf("kind", kind, names, "Which creature.");
   glm::ivec2 corner = at.value_or(glm::ivec2(0));
-  f.pair("at", corner, {-maxLeniaSide, maxLeniaSide}, "cells", "Its middle; the torus wraps it round.");
+  f.pair("at", corner, {-maxLeniaSide, maxLeniaSide}, "cells",
+         "Place of its middle; the torus wraps it round.");
   f.leftOut("at", "the middle");
   if (f.given("at")) at = corner;
   f.integer("rotate", rotate, {0, 270}, "degrees", "Clockwise: 0, 90, 180 or 270.");
-  f.boolean("mirrored", mirrored, "Left and right exchanged, before it is turned.");
+  f.boolean("mirrored", mirrored, "Mirrors left and right, before it is turned.");
   if (rotate % 90 != 0) f.error("rotate", "creatures turn by 0, 90, 180 or 270 degrees only");
 }
 
@@ -79,21 +80,22 @@ void LeniaParameters::describe(scene::Fields& f) {
            "of the "
            "filling n of a ring and m of a disc.");
   f.list(
-      "kernels", kernels, "Of Lenia; not given: one, Orbium's.",
+      "kernels", kernels, "Kernels of Lenia; left out: the one kernel of Orbium.",
       [](scene::Fields& g, LeniaKernel& kernel) { kernel.describe(g); }, maxKernels);
   if (kernels.empty()) f.error("kernels", "Lenia has at least one kernel");
   f.number("timeScale", timeScale, {1, 1000}, "", "T, steps in a unit of time: dt = 1 / T.");
   f.number("stepsPerSecond", stepsPerSecond, {1e-3, 1e5}, "1/s",
            "Steps a second, whatever the frame rate.");
   f.number("radius", radius, {3, maxLeniaRadius}, "cells",
-           "Of SmoothLife's ring; its disc is a third of that.");
+           "Radius of SmoothLife's ring; its disc is a third of that.");
   f.number("bornMin", bornMin, {0, 1}, "",
-           "Of SmoothLife: filling of the ring at which the dead come alive, from");
-  f.number("bornMax", bornMax, {0, 1}, "", "and to.");
-  f.number("surviveMin", surviveMin, {0, 1}, "", "At which the living stay so, from");
-  f.number("surviveMax", surviveMax, {0, 1}, "", "and to.");
-  f.number("alphaRing", alphaRing, {1e-3, 1}, "", "How soft the limits of the ring's filling are,");
-  f.number("alphaDisc", alphaDisc, {1e-3, 1}, "", "and that between dead and living.");
+           "Least filling of the ring at which a dead cell of SmoothLife comes alive.");
+  f.number("bornMax", bornMax, {0, 1}, "", "Greatest filling of the ring at which it comes alive.");
+  f.number("surviveMin", surviveMin, {0, 1}, "",
+           "Least filling of the ring at which a living cell stays alive.");
+  f.number("surviveMax", surviveMax, {0, 1}, "", "Greatest filling of the ring at which it stays alive.");
+  f.number("alphaRing", alphaRing, {1e-3, 1}, "", "Softness of these limits.");
+  f.number("alphaDisc", alphaDisc, {1e-3, 1}, "", "Softness of the limit between dead and living.");
   const bool smooth = model == Model::smoothLife;
   f.idleUnless(!smooth, "model", {"kernels"}, "the model \"lenia\"");
   f.idleUnless(smooth, "model",
@@ -105,7 +107,7 @@ void LeniaParameters::describe(scene::Fields& f) {
     f.error("surviveMax",
             fmt::format("\"surviveMin\" ({}) is above \"surviveMax\" ({})", surviveMin, surviveMax));
   f.list(
-      "creatures", creatures, "Set into the first state.",
+      "creatures", creatures, "Creatures that the first state has.",
       [](scene::Fields& g, LeniaCreature& creature) { creature.describe(g); }, 1024);
   if (!creatures.empty() && !f.given("patches")) patches = 0;
   f.integer("patches", patches, {0, 10000}, "", "Squares of random values at random places at the start.");
@@ -113,7 +115,7 @@ void LeniaParameters::describe(scene::Fields& f) {
   f.list("strokes", strokes, "Timed brush strokes.", [](scene::Fields& g, StrokeParameters& stroke) {
     stroke.describe(g, 1, "The value that is painted, 0 to 1.");
   });
-  f.group("display", "How it is laid over the picture. Values: 0 to 1.",
+  f.group("display", "Placement of the field over the picture. Values: 0 to 1.",
           [&](scene::Fields& g) { display.describe(g); });
 }
 

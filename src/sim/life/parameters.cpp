@@ -28,13 +28,12 @@ void LifePattern::describe(scene::Fields& f) {
   f.asset("file", file,
           "Pattern as RLE, plaintext (.cells), Life 1.05 or 1.06, or macrocell (.mc); also packed (.gz).");
   glm::ivec2 corner = at.value_or(glm::ivec2(0));
-  f.pair(
-      "at", corner, {-maxLifeSide, maxLifeSide}, "cells",
-      "Its top left corner, once flipped and turned; a torus wraps it round. Left out, a file made for a "
-      "bounded grid (Golly's) may say it.");
+  f.pair("at", corner, {-maxLifeSide, maxLifeSide}, "cells",
+         "Place of its top left corner after flipping and turning; a torus wraps it round. Left out: a "
+         "file made for a bounded grid (Golly's) may give it.");
   f.leftOut("at", "the middle");
   if (f.given("at")) at = corner;
-  f.choice("flip", flip, {"none", "horizontal", "vertical"}, "Mirrored, before it is turned.");
+  f.choice("flip", flip, {"none", "horizontal", "vertical"}, "Mirrors it, before it is turned.");
   f.integer("rotate", rotate, {0, 270}, "degrees", "Clockwise: 0, 90, 180 or 270.");
   if (file.empty()) f.error("file", "a pattern needs \"file\", for example an RLE file");
   if (rotate % 90 != 0) f.error("rotate", "patterns turn by 0, 90, 180 or 270 degrees only");
@@ -43,8 +42,8 @@ void LifePattern::describe(scene::Fields& f) {
 void LifeParameters::describe(scene::Fields& f) {
   f.pair(
       "size", size, {1, maxLifeSide}, "cells",
-      "Width and height of the grid; 2 bits of memory a cell. Not given beside patterns: that of a pattern "
-      "made for a bounded grid, else 16 to 9 with a margin around them, half of the longest side.");
+      "Width and height of the grid; 2 bits of memory a cell. Left out beside patterns: the size of a "
+      "pattern made for a bounded grid, else 16 to 9 with a margin of half the longest side around them.");
   f.leftOut("size", "[512,512], or fits the patterns");
   f.text(
       "rule", rule,
@@ -63,19 +62,17 @@ void LifeParameters::describe(scene::Fields& f) {
           "A rule as a file of Golly's format .rule (@TABLE or @TREE), instead of \"rule\".");
   if (!rule.empty() && !ruleFile.empty())
     f.error("ruleFile", "a rule is given as \"rule\" or as \"ruleFile\"");
-  f.choice(
-      "border", border, {"torus", "dead", "cylinder", "klein", "kleinSideways", "crossSurface", "sphere"},
-      "torus: each edge meets the opposite one; dead: beyond the edge nothing lives; cylinder: left meets "
-      "right; klein: a torus whose top meets the bottom reversed, kleinSideways: whose left meets the "
-      "right "
-      "reversed; crossSurface: both; sphere: top meets left, right meets bottom. Not given: that of a "
-      "pattern made for a bounded grid goes before.");
+  f.choice("border", border,
+           {"torus", "dead", "cylinder", "klein", "kleinSideways", "crossSurface", "sphere"},
+           "torus: each edge meets the opposite one; dead: beyond the edge nothing lives; cylinder: left "
+           "meets right; klein: a torus whose top meets the bottom reversed; kleinSideways: a torus whose "
+           "left meets the right reversed; crossSurface: both; sphere: top meets left, right meets bottom. "
+           "Left out: the border of a pattern made for a bounded grid, if there is one.");
   f.leftOut("border", "\"torus\", or a pattern's");
   borderGiven = f.given("border");
-  f.pair(
-      "shift", shift, {-maxLifeSide, maxLifeSide}, "cells",
-      "Of a torus or a Klein bottle: by how much what is met beyond the lower edge lies further right, or "
-      "beyond the right edge further down.");
+  f.pair("shift", shift, {-maxLifeSide, maxLifeSide}, "cells",
+         "Shift of a torus or a Klein bottle: cells beyond the lower edge lie so much further right, or "
+         "cells beyond the right edge so much further down.");
   if (f.given("shift") && f.given("size"))
     if (const std::string problem = shape().problem(size); !problem.empty()) f.error("shift", problem);
   f.number("fill", fill, {0, 1}, "",

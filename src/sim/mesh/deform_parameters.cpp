@@ -6,50 +6,51 @@ namespace simreel::sim {
 
 namespace {
 
-const char* const directionDoc = "Where it goes: from +x towards +z, in the mesh's own space.";
+const char* const directionDoc = "Direction as an angle from +x towards +z, in the mesh's own space.";
 
 void describeRipple(scene::Fields& f, Ripple& r) {
   f.number("amplitude", r.amplitude, {-1e3, 1e3}, "m", "Height of the crests.");
   f.number("speed", r.speed, {-1e4, 1e4}, "1/s", "Radians of phase a second.");
-  f.number("wavelength", r.wavelength, {1e-3, 1e4}, "m", "From crest to crest.");
+  f.number("wavelength", r.wavelength, {1e-3, 1e4}, "m", "Distance from crest to crest.");
   f.number("decay", r.decay, {0, 1e3}, "1/m", "Rate at which it dies away from the centre.");
   glm::vec3 centre(r.centre);
-  f.vector("centre", centre, {-1e4, 1e4}, "m", "Where it comes from, in the mesh's own space.");
+  f.vector("centre", centre, {-1e4, 1e4}, "m", "Place that it spreads from, in the mesh's own space.");
   r.centre = glm::vec4(centre, 0);
 }
 
 void describeWave(scene::Fields& f, Wave& w) {
   f.number("direction", w.direction, {-360, 360}, "degrees", directionDoc);
-  f.number("length", w.length, {1e-3, 1e4}, "m", "From crest to crest.");
+  f.number("length", w.length, {1e-3, 1e4}, "m", "Distance from crest to crest.");
   f.number("amplitude", w.amplitude, {0, 1e3}, "m", "Height of the crests.");
   f.number("steepness", w.steepness, {0, 1}, "", "0: a sine; 1: as sharp as this amplitude allows.");
   f.number("speed", w.speed, {0, 1e3}, "m/s",
-           "Of the crests; 0: that of waves of this length on deep water.");
+           "Speed of the crests; 0: the speed of waves of this length on deep water.");
   f.number("phase", w.initial, {-360, 360}, "degrees", "At time 0.");
 }
 
 void describeSway(scene::Fields& f, Sway& s) {
   f.number("direction", s.direction, {-360, 360}, "degrees", directionDoc);
-  f.number("amplitude", s.amplitude, {0, 1e3}, "m", "How far what is `height` high leans.");
+  f.number("amplitude", s.amplitude, {0, 1e3}, "m", "Distance that a part of the height `height` leans.");
   f.number("base", s.base, {-1e4, 1e4}, "m", "Height below which nothing moves.");
   f.number("height", s.height, {1e-3, 1e4}, "m", "Above the base; the lean grows with its square.");
-  f.number("wavelength", s.wavelength, {1e-2, 1e4}, "m", "Of the gusts.");
+  f.number("wavelength", s.wavelength, {1e-2, 1e4}, "m", "Wavelength of the gusts.");
   f.number("speed", s.speed, {-1e4, 1e4}, "1/s", "Radians of the gusts' phase a second.");
   f.number("lean", s.lean, {-10, 10}, "", "Constant fraction of the amplitude.");
   f.number("gusts", s.gusts, {0, 10}, "", "Changing fraction of the amplitude.");
 }
 
 void describeFootprints(scene::Fields& f, Footprints& p) {
-  f.pair("cells", p.cells, {2, 4096}, "cells", "Of the trail, over the width and depth of the mesh.");
-  f.number("height", p.height, {-1e4, 1e4}, "m", "Of the surface that is pressed.");
-  f.number("depth", p.depth, {1e-4, 1e3}, "m", "Of the deepest print.");
+  f.pair("cells", p.cells, {2, 4096}, "cells", "Cells of the trail, over the width and depth of the mesh.");
+  f.number("height", p.height, {-1e4, 1e4}, "m", "Height of the surface that is pressed.");
+  f.number("depth", p.depth, {1e-4, 1e3}, "m", "Depth of the deepest print.");
   f.number("rim", p.rim, {0, 10}, "",
-           "Height of what piles up beside a print, as a fraction of its depth.");
-  f.number("rimWidth", p.rimWidth, {1e-3, 1e3}, "m", "Of the rim.");
+           "Height of the rim beside a print, as a fraction of the print's depth.");
+  f.number("rimWidth", p.rimWidth, {1e-3, 1e3}, "m", "Width of the rim.");
 }
 
 void describePush(scene::Fields& f, Push& p) {
-  f.number("softness", p.softness, {0, 1e3}, "m", "How far around a collider the mesh gives way.");
+  f.number("softness", p.softness, {0, 1e3}, "m",
+           "Distance around a collider within which the mesh gives way.");
   f.number("base", p.base, {-1e4, 1e4}, "m", "Height at which the mesh is rooted.");
   f.number("height", p.height, {0, 1e4}, "m",
            "Above the base, over which it begins to give way; 0: everywhere.");
@@ -67,7 +68,7 @@ void DisplacementParameters::describe(scene::Fields& f) {
                   [&](scene::Fields& g) { describeRipple(g, ripple); });
   f.list("waves", waves, "Travelling waves (Gerstner) that add up.",
          [](scene::Fields& g, Wave& wave) { describeWave(g, wave); });
-  f.optionalGroup("sway", sway.on, "Wind that bends what stands up.",
+  f.optionalGroup("sway", sway.on, "Wind that bends the standing parts of the mesh.",
                   [&](scene::Fields& g) { describeSway(g, sway); });
   f.optionalGroup("footprints", footprints.on,
                   "Prints that the scene's spheres and capsules leave, for good.",
@@ -79,12 +80,11 @@ void DisplacementParameters::describe(scene::Fields& f) {
 void DeformParameters::describe(scene::Fields& f) {
   f.list("deform", list, "Displacements, one after the other; each entry is one of them.",
          [](scene::Fields& g, DisplacementParameters& entry) { entry.describe(g); });
-  f.choice(
-      "technique", technique, {"compute", "single-thread", "jobs", "mapped", "vertex-shader"},
-      "Where the deformed vertices are computed: on the device; on one thread; on all threads; on all, "
-      "straight into mapped memory; or where they are drawn.");
+  f.choice("technique", technique, {"compute", "single-thread", "jobs", "mapped", "vertex-shader"},
+           "Place where deformed vertices are computed: on the device; on one thread; on all threads; on "
+           "all, straight into mapped memory; or in the vertex shader that draws them.");
   f.boolean("readback", readback,
-            "Whether \"compute\" also copies each frame's positions to the CPU, without waiting for them.");
+            "Makes \"compute\" copy each frame's positions to the CPU too, without waiting for them.");
   std::size_t count = 0;
   int trails = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {

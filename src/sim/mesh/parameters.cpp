@@ -33,27 +33,27 @@ glm::ivec2 minResolution(MeshShape shape) {
 
 void MeshParameters::describe(scene::Fields& f) {
   f.choice("shape", shape, {"plane", "sphere", "torus", "grass", "file"},
-           "Generated, or read from \"file\".");
+           "Shape that is generated, or \"file\": read from a file.");
   f.asset("file", file, "OBJ, PLY, glTF or GLB, in m, for the shape \"file\".");
   scene::implyShape(f, shape, MeshShape::file, "file", file, "file", "plane");
   f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane or of a field of grass (x and z).");
-  f.number("radius", radius, {1e-4, 1e4}, "m", "Of a sphere; of a torus to the middle of its tube.");
+  f.number("radius", radius, {1e-4, 1e4}, "m",
+           "Radius of a sphere; of a torus, the distance to the middle of its tube.");
   f.number("tube", tube, {1e-4, 1e4}, "m", "Radius of a torus' tube.");
-  f.pair(
-      "resolution", resolution, {2, 16384}, "vertices",
-      "Along u and v: x and z of a plane; around and from pole to pole of a sphere; along and around the "
-      "tube of a torus.");
+  f.pair("resolution", resolution, {2, 16384}, "vertices",
+         "Vertices along u and v: along x and z of a plane; around and from pole to pole of a sphere; "
+         "along and around the tube of a torus.");
   f.integer("blades", blades, {1, 1'000'000}, "",
-            "Of grass, scattered over its field by the scene's seed.");
-  f.number("bladeHeight", bladeHeight, {1e-4, 1e3}, "m", "Of the tallest blades of grass.");
-  f.number("bladeWidth", bladeWidth, {1e-5, 1e2}, "m", "Of a blade of grass at its root.");
-  f.vector("position", position, scene::anyNumber, "m", "Where the mesh's origin is.");
+            "Blades of grass, scattered over its field by the scene's seed.");
+  f.number("bladeHeight", bladeHeight, {1e-4, 1e3}, "m", "Height of the tallest blades of grass.");
+  f.number("bladeWidth", bladeWidth, {1e-5, 1e2}, "m", "Width of a blade of grass at its root.");
+  f.vector("position", position, scene::anyNumber, "m", "Place of the mesh's origin.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
   f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the mesh's coordinates.");
   f.choice(
       "sides", sides, {"auto", "one", "both"},
       "Which sides of the triangles are drawn; \"auto\": both of a plane and of grass, else the front.");
-  f.boolean("visible", visible, "Whether it is drawn.");
+  f.boolean("visible", visible, "Draws it.");
   deform.describe(f);
   describeCollision(f);
   remarkShape(f);
@@ -82,21 +82,17 @@ void MeshParameters::remarkShape(scene::Fields& f) const {
 
 void MeshParameters::describeCollision(scene::Fields& f) {
   f.booleanOr("collides", collides, byFaces, "faces",
-              "true: cloth, and particles that ask for it, touch it: a closed mesh as it is, wherever it "
-              "moves; or a "
-              "deformed plane, onto which they fall, one of a scene; \"faces\": cloth with \"contact\" "
-              "keeps off its "
-              "triangles, of any shape, open or closed, moved or deformed.");
-  f.number("grip", grip, {0, 1e6}, "1/s",
-           "Rate at which what slides over it loses speed, where it collides.");
+              "true: cloth, and particles that collide, touch a closed mesh wherever it moves, or fall "
+              "onto a deformed plane (one of a scene). \"faces\": cloth with \"contact\" keeps a distance "
+              "from its triangles; the mesh may be open or closed, moved or deformed.");
+  f.number("grip", grip, {0, 1e6}, "1/s", "Rate at which sliding objects lose speed, if it collides.");
   f.optionalNumber(
       "friction", friction, {0, 100}, "",
-      "Coulomb's coefficient, instead of grip, of a closed mesh that collides: what lies there "
-      "holds on slopes up to its arc tangent. Of faces: with a cloth's the mean of both; left out the "
-      "cloth's.");
+      "Coulomb's coefficient, instead of grip, for a closed mesh that collides: objects hold on slopes up "
+      "to its arc tangent. With \"faces\": the mean with the cloth's coefficient; left out: the cloth's.");
   f.integer("distanceCells", distanceCells, {0, 1024}, "cells",
-            "Along the longest side of a closed mesh that collides: its distances are known at the corners "
-            "of cells; 0: 64, and up to 256 where it is thin.");
+            "Cells of the distance field along the longest side of a closed mesh that collides; 0: 64, and "
+            "up to 256 for thin meshes.");
   if (friction && f.given("grip")) f.error("friction", "give \"grip\" or \"friction\", not both");
   if (!collides && !byFaces && f.given("friction"))
     f.error("friction", "\"friction\" is for a mesh with \"collides\": true or \"faces\"");

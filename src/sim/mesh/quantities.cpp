@@ -11,12 +11,13 @@ namespace simreel::sim {
 
 std::span<const scene::Quantity> MeshParameters::quantities() const {
   static const scene::Quantity table[] = {
-      {"population", "", "Vertices."},
+      {"population", "", "Number of vertices."},
       {"lowest", "m", "Height of the lowest vertex."},
       {"highest", "m", "Height of the highest vertex."},
-      {"meanHeight", "m", "Of all vertices."},
-      {"area", "m^2", "Of all triangles."},
-      {"volume", "m^3", "Enclosed; of an open mesh, with the origin as the tip of its cones."}};
+      {"meanHeight", "m", "Mean height of all vertices."},
+      {"area", "m^2", "Area of all triangles."},
+      {"volume", "m^3",
+       "Enclosed volume; for an open mesh, the volume of the cones from the origin to its triangles."}};
   return table;
 }
 

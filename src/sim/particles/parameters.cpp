@@ -72,19 +72,18 @@ void includeEmitter(std::optional<scene::Box>& box, const Emitter& emitter, cons
 void ParticleGroup::describe(scene::Fields& f) {
   f.choice("shape", shape, {"ball", "cube", "plummer", "disk", "file"},
            "Uniform ball or cube, Plummer sphere or rotating disk in equilibrium, or read from a file.");
-  f.integer("count", count, {1, 1 << 24}, "particles", "How many; ignored for a file.");
-  f.number(
-      "radius", radius, {1e-4, 1e5}, "m",
-      "Of the ball; half the side of the cube; scale radius of the Plummer sphere; scale length of the "
-      "disk.");
+  f.integer("count", count, {1, 1 << 24}, "particles", "Number of particles; a file has its own.");
+  f.number("radius", radius, {1e-4, 1e5}, "m",
+           "Radius of the ball, half the side of the cube, scale radius of the Plummer sphere or scale "
+           "length of the disk.");
   f.number("thickness", thickness, {0, 10}, "", "Scale height of a disk as a fraction of its radius.");
   f.number("totalMass", totalMass, {1e-6, 1e8}, "kg", "Shared equally; a file may give masses itself.");
   f.number("centralMass", centralMass, {0, 1e8}, "kg",
-           "Of one more particle in the middle, a disk's bulge; 0: none.");
+           "Mass of one more particle in the middle, the bulge of a disk; 0: none.");
   f.number("speed", speed, {0, 1e5}, "m/s", "Random velocity of the particles of a ball or cube.");
   f.number("spin", spin, {-1e4, 1e4}, "rad/s", "Rotation of a ball or cube about its own y axis.");
-  f.vector("position", position, {-1e7, 1e7}, "m", "Of the middle.");
-  f.vector("velocity", velocity, {-1e6, 1e6}, "m/s", "Of the whole group.");
+  f.vector("position", position, {-1e7, 1e7}, "m", "Position of the middle.");
+  f.vector("velocity", velocity, {-1e6, 1e6}, "m/s", "Velocity of the whole group.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees",
            "About x, then y, then z; unrotated a disk lies in the xz plane.");
   f.asset("file", file, "CSV with a first line naming x,y,z[,vx,vy,vz][,mass], or PLY.");
@@ -103,14 +102,14 @@ void ParticleGroup::describe(scene::Fields& f) {
 void Emitter::describe(scene::Fields& f) {
   f.number("rate", rate, {1e-3, 1e8}, "1/s", "Particles born per second.");
   f.vector("position", position, {-1e7, 1e7}, "m", "Middle of the ball in which they appear.");
-  f.number("radius", radius, {0, 1e5}, "m", "Of that ball.");
+  f.number("radius", radius, {0, 1e5}, "m", "Radius of that ball.");
   f.vector("velocity", velocity, {-1e6, 1e6}, "m/s", "Mean velocity at birth.");
   f.number("spread", spread, {0, 180}, "degrees", "Half the angle of the cone of velocities.");
-  f.number("speedVariation", speedVariation, {0, 1}, "", "How much the speed varies, as a fraction.");
+  f.number("speedVariation", speedVariation, {0, 1}, "", "Variation of the speed, as a fraction.");
   f.number("lifetime", lifetime, {1e-3, 1e5}, "s", "Mean time a particle lives.");
   f.number("lifetimeVariation", lifetimeVariation, {0, 0.95}, "",
-           "How much the lifetime varies, as a fraction.");
-  f.number("mass", mass, {1e-9, 1e8}, "kg", "Of each particle.");
+           "Variation of the lifetime, as a fraction.");
+  f.number("mass", mass, {1e-9, 1e8}, "kg", "Mass of each particle.");
   f.number("from", from, {0, 1e9}, "s", "When it starts; 0: at once, before frame 0 too.");
   f.number("until", until, {0, 1e9}, "s", "When it stops.");
   if (until < from) f.error("until", "the emitter stops before it starts");
@@ -123,48 +122,47 @@ void ParticleParameters::describe(scene::Fields& f) {
       "emitters", emitters, "Sources of particles that live for a while.",
       [](scene::Fields& e, Emitter& emitter) { emitter.describe(e); }, shader::maxEmitters);
   f.choice("method", method, {"none", "all-pairs", "tree"},
-           "How particles attract each other: not at all, each by each (exact, N^2), or by groups far away "
-           "(N log N).");
+           "Attraction between particles. none: no attraction; all-pairs: each by each (exact, N^2); tree: "
+           "distant groups as one body (N log N).");
   f.leftOut("method", "\"all-pairs\", of emitters alone \"none\"");
   if (!f.given("method") && groups.empty() && !emitters.empty()) method = GravityMethod::none;
   f.number("gravity", gravity, {0, 1e6}, "m^3/(kg s^2)", "The constant G.");
   f.number("softening", softening, {1e-6, 1e4}, "m",
            "Length below which the attraction between particles fades.");
   f.number("opening", opening, {0, 1.15}, "rad",
-           "Of \"tree\": the angle below which a cell counts as one body; smaller is more exact.");
+           "Angle below which \"tree\" counts a cell as one body; smaller is more exact.");
   f.optionalGroup("attractor", hasAttractor, "A heavy body that moves along keyframes and is not moved.",
                   [&](scene::Fields& a) {
-                    a.vector("position", attractorPosition, {-1e7, 1e7}, "m", "Where it is.");
+                    a.vector("position", attractorPosition, {-1e7, 1e7}, "m", "Place of the attractor.");
                     a.number("mass", attractorMass, {-1e8, 1e8}, "kg", "Negative ones push away.");
                     a.number("softening", attractorSoftening, {1e-6, 1e4}, "m",
                              "Length below which its attraction fades.");
                   });
   f.vector("acceleration", acceleration, {-1e6, 1e6}, "m/s^2",
-           "The same for every particle, such as weight.");
+           "Acceleration of every particle, such as gravity.");
   f.number("damping", damping, {0, 1e4}, "1/s",
            "Rate at which velocity decays; 0.06 keeps 0.999 of it each 1/60 s.");
   f.group("turbulence", "Swirls without sources that push the particles about.", [&](scene::Fields& t) {
     t.number("strength", turbulence.strength, {0, 1e5}, "m/s^2", "Typical acceleration; 0: none.");
-    t.number("size", turbulence.size, {1e-3, 1e6}, "m", "Of the swirls.");
-    t.number("speed", turbulence.speed, {0, 1e5}, "m/s", "At which they drift through the scene.");
+    t.number("size", turbulence.size, {1e-3, 1e6}, "m", "Size of the swirls.");
+    t.number("speed", turbulence.speed, {0, 1e5}, "m/s", "Speed at which they drift through the scene.");
     t.idleUnless(turbulence.strength != 0, "strength", {"size", "speed"}, "turbulence with a \"strength\"");
   });
   f.optionalGroup("wind", hasWind, "Wind that carries them along.", [&](scene::Fields& w) {
-    w.text(
-        "fluid", windFluid,
-        "Name of the fluid that it is, where its \"plane\" lies in the world; outside of its rectangle the "
-        "air is still. In all of a frame it is the wind of the frame's end.");
+    w.text("fluid", windFluid,
+           "Name of the fluid whose flow is the wind, where its \"plane\" lies in the world; outside its "
+           "rectangle the air is still. The flow at the end of a frame counts for all of it.");
     w.number("drag", windDrag, {0, 1e4}, "1/s", "Rate at which their velocity becomes the wind's.");
     if (windFluid.empty()) w.error("fluid", "whose wind? Give \"fluid\", the name of one of this scene");
   });
   f.integer("substeps", substeps, {1, 1024}, "per frame", "Steps a frame is divided into.");
   f.boolean("collides", collides,
-            "Whether they meet what collides: shapes, the ground, bodies, a mesh that collides, and cloths "
-            "with \"contact\".");
+            "Makes them meet everything that collides: shapes, the ground, bodies, a mesh that collides, "
+            "and cloths with \"contact\".");
   f.text("cloths", cloths,
-         "Which cloths with \"contact\" they meet, of those that collide: \"all\", \"none\" or the name of "
-         "one. Cloth and particle push each other, by their masses; at the distance \"margin\" and half "
-         "the cloth's thickness; friction is the cloth's. Cloths without \"contact\" let them through.");
+         "Cloths with \"contact\" that they meet: \"all\", \"none\" or the name of one. Cloth and particle "
+         "push each other, by their masses, at the distance \"margin\" plus half the cloth's thickness; "
+         "friction is the cloth's. Cloths without \"contact\" let them through.");
   f.text("walls", walls, "Name of the cave or contour whose walls, floor and tops they meet.");
   f.number("bounce", bounce, {0, 1}, "", "Fraction of the speed of impact that is given back.");
   f.number("margin", margin, {0, 1e3}, "m", "Distance kept from what they meet, and from walls.");
@@ -173,7 +171,7 @@ void ParticleParameters::describe(scene::Fields& f) {
   for (const char* name : {"bounce", "margin"})
     if (!collides && walls.empty() && f.given(name))
       f.error(name, fmt::format("\"{}\" is for particles with \"collides\": true or \"walls\"", name));
-  f.group("look", "How the particles are drawn.", [&](scene::Fields& l) { describeLook(l); });
+  f.group("look", "Look of the particles.", [&](scene::Fields& l) { describeLook(l); });
   remarkForces(f);
   if (groups.empty() && emitters.empty())
     f.error("groups", "no particles: give \"groups\" or \"emitters\"");
@@ -197,14 +195,15 @@ void ParticleParameters::describeLook(scene::Fields& l) {
   l.asset("mesh", mesh, "OBJ or PLY file of shape \"mesh\".");
   scene::implyShape(l, shape, Instances::Shape::mesh, "mesh", mesh, "mesh", "sprite");
   l.boolean("alongVelocity", alongVelocity, "Turns a mesh's z axis along the velocity.");
-  l.number("size", size, {1e-5, 1e5}, "m", "Diameter; of a mesh, factor on its coordinates.");
+  l.number("size", size, {1e-5, 1e5}, "m", "Diameter; for a mesh, a factor on its coordinates.");
   l.number("massExponent", massExponent, {0, 2}, "",
            "Size grows with mass to this power; 0.333 for balls of one density.");
   l.choice("colorBy", colorBy, {"material", "speed", "mass", "age"},
            "The object's material, or a colour map of the speed, mass or age.");
   l.number("colorFrom", colorRange.x, scene::anyNumber, "",
            "Speed (m/s), mass (kg) or age (0 to 1) at the start of the colour map.");
-  l.number("colorTo", colorRange.y, scene::anyNumber, "", "The same at its end.");
+  l.number("colorTo", colorRange.y, scene::anyNumber, "",
+           "Speed (m/s), mass (kg) or age (0 to 1) at the end of the colour map.");
   int map = 0;
   l.oneOf("colors", map, {std::begin(colorMaps), std::end(colorMaps)}, "Colour map.");
   std::vector<ColorStop> stops;
@@ -244,7 +243,7 @@ ParticleParameters ParticleParameters::inStep(int contactSubsteps) const {
 
 std::span<const scene::Quantity> ParticleParameters::quantities() const {
   static const scene::Quantity table[] = {{"population", "", "Living particles."},
-                                          {"mass", "kg", "Of all living particles."},
+                                          {"mass", "kg", "Mass of all living particles."},
                                           {"momentum", "kg m/s", "Size of the sum of mass times velocity."},
                                           {"kineticEnergy", "J", "Sum of m v^2 / 2."}};
   return table;

@@ -26,18 +26,20 @@ void ReactionMesh::describe(scene::Fields& f) {
   f.choice("shape", shape, {"file", "plane", "sphere", "torus"}, "Read from \"file\", or generated.");
   f.asset("file", file, "OBJ, PLY, glTF or GLB, in m; open or closed.");
   f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane (x and z).");
-  f.number("radius", radius, {1e-4, 1e4}, "m", "Of a sphere; of a torus to the middle of its tube.");
+  f.number("radius", radius, {1e-4, 1e4}, "m",
+           "Radius of a sphere; of a torus, the distance to the middle of its tube.");
   f.number("tube", tube, {1e-4, 1e4}, "m", "Radius of a torus' tube.");
   f.pair("resolution", resolution, {4, 4096}, "vertices",
-         "Of what is generated, along u and v; a sphere has as many or more, evenly spread.");
-  f.integer("refine", refine, {0, 6}, "",
-            "How often each face becomes four, all of it rounder (Loop's subdivision).");
+         "Vertices of a generated mesh along u and v; a sphere has as many or more, evenly spread.");
+  f.integer(
+      "refine", refine, {0, 6}, "",
+      "Times that each face is divided into four, which makes the mesh rounder (Loop's subdivision).");
   f.choice("maps", maps, {"texture", "front", "top"},
-           "How images and other objects' fields lie on it: by texture coordinates (of a sphere longitude "
-           "and latitude), or over its box as it is seen from the front or from above.");
+           "Placement of images and other objects' fields on the mesh: by texture coordinates (on a sphere "
+           "longitude and latitude), or over its box as seen from the front or from above.");
   f.leftOut("maps", "\"texture\" where there are such coordinates, else \"front\"");
   hasMaps = f.given("maps");
-  f.vector("position", position, scene::anyNumber, "m", "Where the mesh's origin is.");
+  f.vector("position", position, scene::anyNumber, "m", "Place of the mesh's origin.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
   f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the mesh's coordinates.");
   if (shape == Shape::file && file.empty())

@@ -52,18 +52,18 @@ void ReactionParameters::describe(scene::Fields& f) {
   std::vector<const char*> names;
   for (const ReactionPreset& known : reactionPresets()) names.push_back(known.name);
   f.oneOf("preset", preset, names,
-          "Equations by name, below; what else is given changes or completes them.");
+          "Equations by name, listed below; other parameters change or complete them.");
   if (f.given("preset") && preset >= 0) reactionPresets()[static_cast<std::size_t>(preset)].apply(*this);
   const auto presets = [&](const char* name, const char* other) {
     f.leftOut(name, fmt::format("the preset's, or {}", other).c_str());
   };
-  f.number("spacing", spacing, {1e-6, 1e6}, "units of length", "Of cells.");
+  f.number("spacing", spacing, {1e-6, 1e6}, "units of length", "Distance between cells.");
   presets("spacing", "1; on a mesh as much as lets steps be stable that are so on a grid");
   hasSpacing = f.given("spacing");
-  f.number("dt", dt, {1e-9, 1e6}, "units of time", "Of a step.");
+  f.number("dt", dt, {1e-9, 1e6}, "units of time", "Length of a step.");
   presets("dt", "0.1");
   f.choice("method", method, {"euler", "heun", "rk4"},
-           "How a step goes: of order 1, 2 or 4 in time, with as many evaluations of the rates.");
+           "Method of a step: of order 1, 2 or 4 in time, with as many evaluations of the rates.");
   presets("method", "euler");
   f.integer("steps", steps, {0, 100000}, "per frame", "Steps a frame takes.");
   presets("steps", "8");
@@ -84,12 +84,11 @@ void ReactionParameters::describe(scene::Fields& f) {
         p.asset("image", parameter.image,
                 "Picture that sets it: \"value\" where it is black, \"white\" where white.");
         p.number("white", parameter.white, scene::anyNumber, "", "Value where \"image\" is white.");
-        p.text(
-            "field", parameter.field,
-            "Name of another object's field whose values it has, NAME or NAME.u, as that is when "
-            "the frame begins; both grids cover the same, bilinear between cells. On a mesh it lies "
-            "as \"maps\" says, or is one of the same mesh, cell by cell. In a volume it is the same in all "
-            "layers, or that of a volume of the same proportions, trilinear.");
+        p.text("field", parameter.field,
+               "Name of another object's field that supplies the values, NAME or NAME.u, as it is when the "
+               "frame begins. Both grids cover the same area; values are bilinear between cells. On a mesh "
+               "it lies as \"maps\" says, or it is a field of the same mesh, cell by cell. In a volume it "
+               "is the same in all layers, or the field of a volume of the same proportions, trilinear.");
         p.leftOut("field", "none");
         for (const char* other : {"value", "across", "down", "image", "white"})
           if (!parameter.field.empty() && p.given(other))
@@ -105,33 +104,34 @@ void ReactionParameters::describe(scene::Fields& f) {
   completed(f, "lets", "Names for expressions, which others may use; a stencil may be laid over them.",
             "let", 32, lets,
             [](scene::Fields& l, ReactionLet& let) { l.text("is", let.is, "An expression."); });
-  completed(f, "species", "What there is in each cell.", "species", maxSpecies, species,
+  completed(f, "species", "Substances, each with its value in every cell.", "species", maxSpecies, species,
             [](scene::Fields& s, ReactionSpecies& one) {
               s.number("diffusion", one.diffusion, {0, 1e6}, "lengths^2 per unit of time",
                        "D of the term D laplacian(u) in its rate.");
               s.text("rate", one.rate, "The rest of its rate of change: an expression.");
               s.text("next", one.next,
-                     "What it becomes in each step, instead of a rate: an expression, as of an automaton.");
+                     "Expression for its value after each step, instead of a rate; for automata.");
               s.leftOut("next", "nothing: it has a rate");
               s.text("start", one.start,
                      "In the first state: an expression of x, y, in volumes z, random(k) and parameters.");
               s.number("edge", one.edge, scene::anyNumber, "",
                        "Beyond the edges of \"boundary\": \"fixed\".");
             });
-  f.text("show", show, "What is drawn: a species, or any expression.");
+  f.text("show", show, "Value that is drawn: a species, or any expression.");
   f.leftOut("show", "the preset's, or the first species");
   f.list(
       "strokes", strokes,
       "Timed strokes of a brush. In a volume places have three numbers, and circles are balls; on a mesh "
       "places and radii are m of the world, where the mesh is then.",
       [](scene::Fields& s, ReactionStroke& stroke) {
-        stroke.describe(s, 1e9, "What is painted.");
+        stroke.describe(s, 1e9, "Value that is painted.");
         s.text("species", stroke.species, "Which species is painted.");
         s.leftOut("species", "the first");
       });
-  f.group("display", "How what is shown is laid over the picture; of a volume its colours alone count.",
+  f.group("display",
+          "Placement of the value that is shown over the picture; for a volume only its colours count.",
           [&](scene::Fields& d) { display.describe(d); });
-  f.group("surface", "How a volume is drawn: as a surface where what is shown has a certain value.",
+  f.group("surface", "Draws a volume as the surface where the value that is shown reaches a level.",
           [&](scene::Fields& g) { surface.describe(g); });
   f.optionalGroup(
       "mesh", mesh.present,
@@ -170,21 +170,20 @@ void ReactionParameters::describe(scene::Fields& f) {
 }
 
 void ReactionSurface::describe(scene::Fields& f) {
-  f.choice(
-      "draw", draw, {"isosurface", "cubes"},
-      "Smoothly, where what is shown passes \"level\"; or every cell that is at that level or above as a "
-      "cube.");
-  f.number("level", level, scene::anyNumber, "", "What is shown is at least this within the surface.");
+  f.choice("draw", draw, {"isosurface", "cubes"},
+           "isosurface: a smooth surface where the value passes \"level\"; cubes: a cube for every cell at "
+           "that level or above.");
+  f.number("level", level, scene::anyNumber, "", "Value at the surface; inside it is greater.");
   f.leftOut("level", "the middle between the display's \"low\" and \"high\"");
   hasLevel = f.given("level");
-  f.text(
-      "color", color,
-      "What colours it by the display's \"map\" from \"low\" to \"high\": a species, or any expression.");
+  f.text("color", color,
+         "Value that the display's \"map\" colours it by, from \"low\" to \"high\": a species, or any "
+         "expression.");
   f.leftOut("color", "nothing: it has its material's colour");
   f.vector("position", position, scene::anyNumber, "m", "Middle of the volume.");
-  f.number("width", width, {1e-3, 1e4}, "m", "Of the volume along x; its cells are cubes.");
+  f.number("width", width, {1e-3, 1e4}, "m", "Width of the volume along x; its cells are cubes.");
   f.boolean("closed", closed,
-            "Whether the surface is closed where it reaches the volume's border; else it ends there.");
+            "Closes the surface where it reaches the border of the volume; else it ends there.");
 }
 
 void ReactionParameters::checkSpace(scene::Fields& f) const {
@@ -284,11 +283,12 @@ int ReactionParameters::painted(const ReactionStroke& stroke) const {
 }
 
 std::span<const scene::Quantity> ReactionParameters::quantities() const {
-  static const scene::Quantity table[] = {{"meanValue", "", "Of what is shown."},
-                                          {"leastValue", "", "Of what is shown."},
-                                          {"mostValue", "", "Of what is shown."},
-                                          {"deviation", "", "Root of the variance of what is shown."},
-                                          {"wavelength", "cells", "Of most of that variance."}};
+  static const scene::Quantity table[] = {
+      {"meanValue", "", "Mean of the value that is shown."},
+      {"leastValue", "", "Least of the value that is shown."},
+      {"mostValue", "", "Greatest of the value that is shown."},
+      {"deviation", "", "Standard deviation of the value that is shown."},
+      {"wavelength", "cells", "Wavelength that holds most of that variance."}};
   return table;
 }
 

@@ -82,13 +82,12 @@ void ShapeParameters::describe(scene::Fields& f) {
   if (shape.kind == Kind::plane)
     f.vector("size", size, {0, 1e4}, "m",
              "Width and depth of the drawn part (x and z); it collides without end.");
-  f.boolean("collides", collides, "Whether simulations touch it.");
-  f.boolean("visible", visible, "Whether it is drawn.");
+  f.boolean("collides", collides, "Makes simulations touch it.");
+  f.boolean("visible", visible, "Draws it.");
   f.number("grip", shape.grip, {0, 1e6}, "1/s",
-           "Rate at which what slides over it loses speed; 25.3 keeps 0.9 at 240 Hz.");
-  f.optionalNumber(
-      "friction", shape.friction, {0, 100}, "",
-      "Coulomb's coefficient, instead of grip: what lies there holds on slopes up to its arc tangent.");
+           "Rate at which sliding objects lose speed; 25.3 keeps 0.9 of it in 1/240 s.");
+  f.optionalNumber("friction", shape.friction, {0, 100}, "",
+                   "Coulomb's coefficient, instead of grip: objects hold on slopes up to its arc tangent.");
   if (shape.friction && f.given("grip")) f.error("friction", "give \"grip\" or \"friction\", not both");
   f.idleUnless(shape.kind != Kind::plane || visible, "visible", {"size"}, "a plane that is \"visible\"");
   f.idleUnless(collides, "collides", {"grip", "friction"}, "what \"collides\"");

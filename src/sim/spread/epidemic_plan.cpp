@@ -26,17 +26,17 @@ void EpidemicParameters::describe(scene::Fields& f) {
   f.number("immune", immune, {0, 1}, "", "Fraction of the people that is immune at the start.");
   f.asset("population", population, "Picture: the lighter, the more of the cells are inhabited.");
   f.integer("trail", trail, {1, 100000}, "steps",
-            "Over which colours follow an infection and what is left of it.");
+            "Steps over which colours show an infection and the recovery.");
   f.list("strokes", strokes, "Timed brush strokes.", [](scene::Fields& s, StrokeParameters& stroke) {
     stroke.describe(s, 1, "1 infects susceptible people; 0 makes people immune.");
   });
   f.group("colors", "Linear RGB of the states.", [&](scene::Fields& c) {
-    c.vector("susceptible", susceptible, {0, 1}, "", "Of people that can be infected.");
-    c.vector("infection", infection, {0, 1}, "", "Of people infected just now.");
-    c.vector("infectious", infectious, {0, 1}, "", "Of people infected for long.");
-    c.vector("recovering", recovering, {0, 1}, "", "Of people recovered just now.");
-    c.vector("recovered", recovered, {0, 1}, "", "Of people recovered for long.");
-    c.vector("nobody", nobody, {0, 1}, "", "Of cells where nobody lives.");
+    c.vector("susceptible", susceptible, {0, 1}, "", "People who can be infected.");
+    c.vector("infection", infection, {0, 1}, "", "People infected just now.");
+    c.vector("infectious", infectious, {0, 1}, "", "People infected for a long time.");
+    c.vector("recovering", recovering, {0, 1}, "", "People recovered just now.");
+    c.vector("recovered", recovered, {0, 1}, "", "People recovered a long time ago.");
+    c.vector("nobody", nobody, {0, 1}, "", "Uninhabited cells.");
   });
   describeLook(f);
   if (infected + immune > 1)
@@ -127,9 +127,9 @@ std::vector<glm::vec3> EpidemicPlan::palette() const {
 }
 
 std::span<const scene::Quantity> EpidemicParameters::quantities() const {
-  static const scene::Quantity table[] = {{"susceptible", "", "People that can be infected."},
-                                          {"infected", "", "People that infect others."},
-                                          {"recovered", "", "People that are immune."},
+  static const scene::Quantity table[] = {{"susceptible", "", "People who can be infected."},
+                                          {"infected", "", "People who infect others."},
+                                          {"recovered", "", "People who are immune."},
                                           {"people", "", "All people; stays the same."}};
   return table;
 }

@@ -48,9 +48,9 @@ void SpreadParameters::describeGrid(scene::Fields& f) {
 void SpreadParameters::describeLook(scene::Fields& f) {
   f.boolean("chart", chart, "Draws the counts so far as curves over the picture.");
   f.number("chartSeconds", chartSeconds, {0, 1e6}, "s",
-           "Length of the chart's time axis, which grows when it is over.");
+           "Length of the chart's time axis, which grows beyond that when needed.");
   f.idleUnless(chart, "chart", {"chartSeconds"}, "a \"chart\"");
-  f.group("display", "How it is laid over the picture.", [&](scene::Fields& d) {
+  f.group("display", "Placement of the field over the picture.", [&](scene::Fields& d) {
     display.describe(d);
     for (const char* name : {"map", "stops", "low", "high"}) {
       d.leftOut(name, "by \"colors\"");

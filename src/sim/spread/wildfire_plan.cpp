@@ -71,9 +71,9 @@ void WildfireParameters::describe(scene::Fields& f) {
   f.asset("moistureMap", moistureMap, "Picture: white is too wet to burn.");
   f.number("spread", spread, {0, 1}, "per step",
            "Probability that a burning cell lights dry, full fuel beside it without wind.");
-  f.group("wind", "What carries the fire.", [&](scene::Fields& w) {
+  f.group("wind", "Wind that carries the fire.", [&](scene::Fields& w) {
     w.number("direction", windDirection, {-36000, 36000}, "degrees",
-             "Where it blows to: 0 to the right, 90 up.");
+             "Direction that it blows to: 0 to the right, 90 up.");
     w.number("strength", windStrength, {0, 20}, "",
              "It spreads e^strength times as likely with the wind and e^-strength times against it; of a "
              "fluid's wind where that has the fluid's \"speed\".");
@@ -86,14 +86,14 @@ void WildfireParameters::describe(scene::Fields& f) {
     if (w.given("direction"))
       w.error("direction", "the fluid says where it blows; leave out \"direction\"");
   });
-  f.integer("burnSteps", burnSteps, {1, 63}, "steps", "How long a cell burns.");
+  f.integer("burnSteps", burnSteps, {1, 63}, "steps", "Time that a cell burns.");
   f.integer("coolSteps", coolSteps, {7, 1000000}, "steps",
             "Until burnt ground no longer glows, on average.");
   f.optionalGroup("embers", hasEmbers, "Sparks that the wind carries ahead.", [&](scene::Fields& e) {
     e.number("chance", embers.chance, {0, 0.0625}, "per step", "Embers that a burning cell throws.");
     e.number("distance", embers.distance, {1, 2000}, "cells", "Longest flight.");
     e.number("spread", embers.spread, {0, 1}, "",
-             "How far to the wind's side, as a fraction of the flight.");
+             "Spread of embers to the sides of the wind, as a fraction of the flight.");
   });
   f.list("strokes", strokes, "Timed brush strokes.", [](scene::Fields& s, StrokeParameters& stroke) {
     stroke.describe(s, 1, "1 lights fuel; 0 clears it away.");
@@ -285,10 +285,10 @@ std::vector<glm::vec3> WildfirePlan::palette() const {
 }
 
 std::span<const scene::Quantity> WildfireParameters::quantities() const {
-  static const scene::Quantity table[] = {{"unburnt", "cells", "With fuel."},
-                                          {"burning", "cells", "On fire."},
-                                          {"burnt", "cells", "That have burnt."},
-                                          {"bare", "cells", "Without fuel, and obstacles."}};
+  static const scene::Quantity table[] = {{"unburnt", "cells", "Cells with fuel that has not burnt."},
+                                          {"burning", "cells", "Cells on fire."},
+                                          {"burnt", "cells", "Cells that have burnt."},
+                                          {"bare", "cells", "Cells without fuel, and obstacles."}};
   return table;
 }
 

@@ -28,21 +28,22 @@ std::optional<TextContent> readContent(const std::string& text) {
 
 void ScreenText::describe(scene::Fields& f) {
   f.number("x", x, {-10, 10}, "", "Where its anchor is: fraction of the picture's width, from the left.");
-  f.number("y", y, {-10, 10}, "", "The same of its height, from the top.");
-  f.number("height", height, {0.001, 10}, "", "Of its capitals, as a fraction of the picture's height.");
+  f.number("y", y, {-10, 10}, "",
+           "Place of its anchor as a fraction of the picture's height, from the top.");
+  f.number("height", height, {0.001, 10}, "",
+           "Height of capital letters, as a fraction of the picture's height.");
   f.vector("color", color, scene::notNegative, "", "Linear RGB; it is not tone mapped.");
   f.number("opacity", opacity, scene::fraction, "", "0: not to be seen.");
   f.number("backdrop", backdrop, scene::fraction, "", "Opacity of a dark panel behind it.");
 }
 
 void TextParameters::describe(scene::Fields& f) {
-  f.text(
-      "text", text,
-      "What it says, in UTF-8; \"\\n\" begins a line. {frame}, {time} (s) and {OBJECT.QUANTITY} stand for "
-      "numbers, {time:1} for one with one digit after the point; \"{{\" is a brace.");
+  f.text("text", text,
+         "Words in UTF-8; \"\\n\" begins a line. {frame}, {time} (s) and {OBJECT.QUANTITY} stand for "
+         "numbers, {time:1} for a number with one digit after the point; \"{{\" is a brace.");
   f.asset("font", font, "A TrueType or OpenType file.");
   f.leftOut("font", "Open Sans, which ships with simreel");
-  f.choice("weight", weight, {"regular", "bold"}, "Of the font that ships.");
+  f.choice("weight", weight, {"regular", "bold"}, "Weight of the shipped font.");
   if (f.given("font") && f.given("weight"))
     f.error("weight", "\"weight\" is of the font that ships; a \"font\" of yours has its own");
   f.choice("align", anchor.across, {"left", "center", "right"},
@@ -53,13 +54,14 @@ void TextParameters::describe(scene::Fields& f) {
       "Which height lies at its place: the first baseline, the top of its capitals, the middle, or the "
       "last baseline.");
   f.leftOut("vertical", "\"baseline\", or \"top\" on the screen");
-  f.number("spacing", spacing, {0, 100}, "", "Of lines, times the font's own.");
-  f.number("height", height, {1e-4, 1e4}, "m", "Of its capitals.");
-  f.number("depth", depth, {0, 1e4}, "m", "How thick it is; 0: flat, seen from both sides.");
+  f.number("spacing", spacing, {0, 100}, "", "Distance of lines, as a factor on the font's own.");
+  f.number("height", height, {1e-4, 1e4}, "m", "Height of capital letters.");
+  f.number("depth", depth, {0, 1e4}, "m", "Thickness of the letters; 0: flat, seen from both sides.");
   f.vector("position", position, scene::anyNumber, "m", "Where its anchor is.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
   f.number("scale", scale, {1e-6, 1e6}, "", "Factor on its size.");
-  f.optionalGroup("screen", onScreen, "Over the picture instead of in the world, sharp, in one colour.",
+  f.optionalGroup("screen", onScreen,
+                  "Places the text over the picture instead of in the world, sharp, in one colour.",
                   [&](scene::Fields& inner) { screen.describe(inner); });
   for (const char* name : {"height", "depth", "position", "rotation", "scale"})
     if (onScreen && f.given(name))

@@ -14,9 +14,9 @@ WaterFloat::WaterFloat() {
 }
 
 void WaterFloat::describe(scene::Fields& f) {
-  f.choice("shape", shape, {"ball", "box", "file"}, "What it is; \"file\": a closed mesh.");
-  f.number("radius", radius, {1e-3, 1e3}, "m", "Of a ball.");
-  f.vector("size", size, {1e-3, 1e3}, "m", "Of a box.");
+  f.choice("shape", shape, {"ball", "box", "file"}, "Shape of the body; \"file\": a closed mesh.");
+  f.number("radius", radius, {1e-3, 1e3}, "m", "Radius of a ball.");
+  f.vector("size", size, {1e-3, 1e3}, "m", "Size of a box.");
   f.asset("file", file, "Closed mesh (OBJ, PLY, glTF), y up, its bow towards +z.");
   scene::implyShape(f, shape, WaterFloatShape::file, "file", file, "file", "ball");
   f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the coordinates of files.");
@@ -30,19 +30,22 @@ void WaterFloat::describe(scene::Fields& f) {
   f.asset("drawn", drawn, "Mesh that is drawn in its place; it may be open: a leaf, a bowl.");
   if (shape != WaterFloatShape::file && drawn.empty() && f.given("scale"))
     f.error("scale", "\"scale\" is of files; give \"drawn\", or the shape \"file\"");
-  f.number("density", density, {1, 1e5}, "kg/m^3", "Of it; water has 1000.");
-  f.optionalNumber("mass", mass, {1e-6, 1e12}, "kg", "Of it, instead of \"density\".");
+  f.number("density", density, {1, 1e5}, "kg/m^3", "Density of the body; water has 1000.");
+  f.optionalNumber("mass", mass, {1e-6, 1e12}, "kg", "Mass of the body, instead of \"density\".");
   f.leftOut("mass", "density * volume");
   if (mass && f.given("density")) f.error("density", "\"mass\" says it; leave out \"density\"");
   f.vector("ballast", ballast, {-1e3, 1e3}, "m",
-           "From the middle of its volume to that of its mass: below, so that it does not capsize.");
+           "Offset from the middle of its volume to its centre of mass; if that lies low, the body does "
+           "not capsize.");
   f.vector("position", position, scene::anyNumber, "m",
-           "Of its origin at the start, from the grid's middle, y over level 0.");
-  f.vector("rotation", rotation, scene::anyNumber, "degrees", "At the start, about x, then y, then z.");
-  f.vector("velocity", velocity, {-1e3, 1e3}, "m/s", "At the start.");
-  f.vector("spin", spin, {-1e5, 1e5}, "degrees/s", "At the start, about x, y and z.");
+           "Place of its origin at the start, from the middle of the grid; y is over level 0.");
+  f.vector("rotation", rotation, scene::anyNumber, "degrees",
+           "Rotation at the start, about x, then y, then z.");
+  f.vector("velocity", velocity, {-1e3, 1e3}, "m/s", "Velocity at the start.");
+  f.vector("spin", spin, {-1e5, 1e5}, "degrees/s", "Angular velocity at the start, about x, y and z.");
   f.number("drag", drag, scene::notNegative, "1/s",
-           "Rate at which it loses its speed through the water, if it is as dense and all under.");
+           "Rate at which it loses its speed through the water, if it is as dense as water and wholly "
+           "under it.");
   f.number("resistance", resistance, {0, 100}, "",
            "Drag coefficient: force over density * speed^2 * area / 2; 0.5 a ball, 1 a box.");
   f.number("keel", keel, {1, 1000}, "", "Factor on both drags sideways, along its x.");
@@ -53,17 +56,20 @@ void WaterFloat::describe(scene::Fields& f) {
       "apart", apart, {0, 1e4}, "m",
       "Radius of a sphere around its middle of mass that other floats touch instead of its shape.");
   f.leftOut("apart", "they touch its shape");
-  f.number("thrust", thrust, {-1e9, 1e9}, "N", "Of its engine, along its z, while it is in the water.");
-  f.number("steering", steering, {-1e9, 1e9}, "N m", "About its y, while it is in the water.");
+  f.number("thrust", thrust, {-1e9, 1e9}, "N",
+           "Thrust of its engine, along its z, while it is in the water.");
+  f.number("steering", steering, {-1e9, 1e9}, "N m",
+           "Torque of its rudder about its y, while it is in the water.");
   f.optionalGroup("tow", towed, "A line that pulls it along.", [&](scene::Fields& t) {
     t.vector("position", tow, scene::anyNumber, "m",
              "Where to, from the grid's middle; y is unused: it floats there.");
-    t.boolean("turns", turns, "Whether its z turns along the way.");
+    t.boolean("turns", turns, "Turns its z along the way.");
     t.number("pull", pull, {1e-2, 50}, "1/s",
-             "How fast it follows: the tow is a critically damped spring.");
+             "Rate at which it follows: the tow is a critically damped spring.");
   });
-  f.vector("color", material.color, scene::fraction, "linear RGB",
-           "Of it. Where none of this and what follows is given, a file's own materials show.");
+  f.vector(
+      "color", material.color, scene::fraction, "linear RGB",
+      "Colour of the body. If neither this nor a parameter below is given, a file's own materials show.");
   f.asset("texture", material.texture, "Picture laid over it by its uv, multiplied with the colour.");
   f.number("roughness", material.roughness, scene::fraction, "", "0 mirrors, 1 is matt.");
   f.number("translucency", material.translucency, scene::fraction, "",

@@ -84,7 +84,7 @@ void WaterParameters::pondTerrain(glm::vec2 extent, float smaller) {
 
 void WaterParameters::describeStart(scene::Fields& f) {
   f.number("level", level, heights, "m",
-           "Of the water's surface at the start; what of the bed is higher is dry.");
+           "Level of the water at the start; where the bed is higher, it is dry.");
   f.list("pools", pools, "Parts with a level of their own at the start: a dam's two sides, say.",
          [](scene::Fields& p, WaterPool& pool) {
            p.vector("from", pool.from, scene::anyNumber, "m",
@@ -92,14 +92,15 @@ void WaterParameters::describeStart(scene::Fields& f) {
            p.vector("to", pool.to, scene::anyNumber, "m", "The corner opposite.");
            p.number("level", pool.level, heights, "m", "Within it.");
          });
-  f.group("terrain", "What is under the water.", [&](scene::Fields& t) {
+  f.group("terrain", "Ground under the water.", [&](scene::Fields& t) {
     t.number("bed", bed, heights, "m", "Height of a flat bed; with an image it counts for nothing.");
     t.asset("image", terrain,
             "Picture of heights: \"low\" where it is black, \"high\" where white; a PNG may have 16 bits.");
-    t.number("low", terrainLow, heights, "m", "Where the image is black.");
-    t.number("high", terrainHigh, heights, "m", "Where it is white.");
+    t.number("low", terrainLow, heights, "m", "Height where the image is black.");
+    t.number("high", terrainHigh, heights, "m", "Height where the image is white.");
     t.integer("smooth", terrainSmooth, {0, 64}, "",
-              "How often an image's heights become means of nine cells: it has but 256 of them.");
+              "Times that an image's heights are averaged over nine cells; an image of 8 bits has only 256 "
+              "heights.");
     t.list("hills", hills, "Round hills that are added, hollows where the height is negative.",
            [](scene::Fields& h, WaterHill& hill) {
              h.vector("center", hill.center, scene::anyNumber, "m",
@@ -107,16 +108,17 @@ void WaterParameters::describeStart(scene::Fields& f) {
              h.vector("radii", hill.radii, {0, 1e6}, "m", "To its foot along x and z; y is unused.");
              if (hill.radii.x < 1e-3F || hill.radii.z < 1e-3F)
                h.error("radii", "a hill is at least 0.001 m wide and deep");
-             h.number("height", hill.height, heights, "m", "In the middle.");
+             h.number("height", hill.height, heights, "m", "Height in the middle.");
            });
     for (const char* name : {"low", "high", "smooth"})
       if (terrain.empty() && t.given(name))
         t.error(name, fmt::format("\"{}\" is of an image; give \"image\"", name));
     if (!terrain.empty() && t.given("bed")) t.error("bed", "an image gives the heights; leave out \"bed\"");
-    t.vector("color", ground, scene::fraction, "linear RGB", "Of the ground.");
-    t.number("roughness", groundRoughness, scene::fraction, "", "Of the ground.");
+    t.vector("color", ground, scene::fraction, "linear RGB", "Colour of the ground.");
+    t.number("roughness", groundRoughness, scene::fraction, "",
+             "Roughness of the ground; 0 mirrors, 1 is matt.");
     t.asset("texture", groundTexture, "Picture laid over the ground, multiplied with its colour.");
-    t.number("repeat", groundRepeat, {1e-3, 1e4}, "", "How often the texture stands along x.");
+    t.number("repeat", groundRepeat, {1e-3, 1e4}, "", "Repeats of the texture along x.");
     if (groundTexture.empty() && t.given("repeat"))
       t.error("repeat", "\"repeat\" is of a texture; give \"texture\"");
   });
@@ -124,9 +126,8 @@ void WaterParameters::describeStart(scene::Fields& f) {
 
 void WaterParameters::describeFlow(scene::Fields& f) {
   f.group("sides",
-          "What lies beyond each side; \"sea\": still water at \"level\", from which \"swell\" comes and "
-          "into which "
-          "waves go.",
+          "Kind of each side; \"sea\" is still water at \"level\": \"swell\" comes from it, and waves "
+          "leave into it.",
           [&](scene::Fields& s) {
             const char* const docs[] = {"Towards -x.", "Towards +x.", "Towards -z.", "Towards +z."};
             for (std::size_t i = 0; i < 4; ++i)
@@ -138,11 +139,11 @@ void WaterParameters::describeFlow(scene::Fields& f) {
                                     sideNames[i + 1]));
           });
   f.list(
-      "swell", swell, "Waves that come in from a side that is \"sea\"; those of one side add up.",
+      "swell", swell, "Waves that come in from a side that is \"sea\"; waves of one side add up.",
       [&](scene::Fields& w, WaterSwell& wave) {
         w.oneOf("side", wave.side, {sideNames.begin(), sideNames.end()}, "Where from.");
-        w.number("height", wave.height, {0, 1e3}, "m", "From trough to crest.");
-        w.number("period", wave.period, {1e-2, 1e4}, "s", "From crest to crest.");
+        w.number("height", wave.height, {0, 1e3}, "m", "Height from trough to crest.");
+        w.number("period", wave.period, {1e-2, 1e4}, "s", "Time from crest to crest.");
         w.number("phase", wave.phase, {-1e3, 1e3}, "periods", "0 rises through the sea's level at 0 s.");
         if (sides[static_cast<std::size_t>(wave.side)] != WaterBorder::sea)
           w.error("side", fmt::format("waves come in over a side that is \"sea\", and \"{}\" is none; give "
@@ -156,40 +157,41 @@ void WaterParameters::describeFlow(scene::Fields& f) {
            "Roughness of the bed after Manning: 0.01 glass, 0.03 a river, 0.1 reeds.");
   f.number("rainfall", rainfall, {0, 1e9}, "mm/h", "Rain that falls evenly on everything.");
   f.integerOr("substeps", substeps, "auto", {1, 1e5}, "per frame",
-              "Steps; \"auto\": so many that nothing goes farther than a quarter of a cell in one.");
+              "Steps that a frame is divided into; \"auto\": so many that no wave goes farther than a "
+              "quarter of a cell in one.");
   f.optionalNumber("greatestDepth", greatestDepth, {1e-6, 1e4}, "m",
-                   "That there will be, for \"auto\" and for what counts as dry.");
+                   "Greatest depth that is expected, for \"auto\" and to decide which cells count as dry.");
   f.leftOut("greatestDepth", "the first state's");
-  f.optionalNumber(
-      "greatestSpeed", greatestSpeed, {0, 1e4}, "m/s",
-      "Of the water, for \"auto\". Faster water is safe up to twice that many cells a step, with "
-      "a warning beyond.");
+  f.optionalNumber("greatestSpeed", greatestSpeed, {0, 1e4}, "m/s",
+                   "Greatest speed of the water, for \"auto\". Faster water is safe up to twice that many "
+                   "cells a step; beyond, there is a warning.");
   f.leftOut("greatestSpeed", "sqrt(gravity * greatestDepth)");
   f.list("drops", drops, "Water that falls in at once, where there is water.",
          [](scene::Fields& d, WaterDropParameters& drop) {
-           d.number("at", drop.at, scene::anyNumber, "s", "When.");
+           d.number("at", drop.at, scene::anyNumber, "s", "Time at which it falls.");
            d.vector("center", drop.center, scene::anyNumber, "m",
-                    "Where, from the grid's middle; y is unused.");
-           d.number("radius", drop.radius, {1e-4, 1e4}, "m", "Of it.");
+                    "Place, from the middle of the grid; y is unused.");
+           d.number("radius", drop.radius, {1e-4, 1e4}, "m", "Radius of the drop.");
            d.number("height", drop.height, heights, "m",
-                    "By which the level rises in its middle; a dent below 0.");
+                    "Rise of the level in its middle; below 0 it is a dent.");
          });
   f.list("drains", drains, "Holes through which water leaves, down to a film.",
          [](scene::Fields& d, WaterDrain& drain) {
            d.vector("center", drain.center, scene::anyNumber, "m",
-                    "Where, from the grid's middle; y is unused.");
-           d.number("radius", drain.radius, {1e-4, 1e4}, "m", "Of it.");
+                    "Place, from the middle of the grid; y is unused.");
+           d.number("radius", drain.radius, {1e-4, 1e4}, "m", "Radius of the drain.");
            d.number("speed", drain.speed, {0, 1e3}, "m/s",
-                    "At which the level would fall in its middle: pi / 3 radius^2 speed m^3 a second.");
-           d.number("from", drain.from, scene::anyNumber, "s", "When it opens.");
-           d.number("until", drain.until, scene::anyNumber, "s", "When it closes.");
+                    "Speed at which the level falls in its middle: pi / 3 radius^2 speed m^3 a second.");
+           d.number("from", drain.from, scene::anyNumber, "s", "Time at which it opens.");
+           d.number("until", drain.until, scene::anyNumber, "s", "Time at which it closes.");
          });
   f.optionalGroup("rain", hasRain, "Drops at random places, where there is water.", [&](scene::Fields& r) {
     r.number("rate", rain.rate, {1e-3, 1e4}, "1/s", "Drops on the whole grid.");
-    r.number("radius", rain.radius, {1e-4, 1e4}, "m", "Of the mean drop; half to one and a half of it.");
-    r.number("height", rain.height, heights, "m", "By which each raises the level in its middle.");
-    r.number("from", rain.from, scene::anyNumber, "s", "When it begins.");
-    r.number("until", rain.until, scene::anyNumber, "s", "When it ends.");
+    r.number("radius", rain.radius, {1e-4, 1e4}, "m",
+             "Radius of the mean drop; drops have half to one and a half of it.");
+    r.number("height", rain.height, heights, "m", "Rise of the level in the middle of each drop.");
+    r.number("from", rain.from, scene::anyNumber, "s", "Time at which it begins.");
+    r.number("until", rain.until, scene::anyNumber, "s", "Time at which it ends.");
   });
   f.list("strokes", strokes, "Timed strokes of a brush, in cells: sources.",
          [](scene::Fields& s, StrokeParameters& stroke) {
@@ -200,25 +202,23 @@ void WaterParameters::describeFlow(scene::Fields& f) {
 }
 
 void WaterParameters::describeLook(scene::Fields& f) {
-  f.boolean(
-      "collides", collides,
-      "Whether cloth, and particles that ask for it, fall onto the water and the dry ground as onto a "
-      "mesh that collides; the water does not feel it. One of a scene.");
-  f.number("grip", grip, {0, 1e6}, "1/s",
-           "Rate at which what slides over it loses speed, where it collides.");
+  f.boolean("collides", collides,
+            "Lets cloth, and particles that collide, fall onto the water and the dry ground as onto a mesh "
+            "that collides; the water does not feel it. Only one object of a scene can.");
+  f.number("grip", grip, {0, 1e6}, "1/s", "Rate at which sliding objects lose speed, if it collides.");
   if (!collides && f.given("grip")) f.error("grip", "\"grip\" is for water with \"collides\": true");
-  f.boolean("visible", visible, "Whether water and ground are drawn.");
+  f.boolean("visible", visible, "Draws water and ground.");
   f.group("look", "The water's colours, instead of the material's.", [&](scene::Fields& l) {
-    l.vector("deep", deep, scene::fraction, "linear RGB", "Where it is deep.");
-    l.number("roughness", roughness, scene::fraction, "", "Of its surface.");
+    l.vector("deep", deep, scene::fraction, "linear RGB", "Colour of deep water.");
+    l.number("roughness", roughness, scene::fraction, "", "Roughness of its surface.");
     l.vector("shallow", shallow, scene::fraction, "linear RGB",
-             "Where it is thin: the ground seen through it.");
+             "Colour of the ground seen through thin water.");
     l.number("clarity", clarity, {1e-4, 1e4}, "m",
              "Depth in which all but 1/e of the ground's light is lost.");
     l.number("foam", foam, {0, 1e3}, "", "White for each unit of slope beyond 0.1.");
   });
   f.idleUnless(visible, "visible", {"look"}, "water that is \"visible\"");
-  f.group("display", "How the depth is laid over the picture; \"layer\" shows it.",
+  f.group("display", "Placement of the depth over the picture; \"layer\" shows it.",
           [&](scene::Fields& d) { display.describe(d); });
 }
 

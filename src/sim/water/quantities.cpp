@@ -13,24 +13,26 @@ constexpr double density = 1000;  ///< kg/m^3
 
 std::span<const scene::Quantity> WaterParameters::quantities() const {
   static constexpr scene::Quantity list[] = {
-      {"volume", "m^3", "Of all water, less what floats displace."},
-      {"kineticEnergy", "J", "Of all water, at 1000 kg/m^3."},
-      {"potentialEnergy", "J", "Of all water over level 0."},
+      {"volume", "m^3", "Volume of all water, without the part that floats displace."},
+      {"kineticEnergy", "J", "Kinetic energy of all water, at 1000 kg/m^3."},
+      {"potentialEnergy", "J", "Potential energy of all water over level 0."},
       {"courant", "", "Greatest (|u| + sqrt(g h)) dt / cell along an axis."},
-      {"fastest", "m/s", "Greatest speed; of what is thinner than 1/10,000 of the greatest depth none."},
+      {"fastest", "m/s", "Greatest speed of water that is deeper than 1/10,000 of the greatest depth."},
       {"deepest", "m", "Greatest depth."},
-      {"wetArea", "m^2", "Of cells with more than 1/200 of the greatest depth."},
-      {"highestLevel", "m", "Of the water there."},
-      {"lowestLevel", "m", "Of the water there; both 0 where all is dry."},
+      {"wetArea", "m^2", "Area of cells with more than 1/200 of the greatest depth."},
+      {"highestLevel", "m", "Highest level where there is water."},
+      {"lowestLevel", "m", "Lowest level where there is water; both are 0 if everything is dry."},
       {"displaced", "m^3",
-       "By all floats, under the reference level of each, which follows the water around it."},
-      {"floatSpeed", "m/s", "Of the fastest float."},
+       "Volume that all floats displace below the reference level of each, which follows the water around "
+       "it."},
+      {"floatSpeed", "m/s", "Speed of the fastest float."},
       {"leastUpright", "", "Least cosine of the angle between a float's y and upwards."},
       {"draft", "m",
-       "Of the first float: its lowest point below the mean level of the water there; 0 without floats."},
-      {"floatX", "m", "Of the first float's middle of mass, from the grid's middle."},
-      {"floatY", "m", "The same over level 0."},
-      {"floatZ", "m", "The same along z."}};
+       "Depth of the first float's lowest point below the mean level of the water there; 0 without "
+       "floats."},
+      {"floatX", "m", "x of the first float's centre of mass, from the middle of the grid."},
+      {"floatY", "m", "Its height over level 0."},
+      {"floatZ", "m", "z of the same point."}};
   return list;
 }
 

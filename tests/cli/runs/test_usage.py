@@ -15,8 +15,8 @@ class CommandLine(Case):
 
     def test_commands(self):
         self.usage(["--help"])
-        self.usage(["unknown command \"frobnicate\"", "--help"], "frobnicate")
-        self.usage(["unknown command \"rendr\"", "did you mean \"render\"?"], "rendr", "scene.json", "-o", "out/")
+        self.usage(["no command \"frobnicate\"", "--help"], "frobnicate")
+        self.usage(["no command \"rendr\"; did you mean \"render\"?", "Render a scene to pictures or a video", "see `simreel --help`"], "rendr", "scene.json", "-o", "out/")
         self.usage(["scene", "--help"], "render")
         self.usage(["--output", "--help"], "render", "scene.json")
         self.usage(["--frob"], "render", "scene.json", "-o", "out/", "--frob")
@@ -25,19 +25,30 @@ class CommandLine(Case):
         self.usage(["clth", "did you mean \"cloth\"?"], "list", "clth")
 
     def test_mistyped_options(self):
-        """Named first, with the nearest of the command's and the command's page."""
+        """Named first, with the nearest of the command's, its help, and the command's page."""
         for arguments, name, meant, command in (
                 (("render", "scene.json", "-o", "out/", "--frame", "3"), "--frame", "--frames", "render"),
-                (("render", "scene.json", "--outpt", "out/"), "--outpt", "--output", "render"),
+                (("render", "scene.json", "-o", "out/", "--frame=3"), "--frame", "--frames", "render"),
+                (("render", "scene.json", "--outpt", "out/"), "--outpt", "--output", "render"), (("render", "scene.json", "--out", "out/"), "--out", "--output", "render"),
                 (("render", "--sise=3x3"), "--sise", "--size", "render"), (("render", "scene.json", "-o", "out/", "--verbos"), "--verbos", "--verbose", "render"),
                 (("test", ".", "--filtr", "x"), "--filtr", "--filter", "test"),
                 (("report", "merge", "a", "-o", "b", "--junt", "c"), "--junt", "--junit", "report merge")):
             with self.subTest(name):
-                self.bad(2, [f'simreel {command} has no option "{name}"; did you mean "{meant}"?; see `simreel {command} --help`'], *arguments)
-        self.usage(['simreel render has no option "--frobnicate"; see `simreel render --help`'], "render", "scene.json", "-o", "out/", "--frobnicate")
-        self.usage(["--output is required; see `simreel render --help`"], "render", "scene.json")
-        self.usage(['unknown command "mrge"; did you mean "merge"?; see `simreel report --help`'], "report", "mrge")
-        self.usage(["other.json", "see `simreel render --help`"], "render", "scene.json", "other.json", "-o", "out/")
+                done = self.bad(2, [f"simreel: error: no flag {name}; did you mean {meant}?\n  ", f"see `simreel {command} --help`"], *arguments)
+                self.assertRegex(done.err.splitlines()[1], rf"^  (-\w, )?{meant}( |$)")
+        self.usage(["`simreel test` has no flag --sise; --size is a flag of render, "], "test", "--sise", "4x4")
+        self.usage(["`simreel render` has no flag --frobnicate; see `simreel render --help`"], "render", "scene.json", "-o", "out/", "--frobnicate")
+        self.usage(["`simreel render` has no flag -z; see"], "render", "scene.json", "-o", "out/", "-z")
+        self.usage(['no command "mrge"; did you mean "merge"?', "see `simreel report --help`"], "report", "mrge")
+
+    def test_what_is_missing_is_named(self):
+        self.usage(["`simreel render` needs --output\n  -o, --output", "see `simreel render --help`"], "render", "scene.json")
+        self.usage(["`simreel diff` needs B\n  B ", "usage: simreel diff A B"], "diff", "a.png")
+        self.usage(["--frames needs a value\n  --frames"], "render", "scene.json", "-o", "out/", "--frames")
+        self.usage(["`simreel report` needs a command: merge"], "report")
+        self.usage(["simreel needs a command, for example: simreel render "])
+        self.usage(["`simreel render` takes no other.json", "see `simreel render --help`"], "render", "scene.json", "other.json", "-o", "out/")
+        self.usage(["scene.json is no command; to render that scene: simreel render scene.json"], "scene.json")
 
     def test_outputs_are_tried_before_a_device_is(self):
         """What cannot be written, or is there already, is told before anything is simulated to place a camera."""

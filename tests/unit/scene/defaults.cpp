@@ -3,8 +3,9 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "scene/scene.hpp"
-#include "scene/scene_texts.hpp"
 #include "scene/sections.hpp"
+#include "scene/texts/help_page.hpp"
+#include "scene/texts/schema_text.hpp"
 #include "scene/value/value_writer.hpp"
 #include "sim/world/list.hpp"
 #include "source_folder.hpp"
@@ -14,7 +15,6 @@
 #include <optional>
 #include <set>
 #include <span>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -108,21 +108,8 @@ class GiveDefaults {
 /// "name" -> what the page shows as its default.
 std::map<std::string, std::string> shownDefaults(const std::string& page) {
   std::map<std::string, std::string> shown;
-  std::istringstream lines(scene::helpText(page, sim::kinds().list));
-  std::size_t nameAt = 2, defaultAt = 0, rangeAt = 0;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("  name ")) {
-      defaultAt = line.find("default");
-      rangeAt = line.find("range");
-    } else if (defaultAt > 0 && line.starts_with("  ") && line.size() > rangeAt) {
-      const std::string name = line.substr(nameAt, line.find(' ', nameAt) - nameAt);
-      std::string text = line.substr(defaultAt, rangeAt - defaultAt);
-      text.erase(text.find_last_not_of(' ') + 1);
-      shown.emplace(name, text);
-    } else if (defaultAt > 0) {
-      break;
-    }
-  }
+  for (const scene::HelpRow& row : scene::helpPage(page, sim::kinds().list).rows)
+    shown.emplace(row.name, row.standard);
   return shown;
 }
 

@@ -1,5 +1,6 @@
 // The section "lights": named groups of fields, their limits, keyframes and overrides.
-#include "scene/scene_texts.hpp"
+#include "scene/texts/help_page.hpp"
+#include "scene/texts/schema_text.hpp"
 #include "unit/scene/toy.hpp"
 
 #include <doctest/doctest.h>
@@ -120,9 +121,9 @@ TEST_CASE("lights: overrides change and complete them, and add none in passing")
 }
 
 TEST_CASE("lights: schema and help come from the same declaration") {
-  const std::string help = helpText("lights", toyKinds().list);
+  const std::string help = helpText("lights", toyKinds().list, 100);
   for (const char* name : {"position", "intensity", "radius", "flicker.rate", "shadowSize"})
     CHECK_MESSAGE(has(help, std::string("\n  ") + name + " "), name);
   CHECK(has(schemaText(toyKinds().list), "\"maxProperties\": 256"));
-  CHECK(has(helpText("scene", toyKinds().list), "up to 256"));
+  CHECK(has(helpText("scene", toyKinds().list, 100), "up to 256"));
 }

@@ -1,5 +1,11 @@
-#include "scene/scene_texts.hpp"
+#include "scene/texts/help_page.hpp"
+#include "scene/texts/schema_text.hpp"
 #include "unit/scene/toy.hpp"
+
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -45,32 +51,48 @@ TEST_CASE("the schema says what the reader checks") {
     CHECK_MESSAGE(schema["properties"][name].contains("description"), name);
 }
 
-TEST_CASE("help is a table of name, default, range, unit and sentence") {
-  const std::string help = helpText("cloth", toyKinds().list);
+TEST_CASE("help has the sentence, default, range and unit of each parameter") {
+  const HelpPage page = helpPage("cloth", toyKinds().list);
   const auto line = [&](const std::string& name) {
-    const std::size_t begin = help.find("\n  " + name + " ") + 1;
-    std::string found = help.substr(begin, help.find('\n', begin) - begin);
-    for (std::size_t at; (at = found.find("  ")) != std::string::npos;) found.erase(at, 1);
-    return found;
+    const auto rows = page.rowsAt(name);
+    return rows.empty() ? "no such row" : rows.front().doc + " [" + rows.front().facts() + "]";
   };
-  CHECK(has(help, "cloth: A toy cloth.\n"));
-  CHECK(line("stretch") == " stretch 0.05 0..1 m/N Stretch.");
-  CHECK(line("gust") == " gust 1 0..5 m/s Gust. May move along keyframes.");
-  CHECK(line("slack") == " slack 0.25 >= 0 m Slack.");
-  CHECK(line("fray") == " fray off 0..3 mm Fray.");
-  CHECK(line("seam.width") == " seam.width 0.1 > 0 m Width.");
-  CHECK(line("pins[].row") == " pins[].row 0 0..9 Row.");
-  CHECK(line("shape") == " shape \"flat\" round, flat Shape.");
-  CHECK(line("passes") == " passes \"auto\" 1..99 or \"auto\" Passes.");
-  CHECK(line("worn") == " worn off Wear.");
+  CHECK(has(helpText("cloth", toyKinds().list, 100), "cloth: A toy cloth.\n"));
+  CHECK(line("stretch") == "Stretch. [default 0.05; 0..1; m/N]");
+  CHECK(line("gust") == "Gust. May move along keyframes. [default 1; 0..5; m/s]");
+  CHECK(line("slack") == "Slack. [default 0.25; >= 0; m]");
+  CHECK(line("fray") == "Fray. [default off; 0..3; mm]");
+  CHECK(line("seam.width") == "Width. [default 0.1; > 0; m]");
+  CHECK(line("pins[].row") == "Row. [default 0; 0..9]");
+  CHECK(line("pins.row") == line("pins[].row"));
+  CHECK(line("shape") == "Shape. [default \"flat\"; round, flat]");
+  CHECK(line("passes") == "Passes. [default \"auto\"; 1..99 or \"auto\"]");
+  CHECK(line("worn") == "Wear. [default off]");
+  CHECK(page.rowsAt("seam").size() > 1);
+}
+
+TEST_CASE("help keeps to the width of the terminal, and loses no word by it") {
+  const auto words = [](const std::string& text) {
+    std::istringstream in(text);
+    return std::vector<std::string>(std::istream_iterator<std::string>(in), {});
+  };
+  for (const char* name : {"scene", "cloth", "camera"}) {
+    const std::string narrow = helpText(name, toyKinds().list, 60);
+    std::istringstream lines(narrow);
+    for (std::string one; std::getline(lines, one);)
+      CHECK_MESSAGE((one.size() <= 60 || one.find(' ', one.find_first_not_of(' ')) == std::string::npos ||
+                     has(one, "In a scene")),
+                    one);
+    CHECK(words(narrow) == words(helpText(name, toyKinds().list, 200)));
+  }
 }
 
 TEST_CASE("every section has help, and a wrong name gets a suggestion") {
   for (const char* name : {"scene", "render", "time", "camera", "sun", "sky", "ground", "lights",
                            "material", "test", "checks", "capsule"})
-    CHECK_MESSAGE(has(helpText(name, toyKinds().list), std::string(name) + ": "), name);
+    CHECK_MESSAGE(has(helpText(name, toyKinds().list, 100), std::string(name) + ": "), name);
   try {
-    static_cast<void>(helpText("cloht", toyKinds().list));
+    static_cast<void>(helpText("cloht", toyKinds().list, 100));
     FAIL("no error");
   } catch (const simreel::UserError& error) {
     CHECK(error.code() == simreel::ExitCode::usage);
@@ -78,9 +100,9 @@ TEST_CASE("every section has help, and a wrong name gets a suggestion") {
   }
 }
 
-TEST_CASE("the list has one line per kind and section") {
-  const std::string list = listText(toyKinds().list);
-  CHECK(has(list, "  cloth     A toy cloth.\n"));
+TEST_CASE("the list has one entry for each kind and section") {
+  const std::string list = listText(toyKinds().list, 100);
+  CHECK(has(list, "  cloth      A toy cloth.\n"));
   CHECK(has(list, "  camera    "));
   CHECK(has(list, "  scene     "));
 }

@@ -1,5 +1,6 @@
 // A group that may be given as one word.
-#include "scene/scene_texts.hpp"
+#include "scene/texts/help_page.hpp"
+#include "scene/texts/schema_text.hpp"
 #include "unit/scene/toy.hpp"
 
 #include <memory>
@@ -81,5 +82,5 @@ TEST_CASE("schema and help say so") {
   CHECK(cloth["anyOf"][0]["enum"] == nlohmann::json::array({"plain", "twill", "satin"}));
   CHECK(cloth["anyOf"][1]["properties"]["density"]["maximum"] == 9);
   CHECK(cloth["anyOf"][1]["additionalProperties"] == false);
-  test::checkHas(helpText("woven", wovenKinds().list), "Cloth. A word alone is its \"weave\".");
+  test::checkHas(helpText("woven", wovenKinds().list, 100), "Cloth. A word alone is its \"weave\".");
 }

@@ -1,5 +1,6 @@
 // A group that may be given as true, and a field that is false, true or a word.
-#include "scene/scene_texts.hpp"
+#include "scene/texts/help_page.hpp"
+#include "scene/texts/schema_text.hpp"
 #include "unit/scene/toy.hpp"
 
 #include <memory>
@@ -80,5 +81,5 @@ TEST_CASE("the schema and the help have both") {
   REQUIRE(properties["group"]["anyOf"].size() == 2);
   CHECK(properties["group"]["anyOf"][0]["type"] == "boolean");
   CHECK(properties["group"]["anyOf"][1]["properties"]["size"]["default"] == 2);
-  test::checkHas(helpText("switched", switchedKinds().list), "A group. Or true: all as by default.");
+  test::checkHas(helpText("switched", switchedKinds().list, 100), "A group. Or true: all as by default.");
 }

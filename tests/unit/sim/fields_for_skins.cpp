@@ -1,6 +1,7 @@
 // Skins may name every object that publishes a field.
 #include "scene/scene.hpp"
-#include "scene/scene_texts.hpp"
+#include "scene/texts/help_page.hpp"
+#include "scene/texts/schema_text.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/world/list.hpp"
 
@@ -18,8 +19,8 @@ TEST_CASE("every kind that has a field says so") {
       fields.insert(kind.name);
   std::set<std::string> displayed;  // what can be laid over the picture is a field
   for (const scene::Kind& kind : sim::kinds().list)
-    if (scene::helpText(kind.name, sim::kinds().list).find("\ndisplay") != std::string::npos ||
-        scene::helpText(kind.name, sim::kinds().list).find("\n  display") != std::string::npos)
+    if (scene::helpText(kind.name, sim::kinds().list, 100).find("\ndisplay") != std::string::npos ||
+        scene::helpText(kind.name, sim::kinds().list, 100).find("\n  display") != std::string::npos)
       displayed.insert(kind.name);
   CHECK(displayed.size() >= 4);
   CHECK(fields == displayed);

@@ -1,0 +1,20 @@
+#include "cli/options/allowance_options.hpp"
+
+#include "golden/pictures/rules.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace simreel::cli {
+
+void AllowanceOptions::add(CLI::App& command) {
+  command.add_flag("--ignore-antialiased", ignoreAntialiased,
+                   "Ignore pixels of smoothed edges, found as pixelmatch and odiff do");
+  command
+      .add_option("--search-radius", searchRadius,
+                  "A pixel may be found so many pixels away, within --max-channel-diff, and the baseline's "
+                  "likewise [0 to 16]")
+      ->check(CLI::Range(0, golden::largestSearchRadius));
+  command.add_option("--mask", mask, "Picture of the same size: pixels do not count where it is not black");
+}
+
+}  // namespace simreel::cli

@@ -1,0 +1,101 @@
+#include "cli/options/scene_options.hpp"
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "cli/options/shipped_scene.hpp"
+#include "sim/world/list.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace simreel::cli {
+
+namespace {
+
+/// "1280x720" -> "[1280,720]".
+std::string sizeValue(const std::string& text) {
+  const auto size = integerPair(text, 'x');
+  if (!size || size->first < 1 || size->second < 1)
+    fail(ExitCode::usage, "--size takes WxH, for example 1280x720, not \"{}\"", text);
+  return fmt::format("[{},{}]", size->first, size->second);
+}
+
+}  // namespace
+
+std::vector<scene::Override> parseOverrides(const std::vector<std::string>& texts) {
+  std::vector<scene::Override> result;
+  result.reserve(texts.size());
+  for (const std::string& text : texts) result.push_back(scene::parseOverride(text));
+  return result;
+}
+
+void addAssets(CLI::App& command, std::vector<std::string>& folders) {
+  command
+      .add_option("--assets", folders,
+                  "Folder where scenes may find files, besides their own folder and the shipped assets; "
+                  "repeatable")
+      ->type_name("FOLDER")
+      ->allow_extra_args(false);
+}
+
+std::vector<std::filesystem::path> assetFolders(const std::vector<std::string>& folders) {
+  for (const std::string& folder : folders)
+    if (std::error_code error; !std::filesystem::is_directory(folder, error))
+      fail(ExitCode::usage, "--assets {}: there is no such folder", folder);
+  return {folders.begin(), folders.end()};
+}
+
+void SceneOptions::add(CLI::App& command) {
+  addOptional(command);
+  command.get_option("scene")->required();
+}
+
+void SceneOptions::addOptional(CLI::App& command) {
+  findShipped(*command.add_option("scene", file,
+                                  "Scene file, name of a shipped scene (flag), or - for standard input"),
+              &shipped);
+  command
+      .add_option("-D", overrides,
+                  "Override any value of the scene, for example -D camera.fieldOfView=30; repeatable")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--seed", seed, "Seed of all random numbers");
+  command.add_option("--size", size, "Picture size in pixels, for example 1280x720")->type_name("WxH");
+  command.add_option("--fps", fps, "Frames per second of scene time");
+  command.add_option("--samples", samples, "Samples per pixel");
+  command
+      .add_option("--rasterizer", rasterizer,
+                  "exact (the default) draws the same pixels on every machine; driver uses the GPU's own "
+                  "rasterizer")
+      ->type_name("exact|driver");
+  addAssets(command, assets);
+}
+
+std::vector<scene::Override> SceneOptions::changes() const {
+  auto all = parseOverrides(overrides);
+  if (seed) all.push_back({"seed", std::to_string(*seed)});
+  if (size) all.push_back({"render.size", sizeValue(*size)});
+  if (fps) all.push_back({"time.fps", fmt::format("{}", *fps)});
+  if (samples) all.push_back({"render.samples", std::to_string(*samples)});
+  if (rasterizer) all.push_back({"render.rasterizer", *rasterizer});
+  return all;
+}
+
+scene::Scene SceneOptions::load(const std::vector<scene::Override>& more) const {
+  auto all = changes();
+  all.insert(all.end(), more.begin(), more.end());
+  return scene::loadScene(file, all, sim::kinds(), assetFolders(assets));
+}
+
+std::vector<std::string> SceneOptions::arguments() const {
+  std::vector<std::string> words = {file};
+  for (const std::string& change : overrides) words.insert(words.end(), {"-D", change});
+  if (seed) words.push_back(fmt::format("--seed={}", *seed));
+  if (size) words.push_back(fmt::format("--size={}", *size));
+  if (fps) words.push_back(fmt::format("--fps={}", *fps));
+  if (samples) words.push_back(fmt::format("--samples={}", *samples));
+  if (rasterizer) words.push_back("--rasterizer=" + *rasterizer);
+  for (const std::string& folder : assets) words.push_back("--assets=" + folder);
+  return words;
+}
+
+}  // namespace simreel::cli
