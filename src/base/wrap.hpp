@@ -5,7 +5,7 @@
 
 namespace simreel {
 
-/// Columns for help: $COLUMNS where it is set, else those of the terminal on standard output, else 100.
+/// Columns for help: $COLUMNS if it is set, else the width of the terminal on standard output, else 100.
 /// Always 40 to 200.
 [[nodiscard]] std::size_t textWidth();
 

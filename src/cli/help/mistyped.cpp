@@ -30,7 +30,7 @@ struct KnownFlag {
   const CLI::Option* option;
 };
 
-/// Long names of a command's options, and of those that the program has for all.
+/// Long names of a command's options and of the program's own.
 std::vector<KnownFlag> flagsOf(const CLI::App& command) {
   std::vector<KnownFlag> flags;
   for (const CLI::App* one = &command; one != nullptr; one = one->get_parent())

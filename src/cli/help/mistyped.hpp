@@ -8,7 +8,7 @@ class ParseError;
 
 namespace simreel::cli {
 
-/// What to say of a command line that cannot be read: the mistake, what may have been meant, and that
+/// Message about a command line that cannot be read: the mistake, what may have been meant, and that
 /// option's line of help. Several lines, without a newline at the end.
 [[nodiscard]] std::string explainMistake(const CLI::App& app, const CLI::ParseError& error);
 

@@ -4,7 +4,7 @@
 
 namespace simreel::cli {
 
-/// What the reference says about a kind of object beside its parameters.
+/// Facts of the reference about a kind of object, beside its parameters.
 struct KindNotes {
   std::string_view kind;
   std::string_view states;   ///< state arrays, as `simreel trace` and `bake` name them: "name: meaning|..."

@@ -38,7 +38,7 @@ std::string optionsTable(const CLI::App& command, bool arguments) {
     const OptionText text = textOf(*option);
     std::string doc = text.doc;
     if (text.head().ends_with(" WORD")) doc += fmt::format(". One of: {}", fmt::join(text.choices, ", "));
-    if (text.required && !arguments) doc = "Required. " + doc;
+    if (text.required && !arguments) doc.insert(0, "Required. ");
     std::string head;
     for (const char c : text.head()) head += c == '|' ? std::string("\\|") : std::string(1, c);
     out += fmt::format("| `{}` | {} |\n", head, markdownCell(doc));

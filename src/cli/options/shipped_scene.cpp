@@ -26,7 +26,7 @@ std::vector<std::string> scenesIn(const fs::path& folder) {
   return names;
 }
 
-/// What a file that holds no scene is good for in one; empty for other files.
+/// Advice about a mesh or a picture that was given in place of a scene; empty for other files.
 std::string cureFor(const std::string& file) {
   const std::string ending = lowerExtension(file);
   const auto any = [&](const std::set<std::string>& endings) { return endings.contains(ending); };
@@ -66,7 +66,7 @@ std::string sceneFile(const std::string& name) {
   const std::vector<std::string> shipped = shippedScenes();
   const std::string stem = ending.empty() ? path.filename().string() : path.stem().string();
   if (std::find(shipped.begin(), shipped.end(), stem) != shipped.end()) {
-    const std::string found = (assetFolder() / "scenes" / (stem + ".json")).string();
+    std::string found = (assetFolder() / "scenes" / (stem + ".json")).string();
     info("{} is the shipped scene {}", name, found);
     return found;
   }

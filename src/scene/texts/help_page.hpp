@@ -10,7 +10,7 @@
 
 namespace simreel::scene {
 
-/// What `simreel list NAME` knows about one kind of object or one section of a scene.
+/// Facts for `simreel list NAME` about one kind of object or one section of a scene.
 struct HelpPage {
   std::string name, doc;
   bool isKind = false;  ///< whether it is a kind of object
