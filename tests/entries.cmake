@@ -207,7 +207,7 @@ set_property(TEST ${TESTS} APPEND PROPERTY ENVIRONMENT GLIBC_TUNABLES=glibc.mall
 if(TARGET simreel)
   set(OF_SCENES "golden: long scenes")
   if(Python3_FOUND)
-    list(APPEND OF_SCENES "cli: storage_path" "cli: mutation" "cli: exact")
+    list(APPEND OF_SCENES "cli: storage_path" "cli: mutation" "cli: exact" "cli: guide")
   endif()
   set_tests_properties(${OF_SCENES} "long: longest scenes" PROPERTIES DEPENDS "golden: shipped scenes")
   set_tests_properties("golden: shipped scenes" PROPERTIES DEPENDS "golden: a dozen scenes")
