@@ -5,6 +5,7 @@ import re
 import struct
 import subprocess
 import sys
+import tempfile
 import unittest
 
 from common import PATIENCE, PROGRAM, SOURCE, main
@@ -15,6 +16,24 @@ PAGES = [README, *sorted(GUIDE.rglob("*.md"))]
 LONGEST_PARAGRAPH = 120  # words
 README_LINES, README_WORDS = 150, 1200
 PICTURE_BYTES, PICTURE_SIZE = 100 * 1024, (720, 720)
+
+
+BROKEN = """# A page whose examples are all wrong
+```json
+"ball": {"sphere": {"radus": 1}}
+```
+```json invalid
+"ball": {"sphere": {"radius": 1}}
+```
+```sh
+echo before
+exit 3
+```
+```sh no-run
+simreel render flag -o out/ --frams 0
+```
+`simreel rendr flag` ![nothing](PICTURES/none.png)
+""".replace("PICTURES", str(GUIDE / "pictures"))
 
 
 def without_code(text):
@@ -72,6 +91,18 @@ class Guide(unittest.TestCase):
         done = subprocess.run([sys.executable, SOURCE / "tools/guide", "--check"], env={**os.environ, "SIMREEL": PROGRAM},
                               capture_output=True, text=True, timeout=PATIENCE, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_broken_examples_are_named_with_page_and_line(self):
+        with tempfile.TemporaryDirectory(prefix="simreel-guide-") as folder:
+            page = pathlib.Path(folder) / "page.md"
+            page.write_text(BROKEN, encoding="utf-8")
+            done = subprocess.run([sys.executable, SOURCE / "tools/guide", "--check", page], env={**os.environ, "SIMREEL": PROGRAM},
+                                  capture_output=True, text=True, timeout=PATIENCE, check=False)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        for place in ("page.md:2: this scene is not valid", "page.md:5: this scene is valid", "page.md:8: these commands ended with 3",
+                      "page.md:12: simreel render has no flag --frams", "page.md:15: simreel has no command rendr",
+                      "page.md:15: no command writes none.png"):
+            self.assertIn(place, done.stderr)
 
     def test_every_link_leads_to_a_file_and_a_heading_that_exist(self):
         def broken():
