@@ -106,7 +106,7 @@ bool pnmNumbersFit(std::string_view bytes) {
 void checkPalette(std::string_view bytes, glm::ivec2 size, const std::string& name, const char* what) {
   constexpr std::size_t signature = 8, depthAt = 24, colourAt = 25, around = 12;
   if (!bytes.starts_with('\x89') || bytes.size() <= colourAt || bytes[colourAt] != 3) return;
-  const int depth = bytes[depthAt];
+  const int depth = static_cast<unsigned char>(bytes[depthAt]);
   std::string grey(bytes.substr(0, signature));
   std::size_t colours = 0;
   for (std::size_t at = signature; at + around <= bytes.size();) {

@@ -93,13 +93,11 @@ constexpr std::array<NumberKey, 16> numberKeys = {{{"Kd", 3, 1},
                                                    {"Ni", 1, unbounded},
                                                    {"illum", 1, unbounded}}};
 
-/// The number that a text begins with, not beyond 1e6.
+/// The number that is a text's first word, not beyond 1e6.
 std::optional<float> numberIn(std::string_view text) {
-  const std::string copy(text);
-  char* end = nullptr;
-  const double value = std::strtod(copy.c_str(), &end);
-  if (end == copy.c_str() || !std::isfinite(value)) return std::nullopt;
-  return static_cast<float>(std::clamp(value, -1e6, 1e6));
+  const std::optional<double> value = doubleIn(takeWord(text));
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return static_cast<float>(std::clamp(*value, -1e6, 1e6));
 }
 
 /// Takes the first word and the blanks behind it off a text.
@@ -309,11 +307,13 @@ class LibraryReader {
     } else if (option == "-t") {
       if (takeNumbers(after, glm::vec3(0)) != glm::vec3(0)) ignore(fmt::format("-t of {}", key));
     } else if (option == "-mm") {
-      const float base = numberIn(takeFirst(after)).value_or(0),
-                  gain = numberIn(takeFirst(after)).value_or(1);
-      if (base != 0 || gain != 1) ignore(fmt::format("-mm of {}", key));
+      const std::optional<float> base = numberIn(takeFirst(after)), gain = numberIn(takeFirst(after));
+      if (base != 0.0F || gain != 1.0F) ignore(fmt::format("-mm of {}", key));
     } else if (option == "-bm") {
-      named.strength = numberIn(takeFirst(after)).value_or(1);
+      const std::string_view word = takeFirst(after);
+      const std::optional<float> strength = numberIn(word);
+      if (!strength) ignore(fmt::format("-bm {} of {}", inQuotes(word), key));
+      named.strength = strength.value_or(1);
     } else if (option == "-clamp") {
       named.map.repeats = takeFirst(after) != "on";
     } else if (option == "-imfchan" || option == "-cc" || option == "-colorspace") {

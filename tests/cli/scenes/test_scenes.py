@@ -186,8 +186,11 @@ class ValidateAndRender(Case):
             self.assertTrue(line.startswith(start), line)
 
     def test_the_rest_is_known_to_a_device(self):
-        self.write("s.json", self.scene({"a": {"life": {"size": [65536, 65536]}}}))
-        self.good("validate", "s.json")
+        for large, kind in (({"size": [65536, 65536]}, "life"), ({"size": [16384, 16384], "infected": 0.2}, "epidemic"),
+                            ({"size": [16384, 16384], "strokes": [{"from": [8, 8, 0], "radius": 3}]}, "wildfire"),
+                            ({"groups": [{"count": 9000000}]}, "particles"), ({"size": [65536, 65536]}, "life")):
+            self.write("s.json", self.scene({"a": {kind: large}}))
+            self.assertIn(f'warning: s.json: {kind} "a" needs', self.good("validate", "s.json").err)
         self.bad(4, ["s.json: error: life \"a\" of 65536 x 65536 cells needs"], "validate", "s.json", "--device")
         done = self.good("validate", "--device", "scene.json", SOURCE / "assets/scenes/ripple.json")
         self.assertEqual(len(done.stdout.splitlines()), 2)

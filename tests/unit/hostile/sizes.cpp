@@ -154,6 +154,17 @@ TEST_CASE("water of 67 million cells is looked at without memory for each, and t
   CHECK(sim::tooLargeForMany(pond("[64, 64]")).empty());
 }
 
+TEST_CASE("epidemics and fires of 268 million cells are looked at without memory for each") {
+  for (const char* object : {R"("epidemic": {"size": [16384, 16384], "infected": 0.1})",
+                             R"("wildfire": {"size": [16384, 16384], "strokes": [{"radius": 3}]})"}) {
+    const scene::Scene large =
+        scene::parseScene(std::string(R"({"version": 1, "objects": {"a": {)") + object + "}}}",
+                          "spread.json", {}, sim::kinds());
+    CHECK(refusal([&] { CHECK(sim::findProblems(large).empty()); }) == "nothing was refused");
+    CHECK(sim::tooLargeForMany(large).size() == 1);
+  }
+}
+
 TEST_CASE("a cloth of springs of 268 million particles is looked at without memory for each") {
   const scene::Scene large = scene::parseScene(
       R"({"version": 1, "objects": {"a": {"cloth": {"size": [16384, 16384], "substeps": "auto"}}}})",
