@@ -32,7 +32,9 @@ class Panorama {
   Panorama(const sim::LightFile& file, double strength, double turn)
       : size_(file.size), turned_(turn / 360) {
     for (std::size_t i = 0; i < file.values.size(); i += 4)
-      pixels_.push_back(strength * glm::dvec3(file.values[i], file.values[i + 1], file.values[i + 2]));
+      pixels_.push_back(
+          strength *
+          glm::max(glm::dvec3(file.values[i], file.values[i + 1], file.values[i + 2]), glm::dvec3(0)));
   }
 
   [[nodiscard]] glm::ivec2 size() const { return size_; }

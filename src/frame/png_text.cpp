@@ -3,11 +3,14 @@
 #include <string>
 #include <string_view>
 
+#include <isa-l/crc.h>
+
 namespace simreel::frame {
 
 namespace {
 
 constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
+constexpr std::size_t aroundChunk = 12;  ///< length, kind, checksum
 
 std::size_t wordAt(std::string_view bytes, std::size_t at) {
   std::size_t word = 0;
@@ -33,10 +36,9 @@ ImageText readPngText(std::span<const std::byte> png) {
   const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());
   ImageText texts;
   if (!bytes.starts_with(signature)) return texts;
-  constexpr std::size_t around = 12;  // length, kind, checksum
-  for (std::size_t at = signature.size(); at + around <= bytes.size();) {
+  for (std::size_t at = signature.size(); at + aroundChunk <= bytes.size();) {
     const std::size_t length = wordAt(bytes, at);
-    if (length > bytes.size() - at - around) break;
+    if (length > bytes.size() - at - aroundChunk) break;
     const std::string_view kind = bytes.substr(at + 4, 4), body = bytes.substr(at + 8, length);
     if (kind == "IEND") break;
     const std::size_t end = body.find('\0');
@@ -46,9 +48,23 @@ ImageText readPngText(std::span<const std::byte> png) {
     constexpr std::string_view plain("\0\0\0\0\0", 5);
     if (end != std::string_view::npos && kind == "iTXt" && body.substr(end).starts_with(plain))
       texts.emplace_back(body.substr(0, end), body.substr(end + plain.size()));
-    at += length + around;
+    at += length + aroundChunk;
   }
   return texts;
+}
+
+bool isWholePng(std::span<const std::byte> png) {
+  const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());
+  if (!bytes.starts_with(signature)) return false;
+  for (std::size_t at = signature.size(); at + aroundChunk <= bytes.size();) {
+    const std::size_t length = wordAt(bytes, at);
+    if (length > bytes.size() - at - aroundChunk) return false;
+    const auto* covered = reinterpret_cast<const unsigned char*>(bytes.data() + at + 4);
+    if (crc32_gzip_refl(0, covered, length + 4) != wordAt(bytes, at + 8 + length)) return false;
+    if (bytes.substr(at + 4, 4) == "IEND") return true;
+    at += length + aroundChunk;
+  }
+  return false;
 }
 
 }  // namespace simreel::frame

@@ -16,7 +16,8 @@ import zlib
 PROGRAM = os.environ.get("SIMREEL", "simreel")
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
-CLOTH = {"size": [9, 7], "spacing": 0.1, "position": [0, 1, 0], "rotation": [90, 0, 0], "jitter": 0.01, "substeps": 4}
+CLOTH = {"size": [9, 7], "spacing": 0.1, "position": [0, 1, 0], "rotation": [90, 0, 0], "jitter": 0.01, "substeps": 4,
+         "pins": [{"rows": [-1]}]}
 SCENE = {
     "version": 1,
     "render": {"size": [64, 36], "samples": 1},

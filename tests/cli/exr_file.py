@@ -60,8 +60,8 @@ def bits(value):
 
 
 def write_exr(*parts, display=None):
-    """An uncompressed OpenEXR file; each part is (width, height, {channel: (kind, values)}, {attribute: text}) with kinds as
-    read_exr() has them: 0 whole numbers, 1 halves, 2 floats. `display` is the last pixel of the window that is shown."""
+    """An uncompressed OpenEXR file; each part is (width, height, {channel: (kind, values)}, {attribute: text, or
+    (type, bytes)}) with kinds as read_exr() has them: 0 whole numbers, 1 halves, 2 floats. `display` is the last pixel of the window that is shown."""
     def attribute(name, kind, value):
         return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(value)) + value
 
@@ -75,7 +75,8 @@ def write_exr(*parts, display=None):
                   + attribute("lineOrder", "lineOrder", b"\0") + attribute("pixelAspectRatio", "float", struct.pack("<f", 1))
                   + attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0))
                   + attribute("screenWindowWidth", "float", struct.pack("<f", 1))
-                  + b"".join(attribute(name, "string", text.encode()) for name, text in texts.items()))
+                  + b"".join(attribute(name, *((value if isinstance(value, tuple) else ("string", value.encode()))))
+                             for name, value in texts.items()))
         if len(parts) > 1:
             header += (attribute("name", "string", b"part%d" % number) + attribute("type", "string", b"scanlineimage")
                        + attribute("chunkCount", "int", struct.pack("<i", height)))

@@ -91,6 +91,7 @@ TEST_CASE("a rehearsal runs no kernel and notes each once, with what is bound") 
   const std::string text = std::string(sumText) + "// of this test alone\n";
   const gl::Program program = gl::Program::computeText("rehearsed", text);
   program.set("first", 7);
+  program.set("second", 0);
   const gl::Buffer texels("texels", 4096);
   const gl::Texture view = gl::Texture::view("texels", GL_RGBA32F, texels);
   {
@@ -126,6 +127,7 @@ TEST_CASE("an indirect dispatch runs the groups that its command has") {
   for (const unsigned groups : {0U, 2U, 0U}) {
     const gl::Program program = gl::Program::computeText("sum", std::string(sumText) + "// indirect\n");
     program.set("first", 1);
+    program.set("second", 0);
     const std::array<unsigned, 4> words = {9, groups, 1, 1};
     const gl::Buffer commands = gl::Buffer::of<unsigned>("commands", words);
     const std::array<int, 3> none = {-1, -1, -1};

@@ -49,7 +49,15 @@ struct BakedFile {
 /// Of the object asked for, or of all that can be written.
 std::vector<BakedFile> bakedFiles(const sim::World& world, const BakeOptions& o) {
   std::vector<BakedFile> files;
-  std::string names;
+  std::string names, all;
+  bool known = o.object.empty();
+  for (std::size_t i = 0; i < world.objectCount(); ++i) {
+    all += (all.empty() ? "" : ", ") + world.objectName(i);
+    known = known || o.object == world.objectName(i);
+  }
+  if (!known)
+    fail(ExitCode::usage, "--object: there is no \"{}\"; the scene has {}", o.object,
+         all.empty() ? "no objects" : all);
   for (std::size_t i = 0; i < world.objectCount(); ++i) {
     const std::string format = formatFor(world, i, o.format);
     if (format.empty()) continue;

@@ -52,6 +52,8 @@ std::vector<UserError> problemsOf(const std::string& file, const ValidateOptions
     for (const std::string& remark : scene.remarks) warnLinesOnce(remark);
     problems = sim::findProblems(scene);
     if (problems.empty() && numerics) checkOnDevice(scene, *numerics);
+    if (!numerics)
+      for (const std::string& sentence : sim::tooLargeForMany(scene)) warn("{}: {}", file, sentence);
   } catch (const UserError& error) {
     problems.push_back(error);
   }

@@ -170,8 +170,12 @@ void TestOutputs::prepare() const {
   makeFolders(place);
 }
 
-void TestOutputs::show(const golden::SceneResult& scene, const std::string& unit) const {
-  if (verbosity() == Verbosity::quiet) return;
+void TestOutputs::show(const golden::SceneResult& scene, const std::string& unit, bool allowFlaky) const {
+  if (verbosity() == Verbosity::quiet) {
+    if (golden::isFailure(scene.status, allowFlaky))
+      errorLines(golden::sceneLine(scene, false, folder(), unit));
+    return;
+  }
   printPainted(golden::sceneLine(scene, colored(), folder(), unit));
   std::fflush(stdout);
 }
@@ -204,7 +208,11 @@ void TestOutputs::write(golden::SuiteResult& suite) const {
                                       : pictures == "files" ? "none"
                                                             : pictures,
                                       place, {}));
-  if (verbosity() != Verbosity::quiet) printPainted(golden::closingText(suite, colored(), report));
+  if (verbosity() != Verbosity::quiet)
+    printPainted(golden::closingText(suite, colored(), report));
+  else if (suite.strict)
+    for (const golden::Stale& stale : suite.stale)
+      if (!stale.removed) errorLine(stale.path + ": " + stale.message);
 }
 
 }  // namespace simreel::cli

@@ -29,7 +29,7 @@ struct TestOutputs {
   /// Removes an earlier report. Throws UserError(usage) for a folder that holds something else.
   void prepare() const;
   /// Prints a result as it comes.
-  void show(const golden::SceneResult& scene, const std::string& unit) const;
+  void show(const golden::SceneResult& scene, const std::string& unit, bool allowFlaky) const;
   /// Throws UserError(usage).
   void check() const;
   /// Writes all that was asked for and prints the closing lines.

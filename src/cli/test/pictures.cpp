@@ -340,7 +340,7 @@ class PictureRun {
 
   void add(golden::SceneResult&& result, ExitCode error = ExitCode::inputOutput) {
     tally_.add(result.status, o_.allowFlaky, error);
-    o_.outputs.show(result, suite_.unit);
+    o_.outputs.show(result, suite_.unit, o_.allowFlaky);
     suite_.scenes.push_back(std::move(result));
   }
 

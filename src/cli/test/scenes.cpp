@@ -220,7 +220,7 @@ class SceneRun {
   void take(golden::Outcome&& outcome) {
     tally_.add(outcome.scene.status, options_.allowFlaky && !outcome.hardFailed, outcome.error);
     result_.stale.insert(result_.stale.end(), outcome.stale.begin(), outcome.stale.end());
-    o_.outputs.show(outcome.scene, result_.unit);
+    o_.outputs.show(outcome.scene, result_.unit, o_.allowFlaky);
     result_.scenes.push_back(std::move(outcome.scene));
   }
 

@@ -13,11 +13,13 @@
 #include "frame/file/reserved_room.hpp"
 #include "frame/file/run_info.hpp"
 #include "frame/file/shared_manifest.hpp"
+#include "frame/png_text.hpp"
 #include "frame/sink/frame_queue.hpp"
 #include "frame/sink/frame_sink.hpp"
 #include "frame/sink/open_sink.hpp"
 #include "scene/json/words.hpp"
 #include "scene/scene.hpp"
+#include "sim/light/light_file.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -131,6 +133,7 @@ class SequenceSink final : public FrameSink {
   /// A file that is there already.
   struct Kept {
     bool exists = false;
+    bool damaged = false;  ///< empty, or no picture that can be decoded: to be drawn again
     std::optional<ManifestFrame> whole = {};  ///< how the manifest lists it; nothing: it does not
     std::string difference = {};              ///< from the pictures of this run
   };
@@ -143,16 +146,22 @@ class SequenceSink final : public FrameSink {
       if (entry != known.end()) found[i].whole = wholeFrame(frames_[i], entry->second);
       if (!found[i].whole && existing == Existing::skip) found[i] = unlistedFrame(frames_[i]);
     });
-    std::size_t unlisted = 0;
+    std::size_t unlisted = 0, damaged = 0;
+    fs::path firstDamaged;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       if (!found[i].difference.empty())
         fail(ExitCode::usage, "cannot skip existing frames: {}; use --overwrite, or another folder",
              found[i].difference);
       if (found[i].whole)
         kept_[frames_[i]] = manifest_.frames[frames_[i]] = *found[i].whole;
-      else if (found[i].exists)
+      else if (found[i].damaged && damaged++ == 0)
+        firstDamaged = output_.file(frames_[i]);
+      else if (found[i].exists && !found[i].damaged)
         kept_[frames_[i]] = {}, ++unlisted;
     }
+    if (damaged > 0)
+      warn("{}{} {} empty or damaged; drawn again", firstDamaged.string(),
+           damaged == 1 ? "" : fmt::format(" and {} more", damaged - 1), damaged == 1 ? "is" : "are");
     if (unlisted > 0)
       warn("{} of {} kept frames do not say that they are of this run; the manifest does not list them",
            unlisted, kept_.size());
@@ -193,20 +202,38 @@ class SequenceSink final : public FrameSink {
     Kept kept;
     kept.exists = pathExists(path);
     if (!kept.exists) return kept;
+    std::error_code unknown;
+    if (fs::is_directory(path, unknown))
+      fail(ExitCode::inputOutput, "{} is a folder, and a picture is to be there; remove it", path.string());
     try {
       const std::string bytes = readFile(path, "frame");
       const auto file = std::as_bytes(std::span(bytes));
       const PictureOrigin origin = originOf(file, path, manifest_.run, frame);
       kept.difference = origin.difference;
+      if (origin.difference.empty() && bytes.starts_with("\x89PNG") && !isWholePng(file)) {
+        kept.damaged = true;
+        return kept;
+      }
       constexpr std::size_t bitsInHeader = 24;  // of a PNG; decodeImage() reads 8 of deeper ones
       if (!origin.told || !origin.difference.empty() || output_.isLight() || bytes[bitsInHeader] != 8 ||
-          origin.driver != (manifest_.run.exact() ? std::string() : manifest_.run.driver))
+          origin.driver != (manifest_.run.exact() ? std::string() : manifest_.run.driver)) {
+        if (origin.difference.empty()) checkWhole(bytes, path);
         return kept;
+      }
       const std::string pixels = pixelHash(decodeImage(file, path.string()));
       kept.whole = {output_.fileName(frame), hashHex(bytes), pixels, origin.state};
-    } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): it is kept, whatever it is.
+    } catch (const UserError&) {
+      kept.damaged = true;
     }
     return kept;
+  }
+
+  /// Throws UserError for what cannot be decoded.
+  static void checkWhole(const std::string& bytes, const fs::path& path) {
+    if (sim::isExr(bytes))
+      static_cast<void>(sim::decodeExr(bytes, path.string(), ""));
+    else
+      static_cast<void>(decodeImage(std::as_bytes(std::span(bytes)), path.string()));
   }
 
   /// Empty where it cannot be read.

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include <fmt/ranges.h>
@@ -115,6 +116,28 @@ struct DeepPair {
   }
 };
 
+/// PSNR over R, G and B of pictures of 16 bits, whose small differences 8 bits do not show: over black and
+/// over white where one is seen through, and the worse of the two.
+double deepPsnr(const DeepPair& pair) {
+  double worst = std::numeric_limits<double>::infinity();
+  for (const double background : {0.0, 255.0}) {
+    double squares = 0;
+    const auto over = [&](const std::vector<float>& units, std::size_t pixel, std::size_t c) {
+      const double alpha = double{units[4 * pixel + 3]} / 255;
+      return double{units[4 * pixel + c]} * alpha + background * (1 - alpha);
+    };
+    const std::size_t pixels = pair.a.size() / 4;
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double apart = over(pair.a, pixel, c) - over(pair.b, pixel, c);
+        squares += apart * apart;
+      }
+    if (squares > 0)
+      worst = std::min(worst, 10 * std::log10(255.0 * 255.0 * 3 * static_cast<double>(pixels) / squares));
+  }
+  return worst;
+}
+
 void padToEach(Picture& a, Picture& b) {
   const int width = std::max(a.image.width, b.image.width);
   const int height = std::max(a.image.height, b.image.height);
@@ -190,6 +213,7 @@ Comparison compare(const Picture& baseline, const Picture& picture, const scene:
       made.apart[pixel] = static_cast<std::uint8_t>(std::ceil(apart[pixel]));
     }
     made.metrics = measureApart(apart, a.image, b.image, tolerance, measures);
+    if (a.depth != Depth::linear && b.depth != Depth::linear) made.metrics.psnr = deepPsnr(pair);
     if (!layers.empty()) made.layerNote = layerWords(layers, made.excuses, width);
   }
   made.metrics.maskedPixels = counted.maskedPixels;

@@ -205,6 +205,10 @@ std::string reportText(const SuiteResult& suite) {
 SuiteResult parseReport(const std::string& text, const std::string& name) {
   try {
     const auto json = parseStrictJson(text);
+    if (json.is_object() && !json.contains("simreel"))
+      fail(ExitCode::usage,
+           "{} is no report of `simreel test`; give the folder of its --report, or the file of its --json",
+           name);
     SuiteResult suite;
     read(JsonValue(json), suite);
     return suite;

@@ -3,6 +3,8 @@
 #include "scene/json/words.hpp"
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -17,7 +19,30 @@ bool isInside(const fs::path& file, const fs::path& root) {
   return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
 }
 
+/// The folders of scenes by the files that they name.
+struct Around {
+  std::mutex mutex;
+  std::map<fs::path, std::set<fs::path>> folders;
+};
+Around& around() {
+  static Around all;
+  return all;
+}
+
+void noteFolders(const fs::path& file, const std::vector<fs::path>& folders) {
+  Around& all = around();
+  const std::scoped_lock lock(all.mutex);
+  all.folders[file].insert(folders.begin(), folders.end());
+}
+
 }  // namespace
+
+std::set<fs::path> foldersAround(const fs::path& file) {
+  Around& all = around();
+  const std::scoped_lock lock(all.mutex);
+  const auto found = all.folders.find(file);
+  return found == all.folders.end() ? std::set<fs::path>() : found->second;
+}
 
 AssetFolders::AssetFolders(const fs::path& sceneFile, std::span<const fs::path> given,
                            const fs::path& shipped) {
@@ -57,7 +82,10 @@ fs::path AssetFolders::find(const std::string& name, std::string& problem) const
     }
     const fs::file_status status = fs::status(file, error);
     if (error || !fs::exists(status)) continue;
-    if (fs::is_regular_file(status)) return *found_.insert(file).first;
+    if (fs::is_regular_file(status)) {
+      noteFolders(file, roots_);
+      return *found_.insert(file).first;
+    }
     problem = fmt::format("{} is not a file", inQuotes(name));
     return {};
   }

@@ -26,4 +26,8 @@ class AssetFolders {
   mutable std::set<std::filesystem::path> found_;
 };
 
+/// Folders that scenes read so far by this process may read, of those that name `file`: for the files that
+/// it names in turn.
+[[nodiscard]] std::set<std::filesystem::path> foldersAround(const std::filesystem::path& file);
+
 }  // namespace simreel::scene

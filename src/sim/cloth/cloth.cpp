@@ -1,6 +1,7 @@
 #include "sim/cloth/cloth.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
@@ -19,8 +20,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <mutex>
 #include <optional>
+#include <set>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace simreel::shader::cloth {
@@ -32,6 +36,15 @@ namespace simreel::shader::cloth {
 namespace simreel::sim {
 
 namespace {
+
+/// Who gives no pins may wait for the sheet to fall. Once a process, however many worlds it makes.
+void tellPinned(const std::string& name) {
+  static std::mutex mutex;
+  static std::set<std::string> told;
+  const std::scoped_lock lock(mutex);
+  if (verbosity() != Verbosity::quiet && told.insert(name).second)
+    info("cloth \"{}\": its last row is pinned (default); \"pins\": [] lets it fall", name);
+}
 
 class Cloth : public Simulation, public LockStep {
  public:
@@ -48,6 +61,7 @@ class Cloth : public Simulation, public LockStep {
         frameSeconds_(setting.frameSeconds) {
     checkLimits();
     const ClothParameters& p = plan_.parameters();
+    if (p.pinsByDefault) tellPinned(name_);
     if (!p.walls.empty()) {
       walls_ = &setting.wallsNamed(p.walls);
       walls_->checkReach(name_, p.margin);

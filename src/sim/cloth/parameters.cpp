@@ -152,6 +152,7 @@ void ClothParameters::describe(scene::Fields& f) {
   if (hasFabric && !f.given("substeps")) substeps.reset();
   f.list("pins", pins, "Particles that are held, and how they move; [] holds none.",
          [&](scene::Fields& p, PinGroup& group) { group.describe(p, size, hasMesh); });
+  pinsByDefault = !f.given("pins");
   if (pins.size() > shader::maxPinFrames)
     f.error("pins", fmt::format("at most {} groups of pins", shader::maxPinFrames));
   for (const PinGroup& group : pins) {
@@ -288,12 +289,15 @@ double ClothParameters::stableSeconds(double lines) const {
                                         fastest * fastest * area / each * lines
                                   : 0.0;
   // Where energy is kept, softening w^2 dt^2 of that is to be less than 1, and in a swing it pulls more.
-  const double hanging = (keepsEnergy() ? hangingSquared() * 6 * leastSoftening
-                                        : std::max(hangingSquared(), pinnedSquared())) +
-                         4.0 * std::max(size.x, size.y) * streaming / spacing;
+  // Who hangs on which pin takes a look at every particle.
+  const auto hanging = [&] {
+    return (keepsEnergy() ? hangingSquared() * 6 * leastSoftening
+                          : std::max(hangingSquared(), pinnedSquared())) +
+           4.0 * std::max(size.x, size.y) * streaming / spacing;
+  };
   // A fabric bends by w^2 <= 64 D / (L^2 m): 16 along either axis, 32 twisting.
   const double bending = hasFabric ? 64.0 * fabric.constants().bending / (area * each) : 0.0;
-  const double w2 = constrained() ? hanging + bending
+  const double w2 = constrained() ? hanging() + bending
                                   : 4.0 * static_cast<double>(stiffness) * (1.0 + shear + bend) / each;
   const double c =
       hasAir ? air.density * static_cast<double>(air.drag + air.lift) * area * fastest / each : 0.0;
@@ -322,9 +326,8 @@ std::string ClothParameters::instability(double frameSeconds) const {
   const double stable = stableSeconds();
   if (!substeps || frameSeconds / *substeps <= stable) return "";
   return fmt::format(
-      "{} substeps are fewer than the {} that its {} need to be stable (substep {:.3g} s, limit {:.3g} s); "
-      "{}",
-      *substeps, substepsFor(frameSeconds, stable),
+      "{} {} fewer than the {} that its {} need to be stable (substep {:.3g} s, limit {:.3g} s); {}",
+      *substeps, *substeps == 1 ? "substep is" : "substeps are", substepsFor(frameSeconds, stable),
       std::string(!constrained() ? "springs"
                   : hasFabric    ? "bending and hanging rows"
                                  : "hanging rows") +

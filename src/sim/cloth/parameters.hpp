@@ -81,6 +81,7 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   Air air;
   std::optional<int> substeps = 4;
   std::vector<PinGroup> pins;
+  bool pinsByDefault = false;  ///< whether a scene gives none
   bool hasContact = false;
   ClothContact contact;
   std::string walls;  ///< name of the solid it meets; empty: none
@@ -102,6 +103,9 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
 
   [[nodiscard]] bool feelsFaces() const override { return hasContact; }
   [[nodiscard]] bool isCloth() const override { return true; }
+  [[nodiscard]] std::int64_t leastBlockBytes() const override {
+    return hasMesh ? 0 : std::int64_t{24} * (size.x - 1) * (size.y - 1);
+  }
   [[nodiscard]] Looks looks() const override { return Looks::cloth; }
   /// The same with as many substeps as what it touches takes; 0: its own.
   [[nodiscard]] ClothParameters inStep(int contactSubsteps) const;

@@ -1,6 +1,7 @@
 #pragma once
 #include "sim/core/simulation.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -55,6 +56,10 @@ struct ObjectParameters : scene::Parameters {
   /// Whether others may take it as their wind. Nothing that blows takes wind itself, so it steps before
   /// them.
   [[nodiscard]] virtual bool blows() const { return false; }
+  /// Bytes of one buffer that it needs at least, as far as its parameters alone tell; and what software
+  /// drivers (llvmpipe of Mesa 22) and small cards allow.
+  [[nodiscard]] virtual std::int64_t leastBlockBytes() const { return 0; }
+  static constexpr std::int64_t commonBlockBytes = std::int64_t{128} << 20;
   /// The fluid that is its wind: its name (empty: none), and where its parameters name it.
   struct WindFrom {
     std::string fluid;

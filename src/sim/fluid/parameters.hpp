@@ -93,6 +93,9 @@ struct FluidParameters : ObjectParameters, FieldParts {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::int64_t leastBlockBytes() const override {
+    return std::int64_t{16} * (size.x + 2) * (size.y + 2);
+  }
   [[nodiscard]] std::vector<std::string> fieldParts() const override {
     return {"u", "v", "temperature", "pressure", "red", "green", "blue"};
   }

@@ -51,6 +51,7 @@ struct GrayScottParameters : ObjectParameters, FieldParts {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{8} * size.x * size.y; }
   [[nodiscard]] std::vector<std::string> fieldParts() const override { return {"u"}; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 

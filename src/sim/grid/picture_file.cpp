@@ -101,6 +101,43 @@ bool pnmNumbersFit(std::string_view bytes) {
        name, oneLine(why));  // stb quotes the file
 }
 
+/// Refuses a PNG of which pixels name colours that its palette lacks: stb_image shows them as whatever lies
+/// in memory there. The numbers are what the same file has as grey.
+void checkPalette(std::string_view bytes, glm::ivec2 size, const std::string& name, const char* what) {
+  constexpr std::size_t signature = 8, depthAt = 24, colourAt = 25, around = 12;
+  if (!bytes.starts_with('\x89') || bytes.size() <= colourAt || bytes[colourAt] != 3) return;
+  const int depth = static_cast<unsigned char>(bytes[depthAt]);
+  std::string grey(bytes.substr(0, signature));
+  std::size_t colours = 0;
+  for (std::size_t at = signature; at + around <= bytes.size();) {
+    std::size_t length = 0;
+    for (std::size_t k = 0; k < 4; ++k) length = length << 8U | static_cast<unsigned char>(bytes[at + k]);
+    if (length > bytes.size() - at - around) return;
+    const std::string_view type = bytes.substr(at + 4, 4);
+    if (type == "PLTE") colours = length / 3;
+    if (type == "IHDR" || type == "IDAT" || type == "IEND") grey += bytes.substr(at, length + around);
+    at += length + around;
+  }
+  if (depth > 8 || colours >= std::size_t{1} << static_cast<unsigned>(depth)) return;
+  grey[colourAt] = 0;
+  maxBytes = std::max(8 * (static_cast<std::size_t>(size.x) + 64) * (static_cast<std::size_t>(size.y) + 64),
+                      2 * bytes.size()) +
+             forHeaders;
+  int width = 0, height = 0, channels = 0;
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> numbers(
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(grey.data()), static_cast<int>(grey.size()),
+                            &width, &height, &channels, 1),
+      &stbi_image_free);
+  if (!numbers) return;  // which decoding it says
+  const int scale = 255 / ((1 << depth) - 1);
+  for (std::size_t at = 0; at < static_cast<std::size_t>(width) * static_cast<std::size_t>(height); ++at)
+    if (const std::size_t number = numbers.get()[at] / scale; number >= colours)
+      refusePicture(what, name,
+                    fmt::format("its pixel at column {}, row {} has colour {}, and its palette has {}",
+                                at % static_cast<std::size_t>(width), at / static_cast<std::size_t>(width),
+                                number, colours));
+}
+
 /// Checks what a picture's header promises and gives its size.
 glm::ivec2 checkedSize(std::string_view bytes, const std::string& name, const char* what, int maxSide) {
   const auto refuse = [&](const std::string& why) { refusePicture(what, name, why); };
@@ -129,6 +166,7 @@ glm::ivec2 checkedSize(std::string_view bytes, const std::string& name, const ch
   if (bytes.starts_with('P') && stbi_is_16_bit_from_memory(data, size) != 0)
     fail(ExitCode::inputOutput,
          "the {} {} is a PNM picture of 16 bits, which this program does not read; use PNG", what, name);
+  checkPalette(bytes, {width, height}, name, what);
   return {width, height};
 }
 

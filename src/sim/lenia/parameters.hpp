@@ -50,6 +50,7 @@ struct LeniaParameters : ObjectParameters {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{4} * size.x * size.y; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };
 

@@ -5,6 +5,8 @@
 
 #include <ImfChannelList.h>
 #include <ImfChromaticitiesAttribute.h>
+#include <ImfEnvmap.h>
+#include <ImfEnvmapAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
@@ -63,6 +65,15 @@ Window windowOf(const Imath::Box2i& box) {
     return static_cast<int>(length);
   };
   return {box.min.x, box.min.y, side(box.min.x, box.max.x), side(box.min.y, box.max.y)};
+}
+
+bool isRec709(const Imf::Chromaticities& named) {
+  constexpr float rounding = 1e-3F;
+  const Imf::Chromaticities usual;
+  return named.red.equalWithAbsError(usual.red, rounding) &&
+         named.green.equalWithAbsError(usual.green, rounding) &&
+         named.blue.equalWithAbsError(usual.blue, rounding) &&
+         named.white.equalWithAbsError(usual.white, rounding);
 }
 
 /// The channels that make the picture, for R, G, B and A; those that are not there are nullptr.
@@ -171,10 +182,16 @@ LightFile read(MemoryStream& stream) {
     std::copy_n(pixels.begin() + from, std::ptrdiff_t{4} * (right - left), picture.values.begin() + to);
   }
   if (const auto* named = header.findTypedAttribute<Imf::ChromaticitiesAttribute>("chromaticities"))
-    if (const Imf::Chromaticities usual; !(named->value() == usual))
+    if (!isRec709(named->value()))
       picture.colours =
           fmt::format("primaries of its own (red {:.3f} {:.3f}, green {:.3f} {:.3f})", named->value().red.x,
                       named->value().red.y, named->value().green.x, named->value().green.y);
+  if (const auto* around = header.findTypedAttribute<Imf::EnvmapAttribute>("envmap");
+      around != nullptr && around->value() == Imf::ENVMAP_CUBE)
+    picture.unfit = "says that it is a cube map; convert it to one of latitude and longitude";
+  for (std::size_t c = 0; c < 3; ++c)
+    if (chosen.names[c] == nullptr)
+      picture.unfit = fmt::format("has no channel {}", std::string_view("RGB").substr(c, 1));
   std::vector<std::string> notes;
   if (!chosen.others.empty()) notes.push_back(fmt::format("channels {}", fmt::join(chosen.others, ", ")));
   if (file.parts() > 1) notes.push_back(fmt::format("parts 2 to {}", file.parts()));

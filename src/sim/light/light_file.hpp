@@ -15,6 +15,7 @@ struct LightFile {
   std::vector<float> values;
   std::string colours;  ///< of its primaries, where they are not those of Rec. 709
   std::string note;     ///< what of the file is not in it: "channels Z"; or empty
+  std::string unfit;    ///< why it is no picture of all around; or empty
 };
 
 /// Whether a file begins as one of these.

@@ -3,8 +3,11 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "sim/light/light_file.hpp"
+#include "sim/polygons/words.hpp"
 
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace simreel::sim {
 
@@ -38,16 +41,20 @@ class RadianceFile {
   std::string_view line() {
     const std::size_t end = rest_.find('\n');
     if (end == std::string_view::npos) cutOff();
-    const std::string_view found = rest_.substr(0, end);
+    std::string_view found = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
+    if (found.ends_with('\r')) found.remove_suffix(1);  // some write the header as text of Windows
     return found;
   }
 
   void readHeader() {
     static_cast<void>(line());  // #?RADIANCE or #?RGBE
-    for (std::string_view text = line(); !text.empty(); text = line())
+    for (std::string_view text = line(); !text.empty(); text = line()) {
       if (text.starts_with("FORMAT=") && text != "FORMAT=32-bit_rle_rgbe")
         refuse(fmt::format("has the format {}, and only 32-bit_rle_rgbe is read", oneLine(text.substr(7))));
+      if (constexpr std::string_view key = "PRIMARIES="; text.starts_with(key))
+        checkPrimaries(text.substr(key.size()));
+    }
     std::string_view size = line();
     const std::string shown = oneLine(size.substr(0, 40));
     const auto number = [&](std::string_view before) {
@@ -63,6 +70,19 @@ class RadianceFile {
     width_ = number(" +X ");
     // A run of 255 pixels takes four bytes, in the newer form one of 127 two bytes in each of four planes.
     if (double(width_) * height_ > double(rest_.size()) * 255 / 4 + 255) cutOff();
+  }
+
+  /// Radiance's own have a green of 0.29 0.6 and white of equal energy; who writes them means Rec. 709.
+  void checkPrimaries(std::string_view numbers) {
+    constexpr std::array<double, 8> usual = {0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329};
+    constexpr double slack = 0.025;
+    const std::string words = oneLine(numbers.substr(0, 80));
+    for (const double expected : usual) {
+      const std::optional<double> number = doubleIn(takeWord(numbers));
+      if (!number || !(std::abs(*number - expected) < slack))
+        picture_.unfit = fmt::format(
+            "has primaries of its own ({}); convert it to those of Rec. 709 (sRGB)", withoutBlanks(words));
+    }
   }
 
   int byte() {

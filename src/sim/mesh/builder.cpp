@@ -2,9 +2,11 @@
 
 #include "base/error.hpp"
 #include "base/srgb.hpp"
+#include "scene/value/asset_path.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -13,6 +15,20 @@
 namespace simreel::sim {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+thread_local std::set<fs::path> readable;  ///< ReadableFolders
+
+bool isReadable(const fs::path& named) {
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(fs::absolute(named, error), error);
+  return !error && std::any_of(readable.begin(), readable.end(), [&](const fs::path& folder) {
+    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+  });
+}
+
+}  // namespace
 
 void refuseMesh(const fs::path& file, const std::string& why) {
   fail(ExitCode::inputOutput, "the mesh {} {}", file.string(), why);
@@ -23,6 +39,13 @@ glm::vec3 linearColor(const glm::vec3& encoded) {
     return static_cast<float>(linearOfSrgb(std::clamp(static_cast<double>(part), 0.0, 1.0)));
   };
   return {linear(encoded.r), linear(encoded.g), linear(encoded.b)};
+}
+
+ReadableFolders::ReadableFolders(const fs::path& mesh) {
+  readable = scene::foldersAround(mesh);
+}
+ReadableFolders::~ReadableFolders() {
+  readable.clear();
 }
 
 fs::path besidePath(const fs::path& mesh, std::string_view name) {
@@ -47,7 +70,9 @@ bool liesBeside(const fs::path& mesh, const fs::path& named) {
 }
 
 std::string whyUnread(const fs::path& mesh, const fs::path& named) {
-  if (!liesBeside(mesh, named)) return "it lies outside the mesh's folder";
+  if (!liesBeside(mesh, named) && !isReadable(named))
+    return readable.empty() ? "it lies outside the mesh's folder"
+                            : "it lies outside the folders that the scene may read; --assets DIR adds one";
   std::error_code error;
   return fs::is_regular_file(named, error) ? "" : "it is not there, or no plain file";
 }

@@ -31,6 +31,18 @@ constexpr int maxNodeDepth = 256;
 /// Whether a file named by a mesh lies in the mesh's folder or below, links followed.
 [[nodiscard]] bool liesBeside(const std::filesystem::path& mesh, const std::filesystem::path& named);
 
+/// While it lives, materials of this mesh that are read on this thread may name pictures in all folders
+/// that the scenes may read which name the mesh.
+class ReadableFolders {
+ public:
+  explicit ReadableFolders(const std::filesystem::path& mesh);
+  ~ReadableFolders();
+  ReadableFolders(const ReadableFolders&) = delete;
+  ReadableFolders& operator=(const ReadableFolders&) = delete;
+  ReadableFolders(ReadableFolders&&) = delete;
+  ReadableFolders& operator=(ReadableFolders&&) = delete;
+};
+
 /// Why a file that a mesh's materials name is not read, for it is not there or not to be read; empty where
 /// it is.
 [[nodiscard]] std::string whyUnread(const std::filesystem::path& mesh, const std::filesystem::path& named);

@@ -35,6 +35,8 @@ std::string readApart(const std::filesystem::path& file, const std::function<std
   // A byte of text becomes some 30 of memory; what becomes of glTF is counted beforehand.
   const Allotment allotment{isGltf(file) ? std::size_t{4} << 30 : (std::size_t{256} << 20) + 64 * bytes,
                             10 + static_cast<int>(std::min<std::size_t>(bytes >> 20U, 3600))};
+  // Looked up here: the child of a process of several threads must not wait for a lock of theirs.
+  const ReadableFolders readable(file);
   try {
     return runIsolated(allotment, read);
   } catch (const UserError&) {

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/strict_json.hpp"
+#include "base/text.hpp"
 #include "sim/mesh/builder.hpp"
 
 #include <algorithm>
@@ -85,14 +86,30 @@ std::string decodePercent(const std::string& uri) {
 GltfDocument::GltfDocument(const std::filesystem::path& file, std::string_view text) : file_(file) {
   if (text.substr(0, 4) == "glTF") text = openGlb(text);
   json_ = parseStrictJson(text, {.containers = maxContainers});
-  if (!root().at("asset").at("version").text().starts_with("2.")) refuse("is no glTF of version 2");
+  checkVersion();
   buffers_.resize(size("buffers"));
+}
+
+void GltfDocument::checkVersion() const {
+  const JsonValue asset = root().at("asset");
+  if (!asset.at("version").text().starts_with("2.")) refuse("is no glTF of version 2");
+  if (!asset.has("minVersion")) return;
+  if (const std::string least = asset.at("minVersion").text(); least != "2.0")
+    refuse(fmt::format("needs a reader of glTF {}, and this one reads 2.0", oneLine(least.substr(0, 20))));
 }
 
 /// The JSON of a binary file, whose first chunk it is; a second chunk holds bytes.
 std::string_view GltfDocument::openGlb(std::string_view text) {
   std::array<std::string_view, 2> chunks;
   std::size_t at = 12;
+  if (text.size() < at) refuse("is cut off, or no binary glTF of version 2");
+  if (const auto version = read<std::uint32_t>(text, 4); version != 2)
+    refuse(fmt::format("is a binary glTF of version {}, and only 2 is read", version));
+  const std::size_t whole = read<std::uint32_t>(text, 8);
+  if (whole > text.size())
+    refuse(fmt::format("is cut off: its header promises {} bytes, and it has {}", whole, text.size()));
+  behind_ = text.size() - whole;
+  text = text.substr(0, whole);
   for (std::string_view& chunk : chunks) {
     if (at == text.size() && at > 12) break;
     const std::size_t length = text.size() < at + 8 ? text.size() : read<std::uint32_t>(text, at);
@@ -155,6 +172,20 @@ std::vector<std::uint64_t> GltfDocument::wholeNumbers(const JsonValue& object, c
   return all;
 }
 
+std::array<double, 4> GltfDocument::rotation(const JsonValue& node) {
+  const std::vector<float> q = numbers(node, "rotation", 4);
+  if (q.empty()) return {0, 0, 0, 1};
+  std::array<double, 4> unit = {q[0], q[1], q[2], q[3]};
+  double squared = 0;
+  for (const double part : unit) squared += part * part;
+  if (!(squared > 1e-12 && std::isfinite(squared)))
+    node.at("rotation").wrong("must be a quaternion of length 1");
+  constexpr double rounding = 1e-5;
+  if (std::abs(squared - 1) > rounding)
+    for (double& part : unit) part /= std::sqrt(squared);
+  return unit;
+}
+
 std::string GltfDocument::bytesOf(const std::string& uri, std::uint64_t promised) const {
   if (uri.starts_with("data:")) {
     const std::size_t comma = uri.find(";base64,");
@@ -162,7 +193,8 @@ std::string GltfDocument::bytesOf(const std::string& uri, std::uint64_t promised
     return decodeBase64(std::string_view(uri).substr(comma + 8));
   }
   const std::filesystem::path path = file_.parent_path() / decodePercent(uri);
-  if (!liesBeside(file_, path))
+  const bool ofLooks = promised == 0;  // pictures, which may lie in any folder that the scene may read
+  if (!liesBeside(file_, path) && !(ofLooks && whyUnread(file_, path).empty()))
     refuse(fmt::format("names {}, which lies outside its folder", path.string()));
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))

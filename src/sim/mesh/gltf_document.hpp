@@ -1,6 +1,7 @@
 #pragma once
 #include "base/strict_json.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -37,6 +38,9 @@ class GltfDocument {
                                                   std::size_t count);
   /// Whole numbers of an object's list; empty where there is none.
   [[nodiscard]] static std::vector<std::uint64_t> wholeNumbers(const JsonValue& object, const char* key);
+  /// The rotation of a node as a quaternion x, y, z, w of unit length, which it is made where the file has
+  /// another length.
+  [[nodiscard]] static std::array<double, 4> rotation(const JsonValue& node);
 
   /// How many vertices or indices an accessor has; checked against its bytes.
   [[nodiscard]] std::size_t count(std::size_t accessor) const;
@@ -54,6 +58,9 @@ class GltfDocument {
   /// and those of a buffer view.
   [[nodiscard]] std::string bytesOfView(std::size_t number) const;
 
+  /// How many bytes of a binary file lie behind the end that its header names.
+  [[nodiscard]] std::size_t bytesBehind() const { return behind_; }
+
   [[noreturn]] void refuse(const std::string& why) const;
 
  private:
@@ -65,6 +72,7 @@ class GltfDocument {
     bool normalised;
   };
 
+  void checkVersion() const;
   std::string_view openGlb(std::string_view text);
   std::string_view buffer(std::size_t number) const;
   std::string bytesOf(const std::string& uri, std::uint64_t promised) const;
@@ -77,6 +85,7 @@ class GltfDocument {
   const std::filesystem::path& file_;
   nlohmann::json json_;
   std::optional<std::string_view> glbBytes_;
+  std::size_t behind_ = 0;
   mutable std::vector<std::optional<std::string>> buffers_;  ///< what was loaded so far
 };
 

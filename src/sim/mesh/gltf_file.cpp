@@ -34,15 +34,18 @@ class GltfReader {
   Mesh read() {
     const std::vector<Placed> placed = walk();
     for (const Placed& mesh : placed) parts_.count(mesh.mesh);
+    int flat = 0;
     for (const Placed& mesh : placed) {
       GltfSkin skin;
       if (mesh.skin) skin.pose = parts_.poseOf(*mesh.skin, nodes_);
       // The joints have the vertices' place, whatever the node's (glTF 2.0, 3.7.3.2).
       const glm::mat4 transform = mesh.skin ? glm::mat4(1) : mesh.transform;
+      flat += glm::determinant(glm::mat3(transform)) == 0 ? 1 : 0;
       parts_.eachPart(mesh.mesh, skin, [&](const GltfPart& part) { add(part, transform); });
     }
     Mesh mesh = builder_.finish();
     mesh.undrawn = parts_.undrawn();
+    if (flat > 0) mesh.undrawn.push_back(fmt::format("what a scale of 0 makes flat (nodes: {})", flat));
     GltfMaterials looks = readMaterials(parts_.document());
     mesh.materials = std::move(looks.materials);
     mesh.images = std::move(looks.images);
@@ -64,9 +67,9 @@ class GltfReader {
       return v.empty() ? glm::vec3(otherwise) : glm::vec3(v[0], v[1], v[2]);
     };
     const glm::vec3 place = or3("translation", 0), scale = or3("scale", 1);
-    const std::vector<float> q = GltfDocument::numbers(node, "rotation", 4);
-    const float x = q.empty() ? 0 : q[0], y = q.empty() ? 0 : q[1], z = q.empty() ? 0 : q[2],
-                w = q.empty() ? 1 : q[3];
+    const std::array<double, 4> q = GltfDocument::rotation(node);
+    const auto x = static_cast<float>(q[0]), y = static_cast<float>(q[1]), z = static_cast<float>(q[2]),
+               w = static_cast<float>(q[3]);
     // The matrix of a unit quaternion, column by column, each scaled.
     return {glm::vec4(1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y), 0) * scale.x,
             glm::vec4(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x), 0) * scale.y,

@@ -183,6 +183,8 @@ std::vector<std::string> GltfParts::undrawn() const {
   std::vector<std::string> found;
   if (lines_ > 0) found.push_back(fmt::format("lines ({})", lines_));
   if (points_ > 0) found.push_back(fmt::format("points ({})", points_));
+  if (const std::size_t bytes = document_.bytesBehind(); bytes > 0)
+    found.push_back(fmt::format("bytes behind the end that its header names ({})", bytes));
   return found;
 }
 

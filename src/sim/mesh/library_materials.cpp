@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -58,26 +59,45 @@ std::vector<std::string> libraryNames(const std::filesystem::path& mesh, std::st
 /// The first numbers of a text, held between 0 and `most`; one stands for all that follow.
 std::array<float, 3> numbersIn(std::string_view text, float most) {
   std::array<float, 3> numbers{};
-  const std::string copy(text);
-  const char* at = copy.c_str();
   for (std::size_t i = 0; i < 3; ++i) {
-    char* end = nullptr;
-    const double value = std::strtod(at, &end);
-    numbers[i] = end == at
-                     ? (i == 0 ? 0.0F : numbers[i - 1])
-                     : static_cast<float>(std::isfinite(value) ? std::clamp(value, 0.0, double{most}) : 0);
-    at = end;
+    const std::optional<double> value = doubleIn(takeWord(text));
+    numbers[i] = !value                  ? (i == 0 ? 0.0F : numbers[i - 1])
+                 : std::isfinite(*value) ? static_cast<float>(std::clamp(*value, 0.0, double{most}))
+                                         : 0.0F;
   }
   return numbers;
 }
 
-/// The number that a text begins with, not beyond 1e6.
+/// A key of a material that has numbers: how many at most, and the largest of them that means something.
+struct NumberKey {
+  std::string_view key;
+  int numbers;
+  double most;
+};
+
+constexpr double unbounded = 1e30;
+constexpr std::array<NumberKey, 16> numberKeys = {{{"Kd", 3, 1},
+                                                   {"Ke", 3, 1e6},
+                                                   {"Pr", 1, 1},
+                                                   {"Pm", 1, 1},
+                                                   {"Ns", 1, unbounded},
+                                                   {"Pc", 1, 1},
+                                                   {"Pcr", 1, 1},
+                                                   {"d", 1, 1},
+                                                   {"Tr", 1, 1},
+                                                   {"Tf", 3, unbounded},
+                                                   {"aniso", 1, unbounded},
+                                                   {"Ps", 1, unbounded},
+                                                   {"Ka", 3, unbounded},
+                                                   {"Ks", 3, unbounded},
+                                                   {"Ni", 1, unbounded},
+                                                   {"illum", 1, unbounded}}};
+
+/// The number that is a text's first word, not beyond 1e6.
 std::optional<float> numberIn(std::string_view text) {
-  const std::string copy(text);
-  char* end = nullptr;
-  const double value = std::strtod(copy.c_str(), &end);
-  if (end == copy.c_str() || !std::isfinite(value)) return std::nullopt;
-  return static_cast<float>(std::clamp(value, -1e6, 1e6));
+  const std::optional<double> value = doubleIn(takeWord(text));
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return static_cast<float>(std::clamp(*value, -1e6, 1e6));
 }
 
 /// Takes the first word and the blanks behind it off a text.
@@ -99,14 +119,12 @@ class LibraryReader {
   LibraryReader(const std::filesystem::path& file, Mesh& mesh) : file_(file), mesh_(mesh) {}
 
   void read(const std::string& library) {
+    if (!libraries_.insert(library).second) return;  // programs name it once an object
     const std::optional<std::string> text = beside(library, "material library");
     eachKey(text ? std::string_view(*text) : std::string_view(),
             [&](std::string_view key, std::string_view rest) {
               if (key == "newmtl") {
-                name_ = rest;
-                MeshMaterial fresh;
-                fresh.metallic = 0;
-                all_[name_] = fresh;
+                begin(rest);
               } else if (!name_.empty()) {
                 take(all_[name_], key, rest);
               }
@@ -163,12 +181,39 @@ class LibraryReader {
     mesh_.ignored.push_back(fmt::format("{} of material \"{}\"", key, name_));
   }
 
-  /// Whether the key has numbers, and there are none.
-  static bool lacksNumbers(std::string_view key, std::string_view rest) {
-    constexpr std::array<std::string_view, 16> numeric = {"Kd",  "Ke", "Pr", "Pm",   "Ns",    "Pc",
-                                                          "Pcr", "d",  "Tr", "Tf",   "aniso", "Ps",
-                                                          "Ka",  "Ks", "Ni", "illum"};
-    return std::find(numeric.begin(), numeric.end(), key) != numeric.end() && !numberIn(rest);
+  /// A name that comes again begins anew, as other programs have it.
+  void begin(std::string_view name) {
+    name_ = name;
+    MeshMaterial fresh;
+    fresh.metallic = 0;
+    if (!all_.insert_or_assign(name_, fresh).second)
+      mesh_.ignored.push_back(fmt::format("all but the last newmtl {}", inQuotes(name)));
+    hasRoughness_.erase(name_);
+    light_.erase(name_);
+  }
+
+  /// Whether the numbers of a key can be used. Notes where they are none, and where they are held to their
+  /// range. A line of spectra or of CIE coordinates has none either.
+  bool hasNumbers(const NumberKey& known, std::string_view key, std::string_view rest) {
+    constexpr double hair = 1e-4;  // of colours that were computed
+    std::string_view words = rest;
+    bool held = false;
+    for (int i = 0; i < known.numbers; ++i) {
+      const std::string_view word = takeWord(words);
+      if (word.empty() && i > 0) break;
+      const std::optional<double> value = doubleIn(word);
+      if (!value || !std::isfinite(*value)) {
+        ignore(inQuotes(fmt::format("{} {}", key, rest)));
+        return false;
+      }
+      const bool signless = known.most < unbounded || key == "Ns";
+      held = held || *value > known.most + hair || (signless && *value < -hair);
+    }
+    if (held)
+      mesh_.ignored.push_back(fmt::format(
+          "{} of material {} (held to {})", inQuotes(fmt::format("{} {}", key, rest)), inQuotes(name_),
+          known.most < unbounded ? fmt::format("0 to {}", known.most) : std::string("0 and above")));
+    return true;
   }
 
   void take(MeshMaterial& material, std::string_view key, std::string_view rest) {
@@ -176,7 +221,9 @@ class LibraryReader {
       takeFirst(rest);
       ignore("-halo of d");
     }
-    if (lacksNumbers(key, rest)) return ignore(fmt::format("\"{} {}\"", key, rest.substr(0, 40)));
+    const auto* const known = std::find_if(numberKeys.begin(), numberKeys.end(),
+                                           [&](const NumberKey& k) { return k.key == key; });
+    if (known != numberKeys.end() && !hasNumbers(*known, key, rest)) return;
     if (key == "Kd") {
       material.color = colorIn(rest, 1);
     } else if (key == "Ke") {
@@ -260,11 +307,13 @@ class LibraryReader {
     } else if (option == "-t") {
       if (takeNumbers(after, glm::vec3(0)) != glm::vec3(0)) ignore(fmt::format("-t of {}", key));
     } else if (option == "-mm") {
-      const float base = numberIn(takeFirst(after)).value_or(0),
-                  gain = numberIn(takeFirst(after)).value_or(1);
-      if (base != 0 || gain != 1) ignore(fmt::format("-mm of {}", key));
+      const std::optional<float> base = numberIn(takeFirst(after)), gain = numberIn(takeFirst(after));
+      if (base != 0.0F || gain != 1.0F) ignore(fmt::format("-mm of {}", key));
     } else if (option == "-bm") {
-      named.strength = numberIn(takeFirst(after)).value_or(1);
+      const std::string_view word = takeFirst(after);
+      const std::optional<float> strength = numberIn(word);
+      if (!strength) ignore(fmt::format("-bm {} of {}", inQuotes(word), key));
+      named.strength = strength.value_or(1);
     } else if (option == "-clamp") {
       named.map.repeats = takeFirst(after) != "on";
     } else if (option == "-imfchan" || option == "-cc" || option == "-colorspace") {
@@ -329,6 +378,7 @@ class LibraryReader {
   std::map<std::string, bool> hasRoughness_;
   std::map<std::string, OldLight> light_;  ///< of the library that is read
   std::map<std::string, int> numbers_;
+  std::set<std::string> libraries_;  ///< that have been read
 };
 
 }  // namespace

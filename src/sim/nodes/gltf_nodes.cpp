@@ -3,6 +3,7 @@
 #include "sim/mesh/builder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -31,8 +32,8 @@ FigureNode nodeOf(const JsonValue& node, std::size_t number, int parent) {
   if (const auto t = GltfDocument::numbers(node, "translation", 3); !t.empty())
     made.translation = {t[0], t[1], t[2]};
   if (const auto s = GltfDocument::numbers(node, "scale", 3); !s.empty()) made.scale = {s[0], s[1], s[2]};
-  if (const auto q = GltfDocument::numbers(node, "rotation", 4); !q.empty())
-    made.rotation = glm::dquat(q[3], q[0], q[1], q[2]);
+  const std::array<double, 4> q = GltfDocument::rotation(node);
+  made.rotation = glm::dquat(q[3], q[0], q[1], q[2]);
   return made;
 }
 

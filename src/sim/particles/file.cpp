@@ -2,8 +2,11 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/log.hpp"
+#include "base/text.hpp"
 #include "sim/polygons/ply.hpp"
 #include "sim/polygons/problem.hpp"
+#include "sim/polygons/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +18,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <fmt/ranges.h>
 
 namespace simreel::sim {
 
@@ -87,13 +92,25 @@ class Collector {
 
   template <class... Args>
   [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) const {
-    fail(ExitCode::usage, "{}: {}", file_, fmt::format(format, std::forward<Args>(args)...));
+    fail(ExitCode::inputOutput, "{}: {}", file_, fmt::format(format, std::forward<Args>(args)...));
   }
   void requirePosition(const std::array<bool, columns>& given) {
     given_ = given;
     for (const Column c : {columnX, columnY, columnZ})
       if (!given[c])
         refuse("no column \"{}\"; particles need x, y, z and may have vx, vy, vz, mass", columnNames[c]);
+  }
+  /// What a file has beside that may be a misspelt name, so it is said once.
+  void noteUnused(const std::vector<std::string>& names) const {
+    constexpr std::size_t most = 8;
+    if (names.empty()) return;
+    std::string list = fmt::format(
+        "{}", fmt::join(names.begin(),
+                        names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())), ", "));
+    if (names.size() > most) list += fmt::format(" and {} more", names.size() - most);
+    warnLinesOnce("simreel: warning: " +
+                  oneLine(fmt::format("{}: not used: column{} {}; particles have x, y, z, vx, vy, vz, mass",
+                                      file_, names.size() == 1 ? "" : "s", list)));
   }
   void add(const Row& row, const char* what, std::int64_t where) {
     for (int c = 0; c < columns; ++c) {
@@ -106,7 +123,7 @@ class Collector {
     if (given_[columnMass] && !(row[columnMass] >= 1e-9))
       refuse("{} {}: the mass is {}, it must be at least 1e-9 kg", what, where, row[columnMass]);
     if (static_cast<int>(rows_.size()) == max_)
-      refuse("more than {} particles, the most that fit here", max_);
+      fail(ExitCode::usage, "{}: more than {} particles, the most that fit here", file_, max_);
     rows_.push_back(row);
   }
   [[nodiscard]] ParticleCloud cloud(float totalMass) const {
@@ -133,6 +150,7 @@ void readCsv(std::string_view text, Collector& collector) {
     text.remove_prefix(byteOrderMark.size());
   std::int64_t number = 0;
   std::vector<std::optional<Column>> layout;
+  std::vector<std::string> unused;
   char separator = ',';
   while (!text.empty()) {
     const std::string_view line = takeLine(text);
@@ -144,11 +162,15 @@ void readCsv(std::string_view text, Collector& collector) {
       std::array<bool, columns> given{};
       for (const std::string_view part : parts) {
         layout.push_back(columnOf(part));
-        if (!layout.back()) continue;
+        if (!layout.back()) {
+          if (!part.empty()) unused.push_back(inQuotes(part));
+          continue;
+        }
         if (given[*layout.back()]) collector.refuse("line {}: column \"{}\" twice", number, part);
         given[*layout.back()] = true;
       }
       collector.requirePosition(given);
+      collector.noteUnused(unused);
       continue;
     }
     if (parts.size() != layout.size())
@@ -170,6 +192,7 @@ void readPly(std::string_view text, Collector& collector) {
     const PlyFile file(text);
     std::array<bool, columns> given{};
     std::array<std::size_t, columns> properties{};
+    std::vector<std::string> unused;
     std::size_t vertices = 0;
     while (vertices < file.elements().size() && file.elements()[vertices].name != "vertex") ++vertices;
     if (vertices == file.elements().size()) collector.refuse("has no vertices");
@@ -178,8 +201,11 @@ void readPly(std::string_view text, Collector& collector) {
       if (const auto column = columnOf(all[i].name); column && !all[i].counts) {
         given[*column] = true;
         properties[*column] = i;
+      } else {
+        unused.push_back(inQuotes(all[i].name));
       }
     collector.requirePosition(given);
+    collector.noteUnused(unused);
     file.read([&](std::size_t element, std::uint64_t item, const PlyItem& values) {
       if (element != vertices) return;
       Row row{};

@@ -92,6 +92,12 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
   [[nodiscard]] bool asksToCollide() const override { return collides; }
+  [[nodiscard]] std::int64_t leastBlockBytes() const override {
+    std::int64_t bytes = 0;
+    for (const ParticleGroup& group : groups)
+      if (group.shape != ParticleGroup::Shape::file) bytes += std::int64_t{16} * group.count;
+    return bytes;
+  }
   [[nodiscard]] double touchMargin() const override { return collides ? margin : -1; }
   [[nodiscard]] std::string meetsWalls() const override { return walls; }
   [[nodiscard]] WindFrom windFrom() const override { return {windFluid, {"wind", "fluid"}}; }

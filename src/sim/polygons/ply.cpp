@@ -151,6 +151,9 @@ void PlyFile::takeHeaderLine(std::string_view line, std::size_t number) {
     bigEndian_ = words[0] == "binary_big_endian";
     binary_ = bigEndian_ || words[0] == "binary_little_endian";
     if (!binary_ && words[0] != "ascii") refuse();
+    if (words[1] != "1.0")
+      throw PolygonProblem(
+          fmt::format("has in line {} {}; only version 1.0 is read", number, inQuotes(line)));
   } else if (key == "element" && words.size() == 2) {
     if (words[1].find_first_not_of("0123456789") != std::string_view::npos) refuse();
     std::uint64_t count = 0;
@@ -165,6 +168,9 @@ void PlyFile::takeHeaderLine(std::string_view line, std::size_t number) {
   } else if (key == "property" && words.size() == 4 && words[0] == "list" && !elements_.empty()) {
     const auto counts = plyTypeNamed(words[1]), type = plyTypeNamed(words[2]);
     if (!counts || !type) refuse();
+    if (counts->kind == 'f')
+      throw PolygonProblem(
+          fmt::format("has in line {} {}; a list's length is a whole number", number, inQuotes(line)));
     elements_.back().properties.push_back({std::string(words[3]), *type, counts});
   } else {
     refuse();

@@ -112,6 +112,9 @@ struct ReactionParameters : ObjectParameters, FieldParts, FieldReading {
     return space() == RuleSpace::plane ? "its \"display\"" : nullptr;
   }
   [[nodiscard]] bool isField() const override { return space() == RuleSpace::plane; }
+  [[nodiscard]] std::int64_t leastBlockBytes() const override {
+    return space() == RuleSpace::mesh ? 0 : std::int64_t{4} * size.x * size.y * depth;
+  }
   [[nodiscard]] std::vector<std::string> fieldParts() const override;
   [[nodiscard]] std::string takenBy() const override;
   [[nodiscard]] std::vector<From> readsFields() const override;

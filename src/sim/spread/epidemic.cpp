@@ -75,15 +75,25 @@ class Epidemic final : public Simulation {
   std::optional<SpreadGrid> grid_;
 };
 
+/// A plan whose cells tell of mistakes: of a grid that takes gigabytes, a small one from the same picture.
+EpidemicPlan lookedAt(const EpidemicParameters& parameters, const EpidemicPlan& plan,
+                      const Setting& setting) {
+  if (parameters.leastBlockBytes() <= ObjectParameters::commonBlockBytes) return plan;
+  EpidemicParameters small = parameters;
+  small.size = SpreadParameters::lookedAt;
+  small.strokes.clear();
+  return {small, "", setting.seed, setting.frameSeconds};
+}
+
 }  // namespace
 
 SimulationKind epidemicKind() {
   return kindOf<EpidemicParameters>(
       "epidemic", "Susceptible, infected and recovered people on a grid of cells.",
       [](const scene::Object& object, const Setting& setting) {
-        static_cast<void>(EpidemicPlan(parametersOf<EpidemicParameters>(object), object.name, setting.seed,
-                                       setting.frameSeconds)
-                              .firstCells());
+        const auto& parameters = parametersOf<EpidemicParameters>(object);
+        const EpidemicPlan plan(parameters, object.name, setting.seed, setting.frameSeconds);
+        static_cast<void>(lookedAt(parameters, plan, setting).firstCells());
       },
       makeSimulation<Epidemic>);
 }

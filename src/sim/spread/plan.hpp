@@ -25,6 +25,8 @@ namespace simreel::sim {
 /// rate, strokes, a chart of the counts.
 struct SpreadParameters {
   enum class Border { torus, closed };
+  /// Size of a grid that is made to find the mistakes of one that takes gigabytes.
+  static constexpr glm::ivec2 lookedAt{512, 512};
   glm::ivec2 size{640, 360};
   Border border = Border::closed;
   double stepsPerSecond = 60;

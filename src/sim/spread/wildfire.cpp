@@ -127,8 +127,17 @@ SimulationKind wildfireKind() {
   return kindOf<WildfireParameters>(
       "wildfire", "Fire on a map of fuel, carried by wind from cell to cell.",
       [](const scene::Object& object, const Setting& setting) {
-        static_cast<void>(WildfirePlan(parametersOf<WildfireParameters>(object), object.name, setting.seed,
-                                       setting.frameSeconds));
+        // Of a grid that takes gigabytes, a small one from the same pictures, and the strokes by
+        // themselves.
+        WildfireParameters parameters = parametersOf<WildfireParameters>(object);
+        if (parameters.leastBlockBytes() > ObjectParameters::commonBlockBytes) {
+          static_cast<void>(Strokes(parameters.strokes, setting.seed,
+                                    {parameters.size, parameters.border == SpreadParameters::Border::torus,
+                                     "wildfire \"" + object.name + "\""}));
+          parameters.size = SpreadParameters::lookedAt;
+          parameters.strokes.clear();
+        }
+        static_cast<void>(WildfirePlan(parameters, object.name, setting.seed, setting.frameSeconds));
       },
       makeSimulation<Wildfire>);
 }

@@ -137,9 +137,9 @@ Font::Font(std::filesystem::path file) : file_(std::move(file)), library_(std::m
   l.bytes = readFile(file_, "font", mostBytes);
   if (FT_New_Memory_Face(l.library, reinterpret_cast<const FT_Byte*>(l.bytes.data()),
                          static_cast<FT_Long>(l.bytes.size()), 0, &l.face) != 0)
-    fail(ExitCode::usage, "cannot read font {}: it is no TrueType or OpenType file", file_.string());
+    fail(ExitCode::inputOutput, "cannot read font {}: it is no TrueType or OpenType file", file_.string());
   if ((l.face->face_flags & FT_FACE_FLAG_SCALABLE) == 0 || l.face->units_per_EM == 0)
-    fail(ExitCode::usage, "cannot use font {}: it has no outlines", file_.string());
+    fail(ExitCode::inputOutput, "cannot use font {}: it has no outlines", file_.string());
   perUnit_ = 1.0 / static_cast<double>(l.face->units_per_EM);
   double height = 0;
   if (has(U'H'))
@@ -160,7 +160,7 @@ const Font::Glyph& Font::glyph(char32_t character) {
   if (known != glyphs_.end()) return known->second;
   FT_Face face = library_->face;
   if (FT_Load_Glyph(face, FT_Get_Char_Index(face, character), FT_LOAD_NO_SCALE) != 0)
-    fail(ExitCode::usage, "cannot read font {}: the outline of U+{:04X} is damaged", file_.string(),
+    fail(ExitCode::inputOutput, "cannot read font {}: the outline of U+{:04X} is damaged", file_.string(),
          static_cast<unsigned>(character));
   Pen pen{perUnit_, {}};
   FT_Outline_Funcs calls{};
@@ -170,7 +170,7 @@ const Font::Glyph& Font::glyph(char32_t character) {
   calls.cubic_to = Pen::cubic;
   if (face->glyph->format == FT_GLYPH_FORMAT_OUTLINE &&
       FT_Outline_Decompose(&face->glyph->outline, &calls, &pen) != 0)
-    fail(ExitCode::usage, "cannot read font {}: the outline of U+{:04X} is damaged", file_.string(),
+    fail(ExitCode::inputOutput, "cannot read font {}: the outline of U+{:04X} is damaged", file_.string(),
          static_cast<unsigned>(character));
   clean(pen.outlines);
   Glyph glyph{std::move(pen.outlines), perUnit_ * static_cast<double>(face->glyph->metrics.horiAdvance)};

@@ -21,7 +21,7 @@ class Font {
     double advance = 0;
   };
 
-  /// TrueType or OpenType. Throws UserError(usage) for a file that is none, and what readFile throws.
+  /// TrueType or OpenType. Throws UserError(inputOutput) for a file that is none, and what readFile throws.
   explicit Font(std::filesystem::path file);
   ~Font();
   Font(Font&&) = delete;

@@ -1,6 +1,7 @@
 #include "sim/water/float_plan.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "sim/core/collider.hpp"
 
 #include <algorithm>
@@ -120,6 +121,23 @@ void FloatPlan::describeStep(const WaterParameters& water, double dt, double dep
   s.count = static_cast<int>(floats_.size());
 }
 
+/// Between two walls, where it starts.
+void FloatPlan::warnIfWider(const WaterParameters& water, const std::string& name,
+                            std::size_t index) const {
+  const glm::mat4 turned = rotationMatrix(floats_[index].rotation);
+  glm::vec3 low(1e30F), high(-1e30F);
+  for (const glm::vec3& corner : hulls_[index].corners) {
+    const glm::vec3 at(turned * glm::vec4(corner, 0));
+    low = glm::min(low, at);
+    high = glm::max(high, at);
+  }
+  const glm::vec2 wide(high.x - low.x, high.z - low.z), basin = glm::vec2(water.size) * water.cell;
+  const auto wall = [&](std::size_t side) { return water.sides[side] == WaterBorder::wall; };
+  if ((wide.x <= basin.x || !(wall(0) && wall(1))) && (wide.y <= basin.y || !(wall(2) && wall(3)))) return;
+  warn("water \"{}\" is {:g} by {:g} m, wider than its basin of {:g} by {:g} m; make one of them fit", name,
+       wide.x, wide.y, basin.x, basin.y);
+}
+
 void FloatPlan::addBody(const WaterParameters& water, const std::string& name, std::size_t index,
                         double depth, const std::vector<glm::vec4>& cells) {
   const double cell = water.cell;
@@ -133,6 +151,7 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
          "\"cell\" larger",
          name, reach, water.cell, largestReach);
   side_ = std::max(side_, 2 * reach + 1);
+  warnIfWider(water, name, index);
   const auto inverse = hull.inverseInertia();
   const double lighter = waterDensity * hull.volume / hull.mass;
   // By Cauchy a body's mean shadow is a quarter of its surface.
@@ -172,9 +191,11 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
   const auto held = [](double at, int count) {
     return static_cast<std::size_t>(std::clamp(std::floor(at), 0.0, count - 1.0));
   };
-  const glm::vec4& under = cells[held(body.position.z / cell + 0.5 * water.size.y, water.size.y) *
-                                     static_cast<std::size_t>(water.size.x) +
-                                 held(body.position.x / cell + 0.5 * water.size.x, water.size.x)];
+  const glm::vec4 under = cells.empty()
+                              ? glm::vec4(0)
+                              : cells[held(body.position.z / cell + 0.5 * water.size.y, water.size.y) *
+                                          static_cast<std::size_t>(water.size.x) +
+                                      held(body.position.x / cell + 0.5 * water.size.x, water.size.x)];
   const float level = under.x - under.w > step_.dry ? under.x : water.level;
   first_.emplace_back(body.position + middle, level);
   first_.push_back(quaternionOf(turned));

@@ -25,8 +25,8 @@ class FloatPlan {
   [[nodiscard]] static double longestStep(const WaterParameters& water, const std::vector<Hull>& hulls);
   /// Seconds in which each stage of a reference level follows the one before (glsl/water/float_model.glsl).
   [[nodiscard]] static double followSeconds(const WaterParameters& water, double depth);
-  /// `cells`: WaterPlan::firstCells(); `depth`: the water's greatest (m). Throws usage for a body that
-  /// reaches over too many cells.
+  /// `cells`: WaterPlan::firstCells(), or none, where first() is no matter; `depth`: the water's greatest
+  /// (m). Throws usage for a body that reaches over too many cells.
   FloatPlan(const WaterParameters& water, const std::string& object, std::vector<Hull> hulls,
             double frameSeconds, int substeps, double depth, const std::vector<glm::vec4>& cells);
 
@@ -44,6 +44,7 @@ class FloatPlan {
 
  private:
   void describeStep(const WaterParameters& water, double dt, double depth);
+  void warnIfWider(const WaterParameters& water, const std::string& name, std::size_t index) const;
   void addBody(const WaterParameters& water, const std::string& name, std::size_t index, double depth,
                const std::vector<glm::vec4>& cells);
 

@@ -110,6 +110,7 @@ struct WaterParameters : ObjectParameters, FieldParts {
   WaterParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] bool isField() const override { return true; }
+  [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{16} * size.x * size.y; }
   [[nodiscard]] std::vector<std::string> fieldParts() const override { return {"speed", "level"}; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool publishesHeights() const override { return collides; }

@@ -47,11 +47,16 @@ std::vector<float> smoothed(const std::vector<float>& heights, glm::ivec2 size) 
 
 }  // namespace
 
-WaterPlan::WaterPlan(WaterParameters parameters, const std::string& object, int seed, double frameSeconds)
+WaterPlan::WaterPlan(WaterParameters parameters, const std::string& object, int seed, double frameSeconds,
+                     bool cells)
     : parameters_(std::move(parameters)), seed_(seed), frameSeconds_(frameSeconds) {
-  makeFirst();
+  if (cells)
+    makeFirst();
+  else
+    depth_ = parameters_.greatestDepth.value_or(deepestPossible());
   std::vector<Hull> hulls = FloatPlan::hullsOf(parameters_, object);
-  chooseSubsteps(object, FloatPlan::longestStep(parameters_, hulls));
+  if (cells || parameters_.greatestDepth)
+    chooseSubsteps(object, FloatPlan::longestStep(parameters_, hulls));
   strokes_ = Strokes(perStep(parameters_.strokes, stepSeconds()), seed,
                      {parameters_.size, parameters_.isTorus(), "water \"" + object + "\""});
   floats_ = FloatPlan(parameters_, object, std::move(hulls), frameSeconds_, substeps_, depth_, first_);
@@ -127,6 +132,19 @@ void WaterPlan::makeFirst() {
   depth_ = p.greatestDepth.value_or(deepest > 0 ? deepest : p.cell);
 }
 
+/// Of any cell; reads the picture of the ground all the same.
+double WaterPlan::deepestPossible() const {
+  const WaterParameters& p = parameters_;
+  double top = p.level, bottom = p.bed;
+  if (!p.terrain.empty()) {
+    static_cast<void>(loadLevels(p.terrain, "terrain", maxImageSide));
+    bottom = std::min<double>(p.terrainLow, p.terrainHigh);
+  }
+  for (const WaterHill& hill : p.hills) bottom += std::min<double>(hill.height, 0);
+  for (const WaterPool& pool : p.pools) top = std::max<double>(top, pool.level);
+  return top > bottom ? top - bottom : static_cast<double>(p.cell);
+}
+
 // Courant number (u + c) dt / side.
 void WaterPlan::chooseSubsteps(const std::string& object, double longest) {
   const WaterParameters& p = parameters_;
@@ -147,10 +165,11 @@ void WaterPlan::chooseSubsteps(const std::string& object, double longest) {
   substeps_ = *p.substeps;
   if (perFrame / substeps_ > allowed)
     warn(
-        "water \"{}\": {} substeps a frame give waves of {:.3g} m/s a Courant number of {:.3g}, and {} is "
-        "the "
-        "most that is stable; use {} substeps or \"auto\"",
-        object, substeps_, fastest, perFrame / substeps_, allowed,
+        "water \"{}\": {} a frame {} waves of {:.3g} m/s a Courant number of {:.3g}, and {} is the most "
+        "that "
+        "is stable; use {} substeps or \"auto\"",
+        object, substeps_ == 1 ? "1 substep" : fmt::format("{} substeps", substeps_),
+        substeps_ == 1 ? "gives" : "give", fastest, perFrame / substeps_, allowed,
         static_cast<long>(std::ceil(perFrame / allowed)));
 }
 

@@ -4,6 +4,7 @@
 #include "sim/water/parameters.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -34,7 +35,14 @@ class WaterPlan {
  public:
   /// Reads the images. Throws UserError for one that cannot be read and usage where no number of substeps
   /// is enough. Warns where `substeps` are too few for the greatest depth and speed.
-  WaterPlan(WaterParameters parameters, const std::string& object, int seed, double frameSeconds);
+  WaterPlan(WaterParameters parameters, const std::string& object, int seed, double frameSeconds)
+      : WaterPlan(std::move(parameters), object, seed, frameSeconds, true) {}
+  /// The same without firstCells(), for looking for mistakes: of a grid that takes gigabytes, whose
+  /// substeps then are no matter.
+  [[nodiscard]] static WaterPlan withoutCells(WaterParameters parameters, const std::string& object,
+                                              int seed, double frameSeconds) {
+    return {std::move(parameters), object, seed, frameSeconds, false};
+  }
 
   /// A cell an element, x fastest: level (m), discharges along x and z (m^2/s, zero), bed (m).
   [[nodiscard]] const std::vector<glm::vec4>& firstCells() const { return first_; }
@@ -61,8 +69,11 @@ class WaterPlan {
   [[nodiscard]] glm::dvec2 cellsAt(const glm::vec3& metres) const;
 
  private:
+  WaterPlan(WaterParameters parameters, const std::string& object, int seed, double frameSeconds,
+            bool cells);
   [[nodiscard]] std::vector<float> bedHeights() const;
   void makeFirst();
+  [[nodiscard]] double deepestPossible() const;
   /// `longest` (s) that a step may be for floats.
   void chooseSubsteps(const std::string& object, double longest);
   [[nodiscard]] shader::WaterDrop dropOf(glm::dvec2 center, double radius, float height) const;

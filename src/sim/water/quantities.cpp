@@ -44,7 +44,8 @@ double heightOf(const glm::dvec4& q, const glm::dvec3& v) {
          2 * (q.y * q.z - q.x * q.w) * v.z;
 }
 
-/// The quantities of floats, in the list's order.
+}  // namespace
+
 std::vector<double> measureFloats(const WaterPlan& plan, std::span<const glm::vec4> floats) {
   double displaced = 0, fastest = 0, upright = 1, draft = 0;
   glm::dvec3 at(0);
@@ -64,8 +65,6 @@ std::vector<double> measureFloats(const WaterPlan& plan, std::span<const glm::ve
   }
   return {displaced, fastest, upright, draft, at.x, at.y, at.z};
 }
-
-}  // namespace
 
 glm::vec4 waterSumFactors(const WaterParameters& parameters) {
   const double area = static_cast<double>(parameters.cell) * parameters.cell;

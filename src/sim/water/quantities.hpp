@@ -13,6 +13,9 @@ namespace simreel::sim {
 [[nodiscard]] std::vector<double> measureWater(const WaterPlan& plan, std::span<const glm::vec4> cells,
                                                std::span<const glm::vec4> floats = {});
 
+/// Those of floats alone: "displaced" and what follows.
+[[nodiscard]] std::vector<double> measureFloats(const WaterPlan& plan, std::span<const glm::vec4> floats);
+
 /// What makes sums over cells of depth, h |u|^2 / 2, h (level + bed) / 2 and wet cells the volume, both
 /// energies and the wet area, as the quantities have them.
 [[nodiscard]] glm::vec4 waterSumFactors(const WaterParameters& parameters);

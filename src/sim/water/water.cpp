@@ -18,6 +18,7 @@
 #include "sim/water/quantities.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <optional>
@@ -97,6 +98,7 @@ class Water : public Simulation {
     fall(setting.startTime, 0);
     if (!plan_.floats().empty()) {
       floats_.emplace(name_, plan_, setting.fast);
+      counts_ = gl::Buffer(name_ + " counts", countElements * sizeof(glm::vec4));
       floats_->begin(cells_[0], status_);
     }
     show();
@@ -214,8 +216,14 @@ class Water : public Simulation {
         name_, step, elementName(element), plan_.substeps());
   }
   [[nodiscard]] CountTable counts() const override {
-    return tally_.table(
+    CountTable table = tally_.table(
         {"volume", "kineticEnergy", "potentialEnergy", "wetArea", "courant", "fastest", "deepest"});
+    if (!floats_) return table;
+    table.columns.insert(table.columns.end(), {"displaced", "floatSpeed", "leastUpright", "draft", "floatX",
+                                               "floatY", "floatZ"});
+    table.steps = &counts_;
+    table.elements = countElements;
+    return table;
   }
   [[nodiscard]] std::vector<double> measure() const override {
     return measureWater(plan_, cells_[0].buffer().readAll<glm::vec4>(),
@@ -327,6 +335,15 @@ class Water : public Simulation {
     steps_.bind(0);
     cells_[0].bindInput(shader::water::cellsBinding);
     tally_.take(waterSumFactors(plan_.parameters()), glm::vec4(1));
+    if (!floats_) return;
+    // The device's sums have seven numbers, and those of floats follow.
+    constexpr std::size_t sums = 7;
+    std::array<float, 4 * countElements> row{};
+    tally_.table({}).steps->read(0, std::as_writable_bytes(std::span(row).first(sums + 1)));
+    const std::vector<double> ofFloats = measureFloats(plan_, floats_->state().readAll<glm::vec4>());
+    row[0] = static_cast<float>(double{row[0]} - ofFloats[0]);  // as the quantity of that name
+    for (std::size_t i = 0; i < ofFloats.size(); ++i) row.at(sums + i) = static_cast<float>(ofFloats[i]);
+    counts_.write(0, std::as_bytes(std::span(row)));
   }
 
   void show() {
@@ -361,6 +378,8 @@ class Water : public Simulation {
   gl::Program step_, paint_, drop_, show_;
   std::optional<FloatKernels> floats_;
   Tally tally_;
+  static constexpr int countElements = 4;
+  gl::Buffer counts_;                   ///< with the quantities of floats
   std::optional<HeightField> heights_;  ///< of water that collides: levels
   bool hasHeights_ = false;             ///< whether they begin with the first frame
 };
@@ -372,7 +391,11 @@ SimulationKind waterKind() {
       "water", "Shallow water that flows over a terrain, wets and leaves it dry; rain, sources, dams.",
       [](const scene::Object& object, const Setting& setting) {
         const auto& parameters = parametersOf<WaterParameters>(object);
-        const WaterPlan plan(parameters, object.name, setting.seed, setting.frameSeconds);
+        // Arrays of what no common device has room for are not made for a look at them.
+        const bool large = parameters.leastBlockBytes() > ObjectParameters::commonBlockBytes;
+        const WaterPlan plan =
+            large ? WaterPlan::withoutCells(parameters, object.name, setting.seed, setting.frameSeconds)
+                  : WaterPlan(parameters, object.name, setting.seed, setting.frameSeconds);
         for (std::size_t i = 0; i < parameters.floats.size(); ++i)
           static_cast<void>(
               looksOf(parameters.floats[i].shownAs(object.name), plan.floats().hulls()[i].mesh));

@@ -11,7 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <span>
+
+#include <fmt/format.h>
 
 namespace simreel::sim {
 
@@ -127,6 +130,19 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
   // A file that cannot be read is a problem of its object already.
   if (others > 0 && problems.size() > others && isReported(problems)) problems.pop_back();
   return problems;
+}
+
+std::vector<std::string> tooLargeForMany(const scene::Scene& scene) {
+  std::vector<std::string> sentences;
+  for (const scene::Object& object : scene.objects) {
+    const auto bytes = parametersOf<ObjectParameters>(object).leastBlockBytes();
+    if (bytes > ObjectParameters::commonBlockBytes)
+      sentences.push_back(
+          fmt::format("{} \"{}\" needs {} bytes in one buffer, and software drivers allow {} "
+                      "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE); --device tells what yours allows",
+                      object.kind, object.name, bytes, ObjectParameters::commonBlockBytes));
+  }
+  return sentences;
 }
 
 }  // namespace simreel::sim

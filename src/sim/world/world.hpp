@@ -16,6 +16,10 @@ namespace simreel::sim {
 /// and one a picture at most: reads every file the scene names. Needs no context.
 [[nodiscard]] std::vector<UserError> findProblems(const scene::Scene& scene);
 
+/// One sentence for each object that needs more memory at a time than software drivers and small cards
+/// allow.
+[[nodiscard]] std::vector<std::string> tooLargeForMany(const scene::Scene& scene);
+
 /// All objects of a scene, stepped together: a mesh that collides, bodies and fluids first, then the others
 /// in the scene's order, but what is made of another's field after them, and last who collides with a
 /// solid, and cloths in contact, a substep of each in turn. Frame 0 is at time 0; the pre-roll runs before

@@ -1,5 +1,6 @@
 """simreel test --expected DIR: pictures of any program, their baselines, rules, and commands that make them."""
 import json
+import math
 import shutil
 import struct
 import subprocess
@@ -94,6 +95,39 @@ class Kinds(PicturesCase):
                 self.assertIn(f"FAIL  {name}", done.out)
                 for folder in ("expected", "actual"):
                     shutil.rmtree(self.folder / folder)
+
+    def test_a_colour_that_the_palette_lacks(self):
+        def palette(at):
+            return with_chunk(picture(at, kind=3), b"PLTE", bytes((9, 9, 9, 200, 0, 0)))
+        self.both("a.png", palette(lambda x, y: (x % 2,)), palette(lambda x, y: (2 if (x, y) == (5, 3) else x % 2,)))
+        words = "its pixel at column 5, row 3 has colour 2, and its palette has 2"
+        _, done = self.suite(6)
+        self.assertIn(words, done.out)
+        self.bad(6, words, "diff", "expected/a.png", "actual/a.png")
+        self.good("diff", "expected/a.png", "expected/a.png")
+
+    def test_differences_below_an_eighth_bit(self):
+        """By 1 of 65535, which 8 bits do not show: told, measured and failed."""
+        self.both("a.png", picture(lambda x, y: (x * 2000, 0, 7), depth=16), picture(lambda x, y: (x * 2000 + 1, 0, 7), depth=16))
+        results, _ = self.suite(1)
+        metrics = results["a.png"]["frames"][0]["metrics"]
+        self.assertAlmostEqual(metrics["worst"], 1 / 257, places=4)
+        self.assertEqual(metrics["differentPixels"], WIDTH * HEIGHT)
+        self.assertAlmostEqual(metrics["psnr"], 20 * math.log10(65535) + 10 * math.log10(3), places=2)
+        done = self.run_program("diff", "expected/a.png", "actual/a.png")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(f"PSNR            {metrics['psnr']:.3f}", done.stdout.decode())
+
+    def test_quiet_runs_tell_what_failed(self):
+        self.both("a.png", picture(), changed({(3, 4): (0, 0, 0)}))
+        self.both("b.png", picture())
+        _, done = self.suite(1, "-q")
+        self.assertEqual(done.out, "")
+        self.assertIn("a.png", done.err)
+        self.assertIn("1 pixel differs (maxDiffPixels is 0)", done.err)
+        self.assertNotIn("b.png", done.err)
+        self.write("actual/a.png", picture())
+        self.assertEqual(self.suite(0, "-q")[1].err, "")
 
     def test_depths_meet(self):
         self.both("a.png", picture(), picture(lambda x, y: tuple(257 * c for c in ramp(x, y)), depth=16))

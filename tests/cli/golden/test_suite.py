@@ -66,6 +66,7 @@ class Baselines(GoldenCase):
         self.good("accept", "report.json")
         self.run_suite(0)
         self.bad(5, "nothing to accept", "accept", "report.json")
+        self.bad(2, ["scenes/a.json is no report of `simreel test`", "--report"], "accept", "scenes/a.json")
 
     def test_accept_stays_below(self):
         """A report from elsewhere names no scene out of this folder, by "..", from the root or over a link."""

@@ -76,7 +76,7 @@ class Device(Case):
 
     def test_blow_up(self):
         scene = with_values({"objects.flag.cloth": {"size": [9, 7], "stiffness": 1e7, "mass": 0.001, "substeps": 2,
-                                                    "jitter": 0.01}, "time.duration": 2})
+                                                    "jitter": 0.01, "pins": [{"rows": [-1]}]}, "time.duration": 2})
         self.write("wild.json", scene)
         done = self.bad(4, ["\"flag\" blew up in substep ", "particle (", "use more substeps (2 per frame",
                             "simreel: warning: ", "stable"], "render", "wild.json", "-o", "out/")

@@ -273,16 +273,35 @@ class Resume(Case):
 
     def test_skip_existing_keeps(self):
         self.damage()
+        own = self.whole["000005.png"]
+        foreign = own[:33] + own[own.index(b"IDAT") - 4:]  # without texts
+        self.path(1).write_bytes(foreign)
         self.path(2).write_bytes(self.whole["000002.png"])
-        damaged = self.content("out")
         done = self.good("render", "scene.json", "-o", "out/", "--skip-existing")
-        self.assert_words("3 of 5 kept frames do not say that they are of this run; the manifest does not list them", done)
+        self.assert_words(["out/000000.png and 1 more are empty or damaged; drawn again",
+                           "1 of 3 kept frames do not say that they are of this run; the manifest does not list them"], done)
         after = self.content("out")
-        for frame in (0, 1, 2, 3, 5):
-            self.assertEqual(after[f"{frame:06}.png"], damaged[f"{frame:06}.png"])
-        self.assertEqual([frame["frame"] for frame in self.manifest("out")["frames"]], [2, 4, 5])
+        self.assertEqual(after["000001.png"], foreign)
+        self.assertEqual([frame["frame"] for frame in self.manifest("out")["frames"]], [0, 2, 3, 4, 5])
         self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual(self.content("out"), self.whole)
+
+    def test_skip_existing_draws_what_is_damaged(self):
+        """A changed byte, text in place of a picture, and a folder, which is in the way."""
+        changed = bytearray(self.whole["000001.png"])
+        changed[len(changed) // 2] ^= 0xFF
+        again = ("render", "scene.json", "-o", "out/", "--skip-existing")
+        for listed in (True, False):
+            self.path(1).write_bytes(changed)
+            self.path(3).write_bytes(b"no picture")
+            if not listed:
+                (self.folder / "out/manifest.json").unlink()
+            done = self.good(*again)
+            self.assert_words("out/000001.png and 1 more are empty or damaged; drawn again", done)
+            self.assertEqual(self.content("out"), self.whole)
+        self.path(1).unlink()
+        self.path(1).mkdir()
+        self.bad(6, ["out/000001.png is a folder", "remove it"], *again)
 
     def test_skip_existing_refuses_another_run(self):
         again = ("render", "scene.json", "-o", "out/", "--skip-existing")

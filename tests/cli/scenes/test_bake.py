@@ -147,6 +147,7 @@ class Bake(Case):
         self.bad(2, ["nobody", "flag"], "bake", "scene.json", "-o", "out", "--object", "nobody")
         self.write("scene.json", with_values({"objects": {"ball": {"sphere": {}}}}))
         self.bad(2, "no object of the scene has state to bake", "bake", "scene.json", "-o", "out")
+        self.bad(2, "there is no \"nobody\"; the scene has ball", "bake", "scene.json", "-o", "out", "--object", "nobody")
         self.bad(2, "no object of the scene has points or a mesh", "bake", "scene.json", "-o", "out", "--format", "ply")
         self.assertFalse((self.folder / "out").exists())
 

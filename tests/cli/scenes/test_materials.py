@@ -93,7 +93,7 @@ class Materials(Case):
         self.bad(6, ["image 0 is not a picture"], "render", "square.json", "--frames", "0", "-o", "out/")
         broken["images"] = [{"uri": "../secret.png"}]
         self.write("square.gltf", broken)
-        self.assertIn("../secret.png (it lies outside the mesh's folder)",
+        self.assertIn("../secret.png (it lies outside the folders that the scene may read; --assets DIR adds one)",
                       self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "out/").err)
         broken["textures"] = []
         self.write("square.gltf", broken)

@@ -21,7 +21,7 @@ class Particles(Case):
             self.write(name, content)
             self.set_groups([{"shape": "file", "file": name}])
             done = self.run_program("render", "scene.json", "-o", "out/")
-            self.assertEqual(done.returncode, 2, f"{content!r}: {done.err}")
+            self.assertEqual(done.returncode, 6, f"{content!r}: {done.err}")
             self.assertEqual(len(done.err.splitlines()), 1, done.err)
             self.assert_words(words, done)
             self.assertFalse((self.folder / "out").exists())

@@ -8,6 +8,7 @@ import unittest
 import zlib
 
 from common import PATIENCE, PROGRAM, SOURCE, Case, main, with_values
+from exr_file import write_exr
 
 
 def png_texts(data):
@@ -153,7 +154,7 @@ class ValidateAndRender(Case):
         self.both({"a": {"mesh": fine}}, 2, "too short for a mesh")
 
     def test_particles(self):
-        for name, code in (("good.csv", 0), ("no.csv", 2), ("bad.csv", 2), ("bad.ply", 2)):
+        for name, code in (("good.csv", 0), ("no.csv", 6), ("bad.csv", 6), ("bad.ply", 6)):
             self.both({"a": {"particles": {"groups": [{"shape": "file", "file": name}]}}}, code, "" if code == 0 else name)
         self.write("s.json", self.scene({"a": {"particles": {"groups": [{"count": 16777216}] * 5}}}))
         for command in (["render", "s.json", "-o", "new/"], ["validate", "s.json"]):
@@ -185,13 +186,41 @@ class ValidateAndRender(Case):
             self.assertTrue(line.startswith(start), line)
 
     def test_the_rest_is_known_to_a_device(self):
-        self.write("s.json", self.scene({"a": {"life": {"size": [65536, 65536]}}}))
-        self.good("validate", "s.json")
+        for large, kind in (({"size": [65536, 65536]}, "life"), ({"size": [16384, 16384], "infected": 0.2}, "epidemic"),
+                            ({"size": [16384, 16384], "strokes": [{"from": [8, 8, 0], "radius": 3}]}, "wildfire"),
+                            ({"groups": [{"count": 9000000}]}, "particles"), ({"size": [65536, 65536]}, "life")):
+            self.write("s.json", self.scene({"a": {kind: large}}))
+            self.assertIn(f'warning: s.json: {kind} "a" needs', self.good("validate", "s.json").err)
         self.bad(4, ["s.json: error: life \"a\" of 65536 x 65536 cells needs"], "validate", "s.json", "--device")
         done = self.good("validate", "--device", "scene.json", SOURCE / "assets/scenes/ripple.json")
         self.assertEqual(len(done.stdout.splitlines()), 2)
         self.good("validate", "--device=0", "scene.json")
         self.bad(4, ["no such device"], "validate", "--device=no such device", "scene.json")
+
+
+class Skies(Case):
+    def sky(self, channels="RGB", first=0.5, **attributes):
+        values = {name: (2, [first] + [0.5] * 7) for name in channels}
+        self.write("sky.exr", write_exr((4, 2, values, attributes)))
+        self.write("s.json", {"version": 1, "sky": {"picture": "sky.exr"}, "objects": {"a": {"sphere": {}}}})
+
+    def test_what_is_a_sky(self):
+        for attributes in ({}, {"envmap": ("envmap", b"\0")},
+                           {"chromaticities": ("chromaticities", struct.pack("<8f", .64, .33, .3, .6, .15, .06, .3127, .329))}):
+            self.sky(**attributes)
+            self.assertEqual(self.good("validate", "s.json").err, "")
+        self.sky(first=-1e-5)
+        self.assertIn("sky.exr has 3 values a little below 0, which count as 0\n", self.good("validate", "s.json").err)
+
+    def test_what_is_none(self):
+        aces = struct.pack("<8f", .7347, .2653, 0, 1, .0001, -.077, .32168, .33767)
+        for words, options in (("it is a cube map; convert it", {"envmap": ("envmap", b"\1")}),
+                               ("has primaries of its own (red 0.735 0.265, green 0.000 1.000); convert it",
+                                {"chromaticities": ("chromaticities", aces)}),
+                               ("has no channel B", {"channels": "RG"}), ("has no channel R", {"channels": "BG"}),
+                               ("has the value -0.01 at column 0, row 0", {"first": -0.01})):
+            self.sky(**options)
+            self.bad(6, words, "validate", "s.json")
 
 
 class Warnings(Case):
@@ -220,6 +249,33 @@ class Warnings(Case):
                                         self.folder / name], capture_output=True, check=True, text=True).stdout.strip()
                 self.assertEqual(shown, size if words is None else words.split()[-1])
 
+    def test_a_float_wider_than_its_basin(self):
+        def pool(**sides):
+            box = {"shape": "box", "size": [4, 0.4, 1], "position": [0, 0.6, 0]}
+            self.write("pool.json", {"version": 1, "objects": {"pool": {
+                "water": {"size": [30, 30], "cell": 0.1, "terrain": {"bed": -3}, "floats": [box], **sides}}}})
+            return self.warned("validate", "pool.json")
+        self.assertEqual(pool(), ['simreel: warning: water "pool.floats.0" is 4 by 1 m, wider than its basin of 3 by 3 m; '
+                                  "make one of them fit"])
+        self.assertEqual(pool(cell=0.2), [])
+
+    def test_columns_that_mean_nothing(self):
+        self.write("s.json", {"version": 1, "objects": {"a": {"particles": {"groups": [{"shape": "file", "file": "p.csv"}]}}}})
+        for table, columns in (("x,y,z,radius,vX,\"note, long\"\n1,2,3,4,5,a\n", 'columns "radius", "note, long"'),
+                               ("x,y,z,foo\n1,2,3,4\n", 'column "foo"'), ("x,y,z,mass\n1,2,3,4\n", None)):
+            self.write("p.csv", table)
+            warnings = self.warned("validate", "s.json")
+            self.assertEqual(len(warnings), 1 if columns else 0, warnings)
+            if columns:
+                self.assertIn(f"p.csv: not used: {columns}; particles have x, y, z, vx, vy, vz, mass", warnings[0])
+
+    def test_pins_of_the_default(self):
+        self.write("s.json", {"version": 1, "objects": {"sheet": {"cloth": {"size": [9, 9]}}}})
+        render = ("render", "s.json", "--size", "32x18", "--frames", "0", "-o")
+        line = 'cloth "sheet": its last row is pinned (default); "pins": [] lets it fall'
+        self.assertEqual(self.good(*render, "a/").err.splitlines().count(line), 1)
+        self.assertEqual(self.good(*render, "b/", "-q").err, "")
+        self.assertNotIn("pinned", self.good(*render, "c/", "-D", "objects.sheet.cloth.pins=[]").err)
 
     def test_names_of_before(self):
         self.write("old.json", """{"version": 1,

@@ -94,6 +94,22 @@ class Counts(SpreadCase):
         self.assertGreater(drag, 30 * 30)  # of an area of 8 cells: a coefficient above 1/4
         self.assertLess(abs(lift), 0.2 * drag)
 
+    def test_floats(self):
+        """What water measures of its floats, and its volume without what they displace."""
+        box = {"shape": "box", "size": [0.5, 0.4, 0.5], "density": 500, "position": [0.1, 0, 0]}
+        self.write("pool.json", {"version": 1, "render": {"size": [64, 36]}, "time": {"fps": 20, "duration": 0.2}, "objects": {
+            "w": {"water": {"size": [16, 16], "cell": 0.1, "level": 0, "terrain": {"bed": -1}, "floats": [box]}}}})
+        self.good("render", "pool.json", "-o", "pool.png", "--frames", "3")
+        names, *rows = self.rows("pool.counts.csv")
+        self.assertEqual(names[9:], ["w.displaced", "w.floatSpeed", "w.leastUpright", "w.draft", "w.floatX", "w.floatY", "w.floatZ"])
+        for row in rows:
+            values = {name[2:]: float(value) for name, value in zip(names[2:], row[2:])}
+            self.assertAlmostEqual(values["volume"] + values["displaced"], 1.6 ** 2, delta=0.05)
+            self.assertAlmostEqual(values["displaced"], 0.05, delta=0.01)
+            self.assertAlmostEqual(values["draft"], 0.2, delta=0.03)
+            self.assertAlmostEqual(values["floatX"], 0.1, delta=0.01)
+            self.assertAlmostEqual(values["leastUpright"], 1, delta=0.01)
+
     def test_names(self):
         for output, table in (("out/", "out/counts.csv"), ("a_####.png", "a.counts.csv"), ("b.mp4", "b.mp4.counts.csv")):
             self.good("render", "fire.json", "-o", output)

@@ -2,6 +2,7 @@
 #include "draw/environment.hpp"
 
 #include "base/error.hpp"
+#include "base/log.hpp"
 #include "draw/picture_code.hpp"
 
 #include <array>
@@ -168,4 +169,21 @@ TEST_CASE("environment: what is no panorama is told") {
   file = pictureOf([](glm::dvec3) { return glm::dvec3(1); });
   file.values[4 * (64 * 3 + 7) + 1] = NAN;
   CHECK(says(file, "has the value nan at column 7, row 3, which is no light"));
+  file.values[4 * (64 * 3 + 7) + 1] = -0.01F;
+  CHECK(says(file, "has the value -0.01 at column 7, row 3, which is no light"));
+  file = pictureOf([](glm::dvec3) { return glm::dvec3(1); });
+  file.colours = "primaries of its own";
+  CHECK(says(file, "has primaries of its own; convert it to those of Rec. 709"));
+  file.colours.clear();
+  file.unfit = "has no channel B";
+  CHECK(says(file, "a.hdr has no channel B"));
+}
+
+TEST_CASE("environment: what resampling leaves a little below 0 counts as 0") {
+  const Silence silence;
+  sim::LightFile file = pictureOf([](glm::dvec3) { return glm::dvec3(0); });
+  const draw::EnvironmentTexels black = draw::environmentOf(file, 1, 0, "picture");
+  file.values[4 * (64 * 3 + 7) + 1] = -1e-5F;
+  const draw::EnvironmentTexels made = draw::environmentOf(file, 1, 0, "picture");
+  CHECK(made.texels == black.texels);
 }

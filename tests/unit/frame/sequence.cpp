@@ -214,18 +214,23 @@ TEST_CASE("sequence: skipping lists kept frames that say that they are of the ru
   std::filesystem::remove(folder / "manifest.json");
   CHECK(renderInto(folder.string(), Existing::skip, 3).empty());
   CHECK(text(folder / "manifest.json") == manifest);
-  // Foreign, damaged and empty ones are kept, and not listed: to resume draws them.
+  // Foreign ones are kept, and not listed: to resume draws them. Damaged and empty ones are drawn at once.
   std::filesystem::remove(folder / "manifest.json");
   writeFileAtomically(folder / "000000.png", encodePng(picture(32, 18), {}));
   std::filesystem::resize_file(folder / "000001.png", 100);
   std::filesystem::resize_file(folder / "000002.png", 0);
-  const std::string damaged = text(folder / "000001.png");
-  CHECK(renderInto(folder.string(), Existing::skip, 5) == std::vector{3, 4});
-  CHECK(text(folder / "000001.png") == damaged);
+  const std::string foreign = text(folder / "000000.png");
+  CHECK(renderInto(folder.string(), Existing::skip, 5) == std::vector{1, 2, 3, 4});
+  CHECK(text(folder / "000000.png") == foreign);
   const Manifest after = parseManifest(text(folder / "manifest.json"), "manifest");
-  CHECK(after.frames.size() == 2);
+  CHECK(after.frames.size() == 4);
   CHECK(after.frames.at(4).state == "state4");
-  CHECK(renderInto(folder.string(), Existing::resume, 5) == std::vector{0, 1, 2});
+  CHECK(renderInto(folder.string(), Existing::resume, 5) == std::vector{0});
+  std::filesystem::remove(folder / "000002.png");
+  std::filesystem::create_directory(folder / "000002.png");
+  const auto [code, message] = errorOf([&] { renderInto(folder.string(), Existing::skip, 5); });
+  CHECK(code == ExitCode::inputOutput);
+  CHECK(contains(message, "000002.png is a folder"));
 }
 
 TEST_CASE("sequence: skipping refuses frames of another run, by the manifest or by what they say") {

@@ -6,11 +6,13 @@
 #include "sim/light/light_file.hpp"
 #include "sim/text/font.hpp"
 #include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
 #include "unit/help.hpp"
 #include "unit/hostile/hostile.hpp"
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -135,4 +137,38 @@ TEST_CASE("a fluid of 268 million cells is planned without memory for each") {
   parameters.size = {16384, 16384};
   CHECK(refusal([&] { static_cast<void>(sim::FluidPlan(parameters, "ink", 1, 0.02)); }) ==
         "nothing was refused");
+}
+
+TEST_CASE("water of 67 million cells is looked at without memory for each, and told to be large") {
+  const auto pond = [](const std::string& size) {
+    return scene::parseScene(R"({"version": 1, "objects": {"pond": {"water": {"size": )" + size +
+                                 R"(, "level": 1, "floats": [{"shape": "box", "size": [1, 1, 1]}]}}}})",
+                             "pond.json", {}, sim::kinds());
+  };
+  const scene::Scene large = pond("[8192, 8192]");
+  CHECK(refusal([&] { CHECK(sim::findProblems(large).empty()); }) == "nothing was refused");
+  const std::vector<std::string> told = sim::tooLargeForMany(large);
+  REQUIRE(told.size() == 1);
+  checkHas(told[0],
+           "water \"pond\" needs 1073741824 bytes in one buffer, and software drivers allow 134217728");
+  CHECK(sim::tooLargeForMany(pond("[64, 64]")).empty());
+}
+
+TEST_CASE("epidemics and fires of 268 million cells are looked at without memory for each") {
+  for (const char* object : {R"("epidemic": {"size": [16384, 16384], "infected": 0.1})",
+                             R"("wildfire": {"size": [16384, 16384], "strokes": [{"radius": 3}]})"}) {
+    const scene::Scene large =
+        scene::parseScene(std::string(R"({"version": 1, "objects": {"a": {)") + object + "}}}",
+                          "spread.json", {}, sim::kinds());
+    CHECK(refusal([&] { CHECK(sim::findProblems(large).empty()); }) == "nothing was refused");
+    CHECK(sim::tooLargeForMany(large).size() == 1);
+  }
+}
+
+TEST_CASE("a cloth of springs of 268 million particles is looked at without memory for each") {
+  const scene::Scene large = scene::parseScene(
+      R"({"version": 1, "objects": {"a": {"cloth": {"size": [16384, 16384], "substeps": "auto"}}}})",
+      "cloth.json", {}, sim::kinds());
+  CHECK(refusal([&] { CHECK(sim::findProblems(large).empty()); }) == "nothing was refused");
+  CHECK(sim::tooLargeForMany(large).size() == 1);
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
@@ -214,6 +215,62 @@ TEST_CASE(
   CHECK(mesh.undrawn == std::vector<std::string>{"lines (1)", "points (1)"});
   CHECK(mesh.ignored == std::vector<std::string>{"image 0 (a picture of the format WebP)"});
   CHECK(mesh.materials.at(0).colorMap.image == -1);
+}
+
+TEST_CASE("glTF: a rotation turns, whatever its quaternion's length") {
+  Document d;
+  d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}}}}}};
+  d.json["nodes"][0]["rotation"] = {0, 0, 3, 3};  // a quarter about z
+  const sim::Mesh turned = d.mesh();
+  CHECK(glm::length(turned.positions[1] - glm::vec3(0, 1, 0)) < 1e-6F);
+  CHECK(glm::length(turned.positions[2] - glm::vec3(-1, 0, 0)) < 1e-6F);
+  d.json["nodes"][0]["rotation"] = {0, 0, 0, 0};
+  checkHas(d.refusal(), "rotation must be a quaternion of length 1");
+}
+
+TEST_CASE("glTF: what a scale of 0 makes flat, and versions that are needed and not read, are said") {
+  Document d;
+  d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}}}}}};
+  CHECK(d.mesh().undrawn.empty());
+  d.json["nodes"][0]["scale"] = {1, 0, 1};
+  CHECK(d.mesh().undrawn == std::vector<std::string>{"what a scale of 0 makes flat (nodes: 1)"});
+  d.json["nodes"][0].erase("scale");
+  d.json["asset"]["minVersion"] = "2.0";
+  CHECK(d.mesh().undrawn.empty());
+  d.json["asset"]["minVersion"] = "2.1";
+  checkHas(d.refusal(), "needs a reader of glTF 2.1, and this one reads 2.0");
+}
+
+TEST_CASE("GLB: a header that names another length than the file has is refused or said") {
+  Document d;
+  d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}}}}}};
+  const std::string json = d.text();
+  const auto glb = [&](std::size_t named, std::uint32_t version, const std::string& more) {
+    const auto word = [](std::size_t value) {
+      std::string bytes;
+      for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(value >> shift & 255U);
+      return bytes;
+    };
+    const TemporaryFile file(
+        "polygons.glb", "glTF" + word(version) + word(named) + word(json.size()) + "JSON" + json + more);
+    return sim::importMesh(file.path());
+  };
+  const auto refusal = [&](std::size_t named, std::uint32_t version) {
+    try {
+      static_cast<void>(glb(named, version, ""));
+    } catch (const UserError& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing was refused");
+  };
+  const std::size_t whole = json.size() + 20;
+  CHECK(glb(whole, 2, "").undrawn.empty());
+  CHECK(glb(whole, 2, "xyz").undrawn ==
+        std::vector<std::string>{"bytes behind the end that its header names (3)"});
+  checkHas(refusal(whole + 4, 2),
+           fmt::format("its header promises {} bytes, and it has {}", whole + 4, whole));
+  checkHas(refusal(whole - 4, 2), "is cut off");
+  checkHas(refusal(whole, 1), "is a binary glTF of version 1");
 }
 
 }  // namespace simreel::test::polygons_gltf

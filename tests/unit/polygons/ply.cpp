@@ -140,4 +140,13 @@ TEST_CASE("PLY: what does not fit its header is refused, with its place") {
         std::vector<std::string>{"8 bytes after its last element"});
 }
 
+TEST_CASE("PLY: other versions, and lists whose lengths are no whole numbers, are refused") {
+  const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  CHECK(meshOf(text(threeCorners + oneFace, body)).indices.size() == 3);
+  checkHas(refusalOf("ply\nformat ascii 2.0\n" + threeCorners + oneFace + "end_header\n" + body),
+           "has in line 2 \"format ascii 2.0\"; only version 1.0 is read");
+  checkHas(refusalOf(text(threeCorners + "element face 1\nproperty list float int vertex_indices\n", body)),
+           "\"property list float int vertex_indices\"; a list's length is a whole number");
+}
+
 }  // namespace simreel::test::polygons_ply

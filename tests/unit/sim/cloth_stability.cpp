@@ -186,6 +186,9 @@ TEST_CASE("too few substeps are told with a way that helps") {
   const std::string few = p.instability(1 / 60.0);
   CHECK(has(few, "4 substeps are fewer than the 57 that its springs need"));
   CHECK(has(few, "\"substeps\": \"auto\""));
+  p.substeps = 1;
+  CHECK(has(p.instability(1 / 60.0), "1 substep is fewer than the 57"));
+  p.substeps = 4;
   p.stiffness = 1e9F;
   const std::string stiff = p.instability(1 / 60.0);
   CHECK(has(stiff, "\"solver\": \"constraints\""));

@@ -70,3 +70,20 @@ TEST_CASE(
     CHECK_THROWS_WITH_AS(static_cast<void>(picture("-Y 1 +X 16", pixels)),
                          doctest::Contains("a run leaves its row"), UserError);
 }
+
+TEST_CASE("Radiance: a header may end its lines as Windows does, and other primaries are told") {
+  const auto picture = [](const std::string& more) {
+    return sim::decodeRadiance("#?RADIANCE\r\n" + more + "FORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 1\r\n" +
+                                   std::string("\x80\x80\x80\x81", 4),
+                               "a.hdr", "");
+  };
+  CHECK(picture("").values[0] == 128.5F / 128);
+  CHECK(picture("").unfit.empty());
+  for (const char* usual :
+       {"0.64 0.33 0.29 0.60 0.15 0.06 0.333 0.333", "0.64 0.33 0.3 0.6 0.15 0.06 0.3127 0.329"})
+    CHECK(picture(std::string("PRIMARIES= ") + usual + "\r\n").unfit.empty());
+  CHECK(
+      picture("PRIMARIES=0.708 0.292 0.17 0.797 0.131 0.046 0.3127 0.329\r\n").unfit ==
+      "has primaries of its own (0.708 0.292 0.17 0.797 0.131 0.046 0.3127 0.329); convert it to those of "
+      "Rec. 709 (sRGB)");
+}

@@ -20,7 +20,7 @@ constexpr float roundPixels = 64.0F;  // as the driver's points
 
 void GlowRaster::prepare(glm::ivec2 size) {
   constexpr GLuint zero = 0;
-  const std::int64_t bytes = std::int64_t{24} * size.x * size.y;
+  const std::int64_t bytes = sumBytes * size.x * size.y;
   if (bytes > gl::limits().storageBlockBytes)
     fail(ExitCode::device,
          "a picture of {}x{} pixels with glows needs {} bytes in one buffer, this device allows {} "

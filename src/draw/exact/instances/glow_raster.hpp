@@ -5,6 +5,7 @@
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
 
+#include <cstdint>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -15,6 +16,8 @@ namespace simreel::draw {
 /// (glsl/draw/instances/glow_block.glsl): the order does not matter.
 class GlowRaster {
  public:
+  static constexpr std::int64_t sumBytes = 24;  ///< of a pixel
+
   /// Those whose box has no side above `smallPixels` are summed up by an invocation each, of the others
   /// those of at most `mediumPixels` by a group, the rest by many.
   explicit GlowRaster(int samples, int smallPixels = smallGlow(), int mediumPixels = mediumBall())

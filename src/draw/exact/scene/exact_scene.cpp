@@ -21,6 +21,7 @@
 #include "draw/surface/shadow_pass.hpp"
 #include "draw/surface/surface_pass.hpp"
 #include "gl/element_array.hpp"
+#include "gl/limits.hpp"
 #include "sim/grid/field_display.hpp"
 
 #include <algorithm>
@@ -49,15 +50,6 @@ bool anyBehind(const sim::Drawables& drawables) {
   });
 }
 
-/// As many rows of the picture as `bytes` hold the visibility of, in whole tiles.
-int rowsOfBands(glm::ivec2 size, int samples, std::size_t bytes) {
-  const std::size_t held = std::min(bytes / Visibility::sampleBytes, Visibility::maxSamples());
-  const std::size_t rows = held / (static_cast<std::size_t>(size.x) * static_cast<std::size_t>(samples));
-  if (rows >= static_cast<std::size_t>(size.y)) return size.y;
-  constexpr int side = ShadedTiles::side;
-  return std::min(size.y, std::max(static_cast<int>(rows) / side * side, side));
-}
-
 /// Rays need no shadow map.
 scene::Sun mappedSun(const scene::Scene& scene) {
   scene::Sun sun = scene.sun;
@@ -72,6 +64,15 @@ std::size_t bytesOfBands(const scene::Scene& scene, std::size_t bytes) {
 }
 
 }  // namespace
+
+int rowsOfBands(glm::ivec2 size, int samples, const BandRoom& room) {
+  const std::size_t pixels = std::min(room.samples / static_cast<std::size_t>(samples),
+                                      static_cast<std::size_t>(room.glowBytes / GlowRaster::sumBytes));
+  const std::size_t rows = pixels / static_cast<std::size_t>(size.x);
+  if (rows >= static_cast<std::size_t>(size.y)) return size.y;
+  constexpr int side = ShadedTiles::side;
+  return std::min(size.y, std::max(static_cast<int>(rows) / side * side, side));
+}
 
 ExactScene::State::State(const scene::Scene& shown, const Environment* around, glm::ivec2 pixels, int count,
                          int rows)
@@ -142,8 +143,10 @@ void ExactScene::State::beginLayers() {
 ExactScene::ExactScene(const scene::Scene& scene, const Environment* environment, glm::ivec2 size,
                        int samples, std::size_t visibilityBytes) {
   checkSamples(samples);
-  state_ = std::make_unique<State>(scene, environment, size, samples,
-                                   rowsOfBands(size, samples, bytesOfBands(scene, visibilityBytes)));
+  const BandRoom room{
+      std::min(bytesOfBands(scene, visibilityBytes) / Visibility::sampleBytes, Visibility::maxSamples()),
+      gl::limits().storageBlockBytes};
+  state_ = std::make_unique<State>(scene, environment, size, samples, rowsOfBands(size, samples, room));
 }
 ExactScene::~ExactScene() = default;
 

@@ -8,6 +8,8 @@
 #include "scene/scene.hpp"
 #include "sim/core/drawable.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -18,11 +20,20 @@ namespace simreel::draw {
 
 class Motion;
 
+/// What a band of a picture may take.
+struct BandRoom {
+  std::size_t samples;     ///< of visibility
+  std::int64_t glowBytes;  ///< of sums of glows, in one buffer
+};
+/// As many rows of a picture as there is room for, in whole tiles: one at least.
+[[nodiscard]] int rowsOfBands(glm::ivec2 size, int samples, const BandRoom& room);
+
 /// Draws all but what lies over the finished picture by kernels in exact arithmetic: the same bytes on
 /// every device.
 class ExactScene {
  public:
-  /// Visibility that comes to more than `visibilityBytes` is found band by band, 8 rows at least each.
+  /// Visibility that comes to more than `visibilityBytes`, and glows whose sums one buffer does not hold,
+  /// are found band by band, 8 rows at least each.
   /// Throws UserError: usage for what it cannot draw, device for limits. The scene must outlive it, and so
   /// the sky's picture, if there is one.
   ExactScene(const scene::Scene& scene, const Environment* environment, glm::ivec2 size, int samples,

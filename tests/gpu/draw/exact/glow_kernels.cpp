@@ -30,6 +30,7 @@ TEST_CASE("exact kernels: glows' places, sizes and light, and their sums") {
     program.set("level", 0);
     program.set("colorBy", 1);
     program.set("stopCount", 3);
+    program.set("color", glm::vec3(0));
     program.set("colorFactor", 0.4F);
     program.set("colorOffset", -0.1F);
     program.set("brightness", 3.0F);

@@ -147,6 +147,9 @@ TEST_CASE("exact kernels: the box around a surface in the world") {
   const auto boxes = gl::Buffer::of<GLuint>("box", empty);
   boxes.bindStorage(draw::boxBinding);
   kernel.set("model", model);
+  kernel.set("heightShape", glm::ivec4(0));
+  kernel.set("heightGrid", glm::vec4(0));
+  kernel.set("heightRim", 0.0F);
   kernel.set("surface", 0);
   kernel.set("vertexCount", 13);  // the next ones are lost
   kernel.set("invocations", 5);

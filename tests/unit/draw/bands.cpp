@@ -1,0 +1,19 @@
+// How many rows of a picture the exact rasterizer draws at once.
+#include "draw/exact/scene/exact_scene.hpp"
+
+#include <doctest/doctest.h>
+
+namespace simreel::test::draw_bands {
+
+TEST_CASE("exact: a band has the rows whose visibility and glows there is room for, in whole tiles") {
+  constexpr std::size_t visible = std::size_t{32} << 20;      // samples in 256 MiB
+  constexpr std::int64_t software = std::int64_t{128} << 20;  // one buffer on llvmpipe
+  CHECK(draw::rowsOfBands({1920, 1080}, 4, {visible, software}) == 1080);
+  // 24 bytes a pixel: 1456 rows of 3840, where the visibility of all 2160 has room.
+  CHECK(draw::rowsOfBands({3840, 2160}, 4, {visible, software}) == 1456);
+  CHECK(draw::rowsOfBands({3840, 2160}, 4, {visible, std::int64_t{1} << 30}) == 2160);
+  CHECK(draw::rowsOfBands({3840, 2160}, 16, {visible, software}) == 544);
+  CHECK(draw::rowsOfBands({16384, 16384}, 16, {1, 1}) == 8);
+}
+
+}  // namespace simreel::test::draw_bands
