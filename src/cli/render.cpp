@@ -210,7 +210,8 @@ void addRender(CLI::App& app) {
       ->capture_default_str();
   o->cluster.add(*command);
   command->add_flag("--skip-existing", o->skipExisting,
-                    "Keep every frame whose file exists; frames of another scene or size are an error");
+                    "Keep every whole picture of a frame, and draw empty or damaged ones again; frames of "
+                    "another scene or size are an error");
   command->add_flag(
       "--no-counts", o->noCounts,
       "Do not write the counts of epidemics, fires, fluids and water (NAME.counts.csv beside the frames)");
