@@ -150,7 +150,7 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   s.fieldTextures.update(drawables);
   s.fields.prepare(drawables, seconds);
   if (watch && !drawables.fields.empty()) watch("fields");
-  if (!s.fields.hidesAll(drawables, seconds)) {
+  if (s.filmed || !s.fields.hidesAll(drawables, seconds)) {  // OpenEXR has what lies under the fields
     if (s.exact)
       s.drawExactly({seconds, &drawables}, watch);
     else

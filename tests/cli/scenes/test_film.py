@@ -148,6 +148,11 @@ class Film(Case):
         self.write("worded.json", {**SCENE, "objects": {**SCENE["objects"], "word": {"text": {"text": "A", "screen": {}}}}})
         self.assertEqual(self.good("render", "worded.json", "--frames", "0-2", "-o", "b/####.exr").err.count(said), 1)
         self.assertNotIn(said, self.good("render", "scene.json", "--frames", "0", "-o", "c.exr").err)
+        # A field over the whole picture.
+        self.write("field.json", {"version": 1, "render": {"size": [16, 9]}, "objects": {"cells": {"life": {"size": [32, 18]}}}})
+        self.good("render", "field.json", "--frames", "0", "-o", "d.exr")
+        width, height, channels, _ = read_exr((self.folder / "d.exr").read_bytes())
+        self.assertEqual((width, height, len(channels["G"])), (16, 9, 144))
 
 
 if __name__ == "__main__":
