@@ -135,11 +135,12 @@ void Render::describe(Fields& fields) {
       "rasterizer", rasterizer, {"exact", "driver"},
       "exact: kernels in exact arithmetic draw, with the same bytes on every machine; driver: vertex and "
       "fragment shaders, with the edges and filters of that driver.");
-  fields.choice("quality", quality, {"draft", "standard", "high"},
-                "draft: the fastest. standard: creases and folds get less ambient light "
-                "(ambient occlusion), and flat mirrors show things near them, both in screen space. high: "
-                "ray tracing with soft shadows, one bounce of light, and mirrors that show the scene. The "
-                "driver's rasterizer has only draft.");
+  fields.choice(
+      "quality", quality, {"draft", "standard", "high"},
+      "draft: neither of the following. standard: creases, folds and narrow gaps get less ambient light "
+      "(ambient occlusion), and flat mirrors show things near them, both in screen space. high: "
+      "ray tracing with soft shadows, one bounce of light, and mirrors that show the scene. The "
+      "driver's rasterizer has only draft.");
   fields.leftOut("quality", "draft, or standard on a stage");
   hasQuality = fields.given("quality");
   fields.optionalNumber("occlusionRadius", occlusionRadius, positive, "m",
