@@ -39,7 +39,7 @@ void remarkReach(Fields& fields, const Camera& camera) {
 void Follow::describe(Fields& fields) {
   PathPlace::describe(fields);
   fields.number("ahead", ahead, positive, "m",
-                "Distance along the path to the place ahead that it looks at.");
+                "Length of the path ahead that it looks along; it looks at the mean of the places there.");
   describeDamping(fields, damping,
                   "Time by which the camera lags behind, smoothly, like a critically damped spring; "
                   "corners become curves. 0: no lag.");
@@ -51,8 +51,8 @@ void Track::describe(Fields& fields) {
                 "Offset from the object's middle to the place that the camera looks at.");
   describeDamping(
       fields, damping,
-      "Time by which the look of the camera lags behind the object, smoothly, like a critically damped "
-      "spring; it looks where the object was. 0: no lag.");
+      "Time by which the line of sight lags behind the object, smoothly, like a critically damped "
+      "spring. 0: no lag.");
 }
 
 void CameraFile::describe(Fields& fields) {
@@ -148,8 +148,8 @@ void Camera::describe(Fields& fields) {
     fields.error("position", "\"orbit\" says where the camera is; leave out \"position\"");
   describeDamping(
       fields, damping,
-      "Time by which the look of the camera lags behind \"target\", smoothly, like a critically damped "
-      "spring; it looks where the target was. 0: no lag.");
+      "Time by which the line of sight lags behind \"target\", smoothly, like a critically damped "
+      "spring. 0: no lag.");
   fields.idleUnless(target.moves(), "target", {"damping"}, "a \"target\" with keys");
   for (const char* name : {"follow", "track"})
     if (damping > 0 && fields.given(name))

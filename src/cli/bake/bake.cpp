@@ -173,9 +173,10 @@ void addBake(CLI::App& app) {
       ->check(CLI::IsMember(formats));
   command->add_option("--frames", o->frames,
                       "Frames to write, for example 0-99x2,150; left out: all, or the last for maps");
-  command->add_option("--look", o->look,
-                      "With --format maps: bake fields that no material wears, with the look leather, "
-                      "spots, cracks or map; left out: the skins of materials");
+  command->add_option(
+      "--look", o->look,
+      "With --format maps: bake the fields themselves with this look (leather, spots, cracks or map); "
+      "left out: bake the skins of materials");
   command->add_option("--object", o->object, "Only the object of this name");
   command->add_flag(
       "--sequence", o->sequence,

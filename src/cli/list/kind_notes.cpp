@@ -79,13 +79,12 @@ std::span<const KindNotes> kindNotes() {
       {"cave",
        "cells: rock or floor|"
        "distances: steps from the entrance; -1 where no way leads|"
-       "tallies: numbers of points, flat faces and triangles of the solid before each 16 samples",
+       "tallies: sums of points, flat squares and triangles of the solid before each 16 samples",
        "Johnson, Yannakakis and Togelius 2010, \"Cellular automata for real-time generation of infinite "
        "cave levels\"|"
        "Shiloach and Vishkin 1982 (regions)|"
        "Lorensen and Cline 1987 (marching squares, in the plane)"},
-      {"contour",
-       "tallies: numbers of points, flat faces and triangles of the solid before each 16 samples",
+      {"contour", "tallies: sums of points, flat squares and triangles of the solid before each 16 samples",
        "Lorensen and Cline 1987, \"Marching cubes\", in the plane"},
       {"mesh",
        "positions: place of each vertex, m; only of a mesh with \"deform\", and not with the technique "

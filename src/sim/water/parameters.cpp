@@ -164,8 +164,7 @@ void WaterParameters::describeFlow(scene::Fields& f) {
   f.leftOut("greatestDepth", "the first state's");
   f.optionalNumber("greatestSpeed", greatestSpeed, {0, 1e4}, "m/s",
                    "Greatest speed of the water, for \"auto\". Faster water is safe while it and its waves "
-                   "go at most half a cell "
-                   "in a step; beyond, there is a warning.");
+                   "go at most half a cell in a step; beyond, there is a warning.");
   f.leftOut("greatestSpeed", "sqrt(gravity * greatestDepth)");
   f.list("drops", drops, "Water that falls in at once, where there is water.",
          [](scene::Fields& d, WaterDropParameters& drop) {
