@@ -203,8 +203,8 @@ void addRender(CLI::App& app) {
                       "simulation can have written it");
   command
       ->add_option("--pieces", o->pieces,
-                   "Draw the sequence in so many pieces at once (--jobs), and join them; the bytes are the "
-                   "same as without")
+                   "Draw the sequence in so many pieces, --jobs of them at once, and join them; the bytes "
+                   "are the same as without")
       ->check(CLI::Range(std::size_t{1}, std::size_t{10'000}));
   command->add_option("-j,--jobs", o->jobs, "Pieces at once; auto: one for each processor")
       ->capture_default_str();

@@ -101,7 +101,7 @@ void addServe(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--edit", o->edit,
                     "Write values that are changed on the page into the scene file (and those of the right "
-                    "side into its file); without this flag no file changes");
+                    "side into its file); without this flag no scene file changes");
   command->add_option(
       "-o,--output", o->output,
       "Folder for pictures that are rendered from the page; left out: the page cannot render");

@@ -38,7 +38,8 @@ void remarkReach(Fields& fields, const Camera& camera) {
 
 void Follow::describe(Fields& fields) {
   PathPlace::describe(fields);
-  fields.number("ahead", ahead, positive, "m", "Distance ahead on the path that it looks at.");
+  fields.number("ahead", ahead, positive, "m",
+                "Length of the path ahead that it looks along; it looks at the mean of the places there.");
   describeDamping(fields, damping,
                   "Time by which the camera lags behind, smoothly, like a critically damped spring; "
                   "corners become curves. 0: no lag.");
@@ -48,9 +49,10 @@ void Track::describe(Fields& fields) {
   fields.text("object", object, "Name of the object; the camera looks at its middle.");
   fields.vector("offset", offset, anyNumber, "m",
                 "Offset from the object's middle to the place that the camera looks at.");
-  describeDamping(fields, damping,
-                  "Time by which the camera lags behind the object, smoothly, like a critically damped "
-                  "spring. 0: no lag.");
+  describeDamping(
+      fields, damping,
+      "Time by which the line of sight lags behind the object, smoothly, like a critically damped "
+      "spring. 0: no lag.");
 }
 
 void CameraFile::describe(Fields& fields) {
@@ -144,9 +146,10 @@ void Camera::describe(Fields& fields) {
     fields.error("orbit", "\"follow\" says where the camera is; leave out \"orbit\"");
   else if (orbits && fields.given("position"))
     fields.error("position", "\"orbit\" says where the camera is; leave out \"position\"");
-  describeDamping(fields, damping,
-                  "Time by which the camera lags behind \"target\", smoothly, like a critically damped "
-                  "spring. 0: no lag.");
+  describeDamping(
+      fields, damping,
+      "Time by which the line of sight lags behind \"target\", smoothly, like a critically damped "
+      "spring. 0: no lag.");
   fields.idleUnless(target.moves(), "target", {"damping"}, "a \"target\" with keys");
   for (const char* name : {"follow", "track"})
     if (damping > 0 && fields.given(name))
@@ -176,7 +179,8 @@ void Camera::describe(Fields& fields) {
   fields.optionalGroup(
       "shutter", hasShutter,
       "Motion blur: the picture is the mean over the time before its frame. Surfaces, particles, lights "
-      "and the camera move; fields, charts and caves do not. The driver's rasterizer has none.",
+      "and the camera move; fields, charts and caves stay as they are in the frame. The driver's "
+      "rasterizer has none.",
       [&](Fields& f) { shutter.describe(f); });
   hasAngle = fields.given("fieldOfView");
   placed = follows || tracks || filed || fields.given("position") || fields.given("target") ||

@@ -32,7 +32,8 @@ void Finish::describe(Fields& fields) {
   fields.number("sheenRoughness", sheenRoughness, {0.07, 1}, "",
                 "Low: seen along the edges alone; high: all over.");
   fields.number("transmission", transmission, fraction, "",
-                "Fraction of the light that passes through, as through glass; with quality high.");
+                "With quality high: of the light that is not mirrored, the fraction that passes through, "
+                "as through glass.");
   fields.number("ior", ior, {1, 4}, "",
                 "Index of refraction relative to air: 1.33 water, 1.5 glass, 2.42 diamond.");
   fields.boolean("thinWalled", thin,

@@ -79,15 +79,17 @@ void Light::describe(Fields& fields) {
   fields.choice(
       "unit", unit, {"cd", "lm", "W"},
       "Unit of the intensity. cd: luminous intensity, for a rectangle in front of it; 1 cd gives 1 lx at 1 "
-      "m. lm: luminous flux in all directions. W: watts of light (not of electricity), 179 lm each.");
+      "m. lm: luminous flux, all that the light sends out. W: watts of light (not of electricity), 179 lm "
+      "each.");
   fields.number("intensity", intensity, notNegative, "",
                 "Brightness in its \"unit\", for the colour 1; the sun's intensity is in lx.");
   fields.number("radius", radius, {0.001, 1000}, "m",
                 "Radius of the ball that shines. It widens highlights, and objects within it cast no "
                 "shadow; for a rectangle only the latter.");
-  fields.number("range", range, {0, 1e6}, "m",
-                "Distance at which its light ends; it fades by (1 - (d / range)^4)^2. Many lights without "
-                "shadows are faster with a range. 0: it reaches everywhere.");
+  fields.number(
+      "range", range, {0, 1e6}, "m",
+      "Distance at which its light ends; it fades by (1 - (d / range)^4)^2. Of many lights without "
+      "shadows, each place computes only those in whose range it lies. 0: it reaches everywhere.");
   fields.number("glow", glow, notNegative, "",
                 "Factor on the shining ball as the camera sees it; 0 hides it.");
   fields.optionalGroup("flicker", hasFlicker, "Unrest of a flame, by a hash of name, time and seed.",

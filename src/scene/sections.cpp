@@ -16,14 +16,14 @@ constexpr const char* sunDoc =
     "The one directional light and its shadow. A scene of solids that gives none of sun, sky, ground and "
     "lights stands on a stage, which supplies them.";
 constexpr const char* skyDoc =
-    "Ambient light and background gradient. If sun, sky, ground and lights are all left out, a stage "
-    "supplies them.";
+    "Ambient light and background gradient. If a scene of solids leaves out sun, sky, ground and lights, "
+    "a stage supplies them.";
 constexpr const char* groundDoc =
-    "Ground plane, which is drawn and collided with. If sun, sky, ground and lights are all left out, a "
-    "stage supplies one below everything, and nothing collides with it.";
+    "Ground plane, which is drawn and collided with. If a scene of solids leaves out sun, sky, ground and "
+    "lights, a stage supplies one below everything, and nothing collides with it.";
 constexpr const char* lightsDoc =
-    "Lights at places of the scene, each {position, intensity, ...} by name. If sun, sky, ground and "
-    "lights are all left out, a stage supplies one.";
+    "Lights at places of the scene, each {position, intensity, ...} by name. If a scene of solids "
+    "leaves out sun, sky, ground and lights, a stage supplies one.";
 constexpr const char* materialDoc =
     "Surface of an object. If it is left out on a stage, the object gets a colour of the stage's palette.";
 
@@ -135,11 +135,12 @@ void Render::describe(Fields& fields) {
       "rasterizer", rasterizer, {"exact", "driver"},
       "exact: kernels in exact arithmetic draw, with the same bytes on every machine; driver: vertex and "
       "fragment shaders, with the edges and filters of that driver.");
-  fields.choice("quality", quality, {"draft", "standard", "high"},
-                "draft: the fastest. standard: creases and folds get less ambient light "
-                "(ambient occlusion), and flat mirrors show things near them, both in screen space. high: "
-                "ray tracing with soft shadows, one bounce of light, and mirrors that show the scene. The "
-                "driver's rasterizer has only draft.");
+  fields.choice(
+      "quality", quality, {"draft", "standard", "high"},
+      "draft: direct light with shadows, and ambient light without occlusion. standard: creases, folds "
+      "and narrow gaps get less ambient light (ambient occlusion), and flat mirrors show things near them, "
+      "both in screen space. high: ray tracing with soft shadows, one bounce of light, and mirrors "
+      "that show the scene. The driver's rasterizer has only draft.");
   fields.leftOut("quality", "draft, or standard on a stage");
   hasQuality = fields.given("quality");
   fields.optionalNumber("occlusionRadius", occlusionRadius, positive, "m",

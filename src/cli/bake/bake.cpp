@@ -175,7 +175,8 @@ void addBake(CLI::App& app) {
                       "Frames to write, for example 0-99x2,150; left out: all, or the last for maps");
   command->add_option(
       "--look", o->look,
-      "Look of a field with --format maps: leather, spots, cracks or map; left out: the field as it is");
+      "With --format maps: bake the fields themselves with this look (leather, spots, cracks or map); "
+      "left out: bake the skins of materials");
   command->add_option("--object", o->object, "Only the object of this name");
   command->add_flag(
       "--sequence", o->sequence,

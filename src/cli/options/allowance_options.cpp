@@ -11,8 +11,8 @@ void AllowanceOptions::add(CLI::App& command) {
                    "Ignore pixels of smoothed edges, found as pixelmatch and odiff do");
   command
       .add_option("--search-radius", searchRadius,
-                  "A pixel may be found so many pixels away, within --max-channel-diff, and the baseline's "
-                  "likewise [0 to 16]")
+                  "Ignore a pixel that moved: each picture has the other's colour, within "
+                  "--max-channel-diff, at most so many pixels away [0 to 16]")
       ->check(CLI::Range(0, golden::largestSearchRadius));
   command.add_option("--mask", mask, "Picture of the same size: pixels do not count where it is not black");
 }

@@ -64,8 +64,8 @@ void SceneOptions::addOptional(CLI::App& command) {
   command.add_option("--samples", samples, "Samples per pixel");
   command
       .add_option("--rasterizer", rasterizer,
-                  "exact (the default) draws the same pixels on every machine; driver uses the GPU's own "
-                  "rasterizer")
+                  "exact draws the same pixels on every machine; driver uses the GPU's own rasterizer "
+                  "(default: as the scene says)")
       ->type_name("exact|driver");
   addAssets(command, assets);
 }

@@ -72,9 +72,10 @@ void addTest(CLI::App& app) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
-      ->add_option("--retries", o->retries,
-                   "Further tries of a scene that fails or whose process ends; a scene that passes then "
-                   "counts as flaky")
+      ->add_option(
+          "--retries", o->retries,
+          "Further tries of a scene that fails, or whose process or command (--run) fails; a scene "
+          "that passes then counts as flaky")
       ->check(CLI::Range(0, 100));
   command
       ->add_option("--timeout", o->timeout,
@@ -94,7 +95,7 @@ void addTest(CLI::App& app) {
             o->update = mode;
           },
           "Write baselines that are missing, changed or (default) both; prune: remove baselines that no "
-          "scene uses")
+          "scene or picture is tested against")
       ->expected(0, 1)
       ->default_str("all")
       ->check(CLI::IsMember({"missing", "changed", "all", "prune"}));
@@ -104,7 +105,8 @@ void addTest(CLI::App& app) {
   addDevices(*command, o->on);
   command->add_flag("--debug", o->on.debug, "Ask the driver for debug messages; serious ones are errors");
   command->add_flag("--list", o->list, "Print the scenes that would be tested, and do nothing");
-  command->add_flag("--strict", o->strict, "Baselines that no scene uses fail the run, too");
+  command->add_flag("--strict", o->strict,
+                    "Baselines that no scene or picture is tested against fail the run, too");
   addPictures(*command, *o);
   o->tolerance.add(*command);
   command->callback([o] {

@@ -48,7 +48,7 @@ void ChartParameters::describe(scene::Fields& f) {
            "Length of its time axis, which grows beyond that when needed.");
   f.number("x", x, {-10, 10}, "",
            "Where its left side is: fraction of the picture's width, from the left.");
-  f.number("y", y, {-10, 10}, "", "Place of its top, as a fraction of the picture's height.");
+  f.number("y", y, {-10, 10}, "", "Place of its top, as a fraction of the picture's height, from the top.");
   f.number("width", width, {0.01, 10}, "", "Width as a fraction of the picture's.");
   f.number("height", height, {0.01, 10}, "", "Height as a fraction of the picture's.");
   if (curves.empty()) f.error("curves", "a chart needs \"curves\": [{\"of\": \"OBJECT.QUANTITY\"}]");

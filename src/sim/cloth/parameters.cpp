@@ -39,7 +39,7 @@ ClothParameters::ClothParameters() {
 void ClothParameters::describeMesh(scene::Fields& f) {
   f.optionalGroup("mesh", hasMesh, "Triangles that the cloth is made of, instead of a grid; a fabric.",
                   [&](scene::Fields& g) { mesh.describe(g); });
-  f.list("seams", seams, "Pairs of borders that are sewn together; for a cloth with a \"mesh\".",
+  f.list("seams", seams, "Vertices that are sewn together in pairs; for a cloth with a \"mesh\".",
          [](scene::Fields& s, Seam& seam) {
            s.integers(
                "from", seam.from, {0, 1e7}, "",
@@ -78,7 +78,7 @@ void ClothParameters::describe(scene::Fields& f) {
            "Compliance of structural constraints; with 0 the cloth cannot stretch.");
   f.number("shearCompliance", shearCompliance, {0, 1e6}, "m/N", "Compliance of diagonal constraints.");
   f.number("bendCompliance", bendCompliance, {0, 1e6}, "m/N",
-           "Compliance of constraints between every second particle.");
+           "Compliance of constraints between particles two steps apart.");
   f.shorthand("fabric", "material");
   f.optionalGroup("fabric", hasFabric,
                   "A material by its properties per area and length, whatever the spacing, instead of "

@@ -29,7 +29,7 @@ void PinGroup::describe(scene::Fields& f, const glm::ivec2& grid, bool onMesh) {
   f.integers(
       "vertices", vertices, {0, 1e7}, "",
       "Vertices of a mesh to pin, counted from 0, in the order in which \"simreel bake\" writes them.");
-  f.optionalGroup("box", hasBox, "Box of a mesh: pins every vertex that lies in it at the start.",
+  f.optionalGroup("box", hasBox, "For a mesh: pins every vertex that lies in this box at the start.",
                   [&](scene::Fields& b) {
                     b.vector("min", box.min, scene::anyNumber, "m",
                              "Least corner of the box, in world space.");

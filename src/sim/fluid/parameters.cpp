@@ -169,7 +169,8 @@ void FluidParameters::describe(scene::Fields& f) {
           [&](scene::Fields& p) {
             p.vector("position", plane.position, scene::anyNumber, "m", "Middle of its rectangle.");
             p.vector("rotation", plane.rotation, scene::anyNumber, "degrees",
-                     "About x, then y, then z; unrotated it stands upright and faces +z.");
+                     "About x, then y, then z; unrotated it stands upright, and seen along -z it looks as "
+                     "in the picture.");
             p.number("cell", plane.cell, {1e-4, 1e3}, "m", "Width of a cell.");
           });
   f.switchable("tracers");

@@ -15,7 +15,8 @@ void TracerParameters::describe(scene::Fields& f) {
   f.number("seconds", seconds, {1e-2, 1e6}, "s", "Mean lifetime; then a tracer begins again elsewhere.");
   f.number("streak", streak, {1e-3, 1e6}, "s", "Time in which their streaks fade to 1/e.");
   f.vector("color", color, {0, 1e4}, "", "Linear RGB.");
-  f.number("brightness", brightness, {0, 1e4}, "", "Opacity of a streak.");
+  f.number("brightness", brightness, {0, 1e4}, "",
+           "How strongly a streak covers what is below it; 0 hides it.");
 }
 
 shader::TracerStep tracerStep(const TracerParameters& parameters, double dt, int seed, bool wrapsX,

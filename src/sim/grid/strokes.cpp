@@ -64,7 +64,7 @@ void StrokeParameters::describe(scene::Fields& f, double max, const char* valueD
   f.choice("shape", shape, {"circle", "line", "image"},
            "A circle that may move, a line, or the light pixels of an image.");
   f.number("at", at, scene::anyNumber, "s",
-           "Time at which the stroke begins; if that is before the start, the first state has it.");
+           "Time at which the stroke begins; the first state at this time or later has it.");
   f.number("until", until, scene::anyNumber, "s", "When it ends; not after \"at\": it paints once.");
   f.vector("from", from, {-1e6, 1e6}, "cells",
            "Middle of the circle, start of the line, or top left of the image; the third counts in "

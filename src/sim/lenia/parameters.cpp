@@ -90,11 +90,13 @@ void LeniaParameters::describe(scene::Fields& f) {
            "Radius of SmoothLife's ring; its disc is a third of that.");
   f.number("bornMin", bornMin, {0, 1}, "",
            "Least filling of the ring at which a dead cell of SmoothLife comes alive.");
-  f.number("bornMax", bornMax, {0, 1}, "", "Greatest filling of the ring at which it comes alive.");
+  f.number("bornMax", bornMax, {0, 1}, "",
+           "Greatest filling of the ring at which a dead cell comes alive.");
   f.number("surviveMin", surviveMin, {0, 1}, "",
            "Least filling of the ring at which a living cell stays alive.");
-  f.number("surviveMax", surviveMax, {0, 1}, "", "Greatest filling of the ring at which it stays alive.");
-  f.number("alphaRing", alphaRing, {1e-3, 1}, "", "Softness of these limits.");
+  f.number("surviveMax", surviveMax, {0, 1}, "",
+           "Greatest filling of the ring at which a living cell stays alive.");
+  f.number("alphaRing", alphaRing, {1e-3, 1}, "", "Softness of the limits of the ring's filling.");
   f.number("alphaDisc", alphaDisc, {1e-3, 1}, "", "Softness of the limit between dead and living.");
   const bool smooth = model == Model::smoothLife;
   f.idleUnless(!smooth, "model", {"kernels"}, "the model \"lenia\"");

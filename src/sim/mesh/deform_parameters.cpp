@@ -30,7 +30,8 @@ void describeWave(scene::Fields& f, Wave& w) {
 
 void describeSway(scene::Fields& f, Sway& s) {
   f.number("direction", s.direction, {-360, 360}, "degrees", directionDoc);
-  f.number("amplitude", s.amplitude, {0, 1e3}, "m", "Distance that a part of the height `height` leans.");
+  f.number("amplitude", s.amplitude, {0, 1e3}, "m",
+           "Distance that a part leans at the height \"height\" over the base.");
   f.number("base", s.base, {-1e4, 1e4}, "m", "Height below which nothing moves.");
   f.number("height", s.height, {1e-3, 1e4}, "m", "Above the base; the lean grows with its square.");
   f.number("wavelength", s.wavelength, {1e-2, 1e4}, "m", "Wavelength of the gusts.");

@@ -139,7 +139,7 @@ void ParticleParameters::describe(scene::Fields& f) {
                              "Length below which its attraction fades.");
                   });
   f.vector("acceleration", acceleration, {-1e6, 1e6}, "m/s^2",
-           "Acceleration of every particle, such as gravity.");
+           "Acceleration that is the same for every particle, such as that of weight.");
   f.number("damping", damping, {0, 1e4}, "1/s",
            "Rate at which velocity decays; 0.06 keeps 0.999 of it each 1/60 s.");
   f.group("turbulence", "Swirls without sources that push the particles about.", [&](scene::Fields& t) {

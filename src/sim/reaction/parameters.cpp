@@ -104,7 +104,7 @@ void ReactionParameters::describe(scene::Fields& f) {
   completed(f, "lets", "Names for expressions, which others may use; a stencil may be laid over them.",
             "let", 32, lets,
             [](scene::Fields& l, ReactionLet& let) { l.text("is", let.is, "An expression."); });
-  completed(f, "species", "Substances, each with its value in every cell.", "species", maxSpecies, species,
+  completed(f, "species", "Quantities that have a value in every cell.", "species", maxSpecies, species,
             [](scene::Fields& s, ReactionSpecies& one) {
               s.number("diffusion", one.diffusion, {0, 1e6}, "lengths^2 per unit of time",
                        "D of the term D laplacian(u) in its rate.");
@@ -173,7 +173,8 @@ void ReactionSurface::describe(scene::Fields& f) {
   f.choice("draw", draw, {"isosurface", "cubes"},
            "isosurface: a smooth surface where the value passes \"level\"; cubes: a cube for every cell at "
            "that level or above.");
-  f.number("level", level, scene::anyNumber, "", "Value at the surface; inside it is greater.");
+  f.number("level", level, scene::anyNumber, "",
+           "Value at the surface; inside, the value that is shown is at least this.");
   f.leftOut("level", "the middle between the display's \"low\" and \"high\"");
   hasLevel = f.given("level");
   f.text("color", color,
@@ -288,7 +289,7 @@ std::span<const scene::Quantity> ReactionParameters::quantities() const {
       {"leastValue", "", "Least of the value that is shown."},
       {"mostValue", "", "Greatest of the value that is shown."},
       {"deviation", "", "Standard deviation of the value that is shown."},
-      {"wavelength", "cells", "Wavelength that holds most of that variance."}};
+      {"wavelength", "cells", "Wavelength that holds most of the variance of the value that is shown."}};
   return table;
 }
 

@@ -26,7 +26,7 @@ void EpidemicParameters::describe(scene::Fields& f) {
   f.number("immune", immune, {0, 1}, "", "Fraction of the people that is immune at the start.");
   f.asset("population", population, "Picture: the lighter, the more of the cells are inhabited.");
   f.integer("trail", trail, {1, 100000}, "steps",
-            "Steps over which colours show an infection and the recovery.");
+            "Steps over which the colour changes after an infection, and after a recovery.");
   f.list("strokes", strokes, "Timed brush strokes.", [](scene::Fields& s, StrokeParameters& stroke) {
     stroke.describe(s, 1, "1 infects susceptible people; 0 makes people immune.");
   });

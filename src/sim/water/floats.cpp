@@ -58,8 +58,7 @@ void WaterFloat::describe(scene::Fields& f) {
   f.leftOut("apart", "they touch its shape");
   f.number("thrust", thrust, {-1e9, 1e9}, "N",
            "Thrust of its engine, along its z, while it is in the water.");
-  f.number("steering", steering, {-1e9, 1e9}, "N m",
-           "Torque of its rudder about its y, while it is in the water.");
+  f.number("steering", steering, {-1e9, 1e9}, "N m", "Torque about its y, while it is in the water.");
   f.optionalGroup("tow", towed, "A line that pulls it along.", [&](scene::Fields& t) {
     t.vector("position", tow, scene::anyNumber, "m",
              "Where to, from the grid's middle; y is unused: it floats there.");

@@ -157,14 +157,14 @@ void WaterParameters::describeFlow(scene::Fields& f) {
            "Roughness of the bed after Manning: 0.01 glass, 0.03 a river, 0.1 reeds.");
   f.number("rainfall", rainfall, {0, 1e9}, "mm/h", "Rain that falls evenly on everything.");
   f.integerOr("substeps", substeps, "auto", {1, 1e5}, "per frame",
-              "Steps that a frame is divided into; \"auto\": so many that no wave goes farther than a "
+              "Steps that a frame is divided into; \"auto\": so many that nothing goes farther than a "
               "quarter of a cell in one.");
   f.optionalNumber("greatestDepth", greatestDepth, {1e-6, 1e4}, "m",
                    "Greatest depth that is expected, for \"auto\" and to decide which cells count as dry.");
   f.leftOut("greatestDepth", "the first state's");
   f.optionalNumber("greatestSpeed", greatestSpeed, {0, 1e4}, "m/s",
-                   "Greatest speed of the water, for \"auto\". Faster water is safe up to twice that many "
-                   "cells a step; beyond, there is a warning.");
+                   "Greatest speed of the water, for \"auto\". Faster water is safe while it and its waves "
+                   "go at most half a cell in a step; beyond, there is a warning.");
   f.leftOut("greatestSpeed", "sqrt(gravity * greatestDepth)");
   f.list("drops", drops, "Water that falls in at once, where there is water.",
          [](scene::Fields& d, WaterDropParameters& drop) {
@@ -180,8 +180,9 @@ void WaterParameters::describeFlow(scene::Fields& f) {
            d.vector("center", drain.center, scene::anyNumber, "m",
                     "Place, from the middle of the grid; y is unused.");
            d.number("radius", drain.radius, {1e-4, 1e4}, "m", "Radius of the drain.");
-           d.number("speed", drain.speed, {0, 1e3}, "m/s",
-                    "Speed at which the level falls in its middle: pi / 3 radius^2 speed m^3 a second.");
+           d.number(
+               "speed", drain.speed, {0, 1e3}, "m/s",
+               "Speed at which the level would fall in its middle: pi / 3 radius^2 speed m^3 a second.");
            d.number("from", drain.from, scene::anyNumber, "s", "Time at which it opens.");
            d.number("until", drain.until, scene::anyNumber, "s", "Time at which it closes.");
          });

@@ -20,8 +20,9 @@ std::span<const scene::Quantity> WaterParameters::quantities() const {
       {"fastest", "m/s", "Greatest speed of water that is deeper than 1/10,000 of the greatest depth."},
       {"deepest", "m", "Greatest depth."},
       {"wetArea", "m^2", "Area of cells with more than 1/200 of the greatest depth."},
-      {"highestLevel", "m", "Highest level where there is water."},
-      {"lowestLevel", "m", "Lowest level where there is water; both are 0 if everything is dry."},
+      {"highestLevel", "m", "Highest level of the cells that \"wetArea\" counts."},
+      {"lowestLevel", "m",
+       "Lowest level of the cells that \"wetArea\" counts; both levels are 0 if there are none."},
       {"displaced", "m^3",
        "Volume that all floats displace below the reference level of each, which follows the water around "
        "it."},
@@ -31,8 +32,8 @@ std::span<const scene::Quantity> WaterParameters::quantities() const {
        "Depth of the first float's lowest point below the mean level of the water there; 0 without "
        "floats."},
       {"floatX", "m", "x of the first float's centre of mass, from the middle of the grid."},
-      {"floatY", "m", "Its height over level 0."},
-      {"floatZ", "m", "z of the same point."}};
+      {"floatY", "m", "Height of the first float's centre of mass over level 0."},
+      {"floatZ", "m", "z of the first float's centre of mass, from the middle of the grid."}};
   return list;
 }
 
