@@ -34,9 +34,16 @@ namespace {
 
 }  // namespace
 
-// Static objects of libraries take memory before main: 101 is the first number that programs may use.
-[[gnu::constructor(101)]] void explainTermination() {
+void explainTermination() {
   std::set_terminate(terminated);
 }
+
+namespace {
+
+/// Static objects take memory before main, in an order that the linker chooses; this comes before all of
+/// them.
+[[gnu::used, gnu::section(".preinit_array")]] void (*const beforeStaticObjects)() = explainTermination;
+
+}  // namespace
 
 }  // namespace simreel::cli

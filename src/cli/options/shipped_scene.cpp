@@ -26,21 +26,11 @@ std::vector<std::string> scenesIn(const fs::path& folder) {
   return names;
 }
 
-/// Advice about a mesh or a picture that was given in place of a scene; empty for other files.
+/// Advice about a picture that was given in place of a scene; empty for other files.
 std::string cureFor(const std::string& file) {
   const std::string ending = lowerExtension(file);
   const auto any = [&](const std::set<std::string>& endings) { return endings.contains(ending); };
   const std::string name = oneLine(file);
-  if (any({".obj", ".ply", ".glb", ".gltf"}))
-    return fmt::format(
-        "{0} is a mesh, not a scene; write a scene around it, for example: "
-        "{{\"version\": 1, \"objects\": {{\"model\": {{\"mesh\": {{\"file\": \"{0}\"}}}}}}}}{1}",
-        name, ending.starts_with(".g") ? " (\"body\" instead of \"mesh\" plays a skin's motion)" : "");
-  if (any({".stl", ".fbx", ".blend", ".usd", ".usdz", ".dae", ".3mf"}))
-    return fmt::format(
-        "{} is no scene, and simreel does not read {} files; save it as OBJ, PLY or GLB, and "
-        "write a scene with a \"mesh\" around it: `simreel new mesh`",
-        name, ending);
   if (any({".png", ".jpg", ".jpeg", ".hdr", ".exr", ".tga", ".bmp"}))
     return fmt::format(
         "{} is a picture, not a scene; a scene may use it as a \"texture\" of a material, as "

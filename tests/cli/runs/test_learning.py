@@ -81,6 +81,7 @@ class Shipped(Case):
         self.bad(2, "--edit would change the shipped scene; copy it first: cp ", "serve", "flag", "--edit")
 
     def test_meshes_and_pictures_are_not_scenes(self):
+        self.write("model.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n")
         self.bad(2, ["model.obj is a mesh, not a scene", '"mesh": {"file": "model.obj"}'], "render", "model.obj", "-o", "x.png")
         self.bad(2, ["a.png is a picture, not a scene"], "render", "a.png", "-o", "x.png")
 
