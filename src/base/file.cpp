@@ -258,10 +258,14 @@ std::string lowerExtension(const std::filesystem::path& path) {
 void makeFolders(const std::filesystem::path& folder) {
   if (folder.empty()) return;
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  // create_directories also reports an error for a link to a folder, which will do.
-  std::error_code ignored;
-  if (std::filesystem::is_directory(folder, ignored)) return;
+  // Again where another run has removed its folder, which nothing was rendered into, in between.
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    std::filesystem::create_directories(folder, error);
+    // create_directories also reports an error for a link to a folder, which will do.
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder, ignored)) return;
+    if (error || pathExists(folder)) break;
+  }
   fail(ExitCode::inputOutput, "cannot create folder {}: {}", folder.string(),
        error ? error.message() : "a file of that name exists");
 }

@@ -9,9 +9,12 @@
 #include "frame/sink/stream_sink.hpp"
 #include "frame/sink/video_sink.hpp"
 
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
-#include <vector>
+#include <unistd.h>
 
 namespace simreel::frame {
 
@@ -34,26 +37,16 @@ std::unique_ptr<FrameSink> openSink(const OutputName& output, Existing existing,
 
 namespace {
 
-/// A folder that is made for a moment, with those above it.
-class TriedFolder {
- public:
-  explicit TriedFolder(const std::filesystem::path& folder) {
-    for (std::filesystem::path at = folder; !at.empty() && !pathExists(at); at = at.parent_path())
-      if (at.has_filename()) made_.push_back(at);
-    makeFolders(folder);
-  }
-  ~TriedFolder() {
-    std::error_code notEmpty;
-    for (const std::filesystem::path& folder : made_) std::filesystem::remove(folder, notEmpty);
-  }
-  TriedFolder(const TriedFolder&) = delete;
-  TriedFolder& operator=(const TriedFolder&) = delete;
-  TriedFolder(TriedFolder&&) = delete;
-  TriedFolder& operator=(TriedFolder&&) = delete;
-
- private:
-  std::vector<std::filesystem::path> made_;  ///< the lowest first
-};
+/// Throws UserError(inputOutput) where `folder` could not be made. Makes a folder of a random name for a
+/// moment where the first missing one would be: another run may be making the folder itself.
+void checkFolder(const std::filesystem::path& folder) {
+  std::filesystem::path above = folder;
+  while (!above.empty() && !pathExists(above)) above = above.parent_path();
+  std::string probe = (above / ".simreel.XXXXXX").string();
+  if (::mkdtemp(probe.data()) == nullptr)
+    fail(ExitCode::inputOutput, "cannot create folder {}: {}", folder.string(), std::strerror(errno));
+  ::rmdir(probe.c_str());
+}
 
 }  // namespace
 
@@ -81,8 +74,10 @@ void checkOutput(const OutputName& output, Existing existing, std::span<const in
   } else if (existing == Existing::error) {
     refuseExisting(output, frames);
   }
-  const TriedFolder tried(output.folder);
-  checkWritable(output.manifestFile());
+  if (!output.folder.empty() && !pathExists(output.folder))
+    checkFolder(output.folder);
+  else
+    checkWritable(output.manifestFile());
 }
 
 }  // namespace simreel::frame
