@@ -82,11 +82,20 @@ void warnLine(const std::string& message) {
     say("warning", "simreel: warning: ", "simreel: warning: " + oneLine(message));
 }
 
-void warnLinesOnce(const std::string& report) {
+namespace {
+
+/// True for the first call with this text.
+bool isNew(const std::string& text) {
   static std::mutex mutex;
   static std::set<std::string> said;
   const std::scoped_lock lock(mutex);
-  if (level != Verbosity::quiet && said.insert(report).second) say("warning", "", severalLines(report));
+  return said.insert(text).second;
+}
+
+}  // namespace
+
+void warnLinesOnce(const std::string& report) {
+  if (level != Verbosity::quiet && isNew(report)) say("warning", "", severalLines(report));
 }
 
 void infoLine(const std::string& message) {
@@ -94,6 +103,10 @@ void infoLine(const std::string& message) {
   // A bar of progress may stand in the terminal's line.
   if (!json && ::isatty(STDERR_FILENO) != 0) put(stderr, "\r\x1b[K");
   say("info", "simreel: ", oneLine(message));
+}
+
+void infoLineOnce(const std::string& message) {
+  if (level != Verbosity::quiet && isNew(message)) infoLine(message);
 }
 
 void detailLine(const std::string& message) {

@@ -49,6 +49,8 @@ void warnLine(const std::string& message);
 void warnLinesOnce(const std::string& report);
 /// One line on standard error; shown unless quiet.
 void infoLine(const std::string& message);
+/// The same, once a process for each message.
+void infoLineOnce(const std::string& message);
 /// One line on standard error; shown with -v only.
 void detailLine(const std::string& message);
 

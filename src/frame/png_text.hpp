@@ -10,7 +10,7 @@ namespace simreel::frame {
 /// before its time.
 [[nodiscard]] ImageText readPngText(std::span<const std::byte> png);
 
-/// Whether all chunks of a PNG up to its end are there, as their checksums say.
+/// True if a PNG has all its chunks up to the end, with right checksums.
 [[nodiscard]] bool isWholePng(std::span<const std::byte> png);
 
 }  // namespace simreel::frame

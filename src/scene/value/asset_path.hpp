@@ -26,8 +26,8 @@ class AssetFolders {
   mutable std::set<std::filesystem::path> found_;
 };
 
-/// Folders that scenes read so far by this process may read, of those that name `file`: for the files that
-/// it names in turn.
+/// Returns the folders of all scenes of this process that have named `file`. Files that `file` names in
+/// turn, such as a mesh's textures, may lie in them.
 [[nodiscard]] std::set<std::filesystem::path> foldersAround(const std::filesystem::path& file);
 
 }  // namespace simreel::scene

@@ -20,9 +20,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <mutex>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -36,15 +34,6 @@ namespace simreel::shader::cloth {
 namespace simreel::sim {
 
 namespace {
-
-/// Who gives no pins may wait for the sheet to fall. Once a process, however many worlds it makes.
-void tellPinned(const std::string& name) {
-  static std::mutex mutex;
-  static std::set<std::string> told;
-  const std::scoped_lock lock(mutex);
-  if (verbosity() != Verbosity::quiet && told.insert(name).second)
-    info("cloth \"{}\": its last row is pinned (default); \"pins\": [] lets it fall", name);
-}
 
 class Cloth : public Simulation, public LockStep {
  public:
@@ -61,7 +50,9 @@ class Cloth : public Simulation, public LockStep {
         frameSeconds_(setting.frameSeconds) {
     checkLimits();
     const ClothParameters& p = plan_.parameters();
-    if (p.pinsByDefault) tellPinned(name_);
+    if (p.pinsByDefault)
+      infoLineOnce(
+          fmt::format("cloth \"{}\": its last row is pinned (default); \"pins\": [] lets it fall", name_));
     if (!p.walls.empty()) {
       walls_ = &setting.wallsNamed(p.walls);
       walls_->checkReach(name_, p.margin);

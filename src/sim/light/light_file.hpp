@@ -13,7 +13,7 @@ struct LightFile {
 
   glm::ivec2 size{0, 0};
   std::vector<float> values;
-  std::string colours;  ///< of its primaries, where they are not those of Rec. 709
+  std::string colours;  ///< primaries as text; empty for those of Rec. 709
   std::string note;     ///< what of the file is not in it: "channels Z"; or empty
   std::string unfit;    ///< why it is no picture of all around; or empty
 };

@@ -13,9 +13,9 @@ namespace simreel::sim {
 /// what readFile says for a file that cannot be read.
 [[nodiscard]] LightFile readSurroundings(const std::filesystem::path& file);
 
-/// Throws UserError(inputOutput) with `label` first for a picture that is not twice as wide as high, is a
-/// cube map, lacks a channel, has other primaries than Rec. 709, or holds what is no light. Values above
-/// -0.001 are let through with one warning; they count as 0.
+/// Throws UserError(inputOutput), which begins with `label`, for a picture that cannot be a sky: not twice
+/// as wide as high, a cube map, a missing channel, primaries other than Rec. 709, or values that are no
+/// light. Values from -0.001 to 0 count as 0, with one warning.
 void checkSurroundings(const LightFile& picture, const std::string& label);
 
 }  // namespace simreel::sim

@@ -36,10 +36,9 @@ class GltfDocument {
   /// Numbers of an object's list, which has to hold `count`; empty where there is no list.
   [[nodiscard]] static std::vector<float> numbers(const JsonValue& object, const char* key,
                                                   std::size_t count);
-  /// Whole numbers of an object's list; empty where there is none.
+  /// Whole numbers of an object's list; empty if it has no such list.
   [[nodiscard]] static std::vector<std::uint64_t> wholeNumbers(const JsonValue& object, const char* key);
-  /// The rotation of a node as a quaternion x, y, z, w of unit length, which it is made where the file has
-  /// another length.
+  /// The rotation of a node as a quaternion x, y, z, w, normalized.
   [[nodiscard]] static std::array<double, 4> rotation(const JsonValue& node);
 
   /// How many vertices or indices an accessor has; checked against its bytes.
@@ -58,7 +57,7 @@ class GltfDocument {
   /// and those of a buffer view.
   [[nodiscard]] std::string bytesOfView(std::size_t number) const;
 
-  /// How many bytes of a binary file lie behind the end that its header names.
+  /// Number of bytes of a binary file after the end that its header gives.
   [[nodiscard]] std::size_t bytesBehind() const { return behind_; }
 
   [[noreturn]] void refuse(const std::string& why) const;

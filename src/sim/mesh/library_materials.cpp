@@ -192,8 +192,8 @@ class LibraryReader {
     light_.erase(name_);
   }
 
-  /// Whether the numbers of a key can be used. Notes where they are none, and where they are held to their
-  /// range. A line of spectra or of CIE coordinates has none either.
+  /// True if the numbers of a key can be used. Notes words that are no numbers, such as those of spectra or
+  /// CIE coordinates, and numbers that are clamped to their range.
   bool hasNumbers(const NumberKey& known, std::string_view key, std::string_view rest) {
     constexpr double hair = 1e-4;  // of colours that were computed
     std::string_view words = rest;

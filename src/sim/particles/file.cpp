@@ -100,7 +100,7 @@ class Collector {
       if (!given[c])
         refuse("no column \"{}\"; particles need x, y, z and may have vx, vy, vz, mass", columnNames[c]);
   }
-  /// What a file has beside that may be a misspelt name, so it is said once.
+  /// Warns once of columns that nothing reads: one may be a misspelt name.
   void noteUnused(const std::vector<std::string>& names) const {
     constexpr std::size_t most = 8;
     if (names.empty()) return;

@@ -127,8 +127,7 @@ SimulationKind wildfireKind() {
   return kindOf<WildfireParameters>(
       "wildfire", "Fire on a map of fuel, carried by wind from cell to cell.",
       [](const scene::Object& object, const Setting& setting) {
-        // Of a grid that takes gigabytes, a small one from the same pictures, and the strokes by
-        // themselves.
+        // A grid of gigabytes is checked by a small one from the same pictures, and its strokes alone.
         WildfireParameters parameters = parametersOf<WildfireParameters>(object);
         if (parameters.leastBlockBytes() > ObjectParameters::commonBlockBytes) {
           static_cast<void>(Strokes(parameters.strokes, setting.seed,

@@ -21,7 +21,7 @@ class Font {
     double advance = 0;
   };
 
-  /// TrueType or OpenType. Throws UserError(inputOutput) for a file that is none, and what readFile throws.
+  /// Reads TrueType or OpenType. Throws UserError(inputOutput) for other files, and the errors of readFile.
   explicit Font(std::filesystem::path file);
   ~Font();
   Font(Font&&) = delete;

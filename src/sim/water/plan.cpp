@@ -132,7 +132,7 @@ void WaterPlan::makeFirst() {
   depth_ = p.greatestDepth.value_or(deepest > 0 ? deepest : p.cell);
 }
 
-/// Of any cell; reads the picture of the ground all the same.
+/// An upper bound for the depth of all cells (m). Reads the picture of the ground only to find its errors.
 double WaterPlan::deepestPossible() const {
   const WaterParameters& p = parameters_;
   double top = p.level, bottom = p.bed;

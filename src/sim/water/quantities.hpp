@@ -13,7 +13,7 @@ namespace simreel::sim {
 [[nodiscard]] std::vector<double> measureWater(const WaterPlan& plan, std::span<const glm::vec4> cells,
                                                std::span<const glm::vec4> floats = {});
 
-/// Those of floats alone: "displaced" and what follows.
+/// The quantities of floats alone: "displaced" and those after it.
 [[nodiscard]] std::vector<double> measureFloats(const WaterPlan& plan, std::span<const glm::vec4> floats);
 
 /// What makes sums over cells of depth, h |u|^2 / 2, h (level + bed) / 2 and wet cells the volume, both

@@ -336,7 +336,7 @@ class Water : public Simulation {
     cells_[0].bindInput(shader::water::cellsBinding);
     tally_.take(waterSumFactors(plan_.parameters()), glm::vec4(1));
     if (!floats_) return;
-    // The device's sums have seven numbers, and those of floats follow.
+    // A row has the seven sums that the device makes, then the quantities of floats.
     constexpr std::size_t sums = 7;
     std::array<float, 4 * countElements> row{};
     tally_.table({}).steps->read(0, std::as_writable_bytes(std::span(row).first(sums + 1)));

@@ -1,4 +1,4 @@
-// How many rows of a picture the exact rasterizer draws at once.
+// The rows of a picture that the exact rasterizer draws at once.
 #include "draw/exact/scene/exact_scene.hpp"
 
 #include <doctest/doctest.h>

@@ -20,7 +20,7 @@ namespace simreel::draw {
 
 class Motion;
 
-/// What a band of a picture may take.
+/// Memory that one band of a picture may take.
 struct BandRoom {
   std::size_t samples;     ///< of visibility
   std::int64_t glowBytes;  ///< of sums of glows, in one buffer
