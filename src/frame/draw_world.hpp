@@ -17,7 +17,7 @@ inline void followMotion(draw::Renderer& renderer, sim::World& world) {
 inline void drawWorld(draw::Renderer& renderer, sim::World& world,
                       const draw::Renderer::StageWatch& watch = {}) {
   renderer.draw(world.time(), world.drawables(), watch);
-  while (world.settle()) renderer.draw(world.time(), world.drawables(), watch);
+  while (world.grow()) renderer.draw(world.time(), world.drawables(), watch);
 }
 
 }  // namespace simreel::frame

@@ -134,7 +134,7 @@ void bake(BakeOptions o) {
   frame::catchInterrupts();
   const gl::Context context(o.on);
   sim::World world(scene);
-  static_cast<void>(world.settle());  // what there is, is asked of whole meshes
+  static_cast<void>(world.grow());  // what there is, is asked of whole meshes
   const auto all = bakedFiles(world, o);
   if (!o.sequence) return bakeFrames(o, scene, world, all, frames);
   std::vector<std::size_t> objects;

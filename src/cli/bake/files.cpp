@@ -148,7 +148,7 @@ bool simulateTo(sim::World& world, int frame, int files) {
       world.advanceTo(next);
     frame::checkState(world);
   }
-  static_cast<void>(world.settle());
+  static_cast<void>(world.grow());
   return true;
 }
 

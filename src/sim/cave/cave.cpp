@@ -55,7 +55,7 @@ class Cave final : public Simulation {
     growth_.restored();
     make(time);
   }
-  bool settle() override { return solid_.settle(); }
+  bool grow() override { return solid_.grow(); }
   [[nodiscard]] const Walls* walls() override { return &walls_; }
 
   void publish(double /*time*/, Drawables& drawables) const override {

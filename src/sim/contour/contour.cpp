@@ -76,7 +76,7 @@ class Contour final : public Simulation {
     if (met_) make(time + frameSeconds_);
   }
   void resumed(double time) override { make(time); }
-  bool settle() override { return solid_->settle(); }
+  bool grow() override { return solid_->grow(); }
   [[nodiscard]] const Walls* walls() override {
     met_ = true;
     return &*walls_;

@@ -200,7 +200,7 @@ void Solid::make(const Field& field, const std::vector<float>& heights) {
   s.make();
 }
 
-bool Solid::settle() {
+bool Solid::grow() {
   State& s = *state_;
   if (!s.totals.wait()) return false;
   const shader::ContourDraw found = s.found();

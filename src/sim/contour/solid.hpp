@@ -27,7 +27,7 @@ inline constexpr int maxSolidLevels = 16;
 
 /// A field as a solid: faces of its classes and the walls between them, by marching squares on the GPU
 /// (glsl/contour), drawn without a readback. Memory keeps the size that a frame needed: one that needs more
-/// draws nothing, which settle() notices.
+/// draws nothing, which grow() notices.
 class Solid {
  public:
   /// Throws UserError(device) naming the limit that a field of this size is beyond.
@@ -42,7 +42,7 @@ class Solid {
   void make(const Field& field, const std::vector<float>& heights);
   /// Waits until the latest make() has counted. Where its memory was too small, gets more, makes it again
   /// and returns true. Throws UserError(device) where the device has no buffer that large.
-  bool settle();
+  bool grow();
 
   /// What the latest make() was told, and the class of each sample (glsl/contour/samples.glsl), which are
   /// right even where the solid lacked memory.
@@ -52,13 +52,13 @@ class Solid {
   [[nodiscard]] const gl::WordsArray& classes() const;
   [[nodiscard]] int rowElements() const;
 
-  /// Everything but model and material; the pointers live until make() or settle().
+  /// Everything but model and material; the pointers live until make() or grow().
   [[nodiscard]] Surface surface() const;
   /// Four words that change with the contours: how many points, squares of one class and triangles there
   /// are before each sixteen samples.
   [[nodiscard]] const gl::Buffer& tallies() const;
 
-  /// Read back; after settle(). Waits for the GPU. Vertices as the kernels leave them, without uvs.
+  /// Read back; after grow(). Waits for the GPU. Vertices as the kernels leave them, without uvs.
   [[nodiscard]] MeshTable mesh() const;
   /// The same with uvs (sim/contour/unwrap.hpp).
   [[nodiscard]] MeshTable unwrapped() const;

@@ -156,7 +156,7 @@ class Simulation {
   /// After what was published was drawn, before the next step: whether that lacked memory, which is there
   /// now, so that it is to be published and drawn again. May wait for the GPU to have counted what there
   /// is.
-  virtual bool settle() { return false; }
+  virtual bool grow() { return false; }
   /// State arrays in a fixed order; empty for things without state.
   [[nodiscard]] virtual std::vector<StateArray> state() const { return {}; }
   /// What `simreel bake` writes; empty for things that are no points.
@@ -168,7 +168,7 @@ class Simulation {
   /// What `simreel bake` writes of things that are a surface; nothing for others. Where they are points,
   /// too, these are its vertices, one by one.
   [[nodiscard]] virtual std::optional<MeshTable> mesh() const { return std::nullopt; }
-  /// What `simreel bake` writes of things that have contours; nothing for others. After settle().
+  /// What `simreel bake` writes of things that have contours; nothing for others. After grow().
   [[nodiscard]] virtual std::optional<ContourLines> lines() const { return std::nullopt; }
   /// What others fall onto; null for things that are no such surface.
   [[nodiscard]] virtual const HeightField* heights() const { return nullptr; }

@@ -81,7 +81,7 @@ class Reaction : public Simulation, public FieldReader, public Retunable {
     kernels_.setValues(plan_.valuesAt(time));
     look(time);
   }
-  bool settle() override { return isosurface_ && isosurface_->settle(); }
+  bool grow() override { return isosurface_ && isosurface_->grow(); }
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
     if (painted_) return painted_->table(plan_.parameters().mesh.model(shownTime_));
     return isosurface_ ? std::optional(isosurface_->mesh()) : std::nullopt;

@@ -152,7 +152,7 @@ void Isosurface::make(const VolumeValues& values, float level, const IsosurfaceT
   state_->make();
 }
 
-bool Isosurface::settle() {
+bool Isosurface::grow() {
   State& s = *state_;
   if (!s.totals.wait()) return false;
   const shader::ContourDraw found = s.totals.found();

@@ -38,7 +38,7 @@ struct IsosurfaceTint {
 /// Where the values of a volume pass a level, as a surface: marching cubes on the GPU (glsl/volume), or the
 /// squares between cells that are inside and those that are not; drawn
 /// without a readback, with normals from the gradient. Memory keeps the size that a frame needed: one that
-/// needs more draws nothing, which settle() notices. What is at the level or above is inside.
+/// needs more draws nothing, which grow() notices. What is at the level or above is inside.
 class Isosurface {
  public:
   /// `colors`: of a tint; empty: it has none. Throws UserError(device) naming the limit that a volume of
@@ -52,12 +52,12 @@ class Isosurface {
 
   /// The surface of the values as they are now. Waits for nothing.
   void make(const VolumeValues& values, float level, const IsosurfaceTint& tint);
-  /// As Solid::settle.
-  bool settle();
+  /// As Solid::grow.
+  bool grow();
 
-  /// Everything but model and material; the pointers live until make() or settle().
+  /// Everything but model and material; the pointers live until make() or grow().
   [[nodiscard]] Surface surface() const;
-  /// Read back; after settle(). Waits for the GPU.
+  /// Read back; after grow(). Waits for the GPU.
   [[nodiscard]] MeshTable mesh() const;
 
  private:

@@ -115,7 +115,7 @@ void World::State::observe() {
     do {
       Drawables unseen;
       objects[i]->publish(now(), unseen);
-    } while (objects[i]->settle());
+    } while (objects[i]->grow());
   }
   for (FrameObserver* observer : observers) observer->observe(now());
   if (lags.empty()) return;

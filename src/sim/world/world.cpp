@@ -49,7 +49,7 @@ void World::onFrameBefore(std::function<void(const Drawables& before)> hear) {
 void World::tellBefore() {
   if (state_->passed) show();
   do state_->hearBefore(drawables());
-  while (settle());
+  while (grow());
 }
 
 void World::passTo(int frame) {
@@ -143,9 +143,9 @@ Drawables World::drawables() const {
   return all;
 }
 
-bool World::settle() {
+bool World::grow() {
   bool remade = false;
-  for (const auto& object : state_->objects) remade = object->settle() || remade;
+  for (const auto& object : state_->objects) remade = object->grow() || remade;
   return remade;
 }
 

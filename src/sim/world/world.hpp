@@ -67,8 +67,8 @@ class World {
   [[nodiscard]] double time() const;  ///< s, of the current frame
   [[nodiscard]] Drawables drawables() const;
   /// After the drawables were drawn, before the next frame: whether one lacked memory, which is there now,
-  /// so that they are to be drawn again (Simulation::settle).
-  bool settle();
+  /// so that they are to be drawn again (Simulation::grow).
+  bool grow();
   [[nodiscard]] const Simulation& object(std::size_t index) const;
 
   using ArrayName = sim::ArrayName;

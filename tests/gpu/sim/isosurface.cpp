@@ -40,7 +40,7 @@ struct SurfaceOnDevice {
     words = gl::Texture::view("cells", GL_RGBA32UI, buffer);
     surface.emplace("ball", shape, std::vector<glm::vec3>{{0, 0, 0}, {1, 1, 1}});
     surface->make({&words, 4 * columns, 0}, level, {{&words, 4 * columns, 4 * plane}, range});
-    while (surface->settle()) ++settled;
+    while (surface->grow()) ++settled;
   }
   gl::Buffer buffer;
   gl::Texture words;

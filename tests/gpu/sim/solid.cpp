@@ -319,14 +319,14 @@ TEST_CASE("memory grows to what a frame needs and stays") {
   };
   made.solid.make(busy.field, shape.heights);
   CHECK(countOf(made.solid.surface()) == 0);  // nothing, rather than triangles that are not there
-  CHECK(made.solid.settle());
-  CHECK(!made.solid.settle());
+  CHECK(made.solid.grow());
+  CHECK(!made.solid.grow());
   CHECK(countOf(made.solid.surface()) == made.solid.mesh().indices.size());
   CHECK(differing(made.solid.mesh().positions, SolidTwin(shape, saddles).mesh.positions) == 0);
   made.solid.make(quiet.field, shape.heights);
-  CHECK(!made.solid.settle());
+  CHECK(!made.solid.grow());
   made.solid.make(busy.field, shape.heights);
-  CHECK(!made.solid.settle());
+  CHECK(!made.solid.grow());
 }
 
 TEST_CASE("strips of 65,535 cells have solids: memory is buffers, not textures") {

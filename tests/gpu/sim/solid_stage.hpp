@@ -46,7 +46,7 @@ struct FieldInMemory {
 struct SolidOnDevice {
   SolidOnDevice(const simreel::sim::SolidShape& shape, const FieldInMemory& from) : solid("solid", shape) {
     solid.make(from.field, shape.heights);
-    while (solid.settle()) ++growths;
+    while (solid.grow()) ++growths;
     testContext().check();
   }
   simreel::sim::Solid solid;
