@@ -170,8 +170,9 @@ void addRender(CLI::App& app) {
   command
       ->add_option(
           "--layers", o->layers,
-          "Layers of OpenEXR pictures (-o NAME_####.exr), besides the light before vignette and film, "
-          "premultiplied where there is alpha: depth (Z: m along the line of sight), position (P.X, P.Y, "
+          "Layers of OpenEXR pictures (-o NAME_####.exr), besides the light (with bloom, before exposure, "
+          "vignette, white balance and tone curve; premultiplied where there is alpha): depth (Z: m along "
+          "the line of sight), position (P.X, P.Y, "
           "P.Z: m in the world), normal (N.X, N.Y, N.Z: in the world), albedo (albedo.R, .G, .B), velocity "
           "(velocity.X, .Y, .Z: m/s in the world), vector (vector.X, .Y: pixels back to the frame before), "
           "object (Cryptomatte), primitive (number of the triangle or ball in its object)")

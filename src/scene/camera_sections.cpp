@@ -178,9 +178,9 @@ void Camera::describe(Fields& fields) {
   fields.switchable("shutter");
   fields.optionalGroup(
       "shutter", hasShutter,
-      "Motion blur: the picture is the mean over the time before its frame. Surfaces, particles, lights "
-      "and the camera move; fields, charts and caves stay as they are in the frame. The driver's "
-      "rasterizer has none.",
+      "Motion blur: the picture is the mean over the time before its frame. The motion of surfaces, "
+      "particles, lights and the camera causes blur; changes inside fields, charts and growing caves do "
+      "not. The driver's rasterizer has none.",
       [&](Fields& f) { shutter.describe(f); });
   hasAngle = fields.given("fieldOfView");
   placed = follows || tracks || filed || fields.given("position") || fields.given("target") ||

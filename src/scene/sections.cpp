@@ -138,8 +138,9 @@ void Render::describe(Fields& fields) {
   fields.choice(
       "quality", quality, {"draft", "standard", "high"},
       "draft: direct light with shadows, and ambient light without occlusion. standard: creases, folds "
-      "and narrow gaps get less ambient light (ambient occlusion), and flat mirrors show things near them, "
-      "both in screen space. high: ray tracing with soft shadows, one bounce of light, and mirrors "
+      "and narrow gaps get less ambient light (ambient occlusion); smooth metal, gloss and clear coats "
+      "(roughness below 0.3) reflect the ground and what is visible in the picture. high: ray tracing with "
+      "soft shadows, one bounce of light, and mirrors "
       "that show the scene. The driver's rasterizer has only draft.");
   fields.leftOut("quality", "draft, or standard on a stage");
   hasQuality = fields.given("quality");

@@ -227,8 +227,8 @@ void addSweepFollowers(CLI::App& sweep) {
     return command;
   };
   add("status",
-      "Print the state of each job; exit code 0: all is well, 1: one failed, 7: one is running or queued, "
-      "3: one is missing",
+      "Print the state of each job; exit code 0: all is well, 1: one failed, 7: one is queued, running or "
+      "aborted, 3: one is missing",
       status);
   o->run.add(*add("retry", "Run the jobs that failed, were aborted or are missing", retry));
   auto* collect = add("collect", "Write table.csv, counts.csv, sheet.png and index.html", writeCollected);

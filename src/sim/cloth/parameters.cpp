@@ -104,7 +104,7 @@ void ClothParameters::describe(scene::Fields& f) {
       "their energy, which takes more substeps.");
   f.vector("gravity", gravity, scene::anyNumber, "m/s^2", "Acceleration of every particle.");
   f.vector("wind", wind, scene::anyNumber, "N", "Constant force on every particle.");
-  f.leftOut("wind", "[0.5,0,0.3], or none on a fabric");
+  f.leftOut("wind", hasFabric ? "none on a fabric" : "[0.5,0,0.3], or none on a fabric");
   if (hasFabric && !f.given("wind")) wind = glm::vec3(0);
   f.optionalGroup("air", hasAir, "Moving air that drags and lifts the cloth's faces.",
                   [&](scene::Fields& a) {
