@@ -1,0 +1,94 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace simreel::draw {
+
+struct ExactFrame;
+
+/// One step of an exact picture.
+class Pass {
+ public:
+  virtual ~Pass() = default;
+  /// Whether this picture, moment or band needs it.
+  [[nodiscard]] virtual bool on() const { return true; }
+  virtual void run() = 0;
+  /// Once more for a band that is found again: makes what it leaves in the band, and nothing else.
+  virtual void again() { run(); }
+  /// Somebody has asked for light and layers (ExactFrame::wanted).
+  virtual void asked() {}
+};
+using PassMaker = std::unique_ptr<Pass>(ExactFrame& frame);
+
+/// A few names.
+class Names {
+ public:
+  static constexpr std::size_t most = 8;
+  constexpr Names(std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) names_.at(count_++) = name;
+  }
+  [[nodiscard]] constexpr auto begin() const { return names_.begin(); }
+  [[nodiscard]] constexpr auto end() const { return names_.begin() + static_cast<std::ptrdiff_t>(count_); }
+  [[nodiscard]] constexpr bool has(std::string_view name) const {
+    return std::find(begin(), end(), name) != end();
+  }
+
+ private:
+  std::array<std::string_view, most> names_{};
+  std::size_t count_ = 0;
+};
+
+/// How often a pass runs: once a picture; once for each of its moments; once for each view of a moment
+/// through a point of the lens; once for each band of a view.
+enum class Each { picture, moment, view, band };
+
+/// A pass as the list has it.
+struct PassEntry {
+  std::string_view name;
+  Each each;
+  const char* stage;  ///< of `simreel bench`; null: its time counts with the next stage
+  Names reads, writes;
+  Names kept;  ///< under which names `simreel bisect --passes` has what it left
+  PassMaker* make;
+};
+
+/// A list with what surrounds it.
+struct PassList {
+  std::span<const PassEntry> entries;
+  Names given;    ///< resources that are there before the first pass
+  Names results;  ///< and those that are read after the last
+};
+
+/// What is wrong with a list; `what` is empty where nothing is.
+struct PassFault {
+  std::string_view what, pass, resource;
+};
+[[nodiscard]] constexpr PassFault faultOf(const PassList& list) {
+  const auto writes = [](std::string_view name) {
+    return [name](const PassEntry& entry) { return entry.writes.has(name); };
+  };
+  const auto reads = [](std::string_view name) {
+    return [name](const PassEntry& entry) { return entry.reads.has(name); };
+  };
+  int before = 0;  // pictures, moments, views with their bands, pictures again
+  for (auto entry = list.entries.begin(); entry != list.entries.end(); ++entry) {
+    const bool ofPicture = entry->each == Each::picture;
+    const int part = ofPicture ? (before == 0 ? 0 : 3) : entry->each == Each::moment ? 1 : 2;
+    if (part < before) return {"runs inside a loop that has ended", entry->name, {}};
+    before = part;
+    for (const std::string_view name : entry->reads)
+      if (!list.given.has(name) && std::none_of(list.entries.begin(), entry, writes(name)))
+        return {"reads what no earlier pass writes", entry->name, name};
+    for (const std::string_view name : entry->writes)
+      if (!list.results.has(name) && std::none_of(entry + 1, list.entries.end(), reads(name)))
+        return {"writes what no later pass reads", entry->name, name};
+  }
+  return {};
+}
+
+}  // namespace simreel::draw
