@@ -15,10 +15,10 @@ struct ExactFrame;
 class Pass {
  public:
   virtual ~Pass() = default;
-  /// Whether this picture, moment or band needs it.
+  /// True if this picture, moment or band needs the pass.
   [[nodiscard]] virtual bool on() const { return true; }
   virtual void run() = 0;
-  /// Once more for a band that is found again: makes what it leaves in the band, and nothing else.
+  /// Runs once more for a band that is found again: writes the resources of the band (ofBands) only.
   virtual void again() { run(); }
   /// Somebody has asked for light and layers (ExactFrame::wanted).
   virtual void asked() {}
@@ -51,9 +51,9 @@ enum class Each { picture, moment, view, band };
 struct PassEntry {
   std::string_view name;
   Each each;
-  const char* stage;  ///< of `simreel bench`; null: its time counts with the next stage
+  const char* stage;  ///< name in `simreel bench`; null: the time counts with the next stage
   Names reads, writes;
-  Names kept;  ///< under which names `simreel bisect --passes` has what it left
+  Names kept;  ///< names under which `simreel bisect --passes` compares what the pass left
   PassMaker* make;
 };
 
@@ -62,9 +62,10 @@ struct PassList {
   std::span<const PassEntry> entries;
   Names given;    ///< resources that are there before the first pass
   Names results;  ///< and those that are read after the last
+  Names ofBands;  ///< resources that hold one band of a view
 };
 
-/// What is wrong with a list; `what` is empty where nothing is.
+/// A mistake in a list; `what` is empty if there is none.
 struct PassFault {
   std::string_view what, pass, resource;
 };
@@ -81,6 +82,9 @@ struct PassFault {
     const int part = ofPicture ? (before == 0 ? 0 : 3) : entry->each == Each::moment ? 1 : 2;
     if (part < before) return {"runs inside a loop that has ended", entry->name, {}};
     before = part;
+    for (const std::string_view name : list.ofBands)
+      if (entry->each != Each::band && (entry->reads.has(name) || entry->writes.has(name)))
+        return {"uses what one band has, but does not run once a band", entry->name, name};
     for (const std::string_view name : entry->reads)
       if (!list.given.has(name) && std::none_of(list.entries.begin(), entry, writes(name)))
         return {"reads what no earlier pass writes", entry->name, name};

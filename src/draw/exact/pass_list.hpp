@@ -13,11 +13,11 @@ PassMaker makeSkins, makeThings, makeRayScene, makeJoined, makeLampMaps, makeSun
     makeFieldsBehind, makeScatter, makeFilm;
 
 /// Resources that hold one band of a picture. Where a picture has several bands, and a pass needs all of
-/// them (Each::view), what made these runs again for each band afterwards.
+/// them (Each::view), the passes that wrote these run again for each band in which a later pass reads them.
 inline constexpr Names ofBands = {"visibility", "tiles", "through"};
 
-/// An exact picture, in the order in which its passes run: name, how often, stage of `simreel bench`, what
-/// it reads, what it writes, what `simreel bisect --passes` keeps of it.
+/// The passes of an exact picture in the order in which they run. An entry has: name, how often, stage of
+/// `simreel bench`, reads, writes, names that `simreel bisect --passes` compares, maker.
 // clang-format off
 inline constexpr PassEntry exactPasses[] = {
     {"skins", Each::picture, nullptr, {"fields"}, {"skins"}, {}, makeSkins},
@@ -63,10 +63,11 @@ inline constexpr PassEntry exactPasses[] = {
 };
 // clang-format on
 
-inline constexpr PassList exactPassList{exactPasses, {"drawables", "fields"}, {"picture", "layers"}};
+inline constexpr PassList exactPassList{
+    exactPasses, {"drawables", "fields"}, {"picture", "layers"}, ofBands};
 static_assert(faultOf(exactPassList).what.empty(), "see faultOf() for what is wrong with the list");
 
-/// What `simreel bisect --passes` compares, in this order: the names that the entries keep. They are the
+/// The names that the entries keep: `simreel bisect --passes` compares them in this order. They are the
 /// same in files, messages and documentation. A picture has those that it needs.
 ///
 ///     visibility  what is nearest at each sample: keys of depth, and numbers of primitives, ground

@@ -30,7 +30,8 @@ class FieldsBehindPass final : public FramePass {
 
 class ScatterPass final : public FramePass {
  public:
-  explicit ScatterPass(ExactFrame& frame) : FramePass(frame), bloom_(frame.scene.render.bloom, frame.size) {}
+  explicit ScatterPass(ExactFrame& frame)
+      : FramePass(frame), bloom_(frame.scene.render.bloom, frame.size) {}
   [[nodiscard]] bool on() const override { return bloom_.on(); }
   void run() override {
     f.scattered = &bloom_.draw(f.light);
@@ -41,7 +42,7 @@ class ScatterPass final : public FramePass {
   Bloom bloom_;
 };
 
-/// The picture; and the light before the film, or as it shows it, where somebody asked for that.
+/// Makes the picture; and, if somebody asked for it, the light before the film or as the film shows it.
 class FilmPass final : public FramePass {
  public:
   explicit FilmPass(ExactFrame& frame)

@@ -4,7 +4,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// What the band's samples show; with the first band, shadow maps and what has numbers.
+/// Keeps keys and numbers of the band's samples; with the first band also shadow maps and things.
 class KeptVisibilityPass final : public FramePass {
  public:
   using FramePass::FramePass;

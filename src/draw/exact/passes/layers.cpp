@@ -12,8 +12,8 @@ namespace simreel::draw {
 
 namespace {
 
-/// The layers that somebody asked for: those of what is visible, and those that are shaded as light is, of
-/// what is opaque. All are of the first view but for objects' shares, which are of the mean.
+/// Makes the layers that somebody asked for. Some are read from visibility; normals and albedo are shaded
+/// as light is. All show the first view, but objects' shares are a mean over all views.
 class LayersPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -102,8 +102,7 @@ void LayersPass::keepShown() {
   }
 }
 
-/// How all that has numbers moves. What is drawn of the moment's surfaces are copies, which share their
-/// places.
+/// Finds how things with numbers move. The drawn surfaces are copies of the moment's, with the same places.
 std::optional<Velocities> LayersPass::velocitiesNow() const {
   const ExactScene::Exposure& exposure = *f.asked.exposure;
   if (exposure.motion == nullptr || (!wants(Layer::velocity) && !wants(Layer::vector))) return std::nullopt;
@@ -133,7 +132,7 @@ std::optional<Velocities> LayersPass::velocitiesNow() const {
   return velocities;
 }
 
-/// How the camera moved during the frame, where somebody asks for it.
+/// Finds how the camera moved during the frame, if somebody asks for it.
 std::optional<CameraWay> LayersPass::cameraWayNow() const {
   const ExactScene::Exposure& exposure = *f.asked.exposure;
   if (exposure.motion == nullptr || !wants(Layer::vector)) return std::nullopt;

@@ -32,8 +32,8 @@ class MeanPass final : public FramePass {
 
  private:
   gl::Program sum_;
-  gl::Texture total_;          ///< light of the views so far
-  shader::ExactView middle_{};  ///< of the first moment
+  gl::Texture total_;           ///< light of the views so far
+  shader::ExactView middle_{};  ///< the first moment through the middle of the lens
 };
 
 }  // namespace

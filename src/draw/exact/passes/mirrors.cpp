@@ -1,5 +1,6 @@
 #include "draw/exact/scene/exact_frame.hpp"
 #include "draw/exact/shown.hpp"
+#include "draw/surface/surface_pass.hpp"
 
 #include <algorithm>
 
@@ -7,12 +8,12 @@ namespace simreel::draw {
 
 namespace {
 
-/// Whether a ground mirrors the scene.
+/// True if there is a ground that mirrors the scene.
 bool groundMirrors(const ExactFrame& frame) {
   return frame.ground && frame.occludes() && mirrorsScene(frame.scene.ground.roughness);
 }
 
-/// Finds whether something mirrors the scene, and how far away what it shows may be.
+/// Finds if something mirrors the scene, and tells shaders how far mirrors reach.
 class MirrorsPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -41,7 +42,7 @@ class MirroredPass final : public FramePass {
   void run() override { f.reflections->see(f.light, f.occlusion.nearness()); }
 };
 
-/// What reflections change of the light of what has been shaded in the band.
+/// Adds to the band's light the difference that reflections make.
 class ReflectedPass final : public FramePass {
  public:
   explicit ReflectedPass(ExactFrame& frame) : FramePass(frame) { makeGround(); }

@@ -3,6 +3,7 @@
 #include "draw/exact/scene/exact_frame.hpp"
 #include "draw/frame_values.hpp"
 
+#include <array>
 #include <set>
 #include <string>
 
@@ -19,7 +20,7 @@ class SkinsPass final : public FramePass {
   }
 };
 
-/// What there is to be drawn at a moment, its lights, and from where it is seen.
+/// Collects the moment's things, its lights and its camera.
 class ThingsPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -36,14 +37,14 @@ class ThingsPass final : public FramePass {
   }
 
  private:
-  /// What shades is made anew for scenes with blended surfaces, so that others do not pay for them.
+  /// Shading programs are made anew for scenes with blended surfaces, so that others do not pay for them.
   void beginLayers() {
     if (f.layered) return;
     f.layered = true;
     f.surfaces.define(f.lighting());
     f.instances.define(f.lighting());
   }
-  /// Once of each object that is drawn as copies or balls.
+  /// Warns once about each object whose material is not drawn in full.
   void sayFinishes() {
     for (const sim::Instances& instances : f.drawables.instances)
       if (instances.material != nullptr && instances.material->finish.used() &&
@@ -54,13 +55,12 @@ class ThingsPass final : public FramePass {
             objectName(instances));
     if (f.traces()) return;
     for (const sim::Surface& surface : f.drawables.surfaces)
-      if (surface.material->finish.transmission > 0 &&
-          said_.insert(objectName(surface) + " clear").second)
+      if (surface.material->finish.transmission > 0 && said_.insert(objectName(surface) + " clear").second)
         warn("{}: light goes through it with render.quality \"high\" alone; it is drawn opaque",
              objectName(surface));
   }
 
-  std::set<std::string> said_;  ///< objects of whose materials something is not drawn
+  std::set<std::string> said_;  ///< names of those objects
 };
 
 class JoinedPass final : public FramePass {
@@ -69,7 +69,7 @@ class JoinedPass final : public FramePass {
   void run() override { f.joins = f.joined.join(f.drawables.surfaces); }
 };
 
-/// A moment as it is seen through a point of the lens.
+/// Begins the view of a moment through a point of the lens: no light yet.
 class ViewPass final : public FramePass {
  public:
   using FramePass::FramePass;

@@ -5,7 +5,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// Everything that a picture shows, those surfaces included that are drawn apart.
+/// Builds the hierarchy that rays go through: all things, cut and blended surfaces included.
 class RayScenePass final : public FramePass {
  public:
   using FramePass::FramePass;

@@ -1,5 +1,6 @@
 #include "draw/exact/bindings.hpp"
 #include "draw/exact/scene/exact_frame.hpp"
+#include "draw/surface/surface_pass.hpp"
 
 #include <functional>
 
@@ -7,7 +8,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// Layers of blended surfaces before what is opaque.
+/// Adds the light of blended surfaces in front of opaque ones.
 class BlendedPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -21,7 +22,7 @@ class BlendedPass final : public FramePass {
       f.rays->bind();
     });
   }
-  /// Their light is there.
+  /// The light is there already: a texture that nobody reads takes it.
   void again() override {
     if (!unused_)
       unused_ = gl::Texture::image("light of layers, once more", GL_RGBA32F, f.size.x, f.size.y);
@@ -39,7 +40,7 @@ class BlendedPass final : public FramePass {
   gl::Texture unused_;
 };
 
-/// The light of what is opaque.
+/// Adds the light of opaque things and of the ground.
 class SurfacesPass final : public FramePass {
  public:
   explicit SurfacesPass(ExactFrame& frame) : FramePass(frame) { makeGround(); }
@@ -71,7 +72,7 @@ class SurfacesPass final : public FramePass {
   gl::Program litGround_, shadedGround_;
 };
 
-/// The light of what adds it. It has no place that could be mirrored, and comes last.
+/// Adds the light of glows. They have no place that could be mirrored, so they come last.
 class GlowsPass final : public FramePass {
  public:
   using FramePass::FramePass;

@@ -6,7 +6,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// What casts shadows, but for what is apart.
+/// The things that may cast shadows, without cut and blended surfaces; joined where surfaces are.
 sim::Drawables castingOf(const ExactFrame& frame) {
   sim::Drawables casting = frame.drawables;
   if (frame.joins) casting.surfaces = {frame.joined.surface()};

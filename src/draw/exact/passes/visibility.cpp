@@ -5,7 +5,7 @@ namespace simreel::draw {
 
 namespace {
 
-/// What is nearest in the band that the view's block has.
+/// Finds the nearest primitive at each sample of the band.
 class VisibilityPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -73,7 +73,7 @@ class TilesPass final : public FramePass {
   }
 
   ShadedTiles tiles_;
-  std::optional<ShadedTiles> again_;  ///< leaves the band's light as it is
+  std::optional<ShadedTiles> again_;  ///< does not empty the band's light
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "draw/exact/scene/exact_frame.hpp"
 
 #include "draw/rows_at_once.hpp"
+#include "draw/surface/surface_pass.hpp"
 
 #include <algorithm>
 #include <string>
@@ -49,8 +50,8 @@ ExactFrame::ExactFrame(const scene::Scene& shown, const Environment* around, glm
   gl::Defines rayLighting = lighting();
   append(rayLighting, lamps.defines());
   append(rayLighting, aroundDefines());
-  const std::size_t held = static_cast<std::size_t>(pixels.x) * static_cast<std::size_t>(rows) *
-                           static_cast<std::size_t>(count);
+  const std::size_t held =
+      static_cast<std::size_t>(pixels.x) * static_cast<std::size_t>(rows) * static_cast<std::size_t>(count);
   rays.emplace(
       RayLight::Options{
           .raySamples = shown.render.raySamples, .ground = ground, .openSun = !shown.sun.shadow},
@@ -84,9 +85,8 @@ gl::Defines ExactFrame::aroundDefines() const {
 }
 
 float ExactFrame::away() const {
-  // Of what is seen at 40 degrees from so far away the height is 0.73 times that.
-  const float distance =
-      seen.parallel ? 2 * seen.reach.y / 0.73F : glm::distance(seen.eye, seen.target);
+  // At 40 degrees a view is 0.73 times as high as it is far away.
+  const float distance = seen.parallel ? 2 * seen.reach.y / 0.73F : glm::distance(seen.eye, seen.target);
   return std::max(distance, 1e-5F);
 }
 

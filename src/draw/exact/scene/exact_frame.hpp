@@ -22,7 +22,7 @@
 
 namespace simreel::draw {
 
-/// What a picture was asked for with; holds while it is drawn.
+/// The arguments of ExactScene::draw, while it runs.
 struct AskedPicture {
   const ExactScene::Exposure* exposure = nullptr;
   ExactScene::Moment frame;
@@ -30,70 +30,75 @@ struct AskedPicture {
   const gl::Texture* picture = nullptr;
 };
 
-/// The resources that passes of an exact picture share. What one pass alone needs is in that pass.
+/// The resources that passes of an exact picture share. A resource that one pass alone uses is a member of
+/// that pass.
 struct ExactFrame {
   ExactFrame(const scene::Scene& shown, const Environment* around, glm::ivec2 pixels, int count, int rows);
 
-  /// Defines of what shades.
+  /// Defines for kernels that shade.
   [[nodiscard]] gl::Defines lighting() const;
   [[nodiscard]] gl::Defines aroundDefines() const;
   [[nodiscard]] bool traces() const { return scene.render.quality == scene::Quality::high; }
   [[nodiscard]] bool occludes() const { return scene.render.quality == scene::Quality::standard; }
-  /// Passes and layers are kept of the first view of a picture, light and objects' shares of the mean.
+  /// Passes and layers show the first view of a picture; light and objects' shares are a mean over all.
   [[nodiscard]] PassPicture* kept() const { return number == 0 ? passes : nullptr; }
   [[nodiscard]] bool keepsLayers() const { return wanted && number == 0; }
-  /// m to what the camera looks at.
+  /// Distance (m) to the place that the camera looks at.
   [[nodiscard]] float away() const;
   [[nodiscard]] GroundPlace groundPlace() const;
-  /// What has numbers in the band.
+  /// The things that have numbers in the band.
   [[nodiscard]] std::vector<DrawnThing> thingsDrawn() const;
   /// For kernels that add light.
   void bindLight() const { light.bindImage(sumImage, GL_READ_WRITE); }
   void bindShadows() const;
   void tellView() { view.write(0, std::as_bytes(std::span(&values, 1))); }
-  /// Adds the light of all that is opaque but for the ground.
+  /// Adds the light of all opaque things, without the ground.
   void shadeThings();
   /// Shades a layer of the picture instead (SurfaceShading::show).
   void show(int layer) {
     surfaces.show(layer);
     instances.show(layer);
   }
-  /// Adds the light of rays that begin where a band or a layer of it is visible.
-  void addRays(const Visibility& visible) { rays->add(visible, light, values.rows.y - values.rows.x, white); }
+  /// Adds the light of rays that begin at the visible places of a band, or of a layer of it.
+  void addRays(const Visibility& visible) {
+    rays->add(visible, light, values.rows.y - values.rows.x, white);
+  }
 
   const scene::Scene& scene;
   const Environment* environment;  ///< null: the sky is a gradient
   glm::ivec2 size;
   int samples;
-  int bandRows;  ///< of the picture at most, whose visibility there is at once
+  int bandRows;  ///< rows of a band at most: there is room for so many rows of visibility
   bool ground;
 
-  // The picture.
+  // One picture.
   AskedPicture asked;
-  PassPicture* passes = nullptr;       ///< where they are kept
-  std::optional<LightRequest> wanted;  ///< besides pictures,
-  PictureLayers layers;                ///< and what came of it
-  bool layered = false;                ///< whether what shades may be behind layers
-  bool shines = false;                 ///< some of it adds light
-  const gl::Texture* scattered = nullptr;
+  PassPicture* passes = nullptr;           ///< takes copies for bisect; null: nobody wants them
+  std::optional<LightRequest> wanted;      ///< light and layers besides the picture,
+  PictureLayers layers;                    ///< and where they go
+  bool layered = false;                    ///< some scene so far had blended surfaces
+  bool shines = false;                     ///< some view so far had glows
+  const gl::Texture* scattered = nullptr;  ///< light around bright places; null: no bloom
 
-  // The moment: of a picture there may be several.
+  // One moment: a shutter has several.
   ExactScene::Moment moment;
-  sim::Drawables drawables;  ///< what is there, with the lamps' own light, without what is apart
+  sim::Drawables drawables;  ///< the moment's, with the glows of lamps, without cut and blended surfaces
   View seen;
-  bool joins = false;    ///< its surfaces
-  bool mirrors = false;  ///< some of it show the scene
-  float white = 1;       ///< light that it shows as white
+  bool joins = false;    ///< the surfaces are joined
+  bool mirrors = false;  ///< something mirrors the scene
+  float white = 1;       ///< light that the picture shows as white
 
-  // The view: of a moment there may be several, one for each point of the lens.
-  int views = 1;   ///< of the picture
-  int number = 0;  ///< of this one among them
+  // One view: a lens has several, one for each of its points.
+  int views = 1;   ///< their number in the picture
+  int number = 0;  ///< this one's, from 0
   LensPoint point;
-  shader::ExactView values;                                      ///< of its band,
-  std::vector<std::span<const TriangleRaster::Drawn>> gathered;  ///< whose surfaces are shaded together,
-  std::vector<unsigned> firstIds;                                ///< and first numbers of what is shaded
 
-  // What is on the GPU.
+  // One band of the view.
+  shader::ExactView values;
+  std::vector<std::span<const TriangleRaster::Drawn>> gathered;  ///< groups of surfaces, shaded together
+  std::vector<unsigned> firstIds;                                ///< first numbers of all that is shaded
+
+  // On the GPU.
   SkinTextures skins;
   Lamps lamps;
   ShadowPass shadow;  ///< the sun's place
@@ -103,17 +108,17 @@ struct ExactFrame {
   TriangleRaster triangles;
   std::optional<Visibility> sunMap;
   std::optional<LampMaps> lampMaps;
-  const ShadedTiles* tiles = nullptr;  ///< of the band
+  const ShadedTiles* tiles = nullptr;  ///< the band's lists
   Occlusion occlusion;                 ///< nearness and openness
   std::optional<Reflections> reflections;
   SurfaceShading surfaces;
   ApartSurfaces apart;
   ExactInstances instances;
   std::optional<RayLight> rays;
-  gl::Texture light;  ///< of each pixel, and in alpha how much of it is covered
+  gl::Texture light;  ///< RGB of each pixel; alpha: how much of the pixel is covered
 };
 
-/// What all passes begin with.
+/// Base of all passes.
 class FramePass : public Pass {
  public:
   explicit FramePass(ExactFrame& frame) : f(frame) {}

@@ -14,8 +14,8 @@ void PassRun::asked() {
   for (const auto& pass : passes_) pass->asked();
 }
 
-/// Each point of the lens and each moment once at least, and each moment through points that lie evenly over
-/// all of the lens.
+/// Each point of the lens and each moment once at least, and each moment through points that lie evenly
+/// over all of the lens.
 void PassRun::draw(const ExactScene::Watch& watch) {
   ExactFrame& f = frame_;
   watch_ = &watch;

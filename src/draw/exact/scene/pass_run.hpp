@@ -18,7 +18,7 @@ class PassRun {
   void asked();
 
  private:
-  using Range = std::pair<std::size_t, std::size_t>;  ///< of entries: the first, and after the last
+  using Range = std::pair<std::size_t, std::size_t>;  ///< the first entry, and one after the last
 
   [[nodiscard]] std::size_t endOf(std::size_t first, Each each) const;
   [[nodiscard]] std::vector<std::size_t> lostBefore(Range group, std::size_t firstOfView) const;
@@ -31,7 +31,7 @@ class PassRun {
   ExactFrame& frame_;
   std::vector<std::unique_ptr<Pass>> passes_;
   const ExactScene::Watch* watch_ = nullptr;
-  const char* stage_ = nullptr;  ///< that is under way
+  const char* stage_ = nullptr;  ///< under way; null: none
 };
 
 }  // namespace simreel::draw
