@@ -1,5 +1,8 @@
 #include "draw/exact/passes.hpp"
 
+#include "base/error.hpp"
+#include "draw/exact/pass_list.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -18,6 +21,8 @@ void copyOut(const gl::Texture& texture, glm::ivec2 rows, GLenum type, std::span
 
 std::span<std::uint32_t> PassPicture::added(const char* pass, const char* part, glm::ivec2 size, int each,
                                             bool light) {
+  // What no entry of the list keeps, nobody would compare.
+  SIMREEL_CHECK(std::find(passNames().begin(), passNames().end(), pass) != passNames().end());
   auto array = std::find_if(arrays.begin(), arrays.end(),
                             [&](const PassArray& one) { return one.pass == pass && one.part == part; });
   if (array == arrays.end()) {

@@ -2,7 +2,6 @@
 #include "gl/buffer.hpp"
 #include "gl/texture.hpp"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -12,24 +11,9 @@
 
 namespace simreel::draw {
 
-/// Passes of an exact picture, each made of those before it:
-///
-///     visibility  what is nearest at each sample: keys of depth, and numbers of primitives, ground
-///                 included
-///     shadow      the maps of the sun and of the lamps; with quality "standard", how open half the
-///                 picture's pixels are, and how near
-///     light       of what is opaque, per pixel; with quality "standard", reflections included
-///     glow        the same with what adds light, then with fields that lie behind the scene
-///     bloom       what is scattered around bright places
-///     picture     bytes: after lens and film, then with fields, axes and charts over it
-///
-/// They have the same names in files, messages and documentation. A picture has those that it needs.
-inline constexpr std::array<const char*, 6> passNames = {"visibility", "shadow", "light",
-                                                         "glow",       "bloom",  "picture"};
-
 /// What a pass left, or a part of it: rows from the top.
 struct PassArray {
-  std::string pass;
+  std::string pass;  ///< one of passNames()
   std::string part;  ///< "keys", "numbers"; "sun", "lamps", "openness"; "lens", the mean of all its points;
                      ///< "glows", "fields"; "film", "finished"
   int width = 0;     ///< pixels; texels of a map or of what is scattered

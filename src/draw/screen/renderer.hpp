@@ -35,8 +35,8 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
 
   /// Called when the commands of a stage have been issued; stages that have nothing to do are left out. A
-  /// stage may come in parts. Names: "shadow", "visibility", "surfaces", "instances", "ground",
-  /// "lens", "bloom", "tone map".
+  /// stage may come in parts. Names: those of the entries of draw/exact/pass_list.hpp, and "fields"; of
+  /// the driver's rasterizer "shadow", "surfaces", "instances", "ground", "bloom", "tone map", "fields".
   using StageWatch = std::function<void(const char* stage)>;
   /// Issues the commands for the frame at `seconds` (of scene time); does not wait.
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});

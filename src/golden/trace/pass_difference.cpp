@@ -1,6 +1,7 @@
 #include "golden/trace/pass_difference.hpp"
 
 #include "base/error.hpp"
+#include "draw/exact/pass_list.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -58,7 +59,7 @@ class Comparison {
   }
 
   std::optional<PassDifference> run() {
-    for (const char* pass : draw::passNames)
+    for (const std::string& pass : draw::passNames())
       if (differs(pass)) return result_;
     return std::nullopt;
   }

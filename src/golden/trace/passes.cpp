@@ -3,6 +3,7 @@
 #include "base/hash.hpp"
 #include "base/strict_json.hpp"
 #include "base/text.hpp"
+#include "draw/exact/pass_list.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -63,7 +64,7 @@ PassHashes hashesOf(const draw::PassPicture& picture) {
 }
 
 std::string firstDifferentPass(const PassHashes& here, const PassHashes& there) {
-  for (const char* pass : draw::passNames) {
+  for (const std::string& pass : draw::passNames()) {
     const auto a = here.find(pass);
     const auto b = there.find(pass);
     if ((a == here.end()) != (b == there.end()) || (a != here.end() && a->second != b->second)) return pass;

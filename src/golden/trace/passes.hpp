@@ -9,7 +9,7 @@
 
 namespace simreel::golden {
 
-/// By the name of a pass (draw::passNames), 16 hexadecimal digits over all that it left.
+/// By the name of a pass (draw::passNames()), 16 hexadecimal digits over all that it left.
 using PassHashes = std::map<std::string, std::string>;
 [[nodiscard]] PassHashes hashesOf(const draw::PassPicture& picture);
 /// The first pass that is not the same on both sides; empty: none.

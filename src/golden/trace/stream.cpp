@@ -1,6 +1,7 @@
 #include "golden/trace/stream.hpp"
 
 #include "base/error.hpp"
+#include "draw/exact/pass_list.hpp"
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
 #include "frame/interrupt.hpp"
@@ -74,7 +75,7 @@ void traceFrames(sim::World& world, int first, int last, const TakeLine& take,
     for (std::size_t i = 0; i < arrays.size(); ++i)
       line.arrays.emplace_back(arrays[i].name(), summary.arrays[i]);
     if (const auto drawn = passes.extract(summary.frame))
-      for (const char* pass : draw::passNames)
+      for (const std::string& pass : draw::passNames())
         if (const auto hash = drawn.mapped().find(pass); hash != drawn.mapped().end())
           line.passes.emplace_back(*hash);
     wanted = take(stateLine(line));

@@ -32,7 +32,7 @@ Bloom::Bloom(const scene::Bloom& bloom, glm::ivec2 size)
       // Level i spreads light over about 2^(i + 1) pixels.
       reach_(std::clamp(static_cast<float>(ieee::log2(static_cast<double>(bloom.radius) * size.y)), 1.0F,
                         maxLevels)) {
-  if (!bloom.strength.moves() && bloom.strength.at(0) <= 0) return;
+  if (!on(bloom)) return;
   first_ = gl::Program::compute("draw/exact/screen/bloom_first.comp", lightDefines());
   down_ = gl::Program::compute("draw/exact/screen/bloom_down.comp", lightDefines());
   up_ = gl::Program::compute("draw/exact/screen/bloom_up.comp", lightDefines());

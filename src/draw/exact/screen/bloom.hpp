@@ -13,6 +13,10 @@ namespace simreel::draw {
 class Bloom {
  public:
   Bloom(const scene::Bloom& bloom, glm::ivec2 size);
+  /// Whether some moment of the scene has any.
+  [[nodiscard]] static bool on(const scene::Bloom& bloom) {
+    return bloom.strength.moves() || bloom.strength.at(0) > 0;
+  }
   [[nodiscard]] bool on() const { return !levels_.empty(); }
   /// From RGBA32F light to an RGBA32F texture of half the size, rounded up.
   [[nodiscard]] const gl::Texture& draw(const gl::Texture& light) const;

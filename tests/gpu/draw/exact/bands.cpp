@@ -1,4 +1,5 @@
 #include "base/file.hpp"
+#include "draw/exact/pass_list.hpp"
 #include "golden/trace/passes.hpp"
 #include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
@@ -115,7 +116,30 @@ TEST_CASE("exact: passes of pictures drawn in bands are those of pictures drawn 
     return first;
   };
   const auto whole = passes(size.y);
-  CHECK(whole.size() == draw::passNames.size());
+  CHECK(whole.size() == draw::passNames().size());
   CHECK(passes(17) == whole);
   CHECK(passes(56) == whole);
+}
+
+TEST_CASE("exact: a picture's stages are those of the list of passes, in its order, whole or in bands") {
+  testContext();
+  BandStage stage(scene::Quality::standard);
+  stage.scene.ground.roughness = 0.05F;  // mirrors the scene
+  const glm::ivec2 size(75, 61);
+  const auto stages = [&](int rows) {
+    draw::Renderer renderer(stage.scene, size, 1,
+                            {.rasterizer = scene::Rasterizer::exact,
+                             .visibilityBytes = static_cast<std::size_t>(8 * size.x * rows)});
+    std::string told;
+    renderer.draw(0, stage.drawables, [&](const char* name) { told += std::string(name) + "; "; });
+    return told;
+  };
+  CHECK(stages(size.y) ==
+        "shadow; visibility; occlusion; surfaces; reflections; instances; bloom; tone map; ");
+  // Two bands, each of which is found again after passes that need the whole view.
+  CHECK(stages(40) ==
+        "shadow; visibility; occlusion; visibility; occlusion; "
+        "visibility; surfaces; visibility; surfaces; reflections; "
+        "visibility; surfaces; reflections; instances; visibility; surfaces; reflections; instances; "
+        "bloom; tone map; ");
 }

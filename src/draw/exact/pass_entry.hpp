@@ -1,0 +1,98 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace simreel::draw {
+
+struct ExactFrame;
+
+/// One step of an exact picture.
+class Pass {
+ public:
+  virtual ~Pass() = default;
+  /// True if this picture, moment or band needs the pass.
+  [[nodiscard]] virtual bool on() const { return true; }
+  virtual void run() = 0;
+  /// Runs once more for a band that is found again: writes the resources of the band (ofBands) only.
+  virtual void again() { run(); }
+  /// Somebody has asked for light and layers (ExactFrame::wanted).
+  virtual void asked() {}
+};
+using PassMaker = std::unique_ptr<Pass>(ExactFrame& frame);
+
+/// A few names.
+class Names {
+ public:
+  static constexpr std::size_t most = 8;
+  constexpr Names(std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) names_.at(count_++) = name;
+  }
+  [[nodiscard]] constexpr auto begin() const { return names_.begin(); }
+  [[nodiscard]] constexpr auto end() const { return names_.begin() + static_cast<std::ptrdiff_t>(count_); }
+  [[nodiscard]] constexpr bool has(std::string_view name) const {
+    return std::find(begin(), end(), name) != end();
+  }
+
+ private:
+  std::array<std::string_view, most> names_{};
+  std::size_t count_ = 0;
+};
+
+/// How often a pass runs: once a picture; once for each of its moments; once for each view of a moment
+/// through a point of the lens; once for each band of a view.
+enum class Each { picture, moment, view, band };
+
+/// A pass as the list has it.
+struct PassEntry {
+  std::string_view name;
+  Each each;
+  const char* stage;  ///< name in `simreel bench`; null: the time counts with the next stage
+  Names reads, writes;
+  Names kept;  ///< names under which `simreel bisect --passes` compares what the pass left
+  PassMaker* make;
+};
+
+/// A list with what surrounds it.
+struct PassList {
+  std::span<const PassEntry> entries;
+  Names given;    ///< resources that are there before the first pass
+  Names results;  ///< and those that are read after the last
+  Names ofBands;  ///< resources that hold one band of a view
+};
+
+/// A mistake in a list; `what` is empty if there is none.
+struct PassFault {
+  std::string_view what, pass, resource;
+};
+[[nodiscard]] constexpr PassFault faultOf(const PassList& list) {
+  const auto writes = [](std::string_view name) {
+    return [name](const PassEntry& entry) { return entry.writes.has(name); };
+  };
+  const auto reads = [](std::string_view name) {
+    return [name](const PassEntry& entry) { return entry.reads.has(name); };
+  };
+  int before = 0;  // pictures, moments, views with their bands, pictures again
+  for (auto entry = list.entries.begin(); entry != list.entries.end(); ++entry) {
+    const bool ofPicture = entry->each == Each::picture;
+    const int part = ofPicture ? (before == 0 ? 0 : 3) : entry->each == Each::moment ? 1 : 2;
+    if (part < before) return {"runs inside a loop that has ended", entry->name, {}};
+    before = part;
+    for (const std::string_view name : list.ofBands)
+      if (entry->each != Each::band && (entry->reads.has(name) || entry->writes.has(name)))
+        return {"uses what one band has, but does not run once a band", entry->name, name};
+    for (const std::string_view name : entry->reads)
+      if (!list.given.has(name) && std::none_of(list.entries.begin(), entry, writes(name)))
+        return {"reads what no earlier pass writes", entry->name, name};
+    for (const std::string_view name : entry->writes)
+      if (!list.results.has(name) && std::none_of(entry + 1, list.entries.end(), reads(name)))
+        return {"writes what no later pass reads", entry->name, name};
+  }
+  return {};
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,83 @@
+#pragma once
+#include "draw/exact/pass_entry.hpp"
+
+#include <string>
+#include <vector>
+
+namespace simreel::draw {
+
+// One for each pass; each is defined in draw/exact/passes.
+PassMaker makeSkins, makeThings, makeRayScene, makeJoined, makeLampMaps, makeSunMap, makeMirrors, makeView,
+    makeVisibility, makeNearness, makeOpenness, makeTiles, makeKeptVisibility, makeBlended, makeSurfaces,
+    makeRayLight, makeLayers, makeMirrored, makeReflected, makeKeptLight, makeGlows, makeMean, makeKeptGlow,
+    makeFieldsBehind, makeScatter, makeFilm;
+
+/// Resources that hold one band of a picture. Where a picture has several bands, and a pass needs all of
+/// them (Each::view), the passes that wrote these run again for each band in which a later pass reads them.
+inline constexpr Names ofBands = {"visibility", "tiles", "through"};
+
+/// The passes of an exact picture in the order in which they run. An entry has: name, how often, stage of
+/// `simreel bench`, reads, writes, names that `simreel bisect --passes` compares, maker.
+// clang-format off
+inline constexpr PassEntry exactPasses[] = {
+    {"skins", Each::picture, nullptr, {"fields"}, {"skins"}, {}, makeSkins},
+
+    {"things", Each::moment, nullptr, {"drawables"}, {"things", "lights", "view"}, {}, makeThings},
+    {"mirrors", Each::moment, nullptr, {"things", "skins"}, {"mirrors"}, {}, makeMirrors},
+    {"ray scene", Each::moment, "rays", {"things", "lights", "skins"}, {"ray scene"}, {}, makeRayScene},
+    {"joined", Each::moment, nullptr, {"things"}, {"joined"}, {}, makeJoined},
+    {"lamp maps", Each::moment, "shadow", {"things", "joined", "lights"}, {"lamp maps"}, {}, makeLampMaps},
+    {"sun map", Each::moment, "shadow", {"things", "joined"}, {"sun map"}, {}, makeSunMap},
+
+    {"view", Each::view, nullptr, {"view"}, {"view", "light"}, {}, makeView},
+    {"visibility", Each::band, "visibility", {"things", "joined", "view", "skins"}, {"visibility"}, {},
+     makeVisibility},
+    {"nearness", Each::band, "occlusion", {"visibility", "view"}, {"nearness"}, {}, makeNearness},
+    {"openness", Each::view, "occlusion", {"nearness", "view"}, {"openness"}, {}, makeOpenness},
+    {"tiles", Each::band, "surfaces", {"visibility", "view"}, {"tiles", "visibility", "light"}, {}, makeTiles},
+    {"kept visibility", Each::band, nullptr, {"visibility", "sun map", "lamp maps", "openness"}, {},
+     {"visibility", "shadow"}, makeKeptVisibility},
+    {"blended", Each::band, "surfaces",
+     {"visibility", "skins", "lights", "sun map", "lamp maps", "openness", "ray scene", "light"},
+     {"through", "light"}, {}, makeBlended},
+    {"surfaces", Each::band, "surfaces",
+     {"visibility", "tiles", "through", "skins", "lights", "sun map", "lamp maps", "openness"},
+     {"light", "ray spots"}, {}, makeSurfaces},
+    {"ray light", Each::band, "surfaces", {"visibility", "ray scene", "ray spots", "lights"}, {"light"}, {},
+     makeRayLight},
+    {"layers", Each::band, "surfaces", {"visibility", "tiles", "through", "view", "skins"}, {"layers"}, {},
+     makeLayers},
+    {"mirrored", Each::view, "reflections", {"mirrors", "light", "nearness"}, {"mirrored"}, {}, makeMirrored},
+    {"reflected", Each::band, "reflections",
+     {"mirrors", "mirrored", "visibility", "tiles", "through", "openness", "skins"}, {"light"}, {},
+     makeReflected},
+    {"kept light", Each::band, nullptr, {"light"}, {}, {"light"}, makeKeptLight},
+    {"glows", Each::band, "instances", {"things", "visibility", "light"}, {"light"}, {}, makeGlows},
+    {"mean", Each::view, "lens", {"light", "view"}, {"light", "view"}, {"light"}, makeMean},
+
+    {"kept glow", Each::picture, nullptr, {"light"}, {}, {"glow"}, makeKeptGlow},
+    {"fields behind", Each::picture, "fields", {"fields", "light"}, {"light"}, {"glow"}, makeFieldsBehind},
+    {"scatter", Each::picture, "bloom", {"light"}, {"scattered"}, {"bloom"}, makeScatter},
+    {"film", Each::picture, "tone map", {"light", "scattered", "view"}, {"picture", "layers"}, {"picture"},
+     makeFilm},
+};
+// clang-format on
+
+inline constexpr PassList exactPassList{
+    exactPasses, {"drawables", "fields"}, {"picture", "layers"}, ofBands};
+static_assert(faultOf(exactPassList).what.empty(), "see faultOf() for what is wrong with the list");
+
+/// The names that the entries keep: `simreel bisect --passes` compares them in this order. They are the
+/// same in files, messages and documentation. A picture has those that it needs.
+///
+///     visibility  what is nearest at each sample: keys of depth, and numbers of primitives, ground
+///                 included
+///     shadow      the maps of the sun and of the lamps; with quality "standard", how open half the
+///                 picture's pixels are, and how near
+///     light       of what is opaque, per pixel; with quality "standard", reflections included
+///     glow        the same with what adds light, then with fields that lie behind the scene
+///     bloom       what is scattered around bright places
+///     picture     bytes: after lens and film, then with fields, axes and charts over it
+[[nodiscard]] const std::vector<std::string>& passNames();
+
+}  // namespace simreel::draw

@@ -1,0 +1,153 @@
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/motion/velocities.hpp"
+#include "draw/exact/scene/exact_frame.hpp"
+#include "draw/exact/scene/share_keeper.hpp"
+#include "draw/exact/shown.hpp"
+#include "draw/frame_values.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace simreel::draw {
+
+namespace {
+
+/// Makes the layers that somebody asked for. Some are read from visibility; normals and albedo are shaded
+/// as light is. All show the first view, but objects' shares are a mean over all views.
+class LayersPass final : public FramePass {
+ public:
+  using FramePass::FramePass;
+  [[nodiscard]] bool on() const override { return f.wanted && (f.number == 0 || shares_); }
+  void asked() override;
+  void run() override;
+
+ private:
+  [[nodiscard]] bool wants(Layer layer) const {
+    return std::find(f.wanted->layers.begin(), f.wanted->layers.end(), layer) != f.wanted->layers.end();
+  }
+  void begin();
+  void keepVisible(const std::vector<DrawnThing>& things);
+  void shade();
+  void keepShown();
+  [[nodiscard]] std::optional<Velocities> velocitiesNow() const;
+  [[nodiscard]] std::optional<CameraWay> cameraWayNow() const;
+
+  std::optional<LayerKeeper> visible_;
+  std::optional<ShareKeeper> shares_;
+  std::array<gl::Texture, shownLayers.size()> shown_;
+  std::array<gl::Program, shownLayers.size()> ground_;
+};
+
+void LayersPass::asked() {
+  for (std::size_t i = 0; i < shownLayers.size(); ++i) {
+    if (!wants(shownLayers[i])) continue;
+    shown_[i] = gl::Texture::image("a layer of the picture", GL_RGBA32F, f.size.x, f.size.y);
+    if (f.ground)
+      ground_[i] = gl::Program::compute("draw/exact/tiles/shade_ground.comp",
+                                        showing(f.lighting(), static_cast<int>(i) + 1));
+  }
+}
+
+void LayersPass::run() {
+  const bool firstBand = f.values.rows.x == 0, lastBand = f.values.rows.y == f.size.y;
+  const bool first = f.number == 0;
+  if (first && firstBand) begin();
+  const std::vector<DrawnThing> things = f.thingsDrawn();
+  if (first) keepVisible(things);
+  if (shares_) shares_->add(f.visibility.readNumbers(), f.values, things);
+  if (first) shade();
+  if (first && lastBand) keepShown();
+  if (!lastBand || f.number + 1 < f.views) return;
+  if (shares_) shares_->finish(f.layers, f.views);
+  shares_.reset();
+}
+
+void LayersPass::begin() {
+  constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
+  visible_.emplace(f.layers, f.wanted->layers, f.size, f.samples);
+  shares_.reset();
+  if (wants(Layer::object)) shares_.emplace(f.size, f.samples);
+  for (const gl::Texture& layer : shown_)
+    if (layer) glClearTexImage(layer.name(), 0, GL_RGBA, GL_FLOAT, none.data());
+}
+
+void LayersPass::keepVisible(const std::vector<DrawnThing>& things) {
+  const std::optional<Velocities> velocities = velocitiesNow();
+  const std::optional<CameraWay> way = cameraWayNow();
+  visible_->add(f.visibility, f.values, things, velocities ? &*velocities : nullptr, way ? &*way : nullptr,
+                f.seen.farther);
+}
+
+void LayersPass::shade() {
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    if (!shown_[i]) continue;
+    shown_[i].bindImage(sumImage, GL_READ_WRITE);
+    f.show(static_cast<int>(i) + 1);
+    f.shadeThings();
+    if (!f.ground) continue;
+    f.tiles->shade(f.tiles->things(), ground_[i]);
+    if (f.shadow.on()) f.tiles->shade(f.tiles->things() + 1, ground_[i]);
+  }
+  f.show(0);
+}
+
+void LayersPass::keepShown() {
+  std::vector<float> sum(4 * static_cast<std::size_t>(f.size.x) * static_cast<std::size_t>(f.size.y));
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    if (!shown_[i]) continue;
+    glGetTextureImage(shown_[i].name(), 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(sum.size() * sizeof(float)), sum.data());
+    f.layers.keepShown(shownLayers[i], sum);
+  }
+}
+
+/// Finds how things with numbers move. The drawn surfaces are copies of the moment's, with the same places.
+std::optional<Velocities> LayersPass::velocitiesNow() const {
+  const ExactScene::Exposure& exposure = *f.asked.exposure;
+  if (exposure.motion == nullptr || (!wants(Layer::velocity) && !wants(Layer::vector))) return std::nullopt;
+  const sim::Drawables& there = *f.moment.drawables;
+  Velocities velocities(*exposure.motion, exposure.frameSeconds, exposure.part);
+  const auto add = [&](const TriangleRaster::Drawn& drawn) {
+    const auto same = [&](const sim::Surface& surface) {
+      return surface.positions == drawn.surface->positions && surface.indices == drawn.surface->indices &&
+             surface.model == drawn.surface->model && surface.object == drawn.surface->object;
+    };
+    const auto found = std::find_if(there.surfaces.begin(), there.surfaces.end(), same);
+    if (found != there.surfaces.end())
+      velocities.addSurface(*found, static_cast<std::size_t>(found - there.surfaces.begin()), drawn.firstId,
+                            drawn.maxTriangles);
+  };
+  for (const TriangleRaster::Drawn& drawn : f.triangles.drawn()) add(drawn);
+  for (const TriangleRaster::Drawn& drawn : f.apart.drawn()) add(drawn);
+  for (const ExactInstances::Numbered& drawn : f.instances.numbered()) {
+    const auto same = [&](const sim::Instances& one) {
+      return one.positions == drawn.instances->positions && one.object == drawn.instances->object;
+    };
+    const auto found = std::find_if(there.instances.begin(), there.instances.end(), same);
+    if (found != there.instances.end())
+      velocities.addInstances(static_cast<std::size_t>(found - there.instances.begin()), drawn.firstId,
+                              drawn.each);
+  }
+  return velocities;
+}
+
+/// Finds how the camera moved during the frame, if somebody asks for it.
+std::optional<CameraWay> LayersPass::cameraWayNow() const {
+  const ExactScene::Exposure& exposure = *f.asked.exposure;
+  if (exposure.motion == nullptr || !wants(Layer::vector)) return std::nullopt;
+  const scene::Camera& camera = f.scene.camera;
+  const double seconds = exposure.frameSeconds;
+  const View now = viewAt(camera, f.moment.seconds, f.size, *f.moment.drawables, groundSeen(f.scene));
+  const View before = viewAt(camera, f.moment.seconds - seconds, f.size,
+                             exposure.motion->cameraAt(exposure.part - 1), groundSeen(f.scene));
+  return CameraWay{exactView(now, camera, f.size), exactView(before, camera, f.size), seconds};
+}
+
+}  // namespace
+
+std::unique_ptr<Pass> makeLayers(ExactFrame& frame) {
+  return std::make_unique<LayersPass>(frame);
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,100 @@
+#include "base/log.hpp"
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/scene/exact_frame.hpp"
+#include "draw/frame_values.hpp"
+
+#include <array>
+#include <set>
+#include <string>
+
+namespace simreel::draw {
+
+namespace {
+
+class SkinsPass final : public FramePass {
+ public:
+  using FramePass::FramePass;
+  void run() override {
+    f.skins.update(f.asked.overlays->textures);
+    f.surfaces.prepare(f.skins);
+  }
+};
+
+/// Collects the moment's things, its lights and its camera.
+class ThingsPass final : public FramePass {
+ public:
+  using FramePass::FramePass;
+  void run() override {
+    if (f.lamps.on()) f.lamps.update(f.moment.seconds, *f.moment.drawables);
+    f.drawables = f.lamps.on() ? f.lamps.withGlows(*f.moment.drawables) : *f.moment.drawables;
+    sayFinishes();
+    f.apart.take(f.drawables.surfaces);
+    if (f.apart.anyBlended()) beginLayers();
+    f.seen = viewAt(f.scene.camera, f.moment.seconds, f.size, f.drawables, groundSeen(f.scene));
+    f.values = exactView(f.seen, f.scene.camera, f.size);
+    f.tellView();
+    f.view.bindUniform(viewBinding, 0, sizeof f.values);
+  }
+
+ private:
+  /// Shading programs are made anew for scenes with blended surfaces, so that others do not pay for them.
+  void beginLayers() {
+    if (f.layered) return;
+    f.layered = true;
+    f.surfaces.define(f.lighting());
+    f.instances.define(f.lighting());
+  }
+  /// Warns once about each object whose material is not drawn in full.
+  void sayFinishes() {
+    for (const sim::Instances& instances : f.drawables.instances)
+      if (instances.material != nullptr && instances.material->finish.used() &&
+          said_.insert(objectName(instances)).second)
+        warn(
+            "{}: particles have the colour, roughness and metal of their material; maps, light of its own, "
+            "opacity, coats and sheen are of surfaces alone",
+            objectName(instances));
+    if (f.traces()) return;
+    for (const sim::Surface& surface : f.drawables.surfaces)
+      if (surface.material->finish.transmission > 0 && said_.insert(objectName(surface) + " clear").second)
+        warn("{}: light goes through it with render.quality \"high\" alone; it is drawn opaque",
+             objectName(surface));
+  }
+
+  std::set<std::string> said_;  ///< names of those objects
+};
+
+class JoinedPass final : public FramePass {
+ public:
+  using FramePass::FramePass;
+  void run() override { f.joins = f.joined.join(f.drawables.surfaces); }
+};
+
+/// Begins the view of a moment through a point of the lens: no light yet.
+class ViewPass final : public FramePass {
+ public:
+  using FramePass::FramePass;
+  void run() override {
+    constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
+    f.values = exactView(f.seen, f.scene.camera, f.size, f.point);
+    f.values.rows = {0, 0};  // none is found yet
+    if (f.rays) f.rays->seeThrough(f.number, f.views);
+    if (!ShadedTiles::emptiesLight()) glClearTexImage(f.light.name(), 0, GL_RGBA, GL_FLOAT, none.data());
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Pass> makeSkins(ExactFrame& frame) {
+  return std::make_unique<SkinsPass>(frame);
+}
+std::unique_ptr<Pass> makeThings(ExactFrame& frame) {
+  return std::make_unique<ThingsPass>(frame);
+}
+std::unique_ptr<Pass> makeJoined(ExactFrame& frame) {
+  return std::make_unique<JoinedPass>(frame);
+}
+std::unique_ptr<Pass> makeView(ExactFrame& frame) {
+  return std::make_unique<ViewPass>(frame);
+}
+
+}  // namespace simreel::draw

@@ -1,0 +1,64 @@
+#include "draw/exact/bindings.hpp"
+#include "draw/exact/scene/exact_frame.hpp"
+#include "gl/element_array.hpp"
+
+namespace simreel::draw {
+
+namespace {
+
+/// The things that may cast shadows, without cut and blended surfaces; joined where surfaces are.
+sim::Drawables castingOf(const ExactFrame& frame) {
+  sim::Drawables casting = frame.drawables;
+  if (frame.joins) casting.surfaces = {frame.joined.surface()};
+  return casting;
+}
+
+class LampMapsPass final : public FramePass {
+ public:
+  using FramePass::FramePass;
+  [[nodiscard]] bool on() const override { return f.lampMaps.has_value(); }
+  void run() override {
+    f.lampMaps->draw(castingOf(f), f.lamps, f.instances, &f.apart);
+    f.view.bindUniform(viewBinding, 0, sizeof f.values);
+  }
+};
+
+class SunMapPass final : public FramePass {
+ public:
+  explicit SunMapPass(ExactFrame& frame) : FramePass(frame) {
+    if (on()) casters_.emplace(TriangleRaster::Into::sunMap, 1);
+  }
+  [[nodiscard]] bool on() const override { return f.sunMap.has_value(); }
+  void run() override {
+    const sim::Drawables drawables = castingOf(f);
+    std::vector<const sim::Surface*> casting;
+    for (const sim::Surface& surface : drawables.surfaces)
+      if (castsShadow(surface)) casting.push_back(&surface);
+    sim::Drawables bounding = drawables;
+    bounding.surfaces.insert(bounding.surfaces.end(), f.apart.casting().begin(), f.apart.casting().end());
+    f.shadow.fit(bounding, [&] { f.instances.growBounds(drawables); });
+    f.shadow.bind();
+    f.sunMap->clear();
+    gl::barrier();
+    // A filter of r texels reads depths up to r + 1 texels of slope away.
+    const MapPart part{.slopeOffset = 1.5F + f.scene.sun.shadowSoftness};
+    casters_->number(casting);
+    casters_->draw(*f.sunMap, part);
+    f.apart.castSun(*f.sunMap, part);
+    f.instances.castShadows(drawables, *f.sunMap, part);
+  }
+
+ private:
+  std::optional<TriangleRaster> casters_;
+};
+
+}  // namespace
+
+std::unique_ptr<Pass> makeLampMaps(ExactFrame& frame) {
+  return std::make_unique<LampMapsPass>(frame);
+}
+std::unique_ptr<Pass> makeSunMap(ExactFrame& frame) {
+  return std::make_unique<SunMapPass>(frame);
+}
+
+}  // namespace simreel::draw
