@@ -4,7 +4,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 #include "sim/reaction/rule/evaluate.hpp"
 
 #include <filesystem>

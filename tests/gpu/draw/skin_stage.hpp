@@ -1,7 +1,7 @@
 #pragma once
 #include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/field_stage.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <functional>
 #include <numbers>

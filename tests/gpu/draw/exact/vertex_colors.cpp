@@ -4,7 +4,7 @@
 #include "frame/draw_world.hpp"
 #include "gpu/context.hpp"
 #include "gpu/draw/draw_stage.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 #include "unit/figure_text.hpp"
