@@ -8,6 +8,7 @@
 #include "draw/screen/renderer.hpp"
 #include "frame/file/run_info.hpp"
 #include "gpu/context.hpp"
+#include "scene/load.hpp"
 #include "sim/core/path.hpp"
 #include "sim/world/list.hpp"
 #include "source_folder.hpp"

@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/hash.hpp"
 #include "base/strict_json.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/mesh/file/gltf_document.hpp"
 

@@ -1,6 +1,7 @@
 #include "serve/script/script.hpp"
 
 #include "scene/as_run.hpp"
+#include "scene/load.hpp"
 #include "serve/script/changes.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/world/list.hpp"

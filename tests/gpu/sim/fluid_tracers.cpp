@@ -1,6 +1,7 @@
 // Tracers of a fluid beside their CPU twin, word by word.
 #include "gpu/context.hpp"
 #include "reference/tracers_twin.hpp"
+#include "scene/load.hpp"
 #include "sim/fluid/plan.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"

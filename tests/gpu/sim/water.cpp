@@ -2,6 +2,7 @@
 
 #include "gpu/context.hpp"
 #include "reference/water_twin.hpp"
+#include "scene/load.hpp"
 #include "sim/grid/field_values.hpp"
 #include "sim/water/quantities.hpp"
 #include "sim/world/list.hpp"

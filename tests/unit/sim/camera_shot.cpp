@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "draw/camera.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 #include "unit/figure_text.hpp"
 #include "unit/help.hpp"

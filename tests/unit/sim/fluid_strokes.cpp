@@ -1,5 +1,6 @@
 // Brushes of fluids that move and change by keyframes, and what is refused of a fluid.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "sim/fluid/plan.hpp"
 #include "sim/grid/strokes.hpp"
 #include "sim/world/list.hpp"

@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "sim/gray_scott/plan.hpp"
 #include "sim/world/list.hpp"
 #include "source_folder.hpp"

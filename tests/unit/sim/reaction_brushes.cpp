@@ -1,6 +1,7 @@
 // Strokes in volumes and on meshes paint the cells that lie within reach of their way, by distances in
 // double.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/reaction/plan.hpp"
 #include "sim/world/list.hpp"

@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/water/plan.hpp"
 #include "sim/world/list.hpp"

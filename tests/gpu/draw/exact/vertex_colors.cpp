@@ -4,6 +4,7 @@
 #include "frame/draw_world.hpp"
 #include "gpu/context.hpp"
 #include "gpu/draw/draw_stage.hpp"
+#include "scene/load.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"

@@ -1,4 +1,4 @@
-#include "scene/scene.hpp"
+#include "scene/load.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
