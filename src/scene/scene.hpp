@@ -22,7 +22,7 @@ namespace simreel::scene {
 
 enum class Numerics { exact, fast };
 
-/// A material grown from a field while it runs (SPEC 5), laid over the object's surface.
+/// A material grown from a field while it runs, laid over the object's surface.
 struct Skin {
   enum class Look { leather, spots, cracks, map };  ///< map: the field's own colours
   enum class Projection { uv, triplanar };

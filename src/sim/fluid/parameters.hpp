@@ -54,7 +54,7 @@ struct FluidStroke : StrokeParameters {
   float soft = 0.5F;  ///< part of the radius over which it fades towards its rim
 };
 
-/// Incompressible flow (SPEC 9) as a scene says it. Lengths are in cells; v and y grow down the picture.
+/// Incompressible flow as a scene says it. Lengths are in cells; v and y grow down the picture.
 struct FluidParameters : ObjectParameters, FieldParts {
   enum class Advection { macCormack, semiLagrangian, cubic };  // as ADVECTION of glsl/fluid/grid.glsl
   enum class Show { dye, speed, vorticity, temperature, pressure, lines };

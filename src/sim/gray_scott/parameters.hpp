@@ -13,8 +13,7 @@
 
 namespace simreel::sim {
 
-/// Named pairs of rates, those of SPEC 4 first. What each really grows stands in README.md beside this
-/// file: "spots" dies out; leopard grows spots.
+/// Named pairs of rates; src/sim/README.md says what each grows: "spots" dies out, "leopard" grows spots.
 enum class GrayScottPreset { spots, stripes, maze, solitons, unstable, leopard, chaos };
 
 /// Rates at which u is fed and v is removed, per unit of time.
@@ -23,7 +22,7 @@ struct FeedKill {
 };
 [[nodiscard]] FeedKill ratesOf(GrayScottPreset preset);
 
-/// Gray-Scott reaction-diffusion (SPEC 4) as a scene says it.
+/// Gray-Scott reaction-diffusion as a scene says it.
 struct GrayScottParameters : ObjectParameters, FieldParts {
   glm::ivec2 size{256, 256};  ///< cells
   GrayScottPreset preset = GrayScottPreset::leopard;
