@@ -48,8 +48,7 @@ struct Material {
   float translucency = 0.0F;  ///< fraction of light from behind that shines through
   float bump = 0.0F;          ///< m: height of the texture's white over its black
   bool castsShadow = true;    ///< in the light of sun and lamps
-  bool hasSkin = false;
-  Skin skin;  ///< replaces colour and roughness
+  std::optional<Skin> skin;   ///< replaces colour and roughness
   Finish finish;
   void describe(Fields& fields);
 };
@@ -82,9 +81,8 @@ struct Render {
   int samples = 4;  ///< per pixel: 1, 2, 4, 8 or 16 (of the driver: those it has, 1 and 4 always)
   Animated<float> exposure = 0.0F;  ///< EV
   Tone tone = Tone::aces;
-  bool balanced = false;                   ///< whether the scene gives a white balance
-  Animated<float> whiteBalance = 6504.0F;  ///< K: light of this colour is shown without one
-  bool transparent = false;                ///< whether the background is left out
+  std::optional<Animated<float>> whiteBalance;  ///< K: light of this colour is shown as white
+  bool transparent = false;                     ///< whether the background is left out
   float vignette = 0.0F;
   Bloom bloom;
   void describe(Fields& fields);
@@ -177,21 +175,17 @@ struct Camera {
   Animated<glm::vec3> target = glm::vec3(0, 0, 0);
   Animated<float> fieldOfView = 40.0F;  ///< degrees, vertical
   Projection projection = Projection::perspective;
-  Animated<float> height = 4.0F;  ///< m that the picture is high, of an orthographic one
-  bool hasHeight = false;         ///< whether the scene gives it
-  Animated<float> roll = 0.0F;    ///< degrees
-  double damping = 0;             ///< s: what `target` does steadily it looks at so long after; 0: at once
-  bool follows = false;
-  Follow follow;  ///< instead of position and target
-  bool tracks = false;
-  Track track;  ///< instead of target
-  bool orbits = false;
-  Orbit orbit;  ///< instead of position
-  bool filed = false;
-  CameraFile gltf;        ///< instead of position and target
-  bool placed = false;    ///< whether the scene says where it stands or what it looks at
-  bool hasAngle = false;  ///< whether the scene gives its field of view
-  bool hasLens = false;   ///< else all is sharp
+  Animated<float> height = 4.0F;   ///< m that the picture is high, of an orthographic one
+  bool hasHeight = false;          ///< whether the scene gives it
+  Animated<float> roll = 0.0F;     ///< degrees
+  double damping = 0;              ///< s: what `target` does steadily it looks at so long after; 0: at once
+  std::optional<Follow> follow;    ///< instead of position and target
+  std::optional<Track> track;      ///< instead of target
+  std::optional<Orbit> orbit;      ///< instead of position
+  std::optional<CameraFile> gltf;  ///< instead of position and target
+  bool placed = false;             ///< whether the scene says where it stands or what it looks at
+  bool hasAngle = false;           ///< whether the scene gives its field of view
+  bool hasLens = false;            ///< else all is sharp
   Lens lens;
   bool hasShutter = false;  ///< else each picture is of one moment
   Shutter shutter;

@@ -67,9 +67,9 @@ inline double waves(double u, double v) {
 /// A material grown from the field "grid" of a FieldStage.
 inline simreel::scene::Material grown(simreel::scene::Skin::Look look) {
   simreel::scene::Material material;
-  material.hasSkin = true;
-  material.skin.field = "grid";
-  material.skin.look = look;
+  material.skin.emplace();
+  material.skin->field = "grid";
+  material.skin->look = look;
   return material;
 }
 

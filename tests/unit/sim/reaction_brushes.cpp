@@ -92,7 +92,7 @@ TEST_CASE("a stroke on a mesh paints the vertices around it where the mesh is th
               "strokes": [{"species": "v", "at": 0.5, "from": [2.1, 1.3, 0.2], "radius": 0.83, "value": 2}])"),
       "r", 1, brushFrame);
   const std::vector<float> got = paintedAfter(plan, 0);
-  const glm::dmat4 model(plan.parameters().mesh.model(0.5));
+  const glm::dmat4 model(plan.parameters().mesh->model(0.5));
   std::size_t reached = 0;
   for (std::size_t i = 0; i < got.size(); ++i) {
     const double distance =
