@@ -61,8 +61,9 @@ foreach(group ${GPU_GROUPS})
 endforeach()
 
 add_test(NAME "layers: includes point down the street" COMMAND ${CMAKE_SOURCE_DIR}/tools/check-layers)
+add_test(NAME "comments: what they name exists" COMMAND ${CMAKE_SOURCE_DIR}/tools/check-comments)
 add_test(NAME "shaders: arithmetic is precise, blocks are as in C++" COMMAND ${CMAKE_SOURCE_DIR}/tools/check-shaders)
-set_tests_properties("layers: includes point down the street" "shaders: arithmetic is precise, blocks are as in C++"
+set_tests_properties("layers: includes point down the street" "comments: what they name exists" "shaders: arithmetic is precise, blocks are as in C++"
                      PROPERTIES LABELS "unit;quick")
 
 # The other memory path than the one this machine's driver gets by default: what is compared bit for bit with twins and the

@@ -1,4 +1,4 @@
-// Where the cloth kernels' arrays are bound. Compiles as GLSL and as C++ (src/sim/cloth/cloth.cpp).
+// Where the cloth kernels' arrays are bound. Compiles as GLSL and as C++ (src/sim/cloth).
 #ifndef CLOTH_BINDINGS
 #define CLOTH_BINDINGS
 
@@ -9,5 +9,6 @@ const int shiftsBinding = 3;  // of the kernels of thin colliders
 const int aimsBinding = 3;    // of the kernels that predict: velocities before constraints
 const int trendsBinding = 5;
 const int leftBinding = 5;    // of the kernel that settles again
+const int waysBinding = 5;    // of the kernel that holds pins
 
 #endif

@@ -2,9 +2,8 @@
 // it from there (cloth/motion.glsl), and velocities of what is pinned are zero after each substep.
 #include "common/bindings.glsl"
 #include "common/memory.glsl"
+#include "cloth/bindings.glsl"
 layout(local_size_x = 64) in;
-const int velocitiesBinding = 2;
-const int waysBinding = 5;
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 INPUT_ARRAY(waysBinding, WayBlock, ways)
 uniform int count;

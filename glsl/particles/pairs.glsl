@@ -16,7 +16,7 @@ FUNCTION float pairInverseSqrt(float x) {
 #endif
 }
 
-// Adds m d / (|d|^2 + eps^2)^(3/2), d from `here` to the body, w its mass (Plummer softening; SPEC 2 without G).
+// Adds m d / (|d|^2 + eps^2)^(3/2), d from `here` to the body, w its mass (Plummer softening), without G.
 FUNCTION vec3 addPull(vec3 sum, vec3 here, vec4 body, float softeningSquared) {
   precise vec3 d = vec3(body) - here;
 #ifdef FAST_NUMERICS

@@ -18,24 +18,24 @@ constexpr float radiansPerDegree = 0.017453293F;
 
 /// What a camera that does not follow a path looks at.
 glm::vec3 targetOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
-  if (!camera.tracks)
+  if (!camera.track)
     return drawables.lagging.empty() ? camera.target.at(seconds) : drawables.lagging.front();
   for (const sim::Place& place : drawables.places)
-    if (*place.object == camera.track.object) return place.middle + camera.track.offset;
+    if (*place.object == camera.track->object) return place.middle + camera.track->offset;
   fail(ExitCode::usage, "the camera looks at \"{}\", of which nothing is there at {:g} s",
-       camera.track.object, seconds);
+       camera.track->object, seconds);
 }
 
 Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
-  if (camera.orbits) return standAround(targetOf(camera, seconds, drawables), camera.orbit, seconds);
-  if (!camera.follows) return {camera.position.at(seconds), targetOf(camera, seconds, drawables)};
+  if (camera.orbit) return standAround(targetOf(camera, seconds, drawables), *camera.orbit, seconds);
+  if (!camera.follow) return {camera.position.at(seconds), targetOf(camera, seconds, drawables)};
   if (drawables.lagging.size() == 2) return {drawables.lagging.back(), drawables.lagging.front()};
-  if (const sim::Path* path = sim::pathOf(drawables, camera.follow.object))
-    return standOn(*path->points, camera.follow, seconds);
+  if (const sim::Path* path = sim::pathOf(drawables, camera.follow->object))
+    return standOn(*path->points, *camera.follow, seconds);
   fail(ExitCode::usage,
        "the camera follows \"{}\", which has no path at {:g} s: it is not grown yet, or nothing of it is "
        "open",
-       camera.follow.object, seconds);
+       camera.follow->object, seconds);
 }
 
 /// How far back (m) an orthographic camera above the ground has to stand so that the lowest corner of its
@@ -67,12 +67,12 @@ View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const 
             const scene::Ground* ground) {
   View view;
   glm::vec3 right, up;
-  if (camera.filed) {
-    SIMREEL_CHECK(camera.gltf.shot != nullptr);
-    const scene::CameraPose pose = camera.gltf.shot->at(seconds);
+  if (camera.gltf) {
+    SIMREEL_CHECK(camera.gltf->shot != nullptr);
+    const scene::CameraPose pose = camera.gltf->shot->at(seconds);
     view.eye = glm::vec3(pose.eye);
     view.forward = glm::vec3(-pose.back);
-    view.target = glm::vec3(pose.eye - static_cast<double>(camera.gltf.distance) * pose.back);
+    view.target = glm::vec3(pose.eye - static_cast<double>(camera.gltf->distance) * pose.back);
     right = glm::vec3(pose.right);
     up = glm::vec3(pose.up);
   } else {

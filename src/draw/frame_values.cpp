@@ -83,8 +83,8 @@ shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double sec
   frame.size = size;
   frame.exposure = static_cast<float>(ieee::exp2(static_cast<double>(scene.render.exposure.at(seconds))));
   frame.vignette = scene.render.vignette;
-  const glm::mat3 balance = scene.render.balanced
-                                ? whiteBalance(static_cast<double>(scene.render.whiteBalance.at(seconds)))
+  const glm::mat3 balance = scene.render.whiteBalance
+                                ? whiteBalance(static_cast<double>(scene.render.whiteBalance->at(seconds)))
                                 : glm::mat3(1);
   frame.whiteRed = glm::vec4(balance[0], 0);
   frame.whiteGreen = glm::vec4(balance[1], 0);
@@ -96,7 +96,7 @@ gl::Defines filmDefines(const scene::Render& render) {
   gl::Defines defines;
   if (render.tone != scene::Tone::aces)
     defines.emplace_back("TONE", std::to_string(static_cast<int>(render.tone)));
-  if (render.balanced) defines.emplace_back("WHITE_BALANCE", "1");
+  if (render.whiteBalance) defines.emplace_back("WHITE_BALANCE", "1");
   return defines;
 }
 

@@ -2,9 +2,10 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
+#include "base/png.hpp"
 #include "base/text.hpp"
-#include "frame/plain_png.hpp"
 #include "sim/grid/picture_file.hpp"
+#include "sim/grid/plain_png.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
 
 namespace simreel::frame {
@@ -101,8 +101,6 @@ std::optional<std::size_t> compressZlib(std::span<const unsigned char> in, std::
 constexpr int largestSide = 16384;         ///< of a picture whose header is not looked at here
 constexpr int largestSideOfAll = 1 << 24;  ///< more than decoders take
 constexpr std::size_t mostPixels = std::size_t{1} << 28;
-constexpr std::size_t signatureAndHeader = 8 + 25;  // the signature, then the whole IHDR chunk
-constexpr std::size_t emptyChunk = 12;
 
 using Bytes = std::span<const unsigned char>;
 
@@ -155,15 +153,6 @@ Bytes filterRows(Bytes rgb, std::size_t stride, std::size_t pixel) {
 
 using File = std::vector<std::byte>;
 
-void append(File& file, std::string_view text) {
-  const auto bytes = std::as_bytes(std::span(text));
-  file.insert(file.end(), bytes.begin(), bytes.end());
-}
-
-void appendBigEndian(File& file, std::uint32_t value) {
-  for (const int shift : {24, 16, 8, 0}) file.push_back(static_cast<std::byte>((value >> shift) & 0xff));
-}
-
 struct ChunkText {
   std::string latin1;
   std::string utf8;
@@ -185,28 +174,17 @@ ChunkText convertText(std::string_view value) {
   return result;
 }
 
-/// A chunk (PNG specification 5.3): length, kind, body, and the CRC of kind and body.
-void appendChunk(File& file, std::string_view kind, std::string_view body) {
-  appendBigEndian(file, static_cast<std::uint32_t>(body.size()));
-  const std::size_t checked = file.size();
-  append(file, kind);
-  append(file, body);
-  appendBigEndian(file, crc32_gzip_refl(0, reinterpret_cast<const unsigned char*>(file.data()) + checked,
-                                        file.size() - checked));
-}
-
 /// What the numbers mean: sRGB, rendering intent perceptual, and for readers that do not know that, the
 /// gamma and primaries nearest to it (PNG specification 11.3.3.5).
-void appendColorSpace(File& file) {
+void appendColorSpace(File& file, bool linear) {
   const auto words = [](std::initializer_list<std::uint32_t> values) {
     std::string bytes;
-    for (const std::uint32_t value : values)
-      for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>((value >> shift) & 0xff);
+    for (const std::uint32_t value : values) appendPngNumber(bytes, value);
     return bytes;
   };
-  appendChunk(file, "sRGB", std::string_view("\0", 1));
-  appendChunk(file, "gAMA", words({45455}));
-  appendChunk(file, "cHRM", words({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}));
+  if (!linear) appendPngChunk(file, "sRGB", std::string_view("\0", 1));
+  appendPngChunk(file, "gAMA", words({linear ? 100000U : 45455U}));
+  appendPngChunk(file, "cHRM", words({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}));
 }
 
 /// tEXt holds Latin-1 only; anything else goes into an uncompressed iTXt (PNG specification 11.3.4).
@@ -214,7 +192,7 @@ void appendText(File& file, const std::string& keyword, std::string_view value) 
   SIMREEL_CHECK(!keyword.empty() && keyword.size() <= 79);
   const ChunkText text = convertText(value);
   // After the keyword's NUL, iTXt has: not compressed, method 0, no language, no translated keyword.
-  appendChunk(
+  appendPngChunk(
       file, text.fitsLatin1 ? "tEXt" : "iTXt",
       keyword + std::string(text.fitsLatin1 ? 1 : 5, '\0') + (text.fitsLatin1 ? text.latin1 : text.utf8));
 }
@@ -232,9 +210,10 @@ File encode(const PackedPixels& pixels, const ImageText& text) {
   SIMREEL_CHECK(pixels.size.x <= largestSide && pixels.size.y <= largestSide);
   std::string header;
   for (const int side : {pixels.size.x, pixels.size.y})
-    for (const int shift : {24, 16, 8, 0}) header += static_cast<char>((side >> shift) & 0xff);
-  // Bits, RGB or RGBA, deflate, filtered by row, not interlaced.
-  header += {static_cast<char>(pixels.bits), static_cast<char>(pixels.channels == 4 ? 6 : 2), 0, 0, 0};
+    appendPngNumber(header, static_cast<std::uint32_t>(side));
+  constexpr char colourTypes[] = {0, 0, 0, 2, 6};  // by channels: grey, RGB, RGBA
+  // Deflate, filtered by row, not interlaced.
+  header += {static_cast<char>(pixels.bits), colourTypes[pixels.channels], 0, 0, 0};
 
   const auto pixel = static_cast<std::size_t>(pixels.channels * pixels.bits / 8);
   const Bytes rows = filterRows(pixels.bytes, std::size_t(pixels.size.x) * pixel, pixel);
@@ -246,15 +225,16 @@ File encode(const PackedPixels& pixels, const ImageText& text) {
          pixels.size.y);
 
   File texts;
-  appendColorSpace(texts);
+  appendColorSpace(texts, pixels.linear);
   for (const auto& [keyword, value] : text) appendText(texts, keyword, value);
   File file;
-  file.reserve(signatureAndHeader + texts.size() + *size + 2 * emptyChunk);
-  append(file, "\x89PNG\r\n\x1a\n");
-  appendChunk(file, "IHDR", header);
+  file.reserve(pngSignature.size() + PngHeader::size + texts.size() + *size + 3 * PngChunk::frame);
+  const auto signature = std::as_bytes(std::span(pngSignature));
+  file.assign(signature.begin(), signature.end());
+  appendPngChunk(file, "IHDR", header);
   file.insert(file.end(), texts.begin(), texts.end());
-  appendChunk(file, "IDAT", {reinterpret_cast<const char*>(compressed.data()), *size});
-  appendChunk(file, "IEND", {});
+  appendPngChunk(file, "IDAT", {reinterpret_cast<const char*>(compressed.data()), *size});
+  appendPngChunk(file, "IEND", {});
   return file;
 }
 
@@ -271,13 +251,6 @@ std::vector<std::byte> encodePng(const PackedPixels& pixels, const ImageText& te
 HashedFile encodeHashedPng(const Image& image, const ImageText& text) {
   const Bytes bytes = packed(image, image.alpha);
   return {encode(pixelsOf(image, bytes), text), hashOf(image, bytes)};
-}
-
-void addText(std::vector<std::byte>& png, const ImageText& text) {
-  SIMREEL_CHECK(png.size() >= signatureAndHeader);
-  File texts;
-  for (const auto& [keyword, value] : text) appendText(texts, keyword, value);
-  png.insert(png.begin() + signatureAndHeader, texts.begin(), texts.end());
 }
 
 namespace {
@@ -303,31 +276,26 @@ std::optional<glm::ivec2> sizeOfJpeg(std::string_view bytes) {
 /// Width and height as a PNG or a JPEG gives them; nothing for other kinds.
 std::optional<glm::ivec2> sizeInHeader(std::string_view bytes) {
   if (bytes.starts_with("\xff\xd8")) return sizeOfJpeg(bytes);
-  constexpr std::size_t widthAt = 16, end = 24;
-  if (!bytes.starts_with("\x89PNG") || bytes.size() < end) return std::nullopt;
-  std::array<std::uint32_t, 2> size{};
-  for (std::size_t i = 0; i < 8; ++i)
-    size[i / 4] = size[i / 4] << 8U | static_cast<unsigned char>(bytes[widthAt + i]);
-  if (std::max(size[0], size[1]) > static_cast<std::uint32_t>(largestSideOfAll)) return std::nullopt;
-  return glm::ivec2(size[0], size[1]);
+  const auto header = pngHeaderOf(bytes);
+  if (!header || std::max(header->width, header->height) > static_cast<std::uint32_t>(largestSideOfAll))
+    return std::nullopt;
+  return glm::ivec2(header->width, header->height);
 }
 
 }  // namespace
 
 Image decodeImage(std::span<const std::byte> file, const std::string& name) {
-  const auto whole = [](Image image) {
-    image.alpha = !isOpaque(image);
-    return image;
-  };
   const std::string_view bytes(reinterpret_cast<const char*>(file.data()), file.size());
   const auto size = sizeInHeader(bytes);
   if (size && static_cast<double>(size->x) * size->y > static_cast<double>(mostPixels))
     fail(ExitCode::inputOutput, "the image {} is {}x{}, more than {} million pixels", name, size->x,
          size->y, mostPixels / 1'000'000);
-  if (auto image = decodePlainPng(file, largestSideOfAll)) return whole(std::move(*image));
   try {
-    sim::Picture picture = sim::decodePicture(bytes, name, "image", size ? largestSideOfAll : largestSide);
-    return whole({picture.size.x, picture.size.y, std::move(picture.rgba)});
+    auto picture = sim::decodePlainPng(bytes, largestSideOfAll);
+    if (!picture) picture = sim::decodePicture(bytes, name, "image", size ? largestSideOfAll : largestSide);
+    Image image{picture->size.x, picture->size.y, std::move(picture->rgba)};
+    image.alpha = !isOpaque(image);
+    return image;
   } catch (const UserError& error) {
     throw UserError(ExitCode::inputOutput, error.what());
   }

@@ -23,12 +23,13 @@ using ImageText = std::vector<std::pair<std::string, std::string>>;
 
 /// Image -> PNG file, RGBA where alpha is part of it, else RGB. Safe to call from several threads.
 [[nodiscard]] std::vector<std::byte> encodePng(const Image& image, const ImageText& text);
-/// Numbers as PNG has them, rows from the top, RGB or RGBA, of 16 bits the higher byte first.
+/// Numbers as PNG has them, rows from the top, grey, RGB or RGBA, of 16 bits the higher byte first.
 struct PackedPixels {
   glm::ivec2 size;
   int channels;
   int bits;
   std::span<const std::uint8_t> bytes;
+  bool linear = false;  ///< whether the numbers are proportional to what they stand for, not sRGB
 };
 [[nodiscard]] std::vector<std::byte> encodePng(const PackedPixels& pixels, const ImageText& text);
 /// The same file and its pixelHash, for less than both.
@@ -37,8 +38,6 @@ struct HashedFile {
   std::string pixels;
 };
 [[nodiscard]] HashedFile encodeHashedPng(const Image& image, const ImageText& text);
-/// Puts text chunks after the header of a whole PNG file.
-void addText(std::vector<std::byte>& png, const ImageText& text);
 /// PNG (or any format stb_image reads) -> RGBA; alpha is part of it unless it is opaque. `name` is used in
 /// the UserError(inputOutput) thrown.
 [[nodiscard]] Image decodeImage(std::span<const std::byte> file, const std::string& name);

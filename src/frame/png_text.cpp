@@ -1,21 +1,16 @@
 #include "frame/png_text.hpp"
 
+#include "base/png.hpp"
+
 #include <string>
 #include <string_view>
-
-#include <isa-l/crc.h>
 
 namespace simreel::frame {
 
 namespace {
 
-constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
-constexpr std::size_t aroundChunk = 12;  ///< length, kind, checksum
-
-std::size_t wordAt(std::string_view bytes, std::size_t at) {
-  std::size_t word = 0;
-  for (std::size_t i = 0; i < 4; ++i) word = word << 8U | static_cast<unsigned char>(bytes[at + i]);
-  return word;
+std::optional<std::string_view> chunksOf(std::span<const std::byte> png) {
+  return pngChunks({reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
 std::string fromLatin1(std::string_view text) {
@@ -33,36 +28,29 @@ std::string fromLatin1(std::string_view text) {
 }  // namespace
 
 ImageText readPngText(std::span<const std::byte> png) {
-  const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());
   ImageText texts;
-  if (!bytes.starts_with(signature)) return texts;
-  for (std::size_t at = signature.size(); at + aroundChunk <= bytes.size();) {
-    const std::size_t length = wordAt(bytes, at);
-    if (length > bytes.size() - at - aroundChunk) break;
-    const std::string_view kind = bytes.substr(at + 4, 4), body = bytes.substr(at + 8, length);
-    if (kind == "IEND") break;
+  auto rest = chunksOf(png);
+  if (!rest) return texts;
+  while (const auto chunk = takePngChunk(*rest)) {
+    const std::string_view body = chunk->data;
+    if (chunk->type == "IEND") break;
     const std::size_t end = body.find('\0');
-    if (end != std::string_view::npos && kind == "tEXt")
+    if (end != std::string_view::npos && chunk->type == "tEXt")
       texts.emplace_back(body.substr(0, end), fromLatin1(body.substr(end + 1)));
     // Not compressed, without language and translated keyword: as we write it.
     constexpr std::string_view plain("\0\0\0\0\0", 5);
-    if (end != std::string_view::npos && kind == "iTXt" && body.substr(end).starts_with(plain))
+    if (end != std::string_view::npos && chunk->type == "iTXt" && body.substr(end).starts_with(plain))
       texts.emplace_back(body.substr(0, end), body.substr(end + plain.size()));
-    at += length + aroundChunk;
   }
   return texts;
 }
 
 bool isWholePng(std::span<const std::byte> png) {
-  const std::string_view bytes(reinterpret_cast<const char*>(png.data()), png.size());
-  if (!bytes.starts_with(signature)) return false;
-  for (std::size_t at = signature.size(); at + aroundChunk <= bytes.size();) {
-    const std::size_t length = wordAt(bytes, at);
-    if (length > bytes.size() - at - aroundChunk) return false;
-    const auto* covered = reinterpret_cast<const unsigned char*>(bytes.data() + at + 4);
-    if (crc32_gzip_refl(0, covered, length + 4) != wordAt(bytes, at + 8 + length)) return false;
-    if (bytes.substr(at + 4, 4) == "IEND") return true;
-    at += length + aroundChunk;
+  auto rest = chunksOf(png);
+  if (!rest) return false;
+  while (const auto chunk = takePngChunk(*rest)) {
+    if (!chunk->checksumHolds()) return false;
+    if (chunk->type == "IEND") return true;
   }
   return false;
 }

@@ -19,8 +19,8 @@ void describeDamping(Fields& fields, double& damping, const char* what) {
 /// What stands where a camera looks at that stands still is not drawn beyond what it reaches.
 void remarkReach(Fields& fields, const Camera& camera) {
   const bool placed = fields.given("position") || fields.given("target");
-  if (camera.follows || camera.tracks || camera.filed || camera.orbits || !placed ||
-      camera.position.moves() || camera.target.moves())
+  if (camera.follow || camera.track || camera.gltf || camera.orbit || !placed || camera.position.moves() ||
+      camera.target.moves())
     return;
   const float away = glm::distance(camera.position.at(0), camera.target.at(0));
   if (away > camera.far)
@@ -129,22 +129,19 @@ void Camera::describe(Fields& fields) {
                  "a perspective camera has no height; give \"fieldOfView\", or \"projection\": "
                  "\"orthographic\"");
   fields.number("roll", roll, anyNumber, "degrees", "Turn about the line of sight.");
-  fields.optionalGroup("follow", follows, "Goes along a path that an object has found.",
-                       [&](Fields& f) { follow.describe(f); });
+  fields.optionalGroup("follow", follow, "Goes along a path that an object has found.");
   fields.shorthand("track", "object");
-  fields.optionalGroup("track", tracks,
+  fields.optionalGroup("track", track,
                        "Looks at an object wherever that is in each frame, instead of at \"target\"; with "
-                       "\"orbit\" it goes along with it.",
-                       [&](Fields& f) { track.describe(f); });
-  if (tracks && follows)
+                       "\"orbit\" it goes along with it.");
+  if (track && follow)
     fields.error("track", "\"follow\" says what the camera looks at; leave out \"track\"");
-  else if (tracks && fields.given("target"))
+  else if (track && fields.given("target"))
     fields.error("target", "\"track\" says what the camera looks at; leave out \"target\"");
-  fields.optionalGroup("orbit", orbits, "Goes round its target, instead of standing at \"position\".",
-                       [&](Fields& f) { orbit.describe(f); });
-  if (orbits && follows)
+  fields.optionalGroup("orbit", orbit, "Goes round its target, instead of standing at \"position\".");
+  if (orbit && follow)
     fields.error("orbit", "\"follow\" says where the camera is; leave out \"orbit\"");
-  else if (orbits && fields.given("position"))
+  else if (orbit && fields.given("position"))
     fields.error("position", "\"orbit\" says where the camera is; leave out \"position\"");
   describeDamping(
       fields, damping,
@@ -157,17 +154,18 @@ void Camera::describe(Fields& fields) {
                    fmt::format("\"damping\" here is of \"target\"; give it in \"{0}\": {{ }}", name));
   fields.shorthand("gltf", "file");
   fields.optionalGroup(
-      "gltf", filed,
+      "gltf", gltf,
       "Stands, turns and moves as the camera of a glTF file. Its vertical angle of view is "
-      "kept; how wide the picture is, \"render.size\" says.",
-      [&](Fields& f) { gltf.describe(f); });
+      "kept; how wide the picture is, \"render.size\" says.");
   for (const char* name : {"position", "target", "track", "follow", "orbit", "damping"})
-    if (filed && fields.given(name))
+    if (gltf && fields.given(name))
       fields.error(name, fmt::format("\"gltf\" says where the camera is; leave out \"{}\"", name));
-  if (filed && fields.given("projection"))
+  if (gltf && fields.given("projection"))
     fields.error("projection", "\"gltf\" says what kind of camera it is; leave out \"projection\"");
-  gltf.hasNear = fields.given("near");
-  gltf.hasFar = fields.given("far");
+  if (gltf) {
+    gltf->hasNear = fields.given("near");
+    gltf->hasFar = fields.given("far");
+  }
   fields.switchable("lens");
   fields.optionalGroup("lens", hasLens,
                        "Depth of field: things nearer or farther than the focus are blurred. The driver's "
@@ -183,10 +181,10 @@ void Camera::describe(Fields& fields) {
       "not. The driver's rasterizer has none.",
       [&](Fields& f) { shutter.describe(f); });
   hasAngle = fields.given("fieldOfView");
-  placed = follows || tracks || filed || fields.given("position") || fields.given("target") ||
-           (orbits && orbit.distanced);
+  placed = follow || track || gltf || fields.given("position") || fields.given("target") ||
+           (orbit && orbit->distanced);
   for (const char* name : {"position", "target"})
-    if (follows && fields.given(name))
+    if (follow && fields.given(name))
       fields.error(name, fmt::format("\"follow\" says where the camera is; leave out \"{}\"", name));
   fields.number("near", near, positive, "m", "Nearest distance drawn.");
   fields.leftOut("near", "0.05, or that of \"gltf\"");
@@ -196,8 +194,7 @@ void Camera::describe(Fields& fields) {
     fields.error(fields.given("near") ? "near" : "far",
                  fmt::format("\"near\" ({} m) must be less than \"far\" ({} m)", near, far));
   remarkReach(fields, *this);
-  if (!orbits && !tracks && !filed && !position.moves() && !target.moves() &&
-      position.at(0) == target.at(0))
+  if (!orbit && !track && !gltf && !position.moves() && !target.moves() && position.at(0) == target.at(0))
     fields.error(fields.given("target") ? "target" : "position",
                  "\"position\" and \"target\" are the same point; the camera looks nowhere");
 }

@@ -135,7 +135,7 @@ void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
   constexpr int turns = 24;
   constexpr double radiansPerDegree = 0.017453292519943295;
   float distance = 0, nearest = 0;
-  for (const auto& key : camera.orbit.elevation.keys())
+  for (const auto& key : camera.orbit->elevation.keys())
     for (int i = 0; i < turns; ++i) {
       const double turn = 360.0 / turns * i * radiansPerDegree;
       const double rise = static_cast<double>(key.value) * radiansPerDegree;
@@ -145,7 +145,7 @@ void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
       for (const glm::vec3& point : points) nearest = std::max(nearest, glm::dot(point - target, back));
     }
   camera.target = target;
-  camera.orbit.distance = distance;
+  camera.orbit->distance = distance;
   showAsMuch(camera, distance);
   reach(camera, distance, nearest, scene.staged);
 }
@@ -183,7 +183,7 @@ glm::vec3 stageBack(const Box& box) {
 void frameObjects(Scene& scene, const std::vector<Framed>& framed) {
   Camera& camera = scene.camera;
   if (camera.placed || framed.empty()) return;
-  if (camera.orbits) return frameOrbit(scene, framed);
+  if (camera.orbit) return frameOrbit(scene, framed);
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
   const Box box = boxAround(framed);
   const Look look = lookFrom(scene.staged ? stageBack(box) : backFrom(box), scene);

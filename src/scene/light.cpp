@@ -61,16 +61,16 @@ void Light::describe(Fields& fields) {
   if (type == Type::area && fields.given("glow"))
     fields.error("glow", "a light of type \"area\" is not seen by the camera; leave out \"glow\"");
   fields.vector("position", position, anyNumber, "m", "Place of the light.");
-  fields.optionalGroup("follow", follows,
-                       "Place on a path that an object has found; the light is dark until there is a path.",
-                       [&](Fields& inner) { follow.describe(inner); });
-  if (follows && fields.given("position"))
+  fields.optionalGroup(
+      "follow", follow,
+      "Place on a path that an object has found; the light is dark until there is a path.");
+  if (follow && fields.given("position"))
     fields.error("position", "\"follow\" says where the light is; leave out \"position\"");
-  if (type == Type::spot && !follows && !position.moves() && !spot.target.moves() &&
+  if (type == Type::spot && !follow && !position.moves() && !spot.target.moves() &&
       position.at(0) == spot.target.at(0))
     fields.error(given ? "spot" : "position",
                  "the light stands where its \"spot\" points at, so it shines nowhere; move \"target\"");
-  if (type == Type::area && !follows && !position.moves() && !area.target.moves() &&
+  if (type == Type::area && !follow && !position.moves() && !area.target.moves() &&
       position.at(0) == area.target.at(0))
     fields.error(isRectangle ? "area" : "position",
                  "the light stands where its \"area\" faces, so it faces nowhere; move \"target\"");
@@ -92,8 +92,7 @@ void Light::describe(Fields& fields) {
       "shadows, each place computes only those in whose range it lies. 0: it reaches everywhere.");
   fields.number("glow", glow, notNegative, "",
                 "Factor on the shining ball as the camera sees it; 0 hides it.");
-  fields.optionalGroup("flicker", hasFlicker, "Unrest of a flame, by a hash of name, time and seed.",
-                       [&](Fields& inner) { flicker.describe(inner); });
+  fields.optionalGroup("flicker", flicker, "Unrest of a flame, by a hash of name, time and seed.");
   fields.boolean("shadow", shadow, "Casts shadows.");
   fields.integer("shadowSize", shadowSize, {16, 4096}, "texels",
                  "Side of each of the six maps of its shadow.");

@@ -54,8 +54,7 @@ struct Light {
   Spot spot;  ///< of that type
   Area area;  ///< the same
   Animated<glm::vec3> position = glm::vec3(0, 1, 0);
-  bool follows = false;
-  PathPlace follow;  ///< instead of the position; there is no light while there is no path
+  std::optional<PathPlace> follow;  ///< instead of the position; there is no light while there is no path
   Animated<glm::vec3> color = glm::vec3(1, 0.72F, 0.42F);  ///< linear RGB
   std::optional<double> temperature;  ///< K: its colour is that of a black body, instead of `color`
   Unit unit = Unit::candela;
@@ -63,8 +62,7 @@ struct Light {
   Animated<float> radius = 0.05F;     ///< m
   float range = 0.0F;                 ///< m: beyond it there is nothing of it; 0: it reaches everywhere
   Animated<float> glow = 1.0F;        ///< factor on the light itself as the camera sees it
-  bool hasFlicker = false;
-  Flicker flicker;
+  std::optional<Flicker> flicker;
   bool shadow = true;
   int shadowSize = 512;         ///< texels on a side of each of the six maps
   float shadowSoftness = 1.5F;  ///< radius of the filter, texels

@@ -22,7 +22,7 @@ namespace simreel::scene {
 
 enum class Numerics { exact, fast };
 
-/// A material grown from a field while it runs (SPEC 5), laid over the object's surface.
+/// A material grown from a field while it runs, laid over the object's surface.
 struct Skin {
   enum class Look { leather, spots, cracks, map };  ///< map: the field's own colours
   enum class Projection { uv, triplanar };
@@ -48,8 +48,7 @@ struct Material {
   float translucency = 0.0F;  ///< fraction of light from behind that shines through
   float bump = 0.0F;          ///< m: height of the texture's white over its black
   bool castsShadow = true;    ///< in the light of sun and lamps
-  bool hasSkin = false;
-  Skin skin;  ///< replaces colour and roughness
+  std::optional<Skin> skin;   ///< replaces colour and roughness
   Finish finish;
   void describe(Fields& fields);
 };
@@ -82,9 +81,8 @@ struct Render {
   int samples = 4;  ///< per pixel: 1, 2, 4, 8 or 16 (of the driver: those it has, 1 and 4 always)
   Animated<float> exposure = 0.0F;  ///< EV
   Tone tone = Tone::aces;
-  bool balanced = false;                   ///< whether the scene gives a white balance
-  Animated<float> whiteBalance = 6504.0F;  ///< K: light of this colour is shown without one
-  bool transparent = false;                ///< whether the background is left out
+  std::optional<Animated<float>> whiteBalance;  ///< K: light of this colour is shown as white
+  bool transparent = false;                     ///< whether the background is left out
   float vignette = 0.0F;
   Bloom bloom;
   void describe(Fields& fields);
@@ -177,21 +175,17 @@ struct Camera {
   Animated<glm::vec3> target = glm::vec3(0, 0, 0);
   Animated<float> fieldOfView = 40.0F;  ///< degrees, vertical
   Projection projection = Projection::perspective;
-  Animated<float> height = 4.0F;  ///< m that the picture is high, of an orthographic one
-  bool hasHeight = false;         ///< whether the scene gives it
-  Animated<float> roll = 0.0F;    ///< degrees
-  double damping = 0;             ///< s: what `target` does steadily it looks at so long after; 0: at once
-  bool follows = false;
-  Follow follow;  ///< instead of position and target
-  bool tracks = false;
-  Track track;  ///< instead of target
-  bool orbits = false;
-  Orbit orbit;  ///< instead of position
-  bool filed = false;
-  CameraFile gltf;        ///< instead of position and target
-  bool placed = false;    ///< whether the scene says where it stands or what it looks at
-  bool hasAngle = false;  ///< whether the scene gives its field of view
-  bool hasLens = false;   ///< else all is sharp
+  Animated<float> height = 4.0F;   ///< m that the picture is high, of an orthographic one
+  bool hasHeight = false;          ///< whether the scene gives it
+  Animated<float> roll = 0.0F;     ///< degrees
+  double damping = 0;              ///< s: what `target` does steadily it looks at so long after; 0: at once
+  std::optional<Follow> follow;    ///< instead of position and target
+  std::optional<Track> track;      ///< instead of target
+  std::optional<Orbit> orbit;      ///< instead of position
+  std::optional<CameraFile> gltf;  ///< instead of position and target
+  bool placed = false;             ///< whether the scene says where it stands or what it looks at
+  bool hasAngle = false;           ///< whether the scene gives its field of view
+  bool hasLens = false;            ///< else all is sharp
   Lens lens;
   bool hasShutter = false;  ///< else each picture is of one moment
   Shutter shutter;
@@ -304,24 +298,5 @@ struct Override {
 
 /// Overrides as words of a command line: -D seed=7 -D 'render.size=[320,180]'. Empty for none.
 [[nodiscard]] std::string asArguments(std::span<const std::string> overrides);
-
-/// Reads and checks a scene; the file "-" is standard input, which stands in the current folder. It may
-/// name files below its own folder, `folders` and the asset folder. Throws UserError(usage) whose message
-/// holds *every* mistake, each as "file:line:column: error: text", the line, and a caret.
-[[nodiscard]] Scene loadScene(const std::filesystem::path& file, std::span<const Override> overrides,
-                              const Kinds& kinds, std::span<const std::filesystem::path> folders = {});
-/// The same from text; `file` names it in messages and locates assets.
-[[nodiscard]] Scene parseScene(std::string_view text, const std::filesystem::path& file,
-                               std::span<const Override> overrides, const Kinds& kinds,
-                               std::span<const std::filesystem::path> folders = {});
-
-/// The file that may lie beside a scene and hold its tests: flag.test.json for flag.json.
-[[nodiscard]] std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile);
-/// As loadScene, for testing: where the sidecar exists, its "test" and "checks" replace the scene's own,
-/// each as a whole; overrides come last. Its mistakes are reported with its own file:line:column. Frames of
-/// tests are held against the scene's length even when an override changes that length, which loadScene
-/// allows.
-[[nodiscard]] Scene loadTestScene(const std::filesystem::path& file, std::span<const Override> overrides,
-                                  const Kinds& kinds, std::span<const std::filesystem::path> folders = {});
 
 }  // namespace simreel::scene

@@ -85,12 +85,11 @@ void Material::describe(Fields& fields) {
   fields.number("translucency", translucency, fraction, "",
                 "Fraction of the light from behind that shines through.");
   fields.boolean("castsShadow", castsShadow, "Casts shadows in the light of sun and lamps.");
-  fields.optionalGroup("skin", hasSkin, "A live material grown from a field of the scene.",
-                       [&](Fields& inner) { skin.describe(inner); });
+  fields.optionalGroup("skin", skin, "A live material grown from a field of the scene.");
   finish.describe(fields);
   if (finish.used() && bump != 0)
     fields.error("bump", "\"bump\" is for a material without maps beside its texture; use a \"normalMap\"");
-  if (finish.used() && hasSkin)
+  if (finish.used() && skin)
     fields.error("skin", "a skin replaces what maps, coats and opacity are laid on; leave out one of both");
   if (std::max({color.x, color.y, color.z}) > 1)
     fields.idle(
@@ -104,7 +103,7 @@ void Material::describe(Fields& fields) {
   fields.idleUnless(mapped, "texture", {"textureScale"}, "a material with a \"texture\" or maps");
   fields.idleUnless(!texture.empty(), "texture", {"bump"},
                     "a material with a \"texture\", whose heights these are");
-  fields.idleUnless(!hasSkin, "skin", {"color", "texture", "textureScale", "bump", "roughness"},
+  fields.idleUnless(!skin, "skin", {"color", "texture", "textureScale", "bump", "roughness"},
                     "a material without a \"skin\", which has its own");
 }
 
@@ -154,10 +153,11 @@ void Render::describe(Fields& fields) {
       "tone", tone, {"aces", "agx", "filmic", "plain"},
       "Tone curve from light to the picture. aces: high contrast; agx: bright colours fade softly to "
       "white; filmic: a gentle shoulder; plain: no curve, light above white is cut off.");
-  fields.number("whiteBalance", whiteBalance, blackBodyRange, "K",
-                "Light of a black body so hot is shown as white.");
+  fields.onlyGiven("whiteBalance", whiteBalance, Animated<float>(6504.0F), [&](Animated<float>& kelvin) {
+    fields.number("whiteBalance", kelvin, blackBodyRange, "K",
+                  "Light of a black body so hot is shown as white.");
+  });
   fields.leftOut("whiteBalance", "none: light is shown as it is");
-  balanced = fields.given("whiteBalance");
   fields.boolean("transparent", transparent,
                  "Leaves out the background: pictures get an alpha channel (straight, not premultiplied) "
                  "and no sky; on a stage no ground, either.");

@@ -131,7 +131,7 @@ class Installed(Case):
             "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip", cwd=self.folder)
         (package,) = (self.folder / "package").glob("*.deb")
         depends = run("dpkg-deb", "-f", str(package), "Depends")
-        for library in ("libepoxy0", "libpng16", "libegl1", "libopengl0", "libgl1-mesa-dri"):
+        for library in ("libepoxy0", "libisal2", "libegl1", "libopengl0", "libgl1-mesa-dri"):
             self.assertIn(library, depends)
         run("dpkg-deb", "-x", str(package), str(self.root))
         self.assertEqual(run("dpkg-deb", "-f", str(package), "Architecture"), run("dpkg", "--print-architecture"))

@@ -3,7 +3,7 @@
 #include "base/file.hpp"
 #include "fuzz/reader.hpp"
 #include "fuzz/scratch.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,7 @@
 // -D: each line of the input changes one value of a scene that has something of everything.
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/world/list.hpp"
 

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 
 namespace simreel::fuzz {

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "gl/timestamp.hpp"
 #include "gpu/context.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 

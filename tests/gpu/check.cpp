@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "gpu/context.hpp"
 #include "measured.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 #include "draw/screen/renderer.hpp"
 #include "frame/file/run_info.hpp"
 #include "gpu/context.hpp"
+#include "scene/load.hpp"
 #include "sim/core/path.hpp"
 #include "sim/world/list.hpp"
 #include "source_folder.hpp"
@@ -309,8 +310,8 @@ TEST_CASE(
   const sim::Path* path = sim::pathOf(drawables, "hall");
   REQUIRE(path != nullptr);
   const double seconds = 40 / 20.0;
-  const sim::Stand before = sim::standOn(*path->points, scene.camera.follow, seconds - 0.3);
-  const sim::Stand now = sim::standOn(*path->points, scene.camera.follow, seconds);
+  const sim::Stand before = sim::standOn(*path->points, *scene.camera.follow, seconds - 0.3);
+  const sim::Stand now = sim::standOn(*path->points, *scene.camera.follow, seconds);
   REQUIRE(found.size() == 2);
   CHECK(glm::distance(found[0], before.target) < 0.01F);  // the way ahead bends a little at its end
   CHECK(glm::distance(found[1], before.eye) < 1e-3F);

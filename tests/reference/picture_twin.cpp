@@ -70,7 +70,7 @@ void layGround(Kernel& kernel, RasterTwinResult& seen) {
       }
 }
 
-/// As glsl/draw/exact/surface_uv.glsl.
+/// As glsl/draw/exact/surface/surface_uv.glsl.
 vec3 textureOn(Kernel& kernel, const TwinTexture& texture, const unsigned* corners, const vec3* places,
                vec3 weight, vec2 at) {
   const vec2 a = texture.uvs[corners[0]];

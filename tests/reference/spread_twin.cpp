@@ -207,7 +207,7 @@ void WildfireTwin::oneStep(const simreel::sim::WildfirePlan::Step& step, int thr
         const std::uint32_t incline = plan_.inclines().empty() ? evenGround : plan_.inclines()[i];
         const std::uint32_t gale = gales_.empty() ? 0 : gales_[i];
         bool caught = random >> 15U < model.catchChance(grid.neighbours(x, y), weight, incline, gale);
-        if (p.hasEmbers && (random & 255U) < weight) {
+        if (p.embers && (random & 255U) < weight) {
           const std::uint32_t group =
               static_cast<std::uint32_t>(y) * groups + static_cast<std::uint32_t>(x) / 16;
           const uvec3 flight = hash3(uvec3(group, step.data.step, step.data.seed ^ 0x5bd1e995U));

@@ -16,7 +16,7 @@ struct Case {
   double length = 0;   ///< m, from the pins down
 };
 
-/// SPEC 1's springs, a fabric, a strip of triangles, each 1 m long and half as wide. `spacing`: m.
+/// A grid of springs, a fabric, a strip of triangles, each 1 m long and half as wide. `spacing`: m.
 [[nodiscard]] Case springs(double degrees, double spacing);
 [[nodiscard]] Case fabric(double degrees, double spacing);
 [[nodiscard]] Case strip(double degrees, double spacing);

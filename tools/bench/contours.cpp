@@ -1,5 +1,5 @@
 // Floor and walls of a cave by marching squares, every frame anew: milliseconds on the device, and of how
-// much memory at which rate. The cave is that of SPEC 7: noise, five times smoothed. One size a process:
+// much memory at which rate. The cave is noise, five times smoothed. One size a process:
 // bench_contours [SIDE [FRAMES]].
 #include "gl/context.hpp"
 #include "gl/texture.hpp"

@@ -239,7 +239,7 @@ Subject deform() {
           frames(device, sim::StepWatch{})};
 }
 
-/// The map of SPEC 7: what is made of it each time, all of it.
+/// A cave's map, from noise to walls: all of it each time.
 Subject walls() {
   constexpr int side = 1024;
   sim::CaveParameters p;

@@ -8,6 +8,7 @@
 #include "beside/subject.hpp"
 #include "gl/context.hpp"
 #include "reference/swing.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"

@@ -1,4 +1,4 @@
-// Kermack and McKendrick's model as an automaton (SPEC 6). Compiles as GLSL and, inside a struct that has `stepData`
+// Kermack and McKendrick's model as an automaton. Compiles as GLSL and, inside a struct that has `stepData`
 // (EpidemicStep), as C++.
 
 // A susceptible cell meets eight others drawn from the whole grid, each infected with probability infected / people:

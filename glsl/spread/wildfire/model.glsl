@@ -1,4 +1,4 @@
-// A fire that walks from cell to neighbouring cell (SPEC 6). Compiles as GLSL and, inside a struct that has `stepData`
+// A fire that walks from cell to neighbouring cell. Compiles as GLSL and, inside a struct that has `stepData`
 // (WildfireStep) and climbFactor(int), as C++. gale.glsl comes before it.
 
 // The chance t that a neighbour lights a cell, times e^(slope * tangent) of the ground's rise on the way from it, at

@@ -8,6 +8,7 @@
 #include "frame/file/output_name.hpp"
 #include "frame/frames_spec.hpp"
 #include "scene/as_run.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 
 #include <algorithm>

@@ -10,6 +10,7 @@
 #include "frame/sink/open_sink.hpp"
 #include "gl/machine.hpp"
 #include "scene/as_run.hpp"
+#include "scene/load.hpp"
 #include "sim/core/numerics.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/survey.hpp"

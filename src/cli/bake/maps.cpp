@@ -54,10 +54,9 @@ void wearOwnField(const MapsOptions& o, scene::Scene& scene) {
     if (!sim::parametersOf<sim::ObjectParameters>(object).isField()) continue;
     fields.push_back(object.name);
     if (!o.object.empty() && o.object != object.name) continue;
-    object.material.hasSkin = true;
-    object.material.skin = scene::Skin();
-    object.material.skin.field = object.name;
-    object.material.skin.look = static_cast<scene::Skin::Look>(look - looks.begin());
+    object.material.skin.emplace();
+    object.material.skin->field = object.name;
+    object.material.skin->look = static_cast<scene::Skin::Look>(look - looks.begin());
   }
   if (fields.empty()) fail(ExitCode::usage, "--look: the scene has no field");
   if (!o.object.empty() && std::find(fields.begin(), fields.end(), o.object) == fields.end())
@@ -70,8 +69,8 @@ std::vector<const scene::Object*> bakedSkins(const MapsOptions& o, const scene::
   std::vector<const scene::Object*> found;
   std::vector<std::string> names;
   for (const scene::Object& object : scene.objects) {
-    if (!object.material.hasSkin) continue;
-    if (!o.look.empty() && object.material.skin.field != object.name) continue;
+    if (!object.material.skin) continue;
+    if (!o.look.empty() && object.material.skin->field != object.name) continue;
     names.push_back(object.name);
     if (o.object.empty() || o.object == object.name) found.push_back(&object);
   }
@@ -97,7 +96,7 @@ void refuseExisting(const MapsOptions& o, const std::vector<const scene::Object*
   if (o.overwrite) return;
   for (const int frame : frames)
     for (const scene::Object* object : objects)
-      for (const std::string& map : frame::mapNames(glowOf(object->material.skin)))
+      for (const std::string& map : frame::mapNames(glowOf(*object->material.skin)))
         if (const fs::path file = fileOf(o, *object, frame, map); pathExists(file))
           fail(ExitCode::inputOutput, "{} exists; use --overwrite to replace it", file.string());
 }
@@ -119,7 +118,7 @@ class MapWriter {
 
  private:
   void write(const sim::World& world, const scene::Object& object) {
-    const scene::Skin& skin = object.material.skin;
+    const scene::Skin& skin = *object.material.skin;
     const draw::SkinTextures::Entry* entry = skins_.find(skin);
     if (entry == nullptr)
       fail(ExitCode::usage, "frame {}: \"{}\" shows no field to grow the skin of \"{}\" from",

@@ -10,6 +10,7 @@
 #include "frame/draw_world.hpp"
 #include "frame/summaries.hpp"
 #include "gl/context.hpp"
+#include "scene/load.hpp"
 #include "scene/texts/schema_text.hpp"
 #include "sim/core/numerics.hpp"
 #include "sim/world/list.hpp"

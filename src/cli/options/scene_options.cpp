@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "cli/options/shipped_scene.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 
 #include <CLI/CLI.hpp>

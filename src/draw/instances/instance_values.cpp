@@ -2,7 +2,7 @@
 
 #include "base/log.hpp"
 #include "draw/draw_state.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <algorithm>
 #include <span>

@@ -31,7 +31,8 @@ class VisibleList {
   /// list, number visible, 0.
   [[nodiscard]] const gl::Buffer& arguments() const { return arguments_.buffer; }
   static constexpr int argumentBytes = 32;
-  /// For instances.vert; the arguments for the indirect draw too.
+  /// For a program that draws instances (draw/instances/instance.glsl); the arguments for the indirect draw
+  /// too.
   void bind() const;
 
  private:

@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "gl/context.hpp"
 #include "gl/limits.hpp"
-#include "sim/cloth/sheet_mesh.hpp"
+#include "sim/grid/sheet_mesh.hpp"
 
 #include <algorithm>
 

@@ -19,10 +19,10 @@ namespace {
 /// Nothing where it follows a path that is not there.
 std::optional<glm::vec3> placeOf(const scene::Light& light, double seconds,
                                  const sim::Drawables& drawables) {
-  if (!light.follows) return light.position.at(seconds);
-  const sim::Path* path = sim::pathOf(drawables, light.follow.object);
+  if (!light.follow) return light.position.at(seconds);
+  const sim::Path* path = sim::pathOf(drawables, light.follow->object);
   if (path == nullptr) return std::nullopt;
-  return sim::standingBy(*path->points, light.follow, seconds).position;
+  return sim::standingBy(*path->points, *light.follow, seconds).position;
 }
 
 /// Where the six maps of number i lie, and how they are read.
@@ -127,7 +127,7 @@ std::vector<shader::Lamp> lampValues(const LampOrder& order, int seed, double se
   for (std::size_t i = 0; i < order.lights.size(); ++i) {
     const scene::Light& light = *order.lights[i];
     const Flickered unrest =
-        light.hasFlicker ? flickered(light.flicker, light.name, seed, seconds) : Flickered{};
+        light.flicker ? flickered(*light.flicker, light.name, seed, seconds) : Flickered{};
     const float radius = light.radius.at(seconds);
     const std::optional<glm::vec3> place = placeOf(light, seconds, drawables);
     const float candela = place ? candelas(light, seconds) * unrest.factor : 0.0F;

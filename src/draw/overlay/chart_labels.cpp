@@ -2,7 +2,7 @@
 
 #include "base/file.hpp"
 #include "draw/overlay/chart_pass.hpp"
-#include "sim/text/layout.hpp"
+#include "sim/text/letters/layout.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "sim/core/drawable.hpp"
-#include "sim/text/font.hpp"
+#include "sim/text/letters/font.hpp"
 
 #include <map>
 #include <memory>

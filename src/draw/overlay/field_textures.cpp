@@ -10,7 +10,7 @@ namespace simreel::draw {
 FieldTextures::FieldTextures(const scene::Scene& scene, Rasterizer rasterizer)
     : exact_(rasterizer == Rasterizer::exact) {
   for (const scene::Object& object : scene.objects)
-    if (object.material.hasSkin) wanted_.insert(object.material.skin.field);
+    if (object.material.skin) wanted_.insert(object.material.skin->field);
   // Four texels a pixel of the picture's longer side: a skin may be looked at closely.
   const glm::ivec2 picture = scene.render.size;
   const auto fine = std::bit_ceil(static_cast<unsigned>(4 * std::max({picture.x, picture.y, 1})));

@@ -28,16 +28,16 @@ gl::Texture emptyTexture(const std::string& label, GLenum format, int width, int
 
 SkinTextures::SkinTextures(const scene::Scene& scene) : scene_(scene) {
   for (const scene::Object& object : scene.objects) {
-    if (!object.material.hasSkin) continue;
+    if (!object.material.skin) continue;
     kernel(reliefPath, false);
-    if (object.material.skin.look == scene::Skin::Look::map) kernel(colorsPath, false);
+    if (object.material.skin->look == scene::Skin::Look::map) kernel(colorsPath, false);
   }
 }
 
 void SkinTextures::update(const FieldTextures& fields) {
   for (const scene::Object& object : scene_.objects) {
-    if (!object.material.hasSkin) continue;
-    const scene::Skin& skin = object.material.skin;
+    if (!object.material.skin) continue;
+    const scene::Skin& skin = *object.material.skin;
     if (const FieldTextures::Entry* field = fields.find(skin.field)) update(skin, *field);
   }
 }

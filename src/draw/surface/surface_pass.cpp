@@ -36,7 +36,7 @@ unsigned features(const scene::Material& material) {
 }
 
 unsigned skinFeatures(const scene::Material& material, bool hasUvs) {
-  const scene::Skin& skin = material.skin;
+  const scene::Skin& skin = *material.skin;
   scene::Material skinned = material;
   skinned.texture.clear();
   skinned.roughness = lookOf(skin).roughness;
@@ -61,7 +61,7 @@ SurfacePass::SurfacePass(const scene::Scene& scene, const ShadowPass& shadow, co
     textures_.load(object.material.texture);
     // Whether a simulation publishes a grid or a solid mesh is not known yet; both are common.
     const unsigned wanted =
-        object.material.hasSkin ? skinFeatures(object.material, true) : features(object.material);
+        object.material.skin ? skinFeatures(object.material, true) : features(object.material);
     program(wanted | grid | doubleSided);
     program(wanted);
   }
@@ -92,7 +92,7 @@ void SurfacePass::draw(const sim::Drawables& drawables, const SkinTextures& skin
 void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
   const scene::Material& material = *surface.material;
   const bool isGrid = surface.normals == nullptr;
-  const SkinTextures::Entry* skin = material.hasSkin ? skins.find(material.skin) : nullptr;
+  const SkinTextures::Entry* skin = material.skin ? skins.find(*material.skin) : nullptr;
   const unsigned look =
       skin == nullptr ? features(material) : skinFeatures(material, isGrid || surface.uvs != nullptr);
   const bool hasUvs = isGrid || surface.uvs != nullptr;
@@ -116,7 +116,7 @@ void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
     if (surface.uvs != nullptr) surface.uvs->bind(uvUnit);
   }
   if (skin != nullptr)
-    setSkin(*skin, material.skin, shader);
+    setSkin(*skin, *material.skin, shader);
   else
     setPlain(material, isGrid, shader);
   shader.use();

@@ -1,12 +1,10 @@
 #include "frame/file/map_pictures.hpp"
 
-#include "base/error.hpp"
 #include "base/srgb.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <png.h>
 
 namespace simreel::frame {
 
@@ -38,25 +36,16 @@ float brightest(const glm::vec3& light) {
   return std::max({light.x, light.y, light.z});
 }
 
-/// 16 bits a pixel, grey, linear: libpng's simplified interface.
+/// 16 bits a pixel, grey, linear.
 std::vector<std::byte> heightPicture(const draw::SkinMaps& maps, const ImageText& text) {
-  std::vector<std::uint16_t> heights;
-  heights.reserve(maps.relief.size());
-  for (const glm::vec4& texel : maps.relief)
-    heights.push_back(static_cast<std::uint16_t>(std::lround(65535.0F * std::clamp(texel.w, 0.0F, 1.0F))));
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(maps.size.x);
-  image.height = static_cast<png_uint_32>(maps.size.y);
-  image.format = PNG_FORMAT_LINEAR_Y;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
-  std::vector<std::byte> png(size);
-  if (png_image_write_to_memory(&image, png.data(), &size, 0, heights.data(), 0, nullptr) == 0)
-    fail(ExitCode::inputOutput, "cannot encode a {}x{} height map: {}", maps.size.x, maps.size.y,
-         image.message);
-  png.resize(size);
-  addText(png, text);
-  return png;
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(2 * maps.relief.size());
+  for (const glm::vec4& texel : maps.relief) {
+    const long height = std::lround(65535.0F * std::clamp(texel.w, 0.0F, 1.0F));
+    bytes.push_back(static_cast<std::uint8_t>(height >> 8));
+    bytes.push_back(static_cast<std::uint8_t>(height & 0xff));
+  }
+  return encodePng({maps.size, 1, 16, bytes, true}, text);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "frame/file/picture_origin.hpp"
 
+#include "base/png.hpp"
 #include "frame/png_text.hpp"
 #include "scene/scene.hpp"
 
@@ -22,18 +23,16 @@ struct PictureHeader {
   std::map<std::string, std::string> texts;
 };
 
-std::uint32_t headerWord(std::string_view bytes, std::size_t at, bool bigEndian) {
+/// Four bytes, the lowest first.
+std::uint32_t headerWord(std::string_view bytes, std::size_t at) {
   std::uint32_t word = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    word = word << 8U | static_cast<unsigned char>(bytes[at + (bigEndian ? i : 3 - i)]);
+  for (std::size_t i = 4; i-- > 0;) word = word << 8U | static_cast<unsigned char>(bytes[at + i]);
   return word;
 }
 
 PictureHeader headerOfPng(std::span<const std::byte> file, std::string_view bytes) {
   PictureHeader header;
-  constexpr std::size_t widthAt = 16, heightAt = 20, end = 24;
-  if (bytes.size() >= end)
-    header.size = glm::ivec2(headerWord(bytes, widthAt, true), headerWord(bytes, heightAt, true));
+  if (const auto said = pngHeaderOf(bytes)) header.size = glm::ivec2(said->width, said->height);
   for (auto& [keyword, text] : readPngText(file)) header.texts[keyword] = std::move(text);
   return header;
 }
@@ -55,12 +54,12 @@ PictureHeader headerOfExr(std::string_view bytes) {
     if (!name || name->empty()) return header;
     const auto type = word();
     if (!type || bytes.size() < 4) return header;
-    const std::size_t size = headerWord(bytes, 0, false);
+    const std::size_t size = headerWord(bytes, 0);
     bytes.remove_prefix(4);
     if (size > bytes.size()) return header;
     const std::string_view value = bytes.substr(0, size);
     if (*type == "string") header.texts[*name] = value;
-    const auto side = [&](std::size_t i) { return static_cast<int>(headerWord(value, 4 * i, false)); };
+    const auto side = [&](std::size_t i) { return static_cast<int>(headerWord(value, 4 * i)); };
     if (*name == "dataWindow" && size == box)
       header.size = glm::ivec2(side(2), side(3)) - glm::ivec2(side(0), side(1)) + 1;
     bytes.remove_prefix(size);

@@ -5,6 +5,7 @@
 #include "base/file.hpp"
 #include "base/hash.hpp"
 #include "base/log.hpp"
+#include "base/png.hpp"
 #include "base/processor.hpp"
 #include "base/version.hpp"
 #include "frame/exr.hpp"
@@ -214,8 +215,9 @@ class SequenceSink final : public FrameSink {
         kept.damaged = true;
         return kept;
       }
-      constexpr std::size_t bitsInHeader = 24;  // of a PNG; decodeImage() reads 8 of deeper ones
-      if (!origin.told || !origin.difference.empty() || output_.isLight() || bytes[bitsInHeader] != 8 ||
+      const auto header = pngHeaderOf(bytes);
+      const bool deep = !header || header->depth != 8;  // of which decodeImage() reads 8 bits
+      if (!origin.told || !origin.difference.empty() || output_.isLight() || deep ||
           origin.driver != (manifest_.run.exact() ? std::string() : manifest_.run.driver)) {
         if (origin.difference.empty()) checkWhole(bytes, path);
         return kept;

@@ -4,8 +4,9 @@
 #include "base/file.hpp"
 #include "base/hash.hpp"
 #include "base/strict_json.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
-#include "sim/mesh/gltf_document.hpp"
+#include "sim/mesh/file/gltf_document.hpp"
 
 #include <algorithm>
 #include <string_view>

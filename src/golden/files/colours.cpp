@@ -1,6 +1,7 @@
 #include "golden/files/colours.hpp"
 
 #include "base/hash.hpp"
+#include "base/png.hpp"
 #include "base/text.hpp"
 
 #include <cstddef>
@@ -32,12 +33,11 @@ std::string profileWords(std::string_view name, std::string_view bytes) {
 
 /// PNG specification, 11.3.2: cICP goes before iCCP, that before sRGB, that before gAMA and cHRM.
 Words ofPng(std::string_view bytes) {
-  constexpr std::size_t signature = 8, header = 8, checksum = 4;
   std::string cicp, profile, gamma, primaries;
   bool srgb = false;
-  for (std::size_t at = signature; at + header <= bytes.size();) {
-    const std::size_t length = number(bytes, at, 4);
-    const std::string_view type = bytes.substr(at + 4, 4), data = bytes.substr(at + header, length);
+  std::string_view rest = pngChunks(bytes).value_or("");
+  while (const auto chunk = takePngChunk(rest)) {
+    const auto [type, data, whole] = *chunk;
     if (type == "IDAT") break;
     if (type == "cICP") cicp = fmt::format("the colour space {:02x}", fmt::join(data, ""));
     if (type == "iCCP") profile = profileWords(data.substr(0, data.find('\0')), data);
@@ -47,7 +47,6 @@ Words ofPng(std::string_view bytes) {
       gamma = fmt::format("gamma {:g}", number(data, 0, 4) / 1e5);
     if (type == "cHRM" && (number(data, 0, 4) != 31270 || number(data, 8, 4) != 64000))
       primaries = fmt::format("primaries of their own ({})", hashHex(data).substr(0, 8));
-    at += header + length + checksum;
   }
   if (!cicp.empty()) return {cicp};
   if (!profile.empty()) return {profile};

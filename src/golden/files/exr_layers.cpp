@@ -4,11 +4,11 @@
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/text.hpp"
+#include "sim/light/exr_stream.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfPartType.h>
@@ -32,25 +32,6 @@ namespace {
 
 constexpr double mostValues = 5e8;
 constexpr double mostOfOneByte = 65536;  ///< values: what no compression of OpenEXR's comes near
-
-class ByteStream final : public Imf::IStream {
- public:
-  explicit ByteStream(std::string_view bytes) : IStream("picture"), bytes_(bytes) {}
-  bool read(char to[], int count) override {
-    const auto wanted = static_cast<std::size_t>(std::max(count, 0));
-    if (at_ > bytes_.size() || wanted > bytes_.size() - at_) throw std::runtime_error("unexpected end");
-    std::memcpy(to, bytes_.data() + at_, wanted);
-    at_ += wanted;
-    return at_ < bytes_.size();
-  }
-  std::uint64_t tellg() override { return at_; }
-  void seekg(std::uint64_t position) override { at_ = position; }
-  void clear() override {}
-
- private:
-  std::string_view bytes_;
-  std::size_t at_ = 0;
-};
 
 std::string hashOf(const std::vector<std::uint32_t>& values) {
   return hashHex(std::as_bytes(std::span(values)));
@@ -189,7 +170,7 @@ double PictureLayer::apart(const PictureLayer& other, std::size_t pixel) const {
 }
 
 std::vector<PictureLayer> readExrLayers(std::string_view bytes, const std::string& label) {
-  ByteStream stream(bytes);
+  sim::ExrStream stream(bytes);
   std::vector<PictureLayer> layers;
   try {
     Imf::MultiPartInputFile file(stream);

@@ -3,10 +3,13 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
+#include "base/png.hpp"
 #include "base/srgb.hpp"
+#include "base/text.hpp"
 #include "golden/files/colours.hpp"
 #include "golden/files/damage.hpp"
 #include "golden/files/png_check.hpp"
+#include "sim/grid/stb_picture.hpp"
 #include "sim/light/light_file.hpp"
 
 #include <algorithm>
@@ -130,7 +133,33 @@ auto advised(const char* what, const Read& read) {
   }
 }
 
-/// Of 8 bits a channel.
+/// A PNG of 16 bits a channel.
+Picture decodeDeep(std::string_view bytes, const std::string& label) {
+  const auto refuse = [&](const std::string& why) {
+    fail(ExitCode::inputOutput, "{} cannot be decoded ({})", label, oneLine(why));
+  };
+  if (bytes.size() > std::size_t{1} << 30) refuse("larger than 1 GiB");
+  const auto size = sim::stbSize(bytes);
+  if (!size) refuse(sim::stbReason());
+  if (size->x < 1 || size->y < 1) refuse("no width or no height");
+  const std::size_t pixels = std::size_t(size->x) * std::size_t(size->y);
+  if (pixels > mostPicturePixels)
+    refuse(
+        fmt::format("{}x{}, more than {} million pixels", size->x, size->y, mostPicturePixels / 1'000'000));
+  // deflate makes at most 1032 bytes of one; a pixel has at least two.
+  if (static_cast<double>(pixels) * 2 > static_cast<double>(bytes.size()) * 1032)
+    refuse(fmt::format("{}x{} pixels do not fit in its {} bytes", size->x, size->y, bytes.size()));
+  const auto values = sim::stbDecode<std::uint16_t>(bytes, *size);
+  if (!values) refuse(sim::stbReason());
+  Picture picture{{size->x, size->y, {}}, Depth::unorm16, {}, {}, {}};
+  picture.values.assign(values->begin(), values->end());
+  picture.image.bytes.resize(4 * pixels);
+  for (std::size_t i = 0; i < 4 * pixels; ++i)
+    picture.image.bytes[i] = static_cast<std::uint8_t>(((*values)[i] + 128U) / 257U);
+  return picture;
+}
+
+/// A picture of 8 bits a channel.
 Picture decodeShallow(std::string_view bytes, const std::string& label, const std::string& name) {
   try {
     return {frame::decodeImage(std::as_bytes(std::span(bytes)), name), Depth::unorm8, {}, {}, {}};
@@ -158,8 +187,7 @@ void check(std::string_view bytes, const char* what, const std::string& name) {
         refuse(fmt::format("is cut off after {} bytes; {}", bytes.size(), restoreIt));
       return;
     case Kind::other: {
-      const std::string_view signature = "\x89PNG\r\n\x1a\n";
-      if (signature.starts_with(bytes))
+      if (pngSignature.starts_with(bytes))
         refuse(fmt::format("is cut off after {} bytes; {}", bytes.size(), restoreIt));
       const std::string foreign = foreignKind(bytes);
       refuse(fmt::format("is {}; convert it to PNG, JPEG, HDR or EXR",
@@ -204,8 +232,7 @@ Picture decode(std::string_view bytes, const char* what, const std::string& name
     return picture;
   }
   if (kind == Kind::radiance) return ofLight(sim::decodeRadiance(bytes, labelOf(what, name), restoreIt));
-  constexpr std::size_t bitsInHeader = 24;  // of IHDR, which checkPng has seen
-  if (kind == Kind::png && bytes[bitsInHeader] == 16) return decodeDeepPng(bytes, labelOf(what, name));
+  if (kind == Kind::png && pngHeaderOf(bytes)->depth == 16) return decodeDeep(bytes, labelOf(what, name));
   return decodeShallow(bytes, labelOf(what, name), name);
 }
 

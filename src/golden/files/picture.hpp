@@ -65,7 +65,4 @@ void checkPicture(std::string_view bytes, const char* what, const std::string& n
 /// The picture at the top left of a larger one, the rest transparent black.
 [[nodiscard]] Picture padded(const Picture& picture, int width, int height);
 
-/// PNG of 16 bits. Throws UserError(inputOutput) with `label` ("baseline a.png") first.
-[[nodiscard]] Picture decodeDeepPng(std::string_view bytes, const std::string& label);
-
 }  // namespace simreel::golden

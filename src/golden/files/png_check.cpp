@@ -1,6 +1,7 @@
 #include "golden/files/png_check.hpp"
 
 #include "base/error.hpp"
+#include "base/png.hpp"
 #include "golden/files/damage.hpp"
 #include "golden/files/picture.hpp"
 
@@ -11,55 +12,22 @@
 #include <string_view>
 #include <utility>
 
-#include <isa-l/crc.h>
-
 namespace simreel::golden {
 
 namespace {
-
-constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
-constexpr std::size_t frameOfChunk = 12;  // length, type, checksum
-
-std::uint32_t bigEndian(const char* bytes) {
-  std::uint32_t value = 0;
-  for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
-  return value;
-}
 
 std::string_view textOf(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-struct Chunk {
-  std::string_view type;
-  std::string_view data;
-  std::string_view whole;  ///< with length and checksum
-};
-
-/// The chunk at the beginning of `rest`, which is moved past it; nothing when it is cut off.
-std::optional<Chunk> takeChunk(std::string_view& rest) {
-  if (rest.size() < frameOfChunk) return std::nullopt;
-  const std::size_t length = bigEndian(rest.data());
-  if (length > rest.size() - frameOfChunk) return std::nullopt;
-  const Chunk chunk{rest.substr(4, 4), rest.substr(8, length), rest.substr(0, length + frameOfChunk)};
-  rest.remove_prefix(chunk.whole.size());
-  return chunk;
-}
-
-bool checksumHolds(const Chunk& chunk) {
-  const std::string_view covered = chunk.whole.substr(4, chunk.data.size() + 4);
-  const auto* bytes = reinterpret_cast<const unsigned char*>(covered.data());
-  return crc32_gzip_refl(0, bytes, covered.size()) == bigEndian(chunk.whole.data() + covered.size() + 4);
-}
-
-bool isText(const Chunk& chunk) {
+bool isText(const PngChunk& chunk) {
   constexpr std::array<std::string_view, 4> types = {"tEXt", "zTXt", "iTXt", "tIME"};
   return std::find(types.begin(), types.end(), chunk.type) != types.end();
 }
 
 /// What is wrong with the header's pixel format; empty when nothing is (PNG specification 11.2.2).
 std::string formatProblem(std::string_view header) {
-  const int depth = static_cast<unsigned char>(header[8]), colour = static_cast<unsigned char>(header[9]);
+  const auto [width, height, depth, colour, plain] = readPngHeader(header);
   constexpr std::array<std::uint32_t, 7> depths = {
       1 | 2 | 4 | 8 | 16, 0, 8 | 16, 1 | 2 | 4 | 8, 8 | 16, 0, 8 | 16};
   const bool known = colour < static_cast<int>(depths.size()) && (depth & (depth - 1)) == 0 &&
@@ -73,19 +41,20 @@ std::string problem(std::string_view file) {
   if (std::string other = standsForAnother(file); !other.empty()) return other;
   if (file.empty()) return fmt::format("is empty; {}", restoreIt);
   // A file that ends inside the signature was a PNG, as far as one can tell.
-  if (file.substr(0, signature.size()) != signature.substr(0, std::min(file.size(), signature.size())))
+  if (file.substr(0, pngSignature.size()) !=
+      pngSignature.substr(0, std::min(file.size(), pngSignature.size())))
     return "is not a PNG file; convert it to PNG";
   std::string cutOff = fmt::format("is cut off after {} bytes; {}", file.size(), restoreIt);
-  if (file.size() < signature.size()) return cutOff;
-  std::string_view rest = file.substr(signature.size());
+  if (file.size() < pngSignature.size()) return cutOff;
+  std::string_view rest = file.substr(pngSignature.size());
   bool first = true, pixels = false;
   while (!rest.empty()) {
     const std::size_t at = file.size() - rest.size();
-    const auto chunk = takeChunk(rest);
+    const auto chunk = takePngChunk(rest);
     if (!chunk) return cutOff;
-    if (!checksumHolds(*chunk))
+    if (!chunk->checksumHolds())
       return fmt::format("is corrupt (wrong checksum of the chunk at byte {}); {}", at, restoreIt);
-    if (first != (chunk->type == "IHDR") || (first && chunk->data.size() != 13))
+    if (first != (chunk->type == "IHDR") || (first && chunk->data.size() != PngHeader::size))
       return fmt::format("is corrupt (no header, or two, at byte {}); {}", at, restoreIt);
     if (first)
       if (auto wrong = formatProblem(chunk->data); !wrong.empty()) return wrong;
@@ -100,9 +69,9 @@ std::string problem(std::string_view file) {
 }
 
 /// The next chunk that matters to pixels, or nothing where the file is cut off.
-std::optional<Chunk> nextPixelChunk(std::string_view& rest) {
-  auto chunk = takeChunk(rest);
-  while (chunk && isText(*chunk)) chunk = takeChunk(rest);
+std::optional<PngChunk> nextPixelChunk(std::string_view& rest) {
+  auto chunk = takePngChunk(rest);
+  while (chunk && isText(*chunk)) chunk = takePngChunk(rest);
   return chunk;
 }
 
@@ -125,20 +94,16 @@ frame::Image readPng(const std::filesystem::path& path, const char* what) {
 }
 
 std::optional<std::pair<int, int>> sizeOfPng(std::span<const std::byte> file) {
-  const std::string_view bytes = textOf(file);
-  constexpr std::size_t widthAt = 16, heightAt = 20, end = 24;
-  if (!bytes.starts_with(signature) || bytes.size() < end) return std::nullopt;
-  return std::pair(static_cast<int>(bigEndian(bytes.data() + widthAt)),
-                   static_cast<int>(bigEndian(bytes.data() + heightAt)));
+  const auto header = pngHeaderOf(textOf(file));
+  if (!header) return std::nullopt;
+  return std::pair(static_cast<int>(header->width), static_cast<int>(header->height));
 }
 
 bool sameEncodedPixels(std::span<const std::byte> a, std::span<const std::byte> b) {
-  std::string_view restA = textOf(a), restB = textOf(b);
-  if (!restA.starts_with(signature) || !restB.starts_with(signature)) return false;
-  restA.remove_prefix(signature.size());
-  restB.remove_prefix(signature.size());
+  auto restA = pngChunks(textOf(a)), restB = pngChunks(textOf(b));
+  if (!restA || !restB) return false;
   while (true) {
-    const auto chunkA = nextPixelChunk(restA), chunkB = nextPixelChunk(restB);
+    const auto chunkA = nextPixelChunk(*restA), chunkB = nextPixelChunk(*restB);
     if (!chunkA || !chunkB || chunkA->whole != chunkB->whole) return false;
     if (chunkA->type == "IEND") return true;
   }

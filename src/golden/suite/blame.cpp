@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "scene/json/json_node.hpp"
 #include "scene/json/member_line.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include "golden/trace/stream.hpp"
 #include "golden/trace/trace.hpp"
 #include "scene/json/words.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/survey.hpp"
 

@@ -160,7 +160,7 @@ Json standardOf(Describe describe) {
 
 std::map<std::string, std::string> sectionOrigins(const Scene& scene) {
   std::map<std::string, std::string> origins;
-  if (!scene.camera.filed)
+  if (!scene.camera.gltf)
     origins["camera"] = scene.surveyed ? "placed to show all motion" : "placed to show all objects";
   if (!scene.staged) return origins;
   for (const char* name : {"sun", "sky", "ground", "lights"}) origins[name] = "stage";

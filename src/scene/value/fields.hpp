@@ -170,6 +170,26 @@ class Fields {
                      const std::function<void(Fields&)>& describe) {
     section(name, &present, doc, describe);
   }
+  template <class Group, class Describe>
+  void optionalGroup(const char* name, std::optional<Group>& group, const char* doc,
+                     const Describe& describe) {
+    bool present = group.has_value();
+    if (!present) group.emplace();
+    section(name, &present, doc, [&](Fields& inner) { describe(inner, *group); });
+    if (!present) group.reset();
+  }
+  template <class Group>
+  void optionalGroup(const char* name, std::optional<Group>& group, const char* doc) {
+    optionalGroup(name, group, doc, [](Fields& inner, Group& value) { value.describe(inner); });
+  }
+  /// A value that there is only where it is given; help shows `shown` for it.
+  template <class Value, class Declare>
+  void onlyGiven(const char* name, std::optional<Value>& value, const Value& shown,
+                 const Declare& declare) {
+    Value read = value.value_or(shown);
+    declare(read);
+    value = given(name) ? std::optional(std::move(read)) : std::nullopt;
+  }
   template <class Enum>
   void choice(const char* name, Enum& value, const std::vector<const char*>& words, const char* doc) {
     int index = static_cast<int>(value);

@@ -9,6 +9,7 @@
 #include "golden/baseline/profile.hpp"
 #include "golden/baseline/tolerance.hpp"
 #include "golden/compare/difference_image.hpp"
+#include "scene/load.hpp"
 #include "serve/beside/verdict_words.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/survey.hpp"

@@ -154,7 +154,7 @@ std::vector<scene::Override> cameraChanges(const Stage& stage, const Placed& pla
   std::string height = fmt::format("{}", shown.camera.height.at(seconds));
   if (asked) height = scene::shortest(static_cast<float>(*asked)).dump();
   if (!isPlain(camera)) {
-    if (shown.camera.filed && !flat && !shown.camera.hasAngle)
+    if (shown.camera.gltf && !flat && !shown.camera.hasAngle)
       camera["fieldOfView"] = parseStrictJson(angle);
     if (flat) camera["projection"] = "orthographic";
     if (flat) camera["height"] = parseStrictJson(height);

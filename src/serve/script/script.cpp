@@ -1,6 +1,7 @@
 #include "serve/script/script.hpp"
 
 #include "scene/as_run.hpp"
+#include "scene/load.hpp"
 #include "serve/script/changes.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/world/list.hpp"
@@ -120,9 +121,9 @@ bool drawsFieldsAlone(const scene::Scene& scene) {
 /// Groups that may come with a member of theirs, without anything else that depends on their being there.
 bool addsGroup(const Script& before, const Script& after) {
   return before.scene.staged != after.scene.staged || before.scene.hasGround != after.scene.hasGround ||
-         before.scene.camera.follows != after.scene.camera.follows ||
-         before.scene.camera.tracks != after.scene.camera.tracks ||
-         before.scene.camera.filed != after.scene.camera.filed ||
+         before.scene.camera.follow.has_value() != after.scene.camera.follow.has_value() ||
+         before.scene.camera.track.has_value() != after.scene.camera.track.has_value() ||
+         before.scene.camera.gltf.has_value() != after.scene.camera.gltf.has_value() ||
          before.scene.camera.projection != after.scene.camera.projection ||
          before.scene.camera.hasLens != after.scene.camera.hasLens ||
          before.scene.camera.hasShutter != after.scene.camera.hasShutter;
@@ -133,7 +134,8 @@ bool addsGroup(const Script& before, const Script& after) {
 auto standing(const scene::Scene& scene) {
   const scene::Camera& camera = scene.camera;
   const scene::Ground& ground = scene.ground;
-  return std::tuple(camera.position.at(0), camera.target.at(0), camera.orbit.distance.at(0),
+  return std::tuple(camera.position.at(0), camera.target.at(0),
+                    (camera.orbit ? *camera.orbit : scene::Orbit()).distance.at(0),
                     camera.fieldOfView.at(0), camera.height.at(0), camera.near, camera.far,
                     scene.sun.direction.at(0), scene.sun.color.at(0), scene.sun.intensity.at(0),
                     scene.sky.zenith.at(0), scene.sky.horizon.at(0), scene.sky.ground.at(0),

@@ -4,7 +4,7 @@
 #include "base/file.hpp"
 #include "base/packed.hpp"
 #include "scene/json/words.hpp"
-#include "sim/mesh/builder.hpp"
+#include "sim/mesh/file/builder.hpp"
 
 namespace simreel::sim {
 

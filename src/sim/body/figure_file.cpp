@@ -1,8 +1,8 @@
 #include "sim/body/figure.hpp"
-#include "sim/mesh/builder.hpp"
-#include "sim/mesh/gltf_materials.hpp"
-#include "sim/mesh/gltf_parts.hpp"
-#include "sim/mesh/texture_place.hpp"
+#include "sim/mesh/file/builder.hpp"
+#include "sim/mesh/file/gltf_materials.hpp"
+#include "sim/mesh/file/gltf_parts.hpp"
+#include "sim/mesh/file/texture_place.hpp"
 #include "sim/nodes/gltf_nodes.hpp"
 
 #include <algorithm>

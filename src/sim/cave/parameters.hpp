@@ -12,7 +12,7 @@
 
 namespace simreel::sim {
 
-/// A cave by a cellular automaton (SPEC 7) as a scene says it.
+/// A cave by a cellular automaton as a scene says it.
 struct CaveParameters final : ObjectParameters, FieldParts {
   glm::ivec2 size{96, 60};  ///< cells
   double fill = 0.45;       ///< probability that a cell is rock at first

@@ -7,7 +7,6 @@
 #include "gl/program.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/cloth/quantities.hpp"
-#include "sim/cloth/sheet_mesh.hpp"
 #include "sim/cloth/skin_hold.hpp"
 #include "sim/cloth/thin.hpp"
 #include "sim/collide/distance_fields.hpp"
@@ -16,6 +15,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/fluid/wind.hpp"
+#include "sim/grid/sheet_mesh.hpp"
 #include "sim/mesh/height_field.hpp"
 
 #include <algorithm>

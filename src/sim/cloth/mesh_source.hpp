@@ -1,6 +1,6 @@
 #pragma once
 #include "scene/value/fields.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,12 +1,10 @@
 #include "sim/cloth/skin_hold.hpp"
 
-namespace simreel::sim {
+namespace simreel::shader::cloth {
+#include "glsl/cloth/bindings.glsl"
+}  // namespace simreel::shader::cloth
 
-namespace {
-// As in glsl/cloth/hold.comp.
-constexpr int velocitiesUnit = 2;
-constexpr int waysUnit = 5;
-}  // namespace
+namespace simreel::sim {
 
 SkinHold::SkinHold(const std::string& name, const SkinPins& pins, const gl::Defines& defines)
     : count_(pins.count()) {
@@ -25,8 +23,8 @@ void SkinHold::hold(const gl::Vec4Array& velocities, int substep, int substeps) 
   const double now = static_cast<double>(substep + 1) / substeps;
   program_.set("before", static_cast<float>(1.0 - now));
   program_.set("now", static_cast<float>(now));
-  velocities.bindState(velocitiesUnit);
-  ways_.bindInput(waysUnit);
+  velocities.bindState(shader::cloth::velocitiesBinding);
+  ways_.bindInput(shader::cloth::waysBinding);
   program_.dispatch(count_);
   gl::barrier();
 }

@@ -30,16 +30,16 @@ class Fluid : public Simulation {
     for (const std::string& part : plan_.parameters().fieldParts())
       channelNames_.push_back(fmt::format("{}.{}", name_, part));
     const FluidParameters& p = plan_.parameters();
-    if (p.hasTracers)
-      tracers_ = Tracers(name_, p.tracers, wind_, plan_.solidsAt(setting.startTime, 0)->solid(),
-                         tracerStep(p.tracers, setting.frameSeconds / plan_.substeps(), setting.seed,
+    if (p.tracers)
+      tracers_ = Tracers(name_, *p.tracers, wind_, plan_.solidsAt(setting.startTime, 0)->solid(),
+                         tracerStep(*p.tracers, setting.frameSeconds / plan_.substeps(), setting.seed,
                                     p.wrapsX(), p.wrapsY()),
                          setting.frameSeconds, setting.fast);
     kernels_.start(setting.startTime);
-    if (p.hasTracers) tracers_.show(kernels_.arrays().shown());
+    if (p.tracers) tracers_.show(kernels_.arrays().shown());
     count();
-    if (!p.hasChart) return;
-    chart_ = FluidChart(name_, p.chart, setting.frameSeconds);
+    if (!p.chart) return;
+    chart_ = FluidChart(name_, *p.chart, setting.frameSeconds);
     chart_.add(measure());
   }
 
@@ -79,7 +79,7 @@ class Fluid : public Simulation {
       field.firstWord = 0;
     }
     drawables.fields.push_back(field);
-    if (p.hasChart) chart_.publish(drawables);
+    if (p.chart) chart_.publish(drawables);
     // For files only.
     field.cells = Field::Cells::floats;
     field.display = nullptr;
@@ -99,12 +99,12 @@ class Fluid : public Simulation {
     kernels_.arrays().carryOver(carry);
     carry.array("solver", kernels_.pressure().control());
     carry.number("steps", steps_);
-    if (plan_.parameters().hasTracers) tracers_.carryOver(carry);
-    if (plan_.parameters().hasChart) chart_.carryOver(carry);
+    if (plan_.parameters().tracers) tracers_.carryOver(carry);
+    if (plan_.parameters().chart) chart_.carryOver(carry);
   }
   [[nodiscard]] std::vector<StateArray> state() const override {
     std::vector<StateArray> arrays = {kernels_.arrays().flowState(), kernels_.arrays().dyeState()};
-    if (plan_.parameters().hasTracers)
+    if (plan_.parameters().tracers)
       for (const StateArray& array : tracers_.state()) arrays.push_back(array);
     return arrays;
   }
@@ -153,7 +153,7 @@ class Fluid : public Simulation {
  private:
   void show(double time) {
     kernels_.show(time);
-    if (plan_.parameters().hasTracers) tracers_.show(kernels_.arrays().shown());
+    if (plan_.parameters().tracers) tracers_.show(kernels_.arrays().shown());
     count();
   }
   /// True where the force on an obstacle is measured.
@@ -175,16 +175,16 @@ class Fluid : public Simulation {
   void advance(double time, const StepWatch& watch) {
     time_ = time;
     kernels_.beginFrame(time);
-    if (plan_.parameters().hasTracers) tracers_.beginFrame();
+    if (plan_.parameters().tracers) tracers_.beginFrame();
     for (int i = 1; i <= plan_.substeps(); ++i) {
       kernels_.advance(time, i, static_cast<unsigned>(++steps_));
-      if (plan_.parameters().hasTracers) {
+      if (plan_.parameters().tracers) {
         if (plan_.parameters().obstaclesMove()) tracers_.setSolid(kernels_.solids().solid());
         tracers_.advance();
       }
       if (watch) watch(i);
     }
-    if (plan_.parameters().hasChart) chart_.add(measure());
+    if (plan_.parameters().chart) chart_.add(measure());
   }
 
   std::string name_;

@@ -174,8 +174,7 @@ void FluidParameters::describe(scene::Fields& f) {
             p.number("cell", plane.cell, {1e-4, 1e3}, "m", "Width of a cell.");
           });
   f.switchable("tracers");
-  f.optionalGroup("tracers", hasTracers, "Specks that the flow carries along and that draw streaks.",
-                  [&](scene::Fields& t) { tracers.describe(t); });
+  f.optionalGroup("tracers", tracers, "Specks that the flow carries along and that draw streaks.");
   f.choice("show", show, {"dye", "speed", "vorticity", "temperature", "pressure", "lines"},
            "Value that is drawn: dye in its own colours, lines of flow in the colour of their speed, "
            "everything else by the display's colour map.");
@@ -188,15 +187,14 @@ void FluidParameters::describe(scene::Fields& f) {
   f.leftOut("paper", "dark for \"light\" and \"fire\", a warm white for \"ink\"");
   f.integer("lineDetail", lineDetail, {1, 16}, "", "Places a cell on a side in which lines are drawn.");
   f.number("lineRate", lineRate, {0, 1e3}, "1/s", "Ripples that run along the lines, with the flow.");
-  if (show == Show::lines && hasTracers)
+  if (show == Show::lines && tracers)
     f.error("tracers", "\"tracers\" are drawn over cells, not over \"show\": \"lines\"");
   for (const char* name : {"lineDetail", "lineRate"})
     if (show != Show::lines && f.given(name))
       f.error(name, fmt::format("\"{}\" is for \"show\": \"lines\"", name));
   remarkIdle(f);
-  f.optionalGroup("chart", hasChart, "Curves over the picture: quantities, a value each frame.",
-                  [&](scene::Fields& c) { chart.describe(c); });
-  if (hasChart && chart.showsForces() && obstacles.empty())
+  f.optionalGroup("chart", chart, "Curves over the picture: quantities, a value each frame.");
+  if (chart && chart->showsForces() && obstacles.empty())
     f.error("chart",
             "lift and drag are of \"obstacles\", and there are none; give some, or another \"of\"");
   f.group("display", "Placement of the field over the picture.", [&](scene::Fields& d) {

@@ -54,7 +54,7 @@ struct FluidStroke : StrokeParameters {
   float soft = 0.5F;  ///< part of the radius over which it fades towards its rim
 };
 
-/// Incompressible flow (SPEC 9) as a scene says it. Lengths are in cells; v and y grow down the picture.
+/// Incompressible flow as a scene says it. Lengths are in cells; v and y grow down the picture.
 struct FluidParameters : ObjectParameters, FieldParts {
   enum class Advection { macCormack, semiLagrangian, cubic };  // as ADVECTION of glsl/fluid/grid.glsl
   enum class Show { dye, speed, vorticity, temperature, pressure, lines };
@@ -79,15 +79,13 @@ struct FluidParameters : ObjectParameters, FieldParts {
   Show show = Show::dye;
   Look look = Look::light;
   FluidPlane plane;
-  bool hasTracers = false;
-  TracerParameters tracers;
+  std::optional<TracerParameters> tracers;
   float brightness = 1.1F;
   glm::vec3 paper{0.003F, 0.004F, 0.009F};  ///< linear RGB where there is no dye
   int lineDetail = 4;                       ///< places a cell on a side in which lines are drawn
   double lineRate = 0.8;                    ///< 1/s: ripples that run through a place of a line
   FieldDisplay display;
-  bool hasChart = false;
-  FluidChartParameters chart;
+  std::optional<FluidChartParameters> chart;
 
   FluidParameters();
   void describe(scene::Fields& fields) override;

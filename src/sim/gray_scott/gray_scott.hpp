@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// Gray-Scott reaction-diffusion on the GPU (SPEC 4): a torus of cells, 16 bytes each. Publishes v as a
+/// Gray-Scott reaction-diffusion on the GPU: a torus of cells, 16 bytes each. Publishes v as a
 /// field, and u, called NAME.u, for files.
 [[nodiscard]] SimulationKind grayScottKind();
 

@@ -41,12 +41,13 @@ void GrayScottParameters::describe(scene::Fields& f) {
   const FeedKill standard = ratesOf(preset);
   rate(f, "feed", feed, standard.feed, "F, the rate at which u comes in; left out: the preset's.");
   rate(f, "kill", kill, standard.kill, "k, the rate at which v goes away; left out: the preset's.");
-  f.optionalGroup("health", hasHealth, "Moves the rates between two presets.", [&](scene::Fields& h) {
-    h.number("level", health, {0, 1}, "", "1: the rates of \"well\"; 0: the rates of \"ill\".");
-    h.choice("well", well, presetNames, "Preset at health 1.");
-    h.choice("ill", ill, presetNames, "Preset at health 0.");
-  });
-  if (hasHealth)
+  f.optionalGroup(
+      "health", health, "Moves the rates between two presets.", [](scene::Fields& h, GrayScottHealth& of) {
+        h.number("level", of.level, {0, 1}, "", "1: the rates of \"well\"; 0: the rates of \"ill\".");
+        h.choice("well", of.well, presetNames, "Preset at health 1.");
+        h.choice("ill", of.ill, presetNames, "Preset at health 0.");
+      });
+  if (health)
     for (const char* name : {"preset", "feed", "kill"})
       if (f.given(name)) f.error(name, fmt::format("\"health\" sets the rates; leave out \"{}\"", name));
   if (feed && kill) f.idleUnless(false, "feed", {"preset"}, "rates that are not both given");
@@ -106,10 +107,10 @@ void GrayScottParameters::describe(scene::Fields& f) {
 }
 
 FeedKill GrayScottParameters::ratesAt(double time) const {
-  if (hasHealth) {
-    const float level = health.at(time);
-    const FeedKill a = ratesOf(ill);
-    const FeedKill b = ratesOf(well);
+  if (health) {
+    const float level = health->level.at(time);
+    const FeedKill a = ratesOf(health->ill);
+    const FeedKill b = ratesOf(health->well);
     return {a.feed + (b.feed - a.feed) * level, a.kill + (b.kill - a.kill) * level};
   }
   const FeedKill standard = ratesOf(preset);

@@ -13,8 +13,7 @@
 
 namespace simreel::sim {
 
-/// Named pairs of rates, those of SPEC 4 first. What each really grows stands in README.md beside this
-/// file: "spots" dies out; leopard grows spots.
+/// Named pairs of rates; src/sim/README.md says what each grows: "spots" dies out, "leopard" grows spots.
 enum class GrayScottPreset { spots, stripes, maze, solitons, unstable, leopard, chaos };
 
 /// Rates at which u is fed and v is removed, per unit of time.
@@ -23,17 +22,21 @@ struct FeedKill {
 };
 [[nodiscard]] FeedKill ratesOf(GrayScottPreset preset);
 
-/// Gray-Scott reaction-diffusion (SPEC 4) as a scene says it.
+/// Rates between those of two presets.
+struct GrayScottHealth {
+  scene::Animated<float> level = 1.0F;  ///< 1: rates of `well`, 0: of `ill`, in between a mixture
+  GrayScottPreset well = GrayScottPreset::leopard, ill = GrayScottPreset::chaos;
+};
+
+/// Gray-Scott reaction-diffusion as a scene says it.
 struct GrayScottParameters : ObjectParameters, FieldParts {
   glm::ivec2 size{256, 256};  ///< cells
   GrayScottPreset preset = GrayScottPreset::leopard;
   std::optional<scene::Animated<float>> feed, kill;  ///< instead of the preset's
-  bool hasHealth = false;
-  scene::Animated<float> health = 1.0F;  ///< 1: rates of `well`, 0: of `ill`, in between a mixture
-  GrayScottPreset well = GrayScottPreset::leopard, ill = GrayScottPreset::chaos;
-  std::optional<double> feedAcross, killDown;  ///< rates at the right and at the bottom edge
-  bool axes = false;                           ///< drawn where they vary so
-  std::filesystem::path feedImage, killImage;  ///< fractions of the way to feedWhite, killWhite
+  std::optional<GrayScottHealth> health;             ///< instead of preset, feed and kill
+  std::optional<double> feedAcross, killDown;        ///< rates at the right and at the bottom edge
+  bool axes = false;                                 ///< drawn where they vary so
+  std::filesystem::path feedImage, killImage;        ///< fractions of the way to feedWhite, killWhite
   double feedWhite = 0.06, killWhite = 0.065;
   double diffuseU = 0.21, diffuseV = 0.105;  ///< cells^2 per unit of time
   double dt = 1;

@@ -41,7 +41,7 @@ GrayScottPlan::GrayScottPlan(GrayScottParameters parameters, const std::string& 
       frameSeconds_(frameSeconds),
       strokes_(parameters_.strokes, seed, {parameters_.size, true, "grayScott \"" + object + "\""}) {
   const GrayScottParameters& p = parameters_;
-  if (p.preset == GrayScottPreset::spots && !p.feed && !p.kill && !p.hasHealth && !mapped())
+  if (p.preset == GrayScottPreset::spots && !p.feed && !p.kill && !p.health && !mapped())
     warn("the rates of the grayScott preset \"spots\" let every pattern die out; \"leopard\" grows spots");
 }
 

@@ -2,54 +2,18 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/png.hpp"
 #include "base/text.hpp"
+#include "sim/grid/stb_picture.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
-#include <memory>
-#include <type_traits>
-
-namespace {
-
-/// Most bytes that the decoder may ask for at once, so that a few compressed bytes never become gigabytes,
-/// and whether it asked for more.
-thread_local std::size_t maxBytes = 0;
-thread_local bool askedForMore = false;
-
-bool allowed(std::size_t size) {
-  askedForMore = askedForMore || size > maxBytes;
-  return size <= maxBytes;
-}
-void* takeForStb(std::size_t size) {
-  return allowed(size) ? std::malloc(size) : nullptr;
-}
-void* resizeForStb(void* data, std::size_t size) {
-  return allowed(size) ? std::realloc(data, size) : nullptr;
-}
-
-}  // namespace
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_NO_STDIO
-#define STBI_NO_HDR
-#define STBI_NO_LINEAR
-#define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
-#define STBI_ONLY_PNM
-#define STBI_ONLY_BMP
-#define STBI_MALLOC(size) takeForStb(size)
-#define STBI_REALLOC(data, size) resizeForStb(data, size)
-#define STBI_FREE(data) std::free(data)
-#include <stb/stb_image.h>
 
 namespace simreel::sim {
 
 namespace {
 
 constexpr int mostTexels = 1 << 27;  ///< texels that a buffer of a common device has
-constexpr std::size_t forHeaders = 1 << 16;
 
 /// Whether a BMP has all bytes of its rows: stb_image takes those that are missing for zeros.
 bool bmpIsWhole(std::string_view bytes, glm::ivec2 size) {
@@ -71,11 +35,9 @@ double pixelsIn(std::string_view bytes) {
   if (bytes.starts_with('P')) return size;
   if (bytes.starts_with("BM")) return size * 8;       // a bit a pixel; compressed ones are not read
   if (!bytes.starts_with('\x89')) return size * 512;  // JPEG: a block of 8 x 8 pixels takes at least a bit
-  if (bytes.size() < 26) return 0;
+  const auto header = pngHeaderOf(bytes);
   constexpr int channels[] = {1, 0, 3, 1, 2, 0, 4};  // by colour type
-  const int depth = static_cast<unsigned char>(bytes[24]);
-  const int colour = static_cast<unsigned char>(bytes[25]);
-  const int bits = colour < 7 ? depth * channels[colour] : 0;
+  const int bits = header && header->colour < 7 ? header->depth * channels[header->colour] : 0;
   return bits == 0 ? 0 : size * 1032 * 8 / bits;  // deflate makes at most 1032 bytes of one
 }
 
@@ -104,53 +66,40 @@ bool pnmNumbersFit(std::string_view bytes) {
 /// Refuses a PNG of which pixels name colours that its palette lacks: stb_image shows them as whatever lies
 /// in memory there. The numbers are what the same file has as grey.
 void checkPalette(std::string_view bytes, glm::ivec2 size, const std::string& name, const char* what) {
-  constexpr std::size_t signature = 8, depthAt = 24, colourAt = 25, around = 12;
-  if (!bytes.starts_with('\x89') || bytes.size() <= colourAt || bytes[colourAt] != 3) return;
-  const int depth = static_cast<unsigned char>(bytes[depthAt]);
-  std::string grey(bytes.substr(0, signature));
+  const auto header = pngHeaderOf(bytes);
+  if (!header || header->colour != 3) return;
+  constexpr std::size_t colourAt = 25;
+  const int depth = header->depth;
+  std::string grey(pngSignature);
   std::size_t colours = 0;
-  for (std::size_t at = signature; at + around <= bytes.size();) {
-    std::size_t length = 0;
-    for (std::size_t k = 0; k < 4; ++k) length = length << 8U | static_cast<unsigned char>(bytes[at + k]);
-    if (length > bytes.size() - at - around) return;
-    const std::string_view type = bytes.substr(at + 4, 4);
-    if (type == "PLTE") colours = length / 3;
-    if (type == "IHDR" || type == "IDAT" || type == "IEND") grey += bytes.substr(at, length + around);
-    at += length + around;
+  for (std::string_view rest = bytes.substr(pngSignature.size()); rest.size() >= PngChunk::frame;) {
+    const auto chunk = takePngChunk(rest);
+    if (!chunk) return;
+    if (chunk->type == "PLTE") colours = chunk->data.size() / 3;
+    if (chunk->type == "IHDR" || chunk->type == "IDAT" || chunk->type == "IEND") grey += chunk->whole;
   }
   if (depth > 8 || colours >= std::size_t{1} << static_cast<unsigned>(depth)) return;
   grey[colourAt] = 0;
-  maxBytes = std::max(8 * (static_cast<std::size_t>(size.x) + 64) * (static_cast<std::size_t>(size.y) + 64),
-                      2 * bytes.size()) +
-             forHeaders;
-  int width = 0, height = 0, channels = 0;
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> numbers(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(grey.data()), static_cast<int>(grey.size()),
-                            &width, &height, &channels, 1),
-      &stbi_image_free);
+  const auto numbers = stbDecode<std::uint8_t>(grey, size, 1);
   if (!numbers) return;  // which decoding it says
   const int scale = 255 / ((1 << depth) - 1);
-  for (std::size_t at = 0; at < static_cast<std::size_t>(width) * static_cast<std::size_t>(height); ++at)
-    if (const std::size_t number = numbers.get()[at] / scale; number >= colours)
+  const auto width = static_cast<std::size_t>(size.x);
+  for (std::size_t at = 0; at < numbers->size(); ++at)
+    if (const std::size_t number = (*numbers)[at] / scale; number >= colours)
       refusePicture(what, name,
                     fmt::format("its pixel at column {}, row {} has colour {}, and its palette has {}",
-                                at % static_cast<std::size_t>(width), at / static_cast<std::size_t>(width),
-                                number, colours));
+                                at % width, at / width, number, colours));
 }
 
 /// Checks what a picture's header promises and gives its size.
 glm::ivec2 checkedSize(std::string_view bytes, const std::string& name, const char* what, int maxSide) {
   const auto refuse = [&](const std::string& why) { refusePicture(what, name, why); };
   if (bytes.size() > std::size_t{1} << 30) refuse("larger than 1 GiB");
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const int size = static_cast<int>(bytes.size());
-  maxBytes = forHeaders;
   if (bytes.starts_with('P') && !pnmNumbersFit(bytes)) refuse("a number of more than nine digits");
   // The header first: a small file may promise a picture that takes all memory.
-  if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) refuse(stbi_failure_reason());
+  const auto size = stbSize(bytes);
+  if (!size) refuse(stbReason());
+  auto [width, height] = std::pair(size->x, size->y);
   if (bytes.starts_with("BM") && height < 0 && height >= -maxSide) height = -height;  // rows from the top
   if (width < 1 || height < 1) refuse("no width or no height");
   if (std::max(width, height) > maxSide)
@@ -163,33 +112,24 @@ glm::ivec2 checkedSize(std::string_view bytes, const std::string& name, const ch
          what, name, width, height, mostTexels);
   if (bytes.starts_with("BM") && !bmpIsWhole(bytes, {width, height})) refuse("it is cut off");
   // stb_image 2.27 reads beyond such a picture's end.
-  if (bytes.starts_with('P') && stbi_is_16_bit_from_memory(data, size) != 0)
+  if (bytes.starts_with('P') && stbIsDeep(bytes))
     fail(ExitCode::inputOutput,
          "the {} {} is a PNM picture of 16 bits, which this program does not read; use PNG", what, name);
   checkPalette(bytes, {width, height}, name, what);
   return {width, height};
 }
 
-/// Channels of so many bits as `Value` has, RGBA; `load` is stb_image's function for them.
-template <class Value, class Load>
+/// RGBA, of so many bits a channel as `Value` has.
+template <class Value>
 std::vector<Value> decodedChannels(std::string_view bytes, const std::string& name, const char* what,
-                                   glm::ivec2 side, const Load& load) {
-  const auto area = static_cast<std::size_t>(side.x) * static_cast<std::size_t>(side.y);
-  // Four channels of 16 bits a pixel, rounded up to whole blocks, or twice the file's bytes.
-  maxBytes = std::max(8 * (static_cast<std::size_t>(side.x) + 64) * (static_cast<std::size_t>(side.y) + 64),
-                      2 * bytes.size()) +
-             forHeaders;
-  askedForMore = false;
-  int width = 0, height = 0, channels = 0;
-  const std::unique_ptr<Value, decltype(&stbi_image_free)> texels(
-      load(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()), &width, &height,
-           &channels, 4),
-      &stbi_image_free);
-  if (!texels && askedForMore)
+                                   glm::ivec2 size) {
+  auto values = stbDecode<Value>(bytes, size);
+  if (!values)
     refusePicture(what, name,
-                  fmt::format("it holds more than the {}x{} pixels of its header", side.x, side.y));
-  if (!texels) refusePicture(what, name, stbi_failure_reason());
-  return {texels.get(), texels.get() + 4 * area};
+                  stbFoundMore()
+                      ? fmt::format("it holds more than the {}x{} pixels of its header", size.x, size.y)
+                      : stbReason());
+  return std::move(*values);
 }
 
 /// Refuses pixels that are not opaque.
@@ -228,7 +168,7 @@ Picture loadPicture(const std::filesystem::path& file, const char* what, int max
 
 Picture decodePicture(std::string_view bytes, const std::string& name, const char* what, int maxSide) {
   const glm::ivec2 size = checkedSize(bytes, name, what, maxSide);
-  return {size, decodedChannels<stbi_uc>(bytes, name, what, size, &stbi_load_from_memory)};
+  return {size, decodedChannels<std::uint8_t>(bytes, name, what, size)};
 }
 
 Levels loadLevels(const std::filesystem::path& file, const char* what, int maxSide) {
@@ -243,11 +183,10 @@ Levels loadLevels(const std::filesystem::path& file, const char* what, int maxSi
       levels.values.push_back(static_cast<std::uint16_t>(
           (54U * rgba[at] + 183U * rgba[at + 1] + 19U * rgba[at + 2]) >> 8U));  // as Picture::level()
   };
-  constexpr std::size_t depthAt = 24;  // in a PNG's first chunk
-  if (bytes.starts_with('\x89') && bytes.size() > depthAt && bytes[depthAt] == 16)
-    take(decodedChannels<stbi_us>(bytes, name, what, levels.size, &stbi_load_16_from_memory));
+  if (const auto header = pngHeaderOf(bytes); header && header->depth == 16)
+    take(decodedChannels<std::uint16_t>(bytes, name, what, levels.size));
   else
-    take(decodedChannels<stbi_uc>(bytes, name, what, levels.size, &stbi_load_from_memory));
+    take(decodedChannels<std::uint8_t>(bytes, name, what, levels.size));
   return levels;
 }
 

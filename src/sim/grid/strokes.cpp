@@ -72,16 +72,17 @@ void StrokeParameters::describe(scene::Fields& f, double max, const char* valueD
   f.vector("to", to, {-1e6, 1e6}, "cells", "Place that the circle moves to, or the end of the line.");
   f.leftOut("to", "\"from\"");
   if (!f.given("to")) to = from;
-  f.vector("path", path, {-1e6, 1e6}, "cells",
-           "Place of the circle, by keyframes; the third number counts only in volumes.");
+  f.onlyGiven("path", path, scene::Animated<glm::vec3>(), [&](scene::Animated<glm::vec3>& keys) {
+    f.vector("path", keys, {-1e6, 1e6}, "cells",
+             "Place of the circle, by keyframes; the third number counts only in volumes.");
+  });
   f.leftOut("path", "from \"from\" to \"to\"");
-  hasPath = f.given("path");
-  if (hasPath && (f.given("from") || f.given("to")))
+  if (path && (f.given("from") || f.given("to")))
     f.error("path", "the path says where the circle is; leave out \"from\" and \"to\"");
   f.number("radius", radius, {0, 1e5}, "cells", "Radius of the circle; half the width of the line.");
   f.asset("image", image, "Picture of shape \"image\"; its light pixels are painted.");
   scene::implyShape(f, shape, Shape::image, "image", image, "image", "circle");
-  if (hasPath && shape != Shape::circle) f.error("path", "only a circle has a path");
+  if (path && shape != Shape::circle) f.error("path", "only a circle has a path");
   f.idleUnless(shape != Shape::image, f.given("shape") ? "shape" : "image", {"radius", "to"},
                "a \"circle\" or a \"line\"");
   f.number("value", value, {0, max}, "", valueDoc);
@@ -97,7 +98,7 @@ glm::vec2 StrokeParameters::placeAt(double time) const {
 }
 
 glm::vec3 strokePlace(const StrokeParameters& p, double time) {
-  if (p.hasPath) return p.path.at(time);
+  if (p.path) return p.path->at(time);
   const double part = p.until > p.at ? std::clamp((time - p.at) / (p.until - p.at), 0.0, 1.0) : 0.0;
   glm::vec3 place;
   for (int i = 0; i < 3; ++i) place[i] = static_cast<float>(p.from[i] + part * (p.to[i] - p.from[i]));
@@ -114,8 +115,8 @@ StrokeWay strokeWay(const StrokeParameters& p, double time, double seconds) {
   if (p.shape != StrokeParameters::Shape::circle) return {p.from, p.to};
   const double before = time - seconds;
   const auto held = [&](double t) { return std::clamp(t, p.at, std::max(p.at, p.until)); };
-  return {strokePlace(p, p.hasPath ? held(paintsOnce(p) ? p.at : before) : before),
-          strokePlace(p, p.hasPath ? held(paintsOnce(p) ? p.at : time) : time)};
+  return {strokePlace(p, p.path ? held(paintsOnce(p) ? p.at : before) : before),
+          strokePlace(p, p.path ? held(paintsOnce(p) ? p.at : time) : time)};
 }
 
 shader::Stroke strokePaint(const StrokeParameters& p, int seed, std::size_t index, double time, long step) {
@@ -157,9 +158,9 @@ void Strokes::check(std::size_t index) const {
   const glm::dvec2 stamp(stamps_[index].size);
   // The ways between keys: straight, from one to the next.
   std::vector<std::pair<glm::dvec2, glm::dvec2>> legs = {{from, to}};
-  if (p.hasPath) {
+  if (p.path) {
     legs.clear();
-    const auto& keys = p.path.keys();
+    const auto& keys = p.path->keys();
     for (std::size_t i = 0; i < keys.size(); ++i)
       legs.emplace_back(flat(keys[i].value), flat(keys[std::min(i + 1, keys.size() - 1)].value));
   }

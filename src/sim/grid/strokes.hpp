@@ -24,12 +24,11 @@ struct StrokeParameters {
       0};  ///< cells (third unused): middle of the circle, start of the line, top left of the image
   glm::vec3 to{0};   ///< cells: where a circle moves to by `until`, end of the line; not given: `from`
   float radius = 3;  ///< cells; of a line half its width
-  std::filesystem::path image;  ///< light pixels (level above 127) are painted
-  double value = 1;             ///< what is painted; each simulation says what it means
-  float fraction = 1;           ///< of the cells within reach, picked by hash
-  bool hasPath = false;
-  scene::Animated<glm::vec3> path;         ///< cells: where a circle is, instead of `from` and `to`
-  scene::Animated<float> strength = 1.0F;  ///< factor on `value`, of fields where that is an amount
+  std::filesystem::path image;                     ///< light pixels (level above 127) are painted
+  double value = 1;                                ///< what is painted; each simulation says what it means
+  float fraction = 1;                              ///< of the cells within reach, picked by hash
+  std::optional<scene::Animated<glm::vec3>> path;  ///< cells: where a circle is, instead of `from` and `to`
+  scene::Animated<float> strength = 1.0F;          ///< factor on `value`, of fields where that is an amount
   /// `most`: greatest value that may be painted; `valueDoc`: what it means.
   void describe(scene::Fields& fields, double max, const char* valueDoc);
   /// Where a circle is at `time` (s), cells.

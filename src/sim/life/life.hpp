@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// Cellular automata on the GPU (SPEC 3): of two states one bit a cell, of more one byte; two buffers.
+/// Cellular automata on the GPU: of two states one bit a cell, of more one byte; two buffers.
 [[nodiscard]] SimulationKind lifeKind();
 
 }  // namespace simreel::sim

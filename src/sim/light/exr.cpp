@@ -1,6 +1,7 @@
 // OpenEXR, by its own library: scanlines and tiles, every compression, half, float and whole numbers.
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "sim/light/exr_stream.hpp"
 #include "sim/light/light_file.hpp"
 
 #include <ImfChannelList.h>
@@ -9,7 +10,6 @@
 #include <ImfEnvmapAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfPartType.h>
@@ -26,31 +26,6 @@ namespace simreel::sim {
 namespace {
 
 constexpr double mostPixels = 1e8;
-
-class MemoryStream final : public Imf::IStream {
- public:
-  explicit MemoryStream(std::string_view bytes) : IStream("picture"), bytes_(bytes) {}
-  bool read(char to[], int count) override {
-    const auto wanted = static_cast<std::size_t>(std::max(count, 0));
-    if (at_ > bytes_.size() || wanted > bytes_.size() - at_) {
-      beyond_ = true;
-      throw std::runtime_error("unexpected end");
-    }
-    std::memcpy(to, bytes_.data() + at_, wanted);
-    at_ += wanted;
-    return at_ < bytes_.size();
-  }
-  std::uint64_t tellg() override { return at_; }
-  void seekg(std::uint64_t position) override { at_ = position; }
-  void clear() override {}
-  /// Whether somebody asked for more than there is.
-  [[nodiscard]] bool beyond() const { return beyond_; }
-
- private:
-  std::string_view bytes_;
-  std::size_t at_ = 0;
-  bool beyond_ = false;
-};
 
 struct Window {
   int left, top, width, height;
@@ -135,7 +110,7 @@ void checkAttributes(std::string_view bytes, bool severalParts) {
   }
 }
 
-LightFile read(MemoryStream& stream) {
+LightFile read(ExrStream& stream) {
   Imf::MultiPartInputFile file(stream);
   const Imf::Header& header = file.header(0);
   if (header.hasType() && header.type() != Imf::SCANLINEIMAGE && header.type() != Imf::TILEDIMAGE)
@@ -209,7 +184,7 @@ bool isExr(std::string_view bytes) {
 }
 
 LightFile decodeExr(std::string_view bytes, const std::string& label, const std::string& advice) {
-  MemoryStream stream(bytes);
+  ExrStream stream(bytes);
   constexpr unsigned char multipart = 0x10;  // of the second byte of the version field
   try {
     checkAttributes(bytes, bytes.size() > 5 && (static_cast<unsigned char>(bytes[5]) & multipart) != 0);

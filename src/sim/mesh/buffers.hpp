@@ -3,7 +3,7 @@
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
 #include "sim/core/simulation.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <span>
 #include <string>

@@ -11,7 +11,7 @@ namespace simreel::sim {
 
 enum class Threads { one, all };
 
-/// Deforms on the CPU: the shaders' own model (glsl/deform compiled as C++), so that in exact numerics
+/// Deforms on the CPU: the shaders' own model (glsl/mesh compiled as C++), so that in exact numerics
 /// every word equals the device's. It is the twin that tests compare the device with, and what the CPU
 /// techniques run. Threads take 64 vertices at a time.
 class DeformCpu {

@@ -2,7 +2,7 @@
 #include "gl/buffer.hpp"
 #include "scene/scene.hpp"
 #include "sim/core/drawable.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <string>
 #include <vector>

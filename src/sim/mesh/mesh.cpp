@@ -104,11 +104,11 @@ class RigidMesh : public Simulation, public ContactSolid {
 Mesh readMesh(const scene::Object& object, const Setting& setting) {
   const auto& parameters = parametersOf<MeshParameters>(object);
   Mesh mesh = parameters.make(setting.seed);
-  if (mesh.uvs.empty() && object.material.hasSkin &&
-      object.material.skin.projection == scene::Skin::Projection::uv)
+  if (mesh.uvs.empty() && object.material.skin &&
+      object.material.skin->projection == scene::Skin::Projection::uv)
     warn("mesh \"{}\": {} has no texture coordinates; \"projection\": \"triplanar\" lays its skin without",
          object.name, parameters.file.string());
-  if (mesh.uvs.empty() && !object.material.hasSkin && !object.material.texture.empty())
+  if (mesh.uvs.empty() && !object.material.skin && !object.material.texture.empty())
     warn("mesh \"{}\": {} has no texture coordinates, so its texture shows the colour of one corner",
          object.name, parameters.file.string());
   if (const std::string ignored = ignoredLooks(object, mesh); !ignored.empty())

@@ -4,7 +4,7 @@
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/mesh/deform_parameters.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <filesystem>
 #include <optional>

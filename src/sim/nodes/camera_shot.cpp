@@ -4,8 +4,8 @@
 #include "base/file.hpp"
 #include "base/packed.hpp"
 #include "scene/json/words.hpp"
-#include "sim/mesh/builder.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/builder.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 #include "sim/nodes/gltf_nodes.hpp"
 #include "sim/nodes/sample.hpp"
 

@@ -1,6 +1,6 @@
 #include "sim/nodes/gltf_nodes.hpp"
 
-#include "sim/mesh/builder.hpp"
+#include "sim/mesh/file/builder.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/mesh/gltf_document.hpp"
+#include "sim/mesh/file/gltf_document.hpp"
 #include "sim/nodes/node_tree.hpp"
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// N-body particles, fields and emitters on the GPU (SPEC 2): leapfrog, 48 bytes a particle.
+/// N-body particles, fields and emitters on the GPU: leapfrog, 48 bytes a particle.
 [[nodiscard]] SimulationKind particlesKind();
 
 }  // namespace simreel::sim

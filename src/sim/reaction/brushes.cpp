@@ -54,9 +54,9 @@ glm::ivec2 brushRange(const Brush& brush, int axis, int count) {
 }
 
 std::vector<StrokeWay> strokeLegs(const StrokeParameters& stroke) {
-  if (!stroke.hasPath) return {{stroke.from, stroke.to}};
+  if (!stroke.path) return {{stroke.from, stroke.to}};
   std::vector<StrokeWay> legs;
-  const auto& keys = stroke.path.keys();
+  const auto& keys = stroke.path->keys();
   for (std::size_t i = 0; i < keys.size(); ++i)
     legs.push_back({keys[i].value, keys[std::min(i + 1, keys.size() - 1)].value});
   return legs;
@@ -66,14 +66,14 @@ std::vector<StrokeWay> strokeLegs(const StrokeParameters& stroke) {
 // length from its lowest corner.
 Brush ReactionPlan::onMesh(StrokeWay way, float radius, double from, double to) const {
   const auto placed = [&](const glm::vec3& place, double time) {
-    const glm::dmat3 turned(rotationMatrix(parameters_.mesh.rotation.at(time)));
-    const glm::dvec3 apart = glm::dvec3(place) - glm::dvec3(parameters_.mesh.position.at(time));
+    const glm::dmat3 turned(rotationMatrix(parameters_.mesh->rotation.at(time)));
+    const glm::dvec3 apart = glm::dvec3(place) - glm::dvec3(parameters_.mesh->position.at(time));
     const glm::dvec3 own =
-        glm::transpose(turned) * apart / static_cast<double>(parameters_.mesh.scale.at(time));
+        glm::transpose(turned) * apart / static_cast<double>(parameters_.mesh->scale.at(time));
     return glm::vec3((own - cells_.low) * perMetre_);
   };
   way = {placed(way.from, from), placed(way.to, to)};
-  const double scale = perMetre_ / static_cast<double>(parameters_.mesh.scale.at(to));
+  const double scale = perMetre_ / static_cast<double>(parameters_.mesh->scale.at(to));
   return brushAlong(way, static_cast<double>(radius) * scale);
 }
 
@@ -117,8 +117,8 @@ void ReactionPlan::checkBrushes(const std::string& object) const {
     const ReactionStroke& stroke = parameters_.strokes[i];
     double rounds = 0;
     bool reached =
-        torus || (onMesh_ && (parameters_.mesh.position.moves() || parameters_.mesh.rotation.moves() ||
-                              parameters_.mesh.scale.moves()));
+        torus || (onMesh_ && (parameters_.mesh->position.moves() || parameters_.mesh->rotation.moves() ||
+                              parameters_.mesh->scale.moves()));
     for (const StrokeWay& leg : strokeLegs(stroke)) {
       const glm::dvec3 way = glm::abs(glm::dvec3(leg.to) - glm::dvec3(leg.from)) / sides;
       rounds = std::max(rounds, way.x + way.y + way.z);

@@ -57,15 +57,15 @@ std::vector<glm::dvec2> textureShares(const ReactionMesh& parameters, const Mesh
 std::vector<glm::ivec2> mapPlaces(const ReactionMesh& parameters, const Mesh& mesh, const MeshCells& cells,
                                   const std::string& whose) {
   std::vector<glm::dvec2> shares;
-  if (!parameters.hasMaps || parameters.maps == MapsOf::texture)
+  if (parameters.maps.value_or(MapsOf::texture) == MapsOf::texture)
     shares = textureShares(parameters, mesh, cells);
-  if (shares.empty() && parameters.hasMaps && parameters.maps == MapsOf::texture)
+  if (shares.empty() && parameters.maps == MapsOf::texture)
     fail(ExitCode::usage,
          "{}: the mesh has no texture coordinates{}; let its \"maps\" lie on it from the \"front\" or the "
          "\"top\"",
          whose, parameters.refine > 0 ? ", for \"refine\" closes its seams" : "");
   if (shares.empty()) {
-    const bool top = parameters.hasMaps && parameters.maps == MapsOf::top;
+    const bool top = parameters.maps == MapsOf::top;
     const int down = top ? 2 : 1;
     const glm::dvec3 extent = glm::max(cells.high - cells.low, glm::dvec3(1e-30));
     for (const glm::dvec3& place : cells.places) {

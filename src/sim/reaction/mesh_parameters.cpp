@@ -34,11 +34,12 @@ void ReactionMesh::describe(scene::Fields& f) {
   f.integer(
       "refine", refine, {0, 6}, "",
       "Times that each face is divided into four, which makes the mesh rounder (Loop's subdivision).");
-  f.choice("maps", maps, {"texture", "front", "top"},
-           "Placement of images and other objects' fields on the mesh: by texture coordinates (on a sphere "
-           "longitude and latitude), or over its box as seen from the front or from above.");
+  f.onlyGiven("maps", maps, Maps::texture, [&](Maps& way) {
+    f.choice("maps", way, {"texture", "front", "top"},
+             "Placement of images and other objects' fields on the mesh: by texture coordinates (on a "
+             "sphere longitude and latitude), or over its box as seen from the front or from above.");
+  });
   f.leftOut("maps", "\"texture\" where there are such coordinates, else \"front\"");
-  hasMaps = f.given("maps");
   f.vector("position", position, scene::anyNumber, "m", "Place of the mesh's origin.");
   f.vector("rotation", rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
   f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the mesh's coordinates.");

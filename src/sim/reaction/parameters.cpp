@@ -134,9 +134,8 @@ void ReactionParameters::describe(scene::Fields& f) {
   f.group("surface", "Draws a volume as the surface where the value that is shown reaches a level.",
           [&](scene::Fields& g) { surface.describe(g); });
   f.optionalGroup(
-      "mesh", mesh.present,
-      "The cells are the vertices of a mesh, in place of a grid: \"spacing\" is their mean distance.",
-      [&](scene::Fields& g) { mesh.describe(g); });
+      "mesh", mesh,
+      "The cells are the vertices of a mesh, in place of a grid: \"spacing\" is their mean distance.");
   checkSpace(f);
   if (presteps > 0 && !readsFields().empty())
     f.error(
@@ -173,10 +172,11 @@ void ReactionSurface::describe(scene::Fields& f) {
   f.choice("draw", draw, {"isosurface", "cubes"},
            "isosurface: a smooth surface where the value passes \"level\"; cubes: a cube for every cell at "
            "that level or above.");
-  f.number("level", level, scene::anyNumber, "",
-           "Value at the surface; inside, the value that is shown is at least this.");
+  f.onlyGiven("level", level, scene::Animated<float>(0.5F), [&](scene::Animated<float>& value) {
+    f.number("level", value, scene::anyNumber, "",
+             "Value at the surface; inside, the value that is shown is at least this.");
+  });
   f.leftOut("level", "the middle between the display's \"low\" and \"high\"");
-  hasLevel = f.given("level");
   f.text("color", color,
          "Value that the display's \"map\" colours it by, from \"low\" to \"high\": a species, or any "
          "expression.");
@@ -188,7 +188,7 @@ void ReactionSurface::describe(scene::Fields& f) {
 }
 
 void ReactionParameters::checkSpace(scene::Fields& f) const {
-  if (mesh.present) return checkMesh(f);
+  if (mesh) return checkMesh(f);
   constexpr std::int64_t maxVolume = std::int64_t{1} << 28;
   if (depth == 1) {
     if (f.given("surface"))
@@ -219,12 +219,12 @@ std::string ReactionParameters::cellsText() const {
 }
 
 float ReactionParameters::levelAt(double time) const {
-  return surface.hasLevel ? surface.level.at(time) : static_cast<float>(0.5 * (display.low + display.high));
+  return surface.level ? surface.level->at(time) : static_cast<float>(0.5 * (display.low + display.high));
 }
 
 std::optional<scene::Box> ReactionParameters::framed() const {
   if (space() == RuleSpace::plane) return std::nullopt;
-  if (mesh.present) return mesh.framed();
+  if (mesh) return mesh->framed();
   const glm::vec3 half = 0.5F * cellWidth() * glm::vec3(size, depth);
   return scene::Box{surface.position - half, surface.position + half};
 }
@@ -261,7 +261,7 @@ std::vector<FieldReading::From> ReactionParameters::readsFields() const {
 bool ReactionParameters::readsCellsOf(const FieldParts& other) const {
   const auto* reaction = dynamic_cast<const ReactionParameters*>(&other);
   if (reaction == nullptr || space() != reaction->space()) return false;
-  if (space() == RuleSpace::mesh) return mesh.isMadeAs(reaction->mesh);
+  if (space() == RuleSpace::mesh) return mesh->isMadeAs(*reaction->mesh);
   const auto alike = [&](int side, int theirs) {
     return std::int64_t{side} * reaction->size.x == std::int64_t{theirs} * size.x;
   };

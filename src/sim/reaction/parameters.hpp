@@ -4,7 +4,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 #include "sim/reaction/rule/evaluate.hpp"
 
 #include <filesystem>
@@ -51,11 +51,10 @@ struct ReactionStroke : StrokeParameters {
 struct ReactionSurface {
   enum class Draw { isosurface, cubes };
   Draw draw = Draw::isosurface;
-  scene::Animated<float> level = 0.5F;
-  bool hasLevel = false;  ///< else it is the middle of the display's range
-  std::string color;      ///< an expression; empty: the material's colour
-  glm::vec3 position{0};  ///< m: middle of the volume
-  float width = 2;        ///< m: of the volume, along x
+  std::optional<scene::Animated<float>> level;  ///< else it is the middle of the display's range
+  std::string color;                            ///< an expression; empty: the material's colour
+  glm::vec3 position{0};                        ///< m: middle of the volume
+  float width = 2;                              ///< m: of the volume, along x
   bool closed = true;
   void describe(scene::Fields& fields);
 };
@@ -64,15 +63,13 @@ struct ReactionSurface {
 struct ReactionMesh {
   enum class Shape { file, plane, sphere, torus };
   enum class Maps { texture, front, top };
-  bool present = false;
   Shape shape = Shape::file;
   std::filesystem::path file;
   glm::vec3 size{4, 0, 4};         ///< m, of a plane
   float radius = 1, tube = 0.35F;  ///< m
   glm::ivec2 resolution{129, 65};  ///< vertices along u and v
   int refine = 0;                  ///< times that each face becomes four
-  Maps maps = Maps::texture;       ///< how pictures and fields lie on it
-  bool hasMaps = false;            ///< else by texture coordinates if it has them, or from the front
+  std::optional<Maps> maps;        ///< else by texture coordinates if it has them, or from the front
   scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
   scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
   scene::Animated<float> scale = 1.0F;
@@ -104,7 +101,7 @@ struct ReactionParameters : ObjectParameters, FieldParts, FieldReading {
   std::vector<ReactionStroke> strokes;
   FieldDisplay display;
   ReactionSurface surface;
-  ReactionMesh mesh;
+  std::optional<ReactionMesh> mesh;
 
   ReactionParameters();
   void describe(scene::Fields& fields) override;
@@ -124,7 +121,7 @@ struct ReactionParameters : ObjectParameters, FieldParts, FieldReading {
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
   [[nodiscard]] RuleSpace space() const {
-    return mesh.present ? RuleSpace::mesh : depth > 1 ? RuleSpace::volume : RuleSpace::plane;
+    return mesh ? RuleSpace::mesh : depth > 1 ? RuleSpace::volume : RuleSpace::plane;
   }
   /// "256x256" or "64x64x64".
   [[nodiscard]] std::string cellsText() const;

@@ -64,9 +64,9 @@ ReactionPlan::ReactionPlan(ReactionParameters parameters, const std::string& obj
 // nothing goes faster than on a grid of that spacing.
 void ReactionPlan::readMesh(const std::string& object) {
   onMesh_ = true;
-  mesh_ = parameters_.mesh.make();
+  mesh_ = parameters_.mesh->make();
   cells_ = cellsOf(mesh_, "reaction \"" + object + "\"");
-  places_ = mapPlaces(parameters_.mesh, mesh_, cells_, "reaction \"" + object + "\"");
+  places_ = mapPlaces(*parameters_.mesh, mesh_, cells_, "reaction \"" + object + "\"");
   parameters_.size = {cells_.count(), 1};
   if (!parameters_.hasSpacing)
     parameters_.spacing *= std::max(1.0, cells_.meanEdge * std::sqrt(fastestOf(cells_) / gridFastest));

@@ -17,12 +17,13 @@ struct ReactionPreset {
     const char* start;
   };
   std::vector<Species> species;
-  std::vector<std::pair<const char*, float>> parameters;
-  std::vector<std::pair<const char*, const char*>> lets;
-  double spacing, dt;
+  std::vector<std::pair<const char*, float>> parameters = {};
+  std::vector<std::pair<const char*, const char*>> lets = {};
+  double spacing = 1;
+  double dt;
   int steps;
-  RuleMethod method;
-  const char* show;
+  RuleMethod method = RuleMethod::euler;
+  const char* show = "";  ///< empty: the first species
   const char* map;
   double low, high;  ///< of the colours
 

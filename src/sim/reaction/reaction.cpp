@@ -83,7 +83,7 @@ class Reaction : public Simulation, public FieldReader, public Retunable {
   }
   bool grow() override { return isosurface_ && isosurface_->grow(); }
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
-    if (painted_) return painted_->table(plan_.parameters().mesh.model(shownTime_));
+    if (painted_) return painted_->table(plan_.parameters().mesh->model(shownTime_));
     return isosurface_ ? std::optional(isosurface_->mesh()) : std::nullopt;
   }
 
@@ -125,16 +125,16 @@ class Reaction : public Simulation, public FieldReader, public Retunable {
     if (!isosurface_ && !painted_) return;
     Surface surface = isosurface_ ? isosurface_->surface() : painted_->surface();
     if (painted_) {
-      surface.model = p.mesh.model(time);
-      surface.doubleSided = p.mesh.shape == ReactionMesh::Shape::plane;
+      surface.model = p.mesh->model(time);
+      surface.doubleSided = p.mesh->shape == ReactionMesh::Shape::plane;
     }
     surface.material = &material_;
     drawables.surfaces.push_back(surface);
   }
 
   [[nodiscard]] double jumpedBy(double time) const override {
-    const ReactionMesh& mesh = plan_.parameters().mesh;
-    return lastJump(time, mesh.position, mesh.rotation, mesh.scale);
+    const auto& mesh = plan_.parameters().mesh;
+    return mesh ? lastJump(time, mesh->position, mesh->rotation, mesh->scale) : Simulation::jumpedBy(time);
   }
 
   void carryOver(CarryOver& carry) override {

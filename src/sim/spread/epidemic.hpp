@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// Susceptible, infected and recovered people on a grid (SPEC 6), two bytes a cell and 16 a step for the
+/// Susceptible, infected and recovered people on a grid, two bytes a cell and 16 a step for the
 /// counts.
 [[nodiscard]] SimulationKind epidemicKind();
 

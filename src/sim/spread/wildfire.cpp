@@ -103,7 +103,7 @@ class Wildfire final : public Simulation {
   }
   static gl::Defines defines(const WildfireParameters& parameters, bool fast) {
     gl::Defines defines = gl::kernelDefines(fast);
-    if (parameters.hasEmbers) defines.emplace_back("EMBERS", "1");
+    if (parameters.embers) defines.emplace_back("EMBERS", "1");
     if (parameters.slope > 0) defines.emplace_back("SLOPE", "1");
     if (!parameters.windFluid.empty()) defines.emplace_back("GALES", "1");
     return defines;

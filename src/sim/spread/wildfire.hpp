@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// A fire on a map of fuel (SPEC 6), four bytes a cell and 16 a step for the counts.
+/// A fire on a map of fuel, four bytes a cell and 16 a step for the counts.
 [[nodiscard]] SimulationKind wildfireKind();
 
 }  // namespace simreel::sim

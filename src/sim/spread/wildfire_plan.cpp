@@ -89,12 +89,13 @@ void WildfireParameters::describe(scene::Fields& f) {
   f.integer("burnSteps", burnSteps, {1, 63}, "steps", "Time that a cell burns.");
   f.integer("coolSteps", coolSteps, {7, 1000000}, "steps",
             "Until burnt ground no longer glows, on average.");
-  f.optionalGroup("embers", hasEmbers, "Sparks that the wind carries ahead.", [&](scene::Fields& e) {
-    e.number("chance", embers.chance, {0, 0.0625}, "per step", "Embers that a burning cell throws.");
-    e.number("distance", embers.distance, {1, 2000}, "cells", "Longest flight.");
-    e.number("spread", embers.spread, {0, 1}, "",
-             "Spread of embers to the sides of the wind, as a fraction of the flight.");
-  });
+  f.optionalGroup(
+      "embers", embers, "Sparks that the wind carries ahead.", [](scene::Fields& e, Embers& of) {
+        e.number("chance", of.chance, {0, 0.0625}, "per step", "Embers that a burning cell throws.");
+        e.number("distance", of.distance, {1, 2000}, "cells", "Longest flight.");
+        e.number("spread", of.spread, {0, 1}, "",
+                 "Spread of embers to the sides of the wind, as a fraction of the flight.");
+      });
   f.list("strokes", strokes, "Timed brush strokes.", [](scene::Fields& s, StrokeParameters& stroke) {
     stroke.describe(s, 1, "1 lights fuel; 0 clears it away.");
   });
@@ -228,12 +229,12 @@ shader::WildfireStep WildfirePlan::stepAt(double time) const {
   data.constants = p;
   data.firstPhase = firstPhase & 15U;
   data.phases = phases(done_ + 1ULL) - firstPhase;
-  if (!p.hasEmbers) return data;
-  data.emberThreshold = static_cast<unsigned>(std::lround(p.embers.chance * 16 * 134217728.0));
-  data.emberReach = given > 0 ? static_cast<float>(256 * p.embers.distance / (2048 * given)) : 0.0F;
-  data.emberFlight = {std::lround(256 * p.embers.distance * windX),
-                      std::lround(256 * p.embers.distance * windY)};
-  data.emberSpread = static_cast<int>(std::lround(256 * p.embers.spread));
+  if (!p.embers) return data;
+  data.emberThreshold = static_cast<unsigned>(std::lround(p.embers->chance * 16 * 134217728.0));
+  data.emberReach = given > 0 ? static_cast<float>(256 * p.embers->distance / (2048 * given)) : 0.0F;
+  data.emberFlight = {std::lround(256 * p.embers->distance * windX),
+                      std::lround(256 * p.embers->distance * windY)};
+  data.emberSpread = static_cast<int>(std::lround(256 * p.embers->spread));
   return data;
 }
 

@@ -36,8 +36,7 @@ struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::Wi
   scene::Animated<float> windStrength = 0.0F;   ///< logarithm of how much faster it spreads with the wind
   std::string windFluid;                        ///< name of the fluid that blows instead; empty: none
   int coolSteps = 240;
-  bool hasEmbers = false;
-  Embers embers;
+  std::optional<Embers> embers;
   glm::vec3 forest{0.012F, 0.055F, 0.018F};
   glm::vec3 grass{0.150F, 0.190F, 0.050F};
   glm::vec3 rock{0.200F, 0.150F, 0.085F};

@@ -2,7 +2,7 @@
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/text/content.hpp"
-#include "sim/text/layout.hpp"
+#include "sim/text/letters/layout.hpp"
 
 #include <filesystem>
 #include <optional>

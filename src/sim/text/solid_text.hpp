@@ -1,6 +1,6 @@
 #pragma once
-#include "sim/mesh/file.hpp"
-#include "sim/text/font.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
+#include "sim/text/letters/font.hpp"
 
 #include <vector>
 

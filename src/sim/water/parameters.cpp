@@ -56,10 +56,11 @@ void WaterParameters::rainOnPond(scene::Fields& f) {
     return;
   const glm::vec2 extent = glm::vec2(size) * cell;
   const float smaller = std::min(extent.x, extent.y);
-  isPond = hasRain = true;
-  rain.rate = 60;
-  rain.radius = 0.017F * smaller;
-  rain.height = 0.017F * smaller;
+  isPond = true;
+  if (!rain) rain.emplace();
+  rain->rate = 60;
+  rain->radius = 0.017F * smaller;
+  rain->height = 0.017F * smaller;
   clarity = 0.045F * smaller;
   ground = {0.17F, 0.165F, 0.07F};
   pondTerrain(extent, smaller);
@@ -186,14 +187,15 @@ void WaterParameters::describeFlow(scene::Fields& f) {
            d.number("from", drain.from, scene::anyNumber, "s", "Time at which it opens.");
            d.number("until", drain.until, scene::anyNumber, "s", "Time at which it closes.");
          });
-  f.optionalGroup("rain", hasRain, "Drops at random places, where there is water.", [&](scene::Fields& r) {
-    r.number("rate", rain.rate, {1e-3, 1e4}, "1/s", "Drops on the whole grid.");
-    r.number("radius", rain.radius, {1e-4, 1e4}, "m",
-             "Radius of the mean drop; drops have half to one and a half of it.");
-    r.number("height", rain.height, heights, "m", "Rise of the level in the middle of each drop.");
-    r.number("from", rain.from, scene::anyNumber, "s", "Time at which it begins.");
-    r.number("until", rain.until, scene::anyNumber, "s", "Time at which it ends.");
-  });
+  f.optionalGroup(
+      "rain", rain, "Drops at random places, where there is water.", [](scene::Fields& r, WaterRain& of) {
+        r.number("rate", of.rate, {1e-3, 1e4}, "1/s", "Drops on the whole grid.");
+        r.number("radius", of.radius, {1e-4, 1e4}, "m",
+                 "Radius of the mean drop; drops have half to one and a half of it.");
+        r.number("height", of.height, heights, "m", "Rise of the level in the middle of each drop.");
+        r.number("from", of.from, scene::anyNumber, "s", "Time at which it begins.");
+        r.number("until", of.until, scene::anyNumber, "s", "Time at which it ends.");
+      });
   f.list("strokes", strokes, "Timed strokes of a brush, in cells: sources.",
          [](scene::Fields& s, StrokeParameters& stroke) {
            stroke.describe(s, 1e4,

@@ -88,9 +88,8 @@ struct WaterParameters : ObjectParameters, FieldParts {
   std::optional<double> greatestSpeed;     ///< m/s
   std::vector<WaterDropParameters> drops;
   std::vector<WaterDrain> drains;
-  bool hasRain = false;
+  std::optional<WaterRain> rain;
   bool isPond = false;  ///< nothing was said of the water
-  WaterRain rain;
   std::vector<StrokeParameters> strokes;
   std::vector<WaterFloat> floats;
   bool collides = false;

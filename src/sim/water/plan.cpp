@@ -223,12 +223,12 @@ WaterFalls WaterPlan::fallsAt(double time, int step) const {
     if (step > 0 && now - 0.5 * dt >= drain.from && now - 0.5 * dt < drain.until)
       falls.drops.push_back(
           dropOf(cellsAt(drain.center), drain.radius, static_cast<float>(-drain.speed.at(now) * dt)));
-  if (!p.hasRain) return falls;
-  const double begin = std::floor((now - 2 * dt - p.rain.from) * p.rain.rate);
-  const double end = std::ceil((now + 2 * dt - p.rain.from) * p.rain.rate);
+  if (!p.rain) return falls;
+  const double begin = std::floor((now - 2 * dt - p.rain->from) * p.rain->rate);
+  const double end = std::ceil((now + 2 * dt - p.rain->from) * p.rain->rate);
   for (double i = std::max(begin, 0.0); i <= end; ++i) {
-    const double at = p.rain.from + i / p.rain.rate;
-    if (at > p.rain.until || !due(at)) continue;
+    const double at = p.rain->from + i / p.rain->rate;
+    if (at > p.rain->until || !due(at)) continue;
     const auto number = static_cast<std::uint64_t>(i);
     const auto random = [&](unsigned purpose) {
       return shader::hash3({static_cast<unsigned>(number),
@@ -238,7 +238,7 @@ WaterFalls WaterPlan::fallsAt(double time, int step) const {
     const auto unit = [](unsigned bits) { return bits / 4294967296.0; };
     const shader::uvec3 r = random(5);
     falls.drops.push_back(dropOf({unit(r.x) * p.size.x, unit(r.y) * p.size.y},
-                                 p.rain.radius * (0.5 + unit(r.z)), p.rain.height));
+                                 p.rain->radius * (0.5 + unit(r.z)), p.rain->height));
   }
   return falls;
 }
@@ -256,8 +256,7 @@ glm::ivec4 WaterPlan::box(const shader::WaterDrop& drop) const {
 }
 
 bool WaterPlan::anythingFalls() const {
-  return !strokes_.empty() || !parameters_.drops.empty() || !parameters_.drains.empty() ||
-         parameters_.hasRain;
+  return !strokes_.empty() || !parameters_.drops.empty() || !parameters_.drains.empty() || parameters_.rain;
 }
 
 shader::WaterLook WaterPlan::look() const {

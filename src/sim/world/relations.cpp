@@ -68,9 +68,9 @@ std::string fieldMistake(const std::string& name, const char* unnamed, bool part
 
 void checkFields(const scene::Object& object, std::span<const scene::Object> objects,
                  const scene::Report& report) {
-  if (object.material.hasSkin) {
+  if (object.material.skin) {
     const std::string mistake =
-        fieldMistake(object.material.skin.field, "the skin has no \"field\"", false, objects);
+        fieldMistake(object.material.skin->field, "the skin has no \"field\"", false, objects);
     if (!mistake.empty()) report(object, {"material", "skin", "field"}, mistake);
   }
   const auto* parameters = parametersAt(object);
@@ -268,18 +268,18 @@ std::vector<std::string> followMistakes(const scene::Scene& scene) {
         fmt::format("{}.follow.object: no object with a path is named {}; {}", where, scene::inQuotes(name),
                     finders.empty() ? "the scene has none: add a cave" : scene::suggestion(name, finders)));
   };
-  if (scene.camera.tracks) {
+  if (scene.camera.track) {
     std::vector<std::string> names;
     for (const scene::Object& object : scene.objects) names.push_back(object.name);
-    const std::string& wanted = scene.camera.track.object;
+    const std::string& wanted = scene.camera.track->object;
     if (std::find(names.begin(), names.end(), wanted) == names.end())
       mistakes.push_back(
           fmt::format("camera.track.object: no object is named {}; {}", scene::inQuotes(wanted),
                       names.empty() ? "the scene has none" : scene::suggestion(wanted, names)));
   }
-  if (scene.camera.follows) check("camera", scene.camera.follow.object);
+  if (scene.camera.follow) check("camera", scene.camera.follow->object);
   for (const scene::Light& light : scene.lights)
-    if (light.follows) check("lights." + light.name, light.follow.object);
+    if (light.follow) check("lights." + light.name, light.follow->object);
   return mistakes;
 }
 

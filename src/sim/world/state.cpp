@@ -58,7 +58,7 @@ World::State::State(const scene::Scene& scene, bool timing, const std::function<
   }
   keepInStep(scene, setting);
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (scene.camera.tracks && scene.camera.track.object == names[i]) tracked = i;
+    if (scene.camera.track && scene.camera.track->object == names[i]) tracked = i;
   findRead(scene);
   readOthers();
   summaries = std::make_unique<SummaryQueue>(objects, names);
@@ -68,18 +68,18 @@ World::State::State(const scene::Scene& scene, bool timing, const std::function<
 }
 
 void World::State::makeLags(double frameSeconds) {
-  const double damping = tracked          ? camera.track.damping
-                         : camera.follows ? camera.follow.damping
-                                          : camera.damping;
-  if (damping > 0) lags.assign(camera.follows ? 2 : 1, Lag(damping, frameSeconds));
+  const double damping = tracked         ? camera.track->damping
+                         : camera.follow ? camera.follow->damping
+                                         : camera.damping;
+  if (damping > 0) lags.assign(camera.follow ? 2 : 1, Lag(damping, frameSeconds));
 }
 
 void World::State::findObservers() {
   std::set<std::size_t> seen;
   if (!lags.empty() && tracked) seen.insert(*tracked);
-  if (!lags.empty() && camera.follows)
+  if (!lags.empty() && camera.follow)
     for (std::size_t i = 0; i < names.size(); ++i)
-      if (camera.follow.object == names[i]) seen.insert(i);
+      if (camera.follow->object == names[i]) seen.insert(i);
   for (const auto& object : objects) {
     auto* observer = dynamic_cast<FrameObserver*>(object.get());
     if (observer == nullptr) continue;
@@ -100,12 +100,12 @@ std::vector<glm::vec3> World::State::ahead() const {
     const auto place = objects[*tracked]->middle(now());
     return place ? std::vector<glm::vec3>{*place} : std::vector<glm::vec3>();
   }
-  if (!camera.follows) return {camera.target.at(now())};
+  if (!camera.follow) return {camera.target.at(now())};
   Drawables all;
   for (const auto& object : objects) object->publish(now(), all);
-  const Path* path = pathOf(all, camera.follow.object);
+  const Path* path = pathOf(all, camera.follow->object);
   if (path == nullptr) return {};
-  const Stand stand = standOn(*path->points, camera.follow, now());
+  const Stand stand = standOn(*path->points, *camera.follow, now());
   return {stand.target, stand.eye};
 }
 

@@ -164,8 +164,8 @@ std::vector<std::string> placing(const scene::Camera& camera, const scene::Camer
     return fmt::format("[{},{},{}]", value(v.x), value(v.y), value(v.z));
   };
   std::vector<std::string> given;
-  if (camera.orbits)
-    given.push_back("camera.orbit.distance=" + value(camera.orbit.distance.at(0)));
+  if (camera.orbit)
+    given.push_back("camera.orbit.distance=" + value(camera.orbit->distance.at(0)));
   else
     given.push_back("camera.position=" + vector(camera.position.at(0)));
   given.push_back("camera.target=" + vector(camera.target.at(0)));

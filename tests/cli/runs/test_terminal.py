@@ -161,6 +161,32 @@ class Layers(unittest.TestCase):
             self.assertEqual(code, 1)
             self.assertIn("src/sim/core/list.hpp:1: sim/core includes from sim/cloth/deep", message)
 
+    def test_strangers_and_circles_are_found(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "tools").mkdir()
+            shutil.copy(SOURCE / "tools/check-layers", folder / "tools")
+            shutil.copy(SOURCE / "CMakeLists.txt", folder)
+
+            def check(**files):
+                for file, text in {"sim/cloth/cloth.cpp": "class Cloth : public Simulation {\n};\n", **files}.items():
+                    (folder / "src" / file).parent.mkdir(parents=True, exist_ok=True)
+                    (folder / "src" / file).write_text(text, encoding="utf-8")
+                done = subprocess.run([folder / "tools/check-layers"], capture_output=True, check=False, env=os.environ)
+                for file in files:
+                    (folder / "src" / file).unlink()
+                return done.returncode, done.stderr.decode()
+
+            includes = '#include "{}"\n'.format
+            for layer, wanted in (("draw", 1), ("frame", 1), ("serve", 0), ("sim/water", 1), ("sim/garment", 0), ("sim/world", 0)):
+                with self.subTest(layer=layer):
+                    code, message = check(**{f"{layer}/a.cpp": includes("sim/cloth/cloth.hpp")})
+                    self.assertEqual(code, wanted, message)
+                    self.assertEqual("includes from the simulation sim/cloth" in message, wanted == 1)
+            code, message = check(**{"scene/a.cpp": includes("scene/b.hpp"), "scene/b.hpp": includes("scene/a.hpp")})
+            self.assertEqual(code, 1)
+            self.assertIn("src/scene/b.hpp:1: b includes from a", message)
+
 
 if __name__ == "__main__":
     main()

@@ -15,8 +15,8 @@ namespace {
 scene::Scene withSkin(const std::string& field, int side = 1280) {
   scene::Scene scene;
   scene.objects.emplace_back();
-  scene.objects[0].material.hasSkin = true;
-  scene.objects[0].material.skin.field = field;
+  scene.objects[0].material.skin.emplace();
+  scene.objects[0].material.skin->field = field;
   scene.render.size = {side, side};
   return scene;
 }

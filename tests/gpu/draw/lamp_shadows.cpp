@@ -1,6 +1,7 @@
 // Shadows of a scene's lights against geometry worked out by hand.
 #include "gpu/draw/ball_stage.hpp"
 #include "gpu/draw/lamp_stage.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 

@@ -46,7 +46,7 @@ TEST_CASE("skin: a flat field gives the plain colour and the surface's own norma
   testContext();
   for (const double value : {0.0, 1.0}) {
     const FieldStage field(Cells::floats, {37, 23}, [&](int, int) { return value; });
-    const auto look = draw::lookOf(grown(Look::leather).skin);
+    const auto look = draw::lookOf(*grown(Look::leather).skin);
     const auto oblique = [](scene::Scene& scene, sim::Surface&) {
       scene.sun.direction = glm::vec3(0.6F, 0.3F, 0.5F);
     };
@@ -63,9 +63,9 @@ TEST_CASE("skin: a step in the field is an edge between two colours, one pixel w
   // The change happens within a cell, which covers ten pixels.
   const FieldStage field(Cells::floats, {8, 5}, [](int x, int) { return x >= 4 ? 1.0 : 0.0; });
   scene::Material material = grown(Look::leather);
-  material.skin.bump = 0;
-  material.skin.low = glm::vec3(0, 0.5F, 0);
-  material.skin.high = glm::vec3(0.5F, 0, 0);
+  material.skin->bump = 0;
+  material.skin->low = glm::vec3(0, 0.5F, 0);
+  material.skin->high = glm::vec3(0.5F, 0, 0);
   const Picture picture = worn(material, field);
   int between = 0;
   for (int x = 40; x < 90; ++x) {
@@ -85,9 +85,9 @@ TEST_CASE("skin: the threshold is a value of the field, and its range is known")
   FieldStage field(Cells::floats, {64, 4}, [](int x, int) { return 10.0 + x; });
   field.field.range = {10, 74};
   scene::Material material = grown(Look::spots);
-  material.skin.bump = 0;
-  material.skin.low = glm::vec3(0);
-  material.skin.high = glm::vec3(1);
+  material.skin->bump = 0;
+  material.skin->low = glm::vec3(0);
+  material.skin->high = glm::vec3(1);
   const auto edge = [&] {
     const Picture picture = worn(material, field, squareMesh(), {}, {257, 129});
     int lit = 0;
@@ -95,7 +95,7 @@ TEST_CASE("skin: the threshold is a value of the field, and its range is known")
     return lit;
   };
   const int middle = edge();  // by default halfway
-  material.skin.threshold = 58.5;
+  material.skin->threshold = 58.5;
   const int quarter = edge();
   CHECK(quarter == doctest::Approx(middle / 2.0).epsilon(0.1));
 }
@@ -107,7 +107,7 @@ TEST_CASE("skin: relief turns the shading the same way for mirrored uvs and on b
     return 0.5 - 0.5 * std::cos(2 * std::numbers::pi * (x + 0.5) / 32);
   });
   scene::Material material = grown(Look::leather);
-  material.skin.low = material.skin.high = glm::vec3(0.5F);
+  material.skin->low = material.skin->high = glm::vec3(0.5F);
   const auto fromRight = [](scene::Scene& scene, sim::Surface&) {
     scene.sun.direction = glm::vec3(1, 0, 1);
   };
@@ -118,7 +118,7 @@ TEST_CASE("skin: relief turns the shading the same way for mirrored uvs and on b
   };
   for (const float bump : {-2.0F, 2.0F}) {
     CAPTURE(bump);
-    material.skin.bump = bump;
+    material.skin->bump = bump;
     const float raised = bump < 0 ? 1 : -1;  // high values of leather lie low
     for (const bool mirrored : {false, true}) {
       CAPTURE(mirrored);
@@ -132,7 +132,7 @@ TEST_CASE("skin: relief turns the shading the same way for mirrored uvs and on b
   const FieldStage across(Cells::floats, {32, 32}, [](int, int y) {
     return 0.5 - 0.5 * std::cos(2 * std::numbers::pi * (y + 0.5) / 32);
   });
-  material.skin.bump = -2;
+  material.skin->bump = -2;
   const Picture above = worn(material, across, squareMesh(), [](scene::Scene& scene, sim::Surface&) {
     scene.sun.direction = glm::vec3(0, 1, 1);
   });
@@ -151,18 +151,18 @@ TEST_CASE("skin: from three sides a square looks as it does by uv, and a mesh ne
   for (std::size_t i = 0; i < byUv.uvs.size(); ++i)
     byUv.uvs[i] = {0.5F * byUv.positions[i].x, -byUv.positions[i].y};
   const Picture expected = worn(material, field, byUv, oblique);
-  material.skin.projection = scene::Skin::Projection::triplanar;
-  material.skin.repeats = 0.5F;
+  material.skin->projection = scene::Skin::Projection::triplanar;
+  material.skin->repeats = 0.5F;
   CHECK(maxApart(worn(material, field, byUv, oblique), expected) <= 2);
   byUv.uvs.clear();
-  material.skin.projection = scene::Skin::Projection::uv;
+  material.skin->projection = scene::Skin::Projection::uv;
   CHECK(maxApart(worn(material, field, byUv, oblique), expected) <= 2);
   // All three planes: neither side of a sphere is without pattern.
   sim::Mesh sphere = sim::sphereMesh(1.0F, {49, 25});
   sphere.uvs.clear();
-  material.skin.bump = 0;
-  material.skin.low = glm::vec3(0);
-  material.skin.high = glm::vec3(1);
+  material.skin->bump = 0;
+  material.skin->low = glm::vec3(0);
+  material.skin->high = glm::vec3(1);
   for (const glm::vec3 eye :
        {glm::vec3(4, 0, 0), glm::vec3(0, 4, 0.1F), glm::vec3(0, 0, 4), glm::vec3(-3, -2, 2)}) {
     const Picture picture = worn(material, field, sphere, [&](scene::Scene& scene, sim::Surface&) {
@@ -216,10 +216,10 @@ TEST_CASE("skin: a pattern finer than pixels shows its mean, not noise") {
                                                                                                     : 0.0;
   });
   scene::Material material = grown(Look::spots);
-  material.skin.bump = 0;
-  material.skin.low = glm::vec3(0.0F);
-  material.skin.high = glm::vec3(0.8F);
-  material.skin.repeats = 60;
+  material.skin->bump = 0;
+  material.skin->low = glm::vec3(0.0F);
+  material.skin->high = glm::vec3(0.8F);
+  material.skin->repeats = 60;
   const Picture picture = worn(material, field);
   double sum = 0;
   double squares = 0;
@@ -242,7 +242,7 @@ TEST_CASE("skin: the look map shows the field's own colours") {
   testContext();
   const FieldStage field(Cells::floats, {2, 2}, [](int, int) { return 0.5; }, {3, 5, 2},
                          {glm::vec3(1, 0, 0), glm::vec3(0, 0.6F, 0.3F), glm::vec3(0, 0, 1)});
-  const auto look = draw::lookOf(grown(Look::map).skin);
+  const auto look = draw::lookOf(*grown(Look::map).skin);
   CHECK(maxApart(worn(grown(Look::map), field), worn(plain({0, 0.6F, 0.3F}, look.roughness), field)) <= 1);
   FieldStage states(Cells::bytes, {5, 3}, [](int, int) { return 1.0; }, {3, 5, 2},
                     {glm::vec3(1, 0, 0), glm::vec3(0.1F, 0.2F, 0.7F), glm::vec3(0, 0, 1)});
@@ -263,8 +263,8 @@ TEST_CASE("skin: cracks glow in the dark, other looks do not") {
 TEST_CASE("skin: cracks glow by how far the field is above the threshold") {
   testContext();
   scene::Material material = grown(Look::cracks);
-  material.skin.bump = 0;
-  material.skin.high = glm::vec3(0.5F, 0.3F, 0.15F);
+  material.skin->bump = 0;
+  material.skin->high = glm::vec3(0.5F, 0.3F, 0.15F);
   const auto dark = [](scene::Scene& scene, sim::Surface&) { scene.sun.intensity = 0.0F; };
   // Of the last one hardly anything can be above the threshold: its range counts as 0.05.
   for (const auto& [threshold, value] :
@@ -273,7 +273,7 @@ TEST_CASE("skin: cracks glow by how far the field is above the threshold") {
     CAPTURE(value);
     FieldStage field(Cells::floats, {4, 4}, [&value = value](int, int) { return value; });
     field.field.range = {0, 1};
-    material.skin.threshold = threshold;
+    material.skin->threshold = threshold;
     const Picture picture = worn(material, field, squareMesh(), dark);
     glm::dvec3 mean(0);
     for (int y = 55; y < 75; ++y)
@@ -293,14 +293,14 @@ TEST_CASE("skin: grids wear skins, lost numbers and missing fields do no harm") 
   for (const Look look : {Look::leather, Look::spots, Look::cracks, Look::map}) {
     GridStage sheet({5, 4}, {-1, 1, 0}, {2, 0, 0}, {0, -2, 0});
     sheet.material = grown(look);
-    sheet.material.skin.bump = 0;
+    sheet.material.skin->bump = 0;
     const scene::Scene scene = roomWith(sheet.material);
     sim::Drawables drawables{.surfaces = {sheet.surface}, .fields = {lost.field}};
     drawables.fields.back().display = nullptr;
     CHECK(drawn(scene, drawables, {65, 65}).brightness(2, 2) == 0);
     // Without the field: as if there were no skin.
     const Picture bare = drawn(scene, {.surfaces = {sheet.surface}}, {65, 65});
-    sheet.material.hasSkin = false;
+    sheet.material.skin.reset();
     CHECK(maxApart(bare, drawn(scene, {.surfaces = {sheet.surface}}, {65, 65})) == 0);
   }
 }

@@ -29,9 +29,9 @@ draw::SkinMaps mapsOf(const scene::Material& material, const FieldStage& field, 
   drawables.fields.push_back(field.field);
   fields.update(drawables);
   skins.update(fields);
-  const draw::SkinTextures::Entry* entry = skins.find(material.skin);
+  const draw::SkinTextures::Entry* entry = skins.find(*material.skin);
   REQUIRE(entry != nullptr);
-  draw::SkinMaps maps = mapper.draw(*entry, material.skin, size);
+  draw::SkinMaps maps = mapper.draw(*entry, *material.skin, size);
   testContext().check();
   return maps;
 }
@@ -84,7 +84,7 @@ TEST_CASE("skin maps: rolling the field by half moves them by exactly half") {
           const auto here = static_cast<std::size_t>(y * size.x + x);
           const auto there =
               static_cast<std::size_t>((y + size.y / 2) % size.y * size.x + (x + size.x / 2) % size.x);
-          const glm::vec4 glow = glm::max(glm::vec4(draw::lookOf(grown(look).skin).high, 1), glm::vec4(1));
+          const glm::vec4 glow = glm::max(glm::vec4(draw::lookOf(*grown(look).skin).high, 1), glm::vec4(1));
           max = std::max({max, apart(a.surface[there], b.surface[here]),
                           apart(a.relief[there], b.relief[here]),
                           apart(a.light[there] / glow, b.light[here] / glow)});
@@ -114,7 +114,7 @@ TEST_CASE("skin maps: values follow theory on a slope") {
   const FieldStage field(Cells::floats, {64, 6},
                          [](int x, int) { return x < 32 ? x / 32.0 : (64 - x) / 32.0; });
   scene::Material material = grown(Look::map);
-  const float depth = draw::lookOf(material.skin).depth;
+  const float depth = draw::lookOf(*material.skin).depth;
   const draw::SkinMaps maps = mapsOf(material, field, {64, 6});
   const glm::vec3 up = glm::normalize(glm::vec3(-depth / 32, 0, 1));
   const glm::vec3 down = glm::normalize(glm::vec3(depth / 32, 0, 1));
@@ -140,7 +140,7 @@ TEST_CASE("skin maps: values follow theory on a slope") {
   CHECK(tall.relief[10 * 6].y == doctest::Approx(-up.x).epsilon(0.01));
   CHECK(tall.relief[50 * 6].y == doctest::Approx(up.x).epsilon(0.01));
   // A bump the other way round turns both.
-  material.skin.bump = -1;
+  material.skin->bump = -1;
   const draw::SkinMaps sunk = mapsOf(material, field, {64, 6});
   CHECK(sunk.relief[10].x == doctest::Approx(-up.x).epsilon(0.01));
   CHECK(sunk.relief[10].w == doctest::Approx(1 - 10 / 32.0).epsilon(0.002));

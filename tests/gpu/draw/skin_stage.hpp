@@ -1,7 +1,7 @@
 #pragma once
 #include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/field_stage.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <functional>
 #include <numbers>
@@ -67,9 +67,9 @@ inline double waves(double u, double v) {
 /// A material grown from the field "grid" of a FieldStage.
 inline simreel::scene::Material grown(simreel::scene::Skin::Look look) {
   simreel::scene::Material material;
-  material.hasSkin = true;
-  material.skin.field = "grid";
-  material.skin.look = look;
+  material.skin.emplace();
+  material.skin->field = "grid";
+  material.skin->look = look;
   return material;
 }
 

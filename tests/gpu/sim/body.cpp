@@ -5,6 +5,7 @@
 #include "reference/body_twin.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
+#include "scene/load.hpp"
 #include "sim/body/bones.hpp"
 #include "sim/body/skinned_surface.hpp"
 #include "sim/world/list.hpp"

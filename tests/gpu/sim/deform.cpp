@@ -3,6 +3,7 @@
 #include "draw/screen/renderer.hpp"
 #include "gpu/context.hpp"
 #include "gpu/sim/words.hpp"
+#include "scene/load.hpp"
 #include "sim/mesh/deform_cpu.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"

@@ -30,13 +30,13 @@ sim::FluidParameters chartedChannel() {
   p.obstacles.resize(1);
   p.obstacles[0].center = glm::vec3(15, 13, 0);
   p.obstacles[0].radius = 4;
-  p.hasChart = true;
-  p.chart.curves.resize(2);
-  p.chart.curves[1].of = sim::FluidChartParameters::Quantity::drag;
-  for (auto& curve : p.chart.curves) curve.per = 2500;
-  p.chart.low = -3;
-  p.chart.high = 5;
-  p.chart.seconds = 2;
+  p.chart.emplace();
+  p.chart->curves.resize(2);
+  p.chart->curves[1].of = sim::FluidChartParameters::Quantity::drag;
+  for (auto& curve : p.chart->curves) curve.per = 2500;
+  p.chart->low = -3;
+  p.chart->high = 5;
+  p.chart->seconds = 2;
   return p;
 }
 

@@ -1,6 +1,7 @@
 // Tracers of a fluid beside their CPU twin, word by word.
 #include "gpu/context.hpp"
 #include "reference/tracers_twin.hpp"
+#include "scene/load.hpp"
 #include "sim/fluid/plan.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
@@ -45,8 +46,8 @@ void checkTracers(const std::string& sides) {
   const auto& p = dynamic_cast<const sim::FluidParameters&>(*scene.objects.at(0).parameters);
   const sim::FluidPlan plan(p, "it", scene.seed, 1.0 / 60);
   const auto step =
-      sim::tracerStep(p.tracers, 1.0 / 60 / plan.substeps(), scene.seed, p.wrapsX(), p.wrapsY());
-  TracersTwin twin(p.tracers, p.size, plan.solidsAt(0, 0)->solid(), step, 1.0 / 60);
+      sim::tracerStep(*p.tracers, 1.0 / 60 / plan.substeps(), scene.seed, p.wrapsX(), p.wrapsY());
+  TracersTwin twin(*p.tracers, p.size, plan.solidsAt(0, 0)->solid(), step, 1.0 / 60);
   sim::World world(scene);
   const auto same = [&] {
     const auto arrays = world.object(0).state();

@@ -4,6 +4,7 @@
 #include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"
 #include "reference/spread_twin.hpp"
+#include "scene/load.hpp"
 #include "sim/fluid/parameters.hpp"
 #include "sim/spread/grid.hpp"
 #include "sim/world/list.hpp"

@@ -92,8 +92,7 @@ TEST_CASE("grayScott with rates that vary in space and time equals its CPU twin"
 
 TEST_CASE("grayScott with health, strokes and presteps equals its CPU twin") {
   auto p = field(73, 41);
-  p.hasHealth = true;
-  p.health = scene::Animated<float>({{0.0, 1.0F}, {0.4, 0.0F}}, scene::Ease::linear);
+  p.health.emplace().level = scene::Animated<float>({{0.0, 1.0F}, {0.4, 0.0F}}, scene::Ease::linear);
   p.presteps = 37;
   sim::StrokeParameters stroke;
   stroke.at = 0.1;

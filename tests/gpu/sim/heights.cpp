@@ -5,6 +5,7 @@
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"
+#include "scene/load.hpp"
 #include "sim/mesh/deform_cpu.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"

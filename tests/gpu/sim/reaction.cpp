@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "gpu/context.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/reaction/kernels.hpp"
 #include "sim/reaction/presets.hpp"

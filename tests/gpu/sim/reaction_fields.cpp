@@ -1,6 +1,7 @@
 // Rules that read other objects' fields: as these are when a frame begins, whoever steps first, bit for bit
 // as on the CPU.
 #include "gpu/context.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/grid/field_values.hpp"
 #include "sim/reaction/plan.hpp"

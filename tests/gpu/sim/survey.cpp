@@ -4,6 +4,7 @@
 
 #include "draw/camera.hpp"
 #include "gpu/context.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 

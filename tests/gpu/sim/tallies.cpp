@@ -1,6 +1,7 @@
 // What fluids and water write beside the frames: sums of the GPU against sums in double of what is read
 // back.
 #include "gpu/context.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 

@@ -6,6 +6,7 @@
 #include "golden/trace/layout.hpp"
 #include "golden/trace/stream.hpp"
 #include "gpu/context.hpp"
+#include "scene/load.hpp"
 #include "sim/core/shader_code.hpp"
 #include "sim/world/list.hpp"
 

@@ -7,6 +7,7 @@
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"
+#include "scene/load.hpp"
 #include "sim/cave/parameters.hpp"
 #include "sim/contour/parameters.hpp"
 #include "sim/world/list.hpp"

@@ -2,6 +2,7 @@
 
 #include "gpu/context.hpp"
 #include "reference/water_twin.hpp"
+#include "scene/load.hpp"
 #include "sim/grid/field_values.hpp"
 #include "sim/water/quantities.hpp"
 #include "sim/world/list.hpp"
@@ -34,8 +35,8 @@ sim::WaterParameters pond(int width, int height) {
   p.foam = 2;
   p.drains = {{{0.3F * w, 0, 0.6F * w}, 0.3F, 0.8F, 0.05, 0.3}};
   p.drops = {{0.1, {0.1F, 0, 0.2F}, 0.5F, 0.2F}};
-  p.hasRain = true;
-  p.rain.rate = 100;
+  p.rain.emplace();
+  p.rain->rate = 100;
   sim::StrokeParameters source;
   source.at = 0.02;
   source.until = 0.2;

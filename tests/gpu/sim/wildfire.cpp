@@ -89,8 +89,7 @@ TEST_CASE("wildfire equals its CPU twin on 131x97, a torus with turning wind and
   p.patchSize = 9;
   p.windDirection = scene::Animated<float>({{0.0, 20.0F}, {1.0, 200.0F}}, scene::Ease::linear);
   p.windStrength = 1.2F;
-  p.hasEmbers = true;
-  p.embers = {0.01, 40, 0.5};
+  p.embers = sim::Embers{0.01, 40, 0.5};
   compare(p, 40);
 }
 
@@ -98,8 +97,7 @@ TEST_CASE("wildfire equals its CPU twin on 33x7, closed, with firebreaks and emb
   auto p = plain(33, 7);
   p.windStrength = 0.5F;
   p.moisture = 0.3F;
-  p.hasEmbers = true;
-  p.embers = {0.0625, 9, 1};
+  p.embers = sim::Embers{0.0625, 9, 1};
   p.strokes.push_back(spread::dot({20, 0, 0}, 1, 0, 0.05));
   p.strokes.back().shape = sim::StrokeParameters::Shape::line;
   p.strokes.back().to = {24, 7, 0};
@@ -210,8 +208,7 @@ TEST_CASE("wildfire equals its CPU twin on 131x97 with hills") {
   p.slope = 3;
   p.windStrength = 0.7F;
   p.windDirection = 130.0F;
-  p.hasEmbers = true;
-  p.embers = {0.01, 20, 0.5};
+  p.embers = sim::Embers{0.01, 20, 0.5};
   compare(p, 40);
   p.slope = 0.8;
   p.size = {47, 33};
@@ -311,8 +308,7 @@ TEST_CASE("wildfire: embers leap a firebreak downwind") {
   p.strokes.back().to = {65, 99, 0};
   p.windStrength = 0.4F;
   CHECK(burn(p, 60).right < 66);
-  p.hasEmbers = true;
-  p.embers = {0.01, 30, 0.3};
+  p.embers = sim::Embers{0.01, 30, 0.3};
   CHECK(burn(p, 60).right > 80);
 }
 

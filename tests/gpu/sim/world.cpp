@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "gl/element_array.hpp"
 #include "gpu/context.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/core/shader_code.hpp"
 #include "sim/core/state_hash.hpp"

@@ -3,6 +3,7 @@
 #include "cli/bench/chart.hpp"
 #include "cli/bench/report.hpp"
 #include "cli/bench/rows.hpp"
+#include "scene/load.hpp"
 #include "scene/value/choices.hpp"
 #include "unit/frame/help.hpp"
 

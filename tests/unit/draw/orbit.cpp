@@ -27,10 +27,10 @@ TEST_CASE("orbit: turn, elevation and distance say where the camera stands") {
 
 TEST_CASE("orbit: the view looks at the target from there, and turns with time") {
   scene::Camera camera;
-  camera.orbits = true;
+  camera.orbit.emplace();
   camera.target = glm::vec3(0, 1, 0);
-  camera.orbit.turn = scene::Animated<float>({{0, 0.0F}, {2, 360.0F}}, scene::Ease::linear);
-  camera.orbit.distance = 5.0F;
+  camera.orbit->turn = scene::Animated<float>({{0, 0.0F}, {2, 360.0F}}, scene::Ease::linear);
+  camera.orbit->distance = 5.0F;
   for (const double time : {0.0, 0.3, 1.0, 1.7}) {
     const draw::View view = draw::viewAt(camera, time, {320, 180}, {});
     CHECK(glm::length(view.eye - view.target) == doctest::Approx(5));
@@ -41,9 +41,9 @@ TEST_CASE("orbit: the view looks at the target from there, and turns with time")
 
 TEST_CASE("track: the view looks at the object's middle, and goes along with it on an orbit") {
   scene::Camera camera;
-  camera.tracks = true;
-  camera.track.object = "ball";
-  camera.track.offset = glm::vec3(0, 0.5F, 0);
+  camera.track.emplace();
+  camera.track->object = "ball";
+  camera.track->offset = glm::vec3(0, 0.5F, 0);
   camera.position = glm::vec3(3, 1, 4);
   const std::string name = "ball", other = "cup";
   const sim::Drawables drawables{.places = {{&other, glm::vec3(9)}, {&name, glm::vec3(1, 2, -1)}}};
@@ -52,9 +52,9 @@ TEST_CASE("track: the view looks at the object's middle, and goes along with it 
   CHECK(view.target == target);
   CHECK(view.eye == glm::vec3(3, 1, 4));
   CHECK(glm::length(view.forward - glm::normalize(target - view.eye)) < 1e-6F);
-  camera.orbits = true;
-  camera.orbit.elevation = 0.0F;
-  camera.orbit.distance = 2.0F;
+  camera.orbit.emplace();
+  camera.orbit->elevation = 0.0F;
+  camera.orbit->distance = 2.0F;
   view = draw::viewAt(camera, 0, {320, 180}, drawables);
   CHECK(glm::length(view.eye - (target + glm::vec3(0, 0, 2))) < 1e-5F);
   CHECK_THROWS_WITH(static_cast<void>(draw::viewAt(camera, 1.5, {320, 180}, {})),

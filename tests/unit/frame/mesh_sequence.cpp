@@ -8,7 +8,7 @@
 #include "frame/mesh/ply.hpp"
 #include "glb_file.hpp"
 #include "help.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,5 +1,6 @@
 #include "frame/image.hpp"
 #include "help.hpp"
+#include "sim/grid/stb_picture.hpp"
 
 #include <algorithm>
 #include <array>
@@ -203,4 +204,19 @@ TEST_CASE("png: threads encode the same bytes as one") {
     REQUIRE(files.size() == 3 * expected.size());
     for (std::size_t i = 0; i < files.size(); ++i) CHECK((files[i] == expected[i % expected.size()]));
   }
+}
+
+TEST_CASE("png: grey numbers of 16 bits are linear and come back") {
+  const std::vector<std::uint8_t> bytes = {0x12, 0x34, 0xff, 0xff, 0, 0, 0, 1, 0x80, 0, 0xab, 0xcd};
+  const auto file = encodePng({{3, 2}, 1, 16, bytes, true}, {{"Software", "simreel"}});
+  const auto chunks = chunksOf(file);
+  REQUIRE(chunks.size() == 6);
+  CHECK(chunks[0].data == std::string("\0\0\0\x03\0\0\0\x02\x10\0\0\0\0", 13));
+  CHECK(chunks[1].type == "gAMA");
+  CHECK(chunks[1].data == std::string("\x00\x01\x86\xa0", 4));
+  CHECK(chunks[2].type == "cHRM");
+  const auto values =
+      sim::stbDecode<std::uint16_t>({reinterpret_cast<const char*>(file.data()), file.size()}, {3, 2}, 1);
+  REQUIRE(values);
+  CHECK(*values == std::vector<std::uint16_t>{0x1234, 0xffff, 0, 1, 0x8000, 0xabcd});
 }

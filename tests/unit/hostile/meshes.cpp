@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/isolated.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
 #include "unit/hostile/hostile.hpp"
 

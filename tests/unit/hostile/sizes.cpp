@@ -1,10 +1,11 @@
 // Small files and short scenes that stand for gigabytes: refused before anything is decoded or built.
 #include "base/file.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/fluid/plan.hpp"
 #include "sim/grid/picture_file.hpp"
 #include "sim/light/light_file.hpp"
-#include "sim/text/font.hpp"
+#include "sim/text/letters/font.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 #include "unit/help.hpp"

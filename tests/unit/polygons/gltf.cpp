@@ -2,7 +2,7 @@
 // scenes.
 #include "base/error.hpp"
 #include "sim/body/figure.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
 
 #include <bit>

@@ -1,6 +1,6 @@
 // Material libraries of OBJ: what a line says is drawn, or it is said that it is not.
 #include "scene/value/asset_path.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // OBJ as the Advanced Visualizer's manual and other programs have it: each line means what it says, or is
 // refused.
 #include "base/error.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 // PLY as Turk described it and other programs write it.
 #include "base/error.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
 
 #include <bit>

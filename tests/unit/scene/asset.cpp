@@ -1,3 +1,4 @@
+#include "scene/load.hpp"
 #include "unit/scene/toy.hpp"
 
 #include <cstdlib>

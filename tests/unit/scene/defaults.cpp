@@ -2,6 +2,7 @@
 // out.
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "scene/sections.hpp"
 #include "scene/texts/help_page.hpp"

@@ -95,14 +95,14 @@ TEST_CASE("a camera that goes round has all in view from everywhere, and from so
       CAPTURE(elevation);
       const scene::Box box{{-1, 0.5F, -0.2F}, {2, 1.5F, 0.4F}, round};
       scene::Scene scene;
-      scene.camera.orbits = true;
-      scene.camera.orbit.elevation = elevation;
+      scene.camera.orbit.emplace();
+      scene.camera.orbit->elevation = elevation;
       scene::Object& object = scene.objects.emplace_back();
       object.parameters = std::make_unique<Boxed>(box);
       scene::frameObjects(scene, {{box}});
       float most = 0;
       for (int turn = 0; turn < 360; turn += 5) {
-        scene.camera.orbit.turn = static_cast<float>(turn);
+        scene.camera.orbit->turn = static_cast<float>(turn);
         const float reached = reach(scene, box);
         CHECK(reached < (round ? 1.75F : 0.93F));  // corners of a box around a ball are outside of it
         most = std::max(most, reached);

@@ -1,5 +1,6 @@
 // A file that is given says which shape, of every kind that has one; beside another shape it is a mistake.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "scene/value/value_writer.hpp"
 #include "sim/world/list.hpp"
 #include "source_folder.hpp"

@@ -42,13 +42,13 @@ TEST_CASE("lights: every field is read, in the order of the file") {
   CHECK(!zeta.shadow);
   CHECK(zeta.shadowSize == 96);
   CHECK(zeta.shadowSoftness == 3.0F);
-  CHECK(zeta.hasFlicker);
+  CHECK(zeta.flicker);
   CHECK(zeta.flicker.amount.at(0) == 0.7F);
   CHECK(zeta.flicker.rate == 9.0F);
   CHECK(zeta.flicker.sway.at(0) == 0.02F);
   const Light& alpha = scene.lights[1];
   CHECK(alpha.name == "alpha");
-  CHECK(!alpha.hasFlicker);
+  CHECK(!alpha.flicker);
   CHECK(alpha.shadow);
   CHECK(alpha.intensity.at(0) == 20.0F);
   CHECK(parse(R"({"version": 1})").lights.empty());
@@ -72,7 +72,7 @@ TEST_CASE("lights: what moves may move along keyframes") {
   const Light by = parse(R"({"version": 1, "objects": {"c": {"cloth": {}}}, "lights": {"a": {"follow": {
     "object": "c", "height": 3, "side": -2, "progress": {"keys": [[0, 0], [2, 1]]}}}}})")
                        .lights.at(0);
-  CHECK(by.follows);
+  CHECK(by.follow);
   CHECK(by.follow.object == "c");
   CHECK(by.follow.progress.at(0.5) == 0.25F);
   CHECK(by.follow.height == 3);
@@ -109,7 +109,7 @@ TEST_CASE("lights: at most 256, and eight with shadows") {
 TEST_CASE("lights: overrides change and complete them, and add none in passing") {
   const std::string text = withLights(R"("torch": {"intensity": 5})");
   CHECK(parse(text, {"lights.torch.intensity=7"}).lights.at(0).intensity.at(0) == 7.0F);
-  CHECK(parse(text, {"lights.torch.flicker.rate=2"}).lights.at(0).hasFlicker);
+  CHECK(parse(text, {"lights.torch.flicker.rate=2"}).lights.at(0).flicker);
   CHECK(parse(text, {"lights.lamp={\"radius\": 2}"}).lights.at(1).radius.at(0) == 2.0F);
   CHECK(parse(R"({"version": 1})", {"lights.a={}"}).lights.at(0).name == "a");
   CHECK(mistakes(text, {"lights.trch.intensity=7"}) ==

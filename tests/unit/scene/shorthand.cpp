@@ -1,4 +1,5 @@
 // A group that may be given as one word.
+#include "scene/load.hpp"
 #include "scene/texts/help_page.hpp"
 #include "scene/texts/schema_text.hpp"
 #include "unit/scene/toy.hpp"

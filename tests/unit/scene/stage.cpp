@@ -2,6 +2,7 @@
 #include "draw/camera.hpp"
 #include "draw/frame_values.hpp"
 #include "scene/framing.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/world/list.hpp"
 #include "source_folder.hpp"

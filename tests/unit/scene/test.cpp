@@ -1,4 +1,5 @@
 // "test" and "checks" of a scene, and the file beside it.
+#include "scene/load.hpp"
 #include "unit/scene/toy.hpp"
 
 #include <filesystem>

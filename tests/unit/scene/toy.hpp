@@ -1,5 +1,6 @@
 #pragma once
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "unit/help.hpp"
 

@@ -1,5 +1,6 @@
 #include "serve/edit/brush.hpp"
 
+#include "scene/load.hpp"
 #include "sim/fluid/parameters.hpp"
 #include "sim/world/list.hpp"
 

@@ -1,4 +1,5 @@
 // Capsules around bones, and what cloth is told of them.
+#include "scene/load.hpp"
 #include "sim/body/bones.hpp"
 #include "sim/body/capsules.hpp"
 #include "sim/cloth/plan.hpp"

@@ -1,5 +1,6 @@
 // Files with bones: what is read, and one clear line for each mistake.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "sim/body/figure.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"

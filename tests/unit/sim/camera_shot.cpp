@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "draw/camera.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 #include "unit/figure_text.hpp"
 #include "unit/help.hpp"
@@ -100,10 +101,10 @@ TEST_CASE("glTF cameras: one goes with its node and those above it, scales left 
 
 TEST_CASE("glTF cameras: a view is that of the file, as high as that says and as wide as the picture is") {
   scene::Camera camera;
-  camera.filed = true;
-  camera.gltf.shot = sim::readCamera(asked("wide"), shotText().text());
-  camera.gltf.distance = 3;
-  camera.fieldOfView = static_cast<float>(camera.gltf.shot->fieldOfView());
+  camera.gltf.emplace();
+  camera.gltf->shot = sim::readCamera(asked("wide"), shotText().text());
+  camera.gltf->distance = 3;
+  camera.fieldOfView = static_cast<float>(camera.gltf->shot->fieldOfView());
   const draw::View view = draw::viewAt(camera, 3, {300, 100}, {});
   CHECK(glm::length(view.forward - glm::vec3(-1, 0, 0)) < 1e-6F);
   CHECK(glm::length(view.target - glm::vec3(-3, 0, 3)) < 1e-5F);

@@ -1,5 +1,6 @@
 // Charts of what objects measure: round scales, and what a scene may say.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "sim/chart/parameters.hpp"
 #include "sim/world/list.hpp"
 #include "unit/help.hpp"

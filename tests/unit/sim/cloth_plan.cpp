@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/core/shader_code.hpp"
 #include "sim/world/list.hpp"

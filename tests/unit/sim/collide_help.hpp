@@ -1,6 +1,7 @@
 #pragma once
 // Meshes that collide, for tests of several files.
 #include "reference/distance_twin.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/world/list.hpp"
 

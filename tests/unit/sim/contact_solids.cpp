@@ -1,6 +1,7 @@
 #include "base/error.hpp"
 #include "reference/contact_pile.hpp"
 #include "reference/crossings.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/contact/crossings.hpp"
 #include "sim/mesh/shapes.hpp"

@@ -1,6 +1,7 @@
 // The deformation's model on the CPU: heights and normals against their formulas, faces around vertices,
 // and one clear line for each mistake.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "sim/mesh/deform_cpu.hpp"
 #include "sim/mesh/shapes.hpp"
 #include "sim/world/list.hpp"

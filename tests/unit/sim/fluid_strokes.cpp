@@ -1,5 +1,6 @@
 // Brushes of fluids that move and change by keyframes, and what is refused of a fluid.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "sim/fluid/plan.hpp"
 #include "sim/grid/strokes.hpp"
 #include "sim/world/list.hpp"
@@ -36,7 +37,6 @@ TEST_CASE("keyed strokes: a brush is where its path is, and goes between steps i
   sim::StrokeParameters brush;
   brush.at = 1;
   brush.until = 3;
-  brush.hasPath = true;
   brush.path = scene::Animated<glm::vec3>(
       {{0.0, glm::vec3(0, 10, 0)}, {2.0, glm::vec3(20, 10, 0)}, {4.0, glm::vec3(20, 50, 0)}},
       scene::Ease::linear);

@@ -3,6 +3,7 @@
 #include "reference/cloth_twin.hpp"
 #include "reference/particles_twin.hpp"
 #include "reference/spread_twin.hpp"
+#include "scene/load.hpp"
 #include "sim/fluid/wind.hpp"
 #include "sim/world/list.hpp"
 #include "unit/help.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 #include "sim/garment/plan.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <cmath>
 #include <cstddef>

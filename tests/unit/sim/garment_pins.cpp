@@ -2,6 +2,7 @@
 // wrong.
 #include "base/error.hpp"
 #include "reference/garment_twin.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/world/list.hpp"

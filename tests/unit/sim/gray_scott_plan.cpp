@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "sim/gray_scott/plan.hpp"
 #include "sim/world/list.hpp"
 #include "source_folder.hpp"
@@ -78,13 +79,12 @@ TEST_CASE("grayScott: rates by preset, keys, health, ramp and picture") {
   p.dt = 0.5;
   p.preset = sim::GrayScottPreset::maze;
   CHECK(sim::GrayScottPlan(p, "dish", 1, 0.1).ratesAt(3).feed == doctest::Approx(0.0125));
-  p.hasHealth = true;
-  p.health = 0.25F;
-  p.well = sim::GrayScottPreset::stripes;  // 0.040, 0.060
-  p.ill = sim::GrayScottPreset::unstable;  // 0.060, 0.062
+  p.health = sim::GrayScottHealth{.level = 0.25F,
+                                  .well = sim::GrayScottPreset::stripes,   // 0.040, 0.060
+                                  .ill = sim::GrayScottPreset::unstable};  // 0.060, 0.062
   CHECK(p.ratesAt(0).feed == doctest::Approx(0.055));
   CHECK(p.ratesAt(0).kill == doctest::Approx(0.0615));
-  p.hasHealth = false;
+  p.health.reset();
   p.size = {5, 4};
   p.feedAcross = 0.065;
   p.killImage = sourceFolder() + "/assets/textures/gingham.png";

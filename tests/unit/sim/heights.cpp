@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/particles_twin.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"

@@ -1,5 +1,6 @@
 // Keys that another one rules out: each is told of at its place, and none that does something.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/world/list.hpp"
 #include "source_folder.hpp"

@@ -1,7 +1,7 @@
 // Broken mesh files, made here: whatever is in them, the reader gives a sound mesh or one clear line.
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,7 +1,8 @@
 // Mesh files: what is read, and one clear line for each mistake.
+#include "sim/mesh/file/mesh_file.hpp"
+
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "sim/mesh/file.hpp"
 #include "unit/help.hpp"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "base/error.hpp"
 #include "reference/particles_twin.hpp"
+#include "scene/load.hpp"
 #include "sim/particles/file.hpp"
 #include "sim/world/list.hpp"
 #include "unit/help.hpp"

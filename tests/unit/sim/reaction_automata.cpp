@@ -1,5 +1,6 @@
 // Automata as rules that say what a cell becomes: in volumes and on meshes against plain loops.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/reaction/plan.hpp"
 #include "sim/world/list.hpp"

@@ -1,6 +1,7 @@
 // Strokes in volumes and on meshes paint the cells that lie within reach of their way, by distances in
 // double.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/reaction/plan.hpp"
 #include "sim/world/list.hpp"
@@ -91,7 +92,7 @@ TEST_CASE("a stroke on a mesh paints the vertices around it where the mesh is th
               "strokes": [{"species": "v", "at": 0.5, "from": [2.1, 1.3, 0.2], "radius": 0.83, "value": 2}])"),
       "r", 1, brushFrame);
   const std::vector<float> got = paintedAfter(plan, 0);
-  const glm::dmat4 model(plan.parameters().mesh.model(0.5));
+  const glm::dmat4 model(plan.parameters().mesh->model(0.5));
   std::size_t reached = 0;
   for (std::size_t i = 0; i < got.size(); ++i) {
     const double distance =

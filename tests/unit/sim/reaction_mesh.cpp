@@ -1,6 +1,7 @@
 // Equations on meshes against theory: a sphere's harmonics decay with l (l + 1), a grid of right triangles
 // has the five-point Laplacian, what spreads is conserved, seams are none.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/grid/picture_file.hpp"
 #include "sim/mesh/shapes.hpp"

@@ -1,5 +1,6 @@
 // Presets against theory. What is expected is computed here in double, from the equations as papers have
 // them: Jacobians of homogeneous states, the symbol of the nine points, exact solutions.
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/reaction/plan.hpp"
 #include "sim/reaction/presets.hpp"

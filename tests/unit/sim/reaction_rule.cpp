@@ -1,5 +1,6 @@
 // Rules: what of a scene's equations is refused, and where the mistake is shown.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/reaction/parameters.hpp"
 #include "sim/reaction/plan.hpp"

@@ -1,4 +1,5 @@
 // Steps that are too long for what expressions say, by the stability limits of the methods.
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/reaction/presets.hpp"
 #include "sim/reaction/stability.hpp"

@@ -2,6 +2,7 @@
 // is conserved, derivatives are those of the continuous operators, and layers that are alike are as a
 // plane.
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/reaction/plan.hpp"
 #include "sim/world/list.hpp"

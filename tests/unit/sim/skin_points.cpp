@@ -2,6 +2,7 @@
 #include "sim/body/skin_points.hpp"
 
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/body/bones.hpp"
 #include "sim/core/kind.hpp"

@@ -1,7 +1,7 @@
 // Text: what it says, how it is laid out, and the solids that its outlines become.
 #include "base/file.hpp"
 #include "sim/text/content.hpp"
-#include "sim/text/layout.hpp"
+#include "sim/text/letters/layout.hpp"
 #include "sim/text/solid_text.hpp"
 #include "unit/frame/help.hpp"
 

@@ -4,6 +4,7 @@
 #include "reference/cloth_twin.hpp"
 #include "reference/particles_twin.hpp"
 #include "reference/solid_twin.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/world/list.hpp"
 #include "unit/help.hpp"

@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/water/plan.hpp"
 #include "sim/world/list.hpp"
@@ -45,10 +46,10 @@ TEST_CASE("water: \"auto\" substeps keep to a quarter of a cell") {
 TEST_CASE("water: each drop falls into one state, in whatever frame") {
   sim::WaterParameters p;
   p.size = {60, 40};
-  p.hasRain = true;
-  p.rain.rate = 37;
-  p.rain.from = 0.2;
-  p.rain.until = 2;
+  p.rain.emplace();
+  p.rain->rate = 37;
+  p.rain->from = 0.2;
+  p.rain->until = 2;
   p.drops = {{0.5, {0, 0, 0}, 0.2F, 0.1F}, {0, {0, 0, 0}, 0.2F, 0.1F}};
   const sim::WaterPlan plan(p, "w", 1, 1.0 / 30);
   std::size_t drops = plan.fallsAt(0, 0).drops.size();

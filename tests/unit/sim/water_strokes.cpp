@@ -1,4 +1,5 @@
 // Sources of water that move and change by keyframes.
+#include "scene/load.hpp"
 #include "sim/water/plan.hpp"
 #include "sim/world/list.hpp"
 

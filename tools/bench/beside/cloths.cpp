@@ -4,8 +4,8 @@
 #include "reference/cloth_twin.hpp"
 #include "reference/contact_twin.hpp"
 #include "reference/garment_twin.hpp"
-#include "sim/cloth/sheet_mesh.hpp"
 #include "sim/contact/lock_step.hpp"
+#include "sim/grid/sheet_mesh.hpp"
 
 #include <cstring>
 

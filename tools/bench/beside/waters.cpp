@@ -33,7 +33,7 @@ sim::WaterParameters basin(int side) {
   p.pools[0].to = {-12, 0, 26};
   p.pools[0].level = 0.6F;
   p.drops.clear();
-  p.hasRain = false;
+  p.rain.reset();
   p.strokes.clear();
   p.substeps = basinSteps;
   p.greatestSpeed = 4;

@@ -1,4 +1,4 @@
-// All levels of a skin's maps as one list of texels for draw/exact/skin_read.glsl. Halves: relief, surroundings, colour.
+// All levels of a skin's maps as one list of texels for draw/exact/surface/skin_read.glsl. Halves: relief, surroundings, colour.
 #include "draw/exact/bindings.glsl"
 #include "draw/bindings.glsl"
 layout(local_size_x = 64) in;

@@ -55,14 +55,14 @@ void RayLooks::begin() {
 bool RayLooks::isLaid(const sim::Surface& surface) {
   const scene::Material& material = *surface.material;
   const scene::Finish& finish = material.finish;
-  return material.hasSkin || !SurfaceShading::colorMapOf(material).empty() || !finish.normals.empty() ||
+  return material.skin || !SurfaceShading::colorMapOf(material).empty() || !finish.normals.empty() ||
          !finish.metalRough.empty() || (finish.emits() && !finish.emissionMap.empty());
 }
 
 bool RayLooks::fromThreeSides(const sim::Surface& surface) {
   const scene::Material& material = *surface.material;
   const bool uvs = surface.normals == nullptr || surface.uvs != nullptr;
-  return !uvs || (material.hasSkin && material.skin.projection != scene::Skin::Projection::uv);
+  return !uvs || (material.skin && material.skin->projection != scene::Skin::Projection::uv);
 }
 
 float RayLooks::scaleOf(const sim::Surface& surface) {
@@ -127,14 +127,14 @@ void RayLooks::putSkin(const scene::Skin& skin, const SkinTextures::Entry& entry
 unsigned RayLooks::add(const sim::Surface& surface) {
   const scene::Material& material = *surface.material;
   const scene::Finish& finish = material.finish;
-  const SkinTextures::Entry* skin = material.hasSkin ? skins_.find(material.skin) : nullptr;
+  const SkinTextures::Entry* skin = material.skin ? skins_.find(*material.skin) : nullptr;
   const bool threeSided = fromThreeSides(surface);
   glm::uvec4* look = put(material);
   const auto owner = static_cast<unsigned>(words_.size() / lookTexels) - 1;
   owners_.emplace(&material, owner);
   look[laidLook] = bitsOf({material.textureScale.x, material.textureScale.y, finish.normalStrength, 0});
   if (skin != nullptr)
-    putSkin(material.skin, *skin, threeSided, look);
+    putSkin(*material.skin, *skin, threeSided, look);
   else
     putMaps(surface, look);
   if (isLaid(surface)) {
@@ -161,7 +161,7 @@ unsigned RayLooks::add(const sim::Surface& surface) {
 
 unsigned RayLooks::ownerOf(const scene::Material& material) const {
   const scene::Finish& finish = material.finish;
-  if (material.hasSkin || (finish.coat <= 0 && finish.sheen == glm::vec3(0) && finish.transmission <= 0))
+  if (material.skin || (finish.coat <= 0 && finish.sheen == glm::vec3(0) && finish.transmission <= 0))
     return 0;
   const auto found = owners_.find(&material);
   return found == owners_.end() ? 0 : found->second;

@@ -149,7 +149,7 @@ void RayScene::findEmitters(const sim::Drawables& drawables) {
     const scene::Material& material = *surface.material;
     const scene::Finish& finish = material.finish;
     const int count = maxTrianglesOf(surface);
-    if (!material.hasSkin && finish.emits()) {
+    if (!material.skin && finish.emits()) {
       const glm::dvec3 light = glm::dvec3(finish.emission) * static_cast<double>(finish.emissionStrength);
       emitters_.add(places_, corners_, triangle, count,
                     0.2126 * light.x + 0.7152 * light.y + 0.0722 * light.z);

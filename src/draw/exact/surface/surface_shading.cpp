@@ -30,7 +30,7 @@ constexpr unsigned smooth = 1U << 21U;  // what mirrors the ground
 unsigned featuresOf(const sim::Surface& surface, bool skin) {
   const scene::Material& material = *surface.material;
   scene::Material shown = material;
-  if (skin) shown.roughness = lookOf(material.skin).roughness;
+  if (skin) shown.roughness = lookOf(*material.skin).roughness;
   const scene::Finish& finish = material.finish;
   const bool finished = !skin && finish.used();
   const bool textured = !skin && !finished && !material.texture.empty();
@@ -41,7 +41,7 @@ unsigned featuresOf(const sim::Surface& surface, bool skin) {
                                    !finish.occlusion.empty() || glowMap);
   const bool grid = surface.normals == nullptr;
   const bool byUv = (grid || surface.uvs != nullptr) &&
-                    !(skin && material.skin.projection != scene::Skin::Projection::uv);
+                    !(skin && material.skin->projection != scene::Skin::Projection::uv);
   const bool laidOn = skin || textured || mapped;
   const bool wanted[] = {
       surface.doubleSided,
@@ -125,8 +125,8 @@ const gl::Program& SurfaceShading::program(unsigned features, int look) {
 
 void SurfaceShading::prepare(const SkinTextures& skins) {
   for (const scene::Object& object : scene_.objects)
-    if (object.material.hasSkin)
-      if (const SkinTextures::Entry* entry = skins.find(object.material.skin)) skinTexels_.update(*entry);
+    if (object.material.skin)
+      if (const SkinTextures::Entry* entry = skins.find(*object.material.skin)) skinTexels_.update(*entry);
 }
 
 void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn,
@@ -134,16 +134,16 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   const sim::Surface& surface = *drawn.surface;
   const scene::Material& material = *surface.material;
   if (shown_ == shownReflections && !mirrorsScene(surface, skins)) return;
-  const SkinTextures::Entry* skin = material.hasSkin ? skins.find(material.skin) : nullptr;
+  const SkinTextures::Entry* skin = material.skin ? skins.find(*material.skin) : nullptr;
   const unsigned ground = mirrorsGround(defines_) && mirrorsScene(surface, skins) ? smooth : 0U;
   const gl::Program& shader = program(featuresOf(surface, skin != nullptr) | ground,
-                                      skin != nullptr ? static_cast<int>(material.skin.look) : -1);
+                                      skin != nullptr ? static_cast<int>(material.skin->look) : -1);
   raster.bind(drawn, shader);
   shader.set("color", material.color);
   shader.set("material", glm::vec3(material.roughness, material.metallic, material.translucency));
   if (owner_) {
     shader.set("owner", owner_(material));
-    shader.set("clear", static_cast<int>(!material.hasSkin && material.finish.transmission > 0));
+    shader.set("clear", static_cast<int>(!material.skin && material.finish.transmission > 0));
   }
   shader.set("mirrorReach", mirrorReach_);
   bindPositions(surface, shader);
@@ -161,8 +161,8 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
 bool SurfaceShading::mirrorsScene(const sim::Surface& surface, const SkinTextures& skins) {
   const scene::Material& material = *surface.material;
   const scene::Finish& finish = material.finish;
-  if (material.hasSkin && skins.find(material.skin) != nullptr)
-    return draw::mirrorsScene(lookOf(material.skin).roughness);
+  if (material.skin && skins.find(*material.skin) != nullptr)
+    return draw::mirrorsScene(lookOf(*material.skin).roughness);
   return draw::mirrorsScene(material.roughness) ||
          (finish.used() &&
           (!finish.metalRough.empty() || (finish.coat > 0 && draw::mirrorsScene(finish.coatRoughness))));
@@ -171,7 +171,7 @@ bool SurfaceShading::mirrorsScene(const sim::Surface& surface, const SkinTexture
 bool SurfaceShading::isPlain(const sim::Surface& surface, const SkinTextures& skins) {
   const scene::Material& material = *surface.material;
   return material.texture.empty() && surface.palette == nullptr && surface.colors == nullptr &&
-         !material.finish.used() && !(material.hasSkin && skins.find(material.skin) != nullptr);
+         !material.finish.used() && !(material.skin && skins.find(*material.skin) != nullptr);
 }
 
 void SurfaceShading::shadeJoined(const JoinedSurfaces& joined, const TriangleRaster& raster,
@@ -230,7 +230,7 @@ void SurfaceShading::setHoles(const sim::Surface& surface, float least, const gl
 
 void SurfaceShading::setSkin(const sim::Surface& surface, const SkinTextures::Entry& entry,
                              const gl::Program& shader) const {
-  const scene::Skin& skin = surface.material->skin;
+  const scene::Skin& skin = *surface.material->skin;
   const bool byUv = (surface.normals == nullptr || surface.uvs != nullptr) &&
                     skin.projection == scene::Skin::Projection::uv;
   // From three sides, cells are squares whatever the field's shape.

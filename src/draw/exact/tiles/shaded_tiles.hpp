@@ -35,7 +35,7 @@ class ShadedTiles {
   /// the things, ascending. `groundKeys`: the ground is among what is nearest afterwards.
   void list(const std::vector<unsigned>& firstIds, const Visibility& visibility, const GroundPlace& place,
             bool groundKeys = false);
-  /// Runs a shading kernel over the tiles of a thing. `program` includes draw/exact/shaded_tile.glsl.
+  /// Runs a shading kernel over the tiles of a thing. `program` includes draw/exact/tiles/shaded_tile.glsl.
   void shade(int thing, const gl::Program& program) const;
   [[nodiscard]] int things() const { return things_; }  ///< but for the ground
 

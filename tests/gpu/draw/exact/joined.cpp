@@ -4,6 +4,7 @@
 #include "gpu/draw/exact/stage.hpp"
 #include "gpu/draw/instance_stage.hpp"
 #include "gpu/draw/lamp_stage.hpp"
+#include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"

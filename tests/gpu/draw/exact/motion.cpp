@@ -5,6 +5,7 @@
 #include "frame/draw_world.hpp"
 #include "gpu/draw/draw_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 

@@ -3,6 +3,7 @@
 #include "draw/screen/renderer.hpp"
 #include "frame/draw_world.hpp"
 #include "gpu/draw/draw_stage.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/world.hpp"
 

@@ -1,4 +1,4 @@
-#include "sim/text/layout.hpp"
+#include "sim/text/letters/layout.hpp"
 
 #include "base/error.hpp"
 #include "base/text.hpp"

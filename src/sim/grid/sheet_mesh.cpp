@@ -1,4 +1,4 @@
-#include "sim/cloth/sheet_mesh.hpp"
+#include "sim/grid/sheet_mesh.hpp"
 
 #include "base/error.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <array>
 #include <functional>

@@ -1,8 +1,8 @@
-#include "sim/mesh/gltf_materials.hpp"
+#include "sim/mesh/file/gltf_materials.hpp"
 
 #include "base/ieee.hpp"
 #include "scene/finish.hpp"
-#include "sim/mesh/texture_place.hpp"
+#include "sim/mesh/file/texture_place.hpp"
 
 #include <algorithm>
 #include <map>

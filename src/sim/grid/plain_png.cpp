@@ -1,42 +1,36 @@
 // PNG specification (ISO/IEC 15948): 5 chunks, 9 filtering, 10 compression.
-#include "frame/plain_png.hpp"
+#include "sim/grid/plain_png.hpp"
+
+#include "base/png.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <memory>
-#include <string_view>
 #include <vector>
 
 #include <isa-l/igzip_lib.h>
 
-namespace simreel::frame {
+namespace simreel::sim {
 
 namespace {
 
 using Byte = std::uint8_t;
 
-std::uint32_t bigEndian(const char* bytes) {
-  std::uint32_t value = 0;
-  for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<Byte>(bytes[i]);
-  return value;
-}
-
 struct Header {
   std::size_t width = 0, height = 0, channels = 0;
 };
 
-std::optional<Header> readHeader(std::string_view data, int maxSide) {
-  constexpr std::size_t headerSize = 13;
-  if (data.size() != headerSize) return std::nullopt;
-  const std::uint32_t width = bigEndian(data.data()), height = bigEndian(data.data() + 4);
+std::optional<Header> plainHeader(std::string_view data, int maxSide) {
+  if (data.size() != PngHeader::size) return std::nullopt;
+  const PngHeader header = readPngHeader(data);
   const auto largest = static_cast<std::uint32_t>(maxSide);
-  if (width < 1 || height < 1 || width > largest || height > largest) return std::nullopt;
-  const std::string_view format = data.substr(8);  // bits, colour type, compression, filters, interlacing
-  if (format == std::string_view("\x08\x02\0\0\0", 5)) return Header{width, height, 3};
-  if (format == std::string_view("\x08\x06\0\0\0", 5)) return Header{width, height, 4};
-  return std::nullopt;
+  if (header.width < 1 || header.height < 1 || header.width > largest || header.height > largest)
+    return std::nullopt;
+  const bool rgb = header.colour == 2, rgba = header.colour == 6;
+  if (!header.plain || header.depth != 8 || !(rgb || rgba)) return std::nullopt;
+  return Header{header.width, header.height, rgba ? std::size_t{4} : std::size_t{3}};
 }
 
 struct PlainFile {
@@ -45,28 +39,22 @@ struct PlainFile {
 };
 
 /// Nothing where the file holds something that matters and is not known here. Checksums are not looked at.
-std::optional<PlainFile> readChunks(std::string_view rest, int maxSide) {
-  constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
-  constexpr std::size_t frame = 12;  // length, type, checksum
-  if (!rest.starts_with(signature)) return std::nullopt;
-  rest.remove_prefix(signature.size());
+std::optional<PlainFile> readChunks(std::string_view bytes, int maxSide) {
+  auto rest = pngChunks(bytes);
+  if (!rest) return std::nullopt;
   std::optional<PlainFile> file;
-  while (rest.size() >= frame) {
-    const std::size_t length = bigEndian(rest.data());
-    if (length > rest.size() - frame) return std::nullopt;
-    const std::string_view type = rest.substr(4, 4), data = rest.substr(8, length);
-    rest.remove_prefix(length + frame);
-    if (type == "IHDR") {
-      const auto header = readHeader(data, maxSide);
+  while (const auto chunk = takePngChunk(*rest)) {
+    if (chunk->type == "IHDR") {
+      const auto header = plainHeader(chunk->data, maxSide);
       if (file || !header) return std::nullopt;
       file = PlainFile{*header, {}};
       continue;
     }
-    const bool ancillary = (static_cast<Byte>(type[0]) & 0x20) != 0;
-    if (!file || type == "tRNS") return std::nullopt;
-    if (type == "IDAT")
-      file->pixels.push_back(data);
-    else if (type == "IEND")
+    const bool ancillary = (static_cast<Byte>(chunk->type[0]) & 0x20) != 0;
+    if (!file || chunk->type == "tRNS") return std::nullopt;
+    if (chunk->type == "IDAT")
+      file->pixels.push_back(chunk->data);
+    else if (chunk->type == "IEND")
       return file->pixels.empty() ? std::nullopt : file;
     else if (!ancillary)
       return std::nullopt;
@@ -159,8 +147,8 @@ bool makePixels(const Header& header, std::vector<Byte>& rows, std::vector<Byte>
 
 }  // namespace
 
-std::optional<Image> decodePlainPng(std::span<const std::byte> bytes, int maxSide) {
-  const auto file = readChunks({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, maxSide);
+std::optional<Picture> decodePlainPng(std::string_view bytes, int maxSide) {
+  const auto file = readChunks(bytes, maxSide);
   if (!file) return std::nullopt;
   const Header& header = file->header;
   const std::size_t size = header.height * (header.width * header.channels + 1);
@@ -168,11 +156,10 @@ std::optional<Image> decodePlainPng(std::span<const std::byte> bytes, int maxSid
   if (size > bytes.size() * 1032) return std::nullopt;
   std::vector<Byte> rows(size);
   if (!inflate(file->pixels, rows)) return std::nullopt;
-  Image image{static_cast<int>(header.width), static_cast<int>(header.height),
-              std::vector<Byte>(header.width * header.height * 4)};
-  const bool made = header.channels == 3 ? makePixels<3>(header, rows, image.bytes)
-                                         : makePixels<4>(header, rows, image.bytes);
-  return made ? std::optional(std::move(image)) : std::nullopt;
+  Picture picture{{header.width, header.height}, std::vector<Byte>(header.width * header.height * 4)};
+  const bool made = header.channels == 3 ? makePixels<3>(header, rows, picture.rgba)
+                                         : makePixels<4>(header, rows, picture.rgba);
+  return made ? std::optional(std::move(picture)) : std::nullopt;
 }
 
-}  // namespace simreel::frame
+}  // namespace simreel::sim

@@ -1,6 +1,6 @@
 #pragma once
-#include "sim/mesh/file.hpp"
-#include "sim/mesh/gltf_document.hpp"
+#include "sim/mesh/file/gltf_document.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include <cstddef>
 #include <cstdint>

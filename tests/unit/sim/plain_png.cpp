@@ -1,10 +1,9 @@
 // The quick decoder of plain PNG files against what they were made of; what it must leave to the other one.
-#include "frame/plain_png.hpp"
+#include "sim/grid/plain_png.hpp"
 
 #include "unit/frame/help.hpp"
 
 #include <array>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,8 +60,8 @@ struct Png {
   }
 };
 
-std::optional<frame::Image> decode(const std::string& file) {
-  return frame::decodePlainPng(std::as_bytes(std::span(file)), maxSide);
+std::optional<sim::Picture> decode(const std::string& file) {
+  return sim::decodePlainPng(file, maxSide);
 }
 
 /// Rows filtered as the specification's table 9.1 says, each row with the next filter.
@@ -102,8 +101,8 @@ TEST_CASE("plain png: all filters, RGB and RGBA, any number of chunks") {
       png.between = chunk("tEXt", "Title");
       const auto decoded = decode(png.file());
       REQUIRE(decoded);
-      CHECK(decoded->width == 31);
-      CHECK(decoded->bytes == image.bytes);
+      CHECK(decoded->size.x == 31);
+      CHECK(decoded->rgba == image.bytes);
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "sim/text/font.hpp"
+#include "sim/text/letters/font.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"

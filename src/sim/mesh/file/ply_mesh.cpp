@@ -1,6 +1,6 @@
 #include "base/error.hpp"
-#include "sim/mesh/builder.hpp"
-#include "sim/mesh/polygon_meshes.hpp"
+#include "sim/mesh/file/builder.hpp"
+#include "sim/mesh/file/polygon_meshes.hpp"
 #include "sim/polygons/cut.hpp"
 #include "sim/polygons/ply.hpp"
 #include "sim/polygons/problem.hpp"

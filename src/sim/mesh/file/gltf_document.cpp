@@ -1,10 +1,10 @@
-#include "sim/mesh/gltf_document.hpp"
+#include "sim/mesh/file/gltf_document.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/strict_json.hpp"
 #include "base/text.hpp"
-#include "sim/mesh/builder.hpp"
+#include "sim/mesh/file/builder.hpp"
 
 #include <algorithm>
 #include <array>

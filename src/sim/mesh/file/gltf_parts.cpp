@@ -1,7 +1,7 @@
-#include "sim/mesh/gltf_parts.hpp"
+#include "sim/mesh/file/gltf_parts.hpp"
 
-#include "sim/mesh/builder.hpp"
-#include "sim/mesh/gltf_materials.hpp"
+#include "sim/mesh/file/builder.hpp"
+#include "sim/mesh/file/gltf_materials.hpp"
 #include "sim/polygons/distinct.hpp"
 
 #include <bit>

@@ -1,11 +1,11 @@
-#include "sim/mesh/library_materials.hpp"
+#include "sim/mesh/file/library_materials.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "scene/finish.hpp"
 #include "sim/grid/picture_file.hpp"
-#include "sim/mesh/builder.hpp"
-#include "sim/mesh/texture_place.hpp"
+#include "sim/mesh/file/builder.hpp"
+#include "sim/mesh/file/texture_place.hpp"
 #include "sim/polygons/words.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "sim/mesh/texture_place.hpp"
+#include "sim/mesh/file/texture_place.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "sim/mesh/builder.hpp"
+#include "sim/mesh/file/builder.hpp"
 
 #include "base/error.hpp"
 #include "base/srgb.hpp"

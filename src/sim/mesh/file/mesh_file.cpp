@@ -1,12 +1,12 @@
-#include "sim/mesh/file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/isolated.hpp"
 #include "base/packed.hpp"
-#include "sim/mesh/builder.hpp"
-#include "sim/mesh/gltf_file.hpp"
-#include "sim/mesh/polygon_meshes.hpp"
+#include "sim/mesh/file/builder.hpp"
+#include "sim/mesh/file/gltf_file.hpp"
+#include "sim/mesh/file/polygon_meshes.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "scene/scene.hpp"
+#include "scene/load.hpp"
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -195,8 +195,8 @@ bool changesTime(std::span<const Override> overrides) {
 void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camera& camera) {
   const Node* section = root.find("camera");
   const Node* group = section == nullptr ? nullptr : section->find("gltf");
-  if (!camera.filed || group == nullptr || !kinds.openCamera) return;
-  CameraFile& gltf = camera.gltf;
+  if (!camera.gltf || group == nullptr || !kinds.openCamera) return;
+  CameraFile& gltf = *camera.gltf;
   try {
     gltf.shot = kinds.openCamera(gltf);
   } catch (const UserError& error) {
@@ -255,14 +255,14 @@ void checkObjectNamed(const Node* owner, const char* group, const std::string& n
 /// The objects that camera and lights name.
 void checkFollowed(const Node& root, const Scene& scene, Diagnostics& diagnostics) {
   const Node* camera = root.find("camera");
-  if (scene.camera.tracks)
-    checkObjectNamed(camera, "track", scene.camera.track.object, "one", scene.objects, diagnostics);
-  if (scene.camera.follows)
-    checkObjectNamed(camera, "follow", scene.camera.follow.object, "a cave", scene.objects, diagnostics);
+  if (scene.camera.track)
+    checkObjectNamed(camera, "track", scene.camera.track->object, "one", scene.objects, diagnostics);
+  if (scene.camera.follow)
+    checkObjectNamed(camera, "follow", scene.camera.follow->object, "a cave", scene.objects, diagnostics);
   const Node* lights = root.find("lights");
   for (const Light& light : scene.lights)
-    if (light.follows && lights != nullptr)
-      checkObjectNamed(lights->find(light.name), "follow", light.follow.object, "a cave", scene.objects,
+    if (light.follow && lights != nullptr)
+      checkObjectNamed(lights->find(light.name), "follow", light.follow->object, "a cave", scene.objects,
                        diagnostics);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/text/font.hpp"
+#include "sim/text/letters/font.hpp"
 
 #include <string_view>
 
