@@ -87,7 +87,7 @@ void addCommands(CLI::App& app) {
       "-v,--verbose", [] { setVerbosity(Verbosity::verbose); }, "Print more");
   for (const auto add : {addRender, addServe, addBake, addNew, addList, addExplain, addValidate, addTest,
                          addAccept, addReport, addDiff, addReproduce, addTrace, addBisect, addSweep,
-                         addPieces, addDoctor, addBench, addSchema})
+                         addPieces, addKernels, addDoctor, addBench, addSchema})
     add(app);
   groupCommands(app);
 }
