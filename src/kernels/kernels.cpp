@@ -71,12 +71,6 @@ std::vector<std::string> heldKeywords(const Announcements& announced, const Requ
 
 }  // namespace
 
-std::string Kernel::body() const {
-  std::string text = glsl;
-  if (text.starts_with("#version")) text.replace(0, text.find('\n'), "");
-  return text;
-}
-
 Shader loadHere(const Request& request) {
   Files files(request.file, request.folders);
   const Announcements announced = announcements(files);

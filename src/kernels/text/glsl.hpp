@@ -1,5 +1,5 @@
 #pragma once
-#include "kernels/kernels.hpp"
+#include "kernels/shader/shader.hpp"
 #include "kernels/spirv/module.hpp"
 
 namespace simreel::kernels {

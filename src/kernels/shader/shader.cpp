@@ -1,4 +1,4 @@
-#include "kernels/kernels.hpp"
+#include "kernels/shader/shader.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -11,6 +11,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Texture, name, type, values, format, sampler,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Block, name, binding, bytes, members)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Kernel, name, line, threads, buffers, textures, blocks, glsl)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Shader, language, keywords, kernels, files)
+
+std::string Kernel::body() const {
+  std::string text = glsl;
+  if (text.starts_with("#version")) text.replace(0, text.find('\n'), "");
+  return text;
+}
 
 std::string toJson(const Shader& shader, int indent) {
   return nlohmann::json(shader).dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
