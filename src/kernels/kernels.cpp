@@ -28,7 +28,7 @@ Kernel lowered(Files& files, const Unit& unit, bool fast) {
   if (auto mistakes = refused(module, files, fast); !mistakes.empty()) files.fail(mistakes);
   if (!fast) linkLibrary(module, placeCalls(module));
   Module plain(optimized(module.words(), hlsl));
-  layOut(plain);
+  layOut(plain, hlsl);
   Kernel kernel = reflected(plain, unit.language);
   writeGlsl(plain, kernel);
   kernel.name = unit.entry;

@@ -9,6 +9,9 @@
 #define UNITY_INV_TWO_PI 0.15915494309
 #define UNITY_HALF_PI 1.57079632679
 #define UNITY_INV_HALF_PI 0.636619772367
+#define UnityStereoScreenSpaceUVAdjust(uv, st) (uv)
+#define TransformStereoScreenSpaceTex(uv, w) (uv)
+#define UNITY_SAMPLE_DEPTH(value) (value).r
 #define TRANSFORM_TEX(uv, name) ((uv).xy * name##_ST.xy + name##_ST.zw)
 
 float Luminance(float3 rgb) {

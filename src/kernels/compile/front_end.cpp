@@ -149,7 +149,7 @@ std::vector<std::uint32_t> compile(Files& files, const Unit& unit) {
   if (!parsed) files.fail(explained(shader.getInfoLog(), files, includer.failed(), unit));
   compiled.program = std::make_unique<glslang::TProgram>();
   compiled.program->addShader(&shader);
-  if (!compiled.program->link(messages) || !compiled.program->mapIO())
+  if (!compiled.program->link(messages))
     files.fail(explained(compiled.program->getInfoLog(), files, includer.failed(), unit));
   return words(compiled, true);
 }

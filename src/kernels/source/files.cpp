@@ -32,7 +32,9 @@ std::size_t findToken(std::string_view line, std::string_view token) {
 
 /// One of our own for names that Unity gives; nullptr where there is none.
 const char* unityFile(const std::string& name) {
-  const std::string wanted = unityFolder + std::filesystem::path(name).filename().string();
+  constexpr std::string_view package = "Packages/com.unity.render-pipelines.core/ShaderLibrary/";
+  const std::string wanted =
+      unityFolder + (name.starts_with(package) ? "core/" + name.substr(package.size()) : name);
   for (const gl::EmbeddedShader& shader : gl::embeddedShaders())
     if (wanted == shader.path) return shader.text;
   return nullptr;
@@ -72,6 +74,7 @@ std::optional<std::size_t> Files::include(const std::string& asked, bool beside,
                                           std::string& reason) {
   std::string name = asked;
   std::replace(name.begin(), name.end(), '\\', '/');
+  name.erase(0, std::min(name.find_first_not_of('/'), name.size()));  // "/X" is "X" to Microsoft's compiler
   std::vector<std::filesystem::path> tried;
   if (beside && !files_[from].path.empty()) tried.push_back(files_[from].path.parent_path() / name);
   for (const auto& folder : folders_) tried.push_back(folder / name);

@@ -54,11 +54,14 @@ std::vector<Announced> withThreadGroups(const std::string& code) {
   return kernels;
 }
 
+/// HLSL has thread groups before a function, GLSL a version; where neither is, the name's end tells.
 Language languageOf(const Files& files, const std::string& code) {
+  if (code.find("#version") != std::string::npos) return Language::glsl;
+  if (code.find("numthreads") != std::string::npos) return Language::hlsl;
   const std::string extension = lowerExtension(files.name(0));
-  if (extension == ".comp" || extension == ".glsl" || extension == ".frag" || extension == ".cs")
-    return Language::glsl;
-  return code.find("#version") == std::string::npos ? Language::hlsl : Language::glsl;
+  const bool glsl =
+      extension == ".comp" || extension == ".glsl" || extension == ".frag" || extension == ".cs";
+  return glsl ? Language::glsl : Language::hlsl;
 }
 
 }  // namespace
@@ -93,8 +96,9 @@ Announcements announcements(const Files& files) {
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    const std::vector<std::string> words = pragmaWords(line);
+    std::vector<std::string> words = pragmaWords(line);
     if (words.size() < 2) continue;
+    if (words[0] == "kernel") words[1].erase(words[1].find_last_not_of(";,") + 1);
     if (words[0] == "kernel" &&
         std::none_of(found.kernels.begin(), found.kernels.end(),
                      [&](const Announced& kernel) { return kernel.name == words[1]; }))

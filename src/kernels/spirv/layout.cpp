@@ -17,10 +17,11 @@ std::uint32_t up(std::uint32_t value, std::uint32_t to) {
   return (value + to - 1) / to * to;
 }
 
-/// Writes std140 offsets and strides of a struct, and of all within.
-class Std140 {
+/// Writes offsets and strides of a struct, and of all within, as std430 has them, or std140, in which
+/// structs and elements of arrays begin at multiples of 16 bytes.
+class Layout {
  public:
-  explicit Std140(Module& module) : module_(module) {}
+  Layout(Module& module, bool std140) : module_(module), least_(std140 ? 16 : 1) {}
 
   Size size(Id type) {
     const Instruction made = *module_.global(type);
@@ -32,14 +33,18 @@ class Std140 {
       case SpvOpTypeFloat:
       case SpvOpTypeInt:
         return {made.operands[0] / 8, made.operands[0] / 8};
+      case SpvOpTypeRuntimeArray:
       case SpvOpTypeArray: {
         const Size element = size(made.operands[0]);
-        const std::uint32_t stride = up(up(element.bytes, element.alignment), 16);
+        const std::uint32_t alignment = std::max(element.alignment, least_);
+        const std::uint32_t stride = up(element.bytes, alignment);
         set(SpvOpDecorate, {type, SpvDecorationArrayStride}, stride);
-        return {stride * module_.constant(made.operands[1]).value_or(1), std::max(element.alignment, 16U)};
+        const std::uint32_t length =
+            made.op == SpvOpTypeArray ? module_.constant(made.operands[1]).value_or(1) : 1;
+        return {stride * length, alignment};
       }
       case SpvOpTypeMatrix:
-        return {16 * made.operands[1], 16};
+        return matrix(made.operands[1], module_.global(made.operands[0])->operands[1]);
       case SpvOpTypeStruct:
         return structure(type, made);
       default:
@@ -48,27 +53,35 @@ class Std140 {
   }
 
  private:
-  Size structure(Id type, const Instruction& made) {
-    std::uint32_t at = 0, alignment = 16;
+  /// So many vectors of so many numbers.
+  Size matrix(std::uint32_t vectors, std::uint32_t numbers) const {
+    const std::uint32_t stride = std::max(numbers == 2 ? 8U : 16U, least_);
+    return {stride * vectors, stride};
+  }
+
+  Size structure(Id structType, const Instruction& made) {
+    std::uint32_t at = 0, alignment = least_;
     for (std::uint32_t i = 0; i < made.operands.size(); ++i) {
       Id inner = made.operands[i];
       Size member = size(inner);
       std::uint32_t count = 1;
-      while (module_.global(inner)->op == SpvOpTypeArray) {
-        count *= module_.constant(module_.global(inner)->operands[1]).value_or(1);
+      while (isArray(module_.global(inner)->op)) {
+        if (module_.global(inner)->op == SpvOpTypeArray)
+          count *= module_.constant(module_.global(inner)->operands[1]).value_or(1);
         inner = module_.global(inner)->operands[0];
       }
-      if (module_.global(inner)->op == SpvOpTypeMatrix) {
-        set(SpvOpMemberDecorate, {type, i, SpvDecorationMatrixStride}, 16);
-        // row major: as many vectors as a column has numbers
-        if (module_.memberDecoration(type, i, SpvDecorationRowMajor)) {
-          const std::uint32_t rows = module_.global(module_.global(inner)->operands[0])->operands[1];
-          member.bytes = 16 * rows * count;
-          if (count > 1) set(SpvOpDecorate, {made.operands[i], SpvDecorationArrayStride}, 16 * rows);
-        }
+      if (const Instruction type = *module_.global(inner); type.op == SpvOpTypeMatrix) {
+        const std::uint32_t columns = type.operands[1],
+                            rows = module_.global(type.operands[0])->operands[1];
+        const bool rowMajor = module_.memberDecoration(structType, i, SpvDecorationRowMajor).has_value();
+        const Size one = rowMajor ? matrix(rows, columns) : matrix(columns, rows);
+        set(SpvOpMemberDecorate, {structType, i, SpvDecorationMatrixStride}, one.alignment);
+        member = {one.bytes * count, one.alignment};
+        if (inner != made.operands[i])
+          set(SpvOpDecorate, {made.operands[i], SpvDecorationArrayStride}, one.bytes);
       }
       at = up(at, member.alignment);
-      set(SpvOpMemberDecorate, {type, i, SpvDecorationOffset}, at);
+      set(SpvOpMemberDecorate, {structType, i, SpvDecorationOffset}, at);
       at += member.bytes;
       alignment = std::max(alignment, member.alignment);
     }
@@ -86,7 +99,10 @@ class Std140 {
     module_.decorations.push_back({op, 0, 0, std::move(begin)});
   }
 
+  static bool isArray(SpvOp op) { return op == SpvOpTypeArray || op == SpvOpTypeRuntimeArray; }
+
   Module& module_;
+  std::uint32_t least_;
 };
 
 void withoutPushConstants(Module& module) {
@@ -99,7 +115,7 @@ void withoutPushConstants(Module& module) {
 
 }  // namespace
 
-void layOut(Module& module) {
+void layOut(Module& module, bool hlsl) {
   withoutPushConstants(module);
   std::erase_if(module.decorations, [](const Instruction& one) {
     return one.op == SpvOpDecorate &&
@@ -112,10 +128,11 @@ void layOut(Module& module) {
     switch (resourceOf(module, one)) {
       case Resource::storage:
         next = &buffers;
+        if (hlsl) Layout(module, false).size(resourceType(module, one).result);
         break;
       case Resource::block:
         next = &blocks;
-        Std140(module).size(resourceType(module, one).result);
+        Layout(module, true).size(resourceType(module, one).result);
         break;
       case Resource::image:
         next = &images;

@@ -38,6 +38,11 @@ void encode(const Instruction& instruction, Words& out) {
   out.insert(out.end(), instruction.operands.begin(), instruction.operands.end());
 }
 
+bool endsBlock(SpvOp op) {
+  return op == SpvOpBranch || op == SpvOpBranchConditional || op == SpvOpSwitch || op == SpvOpReturn ||
+         op == SpvOpReturnValue || op == SpvOpKill || op == SpvOpUnreachable;
+}
+
 bool isHead(SpvOp op) {
   switch (op) {
     case SpvOpCapability:
@@ -101,7 +106,7 @@ Module::Module(std::span<const std::uint32_t> words) {
   version_ = words[1];
   generator_ = words[2];
   bound_ = words[3];
-  bool inBody = false;
+  bool inBody = false, ended = false;
   for (std::size_t at = 5; at < words.size();) {
     const std::size_t count = words[at] >> 16U;
     if (count == 0 || at + count > words.size())
@@ -109,6 +114,9 @@ Module::Module(std::span<const std::uint32_t> words) {
     Instruction made = decode(words.subspan(at, count));
     at += count;
     inBody = inBody || made.op == SpvOpFunction;
+    if (made.op == SpvOpLabel || made.op == SpvOpFunctionEnd) ended = false;
+    if (ended) continue;  // glslang 12 goes on behind some returns
+    ended = inBody && endsBlock(made.op);
     if (inBody)
       body.push_back(std::move(made));
     else if (isHead(made.op))
