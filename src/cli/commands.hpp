@@ -39,6 +39,7 @@ void addReport(CLI::App& app);
 void addServe(CLI::App& app);
 void addNew(CLI::App& app);
 void addExplain(CLI::App& app);
+void addKernels(CLI::App& app);
 
 /// What was typed, quoted for a shell where needed.
 [[nodiscard]] const std::string& commandLine();

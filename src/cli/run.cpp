@@ -85,9 +85,9 @@ void addCommands(CLI::App& app) {
       "-q,--quiet", [] { setVerbosity(Verbosity::quiet); }, "Print errors only");
   app.add_flag_callback(
       "-v,--verbose", [] { setVerbosity(Verbosity::verbose); }, "Print more");
-  for (const auto add : {addRender, addServe, addBake, addNew, addList, addExplain, addValidate, addTest,
-                         addAccept, addReport, addDiff, addReproduce, addTrace, addBisect, addSweep,
-                         addPieces, addDoctor, addBench, addSchema})
+  for (const auto add : {addRender, addServe,  addBake,    addNew,    addList,      addExplain, addValidate,
+                         addTest,   addAccept, addReport,  addDiff,   addReproduce, addTrace,   addBisect,
+                         addSweep,  addPieces, addKernels, addDoctor, addBench,     addSchema})
     add(app);
   groupCommands(app);
 }

@@ -110,7 +110,7 @@ void groupCommands(CLI::App& app) {
       {"Write a scene", {"new", "list", "explain", "validate"}},
       {"Test", {"test", "accept", "report", "diff", "reproduce", "trace", "bisect"}},
       {"Render many", {"sweep", "pieces"}},
-      {"Tools", {"doctor", "bench", "schema"}},
+      {"Tools", {"kernels", "doctor", "bench", "schema"}},
   }};
   for (const Group& group : groups)
     for (const char* name : group.commands) app.get_subcommand(name)->group(group.name);

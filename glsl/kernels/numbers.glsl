@@ -1,0 +1,181 @@
+// Products, quotients, roots and conversions of users' kernels, with the same bits on every driver. Each function stands for one
+// operation of SPIR-V (src/kernels/exact/calls.cpp). Parameters are const: glslang then passes them by value. `mix` with a bool
+// selects without a branch. NaN and infinities are told by their bits: compilers may assume that comparisons never meet NaN.
+#include "common/exact.glsl"
+
+const int xTiny = 0x0da24260;      // the bits of 1e-30
+const int xInfinity = 0x7f800000;  // whatever is above is NaN
+
+int xMagnitude(const float x) {
+  return floatBitsToInt(x) & 0x7fffffff;
+}
+bool xIsNan(const float x) {
+  return xMagnitude(x) > xInfinity;
+}
+bool xIsInf(const float x) {
+  return xMagnitude(x) == xInfinity;
+}
+float xNan() {
+  return intBitsToFloat(0x7fc00000);
+}
+
+// Magnitudes below 1e-30 become zero: drivers disagree on subnormal numbers.
+float xFlush(const float x) {
+  return mix(x, 0.0, xMagnitude(x) < xTiny);
+}
+
+float xMul(const float a, const float b) {
+  precise float p = a * b;
+  return xFlush(p);
+}
+vec2 xMul(const vec2 a, const vec2 b) {
+  precise vec2 p = a * b;
+  return mix(p, vec2(0.0), lessThan(floatBitsToInt(p) & 0x7fffffff, ivec2(xTiny)));
+}
+vec3 xMul(const vec3 a, const vec3 b) {
+  precise vec3 p = a * b;
+  return mix(p, vec3(0.0), lessThan(floatBitsToInt(p) & 0x7fffffff, ivec3(xTiny)));
+}
+vec4 xMul(const vec4 a, const vec4 b) {
+  precise vec4 p = a * b;
+  return mix(p, vec4(0.0), lessThan(floatBitsToInt(p) & 0x7fffffff, ivec4(xTiny)));
+}
+
+// a / b, relative error below 3e-7: a times exactReciprocal(b). Zeros, infinities and NaN as IEEE 754 has them; |b| below 1e-30 is zero.
+float xDiv(const float a, const float b) {
+  int m = xMagnitude(b);
+  float scale = mix(1.0, 5.42101086e-20, m > 0x7149f2ca);  // 2^-64 for |b| above 1e30, or the reciprocal would be subnormal
+  precise float c = intBitsToFloat(m) * scale;
+  precise float y = intBitsToFloat(0x7ef311c7 - floatBitsToInt(c));
+  y = y * (2.0 - c * y);
+  y = y * (2.0 - c * y);
+  y = y * (2.0 - c * y);
+  int bits = mix(floatBitsToInt(y), xInfinity, m < xTiny);
+  bits = mix(bits, 0, m == xInfinity);
+  bits = mix(bits, m, m > xInfinity);
+  precise float q = a * intBitsToFloat(bits | (floatBitsToInt(b) & int(0x80000000)));
+  q = q * scale;
+  return xFlush(q);
+}
+
+// 1 / sqrt(x): infinite at zero, NaN below.
+float xInverseSqrt(const float x) {
+  int m = xMagnitude(x);
+  float y = exactInverseSqrt(intBitsToFloat(max(m, xTiny)));
+  y = mix(y, intBitsToFloat(xInfinity), m < xTiny);
+  y = mix(y, 0.0, m == xInfinity);
+  return mix(y, xNan(), (floatBitsToInt(x) < 0 && m >= xTiny) || m > xInfinity);
+}
+float xSqrt(const float x) {
+  int m = xMagnitude(x);
+  float a = intBitsToFloat(max(m, xTiny));
+  precise float root = a * exactInverseSqrt(a);
+  root = mix(root, 0.0, m < xTiny);
+  root = mix(root, intBitsToFloat(xInfinity), m == xInfinity);
+  return mix(root, xNan(), (floatBitsToInt(x) < 0 && m >= xTiny) || m > xInfinity);
+}
+
+// a - b floor(a / b), with the sign of b; a - b trunc(a / b), with the sign of a. A quotient that was rounded over a whole number
+// is mended, so that the result is smaller than b.
+float xMod(const float a, const float b) {
+  float q = floor(xDiv(a, b));
+  precise float r = a - xMul(b, q);
+  precise float more = r + b, less = r - b;
+  r = mix(r, more, (b > 0.0 && r < 0.0) || (b < 0.0 && r > 0.0));
+  return mix(r, less, (b > 0.0 && r >= b) || (b < 0.0 && r <= b));
+}
+float xRem(const float a, const float b) {
+  float c = intBitsToFloat(xMagnitude(b)), d = intBitsToFloat(xMagnitude(a));
+  float r = xMod(d, c);
+  return intBitsToFloat(floatBitsToInt(r) ^ (floatBitsToInt(a) & int(0x80000000)));
+}
+float xFract(const float x) {
+  precise float r = x - floor(x);
+  return xFlush(r);
+}
+float xFma(const float a, const float b, const float c) {
+  precise float sum = xMul(a, b) + c;
+  return sum;
+}
+float xMix(const float a, const float b, const float t) {
+  precise float d = b - a;
+  precise float sum = a + xMul(d, t);
+  return sum;
+}
+
+// A number wins over NaN; -0 is below +0: the order of the bits.
+int xOrder(const float x) {
+  int bits = floatBitsToInt(x);
+  return bits ^ ((bits >> 31) & 0x7fffffff);
+}
+float xMin(const float a, const float b) {
+  return mix(a, b, xIsNan(a) || (!xIsNan(b) && xOrder(b) < xOrder(a)));
+}
+float xMax(const float a, const float b) {
+  return mix(a, b, xIsNan(a) || (!xIsNan(b) && xOrder(a) < xOrder(b)));
+}
+float xClamp(const float x, const float low, const float high) {
+  return xMin(xMax(x, low), high);
+}
+float xSaturate(const float x) {
+  return xClamp(x, 0.0, 1.0);
+}
+float xStep(const float edge, const float x) {
+  return mix(1.0, 0.0, x < edge);
+}
+float xSmoothstep(const float a, const float b, const float x) {
+  precise float far = x - a, whole = b - a;
+  float t = xClamp(xDiv(far, whole), 0.0, 1.0);
+  precise float slope = 3.0 - 2.0 * t;
+  return xMul(xMul(t, t), slope);
+}
+float xSign(const float x) {
+  return mix(mix(1.0, -1.0, floatBitsToInt(x) < 0), 0.0, xMagnitude(x) == 0 || xIsNan(x));
+}
+float xRound(const float x) {
+  return roundEven(x);
+}
+float xRadians(const float x) {
+  return xMul(x, 0.0174532925);
+}
+float xDegrees(const float x) {
+  return xMul(x, 57.2957795);
+}
+float xLdexp(const float x, const int n) {
+  int held = clamp(n, -252, 252), part = held >> 1;
+  precise float r = x * intBitsToFloat((part + 127) << 23);
+  r = r * intBitsToFloat((held - part + 127) << 23);
+  return xFlush(r);
+}
+
+// NaN becomes 0; what is beyond the range, its nearest end.
+int xToInt(const float x) {
+  int i = int(mix(x, 0.0, xMagnitude(x) >= 0x4f000000));
+  int end = 0x7fffffff ^ (floatBitsToInt(x) >> 31);
+  return mix(mix(i, end, xMagnitude(x) >= 0x4f000000), 0, xIsNan(x));
+}
+uint xToUint(const float x) {
+  uint i = uint(mix(x, 0.0, floatBitsToInt(x) < 0 || xMagnitude(x) >= 0x4f800000));
+  return mix(i, 0xffffffffu, floatBitsToInt(x) >= 0x4f800000 && !xIsNan(x));
+}
+
+// Division by zero gives all bits set, as in Direct3D; the lowest number divided by -1 is itself.
+uint xUdiv(const uint a, const uint b) {
+  return mix(a / mix(b, 1u, b == 0u), 0xffffffffu, b == 0u);
+}
+uint xUmod(const uint a, const uint b) {
+  return mix(a % mix(b, 1u, b == 0u), 0xffffffffu, b == 0u);
+}
+int xSdiv(const int a, const int b) {
+  uint q = uint(abs(a)) / mix(uint(abs(b)), 1u, b == 0);
+  return mix(mix(int(q), -int(q), (a ^ b) < 0), -1, b == 0);
+}
+// With the sign of a; with the sign of b.
+int xSrem(const int a, const int b) {
+  uint r = uint(abs(a)) % mix(uint(abs(b)), 1u, b == 0);
+  return mix(mix(int(r), -int(r), a < 0), -1, b == 0);
+}
+int xSmod(const int a, const int b) {
+  int r = xSrem(a, b);
+  return mix(r, r + b, b != 0 && r != 0 && (r ^ b) < 0);
+}

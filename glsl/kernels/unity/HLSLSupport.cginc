@@ -1,0 +1,11 @@
+// simreel's own file for shaders that include Unity's of this name.
+#ifndef SIMREEL_HLSL_SUPPORT
+#define SIMREEL_HLSL_SUPPORT
+#define UNITY_DECLARE_TEX2D(name) Texture2D name; SamplerState sampler##name
+#define UNITY_DECLARE_TEX2D_NOSAMPLER(name) Texture2D name
+#define UNITY_DECLARE_TEX3D(name) Texture3D name; SamplerState sampler##name
+#define UNITY_DECLARE_TEX2DARRAY(name) Texture2DArray name; SamplerState sampler##name
+#define UNITY_SAMPLE_TEX2D_LOD(name, at, lod) name.SampleLevel(sampler##name, at, lod)
+#define UNITY_SAMPLE_TEX3D_LOD(name, at, lod) name.SampleLevel(sampler##name, at, lod)
+#define UNITY_SAMPLE_TEX2DARRAY_LOD(name, at, lod) name.SampleLevel(sampler##name, at, lod)
+#endif

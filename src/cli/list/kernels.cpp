@@ -1,0 +1,121 @@
+// simreel kernels: what a shader file has, and the GLSL that it becomes.
+#include "kernels/kernels.hpp"
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "cli/commands.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace simreel::cli {
+
+namespace {
+
+struct KernelsOptions {
+  kernels::Request request;
+  bool glsl = false;
+  std::string format = "text";
+};
+
+std::string typed(const kernels::Member& member) {
+  std::string text = member.type + " " + member.name;
+  for (const std::size_t length : member.array) text += length == 0 ? "[]" : fmt::format("[{}]", length);
+  return text;
+}
+
+void describe(std::string& out, const std::vector<kernels::Member>& members, std::size_t indent) {
+  for (const kernels::Member& member : members) {
+    out += fmt::format("{:{}}{:5}  {}\n", "", indent, member.offset, typed(member));
+    describe(out, member.members, indent + 2);
+  }
+}
+
+const char* access(bool reads, bool writes) {
+  return reads && writes ? "read and written" : writes ? "written" : reads ? "read" : "unused";
+}
+
+/// The elements of a buffer of HLSL are its one array.
+void describe(std::string& out, const kernels::Buffer& buffer) {
+  const bool plain =
+      buffer.members.size() == 1 && buffer.members[0].array.size() == 1 && buffer.members[0].array[0] == 0;
+  const std::string use = access(buffer.reads, buffer.writes);
+  if (!buffer.counterOf.empty()) {
+    out += fmt::format("  buffer {}: counter, {}, binding {}\n", buffer.name, use, buffer.binding);
+    return;
+  }
+  if (!plain) {
+    out += fmt::format("  buffer {}: {}, binding {}\n", buffer.name, use, buffer.binding);
+    return describe(out, buffer.members, 4);
+  }
+  const kernels::Member& element = buffer.members[0];
+  out += fmt::format("  buffer {}: {} of {} bytes each, {}, binding {}\n", buffer.name, element.type,
+                     element.stride, use, buffer.binding);
+  describe(out, element.members, 4);
+}
+
+std::string described(const kernels::Kernel& kernel) {
+  std::string out =
+      fmt::format("kernel {}: groups of {} threads\n", kernel.name, fmt::join(kernel.threads, " x "));
+  for (const kernels::Buffer& buffer : kernel.buffers) describe(out, buffer);
+  for (const kernels::Texture& texture : kernel.textures)
+    out += fmt::format("  texture {}: {} of {}{}{}, {}, {} {}\n", texture.name, texture.type,
+                       texture.values, texture.format.empty() ? "" : ", " + texture.format,
+                       texture.sampler.empty() ? "" : ", sampler " + texture.sampler,
+                       access(texture.reads, texture.writes),
+                       texture.format.empty() && !texture.writes ? "unit" : "image", texture.binding);
+  for (const kernels::Block& block : kernel.blocks) {
+    out += block.name.empty() ? fmt::format("  constants, block {}\n", block.binding)
+                              : fmt::format("  constants {}, block {}\n", block.name, block.binding);
+    describe(out, block.members, 4);
+  }
+  return out;
+}
+
+std::string listed(const kernels::Shader& shader, const KernelsOptions& o) {
+  if (o.format == "json") return kernels::toJson(shader, 2) + "\n";
+  std::string out;
+  if (o.glsl) {
+    for (const kernels::Kernel& kernel : shader.kernels)
+      out += shader.kernels.size() == 1 ? kernel.glsl
+                                        : fmt::format("// kernel {}\n{}\n", kernel.name, kernel.glsl);
+    return out;
+  }
+  for (const auto& list : shader.keywords)
+    out += fmt::format("keywords {}: {} unless --keyword says otherwise\n", fmt::join(list, ", "), list[0]);
+  for (const kernels::Kernel& kernel : shader.kernels) out += described(kernel);
+  return out;
+}
+
+}  // namespace
+
+void addKernels(CLI::App& app) {
+  auto o = std::make_shared<KernelsOptions>();
+  auto* command = app.add_subcommand("kernels",
+                                     "Print what a file of compute shaders has (Unity's .compute, .hlsl, "
+                                     "GLSL), or the GLSL that it becomes");
+  command->add_option("file", o->request.file, "The shader file")->required();
+  command->add_option("--kernel", o->request.kernels, "Only this kernel; may be given again")
+      ->type_name("NAME");
+  command->add_flag("--glsl", o->glsl, "Print the GLSL 4.5 that runs, with the same bits on every driver");
+  command->add_flag("--fast", o->request.fast, "With the driver's own arithmetic, as the file is written");
+  command
+      ->add_option("-I", o->request.folders,
+                   "A folder that #include may read, beside the file's own; may be given again")
+      ->type_name("FOLDER");
+  command
+      ->add_option(
+          "--keyword", o->request.keywords,
+          "The keyword of a multi_compile list that holds, in place of its first; may be given again")
+      ->type_name("NAME");
+  command->add_option("--format", o->format, "text (the default) or json")
+      ->check(CLI::IsMember({"text", "json"}));
+  command->callback([o] { printText(listed(kernels::load(o->request), *o)); });
+}
+
+}  // namespace simreel::cli

@@ -1,0 +1,176 @@
+#include "kernels/compile/front_end.hpp"
+
+#include "gl/shader_source.hpp"
+#include "kernels/compile/messages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+#include <memory>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace simreel::kernels {
+
+namespace {
+
+void initialize() {
+  static const bool done = glslang::InitializeProcess();
+  if (!done) throw std::runtime_error("glslang cannot be started");
+}
+
+/// Gives glslang the files that it asks for. A file's name is its number.
+class Includer : public glslang::TShader::Includer {
+ public:
+  explicit Includer(Files& files) : files_(files) {}
+
+  IncludeResult* includeLocal(const char* name, const char* from, std::size_t depth) override {
+    return find(name, from, depth, true);
+  }
+  IncludeResult* includeSystem(const char* name, const char* from, std::size_t depth) override {
+    return find(name, from, depth, false);
+  }
+  void releaseInclude(IncludeResult* result) override {
+    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): glslang hands back what it was given
+    delete result;
+  }
+  /// Why an include failed, by its name.
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& failed() const { return failed_; }
+
+ private:
+  IncludeResult* find(const char* name, const char* from, std::size_t depth, bool beside) {
+    std::string reason;
+    std::optional<std::size_t> found;
+    if (depth > maxIncludeDepth)
+      reason = fmt::format("{} is included more than {} deep", name, maxIncludeDepth);
+    else
+      found = files_.include(name, beside, fileNumber(from, files_.count()), reason);
+    if (!found) {
+      // The local search comes first; what it found out about the folders holds for the other, too.
+      if (std::none_of(failed_.begin(), failed_.end(), [&](const auto& one) { return one.first == name; }))
+        failed_.emplace_back(name, reason);
+      return nullptr;
+    }
+    const std::string& text = files_.text(*found);
+    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): until releaseInclude()
+    return new IncludeResult(std::to_string(*found), text.data(), text.size(), nullptr);
+  }
+
+  Files& files_;
+  std::vector<std::pair<std::string, std::string>> failed_;
+};
+
+/// Unity's names for the platform; a file of Unity's own would define them.
+constexpr const char* unityNames = R"(#define SHADER_API_D3D11 1
+#define SHADER_STAGE_COMPUTE 1
+#define SHADER_TARGET 50
+#define UNITY_VERSION 202230
+#define UNITY_UV_STARTS_AT_TOP 1
+#define UNITY_REVERSED_Z 1
+#define CBUFFER_START(name) cbuffer name {
+#define CBUFFER_END };
+#define GROUPSHARED groupshared
+#define UNITY_LOOP [loop]
+#define UNITY_UNROLL [unroll]
+#define UNITY_UNROLLX(n) [unroll(n)]
+#define UNITY_BRANCH [branch]
+#define UNITY_FLATTEN [flatten]
+#define UNITY_INITIALIZE_OUTPUT(type, name) name = (type)0;
+#define fixed float
+#define fixed2 float2
+#define fixed3 float3
+#define fixed4 float4
+#define sampler2D_float sampler2D
+#define TEXTURE2D(name) Texture2D name
+#define TEXTURE3D(name) Texture3D name
+#define TEXTURE2D_ARRAY(name) Texture2DArray name
+#define SAMPLER(name) SamplerState name
+#define RW_TEXTURE2D(type, name) RWTexture2D<type> name
+#define RW_TEXTURE3D(type, name) RWTexture3D<type> name
+#define LOAD_TEXTURE2D(name, at) name.Load(int3(at, 0))
+#define SAMPLE_TEXTURE2D_LOD(name, state, at, lod) name.SampleLevel(state, at, lod)
+#define SAMPLE_TEXTURE3D_LOD(name, state, at, lod) name.SampleLevel(state, at, lod)
+)";
+
+std::string preamble(const Unit& unit) {
+  std::string text =
+      unit.language == Language::hlsl ? unityNames : "#extension GL_GOOGLE_include_directive : enable\n";
+  for (const auto& [name, value] : unit.defines) text += fmt::format("#define {} {}\n", name, value);
+  return text;
+}
+
+/// A shader, and a program with it: glslang wants the program destroyed first.
+struct Compiled {
+  glslang::TShader shader{EShLangCompute};
+  std::unique_ptr<glslang::TProgram> program;
+};
+
+std::vector<std::uint32_t> words(Compiled& compiled, bool lines) {
+  glslang::SpvOptions options;
+  options.generateDebugInfo = lines;
+  options.disableOptimizer = true;
+  std::vector<std::uint32_t> made;
+  spv::SpvBuildLogger logger;
+  glslang::GlslangToSpv(*compiled.program->getIntermediate(EShLangCompute), made, &logger, &options);
+  return made;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> compile(Files& files, const Unit& unit) {
+  initialize();
+  Compiled compiled;
+  glslang::TShader& shader = compiled.shader;
+  const std::string before = preamble(unit);
+  const std::string name = "0";
+  const char* text = files.text(0).data();
+  const int length = static_cast<int>(files.text(0).size());
+  const char* names = name.c_str();
+  const bool hlsl = unit.language == Language::hlsl;
+  shader.setStringsWithLengthsAndNames(&text, &length, &names, 1);
+  shader.setPreamble(before.c_str());
+  shader.setEnvInput(hlsl ? glslang::EShSourceHlsl : glslang::EShSourceGlsl, EShLangCompute,
+                     glslang::EShClientVulkan, 110);
+  shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
+  shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+  if (!hlsl) shader.setEnvInputVulkanRulesRelaxed();
+  shader.setEntryPoint(hlsl ? unit.entry.c_str() : "main");
+  if (hlsl) shader.setSourceEntryPoint(unit.entry.c_str());
+  shader.setAutoMapBindings(true);
+  shader.setAutoMapLocations(true);
+  auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgSuppressWarnings |
+                                           EShMsgDebugInfo);
+  if (hlsl) messages = static_cast<EShMessages>(messages | EShMsgReadHlsl);
+  Includer includer(files);
+  const bool parsed = shader.parse(GetDefaultResources(), hlsl ? 500 : 450, false, messages, includer);
+  if (!parsed) files.fail(explained(shader.getInfoLog(), files, includer.failed(), unit));
+  compiled.program = std::make_unique<glslang::TProgram>();
+  compiled.program->addShader(&shader);
+  if (!compiled.program->link(messages))
+    files.fail(explained(compiled.program->getInfoLog(), files, includer.failed(), unit));
+  return words(compiled, true);
+}
+
+std::vector<std::uint32_t> compileLibrary(const std::string& text) {
+  initialize();
+  Compiled compiled;
+  glslang::TShader& shader = compiled.shader;
+  const char* whole = text.c_str();
+  shader.setStrings(&whole, 1);
+  shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 110);
+  shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
+  shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+  const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgKeepUncalled);
+  const bool parsed = shader.parse(GetDefaultResources(), 450, false, messages);
+  compiled.program = std::make_unique<glslang::TProgram>();
+  compiled.program->addShader(&shader);
+  if (!parsed || !compiled.program->link(messages))
+    throw std::runtime_error(fmt::format("the library of exact functions does not compile: {}{}",
+                                         shader.getInfoLog(), compiled.program->getInfoLog()));
+  return words(compiled, false);
+}
+
+}  // namespace simreel::kernels

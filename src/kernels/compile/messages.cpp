@@ -1,0 +1,119 @@
+#include "kernels/compile/messages.hpp"
+
+#include "base/text.hpp"
+#include "scene/json/words.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+#include <fmt/format.h>
+
+namespace simreel::kernels {
+
+namespace {
+
+std::string trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == ':')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
+  return std::string(text);
+}
+
+/// "name:line: 'token' : message" behind "ERROR: "; a line of 0 for what names no place.
+Mistake located(std::string_view rest, std::size_t count) {
+  Mistake mistake;
+  const std::size_t first = rest.find(':');
+  const std::size_t second = first == std::string_view::npos ? first : rest.find(':', first + 1);
+  if (second == std::string_view::npos) return {0, 0, "", trimmed(rest)};
+  int line = 0;
+  const char* end = rest.data() + second;
+  const auto read = std::from_chars(rest.data() + first + 1, end, line);
+  if (read.ec != std::errc() || read.ptr != end) return {0, 0, "", trimmed(rest)};
+  mistake.file = fileNumber(rest.substr(0, first), count);
+  mistake.line = line;
+  std::string_view message = rest.substr(second + 1);
+  const std::size_t quote = message.find('\'');
+  const std::size_t close = message.find("' : ");
+  if (quote != std::string_view::npos && quote <= 1 && close != std::string_view::npos) {
+    mistake.token = std::string(message.substr(quote + 1, close - quote - 1));
+    message.remove_prefix(close + 4);
+  }
+  mistake.message = trimmed(message);
+  return mistake;
+}
+
+/// glslang's words where ours are clearer.
+void reword(Mistake& mistake) {
+  struct Wording {
+    std::string_view theirs, ours;
+  };
+  static constexpr Wording wordings[] = {
+      {"undeclared identifier", "is not declared"},
+      {"unknown variable", "is not declared"},
+      {"no matching overloaded function found", "has no function with these arguments"},
+      {"Recursive function", "calls itself, which shaders cannot do"},
+      {"recursive", "calls itself, which shaders cannot do"},
+  };
+  const bool named = !mistake.token.empty();
+  for (const Wording& wording : wordings)
+    if (mistake.message.find(wording.theirs) != std::string::npos && named) {
+      mistake.message = fmt::format("{} {}", scene::inQuotes(mistake.token), wording.ours);
+      return;
+    }
+  if (named) mistake.message = fmt::format("{}: {}", scene::inQuotes(mistake.token), mistake.message);
+}
+
+}  // namespace
+
+std::size_t fileNumber(std::string_view name, std::size_t count) {
+  std::size_t number = 0;
+  const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
+  return read.ec == std::errc() && read.ptr == name.data() + name.size() && number < count ? number : 0;
+}
+
+std::vector<Mistake> explained(std::string_view log, const Files& files,
+                               const std::vector<std::pair<std::string, std::string>>& failed,
+                               const Unit& unit) {
+  constexpr std::size_t most = 20;
+  std::vector<Mistake> mistakes;
+  std::istringstream lines{std::string(log)};
+  for (std::string line; std::getline(lines, line) && mistakes.size() < most;) {
+    constexpr std::string_view error = "ERROR: ";
+    if (!line.starts_with(error)) continue;
+    Mistake mistake = located(std::string_view(line).substr(error.size()), files.count());
+    const std::string& message = mistake.message;
+    if (message.find("compilation errors") != std::string::npos ||
+        message.find("compilation terminated") != std::string::npos)
+      continue;
+    if (message.find("Missing entry point") != std::string::npos ||
+        message.find("Entry point not found") != std::string::npos ||
+        message.find("No function definition (body) found") != std::string::npos) {
+      mistakes = {{0, unit.line, unit.entry,
+                   fmt::format("the file has no function {}", scene::inQuotes(unit.entry))}};
+      break;
+    }
+    const auto include = std::find_if(failed.begin(), failed.end(), [&](const auto& one) {
+      return message.find(one.first) != std::string::npos ||
+             mistake.token.find(one.first) != std::string::npos;
+    });
+    if (message.find("include") != std::string::npos ||
+        mistake.token.find("include") != std::string::npos) {
+      if (include != failed.end()) {
+        mistake.token = include->first;
+        mistake.message = include->second;
+        mistakes.push_back(std::move(mistake));
+        break;  // what follows comes of it
+      }
+    }
+    reword(mistake);
+    const bool known = std::any_of(mistakes.begin(), mistakes.end(), [&](const Mistake& other) {
+      return other.file == mistake.file && other.line == mistake.line && other.message == mistake.message;
+    });
+    if (!known) mistakes.push_back(std::move(mistake));
+  }
+  if (mistakes.empty())
+    mistakes.push_back({0, unit.line, unit.entry, "the compiler gives no reason for refusing this"});
+  return mistakes;
+}
+
+}  // namespace simreel::kernels

@@ -1,0 +1,299 @@
+#include "kernels/exact/calls.hpp"
+
+#include <GLSL.std.450.h>
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel::kernels {
+
+namespace {
+
+/// The function for an operation of floating numbers or for one whose result nothing defines for all
+/// numbers.
+const char* functionFor(SpvOp op) {
+  switch (op) {
+    case SpvOpFMul:
+    case SpvOpVectorTimesScalar:
+      return "xMul";
+    case SpvOpFDiv:
+      return "xDiv";
+    case SpvOpFMod:
+      return "xMod";
+    case SpvOpFRem:
+      return "xRem";
+    case SpvOpDot:
+      return "xDot";
+    case SpvOpMatrixTimesVector:
+    case SpvOpVectorTimesMatrix:
+    case SpvOpMatrixTimesMatrix:
+    case SpvOpMatrixTimesScalar:
+      return "xTimes";
+    case SpvOpOuterProduct:
+      return "xOuter";
+    case SpvOpConvertFToS:
+      return "xToInt";
+    case SpvOpConvertFToU:
+      return "xToUint";
+    case SpvOpIsNan:
+      return "xIsNan";
+    case SpvOpIsInf:
+      return "xIsInf";
+    case SpvOpUDiv:
+      return "xUdiv";
+    case SpvOpUMod:
+      return "xUmod";
+    case SpvOpSDiv:
+      return "xSdiv";
+    case SpvOpSRem:
+    case SpvOpSMod:  // what glslang writes for %, which all drivers give the sign of the first number
+      return "xSrem";
+    default:
+      return nullptr;
+  }
+}
+
+/// The function for an instruction of GLSL.std.450; nullptr for those that are exact by themselves.
+const char* functionFor(std::uint32_t extended) {
+  static constexpr std::pair<std::uint32_t, const char*> functions[] = {
+      {GLSLstd450Round, "xRound"},
+      {GLSLstd450FSign, "xSign"},
+      {GLSLstd450Fract, "xFract"},
+      {GLSLstd450Radians, "xRadians"},
+      {GLSLstd450Degrees, "xDegrees"},
+      {GLSLstd450Sin, "xSin"},
+      {GLSLstd450Cos, "xCos"},
+      {GLSLstd450Tan, "xTan"},
+      {GLSLstd450Asin, "xAsin"},
+      {GLSLstd450Acos, "xAcos"},
+      {GLSLstd450Atan, "xAtan"},
+      {GLSLstd450Sinh, "xSinh"},
+      {GLSLstd450Cosh, "xCosh"},
+      {GLSLstd450Tanh, "xTanh"},
+      {GLSLstd450Asinh, "xAsinh"},
+      {GLSLstd450Acosh, "xAcosh"},
+      {GLSLstd450Atanh, "xAtanh"},
+      {GLSLstd450Atan2, "xAtan2"},
+      {GLSLstd450Pow, "xPow"},
+      {GLSLstd450Exp, "xExp"},
+      {GLSLstd450Log, "xLog"},
+      {GLSLstd450Exp2, "xExp2"},
+      {GLSLstd450Log2, "xLog2"},
+      {GLSLstd450Sqrt, "xSqrt"},
+      {GLSLstd450InverseSqrt, "xInverseSqrt"},
+      {GLSLstd450Determinant, "xDeterminant"},
+      {GLSLstd450MatrixInverse, "xInverse"},
+      {GLSLstd450FMin, "xMin"},
+      {GLSLstd450FMax, "xMax"},
+      {GLSLstd450FClamp, "xClamp"},
+      {GLSLstd450NMin, "xMin"},
+      {GLSLstd450NMax, "xMax"},
+      {GLSLstd450NClamp, "xClamp"},
+      {GLSLstd450FMix, "xMix"},
+      {GLSLstd450Step, "xStep"},
+      {GLSLstd450SmoothStep, "xSmoothstep"},
+      {GLSLstd450Fma, "xFma"},
+      {GLSLstd450Ldexp, "xLdexp"},
+      {GLSLstd450PackSnorm4x8, "xPackSnorm4x8"},
+      {GLSLstd450PackUnorm4x8, "xPackUnorm4x8"},
+      {GLSLstd450PackSnorm2x16, "xPackSnorm2x16"},
+      {GLSLstd450PackUnorm2x16, "xPackUnorm2x16"},
+      {GLSLstd450PackHalf2x16, "xPackHalf2x16"},
+      {GLSLstd450UnpackSnorm2x16, "xUnpackSnorm2x16"},
+      {GLSLstd450UnpackUnorm2x16, "xUnpackUnorm2x16"},
+      {GLSLstd450UnpackHalf2x16, "xUnpackHalf2x16"},
+      {GLSLstd450UnpackSnorm4x8, "xUnpackSnorm4x8"},
+      {GLSLstd450UnpackUnorm4x8, "xUnpackUnorm4x8"},
+      {GLSLstd450Length, "xLength"},
+      {GLSLstd450Distance, "xDistance"},
+      {GLSLstd450Cross, "xCross"},
+      {GLSLstd450Normalize, "xNormalize"},
+      {GLSLstd450FaceForward, "xFaceForward"},
+      {GLSLstd450Reflect, "xReflect"},
+      {GLSLstd450Refract, "xRefract"},
+  };
+  for (const auto& [number, function] : functions)
+    if (number == extended) return function;
+  return nullptr;
+}
+
+bool isArithmetic(SpvOp op) {
+  switch (op) {
+    case SpvOpFAdd:
+    case SpvOpFSub:
+    case SpvOpFMul:
+    case SpvOpFDiv:
+    case SpvOpFNegate:
+    case SpvOpVectorTimesScalar:
+    case SpvOpMatrixTimesScalar:
+    case SpvOpMatrixTimesVector:
+    case SpvOpVectorTimesMatrix:
+    case SpvOpMatrixTimesMatrix:
+    case SpvOpDot:
+      return true;
+    default:
+      return false;
+  }
+}
+
+class Placing {
+ public:
+  explicit Placing(Module& module) : module_(module), set_(module.extendedSet(false)) {}
+
+  std::vector<PlacedCall> run() {
+    std::vector<Instruction> body = std::move(module_.body);
+    module_.body.clear();
+    module_.body.reserve(body.size() * 5 / 4);
+    for (Instruction& one : body) place(one);
+    return std::move(calls_);
+  }
+
+ private:
+  void place(Instruction& one) {
+    if (one.op == SpvOpShiftLeftLogical || one.op == SpvOpShiftRightLogical ||
+        one.op == SpvOpShiftRightArithmetic)
+      holdShift(one);
+    const char* function = nullptr;
+    Words arguments = one.operands;
+    if (one.op == SpvOpExtInst && one.operands[0] == set_) {
+      function = functionFor(one.operands[1]);
+      arguments.erase(arguments.begin(), arguments.begin() + 2);
+    } else if (!dividesByConstant(one)) {
+      function = functionFor(one.op);
+    }
+    if (function != nullptr && one.op == SpvOpVectorTimesScalar)
+      arguments[1] = spread(one.type, arguments[1]);
+    if (function == nullptr || !call(one, function, arguments)) module_.body.push_back(std::move(one));
+  }
+
+  /// False for numbers that the library does not have.
+  bool call(const Instruction& one, const char* function, const Words& arguments) {
+    std::string key = std::string(function) + "(";
+    for (const Id argument : arguments) {
+      const std::string signature = module_.signature(module_.typeOf(argument));
+      if (signature == "?") return false;
+      key += signature + ";";
+    }
+    // The library's whole numbers are of the function's sign; instructions take either.
+    Words given = arguments;
+    retype(function, given, key);
+    Id result = one.result, type = one.type;
+    const Id made = resultType(function, type);
+    if (made != type) result = module_.fresh();
+    Instruction placed{SpvOpFunctionCall, made, result, {0}};
+    placed.operands.insert(placed.operands.end(), given.begin(), given.end());
+    calls_.push_back({module_.body.size(), key});
+    module_.noteType(result, made);
+    module_.body.push_back(std::move(placed));
+    if (made != type) module_.body.push_back({SpvOpBitcast, type, one.result, {result}});
+    return true;
+  }
+
+  /// Whole numbers of the other sign than the function has are taken by their bits.
+  void retype(std::string_view function, Words& arguments, std::string& key) {
+    const bool isUnsigned = function == "xUdiv" || function == "xUmod" || function.starts_with("xUnpack");
+    const bool isSigned = function == "xSdiv" || function == "xSrem";
+    const bool isLdexp = function == "xLdexp";
+    if (!isUnsigned && !isSigned && !isLdexp) return;
+    key = std::string(function) + "(";
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      const Id type = module_.typeOf(arguments[i]);
+      const Id wanted = isLdexp && i == 0 ? type : ofSign(type, !isUnsigned);
+      if (wanted != type) {
+        const Id cast = module_.fresh();
+        module_.noteType(cast, wanted);
+        module_.body.push_back({SpvOpBitcast, wanted, cast, {arguments[i]}});
+        arguments[i] = cast;
+      }
+      key += module_.signature(wanted) + ";";
+    }
+  }
+
+  /// The type that the function gives where the instruction has the other sign.
+  Id resultType(std::string_view function, Id type) {
+    if (function == "xUdiv" || function == "xUmod" || function == "xToUint" ||
+        function.starts_with("xPack"))
+      return ofSign(type, false);
+    if (function == "xSdiv" || function == "xSrem" || function == "xToInt") return ofSign(type, true);
+    return type;
+  }
+
+  Id ofSign(Id type, bool isSigned) {
+    const Instruction made = *module_.global(type);
+    const Id whole = module_.globalOf(SpvOpTypeInt, 0, {32, isSigned ? 1U : 0U});
+    return made.op == SpvOpTypeVector ? module_.vectorType(whole, made.operands[1]) : whole;
+  }
+
+  Id spread(Id vector, Id scalar) {
+    const Instruction type = *module_.global(vector);
+    const Id made = module_.fresh();
+    module_.noteType(made, vector);
+    module_.body.push_back({SpvOpCompositeConstruct, vector, made, Words(type.operands[1], scalar)});
+    return made;
+  }
+
+  /// Whole numbers by a positive constant: all drivers agree.
+  bool dividesByConstant(const Instruction& one) const {
+    if (one.op != SpvOpUDiv && one.op != SpvOpUMod && one.op != SpvOpSDiv) return false;
+    const auto positive = [&](Id id) {
+      const auto value = module_.constant(id);
+      return value && *value != 0 && *value < 0x80000000U;
+    };
+    const Instruction* made = module_.global(one.operands[1]);
+    if (made == nullptr) return false;
+    return made->op == SpvOpConstantComposite
+               ? std::all_of(made->operands.begin(), made->operands.end(), positive)
+               : positive(one.operands[1]);
+  }
+
+  /// Shifts count modulo 32, as in Direct3D.
+  void holdShift(Instruction& one) {
+    const auto small = [&](Id id) {
+      const auto value = module_.constant(id);
+      return value && *value < 32;
+    };
+    const Instruction* made = module_.global(one.operands[1]);
+    if (made != nullptr &&
+        (small(one.operands[1]) || (made->op == SpvOpConstantComposite &&
+                                    std::all_of(made->operands.begin(), made->operands.end(), small))))
+      return;
+    const Id type = module_.typeOf(one.operands[1]);
+    const Instruction* shape = module_.global(type);
+    if (shape == nullptr) return;
+    const bool vector = shape->op == SpvOpTypeVector;
+    const std::uint32_t length = vector ? shape->operands[1] : 1;
+    const Id component = vector ? shape->operands[0] : type;
+    Id mask = module_.globalOf(SpvOpConstant, component, {31});
+    if (vector) mask = module_.globalOf(SpvOpConstantComposite, type, Words(length, mask));
+    const Id held = module_.fresh();
+    module_.noteType(held, type);
+    module_.body.push_back({SpvOpBitwiseAnd, type, held, {one.operands[1], mask}});
+    one.operands[1] = held;
+  }
+
+  Module& module_;
+  Id set_;
+  std::vector<PlacedCall> calls_;
+};
+
+}  // namespace
+
+void forbidContraction(Module& module) {
+  std::vector<Id> marked;
+  for (const Instruction& one : module.decorations)
+    if (one.op == SpvOpDecorate && one.operands[1] == SpvDecorationNoContraction)
+      marked.push_back(one.operands[0]);
+  std::sort(marked.begin(), marked.end());
+  for (const Instruction& one : module.body)
+    if (isArithmetic(one.op) && !std::binary_search(marked.begin(), marked.end(), one.result))
+      module.decorate(one.result, SpvDecorationNoContraction);
+}
+
+std::vector<PlacedCall> placeCalls(Module& module) {
+  std::vector<PlacedCall> calls = Placing(module).run();
+  forbidContraction(module);
+  return calls;
+}
+
+}  // namespace simreel::kernels

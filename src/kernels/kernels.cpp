@@ -1,0 +1,109 @@
+#include "kernels/kernels.hpp"
+
+#include "base/error.hpp"
+#include "base/isolated.hpp"
+#include "kernels/compile/front_end.hpp"
+#include "kernels/exact/calls.hpp"
+#include "kernels/exact/refuse.hpp"
+#include "kernels/source/files.hpp"
+#include "kernels/source/pragmas.hpp"
+#include "kernels/spirv/layout.hpp"
+#include "kernels/spirv/module.hpp"
+#include "kernels/spirv/optimize.hpp"
+#include "kernels/text/glsl.hpp"
+#include "kernels/text/reflect.hpp"
+#include "scene/json/words.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace simreel::kernels {
+
+namespace {
+
+Kernel lowered(Files& files, const Unit& unit, bool fast) {
+  const bool hlsl = unit.language == Language::hlsl;
+  Module module(compile(files, unit));
+  if (auto mistakes = refused(module, files, fast); !mistakes.empty()) files.fail(mistakes);
+  if (!fast) linkLibrary(module, placeCalls(module));
+  Module plain(optimized(module.words(), hlsl));
+  layOut(plain, hlsl);
+  Kernel kernel = reflected(plain, unit.language);
+  writeGlsl(plain, kernel);
+  kernel.name = unit.entry;
+  kernel.line = unit.line;
+  return kernel;
+}
+
+/// The announced kernels that are asked for, in the file's order.
+std::vector<Announced> wanted(const Announcements& announced, const Request& request) {
+  if (announced.kernels.empty())
+    fail(ExitCode::usage,
+         "{} has no kernel: it needs a line \"#pragma kernel NAME\" or a function with [numthreads(x, y, "
+         "z)]",
+         request.file.string());
+  std::vector<std::string> names;
+  for (const Announced& kernel : announced.kernels) names.push_back(kernel.name);
+  for (const std::string& name : request.kernels)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      fail(ExitCode::usage, "{} has no kernel {}; {}", request.file.string(), scene::inQuotes(name),
+           scene::suggestion(name, names));
+  std::vector<Announced> result;
+  for (const Announced& kernel : announced.kernels)
+    if (request.kernels.empty() ||
+        std::find(request.kernels.begin(), request.kernels.end(), kernel.name) != request.kernels.end())
+      result.push_back(kernel);
+  return result;
+}
+
+std::vector<std::string> heldKeywords(const Announcements& announced, const Request& request) {
+  std::vector<std::string> unknown;
+  std::vector<std::string> held = announced.held(request.keywords, unknown);
+  if (!unknown.empty()) {
+    std::vector<std::string> known;
+    for (const auto& list : announced.keywords) known.insert(known.end(), list.begin(), list.end());
+    fail(ExitCode::usage, "{} has no keyword {}; {}", request.file.string(), scene::inQuotes(unknown[0]),
+         known.empty() ? "it has no multi_compile" : scene::suggestion(unknown[0], known));
+  }
+  return held;
+}
+
+}  // namespace
+
+Shader loadHere(const Request& request) {
+  Files files(request.file, request.folders);
+  const Announcements announced = announcements(files);
+  const std::vector<std::string> keywords = heldKeywords(announced, request);
+  Shader shader;
+  shader.language = announced.language == Language::hlsl ? "HLSL" : "GLSL";
+  shader.keywords = announced.keywords;
+  for (const Announced& one : wanted(announced, request)) {
+    Unit unit{announced.language, one.name, one.defines, one.line};
+    for (const std::string& keyword : keywords) unit.defines.emplace_back(keyword, "1");
+    try {
+      shader.kernels.push_back(lowered(files, unit, request.fast));
+    } catch (const UserError&) {
+      throw;
+    } catch (const std::exception& error) {
+      files.fail({{0, unit.line, unit.entry,
+                   fmt::format("kernel {} cannot be written as GLSL 4.5: {}", scene::inQuotes(unit.entry),
+                               error.what())}});
+    }
+  }
+  for (const auto& path : files.read()) shader.files.push_back(path.string());
+  return shader;
+}
+
+Shader load(const Request& request) {
+  constexpr Allotment allotment{std::size_t{2} << 30, 120};
+  try {
+    return fromJson(runIsolated(allotment, [&] { return toJson(loadHere(request)); }));
+  } catch (const UserError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    fail(ExitCode::usage, "{}: the shader compiler {}", request.file.string(), error.what());
+  }
+}
+
+}  // namespace simreel::kernels

@@ -1,0 +1,24 @@
+#pragma once
+#include "kernels/shader/shader.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace simreel::kernels {
+
+struct Request {
+  std::filesystem::path file;
+  std::vector<std::filesystem::path> folders;  ///< that #include may read, beside the file's own
+  std::vector<std::string> kernels;            ///< by name; none: all
+  std::vector<std::string> keywords;           ///< chosen ones of multi_compile
+  bool fast = false;                           ///< as written, without exactness
+};
+
+/// Compiles the kernels of a file, in a process of its own: compilers are not made for hostile files.
+/// Throws UserError(usage) that reports mistakes at file, line and column.
+[[nodiscard]] Shader load(const Request& request);
+/// The same in this process.
+[[nodiscard]] Shader loadHere(const Request& request);
+
+}  // namespace simreel::kernels

@@ -1,0 +1,74 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace simreel::kernels {
+
+/// A value in a buffer or block.
+struct Member {
+  std::string name;
+  std::string type;                ///< "float3", "Particle"; in GLSL "vec3"
+  std::size_t offset = 0;          ///< in bytes, from the start of what it is in
+  std::size_t bytes = 0;           ///< of one element, without gaps behind it
+  std::vector<std::size_t> array;  ///< lengths, the outer one first; 0 is as many as the buffer has
+  std::size_t stride = 0;          ///< from element to element of an array
+  std::vector<Member> members;     ///< of a struct
+};
+
+/// A storage buffer. In HLSL its one member is an array of its elements.
+struct Buffer {
+  std::string name;
+  int binding = 0;
+  bool reads = false, writes = false;
+  std::string counterOf;  ///< the append or consume buffer whose counter this is
+  int guards =
+      0;  ///< elements that the buffer has beyond its length: one of zeros, one that takes what is dropped
+  std::vector<Member> members;
+};
+
+/// A texture or image, one binding each.
+struct Texture {
+  std::string name;
+  std::string type;     ///< "2D", "3D", "2DArray", "Cube", "Buffer", "1D"
+  std::string values;   ///< "float", "int", "uint"
+  std::string format;   ///< of an image: "rgba32f"; empty for a texture that is only read
+  std::string sampler;  ///< the sampler that it is read with; empty for reads of texels
+  std::string uniform;  ///< its name in the GLSL text
+  int binding = 0;      ///< an image unit or a texture unit
+  bool reads = false, writes = false;
+};
+
+/// A uniform block; loose constants are in one without a name.
+struct Block {
+  std::string name;
+  int binding = 0;
+  std::size_t bytes = 0;
+  std::vector<Member> members;
+};
+
+struct Kernel {
+  std::string name;
+  int line = 0;                                 ///< that announces it
+  std::array<unsigned, 3> threads = {1, 1, 1};  ///< of a group
+  std::vector<Buffer> buffers;
+  std::vector<Texture> textures;
+  std::vector<Block> blocks;
+  std::string glsl;  ///< GLSL 4.5 with "#version"; loadShaderText() wants body()
+  /// The text without the line "#version", which the loader of shaders writes itself.
+  [[nodiscard]] std::string body() const;
+};
+
+struct Shader {
+  std::string language;  ///< "HLSL" or "GLSL"
+  std::vector<std::vector<std::string>> keywords;
+  std::vector<Kernel> kernels;
+  std::vector<std::string> files;  ///< the user's, the first and what it includes
+};
+
+/// As JSON, and back.
+[[nodiscard]] std::string toJson(const Shader& shader, int indent = -1);
+[[nodiscard]] Shader fromJson(const std::string& text);
+
+}  // namespace simreel::kernels

@@ -1,0 +1,196 @@
+#include "kernels/source/plain.hpp"
+
+#include "kernels/source/files.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace simreel::kernels {
+
+namespace {
+
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
+void blank(std::string& text, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < std::min(end, text.size()); ++i)
+    if (text[i] != '\n') text[i] = ' ';
+}
+
+/// Calls `found` with the place of each whole word in the text without its comments.
+template <class Found>
+void eachWord(std::string_view code, std::string_view word, Found found) {
+  for (std::size_t at = code.find(word); at != std::string_view::npos; at = code.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !partOfName(code[at - 1])) && (end >= code.size() || !partOfName(code[end])))
+      found(at, end);
+  }
+}
+
+/// ": packoffset(c0.y)": we lay constants out ourselves.
+void blankPackOffsets(std::string& text, std::string_view code) {
+  eachWord(code, "packoffset", [&](std::size_t at, std::size_t end) {
+    std::size_t colon = at;
+    while (colon > 0 && std::isspace(static_cast<unsigned char>(code[colon - 1])) != 0) --colon;
+    const std::size_t close = code.find(')', end);
+    if (colon == 0 || code[colon - 1] != ':' || close == std::string_view::npos) return;
+    blank(text, colon - 1, close + 1);
+  });
+}
+
+/// "0x1376312589U": the lower 32 bits count.
+void shortenNumbers(std::string& text, std::string_view code) {
+  for (std::size_t at = code.find("0x"); at != std::string_view::npos; at = code.find("0x", at + 2)) {
+    std::size_t end = at + 2;
+    while (end < code.size() && std::isxdigit(static_cast<unsigned char>(code[end])) != 0) ++end;
+    const std::size_t digits = end - at - 2;
+    if (digits <= 8 || (at > 0 && partOfName(code[at - 1]))) continue;
+    blank(text, at, end - 10);
+    text[end - 10] = '0';
+    text[end - 9] = 'x';
+  }
+}
+
+/// The word that begins at or after a place, past blanks; empty where none does.
+std::string_view wordAt(std::string_view code, std::size_t& at) {
+  at = std::min(code.find_first_not_of(" \t\n", at), code.size());
+  const std::size_t begin = at;
+  while (at < code.size() && partOfName(code[at])) ++at;
+  return code.substr(begin, at - begin);
+}
+
+/// A variable that the head of a loop declares lives on for the rest of the function in Microsoft's older
+/// rules: "for (i = 0;" after "for (uint i = 0;" declares it again.
+class LoopVariables {
+ public:
+  static std::string declared(const std::string& text) {
+    const std::string code = withoutComments(text);
+    std::string result = text;
+    std::vector<std::pair<std::size_t, std::string>> insertions;
+    std::map<std::string, std::string, std::less<>> types;
+    int depth = 0;
+    for (std::size_t at = 0; at < code.size(); ++at) {
+      if (code[at] == '{') ++depth;
+      if (code[at] == '}' && --depth <= 0) types.clear();
+      if (code.compare(at, 3, "for") != 0 || (at > 0 && partOfName(code[at - 1]))) continue;
+      std::size_t next = std::min(code.find_first_not_of(" \t\n", at + 3), code.size());
+      if (next >= code.size() || code[next] != '(') continue;
+      const std::size_t head = ++next;
+      const std::string_view first = wordAt(code, next);
+      const std::string_view second = wordAt(code, next);
+      if (!second.empty() && (first == "int" || first == "uint")) {
+        types.emplace(second, first);
+      } else if (const auto known = types.find(first);
+                 known != types.end() && second.empty() && !declaredElsewhere(code, first, at)) {
+        insertions.emplace_back(head, known->second + " ");
+      }
+    }
+    for (auto one = insertions.rbegin(); one != insertions.rend(); ++one)
+      result.insert(one->first, one->second);
+    return result;
+  }
+
+ private:
+  /// Whether the function declares the name outside the heads of loops, before a place.
+  static bool declaredElsewhere(std::string_view code, std::string_view name, std::size_t before) {
+    bool found = false;
+    const std::size_t begin = code.rfind("\n}", before);
+    const std::string_view function = code.substr(begin == std::string_view::npos ? 0 : begin,
+                                                  before - (begin == std::string_view::npos ? 0 : begin));
+    eachWord(function, name, [&](std::size_t at, std::size_t) {
+      std::size_t end = at;
+      while (end > 0 && std::isspace(static_cast<unsigned char>(function[end - 1])) != 0) --end;
+      std::size_t start = end;
+      while (start > 0 && partOfName(function[start - 1])) --start;
+      const std::string_view type = function.substr(start, end - start);
+      std::size_t open = start;
+      while (open > 0 && std::isspace(static_cast<unsigned char>(function[open - 1])) != 0) --open;
+      const bool inLoop =
+          open > 0 && function[open - 1] == '(' && function.substr(0, open - 1).ends_with("for");
+      const bool spaced =
+          open > 1 && function[open - 1] == '(' && function.substr(0, open - 1).ends_with("for ");
+      if ((type == "int" || type == "uint") && !inLoop && !spaced) found = true;
+    });
+    return found;
+  }
+};
+
+}  // namespace
+
+bool partOfName(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+std::string withoutComments(std::string_view text) {
+  std::string code(text);
+  for (std::size_t at = 0; at + 1 < code.size(); ++at) {
+    if (code[at] == '"') {
+      const std::size_t end = code.find_first_of("\"\n", at + 1);
+      if (end == std::string::npos) break;
+      at = end;
+    } else if (code[at] == '/' && code[at + 1] == '/') {
+      const std::size_t end = std::min(code.find('\n', at), code.size());
+      blank(code, at, end);
+      at = end;
+    } else if (code[at] == '/' && code[at + 1] == '*') {
+      const std::size_t close = code.find("*/", at + 2);
+      const std::size_t end = close == std::string::npos ? code.size() : close + 2;
+      blank(code, at, end);
+      at = end - 1;
+    }
+  }
+  return code;
+}
+
+std::string plain(std::string_view original) {
+  std::string text(original.starts_with(byteOrderMark) ? original.substr(byteOrderMark.size()) : original);
+  for (std::size_t at = 0; at < text.size(); ++at)
+    if (text[at] == '\r') {
+      if (at + 1 < text.size() && text[at + 1] == '\n')
+        text.erase(at, 1);
+      else
+        text[at] = ' ';
+    }
+  const std::string code = withoutComments(text);
+  blankPackOffsets(text, code);
+  shortenNumbers(text, code);
+  for (const std::string_view word : {"unorm", "snorm"})
+    eachWord(code, word, [&](std::size_t at, std::size_t end) {
+      const std::size_t next = code.find_first_not_of(" \t", end);
+      if (next != std::string::npos && code.compare(next, 5, "float") == 0) blank(text, at, end);
+    });
+  for (std::size_t at = code.find("[[vk::"); at != std::string::npos; at = code.find("[[vk::", at + 1))
+    if (const std::size_t end = code.find("]]", at); end != std::string::npos) blank(text, at, end + 2);
+  for (const std::string_view mark : {"#[compute]", "#[versions]"})
+    if (const std::size_t at = code.find(mark); at != std::string::npos) blank(text, at, at + mark.size());
+  return LoopVariables::declared(text);
+}
+
+std::string tooDeep(std::string_view text) {
+  constexpr int maxNested = 200, maxRun = 2000;
+  const std::string code = withoutComments(text);
+  int nested = 0, run = 0, line = 1, otherwise = 0;
+  std::string_view rest = code;
+  for (std::size_t at = 0; at < code.size(); ++at) {
+    const char c = code[at];
+    if (c == '\n') ++line;
+    if (c == '(' || c == '[' || c == '{') ++nested;
+    if (c == ')' || c == ']' || c == '}') nested = std::max(0, nested - 1);
+    if (c == ';' || c == '{' || c == '}') run = 0;
+    if (std::string_view("+-*/%!~?&|^<>=.,").find(c) != std::string_view::npos) ++run;
+    if (c == 'e' && rest.substr(at, 4) == "else" && (at == 0 || !partOfName(code[at - 1]))) ++otherwise;
+    if (c == 'v' && rest.substr(at, 4) == "void") otherwise = 0;
+    if (nested > maxNested)
+      return fmt::format("brackets are nested more than {} deep in line {}", maxNested, line);
+    if (run > 20 * maxRun || otherwise > maxRun)
+      return fmt::format("the statement at line {} is too long for a compiler", line);
+  }
+  return {};
+}
+
+}  // namespace simreel::kernels

@@ -1,0 +1,110 @@
+#include "kernels/text/glsl.hpp"
+
+#include "kernels/spirv/resource.hpp"
+#include "kernels/text/reflect.hpp"
+
+#include <memory>
+#include <spirv_cross_c.h>
+#include <stdexcept>
+#include <string>
+
+namespace simreel::kernels {
+
+namespace {
+
+/// SPIRV-Cross, which tells of mistakes by a text in its context.
+class Cross {
+ public:
+  explicit Cross(const Words& words) {
+    spvc_context made = nullptr;
+    if (spvc_context_create(&made) != SPVC_SUCCESS)
+      throw std::runtime_error("SPIRV-Cross cannot be started");
+    context_.reset(made);
+    spvc_parsed_ir parsed = nullptr;
+    check(spvc_context_parse_spirv(made, words.data(), words.size(), &parsed));
+    check(spvc_context_create_compiler(made, SPVC_BACKEND_GLSL, parsed, SPVC_CAPTURE_MODE_TAKE_OWNERSHIP,
+                                       &compiler));
+  }
+
+  void check(spvc_result result) const {
+    if (result != SPVC_SUCCESS)
+      throw std::runtime_error(spvc_context_get_last_error_string(context_.get()));
+  }
+
+  spvc_compiler compiler = nullptr;
+
+ private:
+  struct Destroy {
+    void operator()(spvc_context context) const { spvc_context_destroy(context); }
+  };
+  std::unique_ptr<spvc_context_s, Destroy> context_;
+};
+
+void setOptions(const Cross& cross) {
+  spvc_compiler_options options = nullptr;
+  cross.check(spvc_compiler_create_compiler_options(cross.compiler, &options));
+  cross.check(spvc_compiler_options_set_uint(options, SPVC_COMPILER_OPTION_GLSL_VERSION, 450));
+  cross.check(spvc_compiler_options_set_bool(options, SPVC_COMPILER_OPTION_GLSL_ES, SPVC_FALSE));
+  cross.check(
+      spvc_compiler_options_set_bool(options, SPVC_COMPILER_OPTION_GLSL_VULKAN_SEMANTICS, SPVC_FALSE));
+  cross.check(spvc_compiler_install_compiler_options(cross.compiler, options));
+}
+
+Texture texture(const Module& module, Id variable) {
+  Texture made;
+  made.name = module.name(variable);
+  made.reads = true;
+  const Instruction* type = module.global(module.global(module.typeOf(variable))->operands[1]);
+  while (type->op == SpvOpTypeArray) type = module.global(type->operands[0]);
+  if (type->op == SpvOpTypeSampledImage) type = module.global(type->operands[0]);
+  if (type->op == SpvOpTypeImage) describeImage(module, *type, made);
+  return made;
+}
+
+/// Textures that GLSL has with their samplers already, and those that are joined here.
+void joinSamplers(const Module& module, const Cross& cross, Kernel& kernel) {
+  const auto bind = [&](Id id, Texture made, const std::string& name) {
+    made.uniform = name;
+    made.binding = 0;
+    for (const Texture& other : kernel.textures)
+      made.binding += other.format.empty() && !other.writes ? 1 : 0;
+    spvc_compiler_set_name(cross.compiler, id, name.c_str());
+    spvc_compiler_set_decoration(cross.compiler, id, SpvDecorationBinding,
+                                 static_cast<unsigned>(made.binding));
+    kernel.textures.push_back(std::move(made));
+  };
+  spvc_variable_id dummy = 0;
+  cross.check(spvc_compiler_build_dummy_sampler_for_combined_images(cross.compiler, &dummy));
+  cross.check(spvc_compiler_build_combined_image_samplers(cross.compiler));
+  const spvc_combined_image_sampler* pairs = nullptr;
+  std::size_t count = 0;
+  cross.check(spvc_compiler_get_combined_image_samplers(cross.compiler, &pairs, &count));
+  for (std::size_t i = 0; i < count; ++i) {
+    Texture made = texture(module, pairs[i].image_id);
+    if (pairs[i].sampler_id != dummy) made.sampler = module.name(pairs[i].sampler_id);
+    const std::string name = made.name + (made.sampler.empty() ? "_texels" : "_" + made.sampler);
+    bind(pairs[i].combined_id, std::move(made), name);
+  }
+  for (const Instruction& one : module.globals) {
+    if (resourceOf(module, one) != Resource::texture ||
+        resourceType(module, one).op != SpvOpTypeSampledImage)
+      continue;
+    Texture made = texture(module, one.result);
+    made.sampler = made.name;
+    const std::string name = made.name;
+    bind(one.result, std::move(made), name);
+  }
+}
+
+}  // namespace
+
+void writeGlsl(const Module& module, Kernel& kernel) {
+  const Cross cross(module.words());
+  setOptions(cross);
+  joinSamplers(module, cross, kernel);
+  const char* text = nullptr;
+  cross.check(spvc_compiler_compile(cross.compiler, &text));
+  kernel.glsl = text;
+}
+
+}  // namespace simreel::kernels

@@ -1,0 +1,247 @@
+#include "kernels/text/reflect.hpp"
+
+#include "kernels/spirv/resource.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include <fmt/format.h>
+
+namespace simreel::kernels {
+
+namespace {
+
+const char* formatName(std::uint32_t format) {
+  static constexpr const char* names[] = {"",          "rgba32f",      "rgba16f",
+                                          "r32f",      "rgba8",        "rgba8_snorm",
+                                          "rg32f",     "rg16f",        "r11f_g11f_b10f",
+                                          "r16f",      "rgba16",       "rgb10_a2",
+                                          "rg16",      "rg8",          "r16",
+                                          "r8",        "rgba16_snorm", "rg16_snorm",
+                                          "rg8_snorm", "r16_snorm",    "r8_snorm",
+                                          "rgba32i",   "rgba16i",      "rgba8i",
+                                          "r32i",      "rg32i",        "rg16i",
+                                          "rg8i",      "r16i",         "r8i",
+                                          "rgba32ui",  "rgba16ui",     "rgba8ui",
+                                          "r32ui",     "rgb10_a2ui",   "rg32ui",
+                                          "rg16ui",    "rg8ui",        "r16ui",
+                                          "r8ui"};
+  return format < std::size(names) ? names[format] : "";
+}
+
+/// A name without what glslang puts around the user's: "@data", "wrapped.name".
+std::string plainName(const std::string& name) {
+  const std::size_t at = name.find('@');
+  return at == std::string::npos || at == 0 ? name : name.substr(0, at);
+}
+
+class Reflecting {
+ public:
+  Reflecting(const Module& module, Language language)
+      : module_(module), hlsl_(language == Language::hlsl) {}
+
+  std::string typeName(Id type) const {
+    const Instruction& made = *module_.global(type);
+    switch (made.op) {
+      case SpvOpTypeFloat:
+        return made.operands[0] == 64 ? "double" : made.operands[0] == 16 ? "half" : "float";
+      case SpvOpTypeInt:
+        return made.operands[1] == 1 ? "int" : "uint";
+      case SpvOpTypeBool:
+        return "bool";
+      case SpvOpTypeVector: {
+        const std::string component = typeName(made.operands[0]);
+        if (hlsl_) return fmt::format("{}{}", component, made.operands[1]);
+        return fmt::format("{}vec{}", component == "float" ? "" : component.substr(0, 1), made.operands[1]);
+      }
+      case SpvOpTypeMatrix: {
+        const std::uint32_t columns = made.operands[1],
+                            rows = module_.global(made.operands[0])->operands[1];
+        // glslang takes a matrix of HLSL for its transposed
+        if (hlsl_) return fmt::format("float{}x{}", columns, rows);
+        return columns == rows ? fmt::format("mat{}", columns) : fmt::format("mat{}x{}", columns, rows);
+      }
+      case SpvOpTypeStruct:
+        return plainName(module_.name(type));
+      default:
+        return "?";
+    }
+  }
+
+  std::size_t bytes(Id type, bool rowMajor, std::size_t matrixStride) const {
+    const Instruction& made = *module_.global(type);
+    switch (made.op) {
+      case SpvOpTypeFloat:
+      case SpvOpTypeInt:
+        return made.operands[0] / 8;
+      case SpvOpTypeVector:
+        return made.operands[1] * bytes(made.operands[0], false, 0);
+      case SpvOpTypeMatrix:
+        return matrixStride * (rowMajor ? module_.global(made.operands[0])->operands[1] : made.operands[1]);
+      case SpvOpTypeArray:
+        return module_.constant(made.operands[1]).value_or(1) *
+               module_.decoration(type, SpvDecorationArrayStride).value_or(0);
+      case SpvOpTypeStruct: {
+        std::size_t end = 0;
+        for (const Member& member : members(type)) {
+          std::size_t count = 1;
+          for (const std::size_t length : member.array) count *= length;
+          end =
+              std::max(end, member.offset + (member.array.empty() ? member.bytes : count * member.stride));
+        }
+        return end;
+      }
+      default:
+        return 4;
+    }
+  }
+
+  std::vector<Member> members(Id structure) const {
+    std::vector<Member> found;
+    const Instruction& made = *module_.global(structure);
+    for (std::uint32_t i = 0; i < made.operands.size(); ++i) {
+      Member member;
+      member.name = module_.memberName(structure, i);
+      member.offset = module_.memberDecoration(structure, i, SpvDecorationOffset).value_or(0);
+      Id type = made.operands[i];
+      for (const Instruction* array = module_.global(type);
+           array->op == SpvOpTypeArray || array->op == SpvOpTypeRuntimeArray;
+           array = module_.global(type)) {
+        member.array.push_back(
+            array->op == SpvOpTypeArray ? module_.constant(array->operands[1]).value_or(1) : 0);
+        // the innermost stride: arrays of arrays have no gaps
+        member.stride = module_.decoration(type, SpvDecorationArrayStride).value_or(0);
+        type = array->operands[0];
+      }
+      member.type = typeName(type);
+      member.bytes = bytes(type, module_.memberDecoration(structure, i, SpvDecorationRowMajor).has_value(),
+                           module_.memberDecoration(structure, i, SpvDecorationMatrixStride).value_or(16));
+      if (module_.global(type)->op == SpvOpTypeStruct) member.members = members(type);
+      found.push_back(std::move(member));
+    }
+    return found;
+  }
+
+ private:
+  const Module& module_;
+  bool hlsl_;
+};
+
+struct Use {
+  bool reads = false, writes = false;
+};
+
+/// What the body does with each variable, seen through chains of pointers and loaded images.
+std::unordered_map<Id, Use> uses(const Module& module) {
+  std::unordered_map<Id, Id> from;
+  std::unordered_map<Id, Use> found;
+  const auto root = [&](Id id) {
+    for (auto next = from.find(id); next != from.end(); next = from.find(id)) id = next->second;
+    return id;
+  };
+  for (const Instruction& one : module.body) {
+    switch (one.op) {
+      case SpvOpAccessChain:
+      case SpvOpInBoundsAccessChain:
+      case SpvOpImageTexelPointer:
+      case SpvOpCopyObject:
+      case SpvOpSampledImage:
+      case SpvOpImage:
+        from[one.result] = one.operands[0];
+        break;
+      case SpvOpLoad:
+        from[one.result] = one.operands[0];
+        // of an image: what is done with it shows later
+        if (const Instruction* type = module.global(one.type);
+            type == nullptr || (type->op != SpvOpTypeImage && type->op != SpvOpTypeSampledImage))
+          found[root(one.operands[0])].reads = true;
+        break;
+      case SpvOpStore:
+      case SpvOpAtomicStore:
+      case SpvOpImageWrite:
+        found[root(one.operands[0])].writes = true;
+        break;
+      case SpvOpCopyMemory:
+        found[root(one.operands[0])].writes = true;
+        found[root(one.operands[1])].reads = true;
+        break;
+      case SpvOpFunctionCall:
+        for (std::size_t i = 1; i < one.operands.size(); ++i) {
+          const Id variable = root(one.operands[i]);
+          if (module.global(variable) != nullptr && module.global(variable)->op == SpvOpVariable)
+            found[variable] = {true, true};
+        }
+        break;
+      default:
+        if (one.op >= SpvOpAtomicLoad && one.op <= SpvOpAtomicXor) {
+          Use& use = found[root(one.operands[0])];
+          use.reads = true;
+          use.writes = use.writes || one.op != SpvOpAtomicLoad;
+        } else if (one.op >= SpvOpImageSampleImplicitLod && one.op <= SpvOpImageRead) {
+          found[root(one.operands[0])].reads = true;
+        }
+    }
+  }
+  return found;
+}
+
+std::string bufferName(const Module& module, Id variable, Id type) {
+  // In OpenGL a block is known by its type's name; HLSL gives both the same.
+  const std::string name = module.name(type);
+  return name.empty() ? module.name(variable) : name;
+}
+
+}  // namespace
+
+void describeImage(const Module& module, const Instruction& image, Texture& texture) {
+  static constexpr const char* dimensions[] = {"1D", "2D", "3D", "Cube", "Rect", "Buffer"};
+  texture.type = image.operands[1] < std::size(dimensions) ? dimensions[image.operands[1]] : "?";
+  if (image.operands[4] == 1) texture.type += "MS";
+  if (image.operands[3] == 1) texture.type += "Array";
+  const Instruction& number = *module.global(image.operands[0]);
+  texture.values = number.op == SpvOpTypeFloat ? "float" : number.operands[1] == 1 ? "int" : "uint";
+  texture.format = image.operands[5] == 2 ? formatName(image.operands[6]) : "";
+}
+
+Kernel reflected(const Module& module, Language language) {
+  Kernel kernel;
+  for (const Instruction& one : module.head)
+    if (one.op == SpvOpExecutionMode && one.operands[1] == SpvExecutionModeLocalSize)
+      for (std::size_t i = 0; i < 3; ++i) kernel.threads[i] = one.operands[2 + i];
+  const Reflecting reflecting(module, language);
+  std::unordered_map<Id, Use> used = uses(module);
+  for (const Instruction& one : module.globals) {
+    const Resource resource = resourceOf(module, one);
+    if (resource == Resource::none) continue;
+    const Instruction& type = resourceType(module, one);
+    const Id pointee = type.result;
+    const int binding = static_cast<int>(module.decoration(one.result, SpvDecorationBinding).value_or(0));
+    const Use use = used[one.result];
+    if (resource == Resource::storage) {
+      const std::string name = bufferName(module, one.result, pointee);
+      Buffer buffer{plainName(name), binding, use.reads, use.writes, {}, 0, reflecting.members(pointee)};
+      if (name.find("@count") != std::string::npos) {
+        buffer.counterOf = buffer.name;
+        buffer.name += ".counter";
+      }
+      kernel.buffers.push_back(std::move(buffer));
+    } else if (resource == Resource::block) {
+      std::string name = bufferName(module, one.result, pointee);
+      if (name.starts_with('$') || name == "gl_DefaultUniformBlock") name.clear();
+      kernel.blocks.push_back({name, binding, (reflecting.bytes(pointee, false, 16) + 15) / 16 * 16,
+                               reflecting.members(pointee)});
+    } else if (resource == Resource::image) {
+      Texture image;
+      image.name = image.uniform = module.name(one.result);
+      describeImage(module, type, image);
+      image.binding = binding;
+      image.reads = use.reads;
+      image.writes = use.writes;
+      kernel.textures.push_back(std::move(image));
+    }
+  }
+  return kernel;
+}
+
+}  // namespace simreel::kernels

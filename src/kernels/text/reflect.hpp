@@ -1,0 +1,15 @@
+#pragma once
+#include "kernels/shader/shader.hpp"
+#include "kernels/source/pragmas.hpp"
+#include "kernels/spirv/module.hpp"
+
+namespace simreel::kernels {
+
+/// Thread groups, buffers, images and blocks of a module after layOut(). Textures come with the text, which
+/// joins them with samplers.
+[[nodiscard]] Kernel reflected(const Module& module, Language language);
+
+/// "2D", "3DArray" and so on, and "float", "int", "uint" of an image's type.
+void describeImage(const Module& module, const Instruction& image, Texture& texture);
+
+}  // namespace simreel::kernels
