@@ -3,6 +3,7 @@
 #include "scene/as_run.hpp"
 #include "serve/script/changes.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/ports/field_source.hpp"
 #include "sim/world/list.hpp"
 
 #include <algorithm>
@@ -112,8 +113,7 @@ bool simulatesFrom(const std::vector<std::filesystem::path>& files, std::string_
 bool drawsFieldsAlone(const scene::Scene& scene) {
   return !scene.objects.empty() && !scene.render.transparent && scene.sky.picture.empty() &&
          std::all_of(scene.objects.begin(), scene.objects.end(), [](const scene::Object& object) {
-           const auto* parameters = dynamic_cast<const sim::ObjectParameters*>(object.parameters.get());
-           return parameters != nullptr && parameters->isField();
+           return sim::provides(object, sim::FieldSource::port);
          });
 }
 
