@@ -16,6 +16,7 @@
 #include "gl/context.hpp"
 #include "scene/json/words.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/ports/field_source.hpp"
 #include "sim/world/world.hpp"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ void wearOwnField(const MapsOptions& o, scene::Scene& scene) {
     fail(ExitCode::usage, "--look: there is no \"{}\"; {}", o.look, scene::suggestion(o.look, looks));
   std::vector<std::string> fields;
   for (scene::Object& object : scene.objects) {
-    if (!sim::parametersOf<sim::ObjectParameters>(object).isField()) continue;
+    if (!sim::provides(object, sim::FieldSource::port)) continue;
     fields.push_back(object.name);
     if (!o.object.empty() && o.object != object.name) continue;
     object.material.skin.emplace();

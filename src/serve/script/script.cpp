@@ -4,6 +4,7 @@
 #include "scene/load.hpp"
 #include "serve/script/changes.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/ports/field_source.hpp"
 #include "sim/world/list.hpp"
 
 #include <algorithm>
@@ -113,8 +114,7 @@ bool simulatesFrom(const std::vector<std::filesystem::path>& files, std::string_
 bool drawsFieldsAlone(const scene::Scene& scene) {
   return !scene.objects.empty() && !scene.render.transparent && scene.sky.picture.empty() &&
          std::all_of(scene.objects.begin(), scene.objects.end(), [](const scene::Object& object) {
-           const auto* parameters = dynamic_cast<const sim::ObjectParameters*>(object.parameters.get());
-           return parameters != nullptr && parameters->isField();
+           return sim::provides(object, sim::FieldSource::port);
          });
 }
 

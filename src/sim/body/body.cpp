@@ -61,8 +61,10 @@ class Body : public Simulation, public ContactSolid {
   [[nodiscard]] std::string elementName(long element) const override {
     return "vertex " + std::to_string(element);
   }
-  [[nodiscard]] SkinnedSurface* skin() override { return &surface_; }
-  [[nodiscard]] ContactSolid* solid() override { return parameters_.byFaces ? this : nullptr; }
+  void connect(Outlets& outlets) override {
+    outlets.provide(&surface_);
+    if (parameters_.byFaces) outlets.provide<ContactSolid>(this);
+  }
   [[nodiscard]] ContactPart contactPart() const override {
     const MeshTable table = *mesh();
     return solidPart(table.positions, table.indices, parameters_.friction);

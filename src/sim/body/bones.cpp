@@ -19,6 +19,9 @@ Carrier carrierOf(std::shared_ptr<const BodyMotion> motion, int node) {
 
 }  // namespace
 
+constinit const PortInfo Bones::port = {
+    .name = "bones", .lacks = ", which has no bones", .none = "the scene has no body"};
+
 Bones::Bones(const scene::Scene& scene) {
   for (const scene::Object& object : scene.objects)
     if (const auto* body = dynamic_cast<const BodyParameters*>(object.parameters.get()))
@@ -61,6 +64,17 @@ void Bones::addCapsules(std::vector<ColliderShape>& shapes) const {
              glm::length(capsule.ends[1] - capsule.ends[0]));
     }
   }
+}
+
+std::function<Carrier(const std::string& body, const std::string& bone)> boneNamedIn(const Setting& setting) {
+  return [bones = setting.find<Bones>()](const std::string& body, const std::string& bone) {
+    return bones->named(body, bone);
+  };
+}
+
+HeldBySkin heldBySkinIn(const Setting& setting) {
+  return [bones = setting.find<Bones>()](const std::string& body, std::span<const glm::dvec3> points,
+                                         double time) { return bones->heldBySkin(body, points, time); };
 }
 
 }  // namespace simreel::sim

@@ -1,6 +1,8 @@
 #pragma once
 #include "sim/body/motion.hpp"
 #include "sim/core/collider.hpp"
+#include "sim/core/port.hpp"
+#include "sim/core/simulation.hpp"
 
 #include <map>
 #include <memory>
@@ -14,9 +16,12 @@ namespace simreel::sim {
 /// around those. Files are read when somebody asks.
 class Bones {
  public:
+  static const PortInfo port;
+
   explicit Bones(const scene::Scene& scene);
 
-  /// As Setting::boneNamed has it. What is returned may outlive this.
+  /// The bone of a body, from its own space to the world; may outlive this. Throws UserError(usage) for a
+  /// body or a bone that is not there, and what the reader of its file throws.
   [[nodiscard]] Carrier named(const std::string& body, const std::string& bone) const;
   /// As HeldBySkin.
   [[nodiscard]] SkinHolder heldBySkin(const std::string& body, std::span<const glm::dvec3> points,
@@ -30,5 +35,11 @@ class Bones {
   std::map<std::string, const BodyParameters*> bodies_;
   mutable std::map<std::string, std::shared_ptr<const BodyMotion>> motions_;
 };
+
+/// Bones::named of the scene around a simulation, as plans take it.
+[[nodiscard]] std::function<Carrier(const std::string& body, const std::string& bone)> boneNamedIn(
+    const Setting& setting);
+/// Bones::heldBySkin of that scene.
+[[nodiscard]] HeldBySkin heldBySkinIn(const Setting& setting);
 
 }  // namespace simreel::sim

@@ -1,6 +1,9 @@
 #include "sim/body/parameters.hpp"
 
+#include "sim/body/skinned_surface.hpp"
+#include "sim/contact/solid.hpp"
 #include "sim/mesh/parameters.hpp"
+#include "sim/ports/markers.hpp"
 
 namespace simreel::sim {
 
@@ -45,6 +48,12 @@ void BodyParameters::describe(scene::Fields& f) {
   for (const char* name : {"grip", "friction"})
     if (!collides && !byFaces && f.given(name)) f.error(name, "this is for a body with \"collides\": true");
   if (byFaces && f.given("grip")) f.error("grip", "faces have \"friction\" instead");
+}
+
+void BodyParameters::ports(Ports& ports) const {
+  ports.provide<SkinnedSurface>();
+  ports.provide<Touchable>(collides);
+  ports.provide<ContactSolid>(byFaces).path = {"collides"};
 }
 
 std::span<const scene::Quantity> BodyParameters::quantities() const {

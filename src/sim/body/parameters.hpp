@@ -39,12 +39,10 @@ struct BodyParameters : ObjectParameters, scene::Outlined {
   std::optional<double> friction;
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
-  [[nodiscard]] bool isBody() const override { return true; }
-  [[nodiscard]] bool collidesByFaces() const override { return byFaces; }
+  void ports(Ports& ports) const override;
   /// Its skin along the motion, and at each key of its position.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::vector<glm::vec3> outline() const override;
-  [[nodiscard]] bool isTouched() const override { return collides; }
 
   /// What the file holds, read once. Throws what loadFigure() throws.
   [[nodiscard]] const std::shared_ptr<const Figure>& figure() const;

@@ -44,6 +44,12 @@ int checkedCount(const std::string& name, const Mesh& mesh) {
 
 }  // namespace
 
+constinit const PortInfo SkinnedSurface::port = {
+    .name = "skin",
+    .lacks = ", which has no bones",
+    .none = "the scene has no body",
+};
+
 SkinnedSurface::SkinnedSurface(const std::string& name, const Figure& figure, bool fast)
     : name_(name),
       vertexCount_(checkedCount(name, figure.mesh)),

@@ -2,6 +2,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/body/figure.hpp"
+#include "sim/core/port.hpp"
 
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ namespace simreel::sim {
 /// each goes through a frame of its own.
 class SkinnedSurface {
  public:
+  static const PortInfo port;
+
   /// Throws UserError(device) for more vertices than one buffer holds; `name` stands in the message.
   SkinnedSurface(const std::string& name, const Figure& figure, bool fast);
 

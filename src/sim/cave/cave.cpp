@@ -56,7 +56,7 @@ class Cave final : public Simulation {
     make(time);
   }
   bool grow() override { return solid_.grow(); }
-  [[nodiscard]] const Walls* walls() override { return &walls_; }
+  void connect(Outlets& outlets) override { outlets.provide(&walls_); }
 
   void publish(double /*time*/, Drawables& drawables) const override {
     publishMap(drawables);

@@ -1,5 +1,9 @@
 #include "sim/cave/parameters.hpp"
 
+#include "sim/contour/walls.hpp"
+#include "sim/ports/field_source.hpp"
+#include "sim/ports/markers.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -92,6 +96,12 @@ SolidShape CaveParameters::shape(double time) const {
   shape.ceiling = ceiling;
   shape.roof = roof;
   return shape;
+}
+
+void CaveParameters::ports(Ports& ports) const {
+  ports.provide<FieldSource>().parts = {"distance"};
+  ports.provide<Way>();
+  ports.provide<Walls>();
 }
 
 std::span<const scene::Quantity> CaveParameters::quantities() const {

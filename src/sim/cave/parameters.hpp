@@ -1,6 +1,5 @@
 #pragma once
 #include "sim/contour/solid.hpp"
-#include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 
@@ -13,7 +12,7 @@
 namespace simreel::sim {
 
 /// A cave by a cellular automaton as a scene says it.
-struct CaveParameters final : ObjectParameters, FieldParts {
+struct CaveParameters final : ObjectParameters {
   glm::ivec2 size{96, 60};  ///< cells
   double fill = 0.45;       ///< probability that a cell is rock at first
   int smoothing = 5;        ///< steps
@@ -39,10 +38,7 @@ struct CaveParameters final : ObjectParameters, FieldParts {
 
   CaveParameters();
   void describe(scene::Fields& fields) override;
-  [[nodiscard]] bool isField() const override { return true; }
-  [[nodiscard]] std::vector<std::string> fieldParts() const override { return {"distance"}; }
-  [[nodiscard]] bool findsPath() const override { return true; }
-  [[nodiscard]] bool hasWalls() const override { return true; }
+  void ports(Ports& ports) const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 

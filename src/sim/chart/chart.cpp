@@ -4,6 +4,7 @@
 #include "sim/chart/parameters.hpp"
 #include "sim/core/frame_observer.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/ports/measured.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,17 +38,11 @@ class ChartObject : public Simulation, public FrameObserver {
       : name_(object.name),
         parameters_(parametersOf<ChartParameters>(object)),
         frameSeconds_(setting.frameSeconds),
-        measured_(setting.quantityNamed),
+        measured_(setting.links, object),
         kept_(name_, bytesOf(firstRows)),
         counts_(name_ + " counts", firstRows) {}
 
   void step(double /*time*/, const StepWatch& /*watch*/) override {}
-
-  [[nodiscard]] std::vector<std::string> observed() const override {
-    std::vector<std::string> names;
-    for (const ChartParameters::Curve& curve : parameters_.curves) names.push_back(curve.object());
-    return names;
-  }
 
   void observe(double time) override {
     if (time < -0.5 * frameSeconds_) return;
@@ -151,7 +146,7 @@ class ChartObject : public Simulation, public FrameObserver {
   std::string name_;
   ChartParameters parameters_;
   double frameSeconds_;
-  std::function<double(const std::string& object, const std::string& quantity)> measured_;
+  QuantityReader measured_;
   std::size_t room_ = firstRows;
   std::vector<Row> rows_;
   gl::Buffer kept_;  ///< the same, as it is carried over

@@ -1,5 +1,7 @@
 #include "sim/chart/parameters.hpp"
 
+#include "sim/ports/measured.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,10 +56,8 @@ void ChartParameters::describe(scene::Fields& f) {
   if (curves.empty()) f.error("curves", "a chart needs \"curves\": [{\"of\": \"OBJECT.QUANTITY\"}]");
 }
 
-std::vector<ObjectParameters::Named> ChartParameters::namesQuantities() const {
-  std::vector<Named> named;
-  for (const Curve& curve : curves) named.push_back({curve.object(), curve.quantity(), {"curves"}});
-  return named;
+void ChartParameters::ports(Ports& ports) const {
+  for (const Curve& curve : curves) ports.mustWant<Measured>(curve.of, {"curves"});
 }
 
 ChartRange roundRange(double least, double most) {

@@ -30,7 +30,7 @@ struct ChartParameters : ObjectParameters {
 
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"curves\""; }
-  [[nodiscard]] std::vector<Named> namesQuantities() const override;
+  void ports(Ports& ports) const override;
 };
 
 /// The ends of a scale.

@@ -5,6 +5,7 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
+#include "sim/body/bones.hpp"
 #include "sim/cloth/plan.hpp"
 #include "sim/cloth/quantities.hpp"
 #include "sim/cloth/skin_hold.hpp"
@@ -40,13 +41,13 @@ class Cloth : public Simulation, public LockStep {
   Cloth(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(parametersOf<ClothParameters>(object).inStep(setting.contactSubsteps), setting.seed,
-              setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime,
-              setting.heldBySkin),
+        plan_(parametersOf<ClothParameters>(object).inStep(setting.together<LockStep>().steps), setting.seed,
+              setting.frameSeconds, *setting.colliders, boneNamedIn(setting), setting.startTime,
+              heldBySkinIn(setting)),
         size_(plan_.parameters().size),
         constrained_(plan_.parameters().constrained()),
         keeps_(plan_.parameters().keepsEnergy()),
-        heights_(setting.heights),
+        heights_(setting.find<HeightField>()),
         frameSeconds_(setting.frameSeconds) {
     checkLimits();
     const ClothParameters& p = plan_.parameters();
@@ -54,11 +55,11 @@ class Cloth : public Simulation, public LockStep {
       infoLineOnce(
           fmt::format("cloth \"{}\": its last row is pinned (default); \"pins\": [] lets it fall", name_));
     if (!p.walls.empty()) {
-      walls_ = &setting.wallsNamed(p.walls);
+      walls_ = setting.wanted<Walls>(p.walls);
       walls_->checkReach(name_, p.margin);
     }
-    if (p.hasAir && !p.air.fluid.empty()) wind_ = &setting.windNamed(p.air.fluid);
-    meshes_ = MeshTouch(name_, setting.meshes, plan_.substeps(), plan_.substepSeconds());
+    if (p.hasAir) wind_ = setting.wanted<FluidWind>(p.air.fluid);
+    meshes_ = MeshTouch(name_, setting.find<DistanceFields>(), plan_.substeps(), plan_.substepSeconds());
     const auto positions = plan_.firstPositions();
     positions_[0] = gl::Vec4Array(name_ + " positions", positions);
     positions_[1] = gl::Vec4Array(name_ + " next positions", positions);
@@ -83,7 +84,9 @@ class Cloth : public Simulation, public LockStep {
     endFrame(time);
   }
 
-  [[nodiscard]] LockStep* lockStep() override { return plan_.parameters().hasContact ? this : nullptr; }
+  void connect(Outlets& outlets) override {
+    if (plan_.parameters().hasContact) outlets.provide<LockStep>(this);
+  }
   [[nodiscard]] ContactPart contactPart() const override {
     const ClothParameters& p = plan_.parameters();
     const std::vector<unsigned> corners = gridIndices(size_);
@@ -437,8 +440,8 @@ std::unique_ptr<Simulation> makeSheet(const scene::Object& object, const Setting
 
 void checkSheet(const scene::Object& object, const Setting& setting) {
   static_cast<void>(ClothPlan(parametersOf<ClothParameters>(object), setting.seed, setting.frameSeconds,
-                              *setting.colliders, setting.boneNamed, setting.startTime,
-                              setting.heldBySkin));
+                              *setting.colliders, boneNamedIn(setting), setting.startTime,
+                              heldBySkinIn(setting)));
 }
 
 }  // namespace simreel::sim

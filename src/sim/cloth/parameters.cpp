@@ -1,7 +1,13 @@
 #include "sim/cloth/parameters.hpp"
 
 #include "base/error.hpp"
+#include "sim/body/skinned_surface.hpp"
+#include "sim/contact/lock_step.hpp"
+#include "sim/contour/walls.hpp"
 #include "sim/core/collider.hpp"
+#include "sim/fluid/wind.hpp"
+#include "sim/mesh/height_field.hpp"
+#include "sim/ports/markers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -165,11 +171,17 @@ void ClothParameters::describe(scene::Fields& f) {
   }
 }
 
-std::vector<ObjectParameters::Tie> ClothParameters::ties() const {
-  std::vector<Tie> ties;
+void ClothParameters::ports(Ports& ports) const {
+  ports.want<Walls>(walls, {"walls"});
+  if (hasAir) ports.want<FluidWind>(air.fluid, {"air", "fluid"});
   for (std::size_t i = 0; i < pins.size(); ++i)
-    if (!pins[i].to.empty()) ties.push_back({pins[i].to, {"pins", std::to_string(i), "to"}});
-  return ties;
+    ports.want<SkinnedSurface>(pins[i].to, {"pins", std::to_string(i), "to"});
+  ports.wantAll<HeightField>();
+  ports.provide<ContactCloth>(hasContact, " without \"contact\", which lets particles through");
+  ports.provide<Touchable>(hasContact);
+  if (!hasContact) return;
+  ports.wantAll<ContactSolid>();
+  ports.join<LockStep>(true);
 }
 
 bool ClothParameters::pinsBorder(const PinGroup& group, int border) const {

@@ -2,6 +2,7 @@
 #include "scene/value/fields.hpp"
 #include "sim/cloth/fabric.hpp"
 #include "sim/cloth/mesh_source.hpp"
+#include "sim/collide/mesh_colliders.hpp"
 #include "sim/core/kind.hpp"
 
 #include <optional>
@@ -62,7 +63,7 @@ struct Seam {
   double seconds = 1;         ///< until it has pulled shut
 };
 
-struct ClothParameters : ObjectParameters, shader::ClothConstants {
+struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants {
   bool hasMesh = false;  ///< instead of a grid
   ClothMesh mesh;
   std::vector<Seam> seams;
@@ -89,20 +90,14 @@ struct ClothParameters : ObjectParameters, shader::ClothConstants {
   ClothParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
-  [[nodiscard]] std::string meetsWalls() const override { return walls; }
-  [[nodiscard]] WindFrom windFrom() const override {
-    return {hasAir ? air.fluid : std::string(), {"air", "fluid"}};
-  }
+  void ports(Ports& ports) const override;
   [[nodiscard]] double touchMargin() const override {
     return margin + (hasFabric ? 0.5F * fabric.constants().thickness : 0);
   }
-  [[nodiscard]] std::vector<Tie> ties() const override;
   /// Where it is at rest, and where it comes to when it hangs from what is pinned at the start; without
   /// pins where it falls through once its size.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
 
-  [[nodiscard]] bool feelsFaces() const override { return hasContact; }
-  [[nodiscard]] bool isCloth() const override { return true; }
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
     return hasMesh ? 0 : std::int64_t{24} * (size.x - 1) * (size.y - 1);
   }

@@ -29,6 +29,9 @@ void checkSize(const char* what, std::size_t elements, const char* advice) {
 
 }  // namespace
 
+constinit const PortInfo DistanceFields::port = {
+    .name = "distance fields", .lacks = ", which is no rigid mesh", .none = "the scene has no rigid mesh"};
+
 DistanceFields::DistanceFields(MeshColliderPlan plan) : plan_(std::move(plan)) {
   checkSize("cells", static_cast<std::size_t>(plan_.cellCount()), "lower \"distanceCells\"");
   cells_ = gl::WordsArray("distance fields", plan_.cellCount());

@@ -2,6 +2,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/collide/mesh_colliders.hpp"
+#include "sim/core/port.hpp"
 #include "sim/core/step_blocks.hpp"
 
 #include <string>
@@ -11,6 +12,8 @@ namespace simreel::sim {
 /// The distance fields of a scene's rigid meshes on the GPU, made there once.
 class DistanceFields {
  public:
+  static const PortInfo port;
+
   /// Throws UserError(device) where the device's buffers are too small.
   explicit DistanceFields(MeshColliderPlan plan);
 

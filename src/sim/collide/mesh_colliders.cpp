@@ -83,7 +83,7 @@ std::vector<shader::MeshColliders> MeshColliderPlan::frame(double time, int subs
 double meshReach(const scene::Scene& scene) {
   double reach = -1;
   for (const scene::Object& object : scene.objects)
-    if (const auto* parameters = dynamic_cast<const ObjectParameters*>(object.parameters.get()))
+    if (const auto* parameters = dynamic_cast<const TouchesMeshes*>(object.parameters.get()))
       reach = std::max(reach, parameters->touchMargin());
   return reach;
 }

@@ -39,6 +39,20 @@ class MeshColliderPlan {
   std::vector<Part> parts_;
 };
 
+/// Parameters of objects that rigid meshes touch.
+struct TouchesMeshes {
+  virtual ~TouchesMeshes() = default;
+  /// Distance (m) that it keeps from them; negative: none touches it.
+  [[nodiscard]] virtual double touchMargin() const = 0;
+
+ protected:
+  TouchesMeshes() = default;
+  TouchesMeshes(const TouchesMeshes&) = default;
+  TouchesMeshes& operator=(const TouchesMeshes&) = default;
+  TouchesMeshes(TouchesMeshes&&) = default;
+  TouchesMeshes& operator=(TouchesMeshes&&) = default;
+};
+
 /// The greatest margin (m) of what may touch a mesh of the scene; below 0: nothing does.
 [[nodiscard]] double meshReach(const scene::Scene& scene);
 

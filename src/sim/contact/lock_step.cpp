@@ -27,7 +27,32 @@ ContactPlan planOf(const std::vector<LockStep*>& members, const std::vector<Cont
   return plan;
 }
 
+std::unique_ptr<StepGroup> makeGroup(const Setting& setting, std::span<void* const> outlets, int steps) {
+  std::vector<LockStep*> members;
+  for (void* outlet : outlets) members.push_back(static_cast<LockStep*>(outlet));
+  std::vector<ContactSolid*> solids;
+  for (void* outlet : setting.links->all(ContactSolid::port))
+    solids.push_back(static_cast<ContactSolid*>(outlet));
+  return std::make_unique<ContactGroup>(members, solids, steps, setting.frameSeconds, setting.fast);
+}
+
 }  // namespace
+
+constinit const PortInfo LockStep::port = {
+    .name = "contact",
+    .lacks = ", which is not in contact",
+    .none = "nothing in the scene is in contact",
+    .group = makeGroup,
+};
+
+constinit const PortInfo ContactCloth::port = {
+    .name = "cloth in contact",
+    .lacks = ", which is no cloth",
+    .none = "give a \"cloth\" of this scene \"contact\": {}",
+    .when = When::afterFrame,
+    .passedBy = "particles \"{}\" collide, but pass through cloth \"{}\", which has no contact: give it "
+                "\"contact\": true, or them \"cloths\": \"none\"",
+};
 
 ContactGroup::ContactGroup(std::vector<LockStep*> members, std::vector<ContactSolid*> solids, int substeps,
                            double frameSeconds, bool fast)

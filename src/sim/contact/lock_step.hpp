@@ -14,9 +14,9 @@ namespace simreel::sim {
 /// of them a frame.
 class LockStep {
  public:
+  static const PortInfo port;
+
   virtual ~LockStep() = default;
-  /// Whether its part is one of balls, which come after all cloths.
-  [[nodiscard]] virtual bool isOfBalls() const { return false; }
   /// As it is at the start.
   [[nodiscard]] virtual ContactPart contactPart() const = 0;
   virtual void beginFrame(double time) = 0;
@@ -32,16 +32,19 @@ class LockStep {
   virtual void restored() {}
 };
 
+/// Port of cloths that particles may meet by name. It has no outlet: both join LockStep.
+struct ContactCloth {
+  static const PortInfo port;
+};
+
 /// Simulations in step, and their contact with each other and with solids.
-class ContactGroup {
+class ContactGroup final : public StepGroup {
  public:
-  /// `members` and `solids` outlive it; `members` take `substeps` a frame of `frameSeconds`.
+  /// `members` and `solids` outlive it; `members`, balls last, take `substeps` a frame of `frameSeconds`.
   ContactGroup(std::vector<LockStep*> members, std::vector<ContactSolid*> solids, int substeps,
                double frameSeconds, bool fast);
-  /// As StepWatch, with the member.
-  using Watch = std::function<void(std::size_t member, int step)>;
   /// Advances all members by the frame that starts at `time`, which the solids have stepped.
-  void step(double time, const Watch& watch);
+  void step(double time, const Watch& watch) override;
 
  private:
   [[nodiscard]] std::vector<Contact::Part> parts() const;

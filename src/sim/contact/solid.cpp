@@ -11,6 +11,13 @@ namespace simreel::shader::contact {
 
 namespace simreel::sim {
 
+constinit const PortInfo ContactSolid::port = {
+    .name = "faces",
+    .lacks = ", which has no faces to touch",
+    .none = "the scene has no faces to touch",
+    .unused = "nothing feels these faces; give a \"cloth\" of this scene \"contact\": {}",
+};
+
 namespace {
 
 namespace at = shader::contact;

@@ -2,6 +2,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/contact/plan.hpp"
+#include "sim/core/port.hpp"
 
 #include <optional>
 #include <span>
@@ -16,6 +17,8 @@ namespace simreel::sim {
 /// simulation before them.
 class ContactSolid {
  public:
+  static const PortInfo port;
+
   virtual ~ContactSolid() = default;
   /// As it is at the start; waits for the device.
   [[nodiscard]] virtual ContactPart contactPart() const = 0;

@@ -6,6 +6,7 @@
 #include "sim/contour/solid.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/grid/picture_file.hpp"
+#include "sim/ports/field_source.hpp"
 
 #include <cstring>
 
@@ -60,7 +61,7 @@ class Contour final : public Simulation {
         material_(object.material),
         parameters_(parametersOf<ContourParameters>(object)),
         frameSeconds_(setting.frameSeconds),
-        fieldNamed_(setting.fieldNamed),
+        links_(setting.links),
         palette_(name_ + " colours", contourPalette(parameters_.colors())) {
     if (!parameters_.image.empty()) image_.emplace(name_, parameters_.image);
     solid_.emplace(name_, parameters_.shape(source(), setting.startTime));
@@ -77,9 +78,11 @@ class Contour final : public Simulation {
   }
   void resumed(double time) override { make(time); }
   bool grow() override { return solid_->grow(); }
-  [[nodiscard]] const Walls* walls() override {
-    met_ = true;
-    return &*walls_;
+  void connect(Outlets& outlets) override {
+    outlets.provideBy<Walls>([this] {
+      met_ = true;
+      return &*walls_;
+    });
   }
 
   void publish(double /*time*/, Drawables& drawables) const override {
@@ -101,14 +104,14 @@ class Contour final : public Simulation {
   [[nodiscard]] std::optional<ContourLines> lines() const override { return solid_->lines(); }
 
  private:
-  [[nodiscard]] Field source() const { return image_ ? image_->field() : fieldNamed_(parameters_.field); }
+  [[nodiscard]] Field source() const { return image_ ? image_->field() : fieldNamed(*links_, parameters_.field); }
   void make(double time) { solid_->make(source(), parameters_.heightsAt(time)); }
 
   std::string name_;
   scene::Material material_;
   ContourParameters parameters_;
   double frameSeconds_;
-  std::function<Field(const std::string& name)> fieldNamed_;
+  const Links* links_;
   gl::Vec4Array palette_;
   std::optional<ImageField> image_;
   std::optional<Solid> solid_;

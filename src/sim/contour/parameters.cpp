@@ -1,7 +1,9 @@
 #include "sim/contour/parameters.hpp"
 
 #include "base/error.hpp"
+#include "sim/contour/walls.hpp"
 #include "sim/grid/color_map.hpp"
+#include "sim/ports/field_source.hpp"
 
 #include <algorithm>
 
@@ -88,6 +90,11 @@ std::vector<glm::vec3> ContourParameters::colors() const {
     colors.push_back(glm::mix(stops[left], stops[right], place - static_cast<float>(left)));
   }
   return colors;
+}
+
+void ContourParameters::ports(Ports& ports) const {
+  if (image.empty()) ports.mustWant<FieldSource>(field, {"field"});
+  ports.provide<Walls>();
 }
 
 }  // namespace simreel::sim

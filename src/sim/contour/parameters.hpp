@@ -27,9 +27,7 @@ struct ContourParameters final : ObjectParameters {
   bool visible = true;
 
   void describe(scene::Fields& fields) override;
-  [[nodiscard]] std::string readsField() const override { return image.empty() ? field : std::string(); }
-  [[nodiscard]] bool needsField() const override { return image.empty(); }
-  [[nodiscard]] bool hasWalls() const override { return true; }
+  void ports(Ports& ports) const override;
   /// How deep it is follows from its field: as if that were as deep as wide.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
 

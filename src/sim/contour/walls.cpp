@@ -10,6 +10,12 @@
 
 namespace simreel::sim {
 
+constinit const PortInfo Walls::port = {
+    .name = "walls",
+    .lacks = ", which has no walls",
+    .none = "the scene has no cave and no contour",
+};
+
 Walls::Walls(std::string name, const Solid& solid, const glm::vec3& position, float grip)
     : name_(std::move(name)), solid_(&solid), position_(position), grip_(grip) {}
 

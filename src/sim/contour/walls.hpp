@@ -1,6 +1,7 @@
 #pragma once
 #include "gl/program.hpp"
 #include "sim/contour/solid.hpp"
+#include "sim/core/port.hpp"
 
 #include <string>
 
@@ -11,6 +12,8 @@ namespace simreel::sim {
 /// A solid as others collide with it, in the state in which its latest make() left it.
 class Walls {
  public:
+  static const PortInfo port;
+
   /// Of a solid that stays where it is; `position` and `grip` as wallGrid() has them.
   Walls(std::string name, const Solid& solid, const glm::vec3& position, float grip);
 

@@ -1,17 +1,23 @@
 #pragma once
-#include <string>
-#include <vector>
 
 namespace simreel::sim {
 
-/// What notes something of other objects in every frame, whether that is drawn or not.
+/// Object that notes something of other objects in every frame, drawn or not: of those that it wants
+/// When::afterFrame.
 class FrameObserver {
  public:
   virtual ~FrameObserver() = default;
-  /// Names of the objects that it looks at.
-  [[nodiscard]] virtual std::vector<std::string> observed() const = 0;
-  /// Of the frame at `time` (s), once those objects are what is drawn of them.
+  /// Called once those objects are as the frame at `time` (s) shows them.
   virtual void observe(double time) = 0;
+};
+
+/// Object that takes in the state of others at the start of a frame: of those that it wants
+/// When::frameStart, which may take in this one's, too.
+class FrameStarter {
+ public:
+  virtual ~FrameStarter() = default;
+  /// Called before any object of a frame steps, and once when all are made.
+  virtual void frameStarts() = 0;
 };
 
 }  // namespace simreel::sim

@@ -4,6 +4,7 @@
 #include "sim/core/carry_over.hpp"
 #include "sim/core/collider.hpp"
 #include "sim/core/drawable.hpp"
+#include "sim/core/port.hpp"
 #include "sim/core/state_array.hpp"
 
 #include <functional>
@@ -19,14 +20,6 @@
 
 namespace simreel::sim {
 
-class ContactSolid;
-class DistanceFields;
-class FluidWind;
-class HeightField;
-class LockStep;
-class SkinnedSurface;
-class Walls;
-
 /// What a simulation may know of the scene around it.
 struct Setting {
   bool fast = false;  ///< numerics: built-ins and contraction allowed
@@ -34,37 +27,27 @@ struct Setting {
   double frameSeconds = 1.0 / 60.0;
   const std::vector<ColliderShape>* colliders = nullptr;
   bool timing = false;  ///< whether simulations measure their stages
-  /// Of the mesh that collides, already stepped when others step; null: none.
-  const HeightField* heights = nullptr;
-  /// Of the rigid meshes that collide; null: none.
-  const DistanceFields* meshes = nullptr;
-  /// The field of that name as it is now; its pointers live until its object's next step. Only for names
-  /// that the scene's check has found (ObjectParameters::readsField).
-  std::function<Field(const std::string& name)> fieldNamed = {};
-  /// The solid of the object of that name, as it is once that has stepped. Only for names that the scene's
-  /// check has found (ObjectParameters::meetsWalls).
-  std::function<const Walls&(const std::string& name)> wallsNamed = {};
-  /// The fluid of that name as wind, as it is at the end of the frame. Only for names that the scene's
-  /// check has found (ObjectParameters::windFrom).
-  std::function<const FluidWind&(const std::string& name)> windNamed = {};
-  /// A frame, of those that are in contact; 0: each takes as many as it needs by itself.
-  int contactSubsteps = 0;
-  /// Whether the scene has cloths in contact, which particles may meet.
-  bool clothsInContact = false;
-  /// The skin of the body of that name, already stepped when others step. Only for names that the scene's
-  /// check has found.
-  std::function<SkinnedSurface&(const std::string& name)> skinNamed = {};
-  /// The bone of a body, from its own space to the world; needs no context. Throws UserError(usage) for a
-  /// body or a bone that is not there, and what its file's reader throws.
-  std::function<Carrier(const std::string& body, const std::string& bone)> boneNamed = {};
-  /// A quantity of an object as it is now; waits for the GPU. Only for names that the scene's check has
-  /// found (ObjectParameters::namesQuantities).
-  std::function<double(const std::string& object, const std::string& quantity)> quantityNamed = {};
-  HeldBySkin heldBySkin = {};  ///< needs no context
+  /// Outlets of the objects that are made before this one, and later of all; null: it stands alone.
+  const Links* links = nullptr;
   double startTime = 0;  ///< s of scene time of the first state: minus what is simulated before frame 0
   /// Hears how many of its steps before the first frame an object has done; may throw to end them. Empty:
   /// nobody listens.
   std::function<void(long done, long total)> presteps = {};
+
+  /// As Links::get; null without links.
+  template <class T>
+  [[nodiscard]] T* find(std::string_view object = {}) const {
+    return links == nullptr ? nullptr : links->get<T>(object);
+  }
+  /// As Links::of; null where `object` is empty.
+  template <class T>
+  [[nodiscard]] T* wanted(std::string_view object) const {
+    return object.empty() ? nullptr : &links->of<T>(object);
+  }
+  template <class T>
+  [[nodiscard]] Together together() const {
+    return links == nullptr ? Together{} : links->together(T::port);
+  }
 };
 
 /// What a simulation counts in each step: for a table beside the frames.
@@ -128,6 +111,8 @@ using StepWatch = std::function<void(int step)>;
 class Simulation {
  public:
   virtual ~Simulation() = default;
+  /// Provides the outlets of what its parameters offer (ObjectParameters::ports).
+  virtual void connect(Outlets& /*outlets*/) {}
   /// Advances by one frame: from `time` to `time + frameSeconds` (s of scene time).
   virtual void step(double time, const StepWatch& watch) = 0;
   /// The same for a frame at which nobody looks: only what later frames depend on (carryOver) has to be
@@ -170,19 +155,6 @@ class Simulation {
   [[nodiscard]] virtual std::optional<MeshTable> mesh() const { return std::nullopt; }
   /// What `simreel bake` writes of things that have contours; nothing for others. After grow().
   [[nodiscard]] virtual std::optional<ContourLines> lines() const { return std::nullopt; }
-  /// What others fall onto; null for things that are no such surface.
-  [[nodiscard]] virtual const HeightField* heights() const { return nullptr; }
-  /// What others touch of a body; null for things that are none.
-  [[nodiscard]] virtual SkinnedSurface* skin() { return nullptr; }
-  /// What others collide with; null for things that are no solid. Who was asked for it has it there after
-  /// pass(), too.
-  [[nodiscard]] virtual const Walls* walls() { return nullptr; }
-  /// What others take as their wind; null for things that do not blow.
-  [[nodiscard]] virtual const FluidWind* wind() const { return nullptr; }
-  /// What steps together with others that it touches; null: by itself, by step().
-  [[nodiscard]] virtual LockStep* lockStep() { return nullptr; }
-  /// What cloths in contact feel by its faces; null for things that are none. It has stepped before them.
-  [[nodiscard]] virtual ContactSolid* solid() { return nullptr; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }
   /// The quantities of its parameters, in that order, of the present state, which is read back: summed up
@@ -205,7 +177,7 @@ class Simulation {
 struct SimulationKind {
   scene::Kind kind;
   /// Reads the files of the object and throws the UserError that `make` would throw on any device; empty
-  /// where there is none. Needs no context; `heights` and `meshes` of the setting are null.
+  /// where there is none. Needs no context; the links of the setting have the scene's own outlets only.
   std::function<void(const scene::Object&, const Setting&)> check;
   std::function<std::unique_ptr<Simulation>(const scene::Object&, const Setting&)> make;
 };

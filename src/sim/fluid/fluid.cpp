@@ -27,7 +27,7 @@ class Fluid : public Simulation {
               [this]() -> const FluidArray& { return kernels_.arrays().flow(); }),
         colors_(plan_.parameters().display.colors()),
         counts_(name_ + " counts", 3 * sizeof(glm::vec4)) {
-    for (const std::string& part : plan_.parameters().fieldParts())
+    for (const std::string& part : FluidParameters::fieldParts())
       channelNames_.push_back(fmt::format("{}.{}", name_, part));
     const FluidParameters& p = plan_.parameters();
     if (p.tracers)
@@ -148,7 +148,7 @@ class Fluid : public Simulation {
                         time_);
   }
 
-  [[nodiscard]] const FluidWind* wind() const override { return &wind_; }
+  void connect(Outlets& outlets) override { outlets.provide(&wind_); }
 
  private:
   void show(double time) {

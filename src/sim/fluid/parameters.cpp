@@ -2,6 +2,7 @@
 
 #include "scene/value/implied_shape.hpp"
 #include "sim/fluid/model.hpp"
+#include "sim/ports/field_source.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -208,6 +209,11 @@ void FluidParameters::describe(scene::Fields& f) {
     }
     display.describe(d);
   });
+}
+
+void FluidParameters::ports(Ports& ports) const {
+  ports.provide<FieldSource>().parts = fieldParts();
+  ports.provide<FluidWind>();
 }
 
 std::span<const scene::Quantity> FluidParameters::quantities() const {

@@ -1,6 +1,5 @@
 #pragma once
 #include "scene/value/fields.hpp"
-#include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/fluid/chart.hpp"
 #include "sim/fluid/tracers.hpp"
@@ -55,7 +54,7 @@ struct FluidStroke : StrokeParameters {
 };
 
 /// Incompressible flow as a scene says it. Lengths are in cells; v and y grow down the picture.
-struct FluidParameters : ObjectParameters, FieldParts {
+struct FluidParameters : ObjectParameters {
   enum class Advection { macCormack, semiLagrangian, cubic };  // as ADVECTION of glsl/fluid/grid.glsl
   enum class Show { dye, speed, vorticity, temperature, pressure, lines };
   enum class Look { light, ink, fire };
@@ -90,14 +89,14 @@ struct FluidParameters : ObjectParameters, FieldParts {
   FluidParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
-  [[nodiscard]] bool isField() const override { return true; }
+  void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
     return std::int64_t{16} * (size.x + 2) * (size.y + 2);
   }
-  [[nodiscard]] std::vector<std::string> fieldParts() const override {
+  /// Fields beside the one of its name, as OBJECT.PART.
+  static std::vector<std::string> fieldParts() {
     return {"u", "v", "temperature", "pressure", "red", "green", "blue"};
   }
-  [[nodiscard]] bool blows() const override { return true; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
   [[nodiscard]] bool wrapsX() const { return left.kind == FluidSide::Kind::periodic; }

@@ -1,8 +1,13 @@
 #include "sim/fluid/wind.hpp"
 
+#include "base/error.hpp"
+#include "gl/context.hpp"
 #include "sim/core/collider.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 
@@ -26,9 +31,28 @@ shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size) {
   return grid;
 }
 
+constinit const PortInfo FluidWind::port = {
+    .name = "wind",
+    .lacks = ", which does not blow",
+    .none = "nothing in the scene blows; add a fluid",
+};
+
 FluidWind::FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed,
                      std::function<const FluidArray&()> flow)
     : grid_(fluidWindGrid(plane, size)), speed_(speed), flow_(std::move(flow)) {}
+
+FluidWind::FluidWind(const std::string& name, const FluidPlane& plane, glm::ivec2 size,
+                     std::span<const glm::vec4> cells)
+    : grid_(fluidWindGrid(plane, size)), speed_(0), flow_([this]() -> const FluidArray& { return stillFlow_; }) {
+  SIMREEL_CHECK(cells.size() == static_cast<std::size_t>(size.x + 2) * static_cast<std::size_t>(size.y + 2));
+  for (const glm::vec4& cell : cells) speed_ = std::max(speed_, std::hypot(cell.x, cell.y));
+  std::vector<float> planes;
+  for (int i = 0; i < 2; ++i)
+    for (const glm::vec4& cell : cells) planes.push_back(cell[i]);
+  still_ = gl::memoryPath() == gl::MemoryPath::texel ? gl::Buffer::ofTexels<glm::vec4>(name + " wind", cells)
+                                                     : gl::Buffer::of<float>(name + " wind", planes);
+  stillFlow_ = FluidArray(name + " wind", {&still_, 0, still_.bytes()});
+}
 
 void FluidWind::bind() const {
   flow_().bindInput(shader::windBinding);

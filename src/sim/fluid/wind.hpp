@@ -1,9 +1,12 @@
 #pragma once
 #include "gl/program.hpp"
 #include "glsl/common/cpp.hpp"
+#include "sim/core/port.hpp"
 #include "sim/fluid/array.hpp"
 
 #include <functional>
+#include <span>
+#include <string>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -30,9 +33,20 @@ struct FluidPlane {
 /// there is none; before and behind its plane there is what the plane has.
 class FluidWind {
  public:
+  static const PortInfo port;
+
   /// `flow`: the array that holds it at the moment of the call.
   /// `speed` (cells/s): the greatest that is expected.
   FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed, std::function<const FluidArray&()> flow);
+  /// A wind that does not change. `cells`: x and y are the flow (cells/s) at the left and the top face of
+  /// each cell, row by row, with a ring of one cell around them: (size.x + 2) (size.y + 2) in all.
+  FluidWind(const std::string& name, const FluidPlane& plane, glm::ivec2 size,
+            std::span<const glm::vec4> cells);
+  ~FluidWind() = default;
+  FluidWind(const FluidWind&) = delete;
+  FluidWind& operator=(const FluidWind&) = delete;
+  FluidWind(FluidWind&&) = delete;
+  FluidWind& operator=(FluidWind&&) = delete;
 
   /// For glsl/fluid/wind_array.glsl of a kernel.
   void bind() const;
@@ -45,6 +59,8 @@ class FluidWind {
   shader::WindGrid grid_;
   float speed_;
   std::function<const FluidArray&()> flow_;
+  gl::Buffer still_;  ///< of a wind that does not change
+  FluidArray stillFlow_;
 };
 
 /// Defines of a kernel that includes wind_array.glsl; `wind` null: none blows.

@@ -4,6 +4,7 @@
 #include "base/log.hpp"
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
+#include "sim/body/bones.hpp"
 #include "sim/cloth/cloth.hpp"
 #include "sim/cloth/skin_hold.hpp"
 #include "sim/cloth/thin.hpp"
@@ -39,11 +40,11 @@ class Garment : public Simulation, public LockStep {
  public:
   Garment(const scene::Object& object, const Setting& setting)
       : name_(object.name),
-        plan_(object.name, parametersOf<ClothParameters>(object).inStep(setting.contactSubsteps),
-              setting.seed, setting.frameSeconds, *setting.colliders, setting.boneNamed, setting.startTime,
-              setting.heldBySkin),
+        plan_(object.name, parametersOf<ClothParameters>(object).inStep(setting.together<LockStep>().steps),
+              setting.seed, setting.frameSeconds, *setting.colliders, boneNamedIn(setting), setting.startTime,
+              heldBySkinIn(setting)),
         vertices_(static_cast<int>(plan_.vertexCount())),
-        heights_(setting.heights),
+        heights_(setting.find<HeightField>()),
         frameSeconds_(setting.frameSeconds),
         topology_(name_, plan_.mesh()),
         looks_(object, plan_.mesh()) {
@@ -52,11 +53,11 @@ class Garment : public Simulation, public LockStep {
            ignored);
     const ClothParameters& p = plan_.parameters();
     if (!p.walls.empty()) {
-      walls_ = &setting.wallsNamed(p.walls);
+      walls_ = setting.wanted<Walls>(p.walls);
       walls_->checkReach(name_, p.margin);
     }
-    if (p.hasAir && !p.air.fluid.empty()) wind_ = &setting.windNamed(p.air.fluid);
-    meshes_ = MeshTouch(name_, setting.meshes, plan_.substeps(), plan_.substepSeconds());
+    if (p.hasAir) wind_ = setting.wanted<FluidWind>(p.air.fluid);
+    meshes_ = MeshTouch(name_, setting.find<DistanceFields>(), plan_.substeps(), plan_.substepSeconds());
     makeArrays();
     makePrograms(setting.fast);
     thin_ = ThinColliders(name_, "cloth/mesh/thin.comp", plan_.thinCount(), vertices_, setting.fast);
@@ -74,7 +75,9 @@ class Garment : public Simulation, public LockStep {
     endFrame(time);
   }
 
-  [[nodiscard]] LockStep* lockStep() override { return plan_.parameters().hasContact ? this : nullptr; }
+  void connect(Outlets& outlets) override {
+    if (plan_.parameters().hasContact) outlets.provide<LockStep>(this);
+  }
   [[nodiscard]] ContactPart contactPart() const override {
     const ClothParameters& p = plan_.parameters();
     ContactPart part{plan_.firstPositions(), {}, 0, p.contact.friction, plan_.contactRooms()};
@@ -400,8 +403,8 @@ SimulationKind clothKind() {
         const auto& parameters = parametersOf<ClothParameters>(object);
         if (!parameters.hasMesh) return checkSheet(object, setting);
         static_cast<void>(GarmentPlan(object.name, parameters, setting.seed, setting.frameSeconds,
-                                      *setting.colliders, setting.boneNamed, setting.startTime,
-                                      setting.heldBySkin));
+                                      *setting.colliders, boneNamedIn(setting), setting.startTime,
+                                      heldBySkinIn(setting)));
       },
       [](const scene::Object& object, const Setting& setting) {
         if (parametersOf<ClothParameters>(object).hasMesh) return makeSimulation<Garment>(object, setting);

@@ -1,5 +1,7 @@
 #include "sim/gray_scott/parameters.hpp"
 
+#include "sim/ports/field_source.hpp"
+
 #include <fmt/format.h>
 
 namespace simreel::sim {
@@ -115,6 +117,10 @@ FeedKill GrayScottParameters::ratesAt(double time) const {
   }
   const FeedKill standard = ratesOf(preset);
   return {feed ? feed->at(time) : standard.feed, kill ? kill->at(time) : standard.kill};
+}
+
+void GrayScottParameters::ports(Ports& ports) const {
+  ports.provide<FieldSource>().parts = {"u"};
 }
 
 }  // namespace simreel::sim

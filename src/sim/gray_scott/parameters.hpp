@@ -1,6 +1,5 @@
 #pragma once
 #include "scene/value/fields.hpp"
-#include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
@@ -29,7 +28,7 @@ struct GrayScottHealth {
 };
 
 /// Gray-Scott reaction-diffusion as a scene says it.
-struct GrayScottParameters : ObjectParameters, FieldParts {
+struct GrayScottParameters : ObjectParameters {
   glm::ivec2 size{256, 256};  ///< cells
   GrayScottPreset preset = GrayScottPreset::leopard;
   std::optional<scene::Animated<float>> feed, kill;  ///< instead of the preset's
@@ -53,9 +52,8 @@ struct GrayScottParameters : ObjectParameters, FieldParts {
   GrayScottParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
-  [[nodiscard]] bool isField() const override { return true; }
+  void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{8} * size.x * size.y; }
-  [[nodiscard]] std::vector<std::string> fieldParts() const override { return {"u"}; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
   /// Rates at `time` (s), before they vary in space.

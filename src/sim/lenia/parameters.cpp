@@ -1,5 +1,7 @@
 #include "sim/lenia/parameters.hpp"
 
+#include "sim/ports/field_source.hpp"
+
 #include <string_view>
 
 #include <fmt/format.h>
@@ -119,6 +121,10 @@ void LeniaParameters::describe(scene::Fields& f) {
   });
   f.group("display", "Placement of the field over the picture. Values: 0 to 1.",
           [&](scene::Fields& g) { display.describe(g); });
+}
+
+void LeniaParameters::ports(Ports& ports) const {
+  ports.provide<FieldSource>();
 }
 
 std::span<const scene::Quantity> LeniaParameters::quantities() const {

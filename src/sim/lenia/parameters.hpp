@@ -49,7 +49,7 @@ struct LeniaParameters : ObjectParameters {
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
-  [[nodiscard]] bool isField() const override { return true; }
+  void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{4} * size.x * size.y; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };

@@ -2,6 +2,7 @@
 
 #include "sim/automata/rule/cell_rule.hpp"
 #include "sim/life/cell_pattern.hpp"
+#include "sim/ports/field_source.hpp"
 
 #include <fmt/format.h>
 
@@ -109,6 +110,10 @@ void LifeParameters::describe(scene::Fields& f) {
             g.leftOut("high", "1, or by trail");
             g.leftOut("fit", "\"cover\", or \"contain\"");
           });
+}
+
+void LifeParameters::ports(Ports& ports) const {
+  ports.provide<FieldSource>();
 }
 
 std::span<const scene::Quantity> LifeParameters::quantities() const {

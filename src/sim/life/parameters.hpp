@@ -46,7 +46,7 @@ struct LifeParameters : ObjectParameters {
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
-  [[nodiscard]] bool isField() const override { return true; }
+  void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{size.x} * size.y / 8; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] GridShape shape() const { return {border, shift}; }

@@ -131,8 +131,10 @@ class DeformedMesh : public Simulation, public ContactSolid {
     return "vertex " + std::to_string(element);
   }
   [[nodiscard]] std::optional<MeshTable> mesh() const override;
-  [[nodiscard]] const HeightField* heights() const override { return heights_ ? &*heights_ : nullptr; }
-  [[nodiscard]] ContactSolid* solid() override { return touched_ ? this : nullptr; }
+  void connect(Outlets& outlets) override {
+    if (heights_) outlets.provide(&*heights_);
+    if (touched_) outlets.provide<ContactSolid>(this);
+  }
   [[nodiscard]] ContactPart contactPart() const override {
     const MeshTable table = *mesh();
     return solidPart(table.positions, table.indices, parameters_.friction);

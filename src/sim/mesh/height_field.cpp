@@ -13,6 +13,13 @@ std::size_t countOf(glm::ivec2 size) {
 
 }  // namespace
 
+constinit const PortInfo HeightField::port = {
+    .name = "surface of heights",
+    .lacks = ", which is no surface of heights",
+    .none = "the scene has no surface of heights",
+    .single = "a scene has one thing that others fall onto, and \"{}\" is one already",
+};
+
 HeightField::HeightField(const std::string& name, const HeightPlan& plan)
     : plan_(plan),
       heights_(name + " heights", std::vector<glm::vec4>(countOf(plan.size()), glm::vec4(0))),

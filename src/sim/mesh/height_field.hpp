@@ -2,6 +2,7 @@
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
 #include "sim/core/carry_over.hpp"
+#include "sim/core/port.hpp"
 #include "sim/mesh/height_plan.hpp"
 
 #include <string>
@@ -16,6 +17,8 @@ namespace simreel::sim {
 /// onto it (glsl/mesh/height_model.glsl).
 class HeightField {
  public:
+  static const PortInfo port;
+
   HeightField(const std::string& name, const HeightPlan& plan);
 
   /// The next frame's end: `positions` in the mesh's own space. Before a first frame, its beginning.

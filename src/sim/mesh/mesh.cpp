@@ -76,7 +76,9 @@ class RigidMesh : public Simulation, public ContactSolid {
     return table;
   }
 
-  [[nodiscard]] ContactSolid* solid() override { return touched_ ? this : nullptr; }
+  void connect(Outlets& outlets) override {
+    if (touched_) outlets.provide<ContactSolid>(this);
+  }
   [[nodiscard]] ContactPart contactPart() const override {
     const MeshTable table = buffers_.table(parameters_.model(time_));
     return solidPart(table.positions, table.indices, parameters_.friction);

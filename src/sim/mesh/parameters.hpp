@@ -51,9 +51,7 @@ struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   [[nodiscard]] std::optional<glm::vec3> tint() const override {
     return shape == MeshShape::grass ? std::optional(glm::vec3(0.11F, 0.24F, 0.045F)) : std::nullopt;
   }
-  [[nodiscard]] bool publishesHeights() const override { return collides && !deform.list.empty(); }
-  [[nodiscard]] bool isTouched() const override { return collides; }
-  [[nodiscard]] bool collidesByFaces() const override { return byFaces; }
+  void ports(Ports& ports) const override;
   /// Whether it collides as it is, by its distance field.
   [[nodiscard]] bool collidesRigidly() const { return collides && deform.list.empty(); }
 

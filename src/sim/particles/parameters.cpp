@@ -2,10 +2,15 @@
 
 #include "base/error.hpp"
 #include "scene/value/implied_shape.hpp"
+#include "sim/contact/lock_step.hpp"
+#include "sim/contour/walls.hpp"
+#include "sim/fluid/wind.hpp"
 #include "sim/grid/color_map.hpp"
+#include "sim/mesh/height_field.hpp"
 #include "sim/particles/file.hpp"
 #include "sim/particles/plan.hpp"
 #include "sim/particles/start.hpp"
+#include "sim/ports/markers.hpp"
 
 #include <algorithm>
 
@@ -239,6 +244,21 @@ ParticleParameters ParticleParameters::inStep(int contactSubsteps) const {
   ParticleParameters all = *this;
   if (meetsCloths() && contactSubsteps > 0) all.substeps = contactSubsteps;
   return all;
+}
+
+void ParticleParameters::ports(Ports& ports) const {
+  ports.want<Walls>(walls, {"walls"});
+  ports.want<FluidWind>(windFluid, {"wind", "fluid"});
+  if (collides) {
+    ports.wantAll<HeightField>();
+    ports.wantAll<Touchable>(true);
+  }
+  if (!meetsCloths()) return;
+  ports.join<LockStep>(false);
+  if (cloths == "all")
+    ports.wantAll<ContactCloth>();
+  else
+    ports.want<ContactCloth>(cloths, {"cloths"}, "; \"all\" and \"none\" are words here, too");
 }
 
 std::span<const scene::Quantity> ParticleParameters::quantities() const {

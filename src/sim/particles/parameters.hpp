@@ -1,6 +1,7 @@
 #pragma once
 #include "glsl/common/cpp.hpp"
 #include "scene/value/fields.hpp"
+#include "sim/collide/mesh_colliders.hpp"
 #include "sim/core/drawable.hpp"
 #include "sim/core/kind.hpp"
 
@@ -54,7 +55,7 @@ struct Turbulence : shader::TurbulenceConstants {
 
 enum class GravityMethod { none, allPairs, tree };  ///< "none", "all-pairs", "tree"
 
-struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
+struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleConstants {
   std::vector<ParticleGroup> groups;
   std::vector<Emitter> emitters;
   GravityMethod method = GravityMethod::allPairs;
@@ -91,7 +92,7 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
-  [[nodiscard]] bool asksToCollide() const override { return collides; }
+  void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
     std::int64_t bytes = 0;
     for (const ParticleGroup& group : groups)
@@ -99,14 +100,8 @@ struct ParticleParameters : ObjectParameters, shader::ParticleConstants {
     return bytes;
   }
   [[nodiscard]] double touchMargin() const override { return collides ? margin : -1; }
-  [[nodiscard]] std::string meetsWalls() const override { return walls; }
-  [[nodiscard]] WindFrom windFrom() const override { return {windFluid, {"wind", "fluid"}}; }
   /// 1/s, at which they lose velocity: to rest and to the wind.
   [[nodiscard]] float slowing() const { return damping + (hasWind ? windDrag : 0.0F); }
-  [[nodiscard]] std::string meetsCloth() const override {
-    return meetsCloths() && cloths != "all" ? cloths : std::string();
-  }
-  [[nodiscard]] bool meetsAllCloths() const override { return meetsCloths() && cloths == "all"; }
   [[nodiscard]] bool meetsCloths() const { return collides && cloths != "none"; }
   /// The same with as many substeps as the cloths that it meets take; 0: its own.
   [[nodiscard]] ParticleParameters inStep(int contactSubsteps) const;

@@ -51,21 +51,21 @@ class Particles : public Simulation, public LockStep {
   Particles(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(parametersOf<ParticleParameters>(object).inStep(setting.contactSubsteps), setting.seed,
+        plan_(parametersOf<ParticleParameters>(object).inStep(setting.together<LockStep>().steps), setting.seed,
               setting.frameSeconds, maxParticles(), shapesIn(setting)) {
     const ParticleParameters& p = plan_.parameters();
-    if (p.collides) heights_ = setting.heights;
-    meshes_ = MeshTouch(name_, p.collides ? setting.meshes : nullptr, p.substeps, plan_.substepSeconds());
+    if (p.collides) heights_ = setting.find<HeightField>();
+    meshes_ = MeshTouch(name_, p.collides ? setting.find<DistanceFields>() : nullptr, p.substeps, plan_.substepSeconds());
     if (!p.walls.empty()) {
-      walls_ = &setting.wallsNamed(p.walls);
+      walls_ = setting.wanted<Walls>(p.walls);
       walls_->checkReach(name_, p.margin);
     }
-    if (p.hasWind) wind_ = &setting.windNamed(p.windFluid);
+    wind_ = setting.wanted<FluidWind>(p.windFluid);
     if (p.method == GravityMethod::allPairs) pairs_ = PairGravity(setting.fast);
     if (p.method == GravityMethod::tree) tree_.emplace(name_, plan_.count(), setting.fast);
     const ParticleCloud cloud = plan_.firstCloud();
     positions_[0] = gl::Vec4Array(name_ + " positions", cloud.positions);
-    inContact_ = setting.clothsInContact && p.meetsCloths();
+    inContact_ = setting.together<LockStep>().led && p.meetsCloths();
     if (inContact_) {
       positions_[1] = gl::Vec4Array(name_ + " next positions", cloud.positions);
       savedAccelerations_ =
@@ -90,8 +90,9 @@ class Particles : public Simulation, public LockStep {
     endFrame(time);
   }
 
-  [[nodiscard]] LockStep* lockStep() override { return inContact_ ? this : nullptr; }
-  [[nodiscard]] bool isOfBalls() const override { return true; }
+  void connect(Outlets& outlets) override {
+    if (inContact_) outlets.provide<LockStep>(this);
+  }
   [[nodiscard]] ContactPart contactPart() const override { return plan_.contactPart(); }
   void beginFrame(double time) override {
     if (!primed_) prime(time);

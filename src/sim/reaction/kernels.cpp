@@ -126,7 +126,7 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
                 static_cast<std::int64_t>(plan.parameters().parameters.size()) +
                     (plan.links() != nullptr ? placeMaps : 0)}));
   if (plan.links() != nullptr) links_ = gl::WordsArray(name + " links", linkWords(*plan.links()));
-  if (!plan.places().empty() && !plan.parameters().readsFields().empty())
+  if (!plan.places().empty() && plan.parameters().readsFields())
     places_ = gl::WordsArray(name + " places", placeWords(plan.places()));
   const RuleField field = plan.firstField();
   warnOfGrowth(name, plan, field.stage);

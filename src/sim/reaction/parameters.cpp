@@ -137,7 +137,7 @@ void ReactionParameters::describe(scene::Fields& f) {
       "mesh", mesh,
       "The cells are the vertices of a mesh, in place of a grid: \"spacing\" is their mean distance.");
   checkSpace(f);
-  if (presteps > 0 && !readsFields().empty())
+  if (presteps > 0 && readsFields())
     f.error(
         "presteps",
         "no other object has a field before the first frame; leave out \"presteps\" and give the scene's "
@@ -244,21 +244,25 @@ RuleText ReactionParameters::ruleText() const {
   return text;
 }
 
-std::vector<std::string> ReactionParameters::fieldParts() const {
-  std::vector<std::string> parts;
-  for (const ReactionSpecies& one : species) parts.push_back(one.name);
-  return parts;
-}
-
-std::vector<FieldReading::From> ReactionParameters::readsFields() const {
-  std::vector<From> fields;
+void ReactionParameters::ports(Ports& ports) const {
+  Ports::Offer& field = ports.provide<FieldSource>(space() == RuleSpace::plane);
+  for (const ReactionSpecies& one : species) field.parts.push_back(one.name);
+  if (space() == RuleSpace::mesh) field.unless = " on a mesh, whose field only one on the same mesh takes";
+  if (space() == RuleSpace::volume)
+    field.unless = fmt::format(
+        " in a volume of {} cells, whose field only a volume of the same proportions takes", cellsText());
   for (const ReactionParameter& parameter : parameters)
     if (!parameter.field.empty())
-      fields.push_back({parameter.field, {"parameters", parameter.name, "field"}});
-  return fields;
+      ports.mustWant<FieldSource>(parameter.field, {"parameters", parameter.name, "field"},
+                                  When::frameStart);
 }
 
-bool ReactionParameters::readsCellsOf(const FieldParts& other) const {
+bool ReactionParameters::readsFields() const {
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [](const ReactionParameter& parameter) { return !parameter.field.empty(); });
+}
+
+bool ReactionParameters::readsCellsOf(const OwnCells& other) const {
   const auto* reaction = dynamic_cast<const ReactionParameters*>(&other);
   if (reaction == nullptr || space() != reaction->space()) return false;
   if (space() == RuleSpace::mesh) return mesh->isMadeAs(*reaction->mesh);
@@ -266,14 +270,6 @@ bool ReactionParameters::readsCellsOf(const FieldParts& other) const {
     return std::int64_t{side} * reaction->size.x == std::int64_t{theirs} * size.x;
   };
   return space() == RuleSpace::volume && alike(size.y, reaction->size.y) && alike(depth, reaction->depth);
-}
-
-std::string ReactionParameters::takenBy() const {
-  if (space() == RuleSpace::mesh) return " on a mesh, whose field only one on the same mesh takes";
-  if (space() == RuleSpace::volume)
-    return fmt::format(" in a volume of {} cells, whose field only a volume of the same proportions takes",
-                       cellsText());
-  return {};
 }
 
 int ReactionParameters::painted(const ReactionStroke& stroke) const {

@@ -1,6 +1,6 @@
 #pragma once
 #include "scene/value/fields.hpp"
-#include "sim/core/field_reader.hpp"
+#include "sim/ports/field_source.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
@@ -83,7 +83,7 @@ struct ReactionMesh {
 };
 
 /// Equations of one's own as a scene says them: du/dt = D lap(u) + rate for each species.
-struct ReactionParameters : ObjectParameters, FieldParts, FieldReading {
+struct ReactionParameters : ObjectParameters, OwnCells {
   glm::ivec2 size{256, 256};  ///< cells
   int depth = 1;              ///< layers of them; more than one: a volume
   int preset = -1;
@@ -108,15 +108,14 @@ struct ReactionParameters : ObjectParameters, FieldParts, FieldReading {
   [[nodiscard]] const char* drawnWith() const override {
     return space() == RuleSpace::plane ? "its \"display\"" : nullptr;
   }
-  [[nodiscard]] bool isField() const override { return space() == RuleSpace::plane; }
+  void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
     return space() == RuleSpace::mesh ? 0 : std::int64_t{4} * size.x * size.y * depth;
   }
-  [[nodiscard]] std::vector<std::string> fieldParts() const override;
-  [[nodiscard]] std::string takenBy() const override;
-  [[nodiscard]] std::vector<From> readsFields() const override;
+  /// True where parameters take values of other objects' fields.
+  [[nodiscard]] bool readsFields() const;
   /// Of the same mesh, cell by cell; of a volume of the same proportions.
-  [[nodiscard]] bool readsCellsOf(const FieldParts& other) const override;
+  [[nodiscard]] bool readsCellsOf(const OwnCells& other) const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 

@@ -1,7 +1,7 @@
 #include "sim/reaction/reaction.hpp"
 
 #include "base/error.hpp"
-#include "sim/core/field_reader.hpp"
+#include "sim/core/frame_observer.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/moments.hpp"
 #include "sim/core/retunable.hpp"
@@ -27,13 +27,13 @@ namespace simreel::sim {
 
 namespace {
 
-class Reaction : public Simulation, public FieldReader, public Retunable {
+class Reaction : public Simulation, public FrameStarter, public Retunable {
  public:
   Reaction(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
         frameSeconds_(setting.frameSeconds),
-        fieldNamed_(setting.fieldNamed),
+        links_(setting.links),
         plan_(parametersOf<ReactionParameters>(object), object.name, setting.seed, setting.frameSeconds),
         kernels_(name_, plan_, setting.fast),
         colors_(plan_.parameters().display.colors()),
@@ -54,22 +54,13 @@ class Reaction : public Simulation, public FieldReader, public Retunable {
     look(setting.startTime);
   }
 
-  void meets(const std::string& field, const FieldParts& owner) override {
-    if (const auto* other = dynamic_cast<const ReactionParameters*>(&owner);
-        other != nullptr && other->space() == RuleSpace::volume)
-      layersOf_[field] = other->depth;
-  }
-  void readOthers() override {
+  void frameStarts() override {
     const std::vector<ReactionParameter>& parameters = plan_.parameters().parameters;
-    bool reads = false;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      if (parameters[i].field.empty()) continue;
-      reads = true;
-      const auto layers = layersOf_.find(parameters[i].field);
-      kernels_.take(static_cast<int>(i), fieldNamed_(parameters[i].field),
-                    layers == layersOf_.end() ? 1 : layers->second);
-    }
-    if (reads && !std::exchange(hasRead_, true)) look(shownTime_);
+    if (!plan_.parameters().readsFields()) return;
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      if (const std::string& field = parameters[i].field; !field.empty())
+        kernels_.take(static_cast<int>(i), fieldNamed(*links_, field), layersOf(field));
+    if (!std::exchange(hasRead_, true)) look(shownTime_);
   }
   void step(double time, const StepWatch& watch) override {
     advance(time, watch);
@@ -140,7 +131,7 @@ class Reaction : public Simulation, public FieldReader, public Retunable {
   void carryOver(CarryOver& carry) override {
     carry.array("cells", kernels_.cells().buffer());
     // What is shown may tell of them.
-    if (!plan_.parameters().readsFields().empty()) carry.array("fields", kernels_.maps().buffer());
+    if (plan_.parameters().readsFields()) carry.array("fields", kernels_.maps().buffer());
   }
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"cells", &kernels_.cells().buffer()}};
@@ -280,12 +271,23 @@ class Reaction : public Simulation, public FieldReader, public Retunable {
     }
   }
 
+  /// Layers of the object whose field it is; first called while the scene's objects are made.
+  int layersOf(const std::string& field) {
+    const std::string object = PartName(field).object;
+    const auto [layers, isNew] = layersOf_.try_emplace(object, 1);
+    if (const scene::Object* owner = isNew ? links_->declared(object) : nullptr)
+      if (const auto* other = dynamic_cast<const ReactionParameters*>(owner->parameters.get());
+          other != nullptr && other->space() == RuleSpace::volume)
+        layers->second = other->depth;
+    return layers->second;
+  }
+
   std::string name_;
   scene::Material material_;
   double frameSeconds_;
-  std::function<Field(const std::string& name)> fieldNamed_;
+  const Links* links_;
   bool hasRead_ = false;                 ///< fields of others, ever
-  std::map<std::string, int> layersOf_;  ///< of volumes that it reads, by the fields' names
+  std::map<std::string, int> layersOf_;  ///< of objects that it reads
   std::vector<std::string> speciesNames_;
   ReactionPlan plan_;
   ReactionKernels kernels_;

@@ -4,6 +4,7 @@
 #include "sim/core/moments.hpp"
 #include "sim/mesh/buffers.hpp"
 #include "sim/mesh/shapes.hpp"
+#include "sim/ports/markers.hpp"
 
 namespace simreel::sim {
 
@@ -91,6 +92,10 @@ void ShapeParameters::describe(scene::Fields& f) {
   if (shape.friction && f.given("grip")) f.error("friction", "give \"grip\" or \"friction\", not both");
   f.idleUnless(shape.kind != Kind::plane || visible, "visible", {"size"}, "a plane that is \"visible\"");
   f.idleUnless(collides, "collides", {"grip", "friction"}, "what \"collides\"");
+}
+
+void ShapeParameters::ports(Ports& ports) const {
+  ports.provide<Touchable>(collides);
 }
 
 SimulationKind sphereKind() {

@@ -24,7 +24,7 @@ struct ShapeParameters : ObjectParameters {
   void describe(scene::Fields& fields) override;
   /// Balls and capsules at each key of their position; planes are ground.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
-  [[nodiscard]] bool isTouched() const override { return collides; }
+  void ports(Ports& ports) const override;
 };
 
 [[nodiscard]] SimulationKind sphereKind();

@@ -1,6 +1,7 @@
 #include "sim/spread/epidemic_plan.hpp"
 
 #include "base/error.hpp"
+#include "sim/ports/field_source.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -124,6 +125,10 @@ std::vector<glm::vec3> EpidemicPlan::palette() const {
                  {p.infection, 0.5F * p.infection + 0.5F * p.infectious, p.infectious, p.infectious}, 64);
   appendGradient(colors, {p.recovering, 0.4F * p.recovering + 0.6F * p.recovered, p.recovered}, 64);
   return colors;
+}
+
+void EpidemicParameters::ports(Ports& ports) const {
+  ports.provide<FieldSource>();
 }
 
 std::span<const scene::Quantity> EpidemicParameters::quantities() const {

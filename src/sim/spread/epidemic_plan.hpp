@@ -36,7 +36,7 @@ struct EpidemicParameters final : ObjectParameters, SpreadParameters {
 
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"colors\""; }
-  [[nodiscard]] bool isField() const override { return true; }
+  void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{size.x} * size.y; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };

@@ -72,7 +72,7 @@ class Wildfire final : public Simulation {
   [[nodiscard]] const WildfireParameters& parameters() const { return plan_.parameters(); }
   [[nodiscard]] bool blown() const { return !parameters().windFluid.empty(); }
   void makeGales(const Setting& setting) {
-    wind_ = &setting.windNamed(parameters().windFluid);
+    wind_ = setting.wanted<FluidWind>(parameters().windFluid);
     const glm::ivec2 size = parameters().size;
     const int rowGales = 4 * grid_.rowElements();
     gales_ = gl::WordsArray(name_ + " gales", rowGales * size.y);

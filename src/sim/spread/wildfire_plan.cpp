@@ -2,6 +2,8 @@
 
 #include "base/error.hpp"
 #include "base/ieee.hpp"
+#include "sim/fluid/wind.hpp"
+#include "sim/ports/field_source.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -283,6 +285,11 @@ std::vector<glm::vec3> WildfirePlan::palette() const {
     colors.push_back(shaded(p.ash * (0.22F + 0.78F * old), i % 8 / 7.0) + glow);
   }
   return colors;
+}
+
+void WildfireParameters::ports(Ports& ports) const {
+  ports.provide<FieldSource>();
+  ports.want<FluidWind>(windFluid, {"wind", "fluid"});
 }
 
 std::span<const scene::Quantity> WildfireParameters::quantities() const {

@@ -45,10 +45,9 @@ struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::Wi
 
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"colors\""; }
-  [[nodiscard]] bool isField() const override { return true; }
+  void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{size.x} * size.y; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
-  [[nodiscard]] WindFrom windFrom() const override { return {windFluid, {"wind", "fluid"}}; }
 };
 
 /// Everything of a wildfire that is decided on the CPU; shared by the GPU simulation and its CPU twin.

@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "sim/core/collider.hpp"
 #include "sim/core/moments.hpp"
+#include "sim/ports/measured.hpp"
 
 #include <stdexcept>
 
@@ -79,14 +80,12 @@ void TextParameters::describe(scene::Fields& f) {
   }
 }
 
-std::vector<ObjectParameters::Named> TextParameters::namesQuantities() const {
-  std::vector<Named> named;
+void TextParameters::ports(Ports& ports) const {
   const std::optional<TextContent> content = readContent(text);
-  if (!content) return named;
+  if (!content) return;
   for (const TextContent::Part& part : content->parts())
     if (part.number == TextContent::Part::Number::quantity)
-      named.push_back({part.object, part.quantity, {"text"}});
-  return named;
+      ports.mustWant<Measured>(part.object + "." + part.quantity, {"text"});
 }
 
 std::filesystem::path TextParameters::fontFile() const {

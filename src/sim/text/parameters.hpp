@@ -46,7 +46,7 @@ struct TextParameters : ObjectParameters {
     return onScreen ? "the \"color\" of its \"screen\"" : nullptr;
   }
   [[nodiscard]] std::optional<scene::Box> framed() const override;
-  [[nodiscard]] std::vector<Named> namesQuantities() const override;
+  void ports(Ports& ports) const override;
 
   [[nodiscard]] std::filesystem::path fontFile() const;
   /// From the text's own space to the world's.

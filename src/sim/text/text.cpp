@@ -4,6 +4,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/core/moments.hpp"
 #include "sim/mesh/buffers.hpp"
+#include "sim/ports/measured.hpp"
 #include "sim/text/parameters.hpp"
 #include "sim/text/solid_text.hpp"
 
@@ -29,7 +30,7 @@ class Text : public Simulation {
         content_(parameters_.text),
         font_(parameters_.fontFile()),
         perFrame_(1.0 / setting.frameSeconds),
-        measured_(setting.quantityNamed),
+        measured_(QuantityReader(setting.links, object)),
         time_(setting.startTime) {
     check(name_, font_, content_);
   }

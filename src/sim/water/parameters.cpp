@@ -1,5 +1,9 @@
 #include "sim/water/parameters.hpp"
 
+#include "sim/mesh/height_field.hpp"
+#include "sim/ports/field_source.hpp"
+#include "sim/ports/markers.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -237,6 +241,12 @@ std::optional<scene::Box> WaterParameters::framed() const {
 
 bool WaterParameters::isTorus() const {
   return std::all_of(sides.begin(), sides.end(), [](WaterBorder b) { return b == WaterBorder::periodic; });
+}
+
+void WaterParameters::ports(Ports& ports) const {
+  ports.provide<FieldSource>().parts = {"speed", "level"};
+  ports.provide<HeightField>(collides).path = {"collides"};
+  ports.provide<Touchable>(collides);
 }
 
 }  // namespace simreel::sim

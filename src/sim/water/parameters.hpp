@@ -1,6 +1,5 @@
 #pragma once
 #include "scene/value/fields.hpp"
-#include "sim/core/field_reader.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
@@ -66,7 +65,7 @@ struct WaterSwell {
 };
 
 /// Shallow water over a terrain as a scene says it.
-struct WaterParameters : ObjectParameters, FieldParts {
+struct WaterParameters : ObjectParameters {
   glm::ivec2 size{193, 193};  ///< cells along x and z
   float cell = 0.035F;        ///< m
   glm::vec3 position{0};      ///< m, the grid's middle at level 0
@@ -108,11 +107,9 @@ struct WaterParameters : ObjectParameters, FieldParts {
 
   WaterParameters();
   void describe(scene::Fields& fields) override;
-  [[nodiscard]] bool isField() const override { return true; }
+  void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{16} * size.x * size.y; }
-  [[nodiscard]] std::vector<std::string> fieldParts() const override { return {"speed", "level"}; }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
-  [[nodiscard]] bool publishesHeights() const override { return collides; }
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] Looks looks() const override { return Looks::landscape; }
   [[nodiscard]] bool isTorus() const;

@@ -197,7 +197,9 @@ class Water : public Simulation {
     }
     return sheetMesh(size_, positions);
   }
-  [[nodiscard]] const HeightField* heights() const override { return heights_ ? &*heights_ : nullptr; }
+  void connect(Outlets& outlets) override {
+    if (heights_) outlets.provide(&*heights_);
+  }
   [[nodiscard]] const gl::Buffer* status() const override { return &status_; }
   [[nodiscard]] std::string remark(int frame) const override {
     const auto words = status_.readAll<unsigned>();

@@ -19,7 +19,7 @@
 #include "sim/spread/wildfire.hpp"
 #include "sim/text/text.hpp"
 #include "sim/water/water.hpp"
-#include "sim/world/relations.hpp"
+#include "sim/world/port_check.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -50,7 +50,7 @@ const scene::Kinds& kinds() {
     for (const SimulationKind& simulation : simulations()) all.push_back(simulation.kind);
     return all;
   }();
-  static const scene::Kinds all{list, checkRelations, openCamera};
+  static const scene::Kinds all{list, checkPorts, openCamera};
   return all;
 }
 

@@ -6,7 +6,8 @@
 #include "sim/light/surroundings.hpp"
 #include "sim/shape/shape.hpp"
 #include "sim/world/list.hpp"
-#include "sim/world/relations.hpp"
+#include "sim/world/object_links.hpp"
+#include "sim/world/port_check.hpp"
 #include "sim/world/world.hpp"
 
 #include <algorithm>
@@ -68,23 +69,6 @@ std::vector<ColliderShape> collidersOf(const scene::Scene& scene, const Bones* b
   return shapes;
 }
 
-std::vector<std::size_t> stepOrder(const scene::Scene& scene) {
-  const auto turnOf = [&](std::size_t i) {
-    const auto& parameters = parametersOf<ObjectParameters>(scene.objects[i]);
-    return parameters.publishesHeights()      ? 0
-           : parameters.isBody()              ? 0
-           : parameters.blows()               ? 0
-           : !parameters.meetsWalls().empty() ? 3
-           : parameters.needsField()          ? 2
-                                              : 1;
-  };
-  std::vector<std::size_t> order;
-  for (int turn = 0; turn < 4; ++turn)
-    for (std::size_t i = 0; i < scene.objects.size(); ++i)
-      if (turnOf(i) == turn) order.push_back(i);
-  return order;
-}
-
 int prerollOf(const scene::Scene& scene) {
   return static_cast<int>(std::lround(scene.time.start * scene.time.fps));
 }
@@ -94,16 +78,13 @@ double startOf(const scene::Scene& scene) {
 }
 
 std::vector<UserError> findProblems(const scene::Scene& scene) {
-  const Bones bones(scene);
+  Bones bones(scene);
   std::vector<ColliderShape> colliders;
   Setting setting{scene.numerics == scene::Numerics::fast, scene.seed, 1.0 / scene.time.fps, &colliders};
   setting.startTime = startOf(scene);
-  setting.heldBySkin = [&](const std::string& body, std::span<const glm::dvec3> points, double time) {
-    return bones.heldBySkin(body, points, time);
-  };
-  setting.boneNamed = [&](const std::string& body, const std::string& bone) {
-    return bones.named(body, bone);
-  };
+  ObjectLinks links(scene.objects, [&] { return setting.startTime; });
+  links.provide(&bones);
+  setting.links = &links;
   try {
     colliders = collidersOf(scene, &bones);
   } catch (const UserError&) {  // which the body's own check reports
@@ -117,7 +98,7 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
       problems.push_back(error);
     }
   };
-  for (const std::string& mistake : relationMistakes(scene))
+  for (const std::string& mistake : portMistakes(scene))
     problems.emplace_back(ExitCode::usage, mistake);
   for (const scene::Object& object : scene.objects) {
     if (const auto& check = simulationNamed(object.kind).check) attempt([&] { check(object, setting); });

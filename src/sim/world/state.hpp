@@ -1,10 +1,9 @@
 #pragma once
 #include "sim/body/bones.hpp"
 #include "sim/collide/distance_fields.hpp"
-#include "sim/contact/lock_step.hpp"
-#include "sim/core/field_reader.hpp"
 #include "sim/core/frame_observer.hpp"
 #include "sim/world/lag.hpp"
+#include "sim/world/object_links.hpp"
 #include "sim/world/world.hpp"
 
 #include <functional>
@@ -23,15 +22,13 @@ struct World::State {
   Bones bones;
   std::vector<ColliderShape> colliders;
   std::unique_ptr<DistanceFields> meshes;  ///< of the rigid meshes that collide, where something may touch
-  std::vector<std::unique_ptr<Simulation>> objects;
-  std::vector<std::size_t> touching;  ///< objects that are in contact, in their order
-  std::unique_ptr<ContactGroup> contact;
-  std::vector<std::size_t> order;  ///< in which objects are made and stepped
+  ObjectLinks links;
+  const std::vector<std::unique_ptr<Simulation>>& objects;  ///< those of `links`
+  std::vector<std::unique_ptr<StepGroup>> groups;           ///< of each node of the step order; null: none
   std::vector<std::string> names;
-  std::vector<std::vector<std::string>> quantities;  ///< that each object measures
   std::optional<std::size_t> tracked;                ///< the object that the camera looks at
-  std::vector<FieldReader*> readers;  ///< objects that take in fields of others before each frame
-  std::vector<bool> isRead;           ///< whether an object is one of these others
+  std::vector<FrameStarter*> starters;  ///< objects that take in others before each frame
+  std::vector<bool> isRead;             ///< true for one of these others
   scene::Camera camera;
   std::vector<Lag> lags;  ///< of the camera behind what it looks at, and behind where it would stand
   std::vector<FrameObserver*> observers;  ///< among the objects
@@ -42,8 +39,8 @@ struct World::State {
 
   State(const scene::Scene& scene, bool timing, const std::function<void(long, long)>& presteps);
   void makeLags(double frameSeconds);
-  /// Who notes something of every frame, and of which objects.
-  void findObservers();
+  /// Finds the objects that note something of every frame, and the objects that they look at.
+  void findObservers(const scene::Scene& scene);
   [[nodiscard]] double now() const { return (done - preroll) / fps; }
   /// What the camera looks at, which may lag behind its object.
   [[nodiscard]] std::optional<glm::vec3> trackedPlace() const;
@@ -52,19 +49,14 @@ struct World::State {
   /// Tells those who note something of every frame. What they look at is as it is drawn, and what is made
   /// only to be drawn is made here, so that it does not matter which frames are.
   void observe();
-  [[nodiscard]] static bool isOf(const std::string& field, const std::string& object);
+  /// Finds the objects that take in others before each frame, and those others.
   void findRead(const scene::Scene& scene);
-  void readOthers() const;
-  void makeFields(const scene::Scene& scene);
-  /// All that are in contact take as many substeps as the one that needs most.
-  void keepInStep(const scene::Scene& scene, Setting& setting);
-  [[nodiscard]] bool isTouching(std::size_t object) const;
-  /// As its object publishes it.
-  [[nodiscard]] Field fieldNamed(const std::string& name) const;
-  [[nodiscard]] double quantityNamed(const std::string& name, const std::string& quantity) const;
-  [[nodiscard]] const Walls& wallsNamed(const std::string& name) const;
-  [[nodiscard]] const FluidWind& windNamed(const std::string& name) const;
-  [[nodiscard]] SkinnedSurface& skinNamed(const std::string& name) const;
+  void startFrame() const;
+  void makeMeshes(const scene::Scene& scene);
+  void makeObjects(const scene::Scene& scene, Setting& setting);
+  /// Makes a group: all of it take as many steps as the one that needs most.
+  [[nodiscard]] std::unique_ptr<StepGroup> makeGroup(const scene::Scene& scene, const StepNode& node,
+                                                     const Setting& setting);
 };
 
 }  // namespace simreel::sim

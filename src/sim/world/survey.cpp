@@ -34,8 +34,7 @@ const ParticleParameters* particlesOf(const scene::Object& object) {
 }
 
 bool goesItsWay(const scene::Object& object) {
-  const auto* parameters = dynamic_cast<const ObjectParameters*>(object.parameters.get());
-  return particlesOf(object) != nullptr || (parameters != nullptr && parameters->isCloth());
+  return particlesOf(object) != nullptr || dynamic_cast<const ClothParameters*>(object.parameters.get()) != nullptr;
 }
 
 /// While it lives the scene is computed exactly, and nobody hears what making its world says, which the
@@ -67,7 +66,7 @@ double weightOf(const scene::Object& object) {
     return particles->method == GravityMethod::tree ? tree : 1;
   const auto* cloth = dynamic_cast<const ClothParameters*>(object.parameters.get());
   if (cloth == nullptr) return 1;
-  return cloth->feelsFaces() ? contact : cloth->hasMesh ? ofMesh : 1;
+  return cloth->hasContact ? contact : cloth->hasMesh ? ofMesh : 1;
 }
 
 /// Bytes of state times the steps that they take; a pair of bodies that attract each other counts for a

@@ -4,6 +4,7 @@
 #include "sim/core/retunable.hpp"
 #include "sim/world/state.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,18 +24,17 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
     if (state_->hearBefore && state_->done + 1 == frame + state_->preroll) tellBefore();
     state_->passed = false;
     const double time = (state_->done - state_->preroll) / state_->fps;
-    state_->readOthers();
-    for (const std::size_t i : state_->order) {
-      if (state_->isTouching(i)) continue;
-      const StepWatch one = watch ? StepWatch([&](int step) { watch(i, step); }) : StepWatch();
-      state_->objects[i]->step(time, one);
-      if (stepped) stepped(i);
-    }
-    if (state_->contact != nullptr) {
-      state_->contact->step(
-          time, !watch ? ContactGroup::Watch()
-                       : [&](std::size_t member, int step) { watch(state_->touching[member], step); });
-      for (const std::size_t i : state_->touching)
+    state_->startFrame();
+    for (std::size_t n = 0; n < state_->groups.size(); ++n) {
+      const std::vector<std::size_t>& members = state_->links.order()[n].objects;
+      if (state_->groups[n] != nullptr)
+        state_->groups[n]->step(time, !watch ? StepGroup::Watch() : [&](std::size_t member, int step) {
+          watch(members[member], step);
+        });
+      else
+        state_->objects[members[0]]->step(
+            time, watch ? StepWatch([&](int step) { watch(members[0], step); }) : StepWatch());
+      for (const std::size_t i : members)
         if (stepped) stepped(i);
     }
     ++state_->done;
@@ -55,15 +55,16 @@ void World::tellBefore() {
 void World::passTo(int frame) {
   if (state_->done < frame + state_->preroll) state_->passed = true;
   while (state_->done < frame + state_->preroll) {
-    state_->readOthers();
-    for (const std::size_t i : state_->order) {
-      if (state_->isTouching(i)) continue;
-      if (state_->isRead[i])
-        state_->objects[i]->step(time(), {});
+    state_->startFrame();
+    for (std::size_t n = 0; n < state_->groups.size(); ++n) {
+      const std::size_t first = state_->links.order()[n].objects[0];
+      if (state_->groups[n] != nullptr)
+        state_->groups[n]->step(time(), {});
+      else if (state_->isRead[first])
+        state_->objects[first]->step(time(), {});
       else
-        state_->objects[i]->pass(time());
+        state_->objects[first]->pass(time());
     }
-    if (state_->contact) state_->contact->step(time(), {});
     ++state_->done;
     state_->observe();
   }
@@ -71,7 +72,8 @@ void World::passTo(int frame) {
 
 void World::show() {
   state_->passed = false;
-  for (const std::size_t i : state_->order) state_->objects[i]->resumed(time());
+  for (const StepNode& node : state_->links.order())
+    for (const std::size_t i : node.objects) state_->objects[i]->resumed(time());
 }
 
 void World::carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin) {
@@ -103,9 +105,10 @@ const std::string& World::objectName(std::size_t index) const {
 }
 
 std::string World::stepName(std::size_t index) const {
-  const auto& group = state_->touching;
-  if (group.size() < 2 || !state_->isTouching(index)) return objectName(index);
-  return fmt::format("{} and {} more in contact", objectName(group[0]), group.size() - 1);
+  for (const StepNode& node : state_->links.order())
+    if (node.objects.size() > 1 && std::find(node.objects.begin(), node.objects.end(), index) != node.objects.end())
+      return fmt::format("{} and {} more in contact", objectName(node.objects[0]), node.objects.size() - 1);
+  return objectName(index);
 }
 
 int World::frame() const {

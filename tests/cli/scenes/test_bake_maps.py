@@ -140,7 +140,7 @@ class SkinsInScenes(Case):
         self.good("validate", "scene.json")
         self.check({"field": "hid"}, ["no object is named \"hid\"", "did you mean \"hide\"?"])
         self.check({"field": "ball"}, ["object \"ball\" is a sphere, not a field", "hide"])
-        self.check({"look": "leather"}, ["the skin has no \"field\"", "hide"])
+        self.check({"look": "leather"}, ["it has no \"field\"", "hide"])
         self.check({"field": 3}, ["field"])
         self.check({"field": "hide", "look": "lether"}, ["did you mean \"leather\"?"])
         self.check({"field": "hide", "repeats": 0}, ["repeats"])

@@ -154,7 +154,7 @@ class Caves(Case):
         refused(["scene.json:", "no object is named \"cove\"; did you mean \"cave\"?", "^~~~~~"], {"cave": {"cave": {}}}, lights=light)
         refused(["scene.json:", "the scene has none: add a cave"], {}, lights=light)
         for name in ("camera", "lights.lamp"):
-            refused([f"{name}.follow.object: no object with a path is named \"cove\"", "add a cave"], {"cove": {"sphere": {}}},
+            refused([f"{name}.follow.object: object \"cove\" is a sphere, which has no path", "add a cave"], {"cove": {"sphere": {}}},
                     camera=follow, lights=light)
         self.write("scene.json", with_values({"objects": {"cave": {"cave": {}}}, "lights": light, "camera": follow}))
         self.assertEqual(self.bad_scene("cove", "render", "scene.json", "-o", "a/").err.count("no object is named"), 2)

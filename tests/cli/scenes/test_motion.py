@@ -222,7 +222,7 @@ class Text(Case):
     def test_mistakes(self):
         for text, more, said in (("{fame}", {}, "none of {frame}, {time} and {OBJECT.QUANTITY}"),
                                  ("{b.energy}", {}, "no object is named \"b\""),
-                                 ("{a.energy}", {}, "object \"a\" does not measure \"energy\"; it measures nothing"),
+                                 ("{a.energy}", {}, "object \"a\" is a"),
                                  ("{time:33}", {}, "how many digits"),
                                  ("x", {"height": 1, "screen": {}}, "on the \"screen\" leave it out"),
                                  ("x", {"font": "no.ttf"}, "no.ttf")):

@@ -94,6 +94,30 @@ class MovedSolid : public sim::ContactSolid {
   std::unique_ptr<sim::MovedVertices> vertices_;
 };
 
+/// Links of simulations that no world holds: a group of so many steps a frame, and nothing else.
+class GroupAlone final : public sim::Links {
+ public:
+  explicit GroupAlone(int steps) : steps_(steps) {}
+  [[nodiscard]] void* find(const sim::PortInfo&, std::string_view) const override { return nullptr; }
+  [[nodiscard]] std::vector<void*> all(const sim::PortInfo&) const override { return {}; }
+  [[nodiscard]] sim::Together together(const sim::PortInfo&) const override { return {true, steps_}; }
+  [[nodiscard]] const sim::Simulation* simulation(std::string_view) const override { return nullptr; }
+  [[nodiscard]] const scene::Object* declared(std::string_view) const override { return nullptr; }
+  [[nodiscard]] double now() const override { return 0; }
+
+ private:
+  int steps_;
+};
+
+template <class T>
+T* outletOf(sim::Simulation& simulation) {
+  sim::Outlets outlets;
+  simulation.connect(outlets);
+  for (const sim::Outlets::Outlet& outlet : outlets.list)
+    if (outlet.port == &T::port) return static_cast<T*>(outlet.find());
+  return nullptr;
+}
+
 /// Steps both sides and compares every word of the state.
 void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
                     const std::vector<sim::ColliderShape>& colliders,
@@ -102,8 +126,8 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
   testContext();
   const double frameSeconds = 1.0 / 60.0;
   sim::Setting setting{false, 5, frameSeconds, &colliders};
-  setting.contactSubsteps = *sheets.front().substeps;
-  setting.clothsInContact = true;
+  const GroupAlone links(*sheets.front().substeps);
+  setting.links = &links;
   std::vector<std::unique_ptr<sim::Simulation>> cloths;
   std::vector<sim::LockStep*> members;
   std::vector<std::unique_ptr<ClothTwin>> twins;
@@ -114,7 +138,7 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
     object.kind = "cloth";
     object.parameters = std::make_unique<sim::ClothParameters>(p);
     cloths.push_back(sim::simulationNamed("cloth").make(object, setting));
-    members.push_back(cloths.back()->lockStep());
+    members.push_back(outletOf<sim::LockStep>(*cloths.back()));
     twins.push_back(std::make_unique<ClothTwin>(sim::ClothPlan(p, 5, frameSeconds, colliders)));
     parts.push_back(members.back()->contactPart());
   }
@@ -126,9 +150,9 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
     object.kind = "particles";
     object.parameters = std::make_unique<sim::ParticleParameters>(*particles);
     cloud = sim::simulationNamed("particles").make(object, setting);
-    members.push_back(cloud->lockStep());
+    members.push_back(outletOf<sim::LockStep>(*cloud));
     balls = std::make_unique<ParticlesTwin>(
-        sim::ParticlePlan(particles->inStep(setting.contactSubsteps), 5, frameSeconds, 1 << 10, colliders));
+        sim::ParticlePlan(particles->inStep(*sheets.front().substeps), 5, frameSeconds, 1 << 10, colliders));
     parts.push_back(balls->plan().contactPart());
   }
   for (const MovedSolid* solid : solids) parts.push_back(solid->contactPart());

@@ -57,7 +57,7 @@ TEST_CASE("chart: mistakes") {
   checkHas(mistakeOf(R"({"curves": [{"of": "flag.kineticEnergy"}]})"), "none");
   checkHas(mistakeOf("{}"), "a chart needs \"curves\"");
   checkHas(mistakeOf(R"({"curves": [{"of": "flag"}]})"), "as \"OBJECT.QUANTITY\", not \"flag\"");
-  checkHas(mistakeOf(R"({"curves": [{"of": "flag.kinetic"}]})"), "does not measure \"kinetic\"");
+  checkHas(mistakeOf(R"({"curves": [{"of": "flag.kinetic"}]})"), "has no quantity \"flag.kinetic\"");
   checkHas(mistakeOf(R"({"curves": [{"of": "fag.kineticEnergy"}]})"), "no object is named \"fag\"");
   checkHas(mistakeOf(R"({"curves": [{"of": "flag.kineticEnergy"}], "low": 1, "high": 1})"),
            "\"high\" is not above \"low\"");

@@ -6,7 +6,7 @@
 #include "sim/contact/crossings.hpp"
 #include "sim/mesh/shapes.hpp"
 #include "sim/world/list.hpp"
-#include "sim/world/relations.hpp"
+#include "sim/world/port_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -219,7 +219,7 @@ TEST_CASE(
   };
   const auto mistake = [&](const std::string& objects) -> std::string {
     try {
-      const auto mistakes = sim::relationMistakes(sceneOf(objects));
+      const auto mistakes = sim::portMistakes(sceneOf(objects));
       return mistakes.empty() ? "none" : mistakes.front();
     } catch (const simreel::UserError& error) {
       return error.what();
@@ -239,8 +239,8 @@ TEST_CASE(
        "\"d\" is a cloth without \"contact\"");
   says(mistake(sheet + balls(R"(, "cloths": "c")")), "\"cloths\" is for particles with \"collides\": true");
   says(mistake(R"("d": {"cloth": {}}, )" + balls(R"(, "collides": true)")), "there is nothing to touch");
-  const auto remarks = sim::relationRemarks(sceneOf(sheet + balls(R"(, "collides": true)")));
+  const auto remarks = sim::portRemarks(sceneOf(sheet + balls(R"(, "collides": true)")));
   REQUIRE(remarks.size() == 1);
   says(remarks.front(), "pass through cloth \"d\"");
-  CHECK(sim::relationRemarks(sceneOf(sheet + balls(R"(, "collides": true, "cloths": "none")"))).empty());
+  CHECK(sim::portRemarks(sceneOf(sheet + balls(R"(, "collides": true, "cloths": "none")"))).empty());
 }

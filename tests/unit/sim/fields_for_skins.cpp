@@ -2,7 +2,7 @@
 #include "scene/scene.hpp"
 #include "scene/texts/help_page.hpp"
 #include "scene/texts/schema_text.hpp"
-#include "sim/core/kind.hpp"
+#include "sim/ports/field_source.hpp"
 #include "sim/world/list.hpp"
 
 #include <set>
@@ -14,9 +14,11 @@ using namespace simreel;
 
 TEST_CASE("every kind that has a field says so") {
   std::set<std::string> fields;
-  for (const scene::Kind& kind : sim::kinds().list)
-    if (dynamic_cast<const sim::ObjectParameters&>(*kind.makeParameters()).isField())
-      fields.insert(kind.name);
+  for (const scene::Kind& kind : sim::kinds().list) {
+    scene::Object object;
+    object.parameters = kind.makeParameters();
+    if (sim::provides(object, sim::FieldSource::port)) fields.insert(kind.name);
+  }
   std::set<std::string> displayed;  // what can be laid over the picture is a field
   for (const scene::Kind& kind : sim::kinds().list)
     if (scene::helpText(kind.name, sim::kinds().list, 100).find("\ndisplay") != std::string::npos ||

@@ -149,12 +149,12 @@ TEST_CASE("fluid wind: names that are no fluid are said in one line") {
   CHECK(unknown.find("no object is named \"smok\"") != std::string::npos);
   CHECK(unknown.find("smoke") != std::string::npos);
   CHECK(mistake(grains).find("the scene has no fluid") != std::string::npos);
-  CHECK(mistake(grains + R"(, "smok": {"cloth": {}})").find("is a cloth, not a fluid") !=
+  CHECK(mistake(grains + R"(, "smok": {"cloth": {}})").find("is a cloth, which does not blow") !=
         std::string::npos);
   CHECK(mistake(R"("dust": {"particles": {"groups": [{}], "wind": {}}})").find("whose wind?") !=
         std::string::npos);
   CHECK(mistake(R"("flag": {"cloth": {"air": {"fluid": "sea"}}}, "sea": {"water": {}})")
-            .find("is a water, not a fluid") != std::string::npos);
+            .find("is a water, which does not blow") != std::string::npos);
 }
 
 // An even flow of the fluid's "speed" is the wind of that strength and direction, but for roundings of the

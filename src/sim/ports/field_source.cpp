@@ -1,0 +1,29 @@
+#include "sim/ports/field_source.hpp"
+
+#include "base/error.hpp"
+#include "sim/core/kind.hpp"
+
+namespace simreel::sim {
+
+const PortInfo FieldSource::port = {
+    .name = "field",
+    .lacks = ", not a field",
+    .none = "the scene has no field",
+    .part = "field",
+    .fits =
+        [](const ObjectParameters& provider, const ObjectParameters& wanter) {
+          const auto* theirs = dynamic_cast<const OwnCells*>(&provider);
+          const auto* ours = dynamic_cast<const OwnCells*>(&wanter);
+          return theirs != nullptr && ours != nullptr && ours->readsCellsOf(*theirs);
+        },
+};
+
+Field fieldNamed(const Links& links, const std::string& name) {
+  Drawables drawables;
+  if (const Simulation* owner = links.simulation(PartName(name).object)) owner->publish(links.now(), drawables);
+  for (const Field& field : drawables.fields)
+    if (*field.name == name) return field;
+  fail(ExitCode::usage, "no object has a field named \"{}\"", name);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,32 @@
+#pragma once
+#include "sim/core/drawable.hpp"
+#include "sim/core/port.hpp"
+
+#include <string>
+
+namespace simreel::sim {
+
+/// Port of objects that publish a field, and parts of it as OBJECT.PART.
+struct FieldSource {
+  static const PortInfo port;
+};
+
+/// Parameters of objects whose cells are no grid of the picture: vertices of a mesh, layers of a volume.
+struct OwnCells {
+  virtual ~OwnCells() = default;
+  /// Returns true where this one can read the fields of `other` cell by cell.
+  [[nodiscard]] virtual bool readsCellsOf(const OwnCells& other) const = 0;
+
+ protected:
+  OwnCells() = default;
+  OwnCells(const OwnCells&) = default;
+  OwnCells& operator=(const OwnCells&) = default;
+  OwnCells(OwnCells&&) = default;
+  OwnCells& operator=(OwnCells&&) = default;
+};
+
+/// Returns the field of that name, OBJECT or OBJECT.PART, as it is now. Its pointers live until its
+/// object's next step. Throws UserError(usage) where there is none.
+[[nodiscard]] Field fieldNamed(const Links& links, const std::string& name);
+
+}  // namespace simreel::sim

@@ -1,0 +1,56 @@
+#pragma once
+#include "scene/scene.hpp"
+#include "sim/core/port.hpp"
+#include "sim/core/simulation.hpp"
+#include "sim/world/step_order.hpp"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace simreel::sim {
+
+/// Outlets of a scene's objects, in the order in which these are made.
+class ObjectLinks final : public Links {
+ public:
+  /// `objects` outlives it. `now`: time of the present frame, s.
+  ObjectLinks(std::span<const scene::Object> objects, std::function<double()> now);
+
+  [[nodiscard]] const std::vector<StepNode>& order() const { return order_; }
+  /// Provides an outlet of the scene itself.
+  template <class T>
+  void provide(T* outlet) {
+    scene_[&T::port] = outlet;
+  }
+  /// Takes over the simulation of an object, made anew or for the first time.
+  void made(std::size_t object, std::unique_ptr<Simulation> simulation);
+  [[nodiscard]] const std::vector<std::unique_ptr<Simulation>>& simulations() const { return simulations_; }
+  /// Sets what the members of a group find in together().
+  void setSteps(const PortInfo& group, int steps) { groups_[&group].steps = steps; }
+
+  [[nodiscard]] void* find(const PortInfo& port, std::string_view object) const override;
+  [[nodiscard]] std::vector<void*> all(const PortInfo& port) const override;
+  [[nodiscard]] Together together(const PortInfo& port) const override;
+  [[nodiscard]] const Simulation* simulation(std::string_view object) const override;
+  [[nodiscard]] const scene::Object* declared(std::string_view object) const override;
+  [[nodiscard]] double now() const override { return now_(); }
+
+ private:
+  /// The objects' number where there is none of that name.
+  [[nodiscard]] std::size_t indexOf(std::string_view object) const;
+  [[nodiscard]] void* outletOf(std::size_t object, const PortInfo& port) const;
+
+  std::vector<std::string> names_;
+  std::vector<const scene::Object*> declared_;
+  std::function<double()> now_;
+  std::vector<StepNode> order_;
+  std::vector<std::unique_ptr<Simulation>> simulations_;
+  std::vector<Outlets> outlets_;
+  std::map<const PortInfo*, void*> scene_;
+  std::map<const PortInfo*, Together> groups_;
+};
+
+}  // namespace simreel::sim

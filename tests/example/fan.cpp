@@ -1,0 +1,85 @@
+// The worked example of src/sim/ports/README.md, built from its listings: a kind that only its own folder
+// knows blows on particles and cloth, and its relation is checked, ordered and connected as any other.
+#include "sim/fan/fan.hpp"
+
+#include "base/error.hpp"
+#include "gpu/context.hpp"
+#include "scene/scene.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/object_links.hpp"
+#include "sim/world/port_check.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace simreel;
+
+namespace {
+
+scene::Scene read(const std::string& objects) {
+  static const sim::SimulationKind fan = sim::fanKind();
+  static const std::vector<scene::Kind> list = [] {
+    std::vector<scene::Kind> all(sim::kinds().list.begin(), sim::kinds().list.end());
+    all.push_back(fan.kind);
+    return all;
+  }();
+  return scene::parseScene(R"({"version": 1, "objects": {)" + objects + "}}", "fan.json", {},
+                           {list, sim::checkPorts});
+}
+
+std::string mistakeOf(const std::string& objects) {
+  try {
+    static_cast<void>(read(objects));
+    return "none";
+  } catch (const UserError& error) {
+    return error.what();
+  }
+}
+
+const std::string fanText = R"("fan": {"fan": {"position": [0, 0, 0], "speed": 6}})";
+
+/// Two grains at rest, one near the fan and one far from it.
+const std::string grains = R"("grains": {"particles": {"wind": {"fluid": "fan"}, "acceleration": [0, 0, 0],
+    "groups": [{"shape": "ball", "count": 1, "center": [0.5, 0, 0], "radius": 1e-6, "velocity": [0, 0, 0]},
+               {"shape": "ball", "count": 1, "center": [4, 0, 0], "radius": 1e-6, "velocity": [0, 0, 0]}]}})";
+
+}  // namespace
+
+TEST_CASE("example: the fan of the README blows on particles, harder on the near one") {
+  testContext();
+  const scene::Scene scene = read(grains + ", " + fanText);
+  sim::ObjectLinks links(scene.objects, [] { return 0.0; });
+  const std::vector<sim::ColliderShape> none;
+  sim::Setting setting;
+  setting.colliders = &none;
+  setting.links = &links;
+  REQUIRE(links.order().size() == 2);
+  CHECK(links.order()[0].objects[0] == 1);  // the fan comes first, although the scene has it last
+  for (const sim::StepNode& node : links.order()) {
+    const scene::Object& object = scene.objects[node.objects[0]];
+    const sim::SimulationKind kind = object.kind == "fan" ? sim::fanKind() : sim::simulationNamed(object.kind);
+    links.made(node.objects[0], kind.make(object, setting));
+  }
+  for (int frame = 0; frame < 6; ++frame)
+    for (const sim::StepNode& node : links.order())
+      links.simulations()[node.objects[0]]->step(frame * setting.frameSeconds, {});
+  const sim::PointTable table = links.simulations()[0]->points();
+  const std::size_t columns = table.columns.size();
+  REQUIRE(table.values.size() == 2 * columns);
+  const float near = table.values[0] - 0.5F, far = table.values[columns] - 4;
+  CHECK(far > 1e-4F);
+  CHECK(near > 4 * far);
+}
+
+TEST_CASE("example: who names a fan that is not there is told the one that is") {
+  CHECK(mistakeOf(grains + ", " + fanText) == "none");
+  const auto says = [](const std::string& message, const char* what) {
+    CHECK_MESSAGE(message.find(what) != std::string::npos, message);
+  };
+  const std::string renamed = R"("fann": {"fan": {}}, )" + grains;
+  says(mistakeOf(renamed), "no object is named \"fan\"; did you mean \"fann\"?");
+  says(mistakeOf(R"("fan": {"sphere": {}}, )" + grains), "object \"fan\" is a sphere, which does not blow");
+}
