@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/isolated.hpp"
 #include "kernels/compile/front_end.hpp"
+#include "kernels/exact/bounds.hpp"
 #include "kernels/exact/calls.hpp"
 #include "kernels/exact/refuse.hpp"
 #include "kernels/source/files.hpp"
@@ -28,8 +29,13 @@ Kernel lowered(Files& files, const Unit& unit, bool fast) {
   if (auto mistakes = refused(module, files, fast); !mistakes.empty()) files.fail(mistakes);
   if (!fast) linkLibrary(module, placeCalls(module));
   Module plain(optimized(module.words(), hlsl));
+  if (!fast) keepInside(plain);
   layOut(plain, hlsl);
   Kernel kernel = reflected(plain, unit.language);
+  for (Buffer& buffer : kernel.buffers)
+    if (!fast && !buffer.members.empty() && !buffer.members.back().array.empty() &&
+        buffer.members.back().array[0] == 0)
+      buffer.guards = static_cast<int>(guardElements);
   writeGlsl(plain, kernel);
   kernel.name = unit.entry;
   kernel.line = unit.line;

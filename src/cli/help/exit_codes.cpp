@@ -9,7 +9,9 @@ std::span<const ExitMeaning> exitMeanings() {
       {"0", "success", "Nothing to do."},
       {"1", "pictures, states or checks differ, or a job of a sweep failed",
        "Open the report (`simreel test --report FOLDER`), or compare two files with `simreel diff A B`. If "
-       "the change is wanted, accept it: `simreel accept` or `simreel test --update`."},
+       "the change is wanted, accept it: `simreel accept` or `simreel test --update`. `simreel sweep "
+       "status "
+       "FOLDER` says why a job failed."},
       {"2", "mistake in the command line or the scene",
        "Read the message: it names the option, or the line and column of the scene. `simreel validate "
        "SCENE` lists every mistake at once."},

@@ -126,10 +126,12 @@ std::vector<std::uint32_t> compile(Files& files, const Unit& unit) {
   glslang::TShader& shader = compiled.shader;
   const std::string before = preamble(unit);
   const std::string name = "0";
-  const char* text = files.text(0).data();
-  const int length = static_cast<int>(files.text(0).size());
-  const char* names = name.c_str();
   const bool hlsl = unit.language == Language::hlsl;
+  std::string whole = files.text(0);
+  const std::string entry = hlsl ? entryName(whole, unit.entry) : "main";
+  const char* text = whole.data();
+  const int length = static_cast<int>(whole.size());
+  const char* names = name.c_str();
   shader.setStringsWithLengthsAndNames(&text, &length, &names, 1);
   shader.setPreamble(before.c_str());
   shader.setEnvInput(hlsl ? glslang::EShSourceHlsl : glslang::EShSourceGlsl, EShLangCompute,
@@ -137,8 +139,8 @@ std::vector<std::uint32_t> compile(Files& files, const Unit& unit) {
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
   if (!hlsl) shader.setEnvInputVulkanRulesRelaxed();
-  shader.setEntryPoint(hlsl ? unit.entry.c_str() : "main");
-  if (hlsl) shader.setSourceEntryPoint(unit.entry.c_str());
+  shader.setEntryPoint(entry.c_str());
+  if (hlsl) shader.setSourceEntryPoint(entry.c_str());
   shader.setAutoMapBindings(true);
   shader.setAutoMapLocations(true);
   auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgSuppressWarnings |

@@ -114,4 +114,25 @@ Announcements announcements(const Files& files) {
   return found;
 }
 
+std::string entryName(std::string& text, const std::string& kernel) {
+  const std::string code = withoutComments(text);
+  std::size_t definitions = 0, own = std::string::npos;
+  for (std::size_t at = code.find(kernel); at != std::string::npos; at = code.find(kernel, at + 1)) {
+    const std::size_t end = code.find_first_not_of(" \t\n", at + kernel.size());
+    if ((at > 0 && partOfName(code[at - 1])) || end == std::string::npos || code[end] != '(') continue;
+    const std::size_t last = at == 0 ? std::string::npos : code.find_last_not_of(" \t\n", at - 1);
+    if (last == std::string::npos || !partOfName(code[last]) || last + 1 == at) continue;
+    std::size_t first = last;
+    while (first > 0 && partOfName(code[first - 1])) --first;
+    const std::string type = code.substr(first, last + 1 - first);
+    if (type == "return" || type == "else") continue;
+    ++definitions;
+    const std::size_t before = first == 0 ? std::string::npos : code.find_last_not_of(" \t\n", first - 1);
+    if (type == "void" && before != std::string::npos && code[before] == ']') own = at;
+  }
+  if (definitions < 2 || own == std::string::npos) return kernel;
+  text.replace(own, kernel.size(), kernel + "_kernel");
+  return kernel + "_kernel";
+}
+
 }  // namespace simreel::kernels

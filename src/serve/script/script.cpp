@@ -135,11 +135,11 @@ auto standing(const scene::Scene& scene) {
   const scene::Camera& camera = scene.camera;
   const scene::Ground& ground = scene.ground;
   return std::tuple(camera.position.at(0), camera.target.at(0),
-                    (camera.orbit ? *camera.orbit : scene::Orbit()).distance.at(0),
-                    camera.fieldOfView.at(0), camera.height.at(0), camera.near, camera.far,
-                    scene.sun.direction.at(0), scene.sun.color.at(0), scene.sun.intensity.at(0),
-                    scene.sky.zenith.at(0), scene.sky.horizon.at(0), scene.sky.ground.at(0),
-                    scene.sky.ambient.at(0), ground.height, ground.fadeStart, ground.fadeEnd, ground.color);
+                    camera.orbit.value_or(scene::Orbit()).distance.at(0), camera.fieldOfView.at(0),
+                    camera.height.at(0), camera.near, camera.far, scene.sun.direction.at(0),
+                    scene.sun.color.at(0), scene.sun.intensity.at(0), scene.sky.zenith.at(0),
+                    scene.sky.horizon.at(0), scene.sky.ground.at(0), scene.sky.ambient.at(0), ground.height,
+                    ground.fadeStart, ground.fadeEnd, ground.color);
 }
 
 bool standsAlike(const scene::Light& a, const scene::Light& b) {
@@ -237,7 +237,8 @@ bool framedAlike(const Script& before, const Script& after) {
   return before.survey.frames == 0 && after.survey.frames == 0
              ? true
              : a.position.at(0) == b.position.at(0) && a.target.at(0) == b.target.at(0) &&
-                   a.orbit.distance.at(0) == b.orbit.distance.at(0) &&
+                   a.orbit.value_or(scene::Orbit()).distance.at(0) ==
+                       b.orbit.value_or(scene::Orbit()).distance.at(0) &&
                    before.scene.ground.height == after.scene.ground.height;
 }
 

@@ -154,7 +154,7 @@ void ClothParameters::describe(scene::Fields& f) {
   f.integerOr("substeps", substeps, "auto", {1, maxSubsteps}, "per frame",
               "Steps that a frame is divided into; \"auto\" takes as many as the springs need to be "
               "stable, and as undamped constraints need to keep their energy.");
-  f.leftOut("substeps", "4, or \"auto\" of a fabric");
+  f.leftOut("substeps", hasFabric ? "\"auto\" of a fabric" : "4, or \"auto\" of a fabric");
   if (hasFabric && !f.given("substeps")) substeps.reset();
   f.list("pins", pins, "Particles that are held, and how they move; [] holds none.",
          [&](scene::Fields& p, PinGroup& group) { group.describe(p, size, hasMesh); });
