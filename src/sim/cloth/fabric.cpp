@@ -60,13 +60,13 @@ shader::FabricConstants Fabric::constants() const {
 // x and y resist a pull along x alone, with ey free, by x + d - d^2 / (y + d) = x + d y / (y + d).
 shader::FabricConstants Fabric::ofLinks(double diagonal) const {
   shader::FabricConstants c = constants();
-  const double weft = c.weft;
-  const double warp = c.warp;
-  double x = weft;
-  double y = warp;
+  const double along = c.weft;
+  const double across = c.warp;
+  double x = along;
+  double y = across;
   for (int i = 0; i < 64; ++i) {
-    x = std::max(weft - diagonal * y / (y + diagonal), 0.05 * weft);
-    y = std::max(warp - diagonal * x / (x + diagonal), 0.05 * warp);
+    x = std::max(along - diagonal * y / (y + diagonal), 0.05 * along);
+    y = std::max(across - diagonal * x / (x + diagonal), 0.05 * across);
   }
   c.weft = static_cast<float>(x);
   c.warp = static_cast<float>(y);
