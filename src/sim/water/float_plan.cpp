@@ -211,14 +211,15 @@ std::vector<glm::vec4> FloatPlan::toldAt(double time) const {
     shader::FloatTold t = told_[i];
     t.reach.w = body.thrust.at(time);
     t.head = four(0, 0, static_cast<double>(body.steering.at(time)) / hulls_[i].aside2, body.air);
-    if (body.towed) {
-      const glm::dvec3 from(body.tow.at(time));
-      const glm::dvec3 speed = (glm::dvec3(body.tow.at(time + frameSeconds_)) - from) / frameSeconds_;
+    if (body.tow) {
+      const glm::dvec3 from(body.tow->position.at(time));
+      const glm::dvec3 speed =
+          (glm::dvec3(body.tow->position.at(time + frameSeconds_)) - from) / frameSeconds_;
       t.tow = four(from.x, from.z, speed.x, speed.z);
-      const double pull = body.pull;
+      const double pull = body.tow->pull;
       t.pull = four(pull * pull, 2 * pull, 0, 0);
       const double along = std::sqrt(speed.x * speed.x + speed.z * speed.z);
-      if (body.turns && along > 1e-6) {
+      if (body.tow->turns && along > 1e-6) {
         t.head = four(speed.x / along, speed.z / along, t.head.z, t.head.w);
         t.pull = four(pull * pull, 2 * pull, pull * pull, 2 * pull);
       }

@@ -59,11 +59,11 @@ void WaterFloat::describe(scene::Fields& f) {
   f.number("thrust", thrust, {-1e9, 1e9}, "N",
            "Thrust of its engine, along its z, while it is in the water.");
   f.number("steering", steering, {-1e9, 1e9}, "N m", "Torque about its y, while it is in the water.");
-  f.optionalGroup("tow", towed, "A line that pulls it along.", [&](scene::Fields& t) {
-    t.vector("position", tow, scene::anyNumber, "m",
+  f.optionalGroup("tow", tow, "A line that pulls it along.", [](scene::Fields& t, FloatTow& of) {
+    t.vector("position", of.position, scene::anyNumber, "m",
              "Where to, from the grid's middle; y is unused: it floats there.");
-    t.boolean("turns", turns, "Turns its z along the way.");
-    t.number("pull", pull, {1e-2, 50}, "1/s",
+    t.boolean("turns", of.turns, "Turns its z along the way.");
+    t.number("pull", of.pull, {1e-2, 50}, "1/s",
              "Rate at which it follows: the tow is a critically damped spring.");
   });
   f.vector(

@@ -12,6 +12,13 @@ namespace simreel::sim {
 
 enum class WaterFloatShape { ball, box, file };
 
+/// A line that pulls a float along.
+struct FloatTow {
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m from the grid's middle (y unused)
+  bool turns = true;                                   ///< the float's z along its way
+  float pull = 2;                                      ///< 1/s
+};
+
 /// A body that floats on the water and pushes it, as a scene says it.
 struct WaterFloat {
   WaterFloatShape shape = WaterFloatShape::ball;
@@ -35,12 +42,9 @@ struct WaterFloat {
   std::optional<double> apart;  ///< m: radius of the sphere that others touch in its place
   scene::Animated<float> thrust = 0.0F;    ///< N along its z
   scene::Animated<float> steering = 0.0F;  ///< N m about its y
-  bool towed = false;
-  scene::Animated<glm::vec3> tow = glm::vec3(0);  ///< m from the grid's middle (y unused)
-  bool turns = true;                              ///< a towed one: its z along its way
-  float pull = 2;                                 ///< 1/s
-  scene::Material material;                       ///< colour, roughness, metal and texture of it
-  bool hasMaterial = false;                       ///< whether the scene gives any of that
+  std::optional<FloatTow> tow;
+  scene::Material material;  ///< colour, roughness, metal and texture of it
+  bool hasMaterial = false;  ///< whether the scene gives any of that
 
   WaterFloat();
   void describe(scene::Fields& fields);

@@ -96,8 +96,8 @@ void addFloats(sim::WaterParameters& p) {
   box.steering = 4.0F;
   p.floats.push_back(box);
   box.position = {0.9F * w, 0.2F, 0.6F * w};
-  box.towed = true;
-  box.tow = scene::Animated<glm::vec3>({{0, box.position}, {0.4, {-w, 0, 0.2F}}}, scene::Ease::smooth);
+  box.tow.emplace().position =
+      scene::Animated<glm::vec3>({{0, box.position}, {0.4, {-w, 0, 0.2F}}}, scene::Ease::smooth);
   p.floats.push_back(box);
 }
 

@@ -42,10 +42,10 @@ TEST_CASE("lights: every field is read, in the order of the file") {
   CHECK(!zeta.shadow);
   CHECK(zeta.shadowSize == 96);
   CHECK(zeta.shadowSoftness == 3.0F);
-  CHECK(zeta.flicker);
-  CHECK(zeta.flicker.amount.at(0) == 0.7F);
-  CHECK(zeta.flicker.rate == 9.0F);
-  CHECK(zeta.flicker.sway.at(0) == 0.02F);
+  REQUIRE(zeta.flicker);
+  CHECK(zeta.flicker->amount.at(0) == 0.7F);
+  CHECK(zeta.flicker->rate == 9.0F);
+  CHECK(zeta.flicker->sway.at(0) == 0.02F);
   const Light& alpha = scene.lights[1];
   CHECK(alpha.name == "alpha");
   CHECK(!alpha.flicker);
@@ -67,16 +67,17 @@ TEST_CASE("lights: what moves may move along keyframes") {
     "flicker": {"amount": {"keys": [[0, 0], [1, 1]]}, "sway": {"keys": [[0, 0], [1, 0.5]]}}})"));
   CHECK(scene.lights[0].position.at(1) == glm::vec3(2, 1, 0));
   CHECK(scene.lights[0].color.at(0.5) == glm::vec3(0.5F, 0, 0.5F));
-  CHECK(scene.lights[0].flicker.amount.at(0.25) == 0.25F);
-  CHECK(scene.lights[0].flicker.sway.at(0.5) == 0.25F);
+  REQUIRE(scene.lights[0].flicker);
+  CHECK(scene.lights[0].flicker->amount.at(0.25) == 0.25F);
+  CHECK(scene.lights[0].flicker->sway.at(0.5) == 0.25F);
   const Light by = parse(R"({"version": 1, "objects": {"c": {"cloth": {}}}, "lights": {"a": {"follow": {
     "object": "c", "height": 3, "side": -2, "progress": {"keys": [[0, 0], [2, 1]]}}}}})")
                        .lights.at(0);
-  CHECK(by.follow);
-  CHECK(by.follow.object == "c");
-  CHECK(by.follow.progress.at(0.5) == 0.25F);
-  CHECK(by.follow.height == 3);
-  CHECK(by.follow.side == -2);
+  REQUIRE(by.follow);
+  CHECK(by.follow->object == "c");
+  CHECK(by.follow->progress.at(0.5) == 0.25F);
+  CHECK(by.follow->height == 3);
+  CHECK(by.follow->side == -2);
 }
 
 TEST_CASE("lights: mistakes are told where they are, with a suggestion") {

@@ -108,10 +108,10 @@ Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream
   }
   result.displaced = around;
   force += static_cast<double>(body.thrust.at(time)) * result.wet / under * now.axes[2];
-  if (body.towed) {
-    const glm::dvec3 target(body.tow.at(time));
-    const glm::dvec3 pace = (glm::dvec3(body.tow.at(time + driftFrame)) - target) / driftFrame;
-    const double k = body.pull;
+  if (body.tow) {
+    const glm::dvec3 target(body.tow->position.at(time));
+    const glm::dvec3 pace = (glm::dvec3(body.tow->position.at(time + driftFrame)) - target) / driftFrame;
+    const double k = body.tow->pull;
     const auto pulled = [&](int i) {
       return hull.mass * (k * k * (target[i] - now.at[i]) + 2 * k * (pace[i] - now.velocity[i]));
     };
@@ -200,9 +200,10 @@ TEST_CASE("water floats: a step is what its equations say in float64") {
   body.position = {0.3F, 0.02F, -0.2F};
   for (const float way : {0.0F, 1.1F, -1.1F}) {
     CAPTURE(way);
-    body.towed = way != 0;
-    body.tow =
-        scene::Animated<glm::vec3>({{0, {0.9F, 0, 0.1F}}, {1, {2.2F, 0, 0.1F + way}}}, scene::Ease::linear);
+    body.tow.reset();
+    if (way != 0)
+      body.tow.emplace().position = scene::Animated<glm::vec3>(
+          {{0, {0.9F, 0, 0.1F}}, {1, {2.2F, 0, 0.1F + way}}}, scene::Ease::linear);
     p.floats = {body};
     WaterTwin twin(sim::WaterPlan(p, "tank", 1, driftFrame));
     const Stream stream{0.04, 0.03, -0.02, 0.35, -0.2, -2.5};

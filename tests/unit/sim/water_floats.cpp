@@ -264,10 +264,10 @@ TEST_CASE("water floats: bodies lie on the ground, keep apart, and follow a tow"
   CHECK(nearest < 0.62);
 
   auto boat = boxOf({0.5F, 0.3F, 1}, 400);
-  boat.towed = true;
-  boat.tow = scene::Animated<glm::vec3>({{0, {-1.5F, 0, 0}}, {4, {1.5F, 0, 0}}}, scene::Ease::linear);
+  boat.tow.emplace().position =
+      scene::Animated<glm::vec3>({{0, {-1.5F, 0, 0}}, {4, {1.5F, 0, 0}}}, scene::Ease::linear);
   boat.position = {-1.5F, 0, 0};
-  boat.pull = 5;
+  boat.tow->pull = 5;
   WaterTwin towed = twinOf(poolWith(boat, 30, 0.2F));
   run(towed, 3);
   CHECK(std::abs(towed.floats[0].x - 0.75) < 0.35);
