@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "gpu/context.hpp"
-#include "scene/scene.hpp"
+#include "scene/load.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/object_links.hpp"
 #include "sim/world/port_check.hpp"
