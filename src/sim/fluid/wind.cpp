@@ -30,6 +30,15 @@ FluidWind::FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed,
                      std::function<const FluidArray&()> flow)
     : grid_(fluidWindGrid(plane, size)), speed_(speed), flow_(std::move(flow)) {}
 
+FluidWindPart FluidWind::part() const {
+  return {.across = grid_.across,
+          .down = grid_.down,
+          .alongX = grid_.alongX,
+          .alongY = grid_.alongY,
+          .size = grid_.size,
+          .cells = flow_().resource()};
+}
+
 void FluidWind::bind() const {
   flow_().bindInput(shader::windBinding);
 }
