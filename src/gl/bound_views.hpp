@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <map>
+#include <string>
 
 #include <epoxy/gl.h>
 
@@ -26,6 +27,9 @@ struct BoundViews {
   };
   std::map<GLuint, TextureShape> textures;
   std::map<GLuint, Image> images;
+  /// What a gl::Kernel was given, by the name there: a sampler's or an image's (namesView). The units are
+  /// not known before the program is linked.
+  std::map<std::string, Image> named;
 };
 
 }  // namespace simreel::gl

@@ -1,4 +1,5 @@
 #pragma once
+#include "gl/access_log.hpp"
 #include "gl/buffer.hpp"
 #include "gl/context.hpp"
 #include "gl/shader_source.hpp"
@@ -65,8 +66,8 @@ using WordsArray = ElementArray<glm::uvec4, GL_RGBA32UI>;
 
 /// Makes writes of the last dispatch visible to the next one and to drawing.
 inline void barrier() {
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
-                  GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT);
+  AccessLog::barrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                     GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT);
 }
 
 /// Defines that select the memory path, and built-in arithmetic when `fast`.

@@ -6,6 +6,7 @@
 #include "gl/driver_threads.hpp"
 #include "gl/handle.hpp"
 #include "gl/linked_program.hpp"
+#include "gl/program_interface.hpp"
 #include "gl/shader_cache.hpp"
 
 #include <algorithm>
@@ -35,13 +36,24 @@ struct Job {
 /// Objects of the shapes that a use had, bound to their units while it lives. Their memory is not touched.
 class Stand {
  public:
-  explicit Stand(const BoundViews& views) {
+  Stand(const BoundViews& views, const ProgramInterface& interface) {
     for (const auto& [unit, shape] : views.textures) glBindTextureUnit(unit, make(shape));
-    for (const auto& [unit, image] : views.images)
-      glBindImageTexture(unit, make(image.shape), image.level, GL_FALSE, 0, image.access, image.format);
+    for (const auto& [unit, image] : views.images) bindImage(unit, image);
+    for (const ProgramInterface::View& view : interface.views)
+      for (const auto& [name, given] : views.named) {
+        if (!namesView(name, view.name)) continue;
+        if (view.image)
+          bindImage(view.unit, given);
+        else
+          glBindTextureUnit(view.unit, make(given.shape));
+      }
   }
 
  private:
+  void bindImage(GLuint unit, const BoundViews::Image& image) {
+    glBindImageTexture(unit, make(image.shape), image.level, GL_FALSE, 0, image.access, image.format);
+  }
+
   GLuint make(const TextureShape& shape) {
     GLuint name = 0;
     glCreateTextures(shape.levels == 0 ? GL_TEXTURE_BUFFER : GL_TEXTURE_2D, 1, &name);
@@ -81,8 +93,9 @@ void compile(const Job& job) {
   glGetProgramiv(program.get(), GL_LINK_STATUS, &good);
   if (good != GL_TRUE) return;
   glUseProgram(program.get());
+  const ProgramInterface interface = ProgramInterface::of(program.get());
   for (const BoundViews& use : job.uses) {
-    const Stand stand(use);
+    const Stand stand(use, interface);
     glDispatchComputeIndirect(0);
   }
   glUseProgram(0);

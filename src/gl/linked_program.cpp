@@ -6,8 +6,6 @@
 #include "gl/kernel_compiler.hpp"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 #include <unistd.h>
 #include <unordered_map>
 #include <utility>
@@ -75,37 +73,8 @@ void LinkedProgram::compiledFor(const char* what, double seconds) const {
         "runs");
 }
 
-namespace {
-
-bool isNumber(GLenum type) {
-  constexpr GLenum numbers[] = {
-      GL_INT,        GL_INT_VEC2,          GL_INT_VEC3,          GL_INT_VEC4,
-      GL_FLOAT,      GL_FLOAT_VEC2,        GL_FLOAT_VEC3,        GL_FLOAT_VEC4,
-      GL_BOOL,       GL_UNSIGNED_INT,      GL_UNSIGNED_INT_VEC2, GL_UNSIGNED_INT_VEC3,
-      GL_FLOAT_MAT3, GL_UNSIGNED_INT_VEC4, GL_FLOAT_MAT4};
-  return std::ranges::find(numbers, type) != std::end(numbers);
-}
-
-std::vector<std::string> numbersOf(GLuint program) {
-  std::vector<std::string> names;
-  GLint count = 0;
-  glGetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &count);
-  constexpr std::array<GLenum, 3> wanted{GL_TYPE, GL_BLOCK_INDEX, GL_NAME_LENGTH};
-  for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
-    std::array<GLint, 3> got{};
-    glGetProgramResourceiv(program, GL_UNIFORM, i, 3, wanted.data(), 3, nullptr, got.data());
-    if (got[1] >= 0 || !isNumber(static_cast<GLenum>(got[0]))) continue;
-    std::string name(static_cast<std::size_t>(got[2]), '\0');
-    glGetProgramResourceName(program, GL_UNIFORM, i, got[2], nullptr, name.data());
-    names.push_back(name.substr(0, name.find_first_of(std::string_view("[.\0", 3))));
-  }
-  return names;
-}
-
-}  // namespace
-
-void LinkedProgram::giveTo(const void* user, std::vector<Uniform>& uniforms) {
-  for (Uniform& one : uniforms) one.putInto(name());
+void LinkedProgram::giveTo(const void* user, std::vector<UniformSlot>& uniforms) {
+  for (UniformSlot& one : uniforms) one.putInto(name());
   user_ = user;
 }
 
@@ -133,7 +102,7 @@ void LinkedProgram::link() {
   for (const auto& shader : shaders) glDetachShader(program.get(), shader.get());
   if (stages_.front().type == GL_COMPUTE_SHADER)
     glGetProgramiv(program.get(), GL_COMPUTE_WORK_GROUP_SIZE, groupSize_);
-  active_ = numbersOf(program.get());
+  interface_ = ProgramInterface::of(program.get());
   handle_ = std::move(program);
   stages_.clear();
   const double seconds = secondsSince(start);

@@ -1,6 +1,7 @@
 #pragma once
 #include "base/clock.hpp"
 #include "gl/handle.hpp"
+#include "gl/program_interface.hpp"
 #include "gl/shader_source.hpp"
 #include "gl/uniform.hpp"
 
@@ -41,11 +42,10 @@ class LinkedProgram {
 
   /// The Program whose uniform values it has; null for none.
   [[nodiscard]] const void* user() const { return user_; }
-  /// Gives it the uniform values of `user`, which has set all activeUniforms(). Needs link().
-  void giveTo(const void* user, std::vector<Uniform>& uniforms);
-  /// Uniforms outside blocks that the driver kept, but for textures and images: "a" of "a[0]" and of "a.b".
+  /// Gives it the uniform values of `user`, which has set all that are active. Needs link().
+  void giveTo(const void* user, std::vector<UniformSlot>& uniforms);
   /// Needs link().
-  [[nodiscard]] const std::vector<std::string>& activeUniforms() const { return active_; }
+  [[nodiscard]] const ProgramInterface& interface() const { return interface_; }
   /// Forgets `user`, whose values it may have.
   void leave(const void* user) {
     if (user_ == user) user_ = nullptr;
@@ -73,7 +73,7 @@ class LinkedProgram {
   Handle<DeleteProgram> handle_;
   GLint groupSize_[3] = {1, 1, 1};
   const void* user_ = nullptr;
-  std::vector<std::string> active_;
+  ProgramInterface interface_;
   bool dispatched_ = false;
 };
 

@@ -40,9 +40,9 @@ struct Program::Own {
   Own& operator=(Own&&) = delete;
   Own& operator=(const Own&) = delete;
 
-  Uniform& uniform(const char* name, const Uniform::Value& value) {
+  UniformSlot& uniform(const char* name, const UniformSlot::Value& value) {
     const auto found = std::find_if(uniforms.begin(), uniforms.end(),
-                                    [&](const Uniform& one) { return one.name == name; });
+                                    [&](const UniformSlot& one) { return one.name == name; });
     if (found != uniforms.end()) return *found;
     uniforms.push_back({name, value});
     return uniforms.back();
@@ -52,17 +52,19 @@ struct Program::Own {
   /// be 0.
   void checkUniforms() {
     if (checked) return;
-    for (const std::string& name : linked->activeUniforms())
-      if (std::ranges::none_of(uniforms, [&](const Uniform& one) { return one.isPartOf(name); }))
+    for (const auto& [whole, type] : linked->interface().numbers) {
+      const std::string name = whole.substr(0, whole.find_first_of("[."));
+      if (std::ranges::none_of(uniforms, [&](const UniformSlot& one) { return one.isPartOf(name); }))
         fail(ExitCode::device,
              "glsl/{} reads the uniform \"{}\", which the program never sets; check its spelling",
              linked->label(), name);
+    }
     checked = true;
   }
 
   std::shared_ptr<LinkedProgram> linked;
   bool checked = false;  ///< true once checkUniforms() has passed
-  std::vector<Uniform> uniforms;
+  std::vector<UniformSlot> uniforms;
   std::vector<std::pair<std::string, std::size_t>> blocks;  ///< names and bytes, to be checked once linked
 };
 
@@ -147,7 +149,7 @@ void Program::dispatchIndirect(const Buffer& commands, std::size_t offset) const
 
 template <class T>
 void Program::assign(const char* uniform, const T& value) const {
-  Uniform& one = own_->uniform(uniform, value);
+  UniformSlot& one = own_->uniform(uniform, value);
   one.value = value;
   if (own_->linked->user() == own_.get()) one.putInto(own_->linked->name());
 }

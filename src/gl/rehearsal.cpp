@@ -28,6 +28,10 @@ bool Rehearsal::now() {
 }
 
 bool Rehearsal::note(const std::shared_ptr<LinkedProgram>& program) {
+  return current != nullptr && note(program, current->bound_);
+}
+
+bool Rehearsal::note(const std::shared_ptr<LinkedProgram>& program, const BoundViews& given) {
   if (current == nullptr) return false;
   // A loop that waits for what a kernel finds would not end.
   constexpr int most = 20000;
@@ -38,7 +42,7 @@ bool Rehearsal::note(const std::shared_ptr<LinkedProgram>& program) {
                             [&](const Kernel& kernel) { return kernel.program == program; });
   if (found == kernels.end()) found = kernels.insert(kernels.end(), {program, {}});
   constexpr std::size_t mostUses = 4;  // of which most are alike
-  if (found->uses.size() < mostUses) found->uses.push_back(current->bound_);
+  if (found->uses.size() < mostUses) found->uses.push_back(given);
   return true;
 }
 

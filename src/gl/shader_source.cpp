@@ -97,7 +97,8 @@ bool partOfName(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Whether `name` stands in `text` as a word, outside comments that end a line.
+}  // namespace
+
 bool mentions(std::string_view text, std::string_view name) {
   for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + name.size())) {
     const auto end = at + name.size();
@@ -107,6 +108,8 @@ bool mentions(std::string_view text, std::string_view name) {
   }
   return false;
 }
+
+namespace {
 
 /// A driver keeps what it compiled by the shader's text: names that the files do not mention are left out,
 /// or shaders that differ in nothing else would be compiled for each.

@@ -38,4 +38,7 @@ struct ShaderSource {
 [[nodiscard]] ShaderSource loadShaderText(const std::string& name, const std::string& text,
                                           const Defines& defines);
 
+/// True where `name` stands in `text` as a word, outside comments that end a line.
+[[nodiscard]] bool mentions(std::string_view text, std::string_view name);
+
 }  // namespace simreel::gl

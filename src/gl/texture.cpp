@@ -67,6 +67,7 @@ Texture Texture::view(const std::string& label, GLenum format, const Buffer& buf
   Texture texture;
   texture.handle_ = Handle<DeleteTexture>(createTexture(GL_TEXTURE_BUFFER, label));
   texture.format_ = format;
+  texture.buffer_ = buffer.name();
   glTextureBuffer(texture.name(), format, buffer.name());
   return texture;
 }
@@ -78,6 +79,7 @@ Texture Texture::view(const std::string& label, GLenum format, const BufferPart&
   texture.handle_ = Handle<DeleteTexture>(createTexture(GL_TEXTURE_BUFFER, label));
   texture.format_ = format;
   texture.offset_ = part.offset;
+  texture.buffer_ = part.buffer->name();
   glTextureBufferRange(texture.name(), format, part.buffer->name(), static_cast<GLintptr>(part.offset),
                        static_cast<GLsizeiptr>(part.bytes));
   return texture;

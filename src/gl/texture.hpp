@@ -54,6 +54,9 @@ class Texture {
   [[nodiscard]] GLuint name() const { return handle_.get(); }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] GLenum format() const { return format_; }
+  /// Of a view: its buffer, by the driver's name; 0 of others.
+  [[nodiscard]] GLuint buffer() const { return buffer_; }
   /// Of a view: where in its buffer it begins, bytes.
   [[nodiscard]] std::size_t offset() const { return offset_; }
   explicit operator bool() const { return static_cast<bool>(handle_); }
@@ -65,6 +68,7 @@ class Texture {
   int height_ = 0;
   int levels_ = 0;  ///< 0: a view
   std::size_t offset_ = 0;
+  GLuint buffer_ = 0;
 };
 
 /// Colour and optional depth attachments.

@@ -36,9 +36,13 @@ void put(GLuint program, GLint at, const glm::mat4& value) {
 
 }  // namespace
 
-void Uniform::putInto(GLuint program) {
+bool UniformSlot::locate(GLuint program) {
   if (!std::exchange(located, true)) location = glGetUniformLocation(program, name.c_str());
-  if (location >= 0) std::visit([&](const auto& one) { put(program, location, one); }, value);
+  return location >= 0;
+}
+
+void UniformSlot::putInto(GLuint program) {
+  if (locate(program)) std::visit([&](const auto& one) { put(program, location, one); }, value);
 }
 
 }  // namespace simreel::gl

@@ -12,7 +12,7 @@
 namespace simreel::gl {
 
 /// A uniform's value, and its place in a linked program once that has been looked up.
-struct Uniform {
+struct UniformSlot {
   using Value = std::variant<int, unsigned, float, glm::ivec2, glm::ivec4, glm::vec2, glm::vec3, glm::vec4,
                              glm::mat4>;
 
@@ -26,6 +26,8 @@ struct Uniform {
     return name.starts_with(whole) &&
            (name.size() == whole.size() || name[whole.size()] == '[' || name[whole.size()] == '.');
   }
+  /// Looks its place up in a linked program, once. False where the driver has optimised it away.
+  bool locate(GLuint program);
   /// Sets it in a linked program.
   void putInto(GLuint program);
 };

@@ -6,11 +6,25 @@
 #include <cstdint>
 #include <utility>
 
-namespace simreel::shader::body {
-#include "glsl/body/bindings.glsl"
-}
-
 namespace simreel::sim {
+
+struct SkinKernel {
+  static constexpr auto file = "body/skin.comp";
+  struct Variant {
+    gl::Flag<"NORMALS"> normals;
+  };
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"joints", int> joints;
+  gl::Uniform<"before", float> before;
+  gl::Uniform<"now", float> now;
+  gl::In<"restPositions"> restPositions;
+  gl::In<"restNormals"> restNormals;
+  gl::In<"follow"> follow;
+  gl::In<"weights"> weights;
+  gl::In<"poses"> poses;
+  gl::Out<"positions"> positions;
+  gl::Out<"normals"> normals;
+};
 
 namespace {
 
@@ -53,6 +67,7 @@ constinit const PortInfo SkinnedSurface::port = {
 SkinnedSurface::SkinnedSurface(const std::string& name, const Figure& figure, bool fast)
     : name_(name),
       vertexCount_(checkedCount(name, figure.mesh)),
+      joints_(static_cast<int>(figure.joints.size())),
       restPositions_(name + " positions at bind", asVec4(figure.mesh.positions)),
       restNormals_(name + " normals at bind", asVec4(figure.mesh.normals)),
       weights_(name + " weights", figure.weights),
@@ -60,16 +75,9 @@ SkinnedSurface::SkinnedSurface(const std::string& name, const Figure& figure, bo
       follow_(name + " joints", figure.follow),
       faces_(name + " faces", facesOf(figure.mesh)),
       positions_(name + " positions", vertexCount_),
-      normals_(name + " normals", vertexCount_) {
-  gl::Defines defines = gl::kernelDefines(fast);
-  move_ = gl::Program::compute("body/skin.comp", defines);
-  defines.emplace_back("NORMALS", "1");
-  draw_ = gl::Program::compute("body/skin.comp", defines);
-  for (const gl::Program* program : {&move_, &draw_}) {
-    program->set("count", vertexCount_);
-    program->set("joints", static_cast<int>(figure.joints.size()));
-  }
-}
+      normals_(name + " normals", vertexCount_),
+      draw_(gl::kernelDefines(fast), {.normals = true}),
+      move_(gl::kernelDefines(fast), {.normals = false}) {}
 
 void SkinnedSurface::begin(std::vector<glm::vec4> atBegin, const std::vector<glm::vec4>& atEnd) {
   atBegin.insert(atBegin.end(), atEnd.begin(), atEnd.end());
@@ -91,18 +99,20 @@ void SkinnedSurface::moveTo(int substep, int substeps) {
   substeps_ = substeps;
 }
 
-void SkinnedSurface::skin(const gl::Program& program, double now, const gl::Vec4Array& positions) const {
-  program.set("before", static_cast<float>(1.0 - now));
-  program.set("now", static_cast<float>(now));
-  restPositions_.bindInput(shader::body::restPositionsBinding);
-  restNormals_.bindInput(shader::body::restNormalsBinding);
-  follow_.bindInput(shader::body::followBinding);
-  weights_.bindInput(shader::body::weightsBinding);
-  poses_.bindInput(shader::body::posesBinding);
-  positions.bindState(shader::body::positionsBinding);
-  normals_.bindState(shader::body::normalsBinding);
+void SkinnedSurface::skin(const gl::Kernel<SkinKernel>& kernel, double now,
+                          const gl::Vec4Array& positions) const {
   gl::barrier();
-  program.dispatch(vertexCount_);
+  kernel.dispatch(vertexCount_, {.count = vertexCount_,
+                                 .joints = joints_,
+                                 .before = static_cast<float>(1.0 - now),
+                                 .now = static_cast<float>(now),
+                                 .restPositions = restPositions_,
+                                 .restNormals = restNormals_,
+                                 .follow = follow_,
+                                 .weights = weights_,
+                                 .poses = poses_,
+                                 .positions = positions,
+                                 .normals = normals_});
   gl::barrier();
 }
 

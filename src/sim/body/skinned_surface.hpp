@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/body/figure.hpp"
 #include "sim/core/port.hpp"
 
@@ -10,6 +10,8 @@
 #include <glm/vec4.hpp>
 
 namespace simreel::sim {
+
+struct SkinKernel;
 
 /// The skin of a body on the GPU at any moment of the present frame, in world space, for drawing and for
 /// those that touch it. Between the poses of the frame's beginning and end the bones' matrices, and with
@@ -41,17 +43,17 @@ class SkinnedSurface {
   [[nodiscard]] const gl::Vec4Array& normals() const { return normals_; }
 
  private:
-  void skin(const gl::Program& program, double now, const gl::Vec4Array& positions) const;
+  void skin(const gl::Kernel<SkinKernel>& kernel, double now, const gl::Vec4Array& positions) const;
 
   std::string name_;
-  int vertexCount_;
+  int vertexCount_, joints_;
   gl::Vec4Array restPositions_, restNormals_, weights_, poses_;
   gl::WordsArray follow_, faces_;
   gl::Vec4Array positions_, normals_;
   gl::Vec4Array touched_[2];  ///< made when somebody first asks
   int substep_ = -1;          ///< that touched_ is of; -1: none
   int substeps_ = 0;
-  gl::Program draw_, move_;
+  gl::Kernel<SkinKernel> draw_, move_;
 };
 
 }  // namespace simreel::sim

@@ -8,6 +8,34 @@
 
 namespace simreel::sim {
 
+struct TallySums {
+  static constexpr auto file = "contour/sums.comp";
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"tile", int> tile;
+  gl::In<"tallies"> tallies;
+  gl::Out<"tileSums"> tileSums;
+};
+
+struct TallyTotal {
+  static constexpr auto file = "contour/total.comp";
+  gl::Uniform<"tiles", int> tiles;
+  gl::Uniform<"fixedIndices", unsigned> fixedIndices;
+  gl::Uniform<"sheetIndices", unsigned> sheetIndices;
+  gl::Uniform<"pointIndices", unsigned> pointIndices;
+  gl::Uniform<"pointRoom", unsigned> pointRoom;
+  gl::Uniform<"indexRoom", unsigned> indexRoom;
+  gl::InOut<"tileSums"> tileSums;
+  gl::Out<"DrawBlock"> draw;
+};
+
+struct TallySpread {
+  static constexpr auto file = "contour/spread.comp";
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"tile", int> tile;
+  gl::InOut<"tallies"> tallies;
+  gl::In<"tileSums"> tileSums;
+};
+
 namespace {
 
 // What one invocation sums up; a software driver ends a shader's loops after 65,535 iterations.
@@ -23,14 +51,9 @@ Totals::Totals(const std::string& name, int count)
       draw_(name + " draw", sizeof(shader::ContourDraw)),
       counted_(gl::Buffer::mapped(name + " counted", sizeof(shader::ContourDraw), false)) {
   const gl::Defines defines = gl::kernelDefines(false);
-  sums_ = gl::Program::compute("contour/sums.comp", defines);
-  total_ = gl::Program::compute("contour/total.comp", defines);
-  spread_ = gl::Program::compute("contour/spread.comp", defines);
-  for (const gl::Program* program : {&sums_, &total_, &spread_}) {
-    program->set("count", count_);
-    program->set("tile", tallyTile);
-    program->set("tiles", tiles_);
-  }
+  sums_ = gl::Kernel<TallySums>(defines);
+  total_ = gl::Kernel<TallyTotal>(defines);
+  spread_ = gl::Kernel<TallySpread>(defines);
 }
 
 Totals& Totals::operator=(Totals&& other) noexcept {
@@ -49,21 +72,16 @@ Totals& Totals::operator=(Totals&& other) noexcept {
 
 void Totals::run(const gl::WordsArray& tallies, const Room& room) {
   gl::barrier();
-  tallies.bindInput(shader::talliesBinding);
-  tileSums_.bindState(shader::tileSumsBinding);
-  draw_.bindStorage(shader::drawBinding);
-  sums_.dispatch(tiles_);
-  gl::barrier();
-  total_.set("fixedIndices", static_cast<unsigned>(room.fixed));
-  total_.set("sheetIndices", room.perSheet);
-  total_.set("pointIndices", room.perPoint);
-  total_.set("pointRoom", static_cast<unsigned>(room.points));
-  total_.set("indexRoom", static_cast<unsigned>(room.indices));
-  total_.dispatch(1);
-  gl::barrier();
-  tallies.bindState(shader::talliesBinding);
-  tileSums_.bindInput(shader::tileSumsBinding);
-  spread_.dispatch(tiles_);
+  sums_.dispatch(tiles_, {.count = count_, .tile = tallyTile, .tallies = tallies, .tileSums = tileSums_});
+  total_.dispatch(1, {.tiles = tiles_,
+                      .fixedIndices = static_cast<unsigned>(room.fixed),
+                      .sheetIndices = room.perSheet,
+                      .pointIndices = room.perPoint,
+                      .pointRoom = static_cast<unsigned>(room.points),
+                      .indexRoom = static_cast<unsigned>(room.indices),
+                      .tileSums = tileSums_,
+                      .draw = draw_});
+  spread_.dispatch(tiles_, {.count = count_, .tile = tallyTile, .tallies = tallies, .tileSums = tileSums_});
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
   glCopyNamedBufferSubData(draw_.name(), counted_.name(), 0, 0, sizeof(shader::ContourDraw));
   glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);

@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <cstdint>
@@ -13,6 +13,10 @@ static_assert(sizeof(ContourDraw) == 48);
 }  // namespace simreel::shader
 
 namespace simreel::sim {
+
+struct TallySums;
+struct TallyTotal;
+struct TallySpread;
 
 /// Of what a field asks for, known to the GPU alone: tallies become the sums of those before each, by three
 /// kernels of glsl/contour, and their total the arguments of an indirect draw. For solids of squares and
@@ -48,7 +52,9 @@ class Totals {
   int count_ = 0, tiles_ = 0;
   gl::WordsArray tileSums_;
   gl::Buffer draw_, counted_;
-  gl::Program sums_, total_, spread_;
+  gl::Kernel<TallySums> sums_;
+  gl::Kernel<TallyTotal> total_;
+  gl::Kernel<TallySpread> spread_;
   GLsync fence_ = nullptr;
 };
 

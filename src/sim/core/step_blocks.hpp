@@ -1,5 +1,6 @@
 #pragma once
 #include "gl/buffer.hpp"
+#include "gl/kernel/resource.hpp"
 #include "gl/limits.hpp"
 #include "glsl/common/cpp.hpp"
 
@@ -34,6 +35,8 @@ class StepBlocks {
     }
     buffer_.write(0, bytes);
   }
+  /// A step's block, for a gl::Kernel.
+  [[nodiscard]] gl::Resource at(std::size_t step) const { return {buffer_, stride_ * step, sizeof(Block)}; }
   void bind(std::size_t step, GLuint binding = shader::stepBinding) const {
     buffer_.bindUniform(binding, stride_ * step, sizeof(Block));
   }

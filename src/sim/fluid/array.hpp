@@ -1,5 +1,6 @@
 #pragma once
 #include "gl/buffer.hpp"
+#include "gl/kernel/resource.hpp"
 #include "gl/texture.hpp"
 
 #include <string>
@@ -12,6 +13,8 @@ class FluidArray {
  public:
   FluidArray() = default;
   FluidArray(const std::string& label, const gl::BufferPart& part);
+  /// For a gl::Kernel.
+  [[nodiscard]] gl::Resource resource() const { return {part_, texels_}; }
   void bindInput(GLuint unit) const;
   void bindState(GLuint unit) const;
   void bindStorage(GLuint unit) const { part_.bindStorage(unit); }

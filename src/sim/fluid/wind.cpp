@@ -54,6 +54,15 @@ FluidWind::FluidWind(const std::string& name, const FluidPlane& plane, glm::ivec
   stillFlow_ = FluidArray(name + " wind", {&still_, 0, still_.bytes()});
 }
 
+FluidWindPart FluidWind::part() const {
+  return {.across = grid_.across,
+          .down = grid_.down,
+          .alongX = grid_.alongX,
+          .alongY = grid_.alongY,
+          .size = grid_.size,
+          .cells = flow_().resource()};
+}
+
 void FluidWind::bind() const {
   flow_().bindInput(shader::windBinding);
 }

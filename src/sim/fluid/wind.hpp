@@ -1,4 +1,5 @@
 #pragma once
+#include "gl/kernel/fields.hpp"
 #include "gl/program.hpp"
 #include "glsl/common/cpp.hpp"
 #include "sim/core/port.hpp"
@@ -29,6 +30,16 @@ struct FluidPlane {
 /// shared with the CPU twins.
 [[nodiscard]] shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size);
 
+/// What glsl/fluid/wind_array.glsl is given where WIND is defined, a part of a kernel's interface.
+struct FluidWindPart {
+  gl::Uniform<"windGrid.across", glm::vec4> across;
+  gl::Uniform<"windGrid.down", glm::vec4> down;
+  gl::Uniform<"windGrid.alongX", glm::vec3> alongX;
+  gl::Uniform<"windGrid.alongY", glm::vec3> alongY;
+  gl::Uniform<"windGrid.size", glm::ivec2> size;
+  gl::In<"windCells"> cells;
+};
+
 /// A fluid as the wind of others, in the state in which its latest step left it. Outside of its rectangle
 /// there is none; before and behind its plane there is what the plane has.
 class FluidWind {
@@ -48,9 +59,10 @@ class FluidWind {
   FluidWind(FluidWind&&) = delete;
   FluidWind& operator=(FluidWind&&) = delete;
 
-  /// For glsl/fluid/wind_array.glsl of a kernel.
+  [[nodiscard]] FluidWindPart part() const;
+  /// For glsl/fluid/wind_array.glsl of a gl::Program.
   void bind() const;
-  /// Tells such a kernel, once, where the fluid lies.
+  /// Tells such a program, once, where the fluid lies.
   void tell(const gl::Program& kernel) const;
   [[nodiscard]] const shader::WindGrid& grid() const { return grid_; }
   [[nodiscard]] float speed() const { return speed_; }

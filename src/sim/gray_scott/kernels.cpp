@@ -9,11 +9,62 @@
 #include <span>
 #include <utility>
 
-namespace simreel::shader::gray_scott {
-#include "glsl/gray_scott/bindings.glsl"
-}
-
 namespace simreel::sim {
+
+struct GrayScottGrid {
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"columns", int> columns;
+  gl::Uniform<"rowRange", glm::ivec2> rowRange;
+  gl::Block<"RatesBlock", shader::GrayScottRates> rates;
+  gl::In<"cells"> cells;
+  gl::In<"weights"> weights;
+};
+
+struct GrayScottStep {
+  static constexpr auto file = "gray_scott/step.comp";
+  struct Variant {
+    gl::Flag<"MAPPED"> mapped;
+    gl::Flag<"ODD_WIDTH"> oddWidth;
+    gl::Range<"ACROSS", 1, 4> across;
+    gl::Range<"ROWS", 1, 64> rows;
+    gl::Range<"GROUP_X", 1, 64> groupX;
+    gl::Range<"GROUP_Y", 1, 8> groupY;
+  };
+  GrayScottGrid grid;
+  gl::Out<"nextCells"> next;
+};
+
+struct GrayScottStrips {
+  static constexpr auto file = "gray_scott/strips.comp";
+  struct Variant {
+    gl::Flag<"ODD_WIDTH"> oddWidth;
+    gl::Flag<"SUBGROUPS"> subgroups;
+    gl::Choice<"STEPS", 2, 3, 4, 6, 8> steps;
+    gl::Range<"ELEMENTS", 1, 12> elements;
+    gl::Range<"STRIP_ROWS", 1, 512> rows;
+  };
+  GrayScottGrid grid;
+  gl::Out<"nextCells"> next;
+};
+
+struct GrayScottLook {
+  static constexpr auto file = "gray_scott/look.comp";
+  struct Variant {
+    gl::Flag<"MAPPED"> mapped;
+    gl::Flag<"ODD_WIDTH"> oddWidth;
+  };
+  GrayScottGrid grid;
+  gl::InOut<"StatusBlock"> status;
+};
+
+struct GrayScottPaint {
+  static constexpr auto file = "gray_scott/paint.comp";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"columns", int> columns;
+  StrokeUniforms stroke;
+  gl::InOut<"cells"> cells;
+  gl::In<"stamps"> stamps;
+};
 
 namespace {
 
@@ -94,36 +145,34 @@ GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan&
   status_ = gl::Buffer::of<unsigned>(name + " status", fine);
   rates_ = gl::Buffer(name + " rates", sizeof(shader::GrayScottRates));
 
-  gl::Defines defines = gl::kernelDefines(fast);
+  const gl::Defines defines = gl::kernelDefines(fast);
+  const bool odd = size_.x % 2 == 1;
   if (!plan.strokes().empty()) {
     stamps_ = gl::WordsArray(name + " brush images", elementsOf(plan.strokes().imageBits()));
-    paint_ = gl::Program::compute("gray_scott/paint.comp", defines);
-    paint_.set("size", size_);
-    paint_.set("columns", columns_);
+    paint_ = gl::Kernel<GrayScottPaint>(defines);
   }
-  if (mapped_) defines.emplace_back("MAPPED", "1");
-  if (size_.x % 2 == 1) defines.emplace_back("ODD_WIDTH", "1");
-  const auto define = [&](const char* key, int value) { defines.emplace_back(key, std::to_string(value)); };
-  define("ACROSS", cut_.across);
-  define("ROWS", cut_.rows);
-  define("GROUP_X", cut_.groupX);
-  define("GROUP_Y", cut_.groupY);
-  makeProgram(step_, "gray_scott/step.comp", defines);
-  makeProgram(look_, "gray_scott/look.comp", defines);
-  if (cut_.stepsPerPass == 1) return;
-  if (gl::limits().shuffle32) defines.emplace_back("SUBGROUPS", "1");
-  define("STEPS", cut_.stepsPerPass);
-  define("ELEMENTS", cut_.stripElements);
-  define("STRIP_ROWS", cut_.stripRows);
-  makeProgram(strips_, "gray_scott/strips.comp", defines);
+  step_ = gl::Kernel<GrayScottStep>(defines, {.mapped = mapped_,
+                                              .oddWidth = odd,
+                                              .across = cut_.across,
+                                              .rows = cut_.rows,
+                                              .groupX = cut_.groupX,
+                                              .groupY = cut_.groupY});
+  look_ = gl::Kernel<GrayScottLook>(defines, {.mapped = mapped_, .oddWidth = odd});
+  if (cut_.stepsPerPass > 1)
+    strips_ = gl::Kernel<GrayScottStrips>(defines, {.oddWidth = odd,
+                                                    .subgroups = gl::limits().shuffle32,
+                                                    .steps = cut_.stepsPerPass,
+                                                    .elements = cut_.stripElements,
+                                                    .rows = cut_.stripRows});
 }
 
-void GrayScottKernels::makeProgram(gl::Program& program, const char* path,
-                                   const gl::Defines& defines) const {
-  program = gl::Program::compute(path, defines);
-  program.checkUniformBlock("RatesBlock", sizeof(shader::GrayScottRates));
-  program.set("size", size_);
-  program.set("columns", columns_);
+GrayScottGrid GrayScottKernels::grid(int from, int first, int rows) const {
+  return {.size = size_,
+          .columns = columns_,
+          .rowRange = glm::ivec2(first, rows),
+          .rates = rates_,
+          .cells = cells_[from],
+          .weights = weights_};
 }
 
 void GrayScottKernels::setRates(const shader::GrayScottRates& rates) {
@@ -133,7 +182,7 @@ void GrayScottKernels::setRates(const shader::GrayScottRates& rates) {
 void GrayScottKernels::advance(int steps) {
   if (cut_.stepsPerPass > 1)
     for (; steps >= cut_.stepsPerPass; steps -= cut_.stepsPerPass) {
-      pass(strips_, 0, 0, size_.y);
+      stripPass();
       swapCells();
       look(cut_.stepsPerPass);
     }
@@ -142,7 +191,7 @@ void GrayScottKernels::advance(int steps) {
     if (passes > 1)
       bands(passes);
     else
-      pass(step_, 0, 0, size_.y);
+      pass(0, 0, size_.y);
     if (passes % 2 == 1) swapCells();
     steps -= passes;
     look(passes);
@@ -154,12 +203,7 @@ void GrayScottKernels::look(int steps) {
   taken_ += steps;
   if (taken_ < nextLook_) return;
   nextLook_ = taken_ + std::min(taken_, rarest);
-  rates_.bindUniform(shader::stepBinding, 0, rates_.bytes());
-  cells_[0].bindInput(shader::gray_scott::cellsBinding);
-  if (mapped_) weights_.bindInput(shader::gray_scott::weightsBinding);
-  status_.bindStorage(shader::statusBinding);
-  gl::barrier();
-  look_.dispatch(columns_, size_.y);
+  look_.dispatch({columns_, size_.y}, {.grid = grid(0, 0, 0), .status = status_});
 }
 
 void GrayScottKernels::swapCells() {
@@ -176,36 +220,30 @@ void GrayScottKernels::bands(int steps) {
   const int number = (size_.y - 1) / cut_.bandRows + 1;
   const auto edge = [&](int band) { return static_cast<int>(std::int64_t{size_.y} * band / number); };
   for (int band = 0; band < number; ++band)
-    for (int s = 1; s <= steps; ++s)
-      pass(step_, (s - 1) % 2, edge(band) + s, edge(band + 1) - edge(band) - 2 * s);
+    for (int s = 1; s <= steps; ++s) pass((s - 1) % 2, edge(band) + s, edge(band + 1) - edge(band) - 2 * s);
   for (int band = 0; band < number; ++band)
-    for (int s = 1; s <= steps; ++s) pass(step_, (s - 1) % 2, (edge(band) - s + size_.y) % size_.y, 2 * s);
+    for (int s = 1; s <= steps; ++s) pass((s - 1) % 2, (edge(band) - s + size_.y) % size_.y, 2 * s);
 }
 
-void GrayScottKernels::pass(const gl::Program& program, int from, int first, int rows) {
-  rates_.bindUniform(shader::stepBinding, 0, rates_.bytes());
-  cells_[from].bindInput(shader::gray_scott::cellsBinding);
-  cells_[1 - from].bindState(shader::gray_scott::nextCellsBinding);
-  if (mapped_) weights_.bindInput(shader::gray_scott::weightsBinding);
-  program.set("rowRange", glm::ivec2(first, rows));
-  gl::barrier();
-  if (&program == &strips_) {
-    const int down = (rows - 1) / cut_.stripRows + 1;
-    const int across = stripCount({size_.x, 1}, cut_.stepsPerPass, cut_.stripElements, 1);
-    program.dispatch(across * stripGroup(), down);
-  } else {
-    program.dispatch((columns_ - 1) / cut_.across + 1, (rows - 1) / cut_.rows + 1);
-  }
+void GrayScottKernels::pass(int from, int first, int rows) {
+  step_.dispatch({(columns_ - 1) / cut_.across + 1, (rows - 1) / cut_.rows + 1},
+                 {.grid = grid(from, first, rows), .next = cells_[1 - from]});
+}
+
+void GrayScottKernels::stripPass() {
+  const int down = (size_.y - 1) / cut_.stripRows + 1;
+  const int across = stripCount({size_.x, 1}, cut_.stepsPerPass, cut_.stripElements, 1);
+  strips_.dispatch({across * stripGroup(), down}, {.grid = grid(0, 0, size_.y), .next = cells_[1]});
 }
 
 void GrayScottKernels::paint(const shader::Stroke& stroke) {
   const glm::ivec4 box = Strokes::box(stroke, size_);
   if (box.z == 0) return;
-  setStroke(paint_, stroke, box);
-  cells_[0].bindState(shader::gray_scott::cellsBinding);
-  stamps_.bindInput(shader::gray_scott::stampsBinding);
-  gl::barrier();
-  paint_.dispatch(columns_, box.w);
+  paint_.dispatch({columns_, box.w}, {.size = size_,
+                                      .columns = columns_,
+                                      .stroke = uniformsOf(stroke, box),
+                                      .cells = cells_[0],
+                                      .stamps = stamps_});
   taken_ = 0;
   nextLook_ = 1;
 }

@@ -1,11 +1,17 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/gray_scott/plan.hpp"
 
 #include <string>
 
 namespace simreel::sim {
+
+struct GrayScottGrid;
+struct GrayScottStep;
+struct GrayScottStrips;
+struct GrayScottLook;
+struct GrayScottPaint;
 
 /// The cells of a Gray-Scott field on the GPU and the kernels that step them.
 class GrayScottKernels {
@@ -44,13 +50,17 @@ class GrayScottKernels {
   [[nodiscard]] const gl::Texture& words() const { return words_[0]; }
 
  private:
-  void makeProgram(gl::Program& program, const char* path, const gl::Defines& defines) const;
+  /// What all but painting are given, from cells_[from].
+  [[nodiscard]] GrayScottGrid grid(int from, int first, int rows) const;
   void bands(int steps);
   void swapCells();
   /// After `steps` more.
   void look(int steps);
-  /// From cells_[from] to the other array, `rows` of them from `first` on, over the border where need be.
-  void pass(const gl::Program& program, int from, int first, int rows);
+  /// One step from cells_[from] to the other array, `rows` of them from `first` on, over the border where
+  /// need be.
+  void pass(int from, int first, int rows);
+  /// cut_.stepsPerPass steps of all.
+  void stripPass();
 
   glm::ivec2 size_;
   int columns_;
@@ -60,7 +70,10 @@ class GrayScottKernels {
   gl::Vec4Array weights_;
   gl::WordsArray stamps_;
   gl::Buffer status_, rates_;
-  gl::Program step_, strips_, look_, paint_;
+  gl::Kernel<GrayScottStep> step_;
+  gl::Kernel<GrayScottStrips> strips_;
+  gl::Kernel<GrayScottLook> look_;
+  gl::Kernel<GrayScottPaint> paint_;
   long taken_ = 0;     ///< steps since the start or the latest stroke
   long nextLook_ = 1;  ///< of those
   bool mapped_;

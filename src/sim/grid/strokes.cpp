@@ -276,6 +276,20 @@ glm::ivec4 Strokes::box(const shader::Stroke& s, glm::ivec2 grid) {
   return {a.x, a.y, b.x - a.x, b.y - a.y};
 }
 
+StrokeUniforms uniformsOf(const shader::Stroke& stroke, glm::ivec4 box) {
+  return {.from = stroke.from,
+          .to = stroke.to,
+          .radius2 = stroke.radius2,
+          .perLength2 = stroke.perLength2,
+          .value = stroke.value,
+          .seed = stroke.seed,
+          .picked = stroke.picked,
+          .imageWord = stroke.imageWord,
+          .imageFrom = stroke.imageFrom,
+          .imageSize = stroke.imageSize,
+          .box = box};
+}
+
 void setStroke(const gl::Program& program, const shader::Stroke& stroke, glm::ivec4 box) {
   program.set("stroke.from", stroke.from);
   program.set("stroke.to", stroke.to);

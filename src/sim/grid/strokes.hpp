@@ -1,4 +1,5 @@
 #pragma once
+#include "gl/kernel/fields.hpp"
 #include "gl/program.hpp"
 #include "scene/value/animated.hpp"
 #include "scene/value/fields.hpp"
@@ -81,7 +82,23 @@ class Strokes {
   StrokeGrid grid_;
 };
 
-/// Sets the uniforms of glsl/grid/stroke_paint.glsl.
+/// Uniforms of glsl/grid/stroke_paint.glsl, a part of the interfaces of kernels that paint.
+struct StrokeUniforms {
+  gl::Uniform<"stroke.from", glm::vec2> from;
+  gl::Uniform<"stroke.to", glm::vec2> to;
+  gl::Uniform<"stroke.radius2", float> radius2;
+  gl::Uniform<"stroke.perLength2", float> perLength2;
+  gl::Uniform<"stroke.value", float> value;
+  gl::Uniform<"stroke.seed", int> seed;
+  gl::Uniform<"stroke.picked", int> picked;
+  gl::Uniform<"stroke.imageWord", int> imageWord;
+  gl::Uniform<"stroke.imageFrom", glm::ivec2> imageFrom;
+  gl::Uniform<"stroke.imageSize", glm::ivec2> imageSize;
+  gl::Uniform<"strokeBox", glm::ivec4> box;
+};
+[[nodiscard]] StrokeUniforms uniformsOf(const shader::Stroke& stroke, glm::ivec4 box);
+
+/// Sets the same of a gl::Program.
 void setStroke(const gl::Program& program, const shader::Stroke& stroke, glm::ivec4 box);
 
 }  // namespace simreel::sim

@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "gl/element_array.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/limits.hpp"
-#include "gl/program.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/lenia/plan.hpp"
 
@@ -13,15 +13,50 @@
 
 #include <fmt/format.h>
 
-namespace simreel::shader::lenia {
-#include "glsl/lenia/bindings.glsl"
-}
-
 namespace simreel::sim {
 
 namespace {
 
-namespace slot = shader::lenia;
+struct LeniaGrid {
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"rowItems", int> rowItems;
+  gl::Uniform<"paddedItems", int> paddedItems;
+  gl::Uniform<"margin", int> margin;
+};
+
+struct LeniaPad {
+  static constexpr auto file = "lenia/pad.comp";
+  LeniaGrid grid;
+  gl::Uniform<"range", int> range;
+  gl::In<"cells"> cells;
+  gl::Out<"padded"> padded;
+};
+
+struct LeniaStep {
+  static constexpr auto file = "lenia/step.comp";
+  struct Variant {
+    gl::Flag<"SMOOTH_LIFE"> smoothLife;
+    gl::Range<"KERNELS", 1, 8> kernels;
+    gl::Range<"RANGE", 2, maxLeniaRadius> range;
+    gl::Code<"REACHES", "2,2,2,2,2"> reaches;  // of each row
+  };
+  LeniaGrid grid;
+  gl::Uniform<"dt", float> dt;
+  gl::Uniform<"limits", glm::vec4> limits;
+  gl::Uniform<"slopes", glm::vec2> slopes;
+  gl::Uniforms<"growth", glm::vec4, 8> growth;
+  gl::In<"padded"> padded;
+  gl::In<"weights"> weights;
+  gl::Out<"newCells"> next;
+};
+
+struct LeniaPaint {
+  static constexpr auto file = "lenia/paint.comp";
+  gl::Uniform<"rowItems", int> rowItems;
+  StrokeUniforms stroke;
+  gl::InOut<"cells"> cells;
+  gl::In<"stamps"> stamps;
+};
 
 class Lenia : public Simulation {
  public:
@@ -97,32 +132,20 @@ class Lenia : public Simulation {
   }
 
   void makePrograms(bool fast) {
-    const int range = plan_.range(), kernels = plan_.kernels();
-    pad_ = gl::Program::compute("lenia/pad.comp", gl::kernelDefines(false));
-    gl::Defines defines = gl::kernelDefines(fast);
-    defines.emplace_back("RANGE", std::to_string(range));
-    defines.emplace_back("KERNELS", std::to_string(kernels));
+    const int range = plan_.range();
+    pad_ = gl::Kernel<LeniaPad>(gl::kernelDefines(false));
     std::string reaches;
     for (int dy = -range; dy <= range; ++dy)
       reaches += (dy == -range ? "" : ",") + std::to_string(plan_.reach(dy));
-    defines.emplace_back("REACHES", reaches);
-    if (plan_.parameters().model == LeniaParameters::Model::smoothLife)
-      defines.emplace_back("SMOOTH_LIFE", "1");
-    step_ = gl::Program::compute("lenia/step.comp", defines);
-    for (const gl::Program* program : {&pad_, &step_}) {
-      program->set("size", size_);
-      program->set("rowItems", plan_.rowItems());
-      program->set("paddedItems", paddedItems_);
-      program->set("margin", margin_);
-    }
-    pad_.set("range", range);
-    step_.set("dt", plan_.dt());
-    step_.set("limits", plan_.limits());
-    step_.set("slopes", plan_.slopes());
-    for (int k = 0; k < kernels; ++k) step_.set(fmt::format("growth[{}]", k).c_str(), plan_.growth(k));
+    step_ =
+        gl::Kernel<LeniaStep>(gl::kernelDefines(fast),
+                              {.smoothLife = plan_.parameters().model == LeniaParameters::Model::smoothLife,
+                               .kernels = plan_.kernels(),
+                               .range = range,
+                               .reaches = reaches});
+    for (int k = 0; k < plan_.kernels(); ++k) growth_.push_back(plan_.growth(k));
     if (plan_.strokes().empty()) return;
-    paint_ = gl::Program::compute("lenia/paint.comp", gl::kernelDefines(false));
-    paint_.set("rowItems", plan_.rowItems());
+    paint_ = gl::Kernel<LeniaPaint>(gl::kernelDefines(false));
     const auto& bits = plan_.strokes().imageBits();
     std::vector<glm::uvec4> stamps((bits.size() + 3) / 4);
     std::memcpy(stamps.data(), bits.data(), bits.size() * 4);
@@ -130,15 +153,18 @@ class Lenia : public Simulation {
   }
 
   void advance() {
-    gl::barrier();
-    cells_[0].bindInput(slot::cellsBinding);
-    padded_.bindState(slot::paddedBinding);
-    pad_.dispatch(paddedItems_, size_.y + 2 * plan_.range());
-    gl::barrier();
-    padded_.bindInput(slot::paddedBinding);
-    weights_.bindInput(slot::weightsBinding);
-    cells_[1].bindState(slot::nextCellsBinding);
-    step_.dispatch(plan_.rowItems(), size_.y);
+    const LeniaGrid grid = {
+        .size = size_, .rowItems = plan_.rowItems(), .paddedItems = paddedItems_, .margin = margin_};
+    pad_.dispatch({paddedItems_, size_.y + 2 * plan_.range()},
+                  {.grid = grid, .range = plan_.range(), .cells = cells_[0], .padded = padded_});
+    step_.dispatch({plan_.rowItems(), size_.y}, {.grid = grid,
+                                                 .dt = plan_.dt(),
+                                                 .limits = plan_.limits(),
+                                                 .slopes = plan_.slopes(),
+                                                 .growth = growth_,
+                                                 .padded = padded_,
+                                                 .weights = weights_,
+                                                 .next = cells_[1]});
     std::swap(cells_[0], cells_[1]);
     std::swap(words_[0], words_[1]);
   }
@@ -147,11 +173,10 @@ class Lenia : public Simulation {
     for (const shader::Stroke& stroke : strokes) {
       const glm::ivec4 box = Strokes::box(stroke, size_);
       if (box.z == 0) continue;
-      gl::barrier();
-      setStroke(paint_, stroke, box);
-      stamps_.bindInput(slot::stampsBinding);
-      cells_[0].bindState(slot::cellsBinding);
-      paint_.dispatch((box.x + box.z - 1) / 4 - box.x / 4 + 1, box.w);
+      paint_.dispatch({(box.x + box.z - 1) / 4 - box.x / 4 + 1, box.w}, {.rowItems = plan_.rowItems(),
+                                                                         .stroke = uniformsOf(stroke, box),
+                                                                         .cells = cells_[0],
+                                                                         .stamps = stamps_});
     }
   }
 
@@ -164,7 +189,10 @@ class Lenia : public Simulation {
   gl::Texture words_[2];
   gl::Vec4Array padded_, weights_;
   gl::WordsArray stamps_;
-  gl::Program pad_, step_, paint_;
+  std::vector<glm::vec4> growth_;
+  gl::Kernel<LeniaPad> pad_;
+  gl::Kernel<LeniaStep> step_;
+  gl::Kernel<LeniaPaint> paint_;
 };
 
 }  // namespace

@@ -4,9 +4,30 @@
 #include "sim/life/stepper.hpp"
 
 #include <algorithm>
-#include <string>
 
 namespace simreel::sim {
+
+struct LifeActiveKernel {
+  static constexpr auto file = "life/active.comp";
+  struct Variant {
+    LifeRuleVariant rule;
+    gl::Range<"STEPS", 1, 16> steps;
+    gl::Range<"TILE_WORDS", 1, 4> tileWords;
+    gl::Range<"TILE_ROWS", 8, 64> tileRows;
+    gl::Range<"TILES", 1, 8192> tiles;
+    gl::Flag<"OVERLAP"> overlap;
+    gl::Flag<"TORUS"> torus;
+  };
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"rowWords", int> rowWords;
+  gl::Uniform<"firstPass", unsigned> firstPass;
+  gl::Uniform<"passes", int> passes;
+  gl::Uniform<"all", bool> all;
+  gl::In<"cellTexels"> texels;
+  gl::InOut<"CellBlock"> cells;
+  gl::InOut<"MarkBlock"> marks;
+  gl::InOut<"StatusBlock"> status;
+};
 
 namespace {
 
@@ -40,20 +61,13 @@ LifeActive::LifeActive(const CellRule& rule, bool torus, glm::ivec2 size)
   cells_ = gl::Buffer("cells in tiles", 2 * bytes);
   texels_ = gl::Texture::view("cells in tiles", GL_R32UI, cells_, 4);
   marks_ = gl::Buffer("tiles that move", static_cast<std::size_t>(tiles) * 4);
-  gl::Defines defines = gl::kernelDefines(false);
-  const auto define = [&](const char* name, int value) {
-    defines.emplace_back(name, std::to_string(value));
-  };
-  defineRule(defines, rule);
-  define("STEPS", steps);
-  define("TILE_WORDS", tileWords);
-  define("TILE_ROWS", tileRows);
-  define("TILES", tiles);
-  if (size.y % tileRows != 0) define("OVERLAP", 1);
-  if (torus) define("TORUS", 1);
-  program_ = gl::Program::compute("life/active.comp", defines);
-  program_.set("size", size);
-  program_.set("rowWords", (size.x + 127) / 128 * 4);
+  kernel_ = gl::Kernel<LifeActiveKernel>(gl::kernelDefines(false), {.rule = variantOf(rule),
+                                                                    .steps = steps,
+                                                                    .tileWords = tileWords,
+                                                                    .tileRows = tileRows,
+                                                                    .tiles = tiles,
+                                                                    .overlap = size.y % tileRows != 0,
+                                                                    .torus = torus});
 }
 
 void LifeActive::run(gl::WordsArray& cells, int passes, const gl::Buffer& status) {
@@ -62,17 +76,17 @@ void LifeActive::run(gl::WordsArray& cells, int passes, const gl::Buffer& status
   ++pass_;  // a mark of the last run is no mark of this one
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glCopyNamedBufferSubData(cells.buffer().name(), cells_.name(), 0, half(), bytes);
-  texels_.bindImage(shader::life::cellsBinding, GL_READ_ONLY);
-  cells_.bindStorage(shader::life::cellsBinding);
-  marks_.bindStorage(shader::life::marksBinding);
-  status.bindStorage(shader::statusBinding);
   for (int done = 0; done < passes;) {
     const int some = std::min(passes - done, passesPerDispatch_);
-    program_.set("firstPass", pass_);
-    program_.set("passes", some);
-    program_.set("all", done == 0 ? 1 : 0);
-    program_.dispatch(1);
-    gl::barrier();
+    kernel_.dispatch(1, {.size = size_,
+                         .rowWords = (size_.x + 127) / 128 * 4,
+                         .firstPass = pass_,
+                         .passes = some,
+                         .all = done == 0,
+                         .texels = texels_,
+                         .cells = cells_,
+                         .marks = marks_,
+                         .status = status});
     done += some;
     pass_ += static_cast<unsigned>(some);
   }

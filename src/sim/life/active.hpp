@@ -1,7 +1,7 @@
 #pragma once
 #include "gl/buffer.hpp"
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 #include "sim/automata/rule/cell_rule.hpp"
 
@@ -10,6 +10,8 @@
 #include <glm/vec2.hpp>
 
 namespace simreel::sim {
+
+struct LifeActiveKernel;
 
 /// Advances a small grid by many generations a dispatch, computing only tiles near something that moves
 /// (glsl/life/active.comp). For drivers on the CPU, where one work group is one thread: much work is better
@@ -28,8 +30,8 @@ class LifeActive {
   LifeActive(const CellRule& rule, bool torus, glm::ivec2 size);
 
   /// `passes` passes of `steps` generations, in place. Earlier writes must be visible (gl::barrier), and so
-  /// are those of this when it returns. `status` (glsl/common/status.glsl) is noted lost where the driver
-  /// ended a loop before its end.
+  /// are those of this when it returns: cells are copied. `status` (glsl/common/status.glsl) is noted lost
+  /// where the driver ended a loop before its end.
   void run(gl::WordsArray& cells, int passes, const gl::Buffer& status);
 
  private:
@@ -40,7 +42,7 @@ class LifeActive {
   gl::Buffer cells_;  ///< both halves: before and after a pass
   gl::Texture texels_;
   gl::Buffer marks_;
-  gl::Program program_;
+  gl::Kernel<LifeActiveKernel> kernel_;
 };
 
 }  // namespace simreel::sim

@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "gl/element_array.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/limits.hpp"
-#include "gl/program.hpp"
 #include "sim/automata/engine/cell_engine.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/life/active.hpp"
@@ -32,6 +32,35 @@ std::vector<glm::uvec4> elements(const std::vector<std::uint32_t>& words) {
   return result;
 }
 
+struct LifeFill {
+  static constexpr auto file = "life/fill.comp";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"rowBlocks", int> rowBlocks;
+  gl::Uniform<"seed", int> seed;
+  gl::Uniform<"fraction", int> fraction;
+  gl::Uniform<"firstBlock", int> firstBlock;
+  gl::Out<"cells"> cells;
+};
+
+struct LifeTrail {
+  static constexpr auto file = "life/trail.comp";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"rowBlocks", int> rowBlocks;
+  gl::Uniform<"rowQuads", int> rowQuads;
+  gl::Uniform<"bright", unsigned> bright;
+  gl::Uniform<"drop", unsigned> drop;
+  gl::In<"cells"> cells;
+  gl::InOut<"trails"> trails;
+};
+
+struct LifePaint {
+  static constexpr auto file = "life/paint.comp";
+  gl::Uniform<"rowBlocks", int> rowBlocks;
+  StrokeUniforms stroke;
+  gl::InOut<"cells"> cells;
+  gl::In<"stamps"> stamps;
+};
+
 class Life : public Simulation {
  public:
   Life(LifePlan plan, const scene::Object& object, const Setting& setting)
@@ -49,8 +78,7 @@ class Life : public Simulation {
     status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
     fill();
     if (!plan_.strokes().empty()) {
-      paint_ = gl::Program::compute("life/paint.comp", gl::kernelDefines(false));
-      paint_.set("rowBlocks", plan_.rowBlocks());
+      paint_ = gl::Kernel<LifePaint>(gl::kernelDefines(false));
       stamps_ = gl::WordsArray(name_ + " stamps", elements(plan_.strokes().imageBits()));
     }
     paint(plan_.strokesInto(plan_.generationAt(plan_.frameAt(setting.startTime))));
@@ -67,9 +95,8 @@ class Life : public Simulation {
     if (!watch) takeActive(end);
     while (generation_ < end) {
       const int steps = watch ? 1 : stepsAtOnce(end);
-      gl::barrier();
       if (engine_)
-        engine_->run(cells_[0], cells_[1]);
+        runEngine();
       else
         stepper_.run(cells_[0], cells_[1], steps);
       std::swap(cells_[0], cells_[1]);
@@ -149,6 +176,13 @@ class Life : public Simulation {
   }
 
  private:
+  /// The engine's kernels know nothing of what others write, nor these of what it writes.
+  void runEngine() {
+    gl::barrier();
+    engine_->run(cells_[0], cells_[1]);
+    gl::barrier();
+  }
+
   /// Before gigabytes are filled with zeros.
   void checkLimits() const {
     const long blocks = plan_.blocks();
@@ -164,17 +198,15 @@ class Life : public Simulation {
 
   void fill() {
     if (plan_.fillFraction() > 0) {
-      const auto program = gl::Program::compute("life/fill.comp", gl::kernelDefines(false));
-      program.set("size", size_);
-      program.set("rowBlocks", plan_.rowBlocks());
-      program.set("seed", plan_.seed());
-      program.set("fraction", plan_.fillFraction());
-      cells_[0].bindState(shader::life::cellsBinding);
+      const gl::Kernel<LifeFill> kernel(gl::kernelDefines(false));
       const auto blocks = static_cast<int>(plan_.blocks());
-      for (int first = 0; first < blocks; first += maxFillGroups * 64) {
-        program.set("firstBlock", first);
-        program.dispatch(std::min(blocks - first, maxFillGroups * 64));
-      }
+      for (int first = 0; first < blocks; first += maxFillGroups * 64)
+        kernel.dispatch(std::min(blocks - first, maxFillGroups * 64), {.size = size_,
+                                                                       .rowBlocks = plan_.rowBlocks(),
+                                                                       .seed = plan_.seed(),
+                                                                       .fraction = plan_.fillFraction(),
+                                                                       .firstBlock = first,
+                                                                       .cells = cells_[0]});
       gl::barrier();
     }
     if (!plan_.hasPatterns()) return;
@@ -184,23 +216,21 @@ class Life : public Simulation {
   }
 
   void startTrail() {
-    const LifeParameters& p = plan_.parameters();
     trailQuads_ = (size_.x + 15) / 16;
     trail_ = gl::WordsArray(name_ + " trail", trailQuads_ * size_.y);
-    fade_ = gl::Program::compute("life/trail.comp", gl::kernelDefines(false));
-    fade_.set("size", size_);
-    fade_.set("rowBlocks", plan_.rowBlocks());
-    fade_.set("rowQuads", trailQuads_);
-    fade_.set("bright", static_cast<unsigned>(p.brightLevel()));
-    fade_.set("drop", static_cast<unsigned>(p.brightLevel() - p.trail));
+    fade_ = gl::Kernel<LifeTrail>(gl::kernelDefines(false));
     fadeTrail();
   }
 
   void fadeTrail() {
-    gl::barrier();
-    cells_[0].bindInput(shader::life::cellsBinding);
-    trail_.bindState(shader::life::trailsBinding);
-    fade_.dispatch(trailQuads_, size_.y);
+    const LifeParameters& p = plan_.parameters();
+    fade_.dispatch({trailQuads_, size_.y}, {.size = size_,
+                                            .rowBlocks = plan_.rowBlocks(),
+                                            .rowQuads = trailQuads_,
+                                            .bright = static_cast<unsigned>(p.brightLevel()),
+                                            .drop = static_cast<unsigned>(p.brightLevel() - p.trail),
+                                            .cells = cells_[0],
+                                            .trails = trail_});
   }
 
   /// Most of the generations up to `end`, where many are due and nothing looks at or paints those between.
@@ -229,11 +259,11 @@ class Life : public Simulation {
     for (const shader::Stroke& stroke : strokes) {
       const glm::ivec4 box = Strokes::box(stroke, size_);
       if (box.z == 0) continue;
-      gl::barrier();
-      setStroke(paint_, stroke, box);
-      stamps_.bindInput(shader::life::stampsBinding);
-      cells_[0].bindState(shader::life::cellsBinding);
-      paint_.dispatch((box.x + box.z - 1) / 128 - box.x / 128 + 1, box.w);
+      paint_.dispatch({(box.x + box.z - 1) / 128 - box.x / 128 + 1, box.w},
+                      {.rowBlocks = plan_.rowBlocks(),
+                       .stroke = uniformsOf(stroke, box),
+                       .cells = cells_[0],
+                       .stamps = stamps_});
     }
   }
 
@@ -247,7 +277,8 @@ class Life : public Simulation {
   gl::Buffer status_;                 ///< of active_
   gl::WordsArray cells_[2];           ///< now, and where the next pass writes
   gl::WordsArray trail_, stamps_;
-  gl::Program paint_, fade_;
+  gl::Kernel<LifePaint> paint_;
+  gl::Kernel<LifeTrail> fade_;
   int trailQuads_ = 0;  ///< elements of 16 bytes in a row of the trail; 0: no trail
   bool started_ = false;
   long generation_ = 0, firstGeneration_ = 0;

@@ -1,7 +1,7 @@
 #include "sim/life/states.hpp"
 
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/automata/engine/cell_engine.hpp"
 #include "sim/life/rle.hpp"
 
@@ -10,10 +10,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-
-namespace simreel::shader::automata {
-#include "glsl/automata/bindings.glsl"
-}
 
 namespace simreel::sim {
 
@@ -25,6 +21,15 @@ std::vector<glm::uvec4> wholeElements(const std::vector<T>& items) {
   std::memcpy(result.data(), items.data(), items.size() * sizeof(T));
   return result;
 }
+
+struct StatesPaint {
+  static constexpr auto file = "automata/paint.comp";
+  gl::Uniform<"rowItems", int> rowItems;
+  gl::Uniform<"highest", int> highest;
+  StrokeUniforms stroke;
+  gl::InOut<"cells"> cells;
+  gl::In<"stamps"> stamps;
+};
 
 class LifeStates : public Simulation {
  public:
@@ -38,9 +43,7 @@ class LifeStates : public Simulation {
     cells_[0] = gl::WordsArray(name_ + " cells", first);
     cells_[1] = gl::WordsArray(name_ + " next cells", static_cast<int>(first.size()));
     if (!plan_.strokes().empty()) {
-      paint_ = gl::Program::compute("automata/paint.comp", gl::kernelDefines(false));
-      paint_.set("rowItems", rowItems());
-      paint_.set("highest", plan_.rule().states - 1);
+      paint_ = gl::Kernel<StatesPaint>(gl::kernelDefines(false));
       stamps_ = gl::WordsArray(name_ + " stamps", wholeElements(plan_.strokes().imageBits()));
     }
     paint(plan_.strokesInto(plan_.generationAt(plan_.frameAt(setting.startTime))));
@@ -56,6 +59,7 @@ class LifeStates : public Simulation {
     while (generation_ < end) {
       gl::barrier();
       engine_.run(cells_[0], cells_[1]);
+      gl::barrier();  // its kernels are gl::Programs
       std::swap(cells_[0], cells_[1]);
       ++generation_;
       paint(plan_.strokesInto(generation_));
@@ -121,11 +125,12 @@ class LifeStates : public Simulation {
     for (const shader::Stroke& stroke : strokes) {
       const glm::ivec4 box = Strokes::box(stroke, size_);
       if (box.z == 0) continue;
-      gl::barrier();
-      setStroke(paint_, stroke, box);
-      stamps_.bindInput(shader::automata::stampsBinding);
-      cells_[0].bindState(shader::automata::cellsBinding);
-      paint_.dispatch((box.x + box.z - 1) / 16 - box.x / 16 + 1, box.w);
+      paint_.dispatch({(box.x + box.z - 1) / 16 - box.x / 16 + 1, box.w},
+                      {.rowItems = rowItems(),
+                       .highest = plan_.rule().states - 1,
+                       .stroke = uniformsOf(stroke, box),
+                       .cells = cells_[0],
+                       .stamps = stamps_});
     }
   }
 
@@ -136,7 +141,7 @@ class LifeStates : public Simulation {
   CellEngine engine_;
   gl::WordsArray cells_[2];  ///< now, and where the next generation is written
   gl::WordsArray stamps_;
-  gl::Program paint_;
+  gl::Kernel<StatesPaint> paint_;
   bool started_ = false;
   long generation_ = 0, firstGeneration_ = 0;
 };

@@ -3,17 +3,36 @@
 #include "gl/element_array.hpp"
 #include "sim/automata/engine/bit_formula.hpp"
 
-#include <string>
-
 namespace simreel::sim {
 
-void defineRule(gl::Defines& defines, const CellRule& rule) {
+struct LifeStep {
+  static constexpr auto file = "life/step.comp";
+  struct Variant {
+    LifeRuleVariant rule;
+    gl::Range<"STEPS", 1, 16> steps;
+    gl::Range<"BLOCKS", 1, 4> blocks;
+    gl::Range<"ROWS", 1, 256> rows;
+    gl::Range<"GROUP_X", 1, 64> groupX;
+    gl::Range<"GROUP_Y", 1, 8> groupY;
+    gl::Flag<"FLAT"> flat;
+    gl::Flag<"TORUS"> torus;
+    gl::Flag<"WHOLE"> whole;
+  };
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"rowBlocks", int> rowBlocks;
+  gl::In<"cells"> cells;
+  gl::Out<"newCells"> next;
+};
+
+LifeRuleVariant variantOf(const CellRule& rule) {
+  LifeRuleVariant variant;
   if (rule.family == CellRule::Family::map) {
-    defines.emplace_back("FORMULA", bitFormula(rule));
-    return;
+    variant.formula = bitFormula(rule);
+  } else {
+    variant.born = static_cast<int>(rule.counts.born);
+    variant.survive = static_cast<int>(rule.counts.survives);
   }
-  defines.emplace_back("BORN", std::to_string(rule.counts.born));
-  defines.emplace_back("SURVIVE", std::to_string(rule.counts.survives));
+  return variant;
 }
 
 LifeTuning LifeTuning::best(glm::ivec2 size) {
@@ -45,32 +64,22 @@ int LifeStepper::stepsOf(long due) const {
 void LifeStepper::run(const gl::WordsArray& from, const gl::WordsArray& to, int steps) {
   const int rowBlocks = (size_.x + 127) / 128;
   auto found = programs_.find(steps);
-  if (found == programs_.end()) {
-    gl::Defines defines = gl::kernelDefines(false);
-    const auto define = [&](const char* name, int value) {
-      defines.emplace_back(name, std::to_string(value));
-    };
-    defineRule(defines, rule_);
-    define("STEPS", steps);
-    define("BLOCKS", tuning_.blocks);
-    define("ROWS", tuning_.rows);
-    define("GROUP_X", tuning_.group.x);
-    define("GROUP_Y", tuning_.group.y);
-    if (tuning_.flat) define("FLAT", 1);
-    if (torus_) define("TORUS", 1);
-    if (whole_) define("WHOLE", 1);
-    found = programs_.emplace(steps, gl::Program::compute("life/step.comp", defines)).first;
-    found->second.set("size", size_);
-    found->second.set("rowBlocks", rowBlocks);
-  }
-  from.bindInput(shader::life::cellsBinding);
-  to.bindState(shader::life::nextCellsBinding);
+  if (found == programs_.end())
+    found = programs_
+                .emplace(steps, gl::Kernel<LifeStep>(gl::kernelDefines(false), {.rule = variantOf(rule_),
+                                                                                .steps = steps,
+                                                                                .blocks = tuning_.blocks,
+                                                                                .rows = tuning_.rows,
+                                                                                .groupX = tuning_.group.x,
+                                                                                .groupY = tuning_.group.y,
+                                                                                .flat = tuning_.flat,
+                                                                                .torus = torus_,
+                                                                                .whole = whole_}))
+                .first;
   const int across = (rowBlocks + tuning_.blocks - 1) / tuning_.blocks;
   const int down = (size_.y + tuning_.rows - 1) / tuning_.rows;
-  if (tuning_.flat)
-    found->second.dispatch(across * down, 1);
-  else
-    found->second.dispatch(across, down);
+  found->second.dispatch(tuning_.flat ? glm::ivec2(across * down, 1) : glm::ivec2(across, down),
+                         {.size = size_, .rowBlocks = rowBlocks, .cells = from, .next = to});
 }
 
 }  // namespace simreel::sim

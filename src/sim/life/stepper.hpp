@@ -1,20 +1,24 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/automata/rule/cell_rule.hpp"
 
 #include <map>
 
 #include <glm/vec2.hpp>
 
-namespace simreel::shader::life {
-#include "glsl/life/bindings.glsl"
-}
-
 namespace simreel::sim {
 
-/// What glsl/life/step.comp and active.comp want of a rule on bits.
-void defineRule(gl::Defines& defines, const CellRule& rule);
+/// What glsl/life/step.comp and active.comp want of a rule on bits, a part of their variants: a formula, or
+/// counts.
+struct LifeRuleVariant {
+  gl::Code<"FORMULA", ""> formula;
+  gl::Range<"BORN", 0, 511> born;
+  gl::Range<"SURVIVE", 0, 511> survive;
+};
+[[nodiscard]] LifeRuleVariant variantOf(const CellRule& rule);
+
+struct LifeStep;
 
 /// How the kernel glsl/life/step.comp cuts the grid.
 struct LifeTuning {
@@ -40,7 +44,7 @@ class LifeStepper {
   /// Generations of the next pass where `due` are due: maxSteps(), else 4 where that allows them, else 1,
   /// so that few programs are made.
   [[nodiscard]] int stepsOf(long due) const;
-  /// `steps` from 1 to maxSteps(). Earlier writes must be visible (gl::barrier).
+  /// `steps` from 1 to maxSteps().
   void run(const gl::WordsArray& from, const gl::WordsArray& to, int steps);
 
  private:
@@ -50,7 +54,7 @@ class LifeStepper {
   LifeTuning tuning_;
   bool whole_ = false;
   int maxSteps_ = 1;
-  std::map<int, gl::Program> programs_;  ///< by steps
+  std::map<int, gl::Kernel<LifeStep>> programs_;  ///< by steps
 };
 
 }  // namespace simreel::sim

@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/radix_sort.hpp"
 #include "sim/contact/solid.hpp"
 #include "sim/core/position_readback.hpp"
@@ -28,6 +28,35 @@ namespace {
 struct Vertices {
   gl::Vec4Array positions, normals;
   GLsync drawn = nullptr;  ///< reached once the GPU has read a mapped slot
+};
+
+struct PressKernel {
+  static constexpr auto file = "mesh/press.comp";
+  gl::Block<"DeformBlock", shader::DeformStep> step;
+  gl::InOut<"trail"> trail;
+};
+
+struct DisplaceKernel {
+  static constexpr auto file = "mesh/displace.comp";
+  struct Variant {
+    gl::Range<"DISPLACEMENTS", 0, shader::maxDisplacements> displacements;
+    gl::Code<"FIRST_KINDS", "0"> firstKinds;  // four bits a displacement
+    gl::Code<"LAST_KINDS", "0"> lastKinds;
+  };
+  gl::Block<"DeformBlock", shader::DeformStep> step;
+  gl::In<"restPositions"> restPositions;
+  gl::In<"trail"> trail;
+  gl::Out<"positions"> positions;
+};
+
+struct NormalKernel {
+  static constexpr auto file = "mesh/normal.comp";
+  gl::Block<"DeformBlock", shader::DeformStep> step;
+  gl::In<"positions"> positions;
+  gl::In<"restNormals"> restNormals;
+  gl::In<"fans"> fans;
+  gl::In<"faces"> faces;
+  gl::Out<"normals"> normals;
 };
 
 class DeformedMesh : public Simulation, public ContactSolid {
@@ -181,7 +210,9 @@ class DeformedMesh : public Simulation, public ContactSolid {
   std::array<Vertices, 3> vertices_;  ///< three when mapped, else one
   std::size_t current_ = 0;
   gl::WordsArray fans_, faces_;
-  gl::Program press_, displace_, gather_;
+  gl::Kernel<PressKernel> press_;
+  gl::Kernel<DisplaceKernel> displace_;
+  gl::Kernel<NormalKernel> gather_;
   std::unique_ptr<PositionReadback> readback_;
   std::optional<HeightField> heights_;    ///< of a mesh that collides
   bool hasHeights_ = false;               ///< whether they begin with the first frame
@@ -204,23 +235,19 @@ void DeformedMesh::makeVertices() {
 }
 
 void DeformedMesh::makePrograms(bool fast) {
-  gl::Defines defines = gl::kernelDefines(fast);
-  if (plan_.hasTrail()) {
-    press_ = gl::Program::compute("mesh/press.comp", defines);
-    press_.checkUniformBlock("DeformBlock", sizeof(shader::DeformStep));
-  }
+  const gl::Defines defines = gl::kernelDefines(fast);
+  if (plan_.hasTrail()) press_ = gl::Kernel<PressKernel>(defines);
   if (technique_ != DeformTechnique::compute) return;
-  gather_ = gl::Program::compute("mesh/normal.comp", defines);
+  gather_ = gl::Kernel<NormalKernel>(defines);
   const shader::DeformStep step = plan_.at(0);
   static_assert(shader::maxDisplacements == 16);
   std::uint32_t kinds[2] = {0, 0};
   for (int i = 0; i < step.displacementCount; ++i)
     kinds[i / 8] |= static_cast<std::uint32_t>(step.displacements[i].kind) << (4 * (i % 8));
-  defines.emplace_back("DISPLACEMENTS", std::to_string(step.displacementCount));
-  defines.emplace_back("FIRST_KINDS", fmt::format("{}", std::bit_cast<std::int32_t>(kinds[0])));
-  defines.emplace_back("LAST_KINDS", fmt::format("{}", std::bit_cast<std::int32_t>(kinds[1])));
-  displace_ = gl::Program::compute("mesh/displace.comp", defines);
-  displace_.checkUniformBlock("DeformBlock", sizeof(shader::DeformStep));
+  displace_ = gl::Kernel<DisplaceKernel>(
+      defines, {.displacements = step.displacementCount,
+                .firstKinds = fmt::format("{}", std::bit_cast<std::int32_t>(kinds[0])),
+                .lastKinds = fmt::format("{}", std::bit_cast<std::int32_t>(kinds[1]))});
   fans_ = gl::WordsArray(name_ + " fans", static_cast<int>(rest_.fans.size()));
   fans_.write(rest_.fans);
   faces_ = gl::WordsArray(name_ + " faces", static_cast<int>(rest_.faces.size()));
@@ -237,10 +264,8 @@ void DeformedMesh::press(double time) {
     return;
   }
   block_.write(0, std::as_bytes(std::span(&step, 1)));
-  block_.bindUniform(shader::stepBinding, 0, sizeof step);
-  trail_.bindState(shader::mesh::trailBinding);
+  press_.dispatch(plan_.trailCells(), {.step = block_, .trail = trail_});
   gl::barrier();
-  press_.dispatch(plan_.trailCells().x, plan_.trailCells().y);
 }
 
 void DeformedMesh::deform(double time) {
@@ -265,20 +290,17 @@ void DeformedMesh::deform(double time) {
 
 void DeformedMesh::deformOnDevice() {
   const int count = static_cast<int>(rest_.positions.size());
-  block_.bindUniform(shader::stepBinding, 0, sizeof(shader::DeformStep));
-  restPositions_.bindInput(shader::mesh::restPositionsBinding);
-  trail_.bindInput(shader::mesh::trailBinding);
-  shown().positions.bindState(shader::mesh::positionsBinding);
   gl::barrier();
-  displace_.dispatch(count);
-  gl::barrier();
+  displace_.dispatch(
+      count,
+      {.step = block_, .restPositions = restPositions_, .trail = trail_, .positions = shown().positions});
   clock_.lap(&StageTimes::deform);
-  shown().positions.bindInput(shader::mesh::positionsBinding);
-  restNormals_.bindInput(shader::mesh::restNormalsBinding);
-  shown().normals.bindState(shader::mesh::normalsBinding);
-  fans_.bindInput(shader::mesh::fansBinding);
-  faces_.bindInput(shader::mesh::facesBinding);
-  gather_.dispatch(count);
+  gather_.dispatch(count, {.step = block_,
+                           .positions = shown().positions,
+                           .restNormals = restNormals_,
+                           .fans = fans_,
+                           .faces = faces_,
+                           .normals = shown().normals});
   gl::barrier();
   clock_.lap(&StageTimes::normals);
   if (!readback_) return;

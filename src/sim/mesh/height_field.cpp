@@ -5,6 +5,15 @@
 
 namespace simreel::sim {
 
+struct HeightsKernel {
+  static constexpr auto file = "mesh/heights.comp";
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"lift", float> lift;
+  gl::Uniform<"component", int> component;
+  gl::In<"positions"> positions;
+  gl::InOut<"heights"> heights;
+};
+
 namespace {
 
 std::size_t countOf(glm::ivec2 size) {
@@ -23,17 +32,16 @@ constinit const PortInfo HeightField::port = {
 HeightField::HeightField(const std::string& name, const HeightPlan& plan)
     : plan_(plan),
       heights_(name + " heights", std::vector<glm::vec4>(countOf(plan.size()), glm::vec4(0))),
-      keep_(gl::Program::compute("mesh/heights.comp", gl::kernelDefines(false))) {
-  keep_.set("count", static_cast<int>(countOf(plan.size())));
-  keep_.set("lift", plan.lift());
-}
+      keep_(gl::kernelDefines(false)) {}
 
 void HeightField::take(const gl::Vec4Array& positions, int component) {
-  keep_.set("component", component);
-  positions.bindInput(shader::mesh::positionsBinding);
-  heights_.bindState(shader::heightsBinding);
+  const auto count = static_cast<int>(countOf(plan_.size()));
   gl::barrier();
-  keep_.dispatch(static_cast<int>(countOf(plan_.size())));
+  keep_.dispatch(count, {.count = count,
+                         .lift = plan_.lift(),
+                         .component = component,
+                         .positions = positions,
+                         .heights = heights_});
   gl::barrier();
 }
 

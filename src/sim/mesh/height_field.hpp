@@ -1,5 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/program.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/core/port.hpp"
@@ -7,11 +8,9 @@
 
 #include <string>
 
-namespace simreel::shader::mesh {
-#include "glsl/mesh/bindings.glsl"
-}
-
 namespace simreel::sim {
+
+struct HeightsKernel;
 
 /// Heights of a deformed plane on the GPU, at the beginning and at the end of a frame, for those that fall
 /// onto it (glsl/mesh/height_model.glsl).
@@ -33,7 +32,7 @@ class HeightField {
  private:
   HeightPlan plan_;
   gl::Vec4Array heights_;  ///< x before, y now (m)
-  gl::Program keep_;
+  gl::Kernel<HeightsKernel> keep_;
 };
 
 }  // namespace simreel::sim

@@ -13,6 +13,16 @@ namespace simreel::shader::mesh_cells {
 
 namespace simreel::sim {
 
+struct MeshPaintKernel {
+  static constexpr auto file = "mesh_cells/paint.comp";
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"firstWord", int> firstWord;
+  gl::Uniform<"range", glm::vec2> range;
+  gl::In<"cellWords"> words;
+  gl::In<"rest"> rest;
+  gl::Out<"PaintedBlock"> painted;
+};
+
 namespace {
 
 std::vector<glm::uvec4> restWords(const Mesh& mesh, const MeshCells& cells) {
@@ -44,18 +54,16 @@ PaintedMesh::PaintedMesh(const std::string& name, const Mesh& mesh, const MeshCe
       paintedView_(gl::Texture::view(name + " painted vertices", GL_RGBA32F, painted_)),
       normalView_(gl::Texture::view(name + " normals", GL_RGBA32F, normals_)),
       palette_(name + " colours", paletteOf(colors, shader::mesh_cells::meshColors)),
-      paint_(gl::Program::compute("mesh_cells/paint.comp", gl::kernelDefines(false))) {
-  paint_.set("count", count_);
-}
+      paint_(gl::kernelDefines(false)) {}
 
 void PaintedMesh::paint(const gl::Texture& words, int firstWord, glm::vec2 range) {
-  words.bind(shader::mesh_cells::cellValuesUnit);
-  rest_.bindInput(shader::mesh_cells::restBinding);
-  painted_.bindStorage(shader::mesh_cells::paintedBinding);
-  paint_.set("firstWord", firstWord);
-  paint_.set("range", glm::vec2(range.x, 1 / (range.y - range.x)));
   gl::barrier();
-  paint_.dispatch(count_);
+  paint_.dispatch(count_, {.count = count_,
+                           .firstWord = firstWord,
+                           .range = glm::vec2(range.x, 1 / (range.y - range.x)),
+                           .words = words,
+                           .rest = rest_,
+                           .painted = painted_});
   gl::barrier();
 }
 

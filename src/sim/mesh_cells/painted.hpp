@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/core/drawable.hpp"
 #include "sim/core/simulation.hpp"
 #include "sim/mesh/buffers.hpp"
@@ -12,6 +12,8 @@
 #include <glm/vec2.hpp>
 
 namespace simreel::sim {
+
+struct MeshPaintKernel;
 
 /// A mesh whose vertices have the colours of their cells' values, by a kernel from where the values are.
 class PaintedMesh {
@@ -35,7 +37,7 @@ class PaintedMesh {
   gl::Buffer painted_, normals_;
   gl::Texture paintedView_, normalView_;
   gl::Vec4Array palette_;
-  gl::Program paint_;
+  gl::Kernel<MeshPaintKernel> paint_;
 };
 
 }  // namespace simreel::sim

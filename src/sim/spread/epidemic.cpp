@@ -13,6 +13,21 @@ namespace simreel::sim {
 
 namespace {
 
+struct EpidemicStepKernel {
+  static constexpr auto file = "spread/epidemic/step.comp";
+  struct Variant {
+    gl::Flag<"MIXED"> mixed;
+  };
+  SpreadStepPart part;
+  gl::Block<"StepBlock", decltype(EpidemicPlan::Step::data)> told;
+};
+
+struct EpidemicPaintKernel {
+  static constexpr auto file = "spread/epidemic/paint.comp";
+  SpreadPaintPart part;
+  gl::Block<"StepBlock", decltype(EpidemicPlan::Step::data)> told;
+};
+
 class Epidemic final : public Simulation {
  public:
   Epidemic(const scene::Object& object, const Setting& setting)
@@ -20,18 +35,24 @@ class Epidemic final : public Simulation {
         plan_(checked(object), object.name, setting.seed, setting.frameSeconds),
         palette_(plan_.palette()),
         steps_(name_ + " steps", plan_.stepsPerFrame()) {
-    gl::Defines defines = gl::kernelDefines(setting.fast);
-    if (parameters().mixing == EpidemicParameters::Mixing::global) defines.emplace_back("MIXED", "1");
-    grid_.emplace(name_, parameters(), plan_.firstCells(), plan_.stepsPerFrame(), "epidemic", defines,
-                  plan_.strokes());
+    const gl::Defines defines = gl::kernelDefines(setting.fast);
+    step_ = gl::Kernel<EpidemicStepKernel>(
+        defines, {.mixed = parameters().mixing == EpidemicParameters::Mixing::global});
+    paint_ = gl::Kernel<EpidemicPaintKernel>(defines);
+    grid_.emplace(name_, parameters(), plan_.firstCells(), plan_.stepsPerFrame(), plan_.strokes());
     const glm::uvec4 start = grid_->latestCounts();
     plan_.setPeople(start.x + start.y + start.z);
-    steps_.bind(0);
-    grid_->paintFirst(plan_.firstStrokes(setting.startTime));
+    grid_->paintFirst(plan_.firstStrokes(setting.startTime), steps_.at(0), *this);
   }
 
   void step(double time, const StepWatch& watch) override {
-    grid_->runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch, [] {});
+    grid_->runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch, *this);
+  }
+  void step(glm::ivec2 items, const SpreadStepPart& part, const gl::Resource& told) const {
+    step_.dispatch(items, {.part = part, .told = told});
+  }
+  void paint(glm::ivec2 items, const SpreadPaintPart& part, const gl::Resource& told) const {
+    paint_.dispatch(items, {.part = part, .told = told});
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
@@ -73,6 +94,8 @@ class Epidemic final : public Simulation {
   std::vector<glm::vec3> palette_;
   StepBlocks<decltype(EpidemicPlan::Step::data)> steps_;
   std::optional<SpreadGrid> grid_;
+  gl::Kernel<EpidemicStepKernel> step_;
+  gl::Kernel<EpidemicPaintKernel> paint_;
 };
 
 /// A plan whose cells tell of mistakes: of a grid that takes gigabytes, a small one from the same picture.

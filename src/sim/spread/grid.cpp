@@ -65,8 +65,7 @@ void SpreadGrid::checkLimits(const std::string& name, glm::ivec2 size, int bytes
 }
 
 SpreadGrid::SpreadGrid(const std::string& name, const SpreadParameters& parameters,
-                       const std::vector<std::uint8_t>& cells, int stepsPerFrame, const char* folder,
-                       const gl::Defines& defines, const Strokes& strokes)
+                       const std::vector<std::uint8_t>& cells, int stepsPerFrame, const Strokes& strokes)
     : name_(name), size_(parameters.size), torus_(parameters.border == SpreadParameters::Border::torus) {
   const auto elements = packedCells(cells, size_);
   cells_[0] = gl::WordsArray(name + " cells", elements);
@@ -84,11 +83,6 @@ SpreadGrid::SpreadGrid(const std::string& name, const SpreadParameters& paramete
   if (gl::memoryPath() == gl::MemoryPath::texel)
     for (gl::WordsArray& tiles : tiles_)
       tiles = gl::WordsArray(name + " tiles", rowElements() * groupRows());
-  step_ = gl::Program::compute(fmt::format("spread/{}/step.comp", folder), defines);
-  paint_ = gl::Program::compute(fmt::format("spread/{}/paint.comp", folder), defines);
-  step_.set("size", size_);
-  step_.set("torus", torus_ ? 1 : 0);
-  paint_.set("size", size_);
 }
 
 void SpreadGrid::beginFrame(int steps) {
@@ -103,39 +97,32 @@ void SpreadGrid::beginFrame(int steps) {
   history_ = std::move(longer);
 }
 
-void SpreadGrid::paint(const std::vector<shader::Stroke>& strokes) {
-  for (const shader::Stroke& stroke : strokes) {
-    const glm::ivec4 box = Strokes::box(stroke, size_);
-    if (box.z <= 0 || box.w <= 0) continue;
-    const int first = box.x / 16;
-    const glm::ivec4 elements(first, box.y, (box.x + box.z + 15) / 16 - first, box.w);
-    setStroke(paint_, stroke, elements);
-    stamps_.bindInput(shader::spread::stampsBinding);
-    cells_[0].bindState(shader::spread::cellsBinding);
-    history_.buffer().bindStorage(shader::spread::countsBinding);
-    paint_.set("countPlace", done_);
-    paint_.dispatch(elements.z, elements.w);
-    gl::barrier();
-    fresh_ = true;
-  }
-}
-
-void SpreadGrid::paintFirst(const std::vector<shader::Stroke>& strokes) {
-  paint(strokes);
-  if (strokes.empty()) return;
+void SpreadGrid::startPainted() {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glCopyNamedBufferSubData(history_.buffer().name(), frameCounts_.name(), 0, 0, 16);
+  gl::barrier();
 }
 
-void SpreadGrid::step() {
+SpreadStepPart SpreadGrid::beginStep() {
   ++done_;
-  cells_[0].bindInput(shader::spread::cellsBinding);
-  cells_[1].bindState(shader::spread::nextCellsBinding);
-  history_.buffer().bindStorage(shader::spread::countsBinding);
-  step_.set("countPlace", done_);
-  if (gl::memoryPath() == gl::MemoryPath::texel) bindTiles();
-  step_.dispatch(rowElements(), groupRows());
-  gl::barrier();
+  if (gl::memoryPath() == gl::MemoryPath::texel && !fresh_) {
+    // The kernel adds what changes.
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    const GLuint history = history_.buffer().name();
+    glCopyNamedBufferSubData(history, history, GLintptr{done_ - 1} * 16, GLintptr{done_} * 16, 16);
+  }
+  return {.size = size_,
+          .torus = torus_,
+          .countPlace = done_,
+          .fresh = fresh_,
+          .cells = cells_[0],
+          .next = cells_[1],
+          .counts = history_.buffer(),
+          .tiles = tiles_[0],
+          .nextTiles = tiles_[1].buffer()};
+}
+
+void SpreadGrid::endStep() {
   std::swap(cells_[0], cells_[1]);
   std::swap(tiles_[0], tiles_[1]);
   fresh_ = false;
@@ -146,18 +133,8 @@ int SpreadGrid::groupRows() const {
   return (size_.y + rowsEach - 1) / rowsEach;
 }
 
-void SpreadGrid::bindTiles() {
-  tiles_[0].bindInput(shader::spread::tilesBinding);
-  tiles_[1].buffer().bindStorage(shader::spread::nextTilesBinding);
-  step_.set("fresh", fresh_ ? 1 : 0);
-  if (fresh_) return;
-  // The kernel adds what changes.
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  const GLuint history = history_.buffer().name();
-  glCopyNamedBufferSubData(history, history, GLintptr{done_ - 1} * 16, GLintptr{done_} * 16, 16);
-}
-
 void SpreadGrid::endFrame() {
+  gl::barrier();
   if (frameSteps_ == 0) return;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glCopyNamedBufferSubData(history_.buffer().name(), frameCounts_.name(),

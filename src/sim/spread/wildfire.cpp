@@ -11,6 +11,43 @@ namespace simreel::sim {
 
 namespace {
 
+struct WildfireStepKernel {
+  static constexpr auto file = "spread/wildfire/step.comp";
+  struct Variant {
+    gl::Flag<"EMBERS"> embers;
+    gl::Flag<"SLOPE"> slope;
+    gl::Flag<"GALES"> gales;
+  };
+  SpreadStepPart part;
+  gl::Block<"StepBlock", decltype(WildfirePlan::Step::data)> told;
+  gl::In<"fuels"> fuels;
+  gl::In<"ground"> ground;
+  gl::In<"gales"> gales;
+  gl::In<"inclines"> inclines;
+  gl::In<"climbs"> climbs;
+};
+
+struct WildfirePaintKernel {
+  static constexpr auto file = "spread/wildfire/paint.comp";
+  SpreadPaintPart part;
+  gl::Block<"StepBlock", decltype(WildfirePlan::Step::data)> told;
+  gl::In<"ground"> ground;
+};
+
+struct WildfireGaleKernel {
+  static constexpr auto file = "spread/wildfire/gale.comp";
+  struct Variant {
+    gl::Flag<"WIND"> wind;
+  };
+  FluidWindPart wind;
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"perCell", glm::vec2> perCell;
+  gl::Uniform<"scale", float> scale;
+  gl::Uniform<"rowGales", int> rowGales;
+  gl::Uniform<"count", int> count;
+  gl::Out<"gales"> gales;
+};
+
 class Wildfire final : public Simulation {
  public:
   Wildfire(const scene::Object& object, const Setting& setting)
@@ -18,13 +55,15 @@ class Wildfire final : public Simulation {
         plan_(checked(object), object.name, setting.seed, setting.frameSeconds),
         palette_(plan_.palette()),
         steps_(name_ + " steps", plan_.stepsPerFrame()),
-        grid_(name_, parameters(), plan_.firstCells(), plan_.stepsPerFrame(), "wildfire",
-              defines(parameters(), setting.fast), plan_.strokes()),
+        grid_(name_, parameters(), plan_.firstCells(), plan_.stepsPerFrame(), plan_.strokes()),
         fuels_(name_ + " fuel", packedCells(plan_.fuels(), parameters().size)),
         ground_(name_ + " ground", packedCells(plan_.ground(), parameters().size)) {
-    steps_.bind(0);
-    ground_.bindInput(shader::spread::groundBinding);
-    grid_.paintFirst(plan_.firstStrokes(setting.startTime));
+    const gl::Defines defines = gl::kernelDefines(setting.fast);
+    step_ = gl::Kernel<WildfireStepKernel>(
+        defines,
+        {.embers = parameters().hasEmbers, .slope = climbs(), .gales = !parameters().windFluid.empty()});
+    paint_ = gl::Kernel<WildfirePaintKernel>(defines);
+    grid_.paintFirst(plan_.firstStrokes(setting.startTime), steps_.at(0), *this);
     if (blown()) makeGales(setting);
     if (!climbs()) return;
     inclines_ = gl::WordsArray(name_ + " inclines", packedCells(plan_.inclines(), parameters().size));
@@ -33,7 +72,19 @@ class Wildfire final : public Simulation {
 
   void step(double time, const StepWatch& watch) override {
     if (blown()) blow(time);
-    grid_.runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch, [&] { bindMaps(); });
+    grid_.runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch, *this);
+  }
+  void step(glm::ivec2 items, const SpreadStepPart& part, const gl::Resource& told) const {
+    step_.dispatch(items, {.part = part,
+                           .told = told,
+                           .fuels = fuels_,
+                           .ground = ground_,
+                           .gales = gales_,
+                           .inclines = inclines_,
+                           .climbs = climbs_});
+  }
+  void paint(glm::ivec2 items, const SpreadPaintPart& part, const gl::Resource& told) const {
+    paint_.dispatch(items, {.part = part, .told = told, .ground = ground_});
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
@@ -61,38 +112,27 @@ class Wildfire final : public Simulation {
   }
 
  private:
-  void bindMaps() const {
-    fuels_.bindInput(shader::spread::fuelsBinding);
-    ground_.bindInput(shader::spread::groundBinding);
-    if (blown()) gales_.bindInput(shader::spread::galesBinding);
-    if (!climbs()) return;
-    inclines_.bindInput(shader::spread::inclinesBinding);
-    climbs_.bindInput(shader::spread::climbsBinding);
-  }
   [[nodiscard]] const WildfireParameters& parameters() const { return plan_.parameters(); }
   [[nodiscard]] bool blown() const { return !parameters().windFluid.empty(); }
   void makeGales(const Setting& setting) {
     wind_ = setting.wanted<FluidWind>(parameters().windFluid);
-    const glm::ivec2 size = parameters().size;
-    const int rowGales = 4 * grid_.rowElements();
-    gales_ = gl::WordsArray(name_ + " gales", rowGales * size.y);
-    gl::Defines defines = gl::kernelDefines(setting.fast);
-    addWindDefines(defines, wind_);
-    gale_ = gl::Program::compute("spread/wildfire/gale.comp", defines);
-    gale_.set("size", size);
-    gale_.set("perCell", glm::vec2(wind_->grid().size) / glm::vec2(size));
-    gale_.set("rowGales", rowGales);
-    gale_.set("count", rowGales * size.y);
-    wind_->tell(gale_);
+    gales_ = gl::WordsArray(name_ + " gales", rowGales() * parameters().size.y);
+    gale_ = gl::Kernel<WildfireGaleKernel>(gl::kernelDefines(setting.fast), {.wind = true});
   }
+  /// Elements of a row.
+  [[nodiscard]] int rowGales() const { return 4 * grid_.rowElements(); }
   /// The wind that the steps of the frame that starts at `time` (s) have.
   void blow(double time) {
-    gale_.set("scale", plan_.galeScale(time, wind_->speed()));
-    wind_->bind();
-    gales_.bindState(shader::spread::nextCellsBinding);
+    const glm::ivec2 size = parameters().size;
+    const int count = rowGales() * size.y;
     gl::barrier();
-    gale_.dispatch(4 * grid_.rowElements() * parameters().size.y);
-    gl::barrier();
+    gale_.dispatch(count, {.wind = wind_->part(),
+                           .size = size,
+                           .perCell = glm::vec2(wind_->grid().size) / glm::vec2(size),
+                           .scale = plan_.galeScale(time, wind_->speed()),
+                           .rowGales = rowGales(),
+                           .count = count,
+                           .gales = gales_});
   }
   [[nodiscard]] bool climbs() const { return parameters().slope > 0; }
   static const WildfireParameters& checked(const scene::Object& object) {
@@ -101,14 +141,6 @@ class Wildfire final : public Simulation {
     SpreadGrid::checkLimits(object.name, parameters.size, bytes);
     return parameters;
   }
-  static gl::Defines defines(const WildfireParameters& parameters, bool fast) {
-    gl::Defines defines = gl::kernelDefines(fast);
-    if (parameters.embers) defines.emplace_back("EMBERS", "1");
-    if (parameters.slope > 0) defines.emplace_back("SLOPE", "1");
-    if (!parameters.windFluid.empty()) defines.emplace_back("GALES", "1");
-    return defines;
-  }
-
   std::string name_;
   WildfirePlan plan_;
   std::vector<glm::vec3> palette_;
@@ -118,7 +150,9 @@ class Wildfire final : public Simulation {
   gl::Vec4Array climbs_;
   const FluidWind* wind_ = nullptr;  ///< null: the wind is the same everywhere
   gl::WordsArray gales_;
-  gl::Program gale_;
+  gl::Kernel<WildfireStepKernel> step_;
+  gl::Kernel<WildfirePaintKernel> paint_;
+  gl::Kernel<WildfireGaleKernel> gale_;
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "sim/volume/isosurface.hpp"
 
 #include "base/error.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/limits.hpp"
-#include "gl/program.hpp"
 #include "sim/contour/totals.hpp"
 #include "sim/grid/color_map.hpp"
 #include "sim/volume/cubes.hpp"
@@ -13,6 +13,85 @@
 #include <span>
 
 namespace simreel::sim {
+
+namespace {
+
+/// glsl/volume/samples.glsl.
+struct SamplesPart {
+  gl::Uniform<"volume", glm::ivec4> volume;
+  gl::Uniform<"rowElements", int> rowElements;
+};
+
+/// glsl/volume/values.glsl.
+struct ValuesPart {
+  gl::Uniform<"valueLayout", glm::ivec2> layout;
+  gl::Uniform<"level", float> level;
+  gl::In<"valueWords"> values;
+};
+
+/// glsl/volume/tint.glsl, and what points and boxes are given beside it.
+struct VolumePointsPart {
+  SamplesPart samples;
+  ValuesPart values;
+  gl::Uniform<"pointRoom", unsigned> pointRoom;
+  gl::Uniform<"corner", glm::vec4> corner;
+  gl::Uniform<"tintLayout", glm::ivec2> tintLayout;
+  gl::Uniform<"tintRange", glm::vec2> tintRange;
+  gl::In<"tintWords"> tints;
+  gl::In<"tallies"> tallies;
+  gl::In<"masks"> masks;
+  gl::Out<"PositionBlock"> positions;
+  gl::Out<"NormalBlock"> normals;
+};
+
+struct ClassifyKernel {
+  static constexpr auto file = "volume/classify.comp";
+  SamplesPart samples;
+  ValuesPart values;
+  gl::Out<"classes"> classes;
+};
+
+struct CountKernel {
+  static constexpr auto file = "volume/count.comp";
+  struct Variant {
+    gl::Flag<"CUBES"> cubes;
+  };
+  SamplesPart samples;
+  gl::In<"cubes"> cubes;
+  gl::In<"classes"> classes;
+  gl::Out<"tallies"> tallies;
+  gl::Out<"masks"> masks;
+};
+
+struct PointsKernel {
+  static constexpr auto file = "volume/points.comp";
+  struct Variant {
+    gl::Flag<"TINTED"> tinted;
+  };
+  VolumePointsPart part;
+};
+
+struct BoxesKernel {
+  static constexpr auto file = "volume/boxes.comp";
+  using Variant = PointsKernel::Variant;
+  VolumePointsPart part;
+  gl::Uniform<"indexRoom", unsigned> indexRoom;
+  gl::In<"classes"> classes;
+  gl::Out<"IndexBlock"> indices;
+};
+
+struct TrianglesKernel {
+  static constexpr auto file = "volume/triangles.comp";
+  SamplesPart samples;
+  gl::Uniform<"indexRoom", unsigned> indexRoom;
+  gl::In<"cubes"> cubes;
+  gl::In<"classes"> classes;
+  gl::In<"tallies"> tallies;
+  gl::In<"masks"> masks;
+  gl::Out<"IndexBlock"> indices;
+};
+
+}  // namespace
 
 struct Isosurface::State {
   State(const std::string& label, const IsosurfaceShape& given, const std::vector<glm::vec3>& colors)
@@ -28,23 +107,17 @@ struct Isosurface::State {
     tallies = gl::WordsArray(name + " tallies", count);
     masks = gl::WordsArray(name + " masks", count);
     totals = Totals(name, count);
-    gl::Defines defines = gl::kernelDefines(false);
-    classify = gl::Program::compute("volume/classify.comp", defines);
-    if (!shape.cubes) triangles = gl::Program::compute("volume/triangles.comp", defines);
-    gl::Defines counting = defines;
-    if (shape.cubes) counting.emplace_back("CUBES", "1");
-    tally = gl::Program::compute("volume/count.comp", counting);
-    if (!colors.empty()) {
-      palette = gl::Vec4Array(name + " colours", paletteOf(colors, shader::volume::volumeColors));
-      defines.emplace_back("TINTED", "1");
+    const gl::Defines defines = gl::kernelDefines(false);
+    classify = gl::Kernel<ClassifyKernel>(defines);
+    tally = gl::Kernel<CountKernel>(defines, {.cubes = shape.cubes});
+    const bool tinted = !colors.empty();
+    if (tinted) palette = gl::Vec4Array(name + " colours", paletteOf(colors, shader::volume::volumeColors));
+    if (shape.cubes) {
+      boxes = gl::Kernel<BoxesKernel>(defines, {.tinted = tinted});
+    } else {
+      points = gl::Kernel<PointsKernel>(defines, {.tinted = tinted});
+      triangles = gl::Kernel<TrianglesKernel>(defines);
     }
-    points = gl::Program::compute(shape.cubes ? "volume/boxes.comp" : "volume/points.comp", defines);
-    for (const gl::Program* program : {&classify, &tally, &triangles, &points}) {
-      if (!*program) continue;
-      program->set("volume", glm::ivec4(shape.size, shape.closed ? 1 : 0));
-      program->set("rowElements", rowElements);
-    }
-    points.set("corner", glm::vec4(shape.corner(), shape.spacing));
     // About what a ball within it has; what needs more gets it.
     const std::int64_t faces = std::int64_t{samples.x} * samples.y + std::int64_t{samples.y} * samples.z +
                                std::int64_t{samples.z} * samples.x;
@@ -74,46 +147,41 @@ struct Isosurface::State {
   }
 
   void make() {
-    const int across = rowElements * samples.y;
-    const auto setValues = [&](const gl::Program& program) {
-      program.set("valueLayout", glm::ivec2(values.rowWords, values.firstWord));
-      program.set("level", level);
-      values.words->bind(shader::volume::valuesUnit);
-    };
+    const glm::ivec2 all(rowElements * samples.y, samples.z);
+    const SamplesPart part = {.volume = glm::ivec4(shape.size, shape.closed ? 1 : 0),
+                              .rowElements = rowElements};
+    const ValuesPart given = {
+        .layout = glm::ivec2(values.rowWords, values.firstWord), .level = level, .values = *values.words};
     gl::barrier();
-    setValues(classify);
-    classes.bindState(shader::volume::classesBinding);
-    classify.dispatch(across, samples.z);
+    classify.dispatch(all, {.samples = part, .values = given, .classes = classes});
+    tally.dispatch(
+        all, {.samples = part, .cubes = cubes, .classes = classes, .tallies = tallies, .masks = masks});
     gl::barrier();
-    if (!shape.cubes) cubes.bindInput(shader::volume::cubesBinding);
-    classes.bindInput(shader::volume::classesBinding);
-    tallies.bindState(shader::volume::talliesBinding);
-    masks.bindState(shader::volume::masksBinding);
-    tally.dispatch(across, samples.z);
     totals.run(tallies, {0, 0, 0, pointRoom, indexRoom});
-    tallies.bindInput(shader::volume::talliesBinding);
-    masks.bindInput(shader::volume::masksBinding);
-    if (!shape.cubes) setValues(points);
-    points.set("pointRoom", static_cast<unsigned>(pointRoom));
-    if (tint.values.words != nullptr) {
-      tint.values.words->bind(shader::volume::tintsUnit);
-      points.set("tintLayout", glm::ivec2(tint.values.rowWords, tint.values.firstWord));
-      points.set("tintRange", glm::vec2(tint.range.x, 1 / (tint.range.y - tint.range.x)));
-    }
-    positions.bindStorage(shader::volume::positionsBinding);
-    normals.bindStorage(shader::volume::normalsBinding);
+    const bool tinted = tint.values.words != nullptr;
+    const VolumePointsPart found = {.samples = part,
+                                    .values = given,
+                                    .pointRoom = static_cast<unsigned>(pointRoom),
+                                    .corner = glm::vec4(shape.corner(), shape.spacing),
+                                    .tintLayout = glm::ivec2(tint.values.rowWords, tint.values.firstWord),
+                                    .tintRange = glm::vec2(tint.range.x, 1 / (tint.range.y - tint.range.x)),
+                                    .tints = tinted ? gl::Resource(*tint.values.words) : gl::Resource(),
+                                    .tallies = tallies,
+                                    .masks = masks,
+                                    .positions = positions,
+                                    .normals = normals};
+    const auto room = static_cast<unsigned>(indexRoom);
     if (shape.cubes) {
-      classes.bindInput(shader::volume::classesBinding);
-      indices.bindStorage(shader::volume::boxIndicesBinding);
-      points.set("indexRoom", static_cast<unsigned>(indexRoom));
-      points.dispatch(across, samples.z);
+      boxes.dispatch(all, {.part = found, .indexRoom = room, .classes = classes, .indices = indices});
     } else {
-      points.dispatch(across, samples.z);
-      cubes.bindInput(shader::volume::cubesBinding);
-      classes.bindInput(shader::volume::classesBinding);
-      indices.bindStorage(shader::volume::indicesBinding);
-      triangles.set("indexRoom", static_cast<unsigned>(indexRoom));
-      triangles.dispatch(across, samples.z);
+      points.dispatch(all, {.part = found});
+      triangles.dispatch(all, {.samples = part,
+                               .indexRoom = room,
+                               .cubes = cubes,
+                               .classes = classes,
+                               .tallies = tallies,
+                               .masks = masks,
+                               .indices = indices});
     }
     glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     gl::barrier();
@@ -131,7 +199,11 @@ struct Isosurface::State {
   Totals totals;
   gl::Buffer positions, normals, indices;
   gl::Texture positionView, normalView;
-  gl::Program classify, tally, points, triangles;
+  gl::Kernel<ClassifyKernel> classify;
+  gl::Kernel<CountKernel> tally;
+  gl::Kernel<PointsKernel> points;
+  gl::Kernel<BoxesKernel> boxes;
+  gl::Kernel<TrianglesKernel> triangles;
   VolumeValues values;
   float level = 0;
   IsosurfaceTint tint;

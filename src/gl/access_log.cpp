@@ -1,0 +1,57 @@
+#include "gl/access_log.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace simreel::gl {
+
+namespace {
+
+/// Barriers are counted. An access after barrier number n has time n + 1.
+using Time = std::uint64_t;
+struct Stamp {
+  Time read = 0, written = 0;
+};
+
+constexpr std::array<GLbitfield, 5> kinds = {
+    GL_SHADER_STORAGE_BARRIER_BIT, GL_SHADER_IMAGE_ACCESS_BARRIER_BIT, GL_TEXTURE_FETCH_BARRIER_BIT,
+    GL_UNIFORM_BARRIER_BIT, GL_COMMAND_BARRIER_BIT};
+
+Time now = 1;
+std::array<Time, kinds.size()> lastBarrier{};
+
+/// By the driver's name, which drivers count from 1. Names far up share a stamp, and a new object takes
+/// over that of an old one: both cost a barrier too many at most.
+Stamp& stampOf(AccessLog::Memory memory) {
+  constexpr std::size_t most = 1 << 16;
+  static std::vector<Stamp> stamps[2];
+  std::vector<Stamp>& all = stamps[memory.texture ? 1 : 0];
+  const std::size_t index = memory.name % most;
+  if (index >= all.size()) all.resize(index + 64);
+  return all[index];
+}
+
+}  // namespace
+
+GLbitfield AccessLog::needed(Memory memory, GLbitfield kind, bool writes) {
+  std::size_t index = 0;
+  while (kinds[index] != kind) ++index;
+  const Stamp& stamp = stampOf(memory);
+  const Time last = lastBarrier[index];
+  return stamp.written > last || (writes && stamp.read > last) ? kind : 0;
+}
+
+void AccessLog::note(Memory memory, bool writes) {
+  Stamp& stamp = stampOf(memory);
+  (writes ? stamp.written : stamp.read) = now;
+}
+
+void AccessLog::barrier(GLbitfield bits) {
+  glMemoryBarrier(bits);
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    if ((bits & kinds[i]) != 0) lastBarrier[i] = now;
+  ++now;
+}
+
+}  // namespace simreel::gl

@@ -1,0 +1,197 @@
+#pragma once
+#include "base/error.hpp"
+#include "gl/kernel/resource.hpp"
+#include "gl/shader_source.hpp"
+#include "gl/uniform.hpp"
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// Members of a kernel's interface (gl/kernel/kernel.hpp). Each carries its name in the shader in its type.
+namespace simreel::gl {
+
+/// A name as a template's argument.
+template <std::size_t size>
+struct Name {
+  // NOLINTNEXTLINE(google-explicit-constructor): gl::Uniform<"size", ...>
+  consteval Name(const char (&given)[size]) { std::copy_n(given, size, text); }
+  consteval Name() = default;
+  char text[size] = {};
+};
+
+/// A uniform's value that a dispatch is given, or nothing.
+struct GivenNumber {
+  UniformSlot::Value value;
+  bool given = false;
+};
+
+template <class T>
+consteval GLenum uniformType() {
+  if (std::same_as<T, bool>) return GL_BOOL;
+  if (std::same_as<T, int>) return GL_INT;
+  if (std::same_as<T, unsigned>) return GL_UNSIGNED_INT;
+  if (std::same_as<T, float>) return GL_FLOAT;
+  if (std::same_as<T, glm::ivec2>) return GL_INT_VEC2;
+  if (std::same_as<T, glm::ivec4>) return GL_INT_VEC4;
+  if (std::same_as<T, glm::vec2>) return GL_FLOAT_VEC2;
+  if (std::same_as<T, glm::vec3>) return GL_FLOAT_VEC3;
+  if (std::same_as<T, glm::vec4>) return GL_FLOAT_VEC4;
+  return GL_FLOAT_MAT4;
+}
+
+/// A uniform outside blocks: "a", a member "a.b", an element "a[1]".
+template <Name label, class T>
+struct Uniform : GivenNumber {
+  using Field = void;
+  static constexpr const char* name = label.text;
+  static constexpr GLenum type = uniformType<T>();
+  Uniform() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): a dispatch is given the value itself.
+  Uniform(const T& now)
+      : GivenNumber{UniformSlot::Value(std::conditional_t<std::same_as<T, bool>, int, T>(now)), true} {}
+};
+
+template <Name label, std::size_t index>
+consteval auto elementName() {
+  static_assert(index < 10);
+  constexpr std::size_t length = sizeof(label.text) - 1;
+  Name<length + 4> name;
+  std::copy_n(label.text, length, name.text);
+  std::copy_n("[0]", 3, name.text + length);
+  name.text[length + 1] = static_cast<char>('0' + index);
+  return name;
+}
+
+/// The elements of a uniform array, up to ten, or the first of them.
+template <Name label, class T, std::size_t... indices>
+struct UniformElements {
+  using Field = void;
+  std::tuple<Uniform<elementName<label, indices>(), T>...> elements;
+  UniformElements() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): a dispatch is given the values themselves.
+  UniformElements(std::span<const T> now) {
+    SIMREEL_CHECK(now.size() <= sizeof...(indices));
+    ((indices < now.size() ? void(std::get<indices>(elements) = now[indices]) : void()), ...);
+  }
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  UniformElements(const std::vector<T>& now) : UniformElements(std::span<const T>(now)) {}
+};
+template <Name label, class T, class Indices>
+struct UniformsOf;
+template <Name label, class T, std::size_t... indices>
+struct UniformsOf<label, T, std::index_sequence<indices...>> {
+  using Type = UniformElements<label, T, indices...>;
+};
+template <Name label, class T, std::size_t most>
+using Uniforms = typename UniformsOf<label, T, std::make_index_sequence<most>>::Type;
+
+enum class Access { read, write, both };
+
+/// A storage block (by its name or a member's), a uniform block, a sampler or an image; or an array that
+/// glsl/common/memory.glsl or words.glsl declare, whatever it is on the current memory path.
+template <Name label, Access wanted>
+struct ResourceField : Resource {
+  using Field = void;
+  static constexpr const char* name = label.text;
+  static constexpr Access access = wanted;
+  static constexpr std::size_t blockBytes = 0;
+  using Resource::Resource;
+  ResourceField() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): what a function returns
+  ResourceField(const Resource& resource) : Resource(resource) {}
+};
+template <Name label>
+using In = ResourceField<label, Access::read>;
+template <Name label>
+using Out = ResourceField<label, Access::write>;
+template <Name label>
+using InOut = ResourceField<label, Access::both>;
+
+/// A uniform block, which has to be as large as the C++ struct of its contents.
+template <Name label, class Contents>
+struct Block : In<label> {
+  static constexpr std::size_t blockBytes = sizeof(Contents);
+  using In<label>::ResourceField;
+  Block() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): what a function returns
+  Block(const Resource& resource) : In<label>(resource) {}
+};
+
+/// Members of a Variant: #defines. `defines` are those of each value that tools compile.
+
+/// Defined as 1, or not at all.
+template <Name label>
+struct Flag {
+  using Field = void;
+  static constexpr const char* name = label.text;
+  Flag() = default;
+  Flag(bool now) : on(now) {}  // NOLINT(google-explicit-constructor): a variant is given the value itself.
+  void addTo(Defines& defines) const {
+    if (on) defines.emplace_back(name, "1");
+  }
+  static std::vector<Defines> all() { return {{}, {{name, "1"}}}; }
+  bool on = false;
+};
+
+/// A whole number of those listed, of an enum or an int.
+template <Name label, int... values>
+struct Choice {
+  using Field = void;
+  static constexpr const char* name = label.text;
+  Choice() = default;
+  template <class T>
+    requires(std::integral<T> || std::is_enum_v<T>)
+  Choice(T now) : value(static_cast<int>(now)) {}  // NOLINT(google-explicit-constructor): as Flag
+  void addTo(Defines& defines) const {
+    if (((value != values) && ...))
+      fail(ExitCode::device, "the kernels' define {} may not be {}", name, value);
+    defines.emplace_back(name, std::to_string(value));
+  }
+  static std::vector<Defines> all() { return {{{name, std::to_string(values)}}...}; }
+  int value = std::array{values...}[0];
+};
+
+/// A whole number of a range, of which tools compile both ends. Left out, it is not defined.
+template <Name label, int least, int most>
+struct Range {
+  using Field = void;
+  static constexpr const char* name = label.text;
+  Range() = default;
+  Range(int now) : value(now), defined(true) {}  // NOLINT(google-explicit-constructor): as Flag
+  void addTo(Defines& defines) const {
+    if (!defined) return;
+    if (value < least || value > most)
+      fail(ExitCode::device, "the kernels' define {} may not be {}", name, value);
+    defines.emplace_back(name, std::to_string(value));
+  }
+  static std::vector<Defines> all() {
+    return {{{name, std::to_string(least)}}, {{name, std::to_string(most)}}};
+  }
+  int value = 0;
+  bool defined = false;
+};
+
+/// Text of the program's making, such as a rule as a formula. Left empty, it is not defined; tools compile
+/// `sample`.
+template <Name label, Name sample>
+struct Code {
+  using Field = void;
+  static constexpr const char* name = label.text;
+  Code() = default;
+  Code(std::string now) : text(std::move(now)) {}  // NOLINT(google-explicit-constructor): as Flag
+  void addTo(Defines& defines) const {
+    if (!text.empty()) defines.emplace_back(name, text);
+  }
+  static std::vector<Defines> all() { return {{{name, sample.text}}}; }
+  std::string text;
+};
+
+}  // namespace simreel::gl

@@ -1,0 +1,163 @@
+#pragma once
+#include "gl/kernel/fields.hpp"
+#include "gl/kernel/kernel_base.hpp"
+#include "gl/kernel/visit.hpp"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace simreel::gl {
+
+struct NoVariant {};
+template <class Interface>
+struct VariantOf {
+  using Type = NoVariant;
+};
+template <class Interface>
+  requires requires {
+    typename Interface::Variant;
+  }
+struct VariantOf<Interface> {
+  using Type = typename Interface::Variant;
+};
+
+/// Defines of every set of values that a Variant can have.
+template <class Variant>
+std::vector<Defines> variantsOf() {
+  std::vector<Defines> all = {{}};
+  const Variant none{};
+  visitFields(none, [&](const auto& field) {
+    std::vector<Defines> more;
+    for (const Defines& before : all)
+      for (const Defines& one : std::remove_cvref_t<decltype(field)>::all()) {
+        more.push_back(before);
+        more.back().insert(more.back().end(), one.begin(), one.end());
+      }
+    all = std::move(more);
+  });
+  return all;
+}
+
+template <class Interface>
+const KernelNames& namesOf() {
+  static const KernelNames names = [] {
+    KernelNames all;
+    all.file = Interface::file;
+    const Interface given{};
+    visitFields(given, [&](const auto& field) {
+      using Field = std::remove_cvref_t<decltype(field)>;
+      if constexpr (std::is_base_of_v<Resource, Field>)
+        all.memories.push_back({Field::name, Field::access, Field::blockBytes});
+      else
+        all.numbers.push_back({Field::name, Field::type});
+    });
+    using Variant = typename VariantOf<Interface>::Type;
+    const Variant variant{};
+    visitFields(variant, [&](const auto& field) { all.defines.push_back(field.name); });
+    all.variants = &variantsOf<Variant>;
+    return all;
+  }();
+  return names;
+}
+
+/// Puts an interface into kernelInterfaces(), before main().
+template <class Interface>
+inline const bool listedKernel = (kernelInterfaces().push_back(&namesOf<Interface>()), true);
+
+/// A compute shader and what it is given. `Interface` is a plain struct beside the code that runs it:
+///
+///     struct BlurKernel {
+///       static constexpr auto file = "image/blur.comp";
+///       struct Variant {                        // optional: what becomes #define
+///         gl::Flag<"DOWN"> down;
+///         gl::Choice<"RADIUS", 1, 2, 4> radius;
+///       };
+///       gl::Uniform<"size", glm::ivec2> size;
+///       gl::In<"cells"> cells;                  // the name of a block, a block's member, a sampler or an
+///       image gl::Out<"nextCells"> next; gl::In<"weights"> weights = {};         // may be left out, where
+///       the variant does not read it
+///     };
+///     gl::Kernel<BlurKernel> blur(gl::kernelDefines(fast), {.down = true, .radius = 2});
+///     blur.dispatch(size, {.size = size, .cells = now, .next = next});
+///
+/// A dispatch is given everything, each time; what has not changed costs a comparison. Struct members of an
+/// interface, themselves of such members, are shared parts of several. Rules, checked at the first use,
+/// with file and name, by UserError(device): each name is declared in the shader's text or its includes,
+/// whatever the #if; whatever the driver keeps is given, and of that type. A name that the driver dropped
+/// may be given in vain.
+///
+/// A dispatch waits for what kernels before it wrote of what it reads or writes, and for what they read of
+/// what it writes (AccessLog). Make a gl::barrier() only between a Kernel and other readers and writers: a
+/// gl::Program, drawing, copies.
+template <class Interface>
+class Kernel {
+ public:
+  Kernel() = default;
+  template <class I = Interface>
+  explicit Kernel(const Defines& common, const typename VariantOf<I>::Type& variant = {})
+      : base_(std::make_unique<KernelBase>(namesOf<I>(), with(common, variant))) {
+    static_cast<void>(listedKernel<I>);
+  }
+  /// A text in place of the file: for tests.
+  static Kernel ofText(const char* text) {
+    Kernel kernel;
+    kernel.base_ = std::make_unique<KernelBase>(namesOf<Interface>(), Defines{}, text);
+    return kernel;
+  }
+
+  explicit operator bool() const { return base_ != nullptr; }
+
+  /// Runs at least `items` (or x by y) invocations, as Program::dispatch.
+  template <class I = Interface>
+  void dispatch(int items, const std::type_identity_t<I>& given) const {
+    run(given, [&](const KernelBase::Given& all) { base_->dispatch(items, 1, all); });
+  }
+  template <class I = Interface>
+  void dispatch(glm::ivec2 items, const std::type_identity_t<I>& given) const {
+    run(given, [&](const KernelBase::Given& all) { base_->dispatch(items.x, items.y, all); });
+  }
+  template <class I = Interface>
+  void dispatchGroups(glm::uvec3 groups, const std::type_identity_t<I>& given) const {
+    run(given,
+        [&](const KernelBase::Given& all) { base_->dispatchGroups(groups.x, groups.y, groups.z, all); });
+  }
+  /// As many work groups as the command at byte `offset` of `commands` says.
+  template <class I = Interface>
+  void dispatchIndirect(const Buffer& commands, std::size_t offset,
+                        const std::type_identity_t<I>& given) const {
+    run(given, [&](const KernelBase::Given& all) { base_->dispatchIndirect(commands, offset, all); });
+  }
+
+ private:
+  template <class Variant>
+  static Defines with(Defines defines, const Variant& variant) {
+    visitFields(variant, [&](const auto& field) { field.addTo(defines); });
+    return defines;
+  }
+
+  template <class Run>
+  static void run(const Interface& given, const Run& dispatch) {
+    constexpr std::size_t most = 64;
+    std::array<const GivenNumber*, most> numbers{};
+    std::array<const Resource*, most> memories{};
+    std::size_t numberCount = 0, memoryCount = 0;
+    visitFields(given, [&](const auto& field) {
+      if constexpr (std::is_base_of_v<Resource, std::remove_cvref_t<decltype(field)>>)
+        memories.at(memoryCount++) = &field;
+      else
+        numbers.at(numberCount++) = &field;
+    });
+    dispatch({{numbers.data(), numberCount}, {memories.data(), memoryCount}});
+  }
+
+  std::unique_ptr<KernelBase> base_;
+};
+
+}  // namespace simreel::gl

@@ -1,0 +1,88 @@
+#pragma once
+#include "gl/kernel/fields.hpp"
+#include "gl/linked_program.hpp"
+#include "gl/shader_source.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace simreel::gl {
+
+/// What an interface (gl/kernel/kernel.hpp) says, as data.
+struct KernelNames {
+  struct Number {
+    const char* name;
+    GLenum type;
+  };
+  struct Memory {
+    const char* name;
+    Access access;
+    std::size_t blockBytes;  ///< of a uniform block; 0: unknown
+  };
+  const char* file = "";
+  std::vector<Number> numbers;
+  std::vector<Memory> memories;
+  std::vector<const char*> defines;
+  std::vector<Defines> (*variants)() = nullptr;  ///< every set of defines that can occur
+};
+
+/// All interfaces that the program's kernels have, for tools and tests.
+[[nodiscard]] std::vector<const KernelNames*>& kernelInterfaces();
+/// Throws UserError(device) naming the file unless `text` declares all that `names` has.
+void checkDeclared(const KernelNames& names, const std::string& text);
+
+/// The part of a Kernel that is the same whatever its interface.
+class KernelBase {
+ public:
+  /// What one dispatch is given, in the order of the names.
+  struct Given {
+    std::span<const GivenNumber* const> numbers;
+    std::span<const Resource* const> memories;
+  };
+
+  /// `text` takes the place of the file where it is not null.
+  KernelBase(const KernelNames& names, const Defines& defines, const char* text = nullptr);
+  ~KernelBase() { linked_->leave(this); }
+  KernelBase(KernelBase&&) = delete;
+  KernelBase(const KernelBase&) = delete;
+  KernelBase& operator=(KernelBase&&) = delete;
+  KernelBase& operator=(const KernelBase&) = delete;
+
+  void dispatch(int x, int y, const Given& given);
+  void dispatchGroups(GLuint x, GLuint y, GLuint z, const Given& given);
+  void dispatchIndirect(const Buffer& commands, std::size_t offset, const Given& given);
+
+ private:
+  /// A place where the linked program finds a resource.
+  struct Slot {
+    enum class Kind { storage, uniformBlock, texture, image };
+    std::size_t memory = 0;  ///< of the names
+    Kind kind = Kind::storage;
+    GLuint unit = 0;
+  };
+
+  [[nodiscard]] bool rehearsed(const Given& given) const;
+  /// Links at the first use, and finds the places of all names.
+  void resolve();
+  void addSlots(std::size_t memory);
+  void checkActive() const;
+  void checkTypes() const;
+  /// Sets uniforms and binds, after the barriers that are due: `more` and those of what it is given.
+  void prepare(const Given& given, GLbitfield more);
+  void setNumbers(const Given& given);
+  void bind(const Slot& slot, const Resource& resource) const;
+  [[nodiscard]] bool writes(const Slot& slot, const Resource& resource) const;
+  [[noreturn]] void missing(const char* what, const std::string& name) const;
+
+  const KernelNames& names_;
+  std::string text_;
+  std::shared_ptr<LinkedProgram> linked_;
+  bool resolved_ = false;
+  std::vector<UniformSlot> numbers_;
+  std::vector<Slot> slots_;
+};
+
+}  // namespace simreel::gl
