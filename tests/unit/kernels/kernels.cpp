@@ -15,9 +15,9 @@
 
 using namespace simreel;
 using kernels::Shader;
-using test::checkHas;
-using test::has;
-using test::loaded;
+using simreel::test::checkHas;
+using simreel::test::has;
+using simreel::test::loaded;
 
 namespace {
 
@@ -196,8 +196,8 @@ TEST_CASE("each operation that a driver may choose is a call of its exact functi
     CHECK_MESSAGE(!has(fast, one.function), std::string(one.expression));
   }
   checkHas(fast, "sin(");
-  CHECK(test::isGlsl(glsl));
-  CHECK(test::isGlsl(fast));
+  CHECK(simreel::test::isGlsl(glsl));
+  CHECK(simreel::test::isGlsl(fast));
 }
 
 TEST_CASE("a whole number by a constant keeps its own division, a shift counts modulo 32") {
@@ -220,5 +220,13 @@ TEST_CASE("an index of a buffer ends in a guard element, of shared memory in one
           .glsl;
   checkHas(glsl, "shared float s[17]");
   checkHas(glsl, ".length()) - 2u");
-  CHECK(test::isGlsl(glsl));
+  CHECK(simreel::test::isGlsl(glsl));
+}
+
+TEST_CASE("buffers whose elements have one type keep their own names") {
+  const Shader shader = loaded(
+      "l.hlsl", "RWStructuredBuffer<uint> _A, _B;\n[numthreads(1, 1, 1)] void K() { _A[0] = _B[1]; }\n");
+  REQUIRE(shader.kernels.at(0).buffers.size() == 2);
+  CHECK(shader.kernels[0].buffers[0].name == "_A");
+  CHECK(shader.kernels[0].buffers[1].name == "_B");
 }

@@ -13,15 +13,15 @@
 #include <fmt/format.h>
 
 using namespace simreel;
-using test::checkHas;
-using test::has;
+using simreel::test::checkHas;
+using simreel::test::has;
 
 namespace {
 
 /// The report about a text, without the folder of its file.
 std::string report(const std::string& name, const std::string& text) {
   try {
-    static_cast<void>(test::loaded(name, text));
+    static_cast<void>(simreel::test::loaded(name, text));
   } catch (const UserError& error) {
     CHECK(error.code() == ExitCode::usage);
     std::string message = error.what();
@@ -130,7 +130,7 @@ TEST_CASE("garbage and cut shaders end in a message, and no crash of the compile
       if (round % 3 == 2) text.erase(at, random() % 9);
       if (text.empty()) text = "x";
     }
-    const test::TemporaryFile file("garbage.compute", text);
+    const simreel::test::TemporaryFile file("garbage.compute", text);
     kernels::Request request;
     request.file = file.path();
     try {
