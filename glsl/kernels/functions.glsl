@@ -11,7 +11,7 @@ uint xTurnBits(const uint at) {
   return mix(xTurn[word], (xTurn[word] << shift) | (xTurn[word + 1u] >> ((32u - shift) & 31u)), shift != 0u);
 }
 
-// x less whole turns, from -pi to pi, for any |x| above 1e4: whole numbers times the bits of 1 / (2 pi) that matter (Payne and
+// x less whole turns, from -pi to pi, for any |x| above 1: whole numbers times the bits of 1 / (2 pi) that matter (Payne and
 // Hanek 1983). x = m 2^e; the product's upper bits are turns, the next 32 a part of one.
 float xFarAngle(const float x) {
   int bits = xMagnitude(x);
@@ -31,9 +31,10 @@ float xSin(const float x) {
   float s = exactSin(near);
   return mix(xFlush(s), xNan(), xMagnitude(x) >= xInfinity);
 }
+// exactCos adds a quarter of a turn, which rounds large numbers: beyond 100 the angle comes first.
 float xCos(const float x) {
   float near = x;
-  if (xMagnitude(x) > 0x461c4000) near = xFarAngle(x);
+  if (xMagnitude(x) > 0x42c80000) near = xFarAngle(x);
   float c = exactCos(near);
   return mix(xFlush(c), xNan(), xMagnitude(x) >= xInfinity);
 }

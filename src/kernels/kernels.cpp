@@ -27,7 +27,7 @@ Kernel lowered(Files& files, const Unit& unit, bool fast) {
   const bool hlsl = unit.language == Language::hlsl;
   Module module(compile(files, unit));
   if (auto mistakes = refused(module, files, fast); !mistakes.empty()) files.fail(mistakes);
-  if (!fast) linkLibrary(module, placeCalls(module));
+  if (!fast) linkLibrary(module, placeCalls(module, unit.language));
   Module plain(optimized(module.words(), hlsl));
   if (!fast) keepInside(plain);
   layOut(plain, hlsl);

@@ -151,8 +151,10 @@ std::vector<std::uint32_t> compile(Files& files, const Unit& unit) {
   if (!parsed) files.fail(explained(shader.getInfoLog(), files, includer.failed(), unit));
   compiled.program = std::make_unique<glslang::TProgram>();
   compiled.program->addShader(&shader);
-  if (!compiled.program->link(messages))
-    files.fail(explained(compiled.program->getInfoLog(), files, includer.failed(), unit));
+  const bool linked = compiled.program->link(messages);
+  const std::string log = compiled.program->getInfoLog();
+  if (!linked || log.find(noEntry) != std::string::npos)
+    files.fail(explained(log, files, includer.failed(), unit));
   return words(compiled, true);
 }
 

@@ -1,10 +1,11 @@
 #include "kernels/compile/messages.hpp"
 
-#include "base/text.hpp"
+#include "kernels/source/plain.hpp"
 #include "scene/json/words.hpp"
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -51,8 +52,6 @@ void reword(Mistake& mistake) {
       {"undeclared identifier", "is not declared"},
       {"unknown variable", "is not declared"},
       {"no matching overloaded function found", "has no function with these arguments"},
-      {"Recursive function", "calls itself, which shaders cannot do"},
-      {"recursive", "calls itself, which shaders cannot do"},
   };
   const bool named = !mistake.token.empty();
   for (const Wording& wording : wordings)
@@ -61,6 +60,33 @@ void reword(Mistake& mistake) {
       return;
     }
   if (named) mistake.message = fmt::format("{}: {}", scene::inQuotes(mistake.token), mistake.message);
+}
+
+/// "f(i1; calling g(i1;" behind the news of a recursion.
+Mistake recursion(std::string_view calls, const Files& files) {
+  const std::string name = trimmed(calls.substr(0, calls.find('(')));
+  const std::string code = withoutComments(files.text(0));
+  std::size_t at = 0;
+  for (at = code.find(name + "("); at != std::string::npos && at > 0 && partOfName(code[at - 1]);)
+    at = code.find(name + "(", at + 1);
+  const int line = at == std::string::npos
+                       ? 1
+                       : 1 + static_cast<int>(std::count(
+                                 code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  return {0, line, name, fmt::format("{} calls itself, which shaders cannot do", scene::inQuotes(name))};
+}
+
+/// The include that a mistake is about, with why it was not read; nullptr for other mistakes.
+const std::pair<std::string, std::string>* failedInclude(
+    const Mistake& mistake, const std::vector<std::pair<std::string, std::string>>& failed) {
+  if (mistake.message.find("include") == std::string::npos &&
+      mistake.token.find("include") == std::string::npos)
+    return nullptr;
+  for (const auto& one : failed)
+    if (mistake.message.find(one.first) != std::string::npos ||
+        mistake.token.find(one.first) != std::string::npos)
+      return &one;
+  return nullptr;
 }
 
 }  // namespace
@@ -75,35 +101,26 @@ std::vector<Mistake> explained(std::string_view log, const Files& files,
                                const std::vector<std::pair<std::string, std::string>>& failed,
                                const Unit& unit) {
   constexpr std::size_t most = 20;
+  if (log.find(noEntry) != std::string_view::npos)
+    return {{0, unit.line, unit.entry,
+             fmt::format("the file has no function {}", scene::inQuotes(unit.entry))}};
   std::vector<Mistake> mistakes;
   std::istringstream lines{std::string(log)};
   for (std::string line; std::getline(lines, line) && mistakes.size() < most;) {
     constexpr std::string_view error = "ERROR: ";
     if (!line.starts_with(error)) continue;
     Mistake mistake = located(std::string_view(line).substr(error.size()), files.count());
-    const std::string& message = mistake.message;
-    if (message.find("compilation errors") != std::string::npos ||
-        message.find("compilation terminated") != std::string::npos)
+    if (mistake.message.find("compilation errors") != std::string::npos ||
+        mistake.message.find("compilation terminated") != std::string::npos)
       continue;
-    if (message.find("Missing entry point") != std::string::npos ||
-        message.find("Entry point not found") != std::string::npos ||
-        message.find("No function definition (body) found") != std::string::npos) {
-      mistakes = {{0, unit.line, unit.entry,
-                   fmt::format("the file has no function {}", scene::inQuotes(unit.entry))}};
-      break;
+    if (mistake.message.find("Recursion detected") != std::string::npos) {
+      std::getline(lines, line);
+      return {recursion(line, files)};
     }
-    const auto include = std::find_if(failed.begin(), failed.end(), [&](const auto& one) {
-      return message.find(one.first) != std::string::npos ||
-             mistake.token.find(one.first) != std::string::npos;
-    });
-    if (message.find("include") != std::string::npos ||
-        mistake.token.find("include") != std::string::npos) {
-      if (include != failed.end()) {
-        mistake.token = include->first;
-        mistake.message = include->second;
-        mistakes.push_back(std::move(mistake));
-        break;  // what follows comes of it
-      }
+    if (const auto* include = failedInclude(mistake, failed)) {
+      mistake.token = include->first;
+      mistake.message = include->second;
+      return {mistake};  // what else the log says comes of it
     }
     reword(mistake);
     const bool known = std::any_of(mistakes.begin(), mistakes.end(), [&](const Mistake& other) {
@@ -111,6 +128,12 @@ std::vector<Mistake> explained(std::string_view log, const Files& files,
     });
     if (!known) mistakes.push_back(std::move(mistake));
   }
+  // The reader of HLSL says what it expected at every level above a mistake.
+  const auto expected = [](const Mistake& one) { return one.message.ends_with(": Expected"); };
+  if (std::any_of(mistakes.begin(), mistakes.end(), std::not_fn(expected)))
+    std::erase_if(mistakes, expected);
+  else if (!mistakes.empty())
+    mistakes.resize(1);
   if (mistakes.empty())
     mistakes.push_back({0, unit.line, unit.entry, "the compiler gives no reason for refusing this"});
   return mistakes;

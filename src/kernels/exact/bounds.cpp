@@ -51,6 +51,7 @@ class Bounds {
     return a == 0 ? b : b == 0 ? a : emit(SpvOpLogicalAnd, module_.boolType(), {a, b});
   }
   Id asUint(Id value) {
+    if (const auto constant = module_.constant(value)) return module_.uintConstant(*constant);
     return module_.typeOf(value) == module_.uintType() ? value
                                                        : emit(SpvOpBitcast, module_.uintType(), {value});
   }

@@ -139,7 +139,8 @@ bool isArithmetic(SpvOp op) {
 
 class Placing {
  public:
-  explicit Placing(Module& module) : module_(module), set_(module.extendedSet(false)) {}
+  Placing(Module& module, Language language)
+      : module_(module), set_(module.extendedSet(false)), hlsl_(language == Language::hlsl) {}
 
   std::vector<PlacedCall> run() {
     std::vector<Instruction> body = std::move(module_.body);
@@ -160,7 +161,8 @@ class Placing {
       function = functionFor(one.operands[1]);
       arguments.erase(arguments.begin(), arguments.begin() + 2);
     } else if (!dividesByConstant(one)) {
-      function = functionFor(one.op);
+      // what glslang writes for fmod and %, which HLSL gives the sign of the first number
+      function = one.op == SpvOpFMod && hlsl_ ? "xRem" : functionFor(one.op);
     }
     if (function != nullptr && one.op == SpvOpVectorTimesScalar)
       arguments[1] = spread(one.type, arguments[1]);
@@ -274,6 +276,7 @@ class Placing {
 
   Module& module_;
   Id set_;
+  bool hlsl_;
   std::vector<PlacedCall> calls_;
 };
 
@@ -290,8 +293,8 @@ void forbidContraction(Module& module) {
       module.decorate(one.result, SpvDecorationNoContraction);
 }
 
-std::vector<PlacedCall> placeCalls(Module& module) {
-  std::vector<PlacedCall> calls = Placing(module).run();
+std::vector<PlacedCall> placeCalls(Module& module, Language language) {
+  std::vector<PlacedCall> calls = Placing(module, language).run();
   forbidContraction(module);
   return calls;
 }

@@ -17,7 +17,7 @@ struct PlacedCall {
 
 /// Puts calls in place of every operation whose result a driver may choose, and NoContraction on those that
 /// stay. The calls name no function until linkLibrary().
-[[nodiscard]] std::vector<PlacedCall> placeCalls(Module& module);
+[[nodiscard]] std::vector<PlacedCall> placeCalls(Module& module, Language language);
 
 /// Appends the functions that are called, and those that they call, with ids of the module's.
 void linkLibrary(Module& module, const std::vector<PlacedCall>& calls);

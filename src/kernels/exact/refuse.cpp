@@ -137,6 +137,15 @@ std::vector<Mistake> refused(const Module& module, const Files& files, bool fast
       file = fileNumber(module.text(one.operands[0]), files.count());
       line = static_cast<int>(one.operands[1]);
     }
+    if (one.op == SpvOpStore && module.typeOf(one.operands[0]) != 0) {
+      const Instruction* pointer = module.global(module.typeOf(one.operands[0]));
+      const Id stored = module.typeOf(one.operands[1]);
+      if (pointer != nullptr && pointer->op == SpvOpTypePointer && stored != 0 &&
+          pointer->operands[1] != stored)
+        add({file, line, "",
+             "glslang gives this assignment a value of another type; write the value out, component by "
+             "component"});
+    }
     const Refusal* found = refusal(one);
     if (found != nullptr && (found->whenFast || !fast))
       add({file, line, named(files, file, line, found->words), found->message});

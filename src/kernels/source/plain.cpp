@@ -1,10 +1,10 @@
 #include "kernels/source/plain.hpp"
 
+#include "base/text.hpp"
 #include "kernels/source/files.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -120,6 +120,39 @@ class LoopVariables {
   }
 };
 
+/// "m._m00_m10_m20" becomes "float3(m._m00, m._m10, m._m20)": glslang takes the first element alone.
+std::string withMatrixElements(const std::string& text) {
+  const std::string code = withoutComments(text);
+  std::string result = text;
+  for (std::size_t at = code.rfind("._"); at != std::string::npos && at > 0;
+       at = code.rfind("._", at - 1)) {
+    const bool zeroBased = at + 2 < code.size() && code[at + 2] == 'm';
+    const std::size_t length = zeroBased ? 4 : 3;
+    std::vector<std::string> elements;
+    std::size_t end = at + 1;
+    const auto isElement = [&] {
+      const std::string one = code.substr(end, length);
+      return one.size() == length && one[0] == '_' && (!zeroBased || one[1] == 'm') &&
+             isDigit(one[length - 2]) && isDigit(one[length - 1]);
+    };
+    for (; isElement(); end += length) elements.push_back(code.substr(end, length));
+    if (elements.size() < 2 || elements.size() > 4 || (end < code.size() && partOfName(code[end])))
+      continue;
+    std::size_t begin = at;
+    while (begin > 0 && (partOfName(code[begin - 1]) || code[begin - 1] == '.')) --begin;
+    if (begin == at || (begin > 0 && (code[begin - 1] == ']' || code[begin - 1] == ')'))) continue;
+    const std::size_t next = code.find_first_not_of(" \t", end);
+    if (next != std::string::npos && code[next] == '=' && code.compare(next, 2, "==") != 0)
+      continue;  // is assigned to
+    const std::string matrix = code.substr(begin, at - begin);
+    std::string vector = fmt::format("float{}(", elements.size());
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      vector += (i == 0 ? "" : ", ") + matrix + "." + elements[i];
+    result.replace(begin, end - begin, vector + ")");
+  }
+  return result;
+}
+
 }  // namespace
 
 bool partOfName(char c) {
@@ -168,7 +201,7 @@ std::string plain(std::string_view original) {
     if (const std::size_t end = code.find("]]", at); end != std::string::npos) blank(text, at, end + 2);
   for (const std::string_view mark : {"#[compute]", "#[versions]"})
     if (const std::size_t at = code.find(mark); at != std::string::npos) blank(text, at, at + mark.size());
-  return LoopVariables::declared(text);
+  return withMatrixElements(LoopVariables::declared(text));
 }
 
 std::string tooDeep(std::string_view text) {

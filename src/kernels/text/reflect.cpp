@@ -30,10 +30,10 @@ const char* formatName(std::uint32_t format) {
   return format < std::size(names) ? names[format] : "";
 }
 
-/// A name without what glslang puts around the user's: "@data", "wrapped.name".
+/// A name without what glslang marks with @: "@data" of a buffer's elements, "_Found@count" of a counter.
 std::string plainName(const std::string& name) {
   const std::size_t at = name.find('@');
-  return at == std::string::npos || at == 0 ? name : name.substr(0, at);
+  return at == 0 ? name.substr(1) : name.substr(0, at);
 }
 
 class Reflecting {
@@ -102,7 +102,7 @@ class Reflecting {
     const Instruction& made = *module_.global(structure);
     for (std::uint32_t i = 0; i < made.operands.size(); ++i) {
       Member member;
-      member.name = module_.memberName(structure, i);
+      member.name = plainName(module_.memberName(structure, i));
       member.offset = module_.memberDecoration(structure, i, SpvDecorationOffset).value_or(0);
       Id type = made.operands[i];
       for (const Instruction* array = module_.global(type);
@@ -186,10 +186,12 @@ std::unordered_map<Id, Use> uses(const Module& module) {
   return found;
 }
 
-std::string bufferName(const Module& module, Id variable, Id type) {
-  // In OpenGL a block is known by its type's name; HLSL gives both the same.
-  const std::string name = module.name(type);
-  return name.empty() ? module.name(variable) : name;
+/// In OpenGL a block is known by its type's name; buffers of HLSL may share a type, cbuffers have no
+/// variable's.
+std::string bufferName(const Module& module, Language language, Id variable, Id type) {
+  const std::string name = language == Language::hlsl ? module.name(variable) : module.name(type);
+  if (!name.empty()) return name;
+  return language == Language::hlsl ? module.name(type) : module.name(variable);
 }
 
 }  // namespace
@@ -219,7 +221,7 @@ Kernel reflected(const Module& module, Language language) {
     const int binding = static_cast<int>(module.decoration(one.result, SpvDecorationBinding).value_or(0));
     const Use use = used[one.result];
     if (resource == Resource::storage) {
-      const std::string name = bufferName(module, one.result, pointee);
+      const std::string name = bufferName(module, language, one.result, pointee);
       Buffer buffer{plainName(name), binding, use.reads, use.writes, {}, 0, reflecting.members(pointee)};
       if (name.find("@count") != std::string::npos) {
         buffer.counterOf = buffer.name;
@@ -227,7 +229,7 @@ Kernel reflected(const Module& module, Language language) {
       }
       kernel.buffers.push_back(std::move(buffer));
     } else if (resource == Resource::block) {
-      std::string name = bufferName(module, one.result, pointee);
+      std::string name = bufferName(module, language, one.result, pointee);
       if (name.starts_with('$') || name == "gl_DefaultUniformBlock") name.clear();
       kernel.blocks.push_back({name, binding, (reflecting.bytes(pointee, false, 16) + 15) / 16 * 16,
                                reflecting.members(pointee)});

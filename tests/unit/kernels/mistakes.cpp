@@ -1,0 +1,142 @@
+#include "base/error.hpp"
+#include "kernels/kernels.hpp"
+#include "unit/help.hpp"
+#include "unit/kernels/shader_file.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <unistd.h>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+using namespace simreel;
+using simreel::test::checkHas;
+using simreel::test::has;
+
+namespace {
+
+/// The report about a text, without the folder of its file.
+std::string report(const std::string& name, const std::string& text) {
+  try {
+    static_cast<void>(simreel::test::loaded(name, text));
+  } catch (const UserError& error) {
+    CHECK(error.code() == ExitCode::usage);
+    std::string message = error.what();
+    const std::string folder =
+        std::filesystem::temp_directory_path().string() + fmt::format("/simreel-{}-", ::getpid());
+    for (auto at = message.find(folder); at != std::string::npos; at = message.find(folder))
+      message.erase(at, folder.size());
+    return message;
+  }
+  return "no error";
+}
+
+constexpr const char* head = "RWStructuredBuffer<float> _Out;\r\n[numthreads(1, 1, 1)]\r\n";
+
+}  // namespace
+
+TEST_CASE("a mistake in a shader is told with line, column and caret") {
+  CHECK(report("a.hlsl", std::string(head) + "void K() {\r\n  _Out[0] = missing + 1;\r\n}\r\n") ==
+        "a.hlsl:4:13: error: \"missing\" is not declared\n"
+        "    _Out[0] = missing + 1;\n"
+        "              ^~~~~~~");
+  checkHas(report("b.comp", "#version 450\nlayout(local_size_x = 1) in;\nvoid main() { int a = b; }\n"),
+           "b.comp:3:23: error: \"b\" is not declared\n");
+}
+
+TEST_CASE("what has not the same bits everywhere is refused where it stands") {
+  checkHas(report("c.hlsl", std::string(head) + "void K() {\n  _Out[0] = WaveActiveSum(_Out[1]);\n}\n"),
+           "c.hlsl:4:13: error: subgroup operations depend on the width");
+  checkHas(
+      report("d.comp",
+             "#version 450\n#extension GL_EXT_shader_atomic_float : require\nlayout(local_size_x = 1) in;\n"
+             "buffer B { float x[]; };\nvoid main() {\n  atomicAdd(x[0], 1.0);\n}\n"),
+      "d.comp:6:3: error: atomic operations on floating numbers");
+  checkHas(report("e.comp",
+                  "#version 450\nlayout(local_size_x = 1) in;\nbuffer B { double x[]; };\n"
+                  "void main() { x[0] = x[1] * 2.0; }\n"),
+           "e.comp:3:12: error: numbers of 64 bits");
+}
+
+TEST_CASE("a kernel without a function, and a file without kernels, are told") {
+  CHECK(has(report("f.compute", "#pragma kernel Gone\n" + std::string(head) + "void K() {}\n"),
+            "f.compute:1:16: error: the file has no function \"Gone\"\n"));
+  checkHas(report("g.compute", "float x;\n"), "has no kernel: it needs a line \"#pragma kernel NAME\"");
+}
+
+TEST_CASE(
+    "an include is read below the shader's folder and given folders alone, its mistakes at its lines") {
+  const auto folder =
+      std::filesystem::temp_directory_path() / fmt::format("simreel-{}-includes", ::getpid());
+  std::filesystem::create_directories(folder / "shader");
+  std::ofstream(folder / "shader" / "near.cginc") << "float twice(float x) {\n  return x * tow;\n}\n";
+  std::ofstream(folder / "far.cginc") << "#define FAR 1\n";
+  std::ofstream(folder / "shader" / "loop.cginc") << "#include \"loop.cginc\"\n";
+  const auto told = [&](const std::string& include, std::vector<std::filesystem::path> folders = {}) {
+    std::ofstream(folder / "shader" / "k.compute") << "#pragma kernel K\n"
+                                                   << include << "\n"
+                                                   << head << "void K() { _Out[0] = 1; }\n";
+    kernels::Request request;
+    request.file = folder / "shader" / "k.compute";
+    request.folders = std::move(folders);
+    try {
+      static_cast<void>(kernels::loadHere(request));
+    } catch (const UserError& error) {
+      return std::string(error.what());
+    }
+    return std::string("fine");
+  };
+  checkHas(told("#include \"near.cginc\""), "near.cginc:2:14: error: \"tow\" is not declared");
+  checkHas(told("#include \"../far.cginc\""),
+           "k.compute:2:11: error: \"../far.cginc\" lies outside the folders");
+  CHECK(told("#include \"../far.cginc\"", {folder}) == "fine");
+  checkHas(told("#include \"gone.cginc\""), "\"gone.cginc\" is not in the shader's folder");
+  checkHas(told("#include \"/etc/passwd\""), "is not in the shader's folder");
+  checkHas(told("#include \"loop.cginc\""), "deep");
+  CHECK(told("#include \"UnityCG.cginc\"") == "fine");
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("a shader that calls itself, nests too deeply or is no text ends in one message") {
+  checkHas(report("h.hlsl", std::string(head) + "void K() { K(); }\n"), "error: ");
+  checkHas(
+      report("i.comp",
+             "#version 450\nlayout(local_size_x = 1) in;\nint f(int x);\nint g(int x) { return f(x); }\n"
+             "int f(int x) { return g(x); }\nvoid main() { f(1); }\n"),
+      "calls itself");
+  checkHas(
+      report("j.hlsl", std::string(head) + "void K() { _Out[0] = " + std::string(100000, '(') + "; }\n"),
+      "brackets are nested more than");
+  checkHas(report("k.hlsl", std::string("a\0b", 3)), "this is no text");
+}
+
+TEST_CASE("garbage and cut shaders end in a message, and no crash of the compiler reaches the program") {
+  const std::string whole =
+      "#pragma kernel K\nstruct P { float3 a; int b[4]; };\nRWStructuredBuffer<P> _P; Texture2D<float4> t; "
+      "SamplerState s; groupshared float g[8];\n#define F(x) (x * 2)\n[numthreads(8, 1, 1)] void K(uint3 "
+      "id : "
+      "SV_DispatchThreadID) {\n  for (int i = 0; i < 4; i++) { _P[id.x].b[i] = F(i) + t.SampleLevel(s, "
+      "0.5, 0).x; }\n}\n";
+  std::mt19937 random(7);
+  for (int round = 0; round < 40; ++round) {
+    std::string text = whole;
+    for (int i = 0; i < 1 + round % 4; ++i) {
+      const std::size_t at = random() % text.size();
+      if (round % 3 == 0) text.resize(std::max<std::size_t>(at, 1));
+      if (round % 3 == 1) text[at] = static_cast<char>(33 + random() % 90);
+      if (round % 3 == 2) text.erase(at, random() % 9);
+      if (text.empty()) text = "x";
+    }
+    const simreel::test::TemporaryFile file("garbage.compute", text);
+    kernels::Request request;
+    request.file = file.path();
+    try {
+      static_cast<void>(kernels::load(request));
+    } catch (const UserError& error) {
+      CHECK_MESSAGE(error.code() == ExitCode::usage, text);
+    }
+  }
+}
