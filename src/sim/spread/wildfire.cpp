@@ -61,7 +61,7 @@ class Wildfire final : public Simulation {
     const gl::Defines defines = gl::kernelDefines(setting.fast);
     step_ = gl::Kernel<WildfireStepKernel>(
         defines,
-        {.embers = parameters().hasEmbers, .slope = climbs(), .gales = !parameters().windFluid.empty()});
+        {.embers = parameters().embers.has_value(), .slope = climbs(), .gales = !parameters().windFluid.empty()});
     paint_ = gl::Kernel<WildfirePaintKernel>(defines);
     grid_.paintFirst(plan_.firstStrokes(setting.startTime), steps_.at(0), *this);
     if (blown()) makeGales(setting);
