@@ -42,9 +42,9 @@ std::string mistakeOf(const std::string& objects) {
 const std::string fanText = R"("fan": {"fan": {"position": [0, 0, 0], "speed": 6}})";
 
 /// Two grains at rest, one near the fan and one far from it.
-const std::string grains = R"("grains": {"particles": {"wind": {"fluid": "fan"}, "acceleration": [0, 0, 0],
-    "groups": [{"shape": "ball", "count": 1, "center": [0.5, 0, 0], "radius": 1e-6, "velocity": [0, 0, 0]},
-               {"shape": "ball", "count": 1, "center": [4, 0, 0], "radius": 1e-6, "velocity": [0, 0, 0]}]}})";
+const std::string grains = R"("grains": {"particles": {"method": "none", "wind": {"fluid": "fan"},
+    "groups": [{"shape": "ball", "count": 1, "position": [0.5, 0, 0], "radius": 1e-4},
+               {"shape": "ball", "count": 1, "position": [4, 0, 0], "radius": 1e-4}]}})";
 
 }  // namespace
 
