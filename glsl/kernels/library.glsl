@@ -1,4 +1,4 @@
-// What stands for the operations of users' kernels: of vectors component by component, sums from left to right.
+// Functions in place of the operations of users' kernels. Vectors go component by component; sums go from left to right.
 #include "kernels/numbers.glsl"
 #include "kernels/functions.glsl"
 #include "kernels/packing.glsl"

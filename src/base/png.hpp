@@ -25,7 +25,7 @@ struct PngChunk {
 /// The chunks' bytes of a file that begins as a PNG; nothing of another.
 [[nodiscard]] std::optional<std::string_view> pngChunks(std::string_view file);
 
-/// What the first chunk says of the pixels.
+/// Pixel format, from the first chunk.
 struct PngHeader {
   static constexpr std::size_t size = 13;
 

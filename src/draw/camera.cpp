@@ -16,7 +16,7 @@ namespace {
 
 constexpr float radiansPerDegree = 0.017453293F;
 
-/// What a camera that does not follow a path looks at.
+/// Returns the target of a camera that follows no path.
 glm::vec3 targetOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
   if (!camera.track)
     return drawables.lagging.empty() ? camera.target.at(seconds) : drawables.lagging.front();

@@ -21,8 +21,8 @@ constexpr std::array<GLbitfield, 5> kinds = {
 Time now = 1;
 std::array<Time, kinds.size()> lastBarrier{};
 
-/// By the driver's name, which drivers count from 1. Names far up share a stamp, and a new object takes
-/// over that of an old one: both cost a barrier too many at most.
+/// Returns the stamp of a buffer or texture, by its OpenGL name; names start at 1. Names 65,536 apart share
+/// a stamp, and a new object inherits the stamp of a deleted one. Both cost at most one barrier too many.
 Stamp& stampOf(AccessLog::Memory memory) {
   constexpr std::size_t most = 1 << 16;
   static std::vector<Stamp> stamps[2];

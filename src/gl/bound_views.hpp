@@ -27,7 +27,7 @@ struct BoundViews {
   };
   std::map<GLuint, TextureShape> textures;
   std::map<GLuint, Image> images;
-  /// What a gl::Kernel was given, by the name there: a sampler's or an image's (namesView). The units are
+  /// Views given to a gl::Kernel, by the name of the sampler or image (namesView). The units are
   /// not known before the program is linked.
   std::map<std::string, Image> named;
 };

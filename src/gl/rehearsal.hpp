@@ -34,7 +34,7 @@ class Rehearsal {
   [[nodiscard]] static bool now();
   /// Notes a kernel that is about to run. False where there is no rehearsal, so that it has to run.
   static bool note(const std::shared_ptr<LinkedProgram>& program);
-  /// The same of one that is given its views by name, not as they are bound.
+  /// Notes a dispatch whose views are given by name instead of by unit.
   static bool note(const std::shared_ptr<LinkedProgram>& program, const BoundViews& given);
   static void bound(GLuint unit, const Texture& texture);
   static void boundImage(GLuint unit, const Texture& texture, GLint level, GLenum access, GLenum format);

@@ -21,7 +21,7 @@ void copyOut(const gl::Texture& texture, glm::ivec2 rows, GLenum type, std::span
 
 std::span<std::uint32_t> PassPicture::added(const char* pass, const char* part, glm::ivec2 size, int each,
                                             bool light) {
-  // What no entry of the list keeps, nobody would compare.
+  // A name that no entry keeps would never be compared.
   SIMREEL_CHECK(std::find(passNames().begin(), passNames().end(), pass) != passNames().end());
   auto array = std::find_if(arrays.begin(), arrays.end(),
                             [&](const PassArray& one) { return one.pass == pass && one.part == part; });

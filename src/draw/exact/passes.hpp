@@ -11,7 +11,7 @@
 
 namespace simreel::draw {
 
-/// What a pass left, or a part of it: rows from the top.
+/// Output of a pass, or a part of it; rows from the top.
 struct PassArray {
   std::string pass;  ///< one of passNames()
   std::string part;  ///< "keys", "numbers"; "sun", "lamps", "openness"; "lens", the mean of all its points;

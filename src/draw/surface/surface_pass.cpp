@@ -59,7 +59,7 @@ SurfacePass::SurfacePass(const scene::Scene& scene, const ShadowPass& shadow, co
   defines_.insert(defines_.end(), lamps.defines().begin(), lamps.defines().end());
   for (const scene::Object& object : scene.objects) {
     textures_.load(object.material.texture);
-    // Whether a simulation publishes a grid or a solid mesh is not known yet; both are common.
+    // A simulation may publish a grid or a solid mesh, which is not known yet; both are common.
     const unsigned wanted =
         object.material.skin ? skinFeatures(object.material, true) : features(object.material);
     program(wanted | grid | doubleSided);

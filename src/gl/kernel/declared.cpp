@@ -77,7 +77,7 @@ class Declarations {
   std::set<std::string, std::less<>> names_;
   std::vector<std::string_view> words_;  ///< of the statement so far
   int round_ = 0, depth_ = 0;            ///< brackets that are open
-  bool block_ = false;                   ///< the outermost braces are those of a block of the interface
+  bool block_ = false;                   ///< true inside the braces of an interface block
 };
 
 }  // namespace

@@ -125,7 +125,7 @@ struct Block : In<label> {
   Block(const Resource& resource) : In<label>(resource) {}
 };
 
-/// Members of a Variant: #defines. `defines` are those of each value that tools compile.
+/// Members of a Variant become #defines. `defines` lists the defines of each value that tools compile.
 
 /// Defined as 1, or not at all.
 template <Name label>
@@ -141,7 +141,7 @@ struct Flag {
   bool on = false;
 };
 
-/// A whole number of those listed, of an enum or an int.
+/// An enum or int whose possible values are listed.
 template <Name label, int... values>
 struct Choice {
   using Field = void;

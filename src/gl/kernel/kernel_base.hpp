@@ -11,7 +11,7 @@
 
 namespace simreel::gl {
 
-/// What an interface (gl/kernel/kernel.hpp) says, as data.
+/// Interface of a kernel (gl/kernel/kernel.hpp) as data.
 struct KernelNames {
   struct Number {
     const char* name;
@@ -37,7 +37,7 @@ void checkDeclared(const KernelNames& names, const std::string& text);
 /// The part of a Kernel that is the same whatever its interface.
 class KernelBase {
  public:
-  /// What one dispatch is given, in the order of the names.
+  /// Values of one dispatch, in the order of the names.
   struct Given {
     std::span<const GivenNumber* const> numbers;
     std::span<const Resource* const> memories;
@@ -70,7 +70,7 @@ class KernelBase {
   void addSlots(std::size_t memory);
   void checkActive() const;
   void checkTypes() const;
-  /// Sets uniforms and binds, after the barriers that are due: `more` and those of what it is given.
+  /// Places the barriers that are due (`more`, and those of the resources given), then sets uniforms and binds.
   void prepare(const Given& given, GLbitfield more);
   void setNumbers(const Given& given);
   void bind(const Slot& slot, const Resource& resource) const;

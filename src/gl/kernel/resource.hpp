@@ -11,7 +11,7 @@ namespace simreel::gl {
 /// and a view of it. None of it is copied: it lives until the dispatch.
 class Resource {
  public:
-  /// Nothing: for what a variant of the shader does not ask for.
+  /// Empty: for a resource that a variant of the shader does not have.
   Resource() = default;
   // NOLINTBEGIN(google-explicit-constructor): a dispatch is given the thing itself.
   Resource(const Buffer& all) : Resource(all, 0, 0) {}

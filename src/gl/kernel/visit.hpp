@@ -31,7 +31,7 @@ consteval std::size_t memberCount() {
     return sizeof...(Members);
 }
 
-/// Calls `visit` with each field of `all`, those of structs within it in their place.
+/// Calls `visit` with each field of `all`; the fields of a nested struct come in its place.
 template <class T, class Visit>
 constexpr void visitFields([[maybe_unused]] T& all, [[maybe_unused]] const Visit& visit) {
   constexpr std::size_t count = memberCount<std::remove_const_t<T>>();

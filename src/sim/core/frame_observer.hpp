@@ -2,7 +2,7 @@
 
 namespace simreel::sim {
 
-/// Object that notes something of other objects in every frame, drawn or not: of those that it wants
+/// Object that observes others in every frame, drawn or not. It observes the objects that it wants
 /// When::afterFrame.
 class FrameObserver {
  public:
@@ -11,8 +11,8 @@ class FrameObserver {
   virtual void observe(double time) = 0;
 };
 
-/// Object that takes in the state of others at the start of a frame: of those that it wants
-/// When::frameStart, which may take in this one's, too.
+/// Object that reads the state of others at the start of a frame. It reads the objects that it wants
+/// When::frameStart, and they may read it, too.
 class FrameStarter {
  public:
   virtual ~FrameStarter() = default;

@@ -130,8 +130,8 @@ struct Together {
 class Links {
  public:
   virtual ~Links() = default;
-  /// Returns the outlet of `object` for a port, null where it has none (yet). Without a name: the outlet
-  /// of the scene itself, else that of the first object that has one.
+  /// Returns the outlet of `object` for a port; null if it has none (yet). An empty name: returns the
+  /// outlet of the scene itself, else the first outlet of an object.
   [[nodiscard]] virtual void* find(const PortInfo& port, std::string_view object) const = 0;
   /// Returns all outlets of objects, in step order.
   [[nodiscard]] virtual std::vector<void*> all(const PortInfo& port) const = 0;

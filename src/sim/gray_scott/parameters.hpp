@@ -21,7 +21,7 @@ struct FeedKill {
 };
 [[nodiscard]] FeedKill ratesOf(GrayScottPreset preset);
 
-/// Rates between those of two presets.
+/// Mixture of the rates of two presets.
 struct GrayScottHealth {
   scene::Animated<float> level = 1.0F;  ///< 1: rates of `well`, 0: of `ill`, in between a mixture
   GrayScottPreset well = GrayScottPreset::leopard, ill = GrayScottPreset::chaos;

@@ -98,7 +98,7 @@ struct StrokeUniforms {
 };
 [[nodiscard]] StrokeUniforms uniformsOf(const shader::Stroke& stroke, glm::ivec4 box);
 
-/// Sets the same of a gl::Program.
+/// Sets the uniforms of a stroke on a gl::Program.
 void setStroke(const gl::Program& program, const shader::Stroke& stroke, glm::ivec4 box);
 
 }  // namespace simreel::sim

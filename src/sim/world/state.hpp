@@ -23,12 +23,12 @@ struct World::State {
   std::vector<ColliderShape> colliders;
   std::unique_ptr<DistanceFields> meshes;  ///< of the rigid meshes that collide, where something may touch
   ObjectLinks links;
-  const std::vector<std::unique_ptr<Simulation>>& objects;  ///< those of `links`
+  const std::vector<std::unique_ptr<Simulation>>& objects;  ///< owned by `links`
   std::vector<std::unique_ptr<StepGroup>> groups;           ///< of each node of the step order; null: none
   std::vector<std::string> names;
   std::optional<std::size_t> tracked;                ///< the object that the camera looks at
   std::vector<FrameStarter*> starters;  ///< objects that take in others before each frame
-  std::vector<bool> isRead;             ///< true for one of these others
+  std::vector<bool> isRead;             ///< true for an object that others take in
   scene::Camera camera;
   std::vector<Lag> lags;  ///< of the camera behind what it looks at, and behind where it would stand
   std::vector<FrameObserver*> observers;  ///< among the objects

@@ -60,7 +60,7 @@ class ThingsPass final : public FramePass {
              objectName(surface));
   }
 
-  std::set<std::string> said_;  ///< names of those objects
+  std::set<std::string> said_;  ///< names of objects that a warning named
 };
 
 class JoinedPass final : public FramePass {

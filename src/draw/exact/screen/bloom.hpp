@@ -13,7 +13,7 @@ namespace simreel::draw {
 class Bloom {
  public:
   Bloom(const scene::Bloom& bloom, glm::ivec2 size);
-  /// Whether some moment of the scene has any.
+  /// True if the scene has bloom at some moment.
   [[nodiscard]] static bool on(const scene::Bloom& bloom) {
     return bloom.strength.moves() || bloom.strength.at(0) > 0;
   }
