@@ -2,6 +2,7 @@
 #include "kernels/numbers.glsl"
 #include "kernels/functions.glsl"
 #include "kernels/packing.glsl"
+#include "kernels/sampling.glsl"
 
 // A function of 1, 2 or 3 arguments for each length of vector; R is the result's kind, A and B the arguments'.
 #define EACH_1(F, R, A) \

@@ -6,6 +6,7 @@
 #include "kernels/exact/bounds.hpp"
 #include "kernels/exact/calls.hpp"
 #include "kernels/exact/refuse.hpp"
+#include "kernels/exact/sampling.hpp"
 #include "kernels/source/files.hpp"
 #include "kernels/source/pragmas.hpp"
 #include "kernels/spirv/layout.hpp"
@@ -29,7 +30,10 @@ Kernel lowered(Files& files, const Unit& unit, bool fast) {
   if (auto mistakes = refused(module, files, fast); !mistakes.empty()) files.fail(mistakes);
   if (!fast) linkLibrary(module, placeCalls(module, unit.language));
   Module plain(optimized(module.words(), hlsl));
-  if (!fast) keepInside(plain);
+  if (!fast) {
+    keepInside(plain);
+    filterExactly(plain);
+  }
   layOut(plain, hlsl);
   Kernel kernel = reflected(plain, unit.language);
   for (Buffer& buffer : kernel.buffers)

@@ -60,7 +60,8 @@ TEST_CASE("example: the fan of the README blows on particles, harder on the near
   CHECK(links.order()[0].objects[0] == 1);  // the fan comes first, although the scene has it last
   for (const sim::StepNode& node : links.order()) {
     const scene::Object& object = scene.objects[node.objects[0]];
-    const sim::SimulationKind kind = object.kind == "fan" ? sim::fanKind() : sim::simulationNamed(object.kind);
+    const sim::SimulationKind kind =
+        object.kind == "fan" ? sim::fanKind() : sim::simulationNamed(object.kind);
     links.made(node.objects[0], kind.make(object, setting));
   }
   for (int frame = 0; frame < 6; ++frame)

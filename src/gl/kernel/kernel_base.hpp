@@ -70,7 +70,8 @@ class KernelBase {
   void addSlots(std::size_t memory);
   void checkActive() const;
   void checkTypes() const;
-  /// Places the barriers that are due (`more`, and those of the resources given), then sets uniforms and binds.
+  /// Places the barriers that are due (`more`, and those of the resources given), then sets uniforms and
+  /// binds.
   void prepare(const Given& given, GLbitfield more);
   void setNumbers(const Given& given);
   void bind(const Slot& slot, const Resource& resource) const;

@@ -2,6 +2,7 @@
 
 #include "gl/shader_source.hpp"
 #include "kernels/compile/messages.hpp"
+#include "kernels/spirv/module.hpp"
 
 #include <algorithm>
 #include <array>
@@ -118,17 +119,26 @@ std::vector<std::uint32_t> words(Compiled& compiled, bool lines) {
   return made;
 }
 
-}  // namespace
+/// Whether a kernel has inputs or outputs beside numbers of its invocation: functions of its name in
+/// included files were taken for it.
+bool takesOthers(const std::vector<std::uint32_t>& words) {
+  const Module module(words);
+  return std::any_of(module.globals.begin(), module.globals.end(), [&](const Instruction& one) {
+    if (one.op != SpvOpVariable) return false;
+    return one.operands[0] == SpvStorageClassOutput ||
+           (one.operands[0] == SpvStorageClassInput &&
+            !module.decoration(one.result, SpvDecorationBuiltIn));
+  });
+}
 
-std::vector<std::uint32_t> compile(Files& files, const Unit& unit) {
-  initialize();
+std::vector<std::uint32_t> compiledAs(Files& files, const Unit& unit, bool renamed) {
   Compiled compiled;
   glslang::TShader& shader = compiled.shader;
   const std::string before = preamble(unit);
   const std::string name = "0";
   const bool hlsl = unit.language == Language::hlsl;
   std::string whole = files.text(0);
-  const std::string entry = hlsl ? entryName(whole, unit.entry) : "main";
+  const std::string entry = hlsl ? entryName(whole, unit.entry, renamed) : "main";
   const char* text = whole.data();
   const int length = static_cast<int>(whole.size());
   const char* names = name.c_str();
@@ -156,6 +166,15 @@ std::vector<std::uint32_t> compile(Files& files, const Unit& unit) {
   if (!linked || log.find(noEntry) != std::string::npos)
     files.fail(explained(log, files, includer.failed(), unit));
   return words(compiled, true);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> compile(Files& files, const Unit& unit) {
+  initialize();
+  std::vector<std::uint32_t> made = compiledAs(files, unit, false);
+  if (unit.language == Language::hlsl && takesOthers(made)) made = compiledAs(files, unit, true);
+  return made;
 }
 
 std::vector<std::uint32_t> compileLibrary(const std::string& text) {

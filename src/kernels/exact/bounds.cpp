@@ -99,9 +99,10 @@ class Bounds {
       retyped_.emplace_back(variable.result, pointer);
     }
     // Types stand before what uses them.
-    for (const auto& [variable, pointer] : retyped_) {
+    for (const auto& one : retyped_) {
+      const Id variable = one.first, pointer = one.second;
       const auto at = std::find_if(module_.globals.begin(), module_.globals.end(),
-                                   [&](const Instruction& one) { return one.result == variable; });
+                                   [&](const Instruction& made) { return made.result == variable; });
       Instruction moved = *at;
       moved.type = pointer;
       module_.globals.erase(at);

@@ -25,7 +25,11 @@ struct Library {
   std::unordered_map<Id, Function> functions;
   Id set = 0;  ///< GLSL.std.450
 
-  Library() : module(compileLibrary(gl::loadShader("kernels/library.glsl", {}).text)) {
+  Library()
+      : module(
+            compileLibrary(gl::loadShader("kernels/library.glsl",
+                                          {{gl::extensionDefine, "GL_EXT_samplerless_texture_functions"}})
+                               .text)) {
     forbidContraction(module);
     set = module.extendedSet();
     for (const Instruction& one : module.head)

@@ -56,6 +56,22 @@ void shortenNumbers(std::string& text, std::string_view code) {
   }
 }
 
+/// "const uint2 Resolution;" outside of functions is a constant that the scene sets: glslang takes it for
+/// zero.
+void blankConstOfGlobals(std::string& text, std::string_view code) {
+  eachWord(code, "const", [&](std::size_t at, std::size_t end) {
+    const auto open = std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '{');
+    if (open != std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '}')) return;
+    const std::size_t before = at == 0 ? std::string_view::npos : code.find_last_not_of(" \t\n\r", at - 1);
+    const std::size_t stop = code.find_first_of("=;(){}", end);
+    const bool first = before == std::string_view::npos || code[before] == ';' || code[before] == '}' ||
+                       code.substr(0, at).find_last_of('\n') > before;
+    if (first && stop != std::string_view::npos && code[stop] == ';' &&
+        !code.substr(0, before + 1).ends_with("static"))
+      blank(text, at, end);
+  });
+}
+
 /// The word that begins at or after a place, past blanks; empty where none does.
 std::string_view wordAt(std::string_view code, std::size_t& at) {
   at = std::min(code.find_first_not_of(" \t\n", at), code.size());
@@ -192,6 +208,7 @@ std::string plain(std::string_view original) {
   const std::string code = withoutComments(text);
   blankPackOffsets(text, code);
   shortenNumbers(text, code);
+  if (code.find("#version") == std::string::npos) blankConstOfGlobals(text, code);
   for (const std::string_view word : {"unorm", "snorm"})
     eachWord(code, word, [&](std::size_t at, std::size_t end) {
       const std::size_t next = code.find_first_not_of(" \t", end);

@@ -114,7 +114,7 @@ Announcements announcements(const Files& files) {
   return found;
 }
 
-std::string entryName(std::string& text, const std::string& kernel) {
+std::string entryName(std::string& text, const std::string& kernel, bool always) {
   const std::string code = withoutComments(text);
   std::size_t definitions = 0, own = std::string::npos;
   for (std::size_t at = code.find(kernel); at != std::string::npos; at = code.find(kernel, at + 1)) {
@@ -130,7 +130,7 @@ std::string entryName(std::string& text, const std::string& kernel) {
     const std::size_t before = first == 0 ? std::string::npos : code.find_last_not_of(" \t\n", first - 1);
     if (type == "void" && before != std::string::npos && code[before] == ']') own = at;
   }
-  if (definitions < 2 || own == std::string::npos) return kernel;
+  if ((definitions < 2 && !always) || own == std::string::npos) return kernel;
   text.replace(own, kernel.size(), kernel + "_kernel");
   return kernel + "_kernel";
 }

@@ -31,7 +31,7 @@ struct Announcements {
 [[nodiscard]] Announcements announcements(const Files& files);
 
 /// glslang takes every function of an entry point's name for one: where the kernel shares its name with
-/// others, `text` calls it another name, which is given back.
-[[nodiscard]] std::string entryName(std::string& text, const std::string& kernel);
+/// others, or `always`, `text` calls it another name, which is given back.
+[[nodiscard]] std::string entryName(std::string& text, const std::string& kernel, bool always);
 
 }  // namespace simreel::kernels

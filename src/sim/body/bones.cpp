@@ -66,7 +66,8 @@ void Bones::addCapsules(std::vector<ColliderShape>& shapes) const {
   }
 }
 
-std::function<Carrier(const std::string& body, const std::string& bone)> boneNamedIn(const Setting& setting) {
+std::function<Carrier(const std::string& body, const std::string& bone)> boneNamedIn(
+    const Setting& setting) {
   return [bones = setting.find<Bones>()](const std::string& body, const std::string& bone) {
     return bones->named(body, bone);
   };

@@ -41,9 +41,9 @@ class Cloth : public Simulation, public LockStep {
   Cloth(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(parametersOf<ClothParameters>(object).inStep(setting.together<LockStep>().steps), setting.seed,
-              setting.frameSeconds, *setting.colliders, boneNamedIn(setting), setting.startTime,
-              heldBySkinIn(setting)),
+        plan_(parametersOf<ClothParameters>(object).inStep(setting.together<LockStep>().steps),
+              setting.seed, setting.frameSeconds, *setting.colliders, boneNamedIn(setting),
+              setting.startTime, heldBySkinIn(setting)),
         size_(plan_.parameters().size),
         constrained_(plan_.parameters().constrained()),
         keeps_(plan_.parameters().keepsEnergy()),

@@ -50,8 +50,9 @@ constinit const PortInfo ContactCloth::port = {
     .lacks = ", which is no cloth",
     .none = "give a \"cloth\" of this scene \"contact\": {}",
     .when = When::afterFrame,
-    .passedBy = "particles \"{}\" collide, but pass through cloth \"{}\", which has no contact: give it "
-                "\"contact\": true, or them \"cloths\": \"none\"",
+    .passedBy =
+        "particles \"{}\" collide, but pass through cloth \"{}\", which has no contact: give it "
+        "\"contact\": true, or them \"cloths\": \"none\"",
 };
 
 ContactGroup::ContactGroup(std::vector<LockStep*> members, std::vector<ContactSolid*> solids, int substeps,

@@ -104,7 +104,9 @@ class Contour final : public Simulation {
   [[nodiscard]] std::optional<ContourLines> lines() const override { return solid_->lines(); }
 
  private:
-  [[nodiscard]] Field source() const { return image_ ? image_->field() : fieldNamed(*links_, parameters_.field); }
+  [[nodiscard]] Field source() const {
+    return image_ ? image_->field() : fieldNamed(*links_, parameters_.field);
+  }
   void make(double time) { solid_->make(source(), parameters_.heightsAt(time)); }
 
   std::string name_;

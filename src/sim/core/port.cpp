@@ -8,8 +8,7 @@
 namespace simreel::sim {
 
 void* Links::checked(void* outlet, const PortInfo& port, std::string_view object) {
-  if (outlet == nullptr)
-    fail(ExitCode::usage, "object \"{}\" provides no {} to others", object, port.name);
+  if (outlet == nullptr) fail(ExitCode::usage, "object \"{}\" provides no {} to others", object, port.name);
   return outlet;
 }
 

@@ -58,8 +58,8 @@ class Ports {
  public:
   struct Offer {
     const PortInfo* port;
-    bool given;                          ///< false: `unless` says why not
-    std::string unless;                  ///< after `object "a" is a cloth`: " without \"contact\""
+    bool given;          ///< false: `unless` says why not
+    std::string unless;  ///< after `object "a" is a cloth`: " without \"contact\""
     std::vector<std::string> parts = {};
     std::vector<std::string> path = {};  ///< place of messages, from the object's parameters
   };
@@ -68,10 +68,10 @@ class Ports {
     std::string name;               ///< OBJECT or OBJECT.PART; empty with `all`
     std::vector<std::string> path;  ///< place of the name, from the object's parameters
     When when;
-    bool all = false;               ///< takes from every object that provides it
-    bool needed = false;            ///< with `all`: at least one must be there
-    std::string words = {};         ///< after "no object is named": words that may stand there
-    bool whole = false;             ///< takes no part of an object
+    bool all = false;        ///< takes from every object that provides it
+    bool needed = false;     ///< with `all`: at least one must be there
+    std::string words = {};  ///< after "no object is named": words that may stand there
+    bool whole = false;      ///< takes no part of an object
   };
   struct Join {
     const PortInfo* port;
@@ -189,7 +189,8 @@ class Outlets {
 /// Splits "smoke.u" into object and part; the part is empty where there is no dot.
 struct PartName {
   explicit PartName(std::string_view name)
-      : object(name.substr(0, name.find('.'))), part(name.substr(std::min(name.size(), object.size() + 1))) {}
+      : object(name.substr(0, name.find('.'))),
+        part(name.substr(std::min(name.size(), object.size() + 1))) {}
   std::string object, part;
 };
 

@@ -43,14 +43,18 @@ FluidWind::FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed,
 
 FluidWind::FluidWind(const std::string& name, const FluidPlane& plane, glm::ivec2 size,
                      std::span<const glm::vec4> cells)
-    : grid_(fluidWindGrid(plane, size)), speed_(0), flow_([this]() -> const FluidArray& { return stillFlow_; }) {
-  SIMREEL_CHECK(cells.size() == static_cast<std::size_t>(size.x + 2) * static_cast<std::size_t>(size.y + 2));
+    : grid_(fluidWindGrid(plane, size)),
+      speed_(0),
+      flow_([this]() -> const FluidArray& { return stillFlow_; }) {
+  SIMREEL_CHECK(cells.size() ==
+                static_cast<std::size_t>(size.x + 2) * static_cast<std::size_t>(size.y + 2));
   for (const glm::vec4& cell : cells) speed_ = std::max(speed_, std::hypot(cell.x, cell.y));
   std::vector<float> planes;
   for (int i = 0; i < 2; ++i)
     for (const glm::vec4& cell : cells) planes.push_back(cell[i]);
-  still_ = gl::memoryPath() == gl::MemoryPath::texel ? gl::Buffer::ofTexels<glm::vec4>(name + " wind", cells)
-                                                     : gl::Buffer::of<float>(name + " wind", planes);
+  still_ = gl::memoryPath() == gl::MemoryPath::texel
+               ? gl::Buffer::ofTexels<glm::vec4>(name + " wind", cells)
+               : gl::Buffer::of<float>(name + " wind", planes);
   stillFlow_ = FluidArray(name + " wind", {&still_, 0, still_.bytes()});
 }
 

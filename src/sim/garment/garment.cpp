@@ -41,8 +41,8 @@ class Garment : public Simulation, public LockStep {
   Garment(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         plan_(object.name, parametersOf<ClothParameters>(object).inStep(setting.together<LockStep>().steps),
-              setting.seed, setting.frameSeconds, *setting.colliders, boneNamedIn(setting), setting.startTime,
-              heldBySkinIn(setting)),
+              setting.seed, setting.frameSeconds, *setting.colliders, boneNamedIn(setting),
+              setting.startTime, heldBySkinIn(setting)),
         vertices_(static_cast<int>(plan_.vertexCount())),
         heights_(setting.find<HeightField>()),
         frameSeconds_(setting.frameSeconds),

@@ -51,11 +51,12 @@ class Particles : public Simulation, public LockStep {
   Particles(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(parametersOf<ParticleParameters>(object).inStep(setting.together<LockStep>().steps), setting.seed,
-              setting.frameSeconds, maxParticles(), shapesIn(setting)) {
+        plan_(parametersOf<ParticleParameters>(object).inStep(setting.together<LockStep>().steps),
+              setting.seed, setting.frameSeconds, maxParticles(), shapesIn(setting)) {
     const ParticleParameters& p = plan_.parameters();
     if (p.collides) heights_ = setting.find<HeightField>();
-    meshes_ = MeshTouch(name_, p.collides ? setting.find<DistanceFields>() : nullptr, p.substeps, plan_.substepSeconds());
+    meshes_ = MeshTouch(name_, p.collides ? setting.find<DistanceFields>() : nullptr, p.substeps,
+                        plan_.substepSeconds());
     if (!p.walls.empty()) {
       walls_ = setting.wanted<Walls>(p.walls);
       walls_->checkReach(name_, p.margin);

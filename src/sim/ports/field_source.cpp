@@ -20,7 +20,8 @@ const PortInfo FieldSource::port = {
 
 Field fieldNamed(const Links& links, const std::string& name) {
   Drawables drawables;
-  if (const Simulation* owner = links.simulation(PartName(name).object)) owner->publish(links.now(), drawables);
+  if (const Simulation* owner = links.simulation(PartName(name).object))
+    owner->publish(links.now(), drawables);
   for (const Field& field : drawables.fields)
     if (*field.name == name) return field;
   fail(ExitCode::usage, "no object has a field named \"{}\"", name);

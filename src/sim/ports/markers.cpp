@@ -6,8 +6,9 @@ const PortInfo Touchable::port = {
     .name = "surface",
     .lacks = ", which nothing touches",
     .none = "the scene has nothing to touch",
-    .missing = "objects.{}.{}.collides: there is nothing to touch; add a ground or a shape, or give a mesh, a "
-               "body or water \"collides\": true, or a cloth \"contact\": true",
+    .missing =
+        "objects.{}.{}.collides: there is nothing to touch; add a ground or a shape, or give a mesh, a "
+        "body or water \"collides\": true, or a cloth \"contact\": true",
 };
 
 const PortInfo Way::port = {

@@ -1,10 +1,10 @@
 #pragma once
 #include "scene/value/fields.hpp"
-#include "sim/ports/field_source.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
+#include "sim/ports/field_source.hpp"
 #include "sim/reaction/rule/evaluate.hpp"
 
 #include <filesystem>

@@ -59,9 +59,9 @@ class Wildfire final : public Simulation {
         fuels_(name_ + " fuel", packedCells(plan_.fuels(), parameters().size)),
         ground_(name_ + " ground", packedCells(plan_.ground(), parameters().size)) {
     const gl::Defines defines = gl::kernelDefines(setting.fast);
-    step_ = gl::Kernel<WildfireStepKernel>(
-        defines,
-        {.embers = parameters().embers.has_value(), .slope = climbs(), .gales = !parameters().windFluid.empty()});
+    step_ = gl::Kernel<WildfireStepKernel>(defines, {.embers = parameters().embers.has_value(),
+                                                     .slope = climbs(),
+                                                     .gales = !parameters().windFluid.empty()});
     paint_ = gl::Kernel<WildfirePaintKernel>(defines);
     grid_.paintFirst(plan_.firstStrokes(setting.startTime), steps_.at(0), *this);
     if (blown()) makeGales(setting);

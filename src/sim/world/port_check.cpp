@@ -52,7 +52,8 @@ Offered offered(const scene::Object& provider, const scene::Object& wanter, cons
 }
 
 /// Names that a want may give, of one object.
-std::vector<std::string> namesOf(const scene::Object& provider, const Offered& offer, const Ports::Want& want) {
+std::vector<std::string> namesOf(const scene::Object& provider, const Offered& offer,
+                                 const Ports::Want& want) {
   std::vector<std::string> names;
   if (!offer.given) return names;
   if (!want.port->partNeeded) names.push_back(provider.name);
@@ -60,8 +61,8 @@ std::vector<std::string> namesOf(const scene::Object& provider, const Offered& o
   return names;
 }
 
-/// What is wrong with the name that an object wants; empty where nothing is, or where the named object has a
-/// mistake of its own.
+/// What is wrong with the name that an object wants; empty where nothing is, or where the named object has
+/// a mistake of its own.
 std::string mistakeOf(const Ports::Want& want, const scene::Object& wanter, Objects objects) {
   const PortInfo& port = *want.port;
   std::vector<std::string> names;
@@ -113,7 +114,8 @@ void checkOffers(Objects objects, const scene::Report& report) {
       if (first == firsts.end())
         firsts.emplace_back(&port, &object);
       else if (port.single != nullptr)
-        report(object, placed(object, offer.path), fmt::format(fmt::runtime(port.single), first->second->name));
+        report(object, placed(object, offer.path),
+               fmt::format(fmt::runtime(port.single), first->second->name));
       if (port.unused != nullptr && !isTaken(port, object.name, objects))
         report(object, placed(object, offer.path), port.unused);
     }
@@ -154,7 +156,8 @@ std::vector<std::string> portMistakes(const scene::Scene& scene) {
   if (scene.camera.follow) checkNamed<Way>("camera.follow", scene.camera.follow->object, objects, mistakes);
   for (const scene::Light& light : scene.lights)
     if (light.follow)
-      checkNamed<Way>(("lights." + light.name + ".follow").c_str(), light.follow->object, objects, mistakes);
+      checkNamed<Way>(("lights." + light.name + ".follow").c_str(), light.follow->object, objects,
+                      mistakes);
   const bool ground = scene.hasGround && !scene.staged;
   for (const scene::Object& object : objects)
     for (const Ports::Want& want : portsOf(object).wants) {

@@ -12,8 +12,8 @@ namespace simreel::sim {
 /// takes, and objects that would have to step before themselves (scene::Kinds::check).
 void checkPorts(std::span<const scene::Object> objects, const scene::Report& report);
 
-/// Returns the mistakes that only the whole scene shows, as lines that begin with a path: names that cameras
-/// and lights follow, and objects that find nothing to take.
+/// Returns the mistakes that only the whole scene shows, as lines that begin with a path: names that
+/// cameras and lights follow, and objects that find nothing to take.
 [[nodiscard]] std::vector<std::string> portMistakes(const scene::Scene& scene);
 
 /// Remarks on objects that others pass by, a line each.

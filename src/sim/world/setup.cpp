@@ -98,8 +98,7 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
       problems.push_back(error);
     }
   };
-  for (const std::string& mistake : portMistakes(scene))
-    problems.emplace_back(ExitCode::usage, mistake);
+  for (const std::string& mistake : portMistakes(scene)) problems.emplace_back(ExitCode::usage, mistake);
   for (const scene::Object& object : scene.objects) {
     if (const auto& check = simulationNamed(object.kind).check) attempt([&] { check(object, setting); });
     checkPictures(object.material, scene.render.rasterizer == scene::Rasterizer::exact, attempt);

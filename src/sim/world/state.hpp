@@ -26,7 +26,7 @@ struct World::State {
   const std::vector<std::unique_ptr<Simulation>>& objects;  ///< owned by `links`
   std::vector<std::unique_ptr<StepGroup>> groups;           ///< of each node of the step order; null: none
   std::vector<std::string> names;
-  std::optional<std::size_t> tracked;                ///< the object that the camera looks at
+  std::optional<std::size_t> tracked;   ///< the object that the camera looks at
   std::vector<FrameStarter*> starters;  ///< objects that take in others before each frame
   std::vector<bool> isRead;             ///< true for an object that others take in
   scene::Camera camera;

@@ -54,9 +54,8 @@ bool waitsFor(const Ports& object, const scene::Object& provider, const Ports& p
   return std::any_of(object.wants.begin(), object.wants.end(), [&](const Ports::Want& want) {
     if (want.when != When::beforeStep) return false;
     if (!want.all) return PartName(want.name).object == provider.name;
-    return std::any_of(provided.offers.begin(), provided.offers.end(), [&](const Ports::Offer& offer) {
-      return offer.given && offer.port == want.port;
-    });
+    return std::any_of(provided.offers.begin(), provided.offers.end(),
+                       [&](const Ports::Offer& offer) { return offer.given && offer.port == want.port; });
   });
 }
 
@@ -121,12 +120,13 @@ void checkOrder(Objects objects, const scene::Report& report) {
   for (const std::size_t node : circle)
     for (const std::size_t object : nodes[node].node.objects)
       names.push_back(fmt::format("\"{}\"", objects[object].name));
-  report(objects[nodes[circle.front()].node.objects.front()], {},
-         names.size() == 1
-             ? fmt::format("object {} takes from itself what it has at the end of the frame", names.front())
-             : fmt::format("objects {} each take from the next what it has at the end of the frame, the last "
-                           "from the first; none of them can step first",
-                           fmt::join(names, ", ")));
+  report(
+      objects[nodes[circle.front()].node.objects.front()], {},
+      names.size() == 1
+          ? fmt::format("object {} takes from itself what it has at the end of the frame", names.front())
+          : fmt::format("objects {} each take from the next what it has at the end of the frame, the last "
+                        "from the first; none of them can step first",
+                        fmt::join(names, ", ")));
 }
 
 }  // namespace simreel::sim

@@ -34,7 +34,8 @@ const ParticleParameters* particlesOf(const scene::Object& object) {
 }
 
 bool goesItsWay(const scene::Object& object) {
-  return particlesOf(object) != nullptr || dynamic_cast<const ClothParameters*>(object.parameters.get()) != nullptr;
+  return particlesOf(object) != nullptr ||
+         dynamic_cast<const ClothParameters*>(object.parameters.get()) != nullptr;
 }
 
 /// While it lives the scene is computed exactly, and nobody hears what making its world says, which the

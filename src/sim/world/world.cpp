@@ -28,9 +28,9 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
     for (std::size_t n = 0; n < state_->groups.size(); ++n) {
       const std::vector<std::size_t>& members = state_->links.order()[n].objects;
       if (state_->groups[n] != nullptr)
-        state_->groups[n]->step(time, !watch ? StepGroup::Watch() : [&](std::size_t member, int step) {
-          watch(members[member], step);
-        });
+        state_->groups[n]->step(
+            time, !watch ? StepGroup::Watch()
+                         : [&](std::size_t member, int step) { watch(members[member], step); });
       else
         state_->objects[members[0]]->step(
             time, watch ? StepWatch([&](int step) { watch(members[0], step); }) : StepWatch());
@@ -106,7 +106,8 @@ const std::string& World::objectName(std::size_t index) const {
 
 std::string World::stepName(std::size_t index) const {
   for (const StepNode& node : state_->links.order())
-    if (node.objects.size() > 1 && std::find(node.objects.begin(), node.objects.end(), index) != node.objects.end())
+    if (node.objects.size() > 1 &&
+        std::find(node.objects.begin(), node.objects.end(), index) != node.objects.end())
       return fmt::format("{} and {} more in contact", objectName(node.objects[0]), node.objects.size() - 1);
   return objectName(index);
 }

@@ -4,6 +4,7 @@
 #include "gl/buffer.hpp"
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
+#include "gl/texture.hpp"
 #include "gpu/context.hpp"
 #include "sim/core/shader_code.hpp"
 
@@ -186,4 +187,54 @@ TEST_CASE("user kernels: what lies outside of an array reads as zero and takes n
         std::vector<std::uint32_t>{1, 0, 0, 2, 0, 0, 3, 0, 0});
   CHECK(std::vector(told.begin(), told.begin() + 11) ==
         std::vector<std::uint32_t>{0, 0, 0, 0, 5, 6, 7, 5, 8, 0, 102});
+}
+
+TEST_CASE("user kernels: a texture is read between texels by weights in full precision") {
+  testContext();
+  const kernels::Kernel kernel = lowered(
+      "sampling.hlsl",
+      "Texture2D<float4> _Tex; SamplerState sampler_Tex; RWStructuredBuffer<float> _Out; "
+      "StructuredBuffer<float2> _At;\n"
+      "[numthreads(8, 1, 1)] void K(uint i : SV_DispatchThreadID) {\n"
+      "  _Out[i] = _Tex.SampleLevel(sampler_Tex, _At[i], 0).x; _Out[8 + i] = _Tex[uint2(i, 0)].y; }\n");
+  const gl::Texture texture = gl::Texture::image("texels", GL_RGBA32F, 4, 2);
+  std::vector<float> texels;
+  for (int i = 0; i < 8; ++i)
+    texels.insert(texels.end(), {static_cast<float>(i * i), static_cast<float>(i), 0, 0});
+  glTextureSubImage2D(texture.name(), 0, 0, 0, 4, 2, GL_RGBA, GL_FLOAT, texels.data());
+  REQUIRE(kernel.textures.size() == 1);
+  texture.bind(static_cast<GLuint>(kernel.textures[0].binding));
+  // texels are 0 1 4 9 and 16 25 36 49
+  std::vector<float> at = {0.5F, 0.25F, 0.375F, 0.25F, 0.3F, 0.6F, 0.0F,   0.25F,
+                           1.0F, 0.75F, -0.3F,  0.4F,  2.2F, 0.5F, 0.875F, 0.25F};
+  at.resize(at.size() + 2 * guards);
+  const gl::Buffer places = gl::Buffer::of<float>("places", at);
+  places.bindStorage(static_cast<GLuint>(bindingOf(kernel, "_At")));
+  const auto filtered = [&](std::uint32_t state) {
+    const std::vector<std::uint32_t> states = {state, 0, 0, 0};
+    const gl::Buffer block = gl::Buffer::of<std::uint32_t>("states", states),
+                     out("out", (16 + guards) * sizeof(float));
+    REQUIRE(kernel.blocks.at(0).members.at(0).name == "_Tex_sampler_Tex");
+    block.bindUniform(static_cast<GLuint>(kernel.blocks[0].binding), 0, 16);
+    out.bindStorage(static_cast<GLuint>(bindingOf(kernel, "_Out")));
+    gl::Program::computeText("kernel", kernel.body()).dispatchGroups(1, 1, 1);
+    gl::barrier();
+    return out.readAll<float>();
+  };
+  constexpr std::uint32_t linear = 1, clamped = (1U << 2U) | (1U << 4U), mirrored = (2U << 2U) | (2U << 4U);
+  const std::vector<float> clampedLinear = filtered(linear | clamped);
+  CHECK(clampedLinear[0] == 2.5F);
+  CHECK(clampedLinear[1] == 1.0F);
+  CHECK(clampedLinear[3] == 0.0F);
+  CHECK(clampedLinear[4] == 49.0F);
+  CHECK(clampedLinear[7] == 9.0F);
+  CHECK(clampedLinear[8 + 3] == 3.0F);
+  CHECK(clampedLinear[8 + 4] == 0.0F);  // beyond the picture
+  const std::vector<float> repeated = filtered(0);
+  CHECK(repeated[0] == 4.0F);
+  CHECK(repeated[4] == 16.0F);
+  CHECK(repeated[5] == 4.0F);
+  CHECK(filtered(linear)[3] == 4.5F);
+  CHECK(filtered(mirrored)[5] == 1.0F);
+  CHECK(filtered(linear | mirrored)[3] == 0.0F);
 }

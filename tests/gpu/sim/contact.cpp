@@ -151,8 +151,8 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
     object.parameters = std::make_unique<sim::ParticleParameters>(*particles);
     cloud = sim::simulationNamed("particles").make(object, setting);
     members.push_back(outletOf<sim::LockStep>(*cloud));
-    balls = std::make_unique<ParticlesTwin>(
-        sim::ParticlePlan(particles->inStep(*sheets.front().substeps), 5, frameSeconds, 1 << 10, colliders));
+    balls = std::make_unique<ParticlesTwin>(sim::ParticlePlan(particles->inStep(*sheets.front().substeps),
+                                                              5, frameSeconds, 1 << 10, colliders));
     parts.push_back(balls->plan().contactPart());
   }
   for (const MovedSolid* solid : solids) parts.push_back(solid->contactPart());

@@ -93,7 +93,7 @@ TEST_CASE("a keyword of multi_compile is chosen by name, and the first holds oth
   CHECK(loaded("b.compute", withLimit(), {"Move"}).kernels[0].textures.size() == 1);
   const Shader windy = loaded("c.compute", withLimit(), {"Move"}, {"WINDY"});
   REQUIRE(windy.kernels[0].textures.size() == 2);
-  CHECK(windy.kernels[0].textures[1].sampler == "sampler_Field");
+  CHECK(windy.kernels[0].textures[1].name == "_Field");
   CHECK(windy.kernels[0].textures[1].type == "3D");
   CHECK_THROWS_WITH_AS(static_cast<void>(loaded("d.compute", withLimit(), {}, {"WINDZ"})),
                        doctest::Contains("did you mean \"WINDY\"?"), UserError);
@@ -229,4 +229,18 @@ TEST_CASE("buffers whose elements have one type keep their own names") {
   REQUIRE(shader.kernels.at(0).buffers.size() == 2);
   CHECK(shader.kernels[0].buffers[0].name == "_A");
   CHECK(shader.kernels[0].buffers[1].name == "_B");
+}
+
+TEST_CASE(
+    "what Microsoft's compiler forgives is read: loop variables, long numbers, const globals, matrix "
+    "elements") {
+  const Shader shader = loaded("m.hlsl",
+                               "const uint2 Resolution; float4x4 m; RWStructuredBuffer<float3> _Out;\n"
+                               "float3 K(float3 x) { return x * 0x100000002; }\n"
+                               "[numthreads(1, 1, 1)] void K(uint i : SV_GroupIndex) {\n"
+                               "  for (uint j = 0; j < Resolution.x; j++) _Out[j] = K(m._m00_m10_m20);\n"
+                               "  for (j = 0; j < 3; j++) _Out[j] += 1;\n}\n");
+  CHECK(shader.kernels.at(0).name == "K");
+  CHECK(shader.kernels[0].blocks.at(0).members.at(0).name == "Resolution");
+  CHECK(simreel::test::isGlsl(shader.kernels[0].glsl));
 }
