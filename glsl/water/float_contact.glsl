@@ -40,9 +40,9 @@ FUNCTION FloatBody floatBeside(FloatBody first, FloatBody second) {
   precise float lowerZ = second.at.z - wholeZ;
   precise float higherZ = second.at.z + wholeZ;
   FloatBody beside = second;
-  if (floats.west == periodicSide)
+  if (floats.west == periodicEdge)
     beside.at.x = apart.x > floats.halfX ? lowerX : apart.x < -floats.halfX ? higherX : second.at.x;
-  if (floats.north == periodicSide)
+  if (floats.north == periodicEdge)
     beside.at.z = apart.z > floats.halfZ ? lowerZ : apart.z < -floats.halfZ ? higherZ : second.at.z;
   return beside;
 }

@@ -97,12 +97,12 @@ FUNCTION vec3 floatExtent(vec4 q, vec3 sides) {
 // The cell that counts at a place beyond the grid, too: the nearest, or on the other side.
 FUNCTION int floatColumn(int x) {
   int count = size.x;
-  if (floats.west == periodicSide) return x < 0 ? x + count : x >= count ? x - count : x;
+  if (floats.west == periodicEdge) return x < 0 ? x + count : x >= count ? x - count : x;
   return clamp(x, 0, count - 1);
 }
 FUNCTION int floatRow(int y) {
   int count = size.y;
-  if (floats.north == periodicSide) return y < 0 ? y + count : y >= count ? y - count : y;
+  if (floats.north == periodicEdge) return y < 0 ? y + count : y >= count ? y - count : y;
   return clamp(y, 0, count - 1);
 }
 
@@ -204,7 +204,7 @@ FUNCTION void floatSpread(FloatBody body, float column, float row, vec2 wide, ve
   precise float y0 = row - wide.y;
   precise float y1 = row + wide.y;
   int left = int(floor(x0)), right = int(floor(x1)), top = int(floor(y0)), bottom = int(floor(y1));
-  bool torusX = floats.west == periodicSide, torusY = floats.north == periodicSide;
+  bool torusX = floats.west == periodicEdge, torusY = floats.north == periodicEdge;
   for (int y = top; y <= bottom; ++y)
     for (int x = left; x <= right; ++x) {
       bool outX = x < 0 || x >= size.x, outY = y < 0 || y >= size.y;
@@ -274,10 +274,10 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   precise float high = at.x - floats.halfX;
   precise float back = -floats.halfZ - at.z;
   precise float front = at.z - floats.halfZ;
-  low = floats.west == wallSide ? low : 0.0f;
-  high = floats.east == wallSide ? high : 0.0f;
-  back = floats.north == wallSide ? back : 0.0f;
-  front = floats.south == wallSide ? front : 0.0f;
+  low = floats.west == wallEdge ? low : 0.0f;
+  high = floats.east == wallEdge ? high : 0.0f;
+  back = floats.north == wallEdge ? back : 0.0f;
+  front = floats.south == wallEdge ? front : 0.0f;
   precise vec3 touch = vec3(0.0f, 0.0f, 0.0f);
   if (deep > 0.0f) touch = touch + floatTouch(normal, deep, velocity, t.reach.z);
   if (low > 0.0f) touch = touch + floatTouch(vec3(1.0f, 0.0f, 0.0f), low, velocity, t.reach.z);

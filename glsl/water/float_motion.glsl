@@ -35,8 +35,8 @@ FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, Float
   precise float rightX = at.x - wholeX;
   precise float backZ = at.z + wholeZ;
   precise float frontZ = at.z - wholeZ;
-  if (floats.west == periodicSide) at.x = at.x < -floats.halfX ? leftX : at.x > floats.halfX ? rightX : at.x;
-  if (floats.north == periodicSide) at.z = at.z < -floats.halfZ ? backZ : at.z > floats.halfZ ? frontZ : at.z;
+  if (floats.west == periodicEdge) at.x = at.x < -floats.halfX ? leftX : at.x > floats.halfX ? rightX : at.x;
+  if (floats.north == periodicEdge) at.z = at.z < -floats.halfZ ? backZ : at.z > floats.halfZ ? frontZ : at.z;
   precise vec3 spin = (body.spin + floats.dt * moment) * kept;
   vec3 turned = floatTurning(t, body.turn, spin);
   vec4 q = body.turn;
@@ -77,7 +77,7 @@ FUNCTION int floatOwned(int body, ivec2 within) {
   ivec4 window = floatWindow(loadFloat(body * floatTexels), loadTold(body * floatToldTexels + 5).x);
   if (within.x >= window.z || within.y >= window.w) return -1;
   int x = window.x + within.x, y = window.y + within.y;
-  bool torusX = floats.west == periodicSide, torusY = floats.north == periodicSide;
+  bool torusX = floats.west == periodicEdge, torusY = floats.north == periodicEdge;
   x = torusX ? floatColumn(x) : x;
   y = torusY ? floatRow(y) : y;
   if (x < 0 || y < 0 || x >= size.x || y >= size.y) return -1;

@@ -59,12 +59,12 @@ FUNCTION WaterCell waterMirrored(WaterCell c, bool alongX, bool alongY) {
 
 // The cell that stands for cell i of `count`, -2 <= i <= count + 1. Whether it is mirrored: waterIsMirrored.
 FUNCTION int waterFolded(int i, int count, int low, int high) {
-  if (i < 0) return low == periodicSide ? i + count : low == wallSide ? -1 - i : 0;
-  if (i >= count) return high == periodicSide ? i - count : high == wallSide ? 2 * count - 1 - i : count - 1;
+  if (i < 0) return low == periodicEdge ? i + count : low == wallEdge ? -1 - i : 0;
+  if (i >= count) return high == periodicEdge ? i - count : high == wallEdge ? 2 * count - 1 - i : count - 1;
   return i;
 }
 FUNCTION bool waterIsMirrored(int i, int count, int low, int high) {
-  return (i < 0 && low == wallSide) || (i >= count && high == wallSide);
+  return (i < 0 && low == wallEdge) || (i >= count && high == wallEdge);
 }
 
 // What comes from the sea: a wave that goes one way over still water of the border cell's depth, so u = 2 (c - c0) (a simple

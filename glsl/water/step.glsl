@@ -9,8 +9,8 @@ FUNCTION WaterCell waterAt(int x, int y, WaterStep told, ivec2 grid) {
   vec4 texel = loadWater(row * grid.x + column);
   WaterCell c = waterCell(texel, told.thin);
 #if SEA
-  bool west = x < 0 && told.west == seaSide, east = x >= grid.x && told.east == seaSide;
-  bool north = y < 0 && told.north == seaSide, south = y >= grid.y && told.south == seaSide;
+  bool west = x < 0 && told.west == seaEdge, east = x >= grid.x && told.east == seaEdge;
+  bool north = y < 0 && told.north == seaEdge, south = y >= grid.y && told.south == seaEdge;
   if (west || east || north || south) {
     c = waterSea(texel, west ? told.seaWest : east ? told.seaEast : north ? told.seaNorth : told.seaSouth, told);
     float speed = west || north ? c.u : -c.u;

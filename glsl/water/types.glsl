@@ -1,10 +1,10 @@
 // What a step of shallow water is told, and the drops that fall. Compiles as GLSL and as C++ (src/sim/water/plan.hpp).
 
 // What lies beyond a side of the grid.
-const int wallSide = 0;      // the mirror image: nothing flows through
-const int openSide = 1;      // the border cell again: what comes goes
-const int periodicSide = 2;  // the opposite side
-const int seaSide = 3;       // a wide sea: its waves come in, and what comes out is gone
+const int wallEdge = 0;      // the mirror image: nothing flows through
+const int openEdge = 1;      // the border cell again: what comes goes
+const int periodicEdge = 2;  // the opposite side
+const int seaEdge = 3;       // a wide sea: its waves come in, and what comes out is gone
 
 // A cell is a texel: x level (m), y and z discharge along x and y (m^2/s), w bed (m).
 struct STD140 WaterStep {

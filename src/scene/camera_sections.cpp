@@ -73,10 +73,11 @@ void Lens::describe(Fields& fields) {
   fields.number("fNumber", fNumber, {0.01, 1000}, "",
                 "Focal length over the diameter of the opening; the smaller, the more is blurred. The "
                 "focal length is the one for a picture 24 mm high: 33 mm at 40 degrees.");
-  fields.number("focus", focus, {0.001, 1e6}, "m",
-                "Distance along the line of sight at which the picture is sharp.");
+  fields.onlyGiven("focus", focus, Animated<float>(1.0F), [&](Animated<float>& distance) {
+    fields.number("focus", distance, {0.001, 1e6}, "m",
+                  "Distance along the line of sight at which the picture is sharp.");
+  });
   fields.leftOut("focus", "the distance of the target");
-  focused = fields.given("focus");
   fields.integer("blades", blades, {0, 16}, "", "Sides of the opening, 3 or more; 0: it is round.");
   fields.integer("samples", samples, {2, 1024}, "",
                  "Points of the opening; each picture is drawn once for each. With too few, wide blurs "

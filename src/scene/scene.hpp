@@ -144,10 +144,9 @@ struct CameraFile {
 /// A camera's lens: what does not lie at the distance that it is focused on is blurred.
 struct Lens {
   Animated<float> fNumber = 2.8F;  ///< focal length / diameter of the opening, for a picture 24 mm high
-  Animated<float> focus = 1.0F;    ///< m along the line of sight
-  bool focused = false;            ///< whether the scene says so; else it is what the camera looks at
-  int blades = 0;                  ///< sides of the opening; 0: it is round
-  int samples = 32;                ///< points of the opening through which each picture is drawn
+  std::optional<Animated<float>> focus;  ///< m along the line of sight; none: what the camera looks at
+  int blades = 0;                        ///< sides of the opening; 0: it is round
+  int samples = 32;                      ///< points of the opening through which each picture is drawn
   void describe(Fields& fields);
 };
 

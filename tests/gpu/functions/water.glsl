@@ -35,10 +35,10 @@ FUNCTION vec4 asked(int i) {
   water.share = 2.0f;
   water.courant = 0.5f;
   int sides = i % 7;
-  water.west = sides == 0 ? periodicSide : sides == 1 ? seaSide : sides == 2 ? openSide : wallSide;
-  water.east = sides == 0 ? periodicSide : sides == 3 ? seaSide : sides == 4 ? openSide : wallSide;
-  water.north = sides == 5 ? periodicSide : sides == 6 ? seaSide : sides == 2 ? openSide : wallSide;
-  water.south = sides == 5 ? periodicSide : sides == 1 ? seaSide : sides == 4 ? openSide : wallSide;
+  water.west = sides == 0 ? periodicEdge : sides == 1 ? seaEdge : sides == 2 ? openEdge : wallEdge;
+  water.east = sides == 0 ? periodicEdge : sides == 3 ? seaEdge : sides == 4 ? openEdge : wallEdge;
+  water.north = sides == 5 ? periodicEdge : sides == 6 ? seaEdge : sides == 2 ? openEdge : wallEdge;
+  water.south = sides == 5 ? periodicEdge : sides == 1 ? seaEdge : sides == 4 ? openEdge : wallEdge;
   water.sea = 0.5f;
   water.seaWest = 0.0625f;
   water.seaEast = -0.125f;

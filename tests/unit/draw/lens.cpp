@@ -77,7 +77,6 @@ TEST_CASE("lens: as large as a real one, and focused where the camera looks unle
   }
   // 12 mm / tan(20 degrees) = 32.97 mm; half of it over 1.4.
   CHECK(radius == doctest::Approx(0.03297 / 2.8).epsilon(0.01));
-  camera.lens.focused = true;
   camera.lens.focus = 3.5F;
   CHECK(draw::lensPoints(camera, view, 0).front().focus == 3.5F);
   camera.hasLens = false;

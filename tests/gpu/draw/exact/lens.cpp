@@ -65,7 +65,6 @@ TEST_CASE("exact: a lens spreads what is out of focus as its opening, and keeps 
   scene.camera.hasLens = true;
   scene.camera.lens.fNumber = 0.06F;
   scene.camera.lens.samples = 37;
-  scene.camera.lens.focused = true;
   for (const int blades : {0, 5})
     for (const float focus : {2.5F, 4.0F, 7.0F}) {
       CAPTURE(blades);

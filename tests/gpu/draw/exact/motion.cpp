@@ -219,7 +219,6 @@ TEST_CASE("exact: with a lens each moment is seen through other points of it, al
   scene.camera.hasLens = true;
   scene.camera.lens.fNumber = 0.06F;
   scene.camera.lens.samples = 37;
-  scene.camera.lens.focused = true;
   scene.camera.lens.focus = 7.0F;
   draw::PassPicture kept;
   draw::Renderer renderer(scene, shotSize, 4, {.rasterizer = scene::Rasterizer::exact});
