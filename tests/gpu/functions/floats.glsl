@@ -67,9 +67,9 @@ FUNCTION vec4 asked(int i) {
   floats.thin = 0.03125f;
   floats.dry = 0.0078125f;
   floats.most = 0.75f;
-  floats.west = i % 3 == 0 ? periodicSide : wallSide;
+  floats.west = i % 3 == 0 ? periodicEdge : wallEdge;
   floats.east = floats.west;
-  floats.north = i % 5 == 0 ? periodicSide : wallSide;
+  floats.north = i % 5 == 0 ? periodicEdge : wallEdge;
   floats.south = floats.north;
   floats.count = 2;
   FloatBody first = floatBody(0);
