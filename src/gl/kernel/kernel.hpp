@@ -74,7 +74,7 @@ inline const bool listedKernel = (kernelInterfaces().push_back(&namesOf<Interfac
 /// A compute shader and what it is given. `Interface` is a plain struct beside the code that runs it:
 ///
 ///     struct BlurKernel {
-///       static constexpr auto file = "image/blur.comp";
+///       static constexpr auto file = "lenia/pad.comp";
 ///       struct Variant {                        // optional: what becomes #define
 ///         gl::Flag<"DOWN"> down;
 ///         gl::Choice<"RADIUS", 1, 2, 4> radius;

@@ -17,6 +17,11 @@ struct ObjectParameters : scene::Parameters {
   static constexpr std::int64_t commonBlockBytes = std::int64_t{128} << 20;
 };
 
+/// Returns what an object declares; nothing where its parameters could not be read.
+[[nodiscard]] Ports portsOf(const scene::Object& object);
+/// Returns true where an object provides the port.
+[[nodiscard]] bool provides(const scene::Object& object, const PortInfo& port);
+
 /// What a scene says of an object of a kind whose parameters are `Parameters`.
 template <class Parameters>
 [[nodiscard]] const Parameters& parametersOf(const scene::Object& object) {

@@ -182,10 +182,6 @@ class Outlets {
   void add(const PortInfo& port, Find find) { list.push_back({&port, std::move(find)}); }
 };
 
-/// Returns what an object declares; nothing where its parameters could not be read.
-[[nodiscard]] Ports portsOf(const scene::Object& object);
-/// Returns true where an object provides the port.
-[[nodiscard]] bool provides(const scene::Object& object, const PortInfo& port);
 /// Splits "smoke.u" into object and part; the part is empty where there is no dot.
 struct PartName {
   explicit PartName(std::string_view name)

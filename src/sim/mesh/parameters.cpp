@@ -2,12 +2,9 @@
 
 #include "base/error.hpp"
 #include "scene/value/implied_shape.hpp"
-#include "sim/contact/solid.hpp"
 #include "sim/core/collider.hpp"
 #include "sim/core/moments.hpp"
-#include "sim/mesh/height_field.hpp"
 #include "sim/mesh/shapes.hpp"
-#include "sim/ports/markers.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -216,12 +213,6 @@ Mesh MeshParameters::make(int seed) const {
       break;
   }
   return loadMesh(file);
-}
-
-void MeshParameters::ports(Ports& ports) const {
-  ports.provide<Touchable>(collides);
-  ports.provide<HeightField>(collides && !deform.list.empty()).path = {"collides"};
-  ports.provide<ContactSolid>(byFaces).path = {"collides"};
 }
 
 }  // namespace simreel::sim

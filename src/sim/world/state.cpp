@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/log.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/core/path.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/port_check.hpp"

@@ -1,5 +1,7 @@
 #include "sim/world/step_order.hpp"
 
+#include "sim/core/kind.hpp"
+
 #include <algorithm>
 #include <set>
 #include <string>

@@ -2,6 +2,7 @@
 #include "scene/scene.hpp"
 #include "scene/texts/help_page.hpp"
 #include "scene/texts/schema_text.hpp"
+#include "sim/core/kind.hpp"
 #include "sim/ports/field_source.hpp"
 #include "sim/world/list.hpp"
 

@@ -148,7 +148,7 @@ TEST_CASE("fluid wind: names that are no fluid are said in one line") {
   const std::string unknown = mistake(grains + R"(, "smoke": {"fluid": {}})");
   CHECK(unknown.find("no object is named \"smok\"") != std::string::npos);
   CHECK(unknown.find("smoke") != std::string::npos);
-  CHECK(mistake(grains).find("the scene has no fluid") != std::string::npos);
+  CHECK(mistake(grains).find("nothing in the scene blows; add a fluid") != std::string::npos);
   CHECK(mistake(grains + R"(, "smok": {"cloth": {}})").find("is a cloth, which does not blow") !=
         std::string::npos);
   CHECK(mistake(R"("dust": {"particles": {"groups": [{}], "wind": {}}})").find("whose wind?") !=

@@ -125,8 +125,7 @@ TEST_CASE("reaction: fields of others are there, alone, and not before the first
   CHECK(refused(with(R"({"field": "a.u"})")) == "none");
   const std::string unknown = refused(with(R"({"field": "smoke.temprature"})"));
   CHECK(shows(unknown,
-              "object \"smoke\" has no field \"smoke.temprature\"; known here: smoke, smoke.u, smoke.v, "
-              "smoke.temperature, smoke.pressure",
+              "object \"smoke\" has no field \"smoke.temprature\"; did you mean \"smoke.temperature\"?",
               "\"smoke.temprature\""));
   CHECK(
       refused(with(R"({"field": "smok"})")).find("no object is named \"smok\"; did you mean \"smoke\"?") !=
@@ -157,7 +156,7 @@ TEST_CASE("reaction: fields of others are there, alone, and not before the first
   CHECK(refused(other + with(R"({"field": "m"})")).find("whose field only one on the same mesh takes") !=
         std::string::npos);
   CHECK(refused(onMesh("n", R"({"shape": "torus"})", "m.v") + other + with(R"({"field": "smoke"})"))
-            .find("object \"m\" has no field \"m.v\"; known here: m, m.u") != std::string::npos);
+            .find("object \"m\" has no field \"m.v\"; did you mean") != std::string::npos);
   // In a volume: fields of grids, in all layers alike, and of volumes of the same proportions.
   const auto inVolume = [](const char* name, const char* size, const char* field) {
     return fmt::format(
