@@ -13,7 +13,7 @@ from serve_client import Server
 
 BUILD = pathlib.Path(PROGRAM).parent
 COMMANDS = ["render", "serve", "bake", "new", "list", "explain", "validate", "test", "accept", "report", "diff", "reproduce", "trace",
-            "bisect", "sweep", "pieces", "doctor", "bench", "schema"]
+            "bisect", "sweep", "pieces", "kernels", "doctor", "bench", "schema"]
 
 
 def run(*command, **options):
