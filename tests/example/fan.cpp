@@ -5,6 +5,8 @@
 #include "base/error.hpp"
 #include "gpu/context.hpp"
 #include "scene/load.hpp"
+#include "sim/core/kind.hpp"
+#include "sim/fluid/wind.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/object_links.hpp"
 #include "sim/world/port_check.hpp"
@@ -19,11 +21,24 @@ using namespace simreel;
 
 namespace {
 
+/// A kind that takes the wind of another object and blows itself.
+struct RelayParameters : sim::ObjectParameters {
+  std::string from;
+  void describe(scene::Fields& f) override {
+    f.text("from", from, "Name of the object whose wind it takes.");
+  }
+  void ports(sim::Ports& ports) const override {
+    ports.provide<sim::FluidWind>();
+    ports.want<sim::FluidWind>(from, {"from"});
+  }
+};
+
 scene::Scene read(const std::string& objects) {
   static const sim::SimulationKind fan = sim::fanKind();
   static const std::vector<scene::Kind> list = [] {
     std::vector<scene::Kind> all(sim::kinds().list.begin(), sim::kinds().list.end());
     all.push_back(fan.kind);
+    all.push_back({"relay", "Relay of wind.", [] { return std::make_unique<RelayParameters>(); }});
     return all;
   }();
   return scene::parseScene(R"({"version": 1, "objects": {)" + objects + "}}", "fan.json", {},
@@ -83,4 +98,19 @@ TEST_CASE("example: who names a fan that is not there is told the one that is") 
   const std::string renamed = R"("fann": {"fan": {}}, )" + grains;
   says(mistakeOf(renamed), "no object is named \"fan\"; did you mean \"fann\"?");
   says(mistakeOf(R"("fan": {"sphere": {}}, )" + grains), "object \"fan\" is a sphere, which does not blow");
+}
+
+TEST_CASE(
+    "example: objects step after those whose wind they take, and a circle of them is refused by name") {
+  const std::string chain =
+      R"("a": {"relay": {"from": "b"}}, "b": {"relay": {"from": "c"}}, "c": {"relay": {}})";
+  CHECK(mistakeOf(chain) == "none");
+  std::vector<std::size_t> order;
+  for (const sim::StepNode& node : sim::stepOrder(read(chain).objects)) order.push_back(node.objects[0]);
+  CHECK(order == std::vector<std::size_t>{2, 1, 0});
+  const std::string circle =
+      mistakeOf(R"("x": {"relay": {}}, "a": {"relay": {"from": "b"}}, "b": {"relay": {"from": "a"}})");
+  CHECK_MESSAGE(circle.find("objects \"a\", \"b\" each take from the next") != std::string::npos, circle);
+  const std::string self = mistakeOf(R"("a": {"relay": {"from": "a"}})");
+  CHECK_MESSAGE(self.find("object \"a\" takes from itself") != std::string::npos, self);
 }
