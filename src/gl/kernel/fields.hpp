@@ -119,7 +119,8 @@ using InOut = ResourceField<label, Access::both>;
 template <Name label, class Contents>
 struct Block : In<label> {
   static constexpr std::size_t blockBytes = sizeof(Contents);
-  using In<label>::ResourceField;
+  using Base = In<label>;
+  using Base::Base;
   Block() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): what a function returns
   Block(const Resource& resource) : In<label>(resource) {}

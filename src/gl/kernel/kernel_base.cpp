@@ -122,9 +122,9 @@ void KernelBase::checkActive() const {
   const auto& interface = linked_->interface();
   const auto& numbers = names_.numbers;
   const auto& memories = names_.memories;
-  for (const auto& [name, type] : interface.numbers)
-    if (std::ranges::none_of(numbers, [&](const auto& one) { return namesNumber(one.name, name); }))
-      missing("uniform", name);
+  for (const auto& number : interface.numbers)
+    if (std::ranges::none_of(numbers, [&](const auto& one) { return namesNumber(one.name, number.name); }))
+      missing("uniform", number.name);
   for (const auto& block : interface.blocks)
     if (std::ranges::none_of(memories, [&](const auto& one) { return namesBlock(one.name, block); }))
       missing("block", block.name);
