@@ -1,6 +1,6 @@
 // What a step of shallow water is told, and the drops that fall. Compiles as GLSL and as C++ (src/sim/water/plan.hpp).
 
-// What lies beyond a side of the grid.
+// Kinds of boundary at a side of the grid.
 const int wallEdge = 0;      // the mirror image: nothing flows through
 const int openEdge = 1;      // the border cell again: what comes goes
 const int periodicEdge = 2;  // the opposite side

@@ -8,7 +8,7 @@
 
 namespace simreel::gl {
 
-/// What a linked program reads and writes from outside, as the driver reports it: what it dropped is not
+/// Interface of a linked program, as the driver reports it; without what the driver dropped.
 /// there.
 struct ProgramInterface {
   /// A uniform outside blocks: "a", "a.b"; of an array of numbers "a", whose elements follow each other.

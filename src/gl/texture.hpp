@@ -55,7 +55,7 @@ class Texture {
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] GLenum format() const { return format_; }
-  /// Of a view: its buffer, by the driver's name; 0 of others.
+  /// OpenGL name of the buffer that a view shows; 0 for other textures.
   [[nodiscard]] GLuint buffer() const { return buffer_; }
   /// Of a view: where in its buffer it begins, bytes.
   [[nodiscard]] std::size_t offset() const { return offset_; }

@@ -46,7 +46,7 @@ void checkQuantity(Fields& fields, const Check& check, const Scene& scene) {
                                      suggestion(check.what, known)));
 }
 
-/// What a check says against the scene it belongs to.
+/// Mistakes of a check with respect to its scene.
 void checkAgainstScene(Fields& fields, const Check& check, const Scene& scene,
                        std::optional<int> frameCount) {
   std::vector<std::string> names;

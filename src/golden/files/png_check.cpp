@@ -25,7 +25,7 @@ bool isText(const PngChunk& chunk) {
   return std::find(types.begin(), types.end(), chunk.type) != types.end();
 }
 
-/// What is wrong with the header's pixel format; empty when nothing is (PNG specification 11.2.2).
+/// Returns what is wrong with the header's pixel format, empty if nothing is (PNG specification 11.2.2).
 std::string formatProblem(std::string_view header) {
   const auto [width, height, depth, colour, plain] = readPngHeader(header);
   constexpr std::array<std::uint32_t, 7> depths = {

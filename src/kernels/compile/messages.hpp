@@ -12,7 +12,7 @@ namespace simreel::kernels {
 /// The number that a name of glslang's is; 0, the first file, for what is no number of a file.
 [[nodiscard]] std::size_t fileNumber(std::string_view name, std::size_t count);
 
-/// What glslang says, as a warning, where the kernel has no function.
+/// Warning of glslang where the kernel has no function.
 inline constexpr const char* noEntry = "Entry point not found";
 
 /// The mistakes that a log of glslang's tells, in our words. `failed`: includes, and why they were not

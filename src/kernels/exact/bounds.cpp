@@ -16,7 +16,7 @@ struct Chain {
   Id base = 0;
   Words indices;
 };
-/// What became of a chain that some index could lead outside. Its own id is the place to read.
+/// Replacement of an access chain that an index could lead out of bounds. Its own id is the place to read.
 struct Guarded {
   Id inside = 0;       ///< whether all indices are; 0 where a guard element answers in place of it
   Id condition = 0;    ///< the same, for results of atomic operations
@@ -138,7 +138,7 @@ class Bounds {
     }
   }
 
-  /// What is done with each pointer, apart from chains that go on from it.
+  /// Uses of each pointer, apart from chains that go on from it.
   void noteUse(const Instruction& one) {
     if (one.op == SpvOpAccessChain || one.op == SpvOpInBoundsAccessChain) return;
     if (one.op == SpvOpStore || (one.op >= SpvOpAtomicLoad && one.op <= SpvOpAtomicXor)) {

@@ -44,7 +44,7 @@ class Filtering {
     std::string kind;  ///< as glslang writes it in a function's name
   };
 
-  /// What a read is of, where the library has a filter for it.
+  /// Texture of a read, where the library has a filter for it.
   std::optional<Read> filtered(const Instruction& one) const {
     if (one.op != SpvOpImageSampleExplicitLod || one.operands.size() != 4 ||
         one.operands[2] != SpvImageOperandsLodMask)

@@ -11,7 +11,7 @@
 
 namespace simreel::kernels {
 
-/// What hostile shader files may make us read.
+/// Limits on what a shader file may make the reader load.
 inline constexpr std::size_t maxFileBytes = std::size_t{2} << 20;
 inline constexpr std::size_t maxAllBytes = std::size_t{8} << 20;
 inline constexpr std::size_t maxIncludeDepth = 32;

@@ -112,7 +112,7 @@ class LoopVariables {
   }
 
  private:
-  /// Whether the function declares the name outside the heads of loops, before a place.
+  /// True if the function declares the name outside the heads of loops, before a place.
   static bool declaredElsewhere(std::string_view code, std::string_view name, std::size_t before) {
     bool found = false;
     const std::size_t begin = code.rfind("\n}", before);

@@ -4,7 +4,7 @@
 
 namespace simreel::kernels {
 
-/// Whether a character may stand in a name.
+/// True for a character that may stand in a name.
 [[nodiscard]] bool partOfName(char c);
 
 /// A user's shader text as glslang can read it, every token in its line: without byte order mark and

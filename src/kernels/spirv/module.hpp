@@ -84,7 +84,7 @@ class Module {
   std::map<std::pair<std::uint32_t, Words>, Id> known_;  ///< types and constants that can be shared
 };
 
-/// Whether operand `at` of an instruction is an id; the others are literals.
+/// True if operand `at` of an instruction is an id; the others are literals.
 [[nodiscard]] bool isId(const Instruction& instruction, std::size_t at);
 
 /// The characters of a literal text that begins at a word.

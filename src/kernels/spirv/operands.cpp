@@ -5,7 +5,8 @@ namespace simreel::kernels {
 
 namespace {
 
-/// How many operands before the first literal, for instructions that end in literals; -1 where all are ids.
+/// Number of operands before the first literal, for instructions that end in literals; -1 where all are
+/// ids.
 int idsBeforeLiterals(SpvOp op) {
   switch (op) {
     case SpvOpTypeInt:

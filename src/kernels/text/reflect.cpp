@@ -132,7 +132,7 @@ struct Use {
   bool reads = false, writes = false;
 };
 
-/// What the body does with each variable, seen through chains of pointers and loaded images.
+/// Uses of each variable in the body, followed through chains of pointers and loaded images.
 std::unordered_map<Id, Use> uses(const Module& module) {
   std::unordered_map<Id, Id> from;
   std::unordered_map<Id, Use> found;

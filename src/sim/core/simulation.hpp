@@ -153,7 +153,7 @@ class Simulation {
   /// What `simreel bake` writes of things that are a surface; nothing for others. Where they are points,
   /// too, these are its vertices, one by one.
   [[nodiscard]] virtual std::optional<MeshTable> mesh() const { return std::nullopt; }
-  /// What `simreel bake` writes of things that have contours; nothing for others. After grow().
+  /// Contours that `simreel bake` writes; empty for objects without contours. Call after grow().
   [[nodiscard]] virtual std::optional<ContourLines> lines() const { return std::nullopt; }
   /// Four words as glsl/common/status.glsl writes them, or null.
   [[nodiscard]] virtual const gl::Buffer* status() const { return nullptr; }

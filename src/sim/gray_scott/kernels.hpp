@@ -50,7 +50,7 @@ class GrayScottKernels {
   [[nodiscard]] const gl::Texture& words() const { return words_[0]; }
 
  private:
-  /// What all but painting are given, from cells_[from].
+  /// Arguments of all kernels but painting, which read cells_[from].
   [[nodiscard]] GrayScottGrid grid(int from, int first, int rows) const;
   void bands(int steps);
   void swapCells();

@@ -14,7 +14,7 @@ namespace simreel::sim {
 /// Width and height as a header gives them; a BMP's height is negative where its rows go from the top.
 /// Nothing where stbReason() says why.
 [[nodiscard]] std::optional<glm::ivec2> stbSize(std::string_view bytes);
-/// Whether the file has 16 bits a channel.
+/// True if the file has 16 bits per channel.
 [[nodiscard]] bool stbIsDeep(std::string_view bytes);
 
 /// The pixels of a file of such a size: 8 or 16 bits a channel (std::uint8_t, std::uint16_t), and 1 (grey)
@@ -25,7 +25,7 @@ template <class Value>
 
 /// Why this thread's last picture was not decoded.
 [[nodiscard]] std::string stbReason();
-/// Whether it was because of more pixels than the size that was given has.
+/// True if it failed because the file has more pixels than the given size.
 [[nodiscard]] bool stbFoundMore();
 
 }  // namespace simreel::sim

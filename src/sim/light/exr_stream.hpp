@@ -25,7 +25,7 @@ class ExrStream final : public Imf::IStream {
   std::uint64_t tellg() override { return at_; }
   void seekg(std::uint64_t position) override { at_ = position; }
   void clear() override {}
-  /// Whether more was read than there is.
+  /// True if a read went beyond the end.
   [[nodiscard]] bool beyond() const { return beyond_; }
 
  private:

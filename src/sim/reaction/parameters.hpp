@@ -114,7 +114,7 @@ struct ReactionParameters : ObjectParameters, OwnCells {
   }
   /// True where parameters take values of other objects' fields.
   [[nodiscard]] bool readsFields() const;
-  /// Of the same mesh, cell by cell; of a volume of the same proportions.
+  /// True for cells of the same mesh, and for a volume of the same proportions.
   [[nodiscard]] bool readsCellsOf(const OwnCells& other) const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;

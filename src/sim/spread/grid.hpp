@@ -102,7 +102,7 @@ class SpreadGrid {
   void beginFrame(int steps);
   /// Invocations of a step's kernel from the top row to the last one.
   [[nodiscard]] int groupRows() const;
-  /// What the kernel of the next step is given.
+  /// Arguments of the kernel of the next step.
   SpreadStepPart beginStep();
   void endStep();
   template <class Kernels>

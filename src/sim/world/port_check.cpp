@@ -26,7 +26,7 @@ const scene::Object* named(Objects objects, std::string_view name) {
   return found == objects.end() ? nullptr : &*found;
 }
 
-/// What an object offers at a port to one that wants it.
+/// Offer of one object to another at a port.
 struct Offered {
   bool given = false;
   std::string unless;              ///< why not
@@ -61,7 +61,7 @@ std::vector<std::string> namesOf(const scene::Object& provider, const Offered& o
   return names;
 }
 
-/// What is wrong with the name that an object wants; empty where nothing is, or where the named object has
+/// Returns what is wrong with the name that an object wants. Empty if nothing is, or if the named object has
 /// a mistake of its own.
 std::string mistakeOf(const Ports::Want& want, const scene::Object& wanter, Objects objects) {
   const PortInfo& port = *want.port;

@@ -9,7 +9,7 @@
 
 namespace simreel::test {
 
-/// What a text is as a shader file, compiled in this process.
+/// Shader of a text, compiled in this process.
 [[nodiscard]] inline kernels::Shader loaded(const std::string& name, const std::string& text,
                                             std::vector<std::string> only = {},
                                             std::vector<std::string> keywords = {}, bool fast = false) {
@@ -22,7 +22,7 @@ namespace simreel::test {
   return kernels::loadHere(request);
 }
 
-/// Whether glslang's own program takes a text for a compute shader of OpenGL; true where it is not
+/// True if glslang's own program accepts a text for a compute shader of OpenGL; true where it is not
 /// installed.
 [[nodiscard]] inline bool isGlsl(const std::string& text) {
   const TemporaryFile file("check.comp", text);
