@@ -9,7 +9,6 @@
 namespace simreel::gl {
 
 /// Interface of a linked program, as the driver reports it; without what the driver dropped.
-/// there.
 struct ProgramInterface {
   /// A uniform outside blocks: "a", "a.b"; of an array of numbers "a", whose elements follow each other.
   struct Number {

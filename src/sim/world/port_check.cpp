@@ -61,8 +61,8 @@ std::vector<std::string> namesOf(const scene::Object& provider, const Offered& o
   return names;
 }
 
-/// Returns what is wrong with the name that an object wants. Empty if nothing is, or if the named object has
-/// a mistake of its own.
+/// Returns what is wrong with the name that an object wants. Empty if nothing is, or if the named object
+/// has a mistake of its own.
 std::string mistakeOf(const Ports::Want& want, const scene::Object& wanter, Objects objects) {
   const PortInfo& port = *want.port;
   std::vector<std::string> names;
