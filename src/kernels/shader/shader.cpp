@@ -4,7 +4,7 @@
 
 namespace simreel::kernels {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Member, name, type, offset, bytes, array, stride, members)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Member, name, type, offset, bytes, array, stride, members, used)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Buffer, name, binding, reads, writes, counterOf, guards, members)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Texture, name, type, values, format, sampler, uniform, binding, reads,
                                    writes)

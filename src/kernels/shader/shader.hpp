@@ -15,6 +15,7 @@ struct Member {
   std::vector<std::size_t> array;  ///< lengths, the outer one first; 0 is as many as the buffer has
   std::size_t stride = 0;          ///< from element to element of an array
   std::vector<Member> members;     ///< of a struct
+  bool used = true;                ///< of a block: the kernel reads it
 };
 
 /// A storage buffer. In HLSL its one member is an array of its elements.

@@ -130,6 +130,8 @@ class Reflecting {
 
 struct Use {
   bool reads = false, writes = false;
+  std::unordered_set<std::uint32_t> members;  ///< of a block, that the body names
+  bool whole = false;                         ///< it is used without a member's name
 };
 
 /// Uses of each variable in the body, followed through chains of pointers and loaded images.
@@ -144,6 +146,11 @@ std::unordered_map<Id, Use> uses(const Module& module) {
     switch (one.op) {
       case SpvOpAccessChain:
       case SpvOpInBoundsAccessChain:
+        if (one.operands.size() > 1)
+          if (const auto member = module.constant(one.operands[1]))
+            found[one.operands[0]].members.insert(*member);
+        from[one.result] = one.operands[0];
+        break;
       case SpvOpImageTexelPointer:
       case SpvOpCopyObject:
       case SpvOpSampledImage:
@@ -152,6 +159,7 @@ std::unordered_map<Id, Use> uses(const Module& module) {
         break;
       case SpvOpLoad:
         from[one.result] = one.operands[0];
+        found[one.operands[0]].whole = true;
         // of an image: what is done with it shows later
         if (const Instruction* type = module.global(one.type);
             type == nullptr || (type->op != SpvOpTypeImage && type->op != SpvOpTypeSampledImage))
@@ -170,7 +178,7 @@ std::unordered_map<Id, Use> uses(const Module& module) {
         for (std::size_t i = 1; i < one.operands.size(); ++i) {
           const Id variable = root(one.operands[i]);
           if (module.global(variable) != nullptr && module.global(variable)->op == SpvOpVariable)
-            found[variable] = {true, true};
+            found[variable] = {true, true, {}, true};
         }
         break;
       default:
@@ -231,8 +239,11 @@ Kernel reflected(const Module& module, Language language) {
     } else if (resource == Resource::block) {
       std::string name = bufferName(module, language, one.result, pointee);
       if (name.starts_with('$') || name == "gl_DefaultUniformBlock") name.clear();
-      kernel.blocks.push_back({name, binding, (reflecting.bytes(pointee, false, 16) + 15) / 16 * 16,
-                               reflecting.members(pointee)});
+      std::vector<Member> members = reflecting.members(pointee);
+      for (std::uint32_t i = 0; i < members.size(); ++i)
+        members[i].used = use.whole || use.members.contains(i);
+      kernel.blocks.push_back(
+          {name, binding, (reflecting.bytes(pointee, false, 16) + 15) / 16 * 16, std::move(members)});
     } else if (resource == Resource::image) {
       Texture image;
       image.name = image.uniform = module.name(one.result);

@@ -8,6 +8,7 @@
 #include "sim/fluid/fluid.hpp"
 #include "sim/garment/garment.hpp"
 #include "sim/gray_scott/gray_scott.hpp"
+#include "sim/kernels/kernels.hpp"
 #include "sim/lenia/lenia.hpp"
 #include "sim/life/life.hpp"
 #include "sim/mesh/mesh.hpp"
@@ -31,7 +32,7 @@ std::span<const SimulationKind> simulations() {
       clothKind(),    particlesKind(), lifeKind(),     leniaKind(), grayScottKind(),
       reactionKind(), epidemicKind(),  wildfireKind(), fluidKind(), waterKind(),
       caveKind(),     contourKind(),   meshKind(),     bodyKind(),  sphereKind(),
-      capsuleKind(),  planeKind(),     textKind(),     chartKind(),
+      capsuleKind(),  planeKind(),     textKind(),     chartKind(), kernelsKind(),
   };
   return list;
 }

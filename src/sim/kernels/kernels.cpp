@@ -1,0 +1,198 @@
+#include "sim/kernels/kernels.hpp"
+
+#include "base/error.hpp"
+#include "gl/program.hpp"
+#include "sim/core/kind.hpp"
+#include "sim/kernels/drawn.hpp"
+#include "sim/kernels/memory.hpp"
+#include "sim/kernels/parameters.hpp"
+#include "sim/kernels/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+namespace simreel::sim {
+
+namespace {
+
+void check(const scene::Object& object, const Setting& /*setting*/) {
+  const auto& parameters = parametersOf<KernelsParameters>(object);
+  if (parameters.file.empty())
+    fail(ExitCode::usage, "kernels \"{}\" needs \"file\", a shader: .compute, .hlsl or .comp", object.name);
+  if (parameters.plan != nullptr) return;
+  if (parameters.problemIsReport)
+    throw UserError(ExitCode::usage, parameters.problem, UserError::Form::report);
+  fail(ExitCode::usage, "kernels \"{}\": {}", object.name, parameters.problem);
+}
+
+class Kernels : public Simulation {
+ public:
+  Kernels(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        parameters_(parametersOf<KernelsParameters>(object)),
+        frameSeconds_(setting.frameSeconds),
+        seed_(setting.seed),
+        plan_((check(object, setting), parameters_.plan)),
+        store_(name_, *plan_, static_cast<unsigned>(setting.seed)),
+        drawn_(name_, *plan_, object.material) {
+    for (const kernels::Kernel& kernel : plan_->shader().kernels) {
+      programs_.push_back(gl::Program::computeText(
+          fmt::format("{}: kernel {}", parameters_.file.filename().string(), kernel.name), kernel.body()));
+      std::vector<gl::Buffer>& blocks = blocks_.emplace_back();
+      for (const kernels::Block& block : kernel.blocks)
+        blocks.emplace_back(fmt::format("{} constants of {}", name_, kernel.name),
+                            std::max<std::size_t>(16, block.bytes));
+    }
+    run(plan_->first(), nowAt(setting.startTime, 0), true);
+    finish();
+  }
+
+  void step(double time, const StepWatch& watch) override {
+    advance(time, watch);
+    finish();
+  }
+  void pass(double time) override {
+    advance(time, {});
+    store_.settle();
+  }
+  void resumed(double /*time*/) override {
+    store_.putBack();
+    finish();
+  }
+  [[nodiscard]] int stepsPerFrame() const override { return parameters_.steps; }
+  [[nodiscard]] std::string elementName(long element) const override {
+    return fmt::format("bytes {} to {}", 16 * element, 16 * element + 15);
+  }
+  void publish(double /*time*/, Drawables& drawables) const override { drawn_.publish(drawables); }
+  void carryOver(CarryOver& carry) override {
+    for (std::size_t i = 0; i < plan_->buffers().size(); ++i)
+      carry.array(plan_->buffers()[i].name.c_str(), store_.buffer(static_cast<int>(i)));
+    for (std::size_t i = 0; i < plan_->textures().size(); ++i)
+      carry.array(plan_->textures()[i].name.c_str(), store_.words(static_cast<int>(i)));
+  }
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    std::vector<StateArray> arrays;
+    for (std::size_t i = 0; i < plan_->buffers().size(); ++i)
+      arrays.push_back({plan_->buffers()[i].name.c_str(), &store_.buffer(static_cast<int>(i)),
+                        !plan_->buffers()[i].allFloats});
+    for (std::size_t i = 0; i < plan_->textures().size(); ++i)
+      arrays.push_back({plan_->textures()[i].name.c_str(), &store_.words(static_cast<int>(i)),
+                        plan_->textures()[i].integers()});
+    return arrays;
+  }
+  [[nodiscard]] PointTable points() const override { return drawn_.points(); }
+  [[nodiscard]] std::optional<MeshTable> mesh() const override { return drawn_.mesh(); }
+  [[nodiscard]] std::vector<double> measure() const override {
+    std::vector<double> values;
+    for (const KernelMeasure& one : parameters_.measured) values.push_back(measured(one));
+    return values;
+  }
+
+ private:
+  [[nodiscard]] KernelPlan::Now nowAt(double time, int step) const {
+    const double dt = frameSeconds_ / std::max(1, parameters_.steps);
+    const auto frame = static_cast<long>(std::llround(time / frameSeconds_));
+    return {dt, time + step * dt, frame, frame * parameters_.steps + step, seed_};
+  }
+
+  void advance(double time, const StepWatch& watch) {
+    for (int i = 0; i < parameters_.steps; ++i) {
+      run(plan_->step(), nowAt(time, i), false);
+      if (!watch) continue;
+      store_.settle();
+      watch(i + 1);
+    }
+  }
+
+  void finish() {
+    store_.settle();
+    drawn_.update(store_);
+  }
+
+  void run(const std::vector<PlannedEntry>& entries, const KernelPlan::Now& now, bool first) {
+    for (const PlannedEntry& entry : entries) {
+      if (!first && now.step % entry.every != 0) continue;
+      for (int i = 0; i < entry.repeat; ++i) {
+        if (entry.kernel >= 0) dispatch(entry, now);
+        if (entry.count >= 0) store_.copyCounter(entry);
+        if (!entry.clear.empty()) store_.clear(entry.clear);
+        if (!entry.swapA.empty()) store_.swap(entry.swapA, entry.swapB);
+      }
+    }
+  }
+
+  void dispatch(const PlannedEntry& entry, const KernelPlan::Now& now) {
+    const auto place = static_cast<std::size_t>(entry.kernel);
+    const kernels::Kernel& kernel = plan_->shader().kernels[place];
+    for (std::size_t b = 0; b < kernel.blocks.size(); ++b) {
+      const std::vector<std::byte> bytes = plan_->blockBytes(kernel.blocks[b], now);
+      blocks_[place][b].write(0, bytes);
+      blocks_[place][b].bindUniform(static_cast<GLuint>(kernel.blocks[b].binding), 0,
+                                    blocks_[place][b].bytes());
+    }
+    store_.bind(kernel);
+    gl::AccessLog::barrier(GL_ALL_BARRIER_BITS);
+    if (entry.indirect >= 0)
+      return programs_[place].dispatchIndirect(store_.buffer(entry.indirect), entry.offset);
+    const glm::uvec3 groups = plan_->groups(entry, now);
+    if (groups.x > 0 && groups.y > 0 && groups.z > 0)
+      programs_[place].dispatchGroups(groups.x, groups.y, groups.z);
+  }
+
+  [[nodiscard]] double measured(const KernelMeasure& measure) const {
+    const std::vector<KernelSlot> slots = plan_->slots(measure.of);
+    const KernelSlot& slot = *slotNamed(slots, measure.member);
+    const int place = plan_->bufferNamed(measure.of);
+    const gl::Buffer& memory =
+        place >= 0 ? store_.buffer(place) : store_.words(plan_->textureNamed(measure.of));
+    const auto bytes = memory.readAll<std::byte>();
+    std::size_t header = 0, stride = 16, count = memory.bytes() / 16;
+    if (place >= 0) {
+      const PlannedBuffer& buffer = plan_->buffers()[static_cast<std::size_t>(place)];
+      header = buffer.header, stride = buffer.stride, count = buffer.count();
+    }
+    double sum = 0, least = std::numeric_limits<double>::infinity(), most = -least;
+    for (std::size_t i = 0; i < count; ++i) {
+      double value = 0;
+      for (std::size_t c = 0; c < slot.offsets.size(); ++c) {
+        const double part = loadSlot(bytes.data() + header + i * stride, slot, c);
+        value = slot.offsets.size() == 1 ? part : value + part * part;
+      }
+      if (slot.offsets.size() > 1) value = std::sqrt(value);
+      sum += value;
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+    using What = KernelMeasure::What;
+    return measure.what == What::sum   ? sum
+           : measure.what == What::min ? least
+           : measure.what == What::max ? most
+                                       : sum / static_cast<double>(count);
+  }
+
+  std::string name_;
+  KernelsParameters parameters_;
+  double frameSeconds_;
+  int seed_;
+  std::shared_ptr<const KernelPlan> plan_;
+  KernelStore store_;
+  KernelDrawn drawn_;
+  std::vector<gl::Program> programs_;
+  std::vector<std::vector<gl::Buffer>> blocks_;
+};
+
+}  // namespace
+
+SimulationKind kernelsKind() {
+  return kindOf<KernelsParameters>("kernels",
+                                   "Compute shaders of your own: Unity's .compute, HLSL or GLSL.", check,
+                                   makeSimulation<Kernels>);
+}
+
+}  // namespace simreel::sim
