@@ -1,5 +1,6 @@
 #include "kernels/text/reflect.hpp"
 
+#include "kernels/guards/place.hpp"
 #include "kernels/spirv/resource.hpp"
 
 #include <algorithm>
@@ -28,12 +29,6 @@ const char* formatName(std::uint32_t format) {
                                           "rg16ui",    "rg8ui",        "r16ui",
                                           "r8ui"};
   return format < std::size(names) ? names[format] : "";
-}
-
-/// A name without what glslang marks with @: "@data" of a buffer's elements, "_Found@count" of a counter.
-std::string plainName(const std::string& name) {
-  const std::size_t at = name.find('@');
-  return at == 0 ? name.substr(1) : name.substr(0, at);
 }
 
 class Reflecting {
