@@ -8,6 +8,7 @@
 #include "kernels/exact/refuse.hpp"
 #include "kernels/exact/sampling.hpp"
 #include "kernels/guards/loops.hpp"
+#include "kernels/guards/previous.hpp"
 #include "kernels/guards/report.hpp"
 #include "kernels/source/files.hpp"
 #include "kernels/source/pragmas.hpp"
@@ -33,7 +34,7 @@ Module prepared(Files& files, const Unit& unit, const Request& request, Report* 
   const bool hlsl = unit.language == Language::hlsl;
   const auto made = [&](bool unrolled) {
     Module module = compiled;
-    if (report != nullptr) repeatLines(module);
+    if (report != nullptr || !request.previous.empty()) repeatLines(module);
     if (request.maxIterations != 0) {
       limitLoops(module, request.maxIterations, unrolled, report);
       if (report != nullptr) report->hold(module);
@@ -49,6 +50,8 @@ Module prepared(Files& files, const Unit& unit, const Request& request, Report* 
 void describeGuards(Kernel& kernel, bool fast) {
   for (Buffer& buffer : kernel.buffers) {
     if (buffer.name == reportBlock) kernel.report = buffer.binding;
+    if (buffer.name.ends_with(previousSuffix))
+      buffer.previousOf = buffer.name.substr(0, buffer.name.rfind('.'));
     if (!fast && !buffer.members.empty() && !buffer.members.back().array.empty() &&
         buffer.members.back().array[0] == 0)
       buffer.guards = static_cast<int>(guardElements);
@@ -60,12 +63,15 @@ Kernel lowered(Files& files, const Unit& unit, const Request& request) {
   Report reporting(files);
   Report* const report = request.report ? &reporting : nullptr;
   Module module = prepared(files, unit, request, report);
+  const bool hlsl = unit.language == Language::hlsl;
+  if (auto mistakes = readPrevious(module, files, hlsl, request.previous); !mistakes.empty())
+    files.fail(mistakes);
   if (!request.fast) {
     keepInside(module, report);
     filterExactly(module);
   }
   if (report != nullptr) report->complete(module);
-  layOut(module, unit.language == Language::hlsl);
+  layOut(module, hlsl);
   Kernel kernel = reflected(module, unit.language);
   describeGuards(kernel, request.fast);
   kernel.places = reporting.places();

@@ -56,7 +56,7 @@ Numbers untouched(std::size_t places) {
 Buffers ran(const kernels::Kernel& kernel, const Buffers& given, GLuint groups) {
   std::vector<std::pair<const kernels::Buffer*, gl::Buffer>> bound;
   for (const kernels::Buffer& buffer : kernel.buffers) {
-    Numbers words = given.at(buffer.name);
+    Numbers words = given.at(buffer.previousOf.empty() ? buffer.name : buffer.previousOf);
     words.resize(words.size() + static_cast<std::size_t>(buffer.guards) *
                                     (buffer.members.back().stride / sizeof(std::uint32_t)));
     bound.emplace_back(&buffer, gl::Buffer::of<std::uint32_t>(buffer.name, words));
@@ -69,6 +69,7 @@ Buffers ran(const kernels::Kernel& kernel, const Buffers& given, GLuint groups) 
   gl::barrier();
   Buffers made;
   for (const auto& one : bound) {
+    if (!given.contains(one.first->name)) continue;
     Numbers words = one.second.readAll<std::uint32_t>();
     words.resize(given.at(one.first->name).size());
     made[one.first->name] = std::move(words);
@@ -207,4 +208,29 @@ TEST_CASE("kernel guards: a loop within a function of GLSL ends, too") {
       reporting(80), "guards.comp");
   const Buffers made = ran(kernel, {{"Values", Numbers(7)}}, 1);
   CHECK(faults(kernel, made) == "loop :5 2 0 80 80; write values:8 2 2 6 7");
+}
+
+TEST_CASE("kernel guards: a buffer read as it was before the dispatch turns by one place exactly") {
+  testContext();
+  kernels::Request request;
+  request.previous = {"_A", "Values"};
+  const kernels::Kernel kernel = guarded(
+      "RWStructuredBuffer<uint> _A;\n[numthreads(8, 1, 1)] void K(uint i : SV_DispatchThreadID) {\n"
+      "  uint n, stride; _A.GetDimensions(n, stride); _A[i] = _A[(i + 1) % n] + _A[n + 3]; }\n",
+      request);
+  Numbers turned = counted(64, 1);
+  turned.back() = 0;
+  CHECK(text(ran(kernel, {{"_A", counted(64)}}, 8)["_A"]) == text(turned));
+  const kernels::Kernel glsl = guarded(
+      "#version 450\nlayout(local_size_x = 8) in;\n"
+      "layout(std430, binding = 0) buffer Values { mat3 turn; vec2 pairs[]; } all;\n"
+      "void main() { uint i = gl_GlobalInvocationID.x, n = all.pairs.length();\n"
+      "  all.pairs[i] = all.pairs[(i + 1) % n].yx; }\n",
+      request, "guards.comp");
+  turned = counted(12 + 32, 2);
+  std::copy_n(counted(12).begin(), 12, turned.begin());
+  for (std::size_t i = 12; i < turned.size(); i += 2) std::swap(turned[i], turned[i + 1]);
+  turned[12 + 30] = 13;
+  turned[12 + 31] = 12;
+  CHECK(text(ran(glsl, {{"Values", counted(12 + 32)}}, 2)["Values"]) == text(turned));
 }

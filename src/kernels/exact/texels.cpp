@@ -1,5 +1,6 @@
 #include "kernels/exact/texels.hpp"
 
+#include "kernels/spirv/resource.hpp"
 #include "kernels/spirv/writing.hpp"
 
 #include <string>

@@ -1,6 +1,7 @@
 #include "kernels/guards/place.hpp"
 
 #include "kernels/compile/messages.hpp"
+#include "kernels/spirv/resource.hpp"
 
 namespace simreel::kernels {
 
@@ -24,13 +25,10 @@ void repeatLines(Module& module) {
   module.body = std::move(body);
 }
 
-std::string plainName(const std::string& name) {
-  const std::size_t at = name.find('@');
-  return at == 0 ? name.substr(1) : name.substr(0, at);
-}
-
 std::string indexedName(const Module& module, Id variable, std::span<const Id> indices) {
+  // a user's name has no dot: it begins what we add to it
   std::string name = plainName(module.name(variable));
+  name = name.substr(0, name.find('.'));
   Id type = module.global(module.typeOf(variable))->operands[1];
   for (std::size_t i = 0; i + 1 < indices.size(); ++i) {
     const Instruction& made = *module.global(type);

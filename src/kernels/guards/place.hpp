@@ -17,9 +17,6 @@ struct Position {
 /// Repeats the line of code at the start of each block: SPIRV-Tools takes a line to end with its block.
 void repeatLines(Module& module);
 
-/// A name without what glslang marks with @: "@data" of a buffer's elements, "_Found@count" of a counter.
-[[nodiscard]] std::string plainName(const std::string& name);
-
 /// The variable, array or member that the last of some indices of a chain of pointers selects from, as the
 /// user named it.
 [[nodiscard]] std::string indexedName(const Module& module, Id variable, std::span<const Id> indices);

@@ -22,7 +22,8 @@ struct Buffer {
   std::string name;
   int binding = 0;
   bool reads = false, writes = false;
-  std::string counterOf;  ///< the append or consume buffer whose counter this is
+  std::string counterOf;   ///< the append or consume buffer whose counter this is
+  std::string previousOf;  ///< the buffer whose state before the dispatch this has to hold
   int guards =
       0;  ///< elements that the buffer has beyond its length: one of zeros, one that takes what is dropped
   std::vector<Member> members;

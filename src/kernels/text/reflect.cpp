@@ -1,6 +1,5 @@
 #include "kernels/text/reflect.hpp"
 
-#include "kernels/guards/place.hpp"
 #include "kernels/spirv/resource.hpp"
 
 #include <algorithm>
@@ -181,14 +180,6 @@ std::unordered_map<Id, Use> uses(const Module& module) {
   return found;
 }
 
-/// In OpenGL a block is known by its type's name; buffers of HLSL may share a type, cbuffers have no
-/// variable's.
-std::string bufferName(const Module& module, Language language, Id variable, Id type) {
-  const std::string name = language == Language::hlsl ? module.name(variable) : module.name(type);
-  if (!name.empty()) return name;
-  return language == Language::hlsl ? module.name(type) : module.name(variable);
-}
-
 }  // namespace
 
 void describeImage(const Module& module, const Instruction& image, Texture& texture) {
@@ -216,15 +207,20 @@ Kernel reflected(const Module& module, Language language) {
     const int binding = static_cast<int>(module.decoration(one.result, SpvDecorationBinding).value_or(0));
     const Use use = used[one.result];
     if (resource == Resource::storage) {
-      const std::string name = bufferName(module, language, one.result, pointee);
-      Buffer buffer{plainName(name), binding, use.reads, use.writes, {}, 0, reflecting.members(pointee)};
+      const std::string name = blockName(module, one.result, language == Language::hlsl);
+      Buffer buffer;
+      buffer.name = plainName(name);
+      buffer.binding = binding;
+      buffer.reads = use.reads;
+      buffer.writes = use.writes;
+      buffer.members = reflecting.members(pointee);
       if (name.find("@count") != std::string::npos) {
         buffer.counterOf = buffer.name;
         buffer.name += ".counter";
       }
       kernel.buffers.push_back(std::move(buffer));
     } else if (resource == Resource::block) {
-      std::string name = bufferName(module, language, one.result, pointee);
+      std::string name = blockName(module, one.result, language == Language::hlsl);
       if (name.starts_with('$') || name == "gl_DefaultUniformBlock") name.clear();
       kernel.blocks.push_back({name, binding, (reflecting.bytes(pointee, false, 16) + 15) / 16 * 16,
                                reflecting.members(pointee)});

@@ -87,3 +87,30 @@ TEST_CASE("a loop that was to be unrolled and cannot be is limited, too") {
           .kernels.at(0);
   CHECK(places(kernel) == "loop :3; read _A:3; write _A:3; ");
 }
+
+TEST_CASE("a buffer read as it was before the dispatch is two buffers, and counts no atomic operations") {
+  const std::string text =
+      "RWStructuredBuffer<uint> _A, _B;\n[numthreads(8, 1, 1)] void K(uint i : SV_DispatchThreadID) {\n"
+      "  _A[i] = _A[i + 1] + 1; _B[i] = 1;\n}\n";
+  kernels::Request request;
+  request.previous = {"_A", "_B", "_C"};
+  request.report = true;
+  const kernels::Kernel kernel = guarded("q.hlsl", text, request).kernels.at(0);
+  REQUIRE(kernel.buffers.size() == 3);
+  const kernels::Buffer& previous = kernel.buffers[2];
+  CHECK(previous.name == "_A.previous");
+  CHECK(previous.previousOf == "_A");
+  CHECK(previous.reads);
+  CHECK(!previous.writes);
+  CHECK(previous.guards == 2);
+  CHECK(previous.members.at(0).stride == 4);
+  CHECK(kernel.buffers[0].writes);
+  CHECK(!kernel.buffers[0].reads);
+  CHECK(places(kernel) == "read _A:3; write _A:3; write _B:3; ");
+  CHECK(simreel::test::isGlsl(kernel.glsl));
+  std::string counts = text;
+  counts.replace(counts.find("_B[i] = 1"), 9, "InterlockedAdd(_A[0], 1)");
+  CHECK_THROWS_WITH_AS(static_cast<void>(guarded("r.hlsl", counts, request)),
+                       doctest::Contains("r.hlsl:3:3: error: an atomic operation works on the present"),
+                       UserError);
+}
