@@ -13,6 +13,13 @@ struct Request {
   std::vector<std::string> kernels;            ///< by name; none: all
   std::vector<std::string> keywords;           ///< chosen ones of multi_compile
   bool fast = false;                           ///< as written, without exactness
+  /// Notes what an invocation must not do in the block Kernel::report: reads and writes out of bounds (not
+  /// when fast) and loops that reach the limit.
+  bool report = false;
+  unsigned maxIterations = 0;  ///< of a loop, which then ends; 0: no limit
+  /// Names of buffers. A kernel that reads and writes one of them reads it as it was before the dispatch,
+  /// from a buffer of its own (Buffer::previousOf); atomic operations on it are mistakes.
+  std::vector<std::string> previous;
 };
 
 /// Compiles the kernels of a file, in a process of its own: compilers are not made for hostile files.

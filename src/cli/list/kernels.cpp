@@ -104,6 +104,14 @@ void addKernels(CLI::App& app) {
       ->type_name("NAME");
   command->add_flag("--glsl", o->glsl, "Print the GLSL 4.5 that runs, with the same bits on every driver");
   command->add_flag("--fast", o->request.fast, "With the driver's own arithmetic, as the file is written");
+  command->add_flag("--report", o->request.report,
+                    "With the code that notes reads and writes out of bounds, and loops at their limit");
+  command
+      ->add_option("--previous", o->request.previous,
+                   "A buffer that kernels read as it was before the dispatch; may be given again")
+      ->type_name("NAME");
+  command->add_option("--max-iterations", o->request.maxIterations,
+                      "Of a loop, which then ends (default 0: no limit)");
   command
       ->add_option("-I", o->request.folders,
                    "A folder that #include may read, beside the file's own; may be given again")

@@ -23,7 +23,8 @@ struct Buffer {
   std::string name;
   int binding = 0;
   bool reads = false, writes = false;
-  std::string counterOf;  ///< the append or consume buffer whose counter this is
+  std::string counterOf;   ///< the append or consume buffer whose counter this is
+  std::string previousOf;  ///< the buffer whose state before the dispatch this has to hold
   int guards =
       0;  ///< elements that the buffer has beyond its length: one of zeros, one that takes what is dropped
   std::vector<Member> members;
@@ -49,6 +50,26 @@ struct Block {
   std::vector<Member> members;
 };
 
+/// A place in a kernel where an invocation can go wrong. The block `Kernel::report` has four words for
+/// each place, in the order of `Kernel::places`:
+///
+///   0  number of invocations whose first fault is here (uint)            initially 0
+///   1  the lowest of these invocations, x first, then y, then z (uint)   0xFFFFFFFF
+///   2  the lowest index (int)                                            INT_MAX
+///   3  the highest index (int)                                           INT_MIN
+///
+/// None depends on the order of invocations. To learn the indices of the invocation in word 1, run the
+/// dispatch again from the same state with word 0 set to 0x80000000, word 1 kept, 2 and 3 as initially.
+struct Place {
+  std::string kind;  ///< "read" or "write" out of bounds; "loop" that reached the limit
+  std::string what;  ///< the buffer, texture, array or struct member that the index is of, as the user
+                     ///< named it; empty for loops
+  std::string part;  ///< of a texture: the axis, "x", "y" or "z"
+  std::string file;  ///< as messages name it
+  int line = 0;
+  bool operator==(const Place&) const = default;
+};
+
 struct Kernel {
   std::string name;
   int line = 0;                                 ///< that announces it
@@ -56,6 +77,8 @@ struct Kernel {
   std::vector<Buffer> buffers;
   std::vector<Texture> textures;
   std::vector<Block> blocks;
+  int report = -1;  ///< the binding of the storage block of reports; -1: none
+  std::vector<Place> places;
   std::string glsl;  ///< GLSL 4.5 with "#version"; loadShaderText() wants body()
   /// The text without the line "#version", which the loader of shaders writes itself.
   [[nodiscard]] std::string body() const;

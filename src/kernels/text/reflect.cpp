@@ -30,12 +30,6 @@ const char* formatName(std::uint32_t format) {
   return format < std::size(names) ? names[format] : "";
 }
 
-/// A name without what glslang marks with @: "@data" of a buffer's elements, "_Found@count" of a counter.
-std::string plainName(const std::string& name) {
-  const std::size_t at = name.find('@');
-  return at == 0 ? name.substr(1) : name.substr(0, at);
-}
-
 class Reflecting {
  public:
   Reflecting(const Module& module, Language language)
@@ -194,14 +188,6 @@ std::unordered_map<Id, Use> uses(const Module& module) {
   return found;
 }
 
-/// In OpenGL a block is known by its type's name; buffers of HLSL may share a type, cbuffers have no
-/// variable's.
-std::string bufferName(const Module& module, Language language, Id variable, Id type) {
-  const std::string name = language == Language::hlsl ? module.name(variable) : module.name(type);
-  if (!name.empty()) return name;
-  return language == Language::hlsl ? module.name(type) : module.name(variable);
-}
-
 }  // namespace
 
 void describeImage(const Module& module, const Instruction& image, Texture& texture) {
@@ -229,15 +215,20 @@ Kernel reflected(const Module& module, Language language) {
     const int binding = static_cast<int>(module.decoration(one.result, SpvDecorationBinding).value_or(0));
     const Use use = used[one.result];
     if (resource == Resource::storage) {
-      const std::string name = bufferName(module, language, one.result, pointee);
-      Buffer buffer{plainName(name), binding, use.reads, use.writes, {}, 0, reflecting.members(pointee)};
+      const std::string name = blockName(module, one.result, language == Language::hlsl);
+      Buffer buffer;
+      buffer.name = plainName(name);
+      buffer.binding = binding;
+      buffer.reads = use.reads;
+      buffer.writes = use.writes;
+      buffer.members = reflecting.members(pointee);
       if (name.find("@count") != std::string::npos) {
         buffer.counterOf = buffer.name;
         buffer.name += ".counter";
       }
       kernel.buffers.push_back(std::move(buffer));
     } else if (resource == Resource::block) {
-      std::string name = bufferName(module, language, one.result, pointee);
+      std::string name = blockName(module, one.result, language == Language::hlsl);
       if (name.starts_with('$') || name == "gl_DefaultUniformBlock") name.clear();
       std::vector<Member> members = reflecting.members(pointee);
       for (std::uint32_t i = 0; i < members.size(); ++i)

@@ -211,4 +211,8 @@ scene::Parameters::Looks KernelsParameters::looks() const {
   return plan->drawn().surface ? Looks::cloth : Looks::solid;
 }
 
+bool KernelsParameters::wanders() const {
+  return plan != nullptr && (plan->drawn().surface || plan->drawn().points);
+}
+
 }  // namespace simreel::sim

@@ -107,6 +107,7 @@ struct KernelsParameters : ObjectParameters {
   [[nodiscard]] const char* drawnWith() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] Looks looks() const override;
+  [[nodiscard]] bool wanders() const override;
 
  private:
   void describeMemory(scene::Fields& fields);

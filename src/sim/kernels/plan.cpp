@@ -179,6 +179,7 @@ void KernelPlan::collectTexture(const kernels::Texture& from) {
     PlannedTexture& before = textures_[static_cast<std::size_t>(known)];
     before.written = before.written || from.writes;
     if (!from.format.empty()) before.format = from.format;
+    before.formatted = before.formatted || !from.format.empty();
     if (before.type != from.type)
       mistake({"file"}, fmt::format("kernels of this file have the texture {} as {} and as {}",
                                     scene::inQuotes(from.name), before.type, from.type));
@@ -186,6 +187,7 @@ void KernelPlan::collectTexture(const kernels::Texture& from) {
   }
   PlannedTexture texture{from.name, from.type, from.format};
   texture.written = from.writes;
+  texture.formatted = !from.format.empty();
   if (from.type != "2D" && from.type != "3D" && from.type != "2DArray")
     mistake(
         {"file"},
@@ -217,7 +219,9 @@ void KernelPlan::holdNames(const KernelsParameters& /*parameters*/) {
     }
     PlannedTexture& texture = textures_[static_cast<std::size_t>(place)];
     texture.given = &given;
-    if (!given.format.empty()) texture.format = given.format;
+    if (given.format.empty()) continue;
+    texture.format = given.format;
+    texture.formatted = true;
   }
 }
 

@@ -43,6 +43,7 @@ struct PlannedTexture {
   std::string name, type, format;  ///< "2D", "3D", "2DArray"; a format as GLSL has it
   glm::ivec3 size{1, 1, 1};
   bool sized = false, written = false;
+  bool formatted = false;  ///< the shader or the scene says the format
   const KernelMemory* given = nullptr;
 
   [[nodiscard]] std::size_t count() const {

@@ -134,6 +134,12 @@ void KernelPlan::planBetween(const KernelEntry& given, const std::vector<std::st
     const int a = bufferNamed(entry.swapA), b = bufferNamed(entry.swapB);
     const int c = textureNamed(entry.swapA), d = textureNamed(entry.swapB);
     const auto place = [](int i) { return static_cast<std::size_t>(i); };
+    if (c >= 0 && d >= 0) {
+      // A texture that is only read has the format of the one that it is exchanged with.
+      PlannedTexture &one = textures_[place(c)], &other = textures_[place(d)];
+      if (!one.formatted) one.format = other.format;
+      if (!other.formatted) other.format = one.format;
+    }
     const bool buffers = a >= 0 && b >= 0 && buffers_[place(a)].bytes() == buffers_[place(b)].bytes();
     const bool textures = c >= 0 && d >= 0 && textures_[place(c)].size == textures_[place(d)].size &&
                           textures_[place(c)].format == textures_[place(d)].format &&
