@@ -140,6 +140,13 @@ Shader loadHere(const Request& request) {
   return shader;
 }
 
+std::vector<std::string> kernelNames(const Request& request) {
+  const Files files(request.file, request.folders);
+  std::vector<std::string> names;
+  for (const Announced& kernel : announcements(files).kernels) names.push_back(kernel.name);
+  return names;
+}
+
 Shader load(const Request& request) {
   constexpr Allotment allotment{std::size_t{2} << 30, 120};
   try {

@@ -22,6 +22,10 @@ struct Request {
   std::vector<std::string> previous;
 };
 
+/// Returns the names of the kernels that a file announces, without compiling them. Throws UserError(usage)
+/// for a file that cannot be read.
+[[nodiscard]] std::vector<std::string> kernelNames(const Request& request);
+
 /// Compiles the kernels of a file, in a process of its own: compilers are not made for hostile files.
 /// Throws UserError(usage) that reports mistakes at file, line and column.
 [[nodiscard]] Shader load(const Request& request);

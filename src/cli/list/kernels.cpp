@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "cli/commands.hpp"
+#include "cli/list/kernel_scene.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -20,6 +21,7 @@ namespace {
 struct KernelsOptions {
   kernels::Request request;
   bool glsl = false;
+  bool scene = false;
   std::string format = "text";
 };
 
@@ -80,6 +82,7 @@ std::string described(const kernels::Kernel& kernel) {
 std::string listed(const kernels::Shader& shader, const KernelsOptions& o) {
   if (o.format == "json") return kernels::toJson(shader, 2) + "\n";
   std::string out;
+  if (o.scene) return sceneOf(shader, o.request.file);
   if (o.glsl) {
     for (const kernels::Kernel& kernel : shader.kernels)
       out += shader.kernels.size() == 1 ? kernel.glsl
@@ -103,6 +106,8 @@ void addKernels(CLI::App& app) {
   command->add_option("--kernel", o->request.kernels, "Only this kernel; may be given again")
       ->type_name("NAME");
   command->add_flag("--glsl", o->glsl, "Print the GLSL 4.5 that runs, with the same bits on every driver");
+  command->add_flag("--scene", o->scene,
+                    "Print a scene that runs the kernels, to start from: sizes and values are guesses");
   command->add_flag("--fast", o->request.fast, "With the driver's own arithmetic, as the file is written");
   command->add_flag("--report", o->request.report,
                     "With the code that notes reads and writes out of bounds, and loops at their limit");

@@ -7,6 +7,7 @@
 #include "sim/kernels/memory.hpp"
 #include "sim/kernels/parameters.hpp"
 #include "sim/kernels/plan.hpp"
+#include "sim/kernels/reports.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,8 @@ class Kernels : public Simulation {
         seed_(setting.seed),
         plan_((check(object, setting), parameters_.plan)),
         store_(name_, *plan_, static_cast<unsigned>(setting.seed)),
-        drawn_(name_, *plan_, object.material) {
+        drawn_(name_, *plan_, object.material),
+        reports_(name_, *plan_, parameters_.boundsIgnored) {
     for (const kernels::Kernel& kernel : plan_->shader().kernels) {
       programs_.push_back(gl::Program::computeText(
           fmt::format("{}: kernel {}", parameters_.file.filename().string(), kernel.name), kernel.body()));
@@ -50,20 +52,26 @@ class Kernels : public Simulation {
                             std::max<std::size_t>(16, block.bytes));
     }
     run(plan_->first(), nowAt(setting.startTime, 0), true);
-    finish();
+    finish(setting.startTime);
   }
 
   void step(double time, const StepWatch& watch) override {
     advance(time, watch);
-    finish();
+    finish(time + frameSeconds_);
   }
   void pass(double time) override {
     advance(time, {});
     store_.settle();
+    reports_.collect(frameAt(time) + 1);
   }
-  void resumed(double /*time*/) override {
+  void resumed(double time) override {
     store_.putBack();
-    finish();
+    finish(time);
+  }
+  [[nodiscard]] const gl::Buffer* status() const override { return reports_.status(); }
+  [[nodiscard]] std::string remark(int /*frame*/) const override { return reports_.told(); }
+  [[nodiscard]] std::string explainLoss(unsigned /*step*/, unsigned /*element*/) const override {
+    return reports_.told();
   }
   [[nodiscard]] int stepsPerFrame() const override { return parameters_.steps; }
   [[nodiscard]] std::string elementName(long element) const override {
@@ -95,9 +103,10 @@ class Kernels : public Simulation {
   }
 
  private:
+  [[nodiscard]] long frameAt(double time) const { return std::lround(time / frameSeconds_); }
   [[nodiscard]] KernelPlan::Now nowAt(double time, int step) const {
     const double dt = frameSeconds_ / std::max(1, parameters_.steps);
-    const auto frame = static_cast<long>(std::llround(time / frameSeconds_));
+    const long frame = frameAt(time);
     return {dt, time + step * dt, frame, frame * parameters_.steps + step, seed_};
   }
 
@@ -110,9 +119,10 @@ class Kernels : public Simulation {
     }
   }
 
-  void finish() {
+  void finish(double time) {
     store_.settle();
     drawn_.update(store_);
+    reports_.collect(frameAt(time));
   }
 
   void run(const std::vector<PlannedEntry>& entries, const KernelPlan::Now& now, bool first) {
@@ -136,11 +146,13 @@ class Kernels : public Simulation {
       blocks_[place][b].bindUniform(static_cast<GLuint>(kernel.blocks[b].binding), 0,
                                     blocks_[place][b].bytes());
     }
+    const glm::uvec3 groups = entry.indirect >= 0 ? glm::uvec3(1) : plan_->groups(entry, now);
+    const auto& group = kernel.threads;
     store_.bind(kernel);
+    reports_.bind(place, groups * glm::uvec3(group[0], group[1], group[2]));
     gl::AccessLog::barrier(GL_ALL_BARRIER_BITS);
     if (entry.indirect >= 0)
       return programs_[place].dispatchIndirect(store_.buffer(entry.indirect), entry.offset);
-    const glm::uvec3 groups = plan_->groups(entry, now);
     if (groups.x > 0 && groups.y > 0 && groups.z > 0)
       programs_[place].dispatchGroups(groups.x, groups.y, groups.z);
   }
@@ -183,6 +195,7 @@ class Kernels : public Simulation {
   std::shared_ptr<const KernelPlan> plan_;
   KernelStore store_;
   KernelDrawn drawn_;
+  KernelReports reports_;
   std::vector<gl::Program> programs_;
   std::vector<std::vector<gl::Buffer>> blocks_;
 };

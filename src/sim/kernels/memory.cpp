@@ -171,9 +171,10 @@ void KernelStore::putBack() {
   for (std::size_t i = 0; i < textures_.size(); ++i) putBack(i);
 }
 
-void KernelStore::bind(const kernels::Kernel& kernel) const {
+void KernelStore::bind(const kernels::Kernel& kernel) {
   for (const kernels::Buffer& buffer : kernel.buffers) {
     const int place = plan_.bufferNamed(buffer.name);
+    if (!buffer.previousOf.empty()) keepPrevious(place, plan_.bufferNamed(buffer.previousOf));
     const PlannedBuffer& planned = plan_.buffers()[static_cast<std::size_t>(place)];
     gl::BufferPart{&this->buffer(place), 0, planned.bytes()}.bindStorage(
         static_cast<GLuint>(buffer.binding));
@@ -186,6 +187,12 @@ void KernelStore::bind(const kernels::Kernel& kernel) const {
     else
       bound.bindImage(unit, accessOf(texture));
   }
+}
+
+void KernelStore::keepPrevious(int copy, int original) {
+  everythingVisible();
+  glCopyNamedBufferSubData(buffer(original).name(), buffer(copy).name(), 0, 0,
+                           static_cast<GLsizeiptr>(buffer(original).bytes()));
 }
 
 void KernelStore::swap(const std::string& a, const std::string& b) {

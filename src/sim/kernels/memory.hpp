@@ -23,7 +23,7 @@ class KernelStore {
   KernelStore& operator=(const KernelStore&) = delete;
 
   /// Binds what a kernel reads and writes.
-  void bind(const kernels::Kernel& kernel) const;
+  void bind(const kernels::Kernel& kernel);
   void swap(const std::string& a, const std::string& b);
   void clear(const std::string& name);
   /// Copies a counter into a buffer.
@@ -49,6 +49,7 @@ class KernelStore {
  private:
   void makeTexture(const std::string& name, const PlannedTexture& planned, unsigned seed);
   void putBack(std::size_t texture);
+  void keepPrevious(int copy, int original);
 
   const KernelPlan& plan_;
   std::vector<gl::Buffer> buffers_;

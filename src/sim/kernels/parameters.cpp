@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "kernels/kernels.hpp"
+#include "scene/value/asset_path.hpp"
 #include "scene/value/implied_shape.hpp"
 #include "sim/grid/color_map.hpp"
 #include "sim/kernels/plan.hpp"
@@ -42,6 +43,10 @@ void describe(scene::Fields& f, KernelMemory& memory, bool texture) {
     f.choice("wrap", memory.wrap, {"shader", "repeat", "clamp", "mirror"},
              "Reads beyond the edges; \"shader\": as the sampler's name says, else repeat.");
   } else {
+    f.boolean("previous", memory.previous,
+              "Kernels that read and write the buffer read it as it was before their dispatch, so no "
+              "invocation sees "
+              "what others write.");
     f.number("counter", memory.counter, {0, 4e9}, "",
              "First value of the counter of an append or consume buffer.");
   }
@@ -131,6 +136,8 @@ void KernelsParameters::describe(scene::Fields& f) {
   f.oneOf("bounds", bounds, {"stop", "ignore"},
           "Reads and writes out of bounds give zero and do nothing; the run stops there, or goes on.");
   boundsIgnored = bounds == 1;
+  f.integer("iterations", iterations, {0, 2e9}, "",
+            "Most iterations of a loop, which then ends and stops the run; 0: no limit.");
   describeDrawn(f);
   if (f.given("file")) compile(f);
 }
@@ -175,9 +182,22 @@ void KernelsParameters::compile(scene::Fields& f) {
   kernels::Request request;
   request.file = file;
   request.fast = fast;
+  request.report = true;
+  request.maxIterations = static_cast<unsigned>(iterations);
+  for (const auto& folder : scene::foldersAround(file)) request.folders.push_back(folder);
+  for (const KernelMemory& buffer : buffers)
+    if (buffer.previous) request.previous.push_back(buffer.name);
   for (const scene::Formula::Part& part : keywords.parts) request.keywords.push_back(part.text);
   try {
-    auto made = std::make_shared<KernelPlan>(*this, KernelPlan::shaderOf(request));
+    const std::vector<std::string> known = kernels::kernelNames(request);
+    if (!step.empty())
+      for (const auto* entries : {&first, &step})
+        for (const KernelEntry& entry : *entries)
+          if (std::find(known.begin(), known.end(), entry.kernel) != known.end() &&
+              std::find(request.kernels.begin(), request.kernels.end(), entry.kernel) ==
+                  request.kernels.end())
+            request.kernels.push_back(entry.kernel);
+    auto made = std::make_shared<KernelPlan>(*this, KernelPlan::shaderOf(request), known);
     for (const KernelPlan::Mistake& mistake : made->mistakes())
       f.errorIn(mistake.path, mistake.begin, mistake.end, mistake.message);
     plan = std::move(made);

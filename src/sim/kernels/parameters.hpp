@@ -23,7 +23,8 @@ struct KernelMemory {
   scene::Formula size;    ///< elements or texels along one to three axes; empty: of the file, or one
   scene::Formulas start;  ///< first values by member; what is not named is zero
   std::filesystem::path file;
-  double counter = 0;  ///< of append and consume buffers
+  bool previous = false;  ///< kernels read it as it was before their dispatch
+  double counter = 0;     ///< of append and consume buffers
   // Of textures.
   std::string format;  ///< as GLSL names it; empty: the shader's, or of 32 bits a channel
   enum class Filter { shader, point, linear };
@@ -90,6 +91,7 @@ struct KernelsParameters : ObjectParameters {
   int steps = 1;  ///< per frame
   std::vector<KernelEntry> first, step;
   bool boundsIgnored = false;
+  int iterations = 1 << 20;  ///< of a loop, at most; 0: no limit
   bool fast = false;
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;

@@ -75,7 +75,8 @@ std::shared_ptr<const kernels::Shader> KernelPlan::shaderOf(const kernels::Reque
   static std::mutex mutex;
   const std::scoped_lock lock(mutex);
   const std::string key =
-      fmt::format("{} {} {}", request.file.string(), fmt::join(request.keywords, " "), request.fast);
+      fmt::format("{} {} {} {} {}", request.file.string(), fmt::join(request.keywords, " "),
+                  fmt::join(request.previous, " "), request.fast, request.maxIterations);
   const auto changed = [](const Known& known) {
     return std::any_of(known.files.begin(), known.files.end(), [](const auto& file) {
       std::error_code error;
@@ -92,7 +93,8 @@ std::shared_ptr<const kernels::Shader> KernelPlan::shaderOf(const kernels::Reque
   return (all[key] = std::move(known)).shader;
 }
 
-KernelPlan::KernelPlan(const KernelsParameters& parameters, std::shared_ptr<const kernels::Shader> shader)
+KernelPlan::KernelPlan(const KernelsParameters& parameters, std::shared_ptr<const kernels::Shader> shader,
+                       const std::vector<std::string>& announced)
     : shader_(std::move(shader)), givenBuffers_(parameters.buffers), givenTextures_(parameters.textures) {
   for (const kernels::Kernel& kernel : shader_->kernels) {
     for (const kernels::Buffer& buffer : kernel.buffers) collectBuffer(buffer);
@@ -102,8 +104,8 @@ KernelPlan::KernelPlan(const KernelsParameters& parameters, std::shared_ptr<cons
   size(parameters);
   if (!mistakes_.empty()) return;
   planConstants(parameters);
-  planEntries(parameters.first, "first", first_);
-  planEntries(parameters.step, "step", step_);
+  planEntries(parameters.first, "first", announced, first_);
+  planEntries(parameters.step, "step", announced, step_);
   if (parameters.step.empty()) everyKernel();
   planStarts();
   if (mistakes_.empty()) planDrawing(parameters);
@@ -156,7 +158,8 @@ void KernelPlan::collectBuffer(const kernels::Buffer& from) {
     buffer.stride = (end + 15) / 16 * 16;
     buffer.sized = true;
   }
-  if (!buffer.counterOf.empty()) buffer.sized = true;
+  buffer.previousOf = from.previousOf;
+  if (!buffer.counterOf.empty() || !buffer.previousOf.empty()) buffer.sized = true;
   for (const auto* slots : {&buffer.element, &buffer.fixed})
     for (const KernelSlot& slot : *slots)
       buffer.allFloats = buffer.allFloats && slot.number == KernelSlot::Number::real;
@@ -201,7 +204,7 @@ void KernelPlan::collectTexture(const kernels::Texture& from) {
 void KernelPlan::holdNames(const KernelsParameters& /*parameters*/) {
   std::vector<std::string> known;
   for (const PlannedBuffer& buffer : buffers_)
-    if (buffer.counterOf.empty()) known.push_back(buffer.name);
+    if (buffer.counterOf.empty() && buffer.previousOf.empty()) known.push_back(buffer.name);
   for (const KernelMemory& given : givenBuffers_) {
     const int place = bufferNamed(given.name);
     if (place < 0)
@@ -263,6 +266,9 @@ void KernelPlan::size(const KernelsParameters& /*parameters*/) {
     if (texture.given != nullptr) sizeOf("textures", *texture.given, texture.size, texture.sized);
   for (PlannedBuffer& buffer : buffers_)
     if (buffer.given != nullptr) sizeOf("buffers", *buffer.given, buffer.size, buffer.sized);
+  for (PlannedBuffer& buffer : buffers_)
+    if (!buffer.previousOf.empty())
+      buffer.size = buffers_[static_cast<std::size_t>(bufferNamed(buffer.previousOf))].size;
   for (const PlannedTexture& texture : textures_)
     if (!texture.sized)
       mistake(

@@ -19,7 +19,8 @@ namespace simreel::sim {
 /// A buffer of all kernels of a file: a header of fixed members, then elements.
 struct PlannedBuffer {
   std::string name;
-  std::string counterOf;  ///< buffer whose counter it is
+  std::string counterOf;   ///< buffer whose counter it is
+  std::string previousOf;  ///< buffer whose state before a dispatch it holds
   std::size_t header = 0, stride = 4;
   int guards = 0;            ///< elements behind `count` that keep accesses out of bounds
   glm::ivec3 size{1, 1, 1};  ///< elements
@@ -92,7 +93,9 @@ class KernelPlan {
   /// Compiles the file, once for as long as neither it nor what it includes changes.
   [[nodiscard]] static std::shared_ptr<const kernels::Shader> shaderOf(const kernels::Request& request);
 
-  KernelPlan(const KernelsParameters& parameters, std::shared_ptr<const kernels::Shader> shader);
+  /// `announced`: the names of all kernels of the file; the shader has those that run.
+  KernelPlan(const KernelsParameters& parameters, std::shared_ptr<const kernels::Shader> shader,
+             const std::vector<std::string>& announced);
 
   [[nodiscard]] const std::vector<Mistake>& mistakes() const { return mistakes_; }
   [[nodiscard]] const kernels::Shader& shader() const { return *shader_; }
@@ -129,7 +132,6 @@ class KernelPlan {
     std::optional<scene::Animated<glm::vec4>> moving;
     int width = 0;
   };
-  void collect(const KernelsParameters& parameters);
   void collectBuffer(const kernels::Buffer& from);
   void collectTexture(const kernels::Texture& from);
   void holdNames(const KernelsParameters& parameters);
@@ -138,7 +140,7 @@ class KernelPlan {
   void planConstants(const KernelsParameters& parameters);
   void holdConstants();
   void planEntries(const std::vector<KernelEntry>& given, const char* list,
-                   std::vector<PlannedEntry>& planned);
+                   const std::vector<std::string>& announced, std::vector<PlannedEntry>& planned);
   void planThreads(const KernelEntry& given, const std::vector<std::string>& path, PlannedEntry& entry);
   void planBetween(const KernelEntry& given, const std::vector<std::string>& path, PlannedEntry& entry);
   void everyKernel();

@@ -19,7 +19,7 @@ glm::ivec3 usualThreads(const KernelPlan& plan, const kernels::Kernel& kernel) {
       if (texture.writes == writes)
         return plan.textures()[static_cast<std::size_t>(plan.textureNamed(texture.name))].size;
     for (const kernels::Buffer& buffer : kernel.buffers)
-      if (buffer.writes == writes && buffer.counterOf.empty()) {
+      if (buffer.writes == writes && buffer.counterOf.empty() && buffer.previousOf.empty()) {
         const PlannedBuffer& planned =
             plan.buffers()[static_cast<std::size_t>(plan.bufferNamed(buffer.name))];
         // A kernel in a row of groups counts elements whatever grid they lie in.
@@ -44,9 +44,8 @@ void KernelPlan::everyKernel() {
 }
 
 void KernelPlan::planEntries(const std::vector<KernelEntry>& given, const char* list,
+                             const std::vector<std::string>& announced,
                              std::vector<PlannedEntry>& planned) {
-  std::vector<std::string> known;
-  for (const kernels::Kernel& kernel : shader_->kernels) known.push_back(kernel.name);
   for (std::size_t i = 0; i < given.size(); ++i) {
     const KernelEntry& from = given[i];
     const std::vector<std::string> path = {list, std::to_string(i)};
@@ -60,12 +59,15 @@ void KernelPlan::planEntries(const std::vector<KernelEntry>& given, const char* 
     entry.every = from.every;
     entry.offset = static_cast<std::size_t>(from.offset);
     if (!from.kernel.empty()) {
-      const auto found = std::find(known.begin(), known.end(), from.kernel);
-      if (found == known.end()) {
-        unknown(at("kernel"), from.kernel, known, "kernel");
+      const auto& kernels = shader_->kernels;
+      const auto found = std::find_if(kernels.begin(), kernels.end(), [&](const kernels::Kernel& kernel) {
+        return kernel.name == from.kernel;
+      });
+      if (found == kernels.end()) {
+        unknown(at("kernel"), from.kernel, announced, "kernel");
         continue;
       }
-      entry.kernel = static_cast<int>(found - known.begin());
+      entry.kernel = static_cast<int>(found - kernels.begin());
       planThreads(from, path, entry);
     }
     planBetween(from, path, entry);

@@ -62,7 +62,7 @@ class Quietly {
 
 /// What a byte of its state costs in a step beside one of a cloth of springs, as measured.
 double weightOf(const scene::Object& object) {
-  constexpr double tree = 40, contact = 8, ofMesh = 5, ofUser = 8;
+  constexpr double tree = 40, contact = 8, ofMesh = 5, ofUser = 2;
   if (object.kind == "kernels") return ofUser;
   if (const ParticleParameters* particles = particlesOf(object))
     return particles->method == GravityMethod::tree ? tree : 1;
