@@ -71,10 +71,15 @@ Id Report::function(Module& module) {
 
 void Report::note(Module& module, std::vector<Instruction>& body, Id fine, std::uint32_t place, Id least,
                   Id greatest) {
+  noteAt(module, body, fine, module.uintConstant(place), least, greatest);
+}
+
+void Report::noteAt(Module& module, std::vector<Instruction>& body, Id fine, Id place, Id least,
+                    Id greatest) {
   Writing writing(module, body);
   const Id a = writing.asInt(least), b = least == greatest ? a : writing.asInt(greatest);
   writing.emit(SpvOpFunctionCall, module.globalOf(SpvOpTypeVoid, 0, {}),
-               {function(module), fine, module.uintConstant(place), a, b});
+               {function(module), fine, place, a, b});
 }
 
 void Report::hold(Module& module) {

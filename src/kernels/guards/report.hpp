@@ -28,6 +28,8 @@ class Report {
   /// Kernel::places; numbers of either sign.
   void note(Module& module, std::vector<Instruction>& body, Id fine, std::uint32_t place, Id least,
             Id greatest);
+  /// The same at a place whose number is a value.
+  void noteAt(Module& module, std::vector<Instruction>& body, Id fine, Id place, Id least, Id greatest);
   /// Makes a module with calls of note() one that SPIRV-Tools may work on, before more calls are added to
   /// what it makes.
   void hold(Module& module);

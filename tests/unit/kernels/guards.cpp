@@ -114,3 +114,31 @@ TEST_CASE("a buffer read as it was before the dispatch is two buffers, and count
                        doctest::Contains("r.hlsl:3:3: error: an atomic operation works on the present"),
                        UserError);
 }
+
+TEST_CASE(
+    "a kernel that records has a shadow for each buffer and image it stores to, one that checks places") {
+  const std::string text =
+      "struct P { float3 at; uint id; }; RWStructuredBuffer<P> _P; RWTexture2D<float> _Image;\n"
+      "RWStructuredBuffer<uint> _Count, _Read;\n"
+      "[numthreads(8, 1, 1)] void K(uint3 i : SV_DispatchThreadID) {\n"
+      "  _P[i.x].at = _P[i.x + 1].id; _Image[i.xy] = _Read[i.x];\n"
+      "  InterlockedAdd(_Count[0], 1);\n}\n";
+  kernels::Request request;
+  request.race = kernels::Race::record;
+  const kernels::Kernel records = guarded("s.hlsl", text, request).kernels.at(0);
+  std::string shadows;
+  for (const kernels::Buffer& buffer : records.buffers)
+    if (!buffer.shadowOf.empty())
+      shadows += fmt::format("{} of {}, {} words, {} guards; ", buffer.name, buffer.shadowOf,
+                             buffer.shadowWords, buffer.guards);
+  CHECK(shadows == "_P.shadow of _P, 3 words, 0 guards; _Image.shadow of _Image, 3 words, 0 guards; ");
+  CHECK(records.report == -1);
+  CHECK(simreel::test::isGlsl(records.glsl));
+  request.race = kernels::Race::check;
+  request.report = true;
+  const kernels::Kernel checks = guarded("t.hlsl", text, request).kernels.at(0);
+  CHECK(places(checks) == "race-read _P.id:4; race-write _P.at:4; race-write _Image:4; ");
+  CHECK(checks.buffers.size() == records.buffers.size());
+  CHECK(checks.report == 5);
+  CHECK(simreel::test::isGlsl(checks.glsl));
+}
