@@ -11,6 +11,7 @@
 #include "kernels/guards/previous.hpp"
 #include "kernels/guards/race.hpp"
 #include "kernels/guards/report.hpp"
+#include "kernels/guards/shared.hpp"
 #include "kernels/source/files.hpp"
 #include "kernels/source/pragmas.hpp"
 #include "kernels/spirv/layout.hpp"
@@ -79,7 +80,10 @@ Kernel lowered(Files& files, const Unit& unit, const Request& request) {
   layOut(module, hlsl);
   const std::uint32_t guards = request.fast ? 0 : guardElements;
   if (request.race == Race::record) recordWrites(module, hlsl, guards);
-  if (request.race == Race::check) checkAccesses(module, hlsl, guards, reporting);
+  if (request.race == Race::check) {
+    checkAccesses(module, hlsl, guards, reporting);
+    checkShared(module, reporting);
+  }
   reporting.complete(module);
   bindResources(module);
   Kernel kernel = reflected(module, unit.language);

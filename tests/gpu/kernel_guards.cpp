@@ -13,18 +13,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-using namespace simreel;
-using test::Buffers;
-using test::counted;
-using test::faults;
-using test::guarded;
-using test::Numbers;
-using test::races;
-using test::racesWith;
-using test::ran;
-using test::reporting;
-using test::text;
-using test::untouched;
+namespace simreel::test {
 
 TEST_CASE("kernel guards: reads and writes one beyond each end are told with line, index and invocation") {
   testContext();
@@ -306,3 +295,38 @@ TEST_CASE("kernel guards: words of GLSL's blocks have their own shadows, matrice
   CHECK(told("if (i == 3) all[1] = vec3(total); if (i == 4)\n  total = 7 + uint(all[1].y);") ==
         "race-read total:6 1 3 4 0; race-read all:7 1 4 3 0");
 }
+
+TEST_CASE("kernel guards: a reduction in shared memory has a race where a barrier is missing") {
+  testContext();
+  const auto sums = [](const std::string& wait, const std::string& last) {
+    return "RWStructuredBuffer<uint> _A; RWStructuredBuffer<uint> _B; groupshared uint s[16];\n"
+           "[numthreads(16, 1, 1)] void K(uint i : SV_DispatchThreadID, uint l : SV_GroupIndex) {\n"
+           "  s[l] = _A[i] + 1;\n  " +
+           wait + "\n  for (uint k = 8; k > 0; k /= 2) {\n    if (l < k)\n      s[l] += s[l + k];\n    " +
+           last + "\n  }\n  if (l == 0) _B[i / 16] = s[0];\n}\n";
+  };
+  const Buffers given = {{"_A", counted(48)}, {"_B", Numbers(3)}};
+  const std::string barrier = "GroupMemoryBarrierWithGroupSync();";
+  CHECK(races(sums(barrier, barrier), given, 3) == "");
+  CHECK(races(sums("", barrier), given, 3).starts_with("race-"));
+  CHECK(races(sums(barrier, ""), given, 3).starts_with("race-read s:7 "));
+  kernels::Request request = reporting();
+  request.race = kernels::Race::check;
+  CHECK(text(ran(guarded(sums(barrier, barrier), request), given, 3)["_B"]) == "136 392 648");
+}
+
+TEST_CASE("kernel guards: a word of shared memory that is read and then written by another has a race") {
+  testContext();
+  const auto kernel = [](const std::string& wait) {
+    return "RWStructuredBuffer<uint> _A; groupshared float3 s[8];\n"
+           "[numthreads(8, 1, 1)] void K(uint i : SV_DispatchThreadID, uint l : SV_GroupIndex) {\n"
+           "  s[l] = l + 1; GroupMemoryBarrierWithGroupSync();\n"
+           "  float y = s[(l + 7) % 8].y; " +
+           wait + "\n  if (l == 5)\n    s[l].xy = y;\n  _A[i] = y;\n}\n";
+  };
+  const Buffers given = {{"_A", Numbers(16)}};
+  CHECK(races(kernel("GroupMemoryBarrierWithGroupSync();"), given, 2) == "");
+  CHECK(races(kernel(""), given, 2) == "race-write s:6 2 5 6 5");
+}
+
+}  // namespace simreel::test
