@@ -9,7 +9,9 @@
 #include "kernels/exact/sampling.hpp"
 #include "kernels/guards/loops.hpp"
 #include "kernels/guards/previous.hpp"
+#include "kernels/guards/race.hpp"
 #include "kernels/guards/report.hpp"
+#include "kernels/guards/shared.hpp"
 #include "kernels/source/files.hpp"
 #include "kernels/source/pragmas.hpp"
 #include "kernels/spirv/layout.hpp"
@@ -34,7 +36,7 @@ Module prepared(Files& files, const Unit& unit, const Request& request, Report* 
   const bool hlsl = unit.language == Language::hlsl;
   const auto made = [&](bool unrolled) {
     Module module = compiled;
-    if (report != nullptr || !request.previous.empty()) repeatLines(module);
+    if (report != nullptr || !request.previous.empty() || request.race == Race::check) repeatLines(module);
     if (request.maxIterations != 0) {
       limitLoops(module, request.maxIterations, unrolled, report);
       if (report != nullptr) report->hold(module);
@@ -52,6 +54,11 @@ void describeGuards(Kernel& kernel, bool fast) {
     if (buffer.name == reportBlock) kernel.report = buffer.binding;
     if (buffer.name.ends_with(previousSuffix))
       buffer.previousOf = buffer.name.substr(0, buffer.name.rfind('.'));
+    if (buffer.name.ends_with(shadowSuffix)) {
+      buffer.shadowOf = buffer.name.substr(0, buffer.name.rfind('.'));
+      buffer.shadowWords = static_cast<int>(shadowWords);
+      continue;
+    }
     if (!fast && !buffer.members.empty() && !buffer.members.back().array.empty() &&
         buffer.members.back().array[0] == 0)
       buffer.guards = static_cast<int>(guardElements);
@@ -61,7 +68,7 @@ void describeGuards(Kernel& kernel, bool fast) {
 
 Kernel lowered(Files& files, const Unit& unit, const Request& request) {
   Report reporting(files);
-  Report* const report = request.report ? &reporting : nullptr;
+  Report* const report = request.report && request.race != Race::check ? &reporting : nullptr;
   Module module = prepared(files, unit, request, report);
   const bool hlsl = unit.language == Language::hlsl;
   if (auto mistakes = readPrevious(module, files, hlsl, request.previous); !mistakes.empty())
@@ -70,8 +77,15 @@ Kernel lowered(Files& files, const Unit& unit, const Request& request) {
     keepInside(module, report);
     filterExactly(module);
   }
-  if (report != nullptr) report->complete(module);
   layOut(module, hlsl);
+  const std::uint32_t guards = request.fast ? 0 : guardElements;
+  if (request.race == Race::record) recordWrites(module, hlsl, guards);
+  if (request.race == Race::check) {
+    checkAccesses(module, hlsl, guards, reporting);
+    checkShared(module, reporting);
+  }
+  reporting.complete(module);
+  bindResources(module);
   Kernel kernel = reflected(module, unit.language);
   describeGuards(kernel, request.fast);
   kernel.places = reporting.places();

@@ -7,6 +7,10 @@
 
 namespace simreel::kernels {
 
+/// A dispatch's races are found in two runs from the same state: one records in shadow buffers which
+/// invocation changed each word (Buffer::shadowOf), one compares each access with the shadows.
+enum class Race { none, record, check };
+
 struct Request {
   std::filesystem::path file;
   std::vector<std::filesystem::path> folders;  ///< that #include may read, beside the file's own
@@ -20,6 +24,8 @@ struct Request {
   /// Names of buffers. A kernel that reads and writes one of them reads it as it was before the dispatch,
   /// from a buffer of its own (Buffer::previousOf); atomic operations on it are mistakes.
   std::vector<std::string> previous;
+  /// `check` reports races alone, whatever `report` says.
+  Race race = Race::none;
 };
 
 /// Returns the names of the kernels that a file announces, without compiling them. Throws UserError(usage)

@@ -1,109 +1,19 @@
 // Kernels that users write, with the code that finds their mistakes.
-#include "gl/buffer.hpp"
-#include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gpu/kernel_guards.hpp"
+
 #include "gl/texture.hpp"
-#include "gpu/context.hpp"
-#include "kernels/kernels.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
-#include <fstream>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <climits>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-using namespace simreel;
-
-namespace {
-
-using Numbers = std::vector<std::uint32_t>;
-using Buffers = std::map<std::string, Numbers>;
-
-kernels::Kernel guarded(const std::string& text, kernels::Request request,
-                        const std::string& name = "guards.hlsl") {
-  const auto path = temporaryFile(name);
-  std::ofstream(path) << text;
-  request.file = path;
-  kernels::Shader shader = kernels::load(request);
-  std::filesystem::remove(path);
-  return std::move(shader.kernels.at(0));
-}
-
-kernels::Request reporting(unsigned maxIterations = 0) {
-  kernels::Request request;
-  request.report = true;
-  request.maxIterations = maxIterations;
-  return request;
-}
-
-Numbers untouched(std::size_t places) {
-  Numbers words;
-  for (std::size_t i = 0; i < places; ++i)
-    words.insert(words.end(),
-                 {0, UINT32_MAX, static_cast<std::uint32_t>(INT_MAX), static_cast<std::uint32_t>(INT_MIN)});
-  return words;
-}
-
-/// Runs a kernel on buffers of words, which get their guards here. The report comes back under its block's
-/// name.
-Buffers ran(const kernels::Kernel& kernel, const Buffers& given, GLuint groups) {
-  std::vector<std::pair<const kernels::Buffer*, gl::Buffer>> bound;
-  for (const kernels::Buffer& buffer : kernel.buffers) {
-    Numbers words = given.at(buffer.previousOf.empty() ? buffer.name : buffer.previousOf);
-    words.resize(words.size() + static_cast<std::size_t>(buffer.guards) *
-                                    (buffer.members.back().stride / sizeof(std::uint32_t)));
-    bound.emplace_back(&buffer, gl::Buffer::of<std::uint32_t>(buffer.name, words));
-    bound.back().second.bindStorage(static_cast<GLuint>(buffer.binding));
-  }
-  const gl::Buffer report = gl::Buffer::of<std::uint32_t>(
-      "report", given.contains("report") ? given.at("report") : untouched(kernel.places.size() + 1));
-  if (kernel.report >= 0) report.bindStorage(static_cast<GLuint>(kernel.report));
-  gl::Program::computeText("kernel", kernel.body()).dispatchGroups(groups, 1, 1);
-  gl::barrier();
-  Buffers made;
-  for (const auto& one : bound) {
-    if (!given.contains(one.first->name)) continue;
-    Numbers words = one.second.readAll<std::uint32_t>();
-    words.resize(given.at(one.first->name).size());
-    made[one.first->name] = std::move(words);
-  }
-  made["report"] = report.readAll<std::uint32_t>();
-  return made;
-}
-
-/// "kind what.part:line count invocation least greatest" of each place that something happened at.
-std::string faults(const kernels::Kernel& kernel, const Buffers& made) {
-  std::vector<std::string> lines;
-  const Numbers& words = made.at("report");
-  for (std::size_t i = 0; i < kernel.places.size(); ++i) {
-    const kernels::Place& place = kernel.places[i];
-    if (words[4 * i] != 0)
-      lines.push_back(fmt::format("{} {}{}:{} {} {} {} {}", place.kind, place.what,
-                                  place.part.empty() ? "" : "." + place.part, place.line, words[4 * i],
-                                  words[4 * i + 1], static_cast<int>(words[4 * i + 2]),
-                                  static_cast<int>(words[4 * i + 3])));
-  }
-  return fmt::format("{}", fmt::join(lines, "; "));
-}
-
-std::string text(const Numbers& words) {
-  return fmt::format("{}", fmt::join(words, " "));
-}
-
-Numbers counted(std::uint32_t n, std::uint32_t from = 0) {
-  Numbers words(n);
-  for (std::uint32_t i = 0; i < n; ++i) words[i] = from + i;
-  return words;
-}
-
-}  // namespace
+namespace simreel::test {
 
 TEST_CASE("kernel guards: reads and writes one beyond each end are told with line, index and invocation") {
   testContext();
@@ -234,3 +144,189 @@ TEST_CASE("kernel guards: a buffer read as it was before the dispatch turns by o
   turned[12 + 31] = 12;
   CHECK(text(ran(glsl, {{"Values", counted(12 + 32)}}, 2)["Values"]) == text(turned));
 }
+
+TEST_CASE(
+    "kernel guards: a kernel that reads what others write has a race, one with two buffers has none") {
+  testContext();
+  const Buffers given = {{"_A", counted(32)}, {"_B", Numbers(32)}};
+  const auto turn = [](const std::string& to) {
+    return "RWStructuredBuffer<uint> _A, _B;\n"
+           "[numthreads(8, 1, 1)] void K(uint i : SV_DispatchThreadID) {\n"
+           "  uint next = _A[(i + 1) % 32];\n  " +
+           to + "[i] = next;\n}\n";
+  };
+  CHECK(races(turn("_B"), given, 4) == "");
+  CHECK(races(turn("_A"), given, 4) == "race-read _A:3 32 0 0 31");
+}
+
+TEST_CASE(
+    "kernel guards: an invocation that reads what it wrote itself has no race, nor have equal writes") {
+  testContext();
+  const Buffers given = {{"_A", counted(32)}, {"_B", Numbers(2)}};
+  const auto kernel = [](const std::string& code) {
+    return "RWStructuredBuffer<uint> _A, _B;\n"
+           "[numthreads(8, 1, 1)] void K(uint i : SV_DispatchThreadID) {\n" +
+           code + "\n}\n";
+  };
+  CHECK(races(kernel("  _A[i] += 3; _A[i] *= 2; _B[0] = 5; _A[(i + 7) % 32] = (i + 7) % 32;"), given, 4) !=
+        "");
+  CHECK(races(kernel("  _A[i] += 3; _A[i] *= 2; _B[0] = 5;"), given, 4) == "");
+  CHECK(races(kernel("  InterlockedAdd(_B[0], i); _A[i] = 4;"), given, 4) == "");
+  CHECK(races(kernel("  _A[i + 32] = i;"), given, 4) == "");  // dropped
+  CHECK(races(kernel("  if (i % 8 == 3)\n    _B[1] = i;"), given, 4) == "race-write _B:4 3 3 27 1");
+  // one of them stores what is there already
+  CHECK(races(kernel("  if (i % 16 == 3)\n    _B[1] = i - 3;"), given, 4) == "race-write _B:4 1 3 19 1");
+}
+
+namespace {
+
+/// Springs between neighbours of an 8 x 8 cloth, as tutorials write them.
+std::string cloth(const std::string& in, const std::string& out) {
+  return "struct Particle { float3 position; float invMass; float3 velocity; float padding; };\n"
+         "RWStructuredBuffer<Particle> " +
+         (in == out ? in : in + ", " + out) +
+         ";\n"
+         "float3 Force(float3 a, int x, int y) {\n"
+         "  if (x < 0 || y < 0 || x > 7 || y > 7) return 0;\n"
+         "  float3 d = " +
+         in +
+         "[y * 8 + x].position - a;\n"
+         "  return 50 * (length(d) - 0.1) * normalize(d); }\n"
+         "[numthreads(8, 1, 1)] void K(uint3 id : SV_DispatchThreadID) {\n"
+         "  int x = id.x % 8, y = id.x / 8; Particle p = " +
+         in +
+         "[id.x];\n"
+         "  if (p.invMass <= 0) return;\n"
+         "  float3 f = float3(0, -9.81, 0);\n"
+         "  for (int k = -1; k <= 1; k += 2) f += Force(p.position, x + k, y) + Force(p.position, x, y + "
+         "k);\n"
+         "  p.velocity += f * 0.01; p.position += p.velocity * 0.01;\n  " +
+         out + "[id.x] = p;\n}\n";
+}
+
+Numbers particles() {
+  std::vector<float> values;
+  for (int i = 0; i < 64; ++i)
+    values.insert(values.end(), {0.1F * static_cast<float>(i % 8), 0.12F * static_cast<float>(i / 8), 0.0F,
+                                 i < 8 ? 0.0F : 1.0F, 0.0F, 0.0F, 0.0F, 0.0F});
+  Numbers words;
+  for (const float value : values) words.push_back(std::bit_cast<std::uint32_t>(value));
+  return words;
+}
+
+}  // namespace
+
+TEST_CASE("kernel guards: a cloth in one buffer has a race, in two or read as before it has none") {
+  testContext();
+  const Buffers given = {{"_A", particles()}, {"_B", particles()}};
+  CHECK(races(cloth("_A", "_B"), given, 8) == "");
+  const std::string found = races(cloth("_A", "_A"), given, 8);
+  CAPTURE(found);
+  CHECK(found == "race-read _A.position:5 56 8 8 62");
+}
+
+TEST_CASE("kernel guards: instruments change no bits of a kernel without mistakes") {
+  testContext();
+  const Buffers given = {{"_A", particles()}, {"_B", particles()}};
+  const std::string source = cloth("_A", "_B");
+  const std::string plain = text(ran(guarded(source, {}), given, 8)["_B"]);
+  CHECK(plain != text(particles()));
+  CHECK(text(ran(guarded(source, reporting(100)), given, 8)["_B"]) == plain);
+  kernels::Request request;
+  request.previous = {"_A"};
+  CHECK(text(ran(guarded(cloth("_A", "_A"), request), given, 8)["_A"]) == plain);
+  for (const kernels::Race race : {kernels::Race::record, kernels::Race::check}) {
+    request = reporting(100);
+    request.race = race;
+    CHECK(text(ran(guarded(source, request), given, 8)["_B"]) == plain);
+  }
+}
+
+TEST_CASE("kernel guards: Game of Life on one image has a race, on two it has none") {
+  testContext();
+  const auto life = [](const std::string& images, const std::string& in, const std::string& out) {
+    return "RWTexture2D<uint> " + images +
+           ";\n"
+           "[numthreads(8, 1, 1)] void K(uint i : SV_DispatchThreadID) {\n"
+           "  int2 at = int2(i % 8, i / 8); uint n = 0;\n"
+           "  for (int y = -1; y < 2; ++y) for (int x = -1; x < 2; ++x)\n"
+           "    if (x != 0 || y != 0) n += " +
+           in +
+           "[(at + int2(x, y)) & 7];\n"
+           "  uint alive = n == 3 || (n == 2 && " +
+           in + "[at] == 1);\n  " + out + "[at] = alive;\n}\n";
+  };
+  const gl::Texture first = gl::Texture::image("first", GL_R32UI, 8, 8),
+                    second = gl::Texture::image("second", GL_R32UI, 8, 8);
+  const auto blinker = [&](const kernels::Kernel& kernel) {
+    Numbers cells(64);
+    cells[8 * 3 + 2] = cells[8 * 3 + 3] = cells[8 * 3 + 4] = 1;
+    for (const gl::Texture* one : {&first, &second})
+      glTextureSubImage2D(one->name(), 0, 0, 0, 8, 8, GL_RED_INTEGER, GL_UNSIGNED_INT, cells.data());
+    for (const kernels::Texture& texture : kernel.textures)
+      glBindImageTexture(static_cast<GLuint>(texture.binding),
+                         texture.name == "_A" ? first.name() : second.name(), 0, GL_FALSE, 0, GL_READ_WRITE,
+                         GL_R32UI);
+  };
+  CHECK(racesWith(blinker, life("_A, _B", "_A", "_B"), {}, 8) == "");
+  const std::string found = racesWith(blinker, life("_A", "_A", "_A"), {}, 8);
+  CHECK(found.starts_with("race-read _A:5 "));
+}
+
+TEST_CASE("kernel guards: words of GLSL's blocks have their own shadows, matrices by rows too") {
+  testContext();
+  const auto kernel = [](const std::string& code) {
+    return "#version 450\nlayout(local_size_x = 4) in;\nstruct Body { vec3 at; float w; mat2x3 turn; };\n"
+           "layout(std430, row_major) buffer Values { uint total; mat3 all; Body bodies[]; };\n"
+           "void main() { uint i = gl_GlobalInvocationID.x; \n" +
+           code + "\n}\n";
+  };
+  // total and padding, 12 words of a matrix, then 12 of each body: at, w, three rows of two numbers and
+  // gaps
+  const Buffers given = {{"Values", counted(4 + 12 + 16 * 8)}};
+  const auto told = [&](const std::string& code) { return races(kernel(code), given, 2, "guards.comp"); };
+  CHECK(told("bodies[i].at = vec3(total) + bodies[(i + 1) % 8].w;") == "");
+  CHECK(told("bodies[i].turn[1][2] = 5; bodies[i].at.x = bodies[(i + 1) % 8].turn[0][2] +\n"
+             "  bodies[(i + 2) % 8].turn[1][1];") == "");
+  CHECK(told("bodies[i].turn[1][2] = i;\nbodies[i].at.x = bodies[(i + 1) % 8].turn[1][2];") ==
+        "race-read bodies.turn:7 8 0 0 7");
+  CHECK(told("bodies[i].at.y = i;\nif (i == 2) all[1] = bodies[6].at;") == "race-read bodies.at:7 1 2 6 6");
+  CHECK(told("if (i == 3) all[1] = vec3(total); if (i == 4) total = uint(all[2].x);") == "");
+  CHECK(told("if (i == 3) all[1] = vec3(total); if (i == 4)\n  total = 7 + uint(all[1].y);") ==
+        "race-read total:6 1 3 4 0; race-read all:7 1 4 3 0");
+}
+
+TEST_CASE("kernel guards: a reduction in shared memory has a race where a barrier is missing") {
+  testContext();
+  const auto sums = [](const std::string& wait, const std::string& last) {
+    return "RWStructuredBuffer<uint> _A; RWStructuredBuffer<uint> _B; groupshared uint s[16];\n"
+           "[numthreads(16, 1, 1)] void K(uint i : SV_DispatchThreadID, uint l : SV_GroupIndex) {\n"
+           "  s[l] = _A[i] + 1;\n  " +
+           wait + "\n  for (uint k = 8; k > 0; k /= 2) {\n    if (l < k)\n      s[l] += s[l + k];\n    " +
+           last + "\n  }\n  if (l == 0) _B[i / 16] = s[0];\n}\n";
+  };
+  const Buffers given = {{"_A", counted(48)}, {"_B", Numbers(3)}};
+  const std::string barrier = "GroupMemoryBarrierWithGroupSync();";
+  CHECK(races(sums(barrier, barrier), given, 3) == "");
+  CHECK(races(sums("", barrier), given, 3).starts_with("race-"));
+  CHECK(races(sums(barrier, ""), given, 3).starts_with("race-read s:7 "));
+  kernels::Request request = reporting();
+  request.race = kernels::Race::check;
+  CHECK(text(ran(guarded(sums(barrier, barrier), request), given, 3)["_B"]) == "136 392 648");
+}
+
+TEST_CASE("kernel guards: a word of shared memory that is read and then written by another has a race") {
+  testContext();
+  const auto kernel = [](const std::string& wait) {
+    return "RWStructuredBuffer<uint> _A; groupshared float3 s[8];\n"
+           "[numthreads(8, 1, 1)] void K(uint i : SV_DispatchThreadID, uint l : SV_GroupIndex) {\n"
+           "  s[l] = l + 1; GroupMemoryBarrierWithGroupSync();\n"
+           "  float y = s[(l + 7) % 8].y; " +
+           wait + "\n  if (l == 5)\n    s[l].xy = y;\n  _A[i] = y;\n}\n";
+  };
+  const Buffers given = {{"_A", Numbers(16)}};
+  CHECK(races(kernel("GroupMemoryBarrierWithGroupSync();"), given, 2) == "");
+  CHECK(races(kernel(""), given, 2) == "race-write s:6 2 5 6 5");
+}
+
+}  // namespace simreel::test

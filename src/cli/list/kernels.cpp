@@ -7,6 +7,7 @@
 #include "cli/list/kernel_scene.hpp"
 
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -115,6 +116,14 @@ void addKernels(CLI::App& app) {
       ->add_option("--previous", o->request.previous,
                    "A buffer that kernels read as it was before the dispatch; may be given again")
       ->type_name("NAME");
+  static const std::map<std::string, kernels::Race> races = {{"record", kernels::Race::record},
+                                                             {"check", kernels::Race::check}};
+  command
+      ->add_option("--race", o->request.race,
+                   "With the code that records which invocation changes each word (record), or that "
+                   "compares accesses with such a record (check)")
+      ->transform(CLI::CheckedTransformer(races))
+      ->type_name("RUN");
   command->add_option("--max-iterations", o->request.maxIterations,
                       "Of a loop, which then ends (default 0: no limit)");
   command

@@ -71,10 +71,15 @@ Id Report::function(Module& module) {
 
 void Report::note(Module& module, std::vector<Instruction>& body, Id fine, std::uint32_t place, Id least,
                   Id greatest) {
+  noteAt(module, body, fine, module.uintConstant(place), least, greatest);
+}
+
+void Report::noteAt(Module& module, std::vector<Instruction>& body, Id fine, Id place, Id least,
+                    Id greatest) {
   Writing writing(module, body);
   const Id a = writing.asInt(least), b = least == greatest ? a : writing.asInt(greatest);
   writing.emit(SpvOpFunctionCall, module.globalOf(SpvOpTypeVoid, 0, {}),
-               {function(module), fine, module.uintConstant(place), a, b});
+               {function(module), fine, place, a, b});
 }
 
 void Report::hold(Module& module) {
@@ -111,23 +116,45 @@ void Report::writeNote(Module& module, Id function, const Words& kept) {
   giveName(module, function, noteName);
 }
 
+namespace {
+
+Id linear(Module& module, Writing& writing, const std::array<Id, 3>& at) {
+  const Id number = module.uintType(), three = module.vectorType(number, 3);
+  const Id groups = writing.load(three, builtIn(module, SpvBuiltInNumWorkgroups));
+  Id sum = at[2];
+  for (std::uint32_t i = 2; i-- > 0;) {
+    const Id count = writing.emit(SpvOpCompositeExtract, number, {groups, i});
+    const Id width = writing.emit(SpvOpIMul, number, {count, module.uintConstant(groupSize(module)[i])});
+    sum = writing.emit(SpvOpIAdd, number, {writing.emit(SpvOpIMul, number, {sum, width}), at[i]});
+  }
+  return sum;
+}
+
+}  // namespace
+
 Id linearInvocation(Module& module, std::vector<Instruction>& body) {
   Writing writing(module, body);
   const Id number = module.uintType(), three = module.vectorType(number, 3);
-  std::array<std::uint32_t, 3> threads = {1, 1, 1};
-  for (const Instruction& one : module.head)
-    if (one.op == SpvOpExecutionMode && one.operands[1] == SpvExecutionModeLocalSize)
-      for (std::size_t i = 0; i < 3; ++i) threads[i] = one.operands[2 + i];
   const Id at = writing.load(three, builtIn(module, SpvBuiltInGlobalInvocationId));
-  const Id groups = writing.load(three, builtIn(module, SpvBuiltInNumWorkgroups));
-  Id sum = writing.emit(SpvOpCompositeExtract, number, {at, 2});
-  for (std::uint32_t i = 2; i-- > 0;) {
-    const Id count = writing.emit(SpvOpCompositeExtract, number, {groups, i});
-    const Id width = writing.emit(SpvOpIMul, number, {count, module.uintConstant(threads[i])});
-    const Id before = writing.emit(SpvOpIMul, number, {sum, width});
-    sum = writing.emit(SpvOpIAdd, number, {before, writing.emit(SpvOpCompositeExtract, number, {at, i})});
+  std::array<Id, 3> parts{};
+  for (std::uint32_t i = 0; i < 3; ++i) parts[i] = writing.emit(SpvOpCompositeExtract, number, {at, i});
+  return linear(module, writing, parts);
+}
+
+Id linearInvocation(Module& module, std::vector<Instruction>& body, Id local) {
+  Writing writing(module, body);
+  const Id number = module.uintType(), three = module.vectorType(number, 3);
+  const Id group = writing.load(three, builtIn(module, SpvBuiltInWorkgroupId));
+  std::array<Id, 3> parts{};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Id threads = module.uintConstant(groupSize(module)[i]);
+    const Id before =
+        writing.emit(SpvOpIMul, number, {writing.emit(SpvOpCompositeExtract, number, {group, i}), threads});
+    const Id own = i == 2 ? local : writing.emit(SpvOpUMod, number, {local, threads});
+    parts[i] = writing.emit(SpvOpIAdd, number, {before, own});
+    if (i < 2) local = writing.emit(SpvOpUDiv, number, {local, threads});
   }
-  return sum;
+  return linear(module, writing, parts);
 }
 
 /// Adds the fault of this invocation to the block. Where the highest bit of a place's count is set, only
@@ -164,7 +191,7 @@ void Report::writeTell(Module& module, Id function, const Words& kept) {
 }
 
 /// The kernel becomes a function that the new entry point calls.
-void Report::enter(Module& module, Id tell) {
+void Report::enter(Module& module, Id tell) const {
   const Id made = module.fresh(), nothing = module.globalOf(SpvOpTypeVoid, 0, {});
   Id kernel = 0;
   for (Instruction& one : module.head)
@@ -174,6 +201,7 @@ void Report::enter(Module& module, Id tell) {
   giveName(module, kernel, "simreel_kernel");
   Writing writing(module, module.body);
   writing.function(made, {});
+  if (begin_ != 0) writing.emit(SpvOpFunctionCall, nothing, {begin_});
   writing.emit(SpvOpFunctionCall, nothing, {kernel});
   writing.emit(SpvOpFunctionCall, nothing, {tell});
   writing.end();

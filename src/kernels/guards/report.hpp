@@ -28,9 +28,13 @@ class Report {
   /// Kernel::places; numbers of either sign.
   void note(Module& module, std::vector<Instruction>& body, Id fine, std::uint32_t place, Id least,
             Id greatest);
+  /// The same at a place whose number is a value.
+  void noteAt(Module& module, std::vector<Instruction>& body, Id fine, Id place, Id least, Id greatest);
   /// Makes a module with calls of note() one that SPIRV-Tools may work on, before more calls are added to
   /// what it makes.
   void hold(Module& module);
+  /// A function that runs before the kernel.
+  void beginWith(Id function) { begin_ = function; }
   /// Appends the functions, the block and an entry point that runs the kernel and then adds its fault.
   void complete(Module& module);
   [[nodiscard]] const std::vector<Place>& places() const { return places_; }
@@ -39,15 +43,17 @@ class Report {
   Id function(Module& module);
   void writeNote(Module& module, Id function, const Words& kept);
   void writeTell(Module& module, Id function, const Words& kept);
-  static void enter(Module& module, Id tell);
+  void enter(Module& module, Id tell) const;
 
   const Files& files_;
   std::vector<Place> places_;
   const Module* known_ = nullptr;  ///< the module that function_ is of
-  Id function_ = 0;
+  Id function_ = 0, begin_ = 0;
 };
 
 /// The number of the running invocation in the whole dispatch: x first, then y, then z.
 [[nodiscard]] Id linearInvocation(Module& module, std::vector<Instruction>& body);
+/// The same of another invocation of its group, by its number there.
+[[nodiscard]] Id linearInvocation(Module& module, std::vector<Instruction>& body, Id local);
 
 }  // namespace simreel::kernels

@@ -5,8 +5,8 @@
 namespace simreel::kernels {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Member, name, type, offset, bytes, array, stride, members, used)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Buffer, name, binding, reads, writes, counterOf, previousOf, guards,
-                                   members)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Buffer, name, binding, reads, writes, counterOf, previousOf, shadowOf,
+                                   shadowWords, guards, members)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Texture, name, type, values, format, sampler, uniform, binding, reads,
                                    writes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Block, name, binding, bytes, members)

@@ -25,6 +25,10 @@ struct Buffer {
   bool reads = false, writes = false;
   std::string counterOf;   ///< the append or consume buffer whose counter this is
   std::string previousOf;  ///< the buffer whose state before the dispatch this has to hold
+  /// The buffer or image whose shadow this is: `shadowWords` words for each word of the buffer, with its
+  /// guards, or for each texel of the image; zeros before the run that records.
+  std::string shadowOf;
+  int shadowWords = 0;
   int guards =
       0;  ///< elements that the buffer has beyond its length: one of zeros, one that takes what is dropped
   std::vector<Member> members;
@@ -55,16 +59,21 @@ struct Block {
 ///
 ///   0  number of invocations whose first fault is here (uint)            initially 0
 ///   1  the lowest of these invocations, x first, then y, then z (uint)   0xFFFFFFFF
-///   2  the lowest index (int)                                            INT_MAX
+///   2  the lowest index (int); loop: iterations                          INT_MAX
 ///   3  the highest index (int)                                           INT_MIN
 ///
+/// Of races, word 1 is the invocation that reads or writes, word 2 the lowest of the other invocations that
+/// changed what it reads or stored another value, word 3 the highest index of an element; of an image that
+/// is x + width * (y + height * z).
 /// None depends on the order of invocations. To learn the indices of the invocation in word 1, run the
 /// dispatch again from the same state with word 0 set to 0x80000000, word 1 kept, 2 and 3 as initially.
 struct Place {
-  std::string kind;  ///< "read" or "write" out of bounds; "loop" that reached the limit
+  std::string kind;  ///< "read" or "write" out of bounds; "loop" that reached the limit; "race-read",
+                     ///< "race-write" of what another invocation changes
   std::string what;  ///< the buffer, texture, array or struct member that the index is of, as the user
                      ///< named it; empty for loops
-  std::string part;  ///< of a texture: the axis, "x", "y" or "z"
+  std::string
+      part;  ///< out of bounds of a texture: the axis, "x", "y" or "z"; race: the member of the element
   std::string file;  ///< as messages name it
   int line = 0;
   bool operator==(const Place&) const = default;

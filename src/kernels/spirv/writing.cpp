@@ -50,8 +50,16 @@ void giveMemberName(Module& module, Id type, std::uint32_t member, const std::st
   named(module, SpvOpMemberName, {type, member}, name);
 }
 
-Id builtIn(Module& module, SpvBuiltIn what) {
-  const Id vector = module.vectorType(module.uintType(), 3);
+std::array<std::uint32_t, 3> groupSize(const Module& module) {
+  std::array<std::uint32_t, 3> threads = {1, 1, 1};
+  for (const Instruction& one : module.head)
+    if (one.op == SpvOpExecutionMode && one.operands[1] == SpvExecutionModeLocalSize)
+      for (std::size_t i = 0; i < 3; ++i) threads[i] = one.operands[2 + i];
+  return threads;
+}
+
+Id builtIn(Module& module, SpvBuiltIn what, std::uint32_t length) {
+  const Id vector = module.vectorType(module.uintType(), length);
   const Id pointer = module.globalOf(SpvOpTypePointer, 0, {SpvStorageClassInput, vector});
   for (const Instruction& one : module.globals)
     if (one.op == SpvOpVariable && one.type == pointer &&

@@ -1,6 +1,8 @@
 #pragma once
 #include "kernels/spirv/module.hpp"
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,8 +64,11 @@ class Writing {
 void giveName(Module& module, Id id, const std::string& name);
 void giveMemberName(Module& module, Id type, std::uint32_t member, const std::string& name);
 
-/// The variable that holds a built-in vector of three numbers, an input of the kernel.
-Id builtIn(Module& module, SpvBuiltIn what);
+/// The variable that holds a built-in vector of so many whole numbers, an input of the kernel.
+Id builtIn(Module& module, SpvBuiltIn what, std::uint32_t length = 3);
+
+/// Threads of a group.
+[[nodiscard]] std::array<std::uint32_t, 3> groupSize(const Module& module);
 
 /// A storage buffer `name` whose one member, `member`, is an array of `element` without a fixed length.
 Id storageBuffer(Module& module, const std::string& name, const std::string& member, Id element,

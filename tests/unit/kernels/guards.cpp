@@ -11,10 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-using namespace simreel;
-using simreel::test::checkHas;
-using simreel::test::has;
-using simreel::test::TemporaryFile;
+namespace simreel::test {
 
 namespace {
 
@@ -61,7 +58,7 @@ TEST_CASE("a kernel that reports lists its places by kind, name and line, and ha
   REQUIRE(kernel.buffers.size() == 1);
   CHECK(kernel.places[0].file.ends_with("m.hlsl"));
   checkHas(kernel.glsl, "binding = 1, std430) buffer simreel_Report");
-  CHECK(simreel::test::isGlsl(kernel.glsl));
+  CHECK(isGlsl(kernel.glsl));
   CHECK(kernels::fromJson(kernels::toJson(shader)).kernels.at(0).places == kernel.places);
 }
 
@@ -72,7 +69,7 @@ TEST_CASE("a limit of iterations alone needs no block, and a kernel without eith
   const kernels::Kernel kernel = guarded("o.hlsl", careless, request).kernels.at(0);
   CHECK(kernel.report == -1);
   CHECK(!has(kernel.glsl, "simreel_Report"));
-  CHECK(simreel::test::isGlsl(kernel.glsl));
+  CHECK(isGlsl(kernel.glsl));
 }
 
 TEST_CASE("a loop that was to be unrolled and cannot be is limited, too") {
@@ -107,10 +104,40 @@ TEST_CASE("a buffer read as it was before the dispatch is two buffers, and count
   CHECK(kernel.buffers[0].writes);
   CHECK(!kernel.buffers[0].reads);
   CHECK(places(kernel) == "read _A:3; write _A:3; write _B:3; ");
-  CHECK(simreel::test::isGlsl(kernel.glsl));
+  CHECK(isGlsl(kernel.glsl));
   std::string counts = text;
   counts.replace(counts.find("_B[i] = 1"), 9, "InterlockedAdd(_A[0], 1)");
   CHECK_THROWS_WITH_AS(static_cast<void>(guarded("r.hlsl", counts, request)),
                        doctest::Contains("r.hlsl:3:3: error: an atomic operation works on the present"),
                        UserError);
 }
+
+TEST_CASE(
+    "a kernel that records has a shadow for each buffer and image it stores to, one that checks places") {
+  const std::string text =
+      "struct P { float3 at; uint id; }; RWStructuredBuffer<P> _P; RWTexture2D<float> _Image;\n"
+      "RWStructuredBuffer<uint> _Count, _Read;\n"
+      "[numthreads(8, 1, 1)] void K(uint3 i : SV_DispatchThreadID) {\n"
+      "  _P[i.x].at = _P[i.x + 1].id; _Image[i.xy] = _Read[i.x];\n"
+      "  InterlockedAdd(_Count[0], 1);\n}\n";
+  kernels::Request request;
+  request.race = kernels::Race::record;
+  const kernels::Kernel records = guarded("s.hlsl", text, request).kernels.at(0);
+  std::string shadows;
+  for (const kernels::Buffer& buffer : records.buffers)
+    if (!buffer.shadowOf.empty())
+      shadows += fmt::format("{} of {}, {} words, {} guards; ", buffer.name, buffer.shadowOf,
+                             buffer.shadowWords, buffer.guards);
+  CHECK(shadows == "_P.shadow of _P, 3 words, 0 guards; _Image.shadow of _Image, 3 words, 0 guards; ");
+  CHECK(records.report == -1);
+  CHECK(isGlsl(records.glsl));
+  request.race = kernels::Race::check;
+  request.report = true;
+  const kernels::Kernel checks = guarded("t.hlsl", text, request).kernels.at(0);
+  CHECK(places(checks) == "race-read _P.id:4; race-write _P.at:4; race-write _Image:4; ");
+  CHECK(checks.buffers.size() == records.buffers.size());
+  CHECK(checks.report == 5);
+  CHECK(isGlsl(checks.glsl));
+}
+
+}  // namespace simreel::test
