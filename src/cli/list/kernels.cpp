@@ -5,6 +5,11 @@
 #include "base/log.hpp"
 #include "cli/commands.hpp"
 #include "cli/list/kernel_scene.hpp"
+#include "cli/options/device_options.hpp"
+#include "gl/context.hpp"
+#include "scene/load.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
 
 #include <cstdio>
 #include <map>
@@ -23,6 +28,8 @@ struct KernelsOptions {
   kernels::Request request;
   bool glsl = false;
   bool scene = false;
+  std::string checked;  ///< scene whose dispatches are searched for races
+  gl::ContextOptions on;
   std::string format = "text";
 };
 
@@ -96,6 +103,23 @@ std::string listed(const kernels::Shader& shader, const KernelsOptions& o) {
   return out;
 }
 
+/// Prints the races of a scene's kernels.
+void checkRaces(const KernelsOptions& o) {
+  const scene::Scene scene = scene::loadScene(o.checked, {}, sim::kinds());
+  const gl::Context context(o.on);
+  sim::World world(scene);
+  world.advanceTo(0);
+  const std::vector<std::string> found = world.races();
+  std::string lines;
+  for (const std::string& line : found) lines += line + "\n";
+  printText(lines);
+  if (!found.empty())
+    fail(ExitCode::different, "{}: {} place{} of its kernels race{}", o.checked, found.size(),
+         found.size() == 1 ? "" : "s", found.size() == 1 ? "s" : "");
+  info("simreel: {}: no kernel reads or writes what another invocation of the same dispatch writes",
+       o.checked);
+}
+
 }  // namespace
 
 void addKernels(CLI::App& app) {
@@ -137,7 +161,15 @@ void addKernels(CLI::App& app) {
       ->type_name("NAME");
   command->add_option("--format", o->format, "text (the default) or json")
       ->check(CLI::IsMember({"text", "json"}));
-  command->callback([o] { printText(listed(kernels::load(o->request), *o)); });
+  command
+      ->add_option("--check", o->checked,
+                   "Search the dispatches of this scene's first steps for races, and print them")
+      ->type_name("SCENE");
+  addDevice(*command, o->on);
+  command->callback([o] {
+    if (!o->checked.empty()) return checkRaces(*o);
+    printText(listed(kernels::load(o->request), *o));
+  });
 }
 
 }  // namespace simreel::cli

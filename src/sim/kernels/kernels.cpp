@@ -1,12 +1,14 @@
 #include "sim/kernels/kernels.hpp"
 
 #include "base/error.hpp"
-#include "gl/program.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/core/race_checked.hpp"
 #include "sim/kernels/drawn.hpp"
 #include "sim/kernels/memory.hpp"
 #include "sim/kernels/parameters.hpp"
 #include "sim/kernels/plan.hpp"
+#include "sim/kernels/programs.hpp"
+#include "sim/kernels/races.hpp"
 #include "sim/kernels/reports.hpp"
 
 #include <algorithm>
@@ -32,7 +34,7 @@ void check(const scene::Object& object, const Setting& /*setting*/) {
   fail(ExitCode::usage, "kernels \"{}\": {}", object.name, parameters.problem);
 }
 
-class Kernels : public Simulation {
+class Kernels : public Simulation, public RaceChecked {
  public:
   Kernels(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -42,15 +44,8 @@ class Kernels : public Simulation {
         plan_((check(object, setting), parameters_.plan)),
         store_(name_, *plan_, static_cast<unsigned>(setting.seed)),
         drawn_(name_, *plan_, object.material),
-        reports_(name_, *plan_, parameters_.boundsIgnored) {
-    for (const kernels::Kernel& kernel : plan_->shader().kernels) {
-      programs_.push_back(gl::Program::computeText(
-          fmt::format("{}: kernel {}", parameters_.file.filename().string(), kernel.name), kernel.body()));
-      std::vector<gl::Buffer>& blocks = blocks_.emplace_back();
-      for (const kernels::Block& block : kernel.blocks)
-        blocks.emplace_back(fmt::format("{} constants of {}", name_, kernel.name),
-                            std::max<std::size_t>(16, block.bytes));
-    }
+        reports_(name_, *plan_, parameters_.boundsIgnored),
+        programs_(name_, plan_->shaderPointer()) {
     run(plan_->first(), nowAt(setting.startTime, 0), true);
     finish(setting.startTime);
   }
@@ -93,6 +88,18 @@ class Kernels : public Simulation {
       arrays.push_back({plan_->textures()[i].name.c_str(), &store_.words(static_cast<int>(i)),
                         plan_->textures()[i].integers()});
     return arrays;
+  }
+  [[nodiscard]] std::vector<std::string> races(double time) override {
+    const KernelStore::Saved before = store_.save();
+    races_ = std::make_unique<KernelRaces>(name_, parameters_.request);
+    run(plan_->first(), nowAt(time, 0), true);
+    store_.restore(before);
+    for (int i = 0; i < std::min(parameters_.steps, 2); ++i) run(plan_->step(), nowAt(time, i), false);
+    store_.restore(before);
+    store_.settle();
+    std::vector<std::string> found = races_->found();
+    races_.reset();
+    return found;
   }
   [[nodiscard]] PointTable points() const override { return drawn_.points(); }
   [[nodiscard]] std::optional<MeshTable> mesh() const override { return drawn_.mesh(); }
@@ -138,23 +145,11 @@ class Kernels : public Simulation {
   }
 
   void dispatch(const PlannedEntry& entry, const KernelPlan::Now& now) {
-    const auto place = static_cast<std::size_t>(entry.kernel);
-    const kernels::Kernel& kernel = plan_->shader().kernels[place];
-    for (std::size_t b = 0; b < kernel.blocks.size(); ++b) {
-      const std::vector<std::byte> bytes = plan_->blockBytes(kernel.blocks[b], now);
-      blocks_[place][b].write(0, bytes);
-      blocks_[place][b].bindUniform(static_cast<GLuint>(kernel.blocks[b].binding), 0,
-                                    blocks_[place][b].bytes());
-    }
-    const glm::uvec3 groups = entry.indirect >= 0 ? glm::uvec3(1) : plan_->groups(entry, now);
-    const auto& group = kernel.threads;
-    store_.bind(kernel);
-    reports_.bind(place, groups * glm::uvec3(group[0], group[1], group[2]));
-    gl::AccessLog::barrier(GL_ALL_BARRIER_BITS);
-    if (entry.indirect >= 0)
-      return programs_[place].dispatchIndirect(store_.buffer(entry.indirect), entry.offset);
-    if (groups.x > 0 && groups.y > 0 && groups.z > 0)
-      programs_[place].dispatchGroups(groups.x, groups.y, groups.z);
+    if (races_) return races_->dispatch(store_, entry, now);
+    const auto& group = programs_.kernel(entry.kernel).threads;
+    reports_.bind(static_cast<std::size_t>(entry.kernel),
+                  KernelPrograms::groups(*plan_, entry, now) * glm::uvec3(group[0], group[1], group[2]));
+    programs_.dispatch(store_, entry, now);
   }
 
   [[nodiscard]] double measured(const KernelMeasure& measure) const {
@@ -196,8 +191,8 @@ class Kernels : public Simulation {
   KernelStore store_;
   KernelDrawn drawn_;
   KernelReports reports_;
-  std::vector<gl::Program> programs_;
-  std::vector<std::vector<gl::Buffer>> blocks_;
+  KernelPrograms programs_;
+  std::unique_ptr<KernelRaces> races_;  ///< while races are looked for
 };
 
 }  // namespace

@@ -173,6 +173,7 @@ void KernelStore::putBack() {
 
 void KernelStore::bind(const kernels::Kernel& kernel) {
   for (const kernels::Buffer& buffer : kernel.buffers) {
+    if (!buffer.shadowOf.empty()) continue;
     const int place = plan_.bufferNamed(buffer.name);
     if (!buffer.previousOf.empty()) keepPrevious(place, plan_.bufferNamed(buffer.previousOf));
     const PlannedBuffer& planned = plan_.buffers()[static_cast<std::size_t>(place)];
@@ -187,6 +188,31 @@ void KernelStore::bind(const kernels::Kernel& kernel) {
     else
       bound.bindImage(unit, accessOf(texture));
   }
+}
+
+namespace {
+
+void copyAll(const gl::Buffer& from, const gl::Buffer& to) {
+  glCopyNamedBufferSubData(from.name(), to.name(), 0, 0, static_cast<GLsizeiptr>(from.bytes()));
+}
+
+}  // namespace
+
+KernelStore::Saved KernelStore::save() {
+  settle();
+  Saved saved;
+  for (const gl::Buffer& buffer : buffers_)
+    copyAll(buffer, saved.buffers.emplace_back("saved state", buffer.bytes()));
+  for (const gl::WordsArray& words : words_)
+    copyAll(words.buffer(), saved.words.emplace_back("saved texels", words.buffer().bytes()));
+  return saved;
+}
+
+void KernelStore::restore(const Saved& saved) {
+  everythingVisible();
+  for (std::size_t i = 0; i < buffers_.size(); ++i) copyAll(saved.buffers[i], buffers_[i]);
+  for (std::size_t i = 0; i < words_.size(); ++i) copyAll(saved.words[i], words_[i].buffer());
+  putBack();
 }
 
 void KernelStore::keepPrevious(int copy, int original) {

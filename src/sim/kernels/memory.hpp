@@ -28,6 +28,12 @@ class KernelStore {
   void clear(const std::string& name);
   /// Copies a counter into a buffer.
   void copyCounter(const PlannedEntry& entry);
+  /// Copies of all memory.
+  struct Saved {
+    std::vector<gl::Buffer> buffers, words;
+  };
+  [[nodiscard]] Saved save();
+  void restore(const Saved& saved);
   /// Zeroes what was written out of bounds, and copies textures into words(). Call before state is read.
   void settle();
   /// Fills the textures from words(), after these were put back.

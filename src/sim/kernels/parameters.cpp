@@ -179,7 +179,7 @@ void KernelsParameters::describeDrawn(scene::Fields& f) {
 void KernelsParameters::compile(scene::Fields& f) {
   plan.reset();
   problem.clear();
-  kernels::Request request;
+  request = {};
   request.file = file;
   request.fast = fast;
   request.report = true;

@@ -1,4 +1,5 @@
 #pragma once
+#include "kernels/kernels.hpp"
 #include "scene/value/formula.hpp"
 #include "sim/core/drawable.hpp"
 #include "sim/core/kind.hpp"
@@ -99,6 +100,7 @@ struct KernelsParameters : ObjectParameters {
   std::vector<KernelMeasure> measured;
   /// Made by describe() where a scene is read; null: the file cannot be compiled.
   std::shared_ptr<const KernelPlan> plan;
+  kernels::Request request;  ///< that its shader was made of
   /// Message of the compiler; empty: there is none.
   std::string problem;
   bool problemIsReport = false;  ///< it says places and carets itself

@@ -99,6 +99,7 @@ class KernelPlan {
 
   [[nodiscard]] const std::vector<Mistake>& mistakes() const { return mistakes_; }
   [[nodiscard]] const kernels::Shader& shader() const { return *shader_; }
+  [[nodiscard]] const std::shared_ptr<const kernels::Shader>& shaderPointer() const { return shader_; }
   [[nodiscard]] const std::vector<PlannedBuffer>& buffers() const { return buffers_; }
   [[nodiscard]] const std::vector<PlannedTexture>& textures() const { return textures_; }
   [[nodiscard]] const std::vector<PlannedEntry>& first() const { return first_; }
