@@ -104,6 +104,7 @@ struct ClothSolveKernel {
 struct ClothThinKernel {
   static constexpr auto file = "cloth/thin.comp";
   gl::Uniform<"size", glm::ivec2> size;
+  gl::InOut<"StatusBlock"> status;
   ThinPart thin;
 };
 
@@ -208,8 +209,9 @@ gl::Kernel<ClothSolveKernel> ClothKernels::lineSolver(const gl::Defines& defines
 }
 
 void ClothKernels::fendThin(const ClothPart& part) const {
-  thin_.fend(part.step, positions_[0], positions_[1], velocities(),
-             [&](const ThinPart& thin) { findThin_.dispatch(size_, {.size = size_, .thin = thin}); });
+  thin_.fend(part.step, positions_[0], positions_[1], velocities(), [&](const ThinPart& thin) {
+    findThin_.dispatch(size_, {.size = size_, .status = part.status, .thin = thin});
+  });
 }
 
 void ClothKernels::dispatchStep(const ClothPart& part) const {
