@@ -1,5 +1,5 @@
 // What is drawn of the cloth: the file's vertices, of which several may be one vertex of the cloth, and their normals.
-#include "cloth/mesh/kernel.glsl"
+#include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 INPUT_WORDS(copiesBinding, CopyBlock, copies)
@@ -23,7 +23,7 @@ vec4 loadElement(int i) {
 uvec4 loadRing(int i) {
   return LOAD_INPUT_WORDS(rings, i);
 }
-#include "cloth/mesh/model.glsl"
+#include "garment/model.glsl"
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);

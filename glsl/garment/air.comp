@@ -1,5 +1,5 @@
 // What the air does to each corner of a face, a face an invocation; predict.comp adds it up around vertices.
-#include "cloth/mesh/kernel.glsl"
+#include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 INPUT_ARRAY(velocitiesBinding, VelocityBlock, velocities)
@@ -24,7 +24,7 @@ vec4 loadElement(int i) {
 uvec4 loadRing(int i) {
   return uvec4(0u);
 }
-#include "cloth/mesh/model.glsl"
+#include "garment/model.glsl"
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);

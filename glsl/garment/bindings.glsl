@@ -1,5 +1,4 @@
 // Where the arrays of cloth made of triangles are bound, beside heights (3) and walls (4) of the kernel that meets them.
-// Compiles as GLSL and as C++ (src/sim/garment/garment.cpp).
 #ifndef CLOTH_MESH_BINDINGS
 #define CLOTH_MESH_BINDINGS
 

@@ -5,7 +5,7 @@
 // around it, z first pair of entries, w how many.
 #include "cloth/air.glsl"
 #include "cloth/motion.glsl"
-#include "cloth/mesh/membrane.glsl"
+#include "garment/membrane.glsl"
 
 // F_i = -sum K_ij (x_j - x_i), the gradient of the plate's energy (src/sim/garment/plate.hpp); two entries (j, K_ij) an element.
 FUNCTION vec3 bendingForce(uvec4 fan, vec3 here) {

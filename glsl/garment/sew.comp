@@ -1,11 +1,11 @@
 // Stitches of the seams, of one colour: they share no vertex.
-#include "cloth/mesh/kernel.glsl"
+#include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(stitchesBinding, StitchBlock, stitches)
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 uniform int first;  // stitch of the colour
-#include "cloth/mesh/membrane.glsl"
+#include "garment/membrane.glsl"
 
 void main() {
   int k = int(gl_GlobalInvocationID.x);

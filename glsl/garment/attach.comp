@@ -1,5 +1,5 @@
 // Long-range attachments: vertices that are farther from a pin than the cloth between is long.
-#include "cloth/mesh/kernel.glsl"
+#include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(attachmentsBinding, AttachmentBlock, attachments)
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
@@ -9,7 +9,7 @@ INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 STATE_ARRAY(trendsBinding, TrendBlock, trends)  // w 1: held
 #endif
-#include "cloth/mesh/membrane.glsl"
+#include "garment/membrane.glsl"
 
 void main() {
   int k = int(gl_GlobalInvocationID.x);

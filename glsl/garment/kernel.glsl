@@ -8,7 +8,7 @@
 #include "mesh/height_array.glsl"
 #include "contour/wall_array.glsl"
 #include "fluid/wind_array.glsl"
-#include "cloth/mesh/bindings.glsl"
+#include "garment/bindings.glsl"
 #include "cloth/types.glsl"
 
 layout(std140, binding = stepBinding) uniform StepBlock { ClothStep stepData; };

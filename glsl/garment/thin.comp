@@ -1,5 +1,5 @@
 // What the vertices of a mesh get of thin colliders: by the edges and faces around each.
-#include "cloth/mesh/kernel.glsl"
+#include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 #include "cloth/thin_kernel.glsl"
 INPUT_WORDS(fansBinding, FanBlock, fans)

@@ -1,5 +1,5 @@
 // Where forces take the vertices, before lengths are kept, and with which velocities.
-#include "cloth/mesh/kernel.glsl"
+#include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
@@ -37,14 +37,14 @@ uvec4 loadEntry(int i) {
 uvec4 loadRing(int i) {
   return LOAD_INPUT_WORDS(rings, i);
 }
-#include "cloth/mesh/model.glsl"
+#include "garment/model.glsl"
 
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= count) return;
   vec4 here = LOAD_INPUT(positions, i);
   vec4 velocity = LOAD_ONCE(velocities, i);
-  Motion m = predicted(LOAD_INPUT_WORDS(fans, i), here, velocity, LOAD_INPUT(trends, i).xyz, AIR);
+  Motion m = predicted(LOAD_INPUT_WORDS(fans, i), here, velocity, LOAD_INPUT(trends, i).xyz, AIR == 1);
   STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
 }

@@ -1,5 +1,5 @@
 // After the constraints: velocities, then what the vertices meet; AGAIN: of those that cloths in contact have pushed since.
-#include "cloth/mesh/kernel.glsl"
+#include "garment/kernel.glsl"
 #include "common/status.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)

@@ -1,5 +1,5 @@
 // Stretch and shear of the faces of one colour, which share no vertex, so all of them may move their corners at once.
-#include "cloth/mesh/kernel.glsl"
+#include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(elementsBinding, ElementBlock, elements)
 INPUT_WORDS(cornersBinding, CornerBlock, corners)
@@ -8,7 +8,7 @@ INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 #endif
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 uniform int first;  // face of the colour
-#include "cloth/mesh/membrane.glsl"
+#include "garment/membrane.glsl"
 
 void main() {
   int k = int(gl_GlobalInvocationID.x);
