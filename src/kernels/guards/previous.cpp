@@ -54,7 +54,8 @@ class Previous {
     }
     const std::vector<Instruction> globals = module_.globals;
     for (const Instruction& one : globals)
-      if (resourceOf(module_, one) == Resource::storage && uses[one.result] == 3U &&
+      if (resourceOf(module_, one) == Resource::storage && !isArrayed(module_, one) &&
+          uses[one.result] == 3U &&
           std::find(names_.begin(), names_.end(), bufferName(module_, one.result, hlsl_)) != names_.end())
         twins_[one.result] = twin(one);
   }

@@ -61,7 +61,9 @@ class Races {
       const Resource kind = resourceOf(module_, *made);
       const std::string name = kind == Resource::image ? plainName(module_.name(variable))
                                                        : bufferName(module_, variable, hlsl_);
-      if ((kind != Resource::storage && kind != Resource::image) || name.starts_with("simreel_")) continue;
+      if ((kind != Resource::storage && kind != Resource::image) || name.starts_with("simreel_") ||
+          isArrayed(module_, *made))
+        continue;
       shadows_[variable] = storageBuffer(module_, name + shadowSuffix, "words", module_.uintType(), 4);
       giveName(module_, shadows_[variable], name + shadowSuffix);
     }
@@ -122,7 +124,10 @@ class Races {
     const WordsIn::Access access = words.access(writing_, chain);
     const Id inside = active(access, chain.variable);
     Words before, after;
-    const bool writeOnly = module_.decoration(chain.variable, SpvDecorationNonReadable).has_value();
+    const Id block = resourceType(module_, *module_.global(chain.variable)).result;
+    const bool writeOnly =
+        module_.decoration(chain.variable, SpvDecorationNonReadable).has_value() ||
+        module_.memberDecoration(block, access.member, SpvDecorationNonReadable).has_value();
     words.parts(writing_, value, access.type, after);
     if (!writeOnly) words.parts(writing_, writing_.load(access.type, pointer), access.type, before);
     const std::vector<std::uint32_t> offsets = words.offsets(access);

@@ -9,7 +9,8 @@ inline constexpr const char* shadowSuffix = ".shadow";
 /// changed its bits, counted from 1; the complement of the lowest value that was stored; the highest value.
 inline constexpr std::uint32_t shadowWords = 3;
 
-/// Adds code after layOut() that writes the shadows of all buffers and images that a kernel stores to.
+/// Adds code after layOut() that writes the shadows of all buffers and images that a kernel stores to,
+/// apart from arrays of them.
 /// `guards`: elements of a buffer beyond its length, which take dropped writes.
 void recordWrites(Module& module, bool hlsl, std::uint32_t guards);
 /// Adds code that compares accesses with recorded shadows and notes those of words that another invocation

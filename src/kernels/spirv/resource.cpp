@@ -25,6 +25,10 @@ Resource resourceOf(const Module& module, const Instruction& variable) {
   }
 }
 
+bool isArrayed(const Module& module, const Instruction& variable) {
+  return resourceType(module, variable).result != module.global(variable.type)->operands[1];
+}
+
 std::string blockName(const Module& module, Id variable, bool hlsl) {
   const Id type = resourceType(module, *module.global(variable)).result;
   const std::string name = module.name(hlsl ? variable : type);

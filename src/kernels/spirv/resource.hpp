@@ -12,6 +12,8 @@ enum class Resource { none, storage, block, image, texture, sampler };
 /// The type that a pointer points to, of an array of resources that of one.
 [[nodiscard]] const Instruction& resourceType(const Module& module, const Instruction& variable);
 
+/// True for an array of resources.
+[[nodiscard]] bool isArrayed(const Module& module, const Instruction& variable);
 /// The name of a block's variable. In OpenGL a block is known by its type's name; buffers of HLSL may share
 /// a type, cbuffers have no variable's.
 [[nodiscard]] std::string blockName(const Module& module, Id variable, bool hlsl);
