@@ -14,6 +14,7 @@
 #include "kernels/guards/shared.hpp"
 #include "kernels/source/files.hpp"
 #include "kernels/source/pragmas.hpp"
+#include "kernels/source/toy.hpp"
 #include "kernels/spirv/layout.hpp"
 #include "kernels/spirv/module.hpp"
 #include "kernels/spirv/optimize.hpp"
@@ -130,8 +131,28 @@ std::vector<std::string> heldKeywords(const Announcements& announced, const Requ
 
 }  // namespace
 
+namespace {
+
+/// The one kernel of a ShaderToy pass.
+Shader loadToy(Files& files, const Request& request) {
+  if (!isToy(files.text(0)))
+    fail(ExitCode::usage, "{} has no function mainImage(out vec4, in vec2)", request.file.string());
+  Unit unit{Language::glsl, "main", {}, 1};
+  unit.before = textBefore(request.pass);
+  unit.behind = textBehind(request.pass, request.upsideDown);
+  Shader shader;
+  shader.language = "GLSL";
+  shader.kernels.push_back(lowered(files, unit, request));
+  shader.kernels.back().name = request.pass;
+  for (const auto& path : files.read()) shader.files.push_back(path.string());
+  return shader;
+}
+
+}  // namespace
+
 Shader loadHere(const Request& request) {
   Files files(request.file, request.folders);
+  if (!request.pass.empty()) return loadToy(files, request);
   const Announcements announced = announcements(files);
   const std::vector<std::string> keywords = heldKeywords(announced, request);
   Shader shader;

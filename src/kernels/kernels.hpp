@@ -17,6 +17,10 @@ struct Request {
   std::vector<std::string> kernels;            ///< by name; none: all
   std::vector<std::string> keywords;           ///< chosen ones of multi_compile
   bool fast = false;                           ///< as written, without exactness
+  /// Name of the pass of a ShaderToy file, which has mainImage() in place of a kernel: it writes the image
+  /// PASS_Output and reads PASS_Channel0 to PASS_Channel3. Empty: none is expected.
+  std::string pass;
+  bool upsideDown = false;  ///< the first row of PASS_Output is the top one
   /// Notes what an invocation must not do in the block Kernel::report: reads and writes out of bounds (not
   /// when fast) and loops that reach the limit.
   bool report = false;

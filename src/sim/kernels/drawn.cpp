@@ -23,6 +23,7 @@ struct GatherKernel {
   gl::Uniform<"number", int> number;
   gl::Uniform<"alive", int> alive;
   gl::Uniform<"aliveNumber", int> aliveNumber;
+  gl::Uniform<"encoded", bool> encoded;
   gl::In<"words"> words;
   gl::Out<"drawn"> drawn;
 };
@@ -97,6 +98,7 @@ void KernelDrawn::gather(const Source& from, const std::string& member, const st
                                 .number = number,
                                 .alive = living == nullptr ? -1 : static_cast<int>(living->offsets[0] / 4),
                                 .aliveNumber = living == nullptr ? 0 : typeOf(*living),
+                                .encoded = from.encoded,
                                 .words = *from.words,
                                 .drawn = to});
 }
@@ -223,6 +225,7 @@ void KernelDrawn::updateField(const KernelStore& store) {
   one.path = "first";
   one.offsets.resize(1);
   shown.slots = {*slot, one};
+  shown.encoded = field.encoded;
   gather(shown, slot->path, "first", "", glm::vec4(0), cells_);
   field_ = {};
   field_.name = &name_;

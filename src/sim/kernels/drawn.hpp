@@ -34,6 +34,7 @@ class KernelDrawn {
     const gl::Buffer* words;
     int start, stride, count;
     std::vector<KernelSlot> slots;
+    bool encoded = false;  ///< the first three numbers are sRGB
   };
   [[nodiscard]] Source source(const KernelStore& store, const std::string& of) const;
   void gather(const Source& from, const std::string& member, const std::string& fourth,

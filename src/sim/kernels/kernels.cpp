@@ -22,17 +22,17 @@
 
 namespace simreel::sim {
 
-namespace {
-
-void check(const scene::Object& object, const Setting& /*setting*/) {
+void checkKernels(const scene::Object& object, const Setting& /*setting*/) {
   const auto& parameters = parametersOf<KernelsParameters>(object);
   if (parameters.file.empty())
-    fail(ExitCode::usage, "kernels \"{}\" needs \"file\", a shader: .compute, .hlsl or .comp", object.name);
+    fail(ExitCode::usage, "{} \"{}\" needs \"file\", a shader", object.kind, object.name);
   if (parameters.plan != nullptr) return;
   if (parameters.problemIsReport)
     throw UserError(ExitCode::usage, parameters.problem, UserError::Form::report);
-  fail(ExitCode::usage, "kernels \"{}\": {}", object.name, parameters.problem);
+  fail(ExitCode::usage, "{} \"{}\": {}", object.kind, object.name, parameters.problem);
 }
+
+namespace {
 
 class Kernels : public Simulation, public RaceChecked {
  public:
@@ -41,7 +41,7 @@ class Kernels : public Simulation, public RaceChecked {
         parameters_(parametersOf<KernelsParameters>(object)),
         frameSeconds_(setting.frameSeconds),
         seed_(setting.seed),
-        plan_((check(object, setting), parameters_.plan)),
+        plan_((checkKernels(object, setting), parameters_.plan)),
         store_(name_, *plan_, static_cast<unsigned>(setting.seed)),
         drawn_(name_, *plan_, object.material),
         reports_(name_, *plan_, parameters_.boundsIgnored),
@@ -90,6 +90,7 @@ class Kernels : public Simulation, public RaceChecked {
     return arrays;
   }
   [[nodiscard]] std::vector<std::string> races(double time) override {
+    if (parameters_.request.file.empty()) return {};  // an image: each invocation writes its own pixel
     const KernelStore::Saved before = store_.save();
     races_ = std::make_unique<KernelRaces>(name_, parameters_.request);
     run(plan_->first(), nowAt(time, 0), true);
@@ -197,10 +198,13 @@ class Kernels : public Simulation, public RaceChecked {
 
 }  // namespace
 
+std::unique_ptr<Simulation> makeKernels(const scene::Object& object, const Setting& setting) {
+  return std::make_unique<Kernels>(object, setting);
+}
+
 SimulationKind kernelsKind() {
-  return kindOf<KernelsParameters>("kernels",
-                                   "Compute shaders of your own: Unity's .compute, HLSL or GLSL.", check,
-                                   makeSimulation<Kernels>);
+  return kindOf<KernelsParameters>(
+      "kernels", "Compute shaders of your own: Unity's .compute, HLSL or GLSL.", checkKernels, makeKernels);
 }
 
 }  // namespace simreel::sim

@@ -197,18 +197,27 @@ void KernelsParameters::compile(scene::Fields& f) {
               std::find(request.kernels.begin(), request.kernels.end(), entry.kernel) ==
                   request.kernels.end())
             request.kernels.push_back(entry.kernel);
-    auto made = std::make_shared<KernelPlan>(*this, KernelPlan::shaderOf(request), known);
-    for (const KernelPlan::Mistake& mistake : made->mistakes())
-      f.errorIn(mistake.path, mistake.begin, mistake.end, mistake.message);
-    plan = std::move(made);
+    makePlan(f, KernelPlan::shaderOf(request), known);
   } catch (const UserError& error) {
-    problem = error.what();
-    problemIsReport = error.form() == UserError::Form::report;
-    return;
+    keepProblem(error);
   }
+}
+
+void KernelsParameters::makePlan(scene::Fields& f, std::shared_ptr<const kernels::Shader> shader,
+                                 const std::vector<std::string>& announced,
+                                 const std::map<std::string, std::string>& aliases) {
+  auto made = std::make_shared<KernelPlan>(*this, std::move(shader), announced, aliases);
+  for (const KernelPlan::Mistake& mistake : made->mistakes())
+    f.errorIn(mistake.path, mistake.begin, mistake.end, mistake.message);
+  plan = std::move(made);
   quantityList.clear();
   for (const KernelMeasure& measure : measured)
     quantityList.push_back({measure.name.c_str(), "", "As the scene says."});
+}
+
+void KernelsParameters::keepProblem(const UserError& error) {
+  problem = error.what();
+  problemIsReport = error.form() == UserError::Form::report;
 }
 
 void KernelsParameters::ports(Ports& ports) const {

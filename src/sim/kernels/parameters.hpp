@@ -1,4 +1,5 @@
 #pragma once
+#include "base/error.hpp"
 #include "kernels/kernels.hpp"
 #include "scene/value/formula.hpp"
 #include "sim/core/drawable.hpp"
@@ -6,6 +7,7 @@
 #include "sim/grid/field_display.hpp"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +27,7 @@ struct KernelMemory {
   scene::Formulas start;  ///< first values by member; what is not named is zero
   std::filesystem::path file;
   bool previous = false;  ///< kernels read it as it was before their dispatch
+  bool upward = false;    ///< the first row of its file is the last one of the texture
   double counter = 0;     ///< of append and consume buffers
   // Of textures.
   std::string format;  ///< as GLSL names it; empty: the shader's, or of 32 bits a channel
@@ -73,6 +76,7 @@ struct KernelPoints {
 /// A texture or the elements of a buffer as a field over the picture.
 struct KernelField {
   std::string of, show;  ///< member or component; empty: the colour of four numbers, else the first number
+  bool encoded = false;  ///< colours are sRGB, as on a screen
   FieldDisplay display;
 };
 
@@ -112,6 +116,14 @@ struct KernelsParameters : ObjectParameters {
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] Looks looks() const override;
   [[nodiscard]] bool wanders() const override;
+
+ protected:
+  /// Makes the plan of a shader, and reports its mistakes.
+  void makePlan(scene::Fields& fields, std::shared_ptr<const kernels::Shader> shader,
+                const std::vector<std::string>& announced,
+                const std::map<std::string, std::string>& aliases = {});
+  /// Keeps the message of a compiler.
+  void keepProblem(const UserError& error);
 
  private:
   void describeMemory(scene::Fields& fields);

@@ -1,6 +1,9 @@
 #include "sim/kernels/plan.hpp"
 
 #include "base/error.hpp"
+#include "base/file.hpp"
+#include "gl/shader_source.hpp"
+#include "kernels/source/files.hpp"
 #include "scene/json/words.hpp"
 
 #include <algorithm>
@@ -74,10 +77,10 @@ std::shared_ptr<const kernels::Shader> KernelPlan::shaderOf(const kernels::Reque
   static std::map<std::string, Known> all;
   static std::mutex mutex;
   const std::scoped_lock lock(mutex);
-  const std::string key =
-      fmt::format("{} {} {} {} {} {} {}", request.file.string(), fmt::join(request.kernels, " "),
-                  fmt::join(request.keywords, " "), fmt::join(request.previous, " "), request.fast,
-                  request.maxIterations, static_cast<int>(request.race));
+  const std::string key = fmt::format("{} {} {} {} {} {} {} {} {}", request.file.string(), request.pass,
+                                      request.upsideDown, fmt::join(request.kernels, " "),
+                                      fmt::join(request.keywords, " "), fmt::join(request.previous, " "),
+                                      request.fast, request.maxIterations, static_cast<int>(request.race));
   const auto changed = [](const Known& known) {
     return std::any_of(known.files.begin(), known.files.end(), [](const auto& file) {
       std::error_code error;
@@ -95,8 +98,12 @@ std::shared_ptr<const kernels::Shader> KernelPlan::shaderOf(const kernels::Reque
 }
 
 KernelPlan::KernelPlan(const KernelsParameters& parameters, std::shared_ptr<const kernels::Shader> shader,
-                       const std::vector<std::string>& announced)
-    : shader_(std::move(shader)), givenBuffers_(parameters.buffers), givenTextures_(parameters.textures) {
+                       const std::vector<std::string>& announced,
+                       const std::map<std::string, std::string>& aliases)
+    : shader_(std::move(shader)),
+      aliases_(aliases.begin(), aliases.end()),
+      givenBuffers_(parameters.buffers),
+      givenTextures_(parameters.textures) {
   for (const kernels::Kernel& kernel : shader_->kernels) {
     for (const kernels::Buffer& buffer : kernel.buffers) collectBuffer(buffer);
     for (const kernels::Texture& texture : kernel.textures) collectTexture(texture);
@@ -126,6 +133,18 @@ void KernelPlan::unknown(std::vector<std::string> path, const std::string& name,
                                              scene::suggestion(name, known)));
 }
 
+bool KernelPlan::mentioned(const std::string& word) const {
+  return std::any_of(shader_->files.begin(), shader_->files.end(), [&](const std::string& file) {
+    std::string text;
+    try {
+      text = readFile(file, "shader", kernels::maxFileBytes);
+    } catch (const UserError&) {
+      return false;
+    }
+    return gl::mentions(text, word);
+  });
+}
+
 int KernelPlan::bufferNamed(std::string_view name) const {
   for (std::size_t i = 0; i < buffers_.size(); ++i)
     if (buffers_[i].name == name) return static_cast<int>(i);
@@ -133,6 +152,7 @@ int KernelPlan::bufferNamed(std::string_view name) const {
 }
 
 int KernelPlan::textureNamed(std::string_view name) const {
+  if (const auto alias = aliases_.find(name); alias != aliases_.end()) name = alias->second;
   for (std::size_t i = 0; i < textures_.size(); ++i)
     if (textures_[i].name == name) return static_cast<int>(i);
   return -1;
@@ -189,7 +209,8 @@ void KernelPlan::collectTexture(const kernels::Texture& from) {
                                     scene::inQuotes(from.name), before.type, from.type));
     return;
   }
-  PlannedTexture texture{from.name, from.type, from.format};
+  const auto alias = aliases_.find(from.name);
+  PlannedTexture texture{alias == aliases_.end() ? from.name : alias->second, from.type, from.format};
   texture.written = from.writes;
   texture.formatted = !from.format.empty();
   if (from.type != "2D" && from.type != "3D" && from.type != "2DArray")
@@ -208,6 +229,7 @@ void KernelPlan::holdNames(const KernelsParameters& /*parameters*/) {
     if (buffer.counterOf.empty() && buffer.previousOf.empty()) known.push_back(buffer.name);
   for (const KernelMemory& given : givenBuffers_) {
     const int place = bufferNamed(given.name);
+    if (place < 0 && mentioned(given.name)) continue;
     if (place < 0)
       unknown({"buffers", given.name}, given.name, known, "buffer");
     else
@@ -217,6 +239,7 @@ void KernelPlan::holdNames(const KernelsParameters& /*parameters*/) {
   for (const PlannedTexture& texture : textures_) known.push_back(texture.name);
   for (const KernelMemory& given : givenTextures_) {
     const int place = textureNamed(given.name);
+    if (place < 0 && mentioned(given.name)) continue;
     if (place < 0) {
       unknown({"textures", given.name}, given.name, known, "texture");
       continue;
@@ -377,14 +400,15 @@ void KernelPlan::holdConstants() {
       }
     }
   for (const auto& [name, constant] : constants_)
-    if (!used.contains(name)) unknown({"constants", name}, name, known, "constant");
+    if (!used.contains(name) && !mentioned(name)) unknown({"constants", name}, name, known, "constant");
 }
 
 std::vector<std::byte> KernelPlan::blockBytes(const kernels::Block& block, const Now& now) const {
   std::vector<std::byte> bytes(block.bytes);
   if (isSamplerBlock(block)) {
-    for (const KernelSlot& slot : slotsOf(block.members)) {
+    for (KernelSlot slot : slotsOf(block.members)) {
       const PlannedTexture* read = nullptr;
+      if (const auto alias = aliases_.find(slot.path); alias != aliases_.end()) slot.path = alias->second;
       for (const PlannedTexture& texture : textures_)
         if ((slot.path == texture.name || slot.path.starts_with(texture.name + "_")) &&
             (read == nullptr || read->name.size() < texture.name.size()))

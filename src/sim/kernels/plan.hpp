@@ -93,9 +93,11 @@ class KernelPlan {
   /// Compiles the file, once for as long as neither it nor what it includes changes.
   [[nodiscard]] static std::shared_ptr<const kernels::Shader> shaderOf(const kernels::Request& request);
 
-  /// `announced`: the names of all kernels of the file; the shader has those that run.
+  /// `announced`: the names of all kernels of the file; the shader has those that run. `aliases`: textures
+  /// of the shader that are another one's memory.
   KernelPlan(const KernelsParameters& parameters, std::shared_ptr<const kernels::Shader> shader,
-             const std::vector<std::string>& announced);
+             const std::vector<std::string>& announced,
+             const std::map<std::string, std::string>& aliases = {});
 
   [[nodiscard]] const std::vector<Mistake>& mistakes() const { return mistakes_; }
   [[nodiscard]] const kernels::Shader& shader() const { return *shader_; }
@@ -145,6 +147,9 @@ class KernelPlan {
   void planThreads(const KernelEntry& given, const std::vector<std::string>& path, PlannedEntry& entry);
   void planBetween(const KernelEntry& given, const std::vector<std::string>& path, PlannedEntry& entry);
   void everyKernel();
+  void useUsualThreads(std::vector<std::string> path, PlannedEntry& entry);
+  /// Returns true if a file of the shader has the word, also where no kernel that runs needs it.
+  [[nodiscard]] bool mentioned(const std::string& word) const;
   void planStarts();
   void planDrawing(const KernelsParameters& parameters);
   void chooseDrawing();
@@ -159,6 +164,7 @@ class KernelPlan {
                const std::vector<std::string>& known, const std::string& what);
 
   std::shared_ptr<const kernels::Shader> shader_;
+  std::map<std::string, std::string, std::less<>> aliases_;
   std::vector<PlannedBuffer> buffers_;
   std::vector<PlannedTexture> textures_;
   std::vector<PlannedEntry> first_, step_;

@@ -11,9 +11,9 @@ namespace simreel::sim {
 
 namespace {
 
-/// The memory that says how many invocations a kernel has: the first texture that it writes, else the first
-/// buffer, else the first that it reads.
-glm::ivec3 usualThreads(const KernelPlan& plan, const kernels::Kernel& kernel) {
+/// Invocations of a kernel by what it writes: the first texture, else the first buffer, else by the first
+/// that it reads. Nothing where that is a row of elements and the groups are none.
+std::optional<glm::ivec3> usualThreads(const KernelPlan& plan, const kernels::Kernel& kernel) {
   for (const bool writes : {true, false}) {
     for (const kernels::Texture& texture : kernel.textures)
       if (texture.writes == writes)
@@ -24,11 +24,12 @@ glm::ivec3 usualThreads(const KernelPlan& plan, const kernels::Kernel& kernel) {
             plan.buffers()[static_cast<std::size_t>(plan.bufferNamed(buffer.name))];
         // A kernel in a row of groups counts elements whatever grid they lie in.
         if (kernel.threads[1] == 1 && kernel.threads[2] == 1)
-          return {static_cast<int>(planned.count()), 1, 1};
+          return glm::ivec3(static_cast<int>(planned.count()), 1, 1);
+        if (planned.size.y == 1 && planned.count() > 1) return std::nullopt;
         return planned.size;
       }
   }
-  return {1, 1, 1};
+  return glm::ivec3(1);
 }
 
 }  // namespace
@@ -37,10 +38,21 @@ void KernelPlan::everyKernel() {
   for (std::size_t i = 0; i < shader_->kernels.size(); ++i) {
     PlannedEntry entry;
     entry.kernel = static_cast<int>(i);
-    const glm::ivec3 threads = usualThreads(*this, shader_->kernels[i]);
-    entry.threads = {{1.0 * threads.x, nullptr}, {1.0 * threads.y, nullptr}, {1.0 * threads.z, nullptr}};
+    useUsualThreads({"file"}, entry);
     step_.push_back(std::move(entry));
   }
+}
+
+void KernelPlan::useUsualThreads(std::vector<std::string> path, PlannedEntry& entry) {
+  const kernels::Kernel& kernel = shader_->kernels[static_cast<std::size_t>(entry.kernel)];
+  const std::optional<glm::ivec3> threads = usualThreads(*this, kernel);
+  if (!threads)
+    return mistake(std::move(path), fmt::format("kernel {} has groups of {} x {} x {}, and what it writes "
+                                                "is one row; give \"threads\": [x, y, z], or "
+                                                "the buffer a \"size\" of as many axes",
+                                                scene::inQuotes(kernel.name), kernel.threads[0],
+                                                kernel.threads[1], kernel.threads[2]));
+  entry.threads = {{1.0 * threads->x, nullptr}, {1.0 * threads->y, nullptr}, {1.0 * threads->z, nullptr}};
 }
 
 void KernelPlan::planEntries(const std::vector<KernelEntry>& given, const char* list,
@@ -104,8 +116,7 @@ void KernelPlan::planThreads(const KernelEntry& given, const std::vector<std::st
   for (const scene::Formula::Part& part : given.threads.parts)
     entry.threads.push_back(compiled(part, at("threads")));
   if (!entry.threads.empty()) return;
-  const glm::ivec3 threads = usualThreads(*this, shader_->kernels[static_cast<std::size_t>(entry.kernel)]);
-  entry.threads = {{1.0 * threads.x, nullptr}, {1.0 * threads.y, nullptr}, {1.0 * threads.z, nullptr}};
+  useUsualThreads(path, entry);
 }
 
 void KernelPlan::planBetween(const KernelEntry& given, const std::vector<std::string>& path,

@@ -236,7 +236,10 @@ std::vector<double> KernelPlan::firstTexels(const PlannedTexture& texture, unsig
     add(static_cast<int>(channel), named.formula.parts[0]);
   }
   for (std::size_t i = 0; i < texture.count() && !parts.empty(); ++i) {
-    const std::vector<double> values = starts.values(i, seed);
+    const auto width = static_cast<std::size_t>(texture.size.x);
+    const std::size_t row = i / width, rows = texture.count() / width;
+    const std::size_t from = texture.given->upward ? (rows - 1 - row) * width + i % width : i;
+    const std::vector<double> values = starts.values(from, seed);
     for (std::size_t p = 0; p < parts.size(); ++p)
       texels[4 * i + static_cast<std::size_t>(parts[p].first)] =
           parts[p].second ? parts[p].second->at(values, static_cast<std::uint32_t>(i), seed) : numbers[p];
