@@ -6,7 +6,6 @@
 #include "cli/commands.hpp"
 
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -22,6 +21,7 @@ struct KernelsOptions {
   kernels::Request request;
   bool glsl = false;
   std::string format = "text";
+  std::string race;
 };
 
 std::string typed(const kernels::Member& member) {
@@ -111,13 +111,11 @@ void addKernels(CLI::App& app) {
       ->add_option("--previous", o->request.previous,
                    "A buffer that kernels read as it was before the dispatch; may be given again")
       ->type_name("NAME");
-  static const std::map<std::string, kernels::Race> races = {{"record", kernels::Race::record},
-                                                             {"check", kernels::Race::check}};
   command
-      ->add_option("--race", o->request.race,
+      ->add_option("--race", o->race,
                    "With the code that records which invocation changes each word (record), or that "
                    "compares accesses with such a record (check)")
-      ->transform(CLI::CheckedTransformer(races))
+      ->check(CLI::IsMember({"record", "check"}))
       ->type_name("RUN");
   command->add_option("--max-iterations", o->request.maxIterations,
                       "Of a loop, which then ends (default 0: no limit)");
@@ -132,7 +130,11 @@ void addKernels(CLI::App& app) {
       ->type_name("NAME");
   command->add_option("--format", o->format, "text (the default) or json")
       ->check(CLI::IsMember({"text", "json"}));
-  command->callback([o] { printText(listed(kernels::load(o->request), *o)); });
+  command->callback([o] {
+    if (o->race == "record") o->request.race = kernels::Race::record;
+    if (o->race == "check") o->request.race = kernels::Race::check;
+    printText(listed(kernels::load(o->request), *o));
+  });
 }
 
 }  // namespace simreel::cli
