@@ -12,7 +12,6 @@
 #include "sim/world/world.hpp"
 
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -31,6 +30,7 @@ struct KernelsOptions {
   std::string checked;  ///< scene whose dispatches are searched for races
   gl::ContextOptions on;
   std::string format = "text";
+  std::string race;
 };
 
 std::string typed(const kernels::Member& member) {
@@ -140,13 +140,11 @@ void addKernels(CLI::App& app) {
       ->add_option("--previous", o->request.previous,
                    "A buffer that kernels read as it was before the dispatch; may be given again")
       ->type_name("NAME");
-  static const std::map<std::string, kernels::Race> races = {{"record", kernels::Race::record},
-                                                             {"check", kernels::Race::check}};
   command
-      ->add_option("--race", o->request.race,
+      ->add_option("--race", o->race,
                    "With the code that records which invocation changes each word (record), or that "
                    "compares accesses with such a record (check)")
-      ->transform(CLI::CheckedTransformer(races))
+      ->check(CLI::IsMember({"record", "check"}))
       ->type_name("RUN");
   command->add_option("--max-iterations", o->request.maxIterations,
                       "Of a loop, which then ends (default 0: no limit)");
@@ -168,6 +166,8 @@ void addKernels(CLI::App& app) {
   addDevice(*command, o->on);
   command->callback([o] {
     if (!o->checked.empty()) return checkRaces(*o);
+    if (o->race == "record") o->request.race = kernels::Race::record;
+    if (o->race == "check") o->request.race = kernels::Race::check;
     printText(listed(kernels::load(o->request), *o));
   });
 }
