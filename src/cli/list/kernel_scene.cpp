@@ -47,6 +47,13 @@ std::size_t componentsOf(const std::string& type) {
   return matrix ? count * count : count;
 }
 
+/// True for Unity's constants, which have values by themselves.
+bool isStandard(const kernels::Member& member) {
+  const bool time = member.name == "_Time" || member.name == "_SinTime" || member.name == "_CosTime" ||
+                    member.name == "unity_DeltaTime";
+  return time && componentsOf(member.type) == 4;
+}
+
 /// A value that a name suggests: of the time, of a size, else 1.
 Json valueOf(const kernels::Member& member, const Memory& memory) {
   const std::string name = lowered(member.name);
@@ -71,10 +78,19 @@ Json valueOf(const kernels::Member& member, const Memory& memory) {
   else if (has("gravity") && count == 3)
     return {0, -9.81, 0};
   if (count == 16) return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  return value;  // one number stands for all components
+  if (value != 1 || count == 1) return value;  // an expression stands for all components
+  return std::vector<int>(count, 0);
 }
 
-Json buffersOf(const Memory& memory) {
+/// The names of buffers that have a counter.
+std::set<std::string> countedOf(const kernels::Shader& shader) {
+  std::set<std::string> counted;
+  for (const kernels::Kernel& kernel : shader.kernels)
+    for (const kernels::Buffer& buffer : kernel.buffers) counted.insert(buffer.counterOf);
+  return counted;
+}
+
+Json buffersOf(const Memory& memory, const std::set<std::string>& counted) {
   Json buffers = Json::object();
   for (const kernels::Buffer* buffer : memory.buffers) {
     const bool open = !buffer->members.empty() && !buffer->members.back().array.empty() &&
@@ -84,7 +100,7 @@ Json buffersOf(const Memory& memory) {
     for (const kernels::Member& member : buffer->members.back().members)
       if (lowered(member.name).find("pos") != std::string::npos && componentsOf(member.type) == 3)
         start[member.name] = {"random(1)", "random(2)", "random(3)"};
-    if (start.empty())
+    if (start.empty() || counted.contains(buffer->name))
       buffers[buffer->name] = 1024;
     else
       buffers[buffer->name] = {{"size", 1024}, {"start", start}};
@@ -97,20 +113,22 @@ Json buffersOf(const Memory& memory) {
 std::string sceneOf(const kernels::Shader& shader, const std::filesystem::path& file) {
   const Memory memory = memoryOf(shader);
   Json object = {{"file", file.filename().string()}};
-  if (const Json buffers = buffersOf(memory); !buffers.empty()) object["buffers"] = buffers;
+  if (const Json buffers = buffersOf(memory, countedOf(shader)); !buffers.empty())
+    object["buffers"] = buffers;
   Json textures = Json::object();
   for (const kernels::Texture* texture : memory.textures)
     textures[texture->name] = texture->type == "2D" ? Json{256, 256} : Json{64, 64, 64};
   if (!textures.empty()) object["textures"] = textures;
   Json constants = Json::object();
   Json step = Json::array();
+  for (const std::string& name : countedOf(shader))
+    if (!name.empty()) step.push_back({{"clear", name + ".counter"}});
   for (const kernels::Kernel& kernel : shader.kernels) {
     step.push_back(kernel.name);
     for (const kernels::Block& block : kernel.blocks)
       for (const kernels::Member& member : block.members)
         if (block.name != "simreel_Samplers" && member.members.empty() && member.used &&
-            !member.name.starts_with("unity_") && member.name != "_Time" && member.name != "_SinTime" &&
-            member.name != "_CosTime")
+            !isStandard(member))
           constants[member.name] = valueOf(member, memory);
   }
   if (!constants.empty()) object["constants"] = constants;

@@ -144,8 +144,7 @@ void addKernels(CLI::App& app) {
       ->add_option("--race", o->race,
                    "With the code that records which invocation changes each word (record), or that "
                    "compares accesses with such a record (check)")
-      ->check(CLI::IsMember({"record", "check"}))
-      ->type_name("RUN");
+      ->check(CLI::IsMember({"record", "check"}));
   command->add_option("--max-iterations", o->request.maxIterations,
                       "Of a loop, which then ends (default 0: no limit)");
   command

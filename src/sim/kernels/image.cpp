@@ -6,6 +6,7 @@
 #include "sim/kernels/kernels.hpp"
 #include "sim/kernels/parameters.hpp"
 #include "sim/kernels/plan.hpp"
+#include "sim/ports/field_source.hpp"
 
 #include <algorithm>
 #include <array>
@@ -69,6 +70,7 @@ struct ImageParameters : KernelsParameters {
     f.group("display", "Placement over the picture.", [&](scene::Fields& d) { display.describe(d); });
     if (!image.file.empty() && f.given("file")) build(f);
   }
+  void ports(Ports& ports) const override { ports.provide<FieldSource>(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
 
  private:

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/core/numerics.hpp"
 #include "sim/core/race_checked.hpp"
 #include "sim/kernels/drawn.hpp"
 #include "sim/kernels/memory.hpp"
@@ -45,7 +46,9 @@ class Kernels : public Simulation, public RaceChecked {
         store_(name_, *plan_, static_cast<unsigned>(setting.seed)),
         drawn_(name_, *plan_, object.material),
         reports_(name_, *plan_, parameters_.boundsIgnored),
-        programs_(name_, plan_->shaderPointer()) {
+        programs_(name_, plan_->shaderPointer()),
+        kind_(object.kind) {
+    checkLoops();
     run(plan_->first(), nowAt(setting.startTime, 0), true);
     finish(setting.startTime);
   }
@@ -111,6 +114,14 @@ class Kernels : public Simulation, public RaceChecked {
   }
 
  private:
+  /// A driver that ends loops by itself would do so in silence.
+  void checkLoops() const {
+    if (parameters_.iterations > 0 && parameters_.iterations <= 65535) return;
+    if (const unsigned reached = probeLoop(); reached < loopProbeRounds)
+      fail(ExitCode::device,
+           "{} \"{}\": this driver ends each loop after {} iterations; give \"iterations\" at most that",
+           kind_, name_, reached);
+  }
   [[nodiscard]] long frameAt(double time) const { return std::lround(time / frameSeconds_); }
   [[nodiscard]] KernelPlan::Now nowAt(double time, int step) const {
     const double dt = frameSeconds_ / std::max(1, parameters_.steps);
@@ -193,6 +204,7 @@ class Kernels : public Simulation, public RaceChecked {
   KernelDrawn drawn_;
   KernelReports reports_;
   KernelPrograms programs_;
+  std::string kind_;
   std::unique_ptr<KernelRaces> races_;  ///< while races are looked for
 };
 

@@ -137,7 +137,9 @@ void KernelsParameters::describe(scene::Fields& f) {
           "Reads and writes out of bounds give zero and do nothing; the run stops there, or goes on.");
   boundsIgnored = bounds == 1;
   f.integer("iterations", iterations, {0, 2e9}, "",
-            "Most iterations of a loop, which then ends and stops the run; 0: no limit.");
+            "Most iterations of a loop, which then ends and stops the run; 0: no limit. Software drivers "
+            "(llvmpipe) "
+            "count up to 65,535.");
   describeDrawn(f);
   if (f.given("file")) compile(f);
 }

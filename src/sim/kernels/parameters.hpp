@@ -96,7 +96,7 @@ struct KernelsParameters : ObjectParameters {
   int steps = 1;  ///< per frame
   std::vector<KernelEntry> first, step;
   bool boundsIgnored = false;
-  int iterations = 1 << 20;  ///< of a loop, at most; 0: no limit
+  int iterations = 65000;  ///< of a loop, at most; 0: no limit
   bool fast = false;
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;

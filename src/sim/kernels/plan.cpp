@@ -370,13 +370,20 @@ void KernelPlan::holdConstants() {
   std::set<std::string> used;
   std::vector<std::string> known;
   for (const kernels::Kernel& kernel : shader_->kernels)
+    for (const kernels::Block& block : kernel.blocks)
+      if (!isSamplerBlock(block))
+        for (const std::string& name : namesOf(slotsOf(block.members))) known.push_back(name);
+  for (const auto& [name, constant] : constants_)
+    if (std::find(known.begin(), known.end(), name) == known.end() && !mentioned(name))
+      unknown({"constants", name}, name, known, "constant");
+  for (const kernels::Kernel& kernel : shader_->kernels)
     for (const kernels::Block& block : kernel.blocks) {
       if (isSamplerBlock(block)) continue;
       const std::vector<KernelSlot> slots = slotsOf(block.members);
-      for (const std::string& name : namesOf(slots)) known.push_back(name);
       for (const KernelSlot& slot : slots) {
-        const auto standard = std::find_if(standards().begin(), standards().end(),
-                                           [&](const Standard& s) { return slot.path == s.name; });
+        const auto standard = std::find_if(standards().begin(), standards().end(), [&](const Standard& s) {
+          return slot.path == s.name && slot.offsets.size() == s.parts.size();
+        });
         if (!constants_.contains(slot.path) && standard != standards().end()) {
           Constant& constant = constants_[slot.path];
           for (const char* part : standard->parts) constant.parts.push_back(compiled({0, part}, {}));
@@ -395,12 +402,10 @@ void KernelPlan::holdConstants() {
         const auto width = static_cast<std::size_t>(found->second.width);
         if (width != slot.offsets.size() && width != 1)
           mistake({"constants", slot.path},
-                  fmt::format("{} is a {}: expected {} numbers, found {}", scene::inQuotes(slot.path),
+                  fmt::format("{} is a {}: expected {} number(s), found {}", scene::inQuotes(slot.path),
                               slot.type, slot.offsets.size(), width));
       }
     }
-  for (const auto& [name, constant] : constants_)
-    if (!used.contains(name) && !mentioned(name)) unknown({"constants", name}, name, known, "constant");
 }
 
 std::vector<std::byte> KernelPlan::blockBytes(const kernels::Block& block, const Now& now) const {

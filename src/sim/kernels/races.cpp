@@ -35,6 +35,14 @@ std::string elementText(const KernelPlan& plan, const std::string& of, unsigned 
   return fmt::format("element ({}, {}, {})", index % width, index / width % height, index / width / height);
 }
 
+/// What to do about a race.
+const char* cureOf(const KernelPlan& plan, const std::string& of) {
+  if (plan.textureNamed(of) >= 0) return "write to a second texture, and \"swap\" them";
+  if (plan.bufferNamed(of) < 0)
+    return "put a barrier between: GroupMemoryBarrierWithGroupSync() or barrier()";
+  return "write to a second buffer and \"swap\" them, or give the buffer \"previous\": true";
+}
+
 /// Shadows of what a kernel writes, by name, as both variants need them.
 using Shadows = std::map<std::string, gl::Buffer>;
 
@@ -108,12 +116,12 @@ void KernelRaces::collect(const KernelStore& store, const PlannedEntry& entry, c
     found_.push_back(
         fmt::format("kernels {}: {}:{}: kernel {} races: invocation {} {} {}{} of {}, which invocation {} "
                     "writes in the same dispatch ({} "
-                    "invocation{} in all); write to a second buffer and swap them, or give the buffer "
-                    "\"previous\": true",
+                    "invocation{} in all); {}",
                     scene::inQuotes(name_), place.file, place.line, scene::inQuotes(kernel.name),
                     invocation(words[i].y, all), place.kind == "race-read" ? "reads" : "writes", member,
                     elementText(store.plan(), place.what, words[i].w), scene::inQuotes(place.what),
-                    invocation(words[i].z, all), words[i].x, words[i].x == 1 ? "" : "s"));
+                    invocation(words[i].z, all), words[i].x, words[i].x == 1 ? "" : "s",
+                    cureOf(store.plan(), place.what)));
   }
 }
 
