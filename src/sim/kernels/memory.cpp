@@ -12,6 +12,15 @@
 
 namespace simreel::sim {
 
+struct CanonicalKernel {
+  static constexpr auto file = "kernels/run/canonical.comp";
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"start", int> start;
+  gl::Uniform<"stride", int> stride;
+  gl::InOut<"words"> words;
+  gl::In<"floats"> floats;
+};
+
 struct TexelCopy {
   static constexpr auto file = "kernels/run/texels.comp";
   struct Variant {
@@ -101,6 +110,21 @@ void upload(const gl::Texture& texture, GLenum layout, GLenum type, const void* 
     glTextureSubImage2D(texture.name(), 0, 0, 0, texture.width(), texture.height(), layout, type, data);
 }
 
+/// 1 for each word of an element that is a float; nothing for a buffer that kernels only read.
+gl::Buffer floatsOf(const PlannedBuffer& planned) {
+  std::vector<unsigned> words(planned.stride / 4);
+  bool any = false;
+  for (const KernelSlot& slot : planned.element)
+    for (const std::size_t offset : slot.offsets)
+      if (slot.number == KernelSlot::Number::real && offset / 4 < words.size()) {
+        words[offset / 4] = 1;
+        any = true;
+      }
+  return any && planned.written
+             ? gl::Buffer::of("floats of " + planned.name, std::span<const unsigned>(words))
+             : gl::Buffer();
+}
+
 bool wholeNumbers(const PlannedTexture& planned) {
   return planned.format.ends_with("i");
 }
@@ -110,12 +134,14 @@ bool unsignedNumbers(const PlannedTexture& planned) {
 
 }  // namespace
 
-KernelStore::KernelStore(const std::string& name, const KernelPlan& plan, unsigned seed) : plan_(plan) {
+KernelStore::KernelStore(const std::string& name, const KernelPlan& plan, unsigned seed)
+    : plan_(plan), canonical_(gl::kernelDefines(false)) {
   for (const PlannedBuffer& planned : plan.buffers()) {
     std::vector<std::byte> bytes = plan.firstBytes(planned, seed);
     bytes.resize(padded(bytes.size()));
     buffers_.push_back(
         gl::Buffer::of(fmt::format("{} {}", name, planned.name), std::span<const std::byte>(bytes)));
+    floats_.push_back(floatsOf(planned));
   }
   for (const PlannedTexture& planned : plan.textures()) makeTexture(name, planned, seed);
 }
@@ -222,8 +248,12 @@ void KernelStore::keepPrevious(int copy, int original) {
 }
 
 void KernelStore::swap(const std::string& a, const std::string& b) {
-  if (const int one = plan_.bufferNamed(a); one >= 0)
-    return std::swap(buffer(one), buffer(plan_.bufferNamed(b)));
+  if (const int one = plan_.bufferNamed(a); one >= 0) {
+    std::swap(buffer(one), buffer(plan_.bufferNamed(b)));
+    const int counter = plan_.bufferNamed(a + ".counter"), other = plan_.bufferNamed(b + ".counter");
+    if (counter >= 0 && other >= 0) std::swap(buffer(counter), buffer(other));
+    return;
+  }
   const auto one = static_cast<std::size_t>(plan_.textureNamed(a)),
              other = static_cast<std::size_t>(plan_.textureNamed(b));
   std::swap(textures_[one], textures_[other]);
@@ -259,6 +289,16 @@ void KernelStore::settle() {
     glClearNamedBufferSubData(buffers_[i].name(), GL_R32UI, static_cast<GLintptr>(begin),
                               static_cast<GLsizeiptr>(planned.bytes() - begin), GL_RED_INTEGER,
                               GL_UNSIGNED_INT, &zero);
+  }
+  for (std::size_t i = 0; i < buffers_.size(); ++i) {
+    const PlannedBuffer& planned = plan_.buffers()[i];
+    if (floats_[i].bytes() == 0) continue;
+    const auto words = static_cast<int>(planned.count() * planned.stride / 4);
+    canonical_.dispatch(words, {.count = words,
+                                .start = static_cast<int>(planned.header / 4),
+                                .stride = static_cast<int>(planned.stride / 4),
+                                .words = buffers_[i],
+                                .floats = floats_[i]});
   }
   for (std::size_t i = 0; i < textures_.size(); ++i) {
     const PlannedTexture& planned = plan_.textures()[i];

@@ -11,6 +11,7 @@
 
 namespace simreel::sim {
 
+struct CanonicalKernel;
 struct TexelCopy;
 
 /// Buffers and textures of a user's kernels on the GPU.
@@ -34,7 +35,8 @@ class KernelStore {
   };
   [[nodiscard]] Saved save();
   void restore(const Saved& saved);
-  /// Zeroes what was written out of bounds, and copies textures into words(). Call before state is read.
+  /// Zeroes what was written out of bounds, gives NaN one sign and payload (machines differ), and copies
+  /// textures into words(). Call before state is read.
   void settle();
   /// Fills the textures from words(), after these were put back.
   void putBack();
@@ -58,7 +60,8 @@ class KernelStore {
   void keepPrevious(int copy, int original);
 
   const KernelPlan& plan_;
-  std::vector<gl::Buffer> buffers_;
+  std::vector<gl::Buffer> buffers_, floats_;
+  gl::Kernel<CanonicalKernel> canonical_;
   std::vector<gl::Texture> textures_;
   std::vector<gl::WordsArray> words_;
   std::vector<gl::Kernel<TexelCopy>> copies_;

@@ -141,6 +141,9 @@ void KernelsParameters::describe(scene::Fields& f) {
             "(llvmpipe) "
             "count up to 65,535.");
   describeDrawn(f);
+  quantityList.clear();
+  for (const KernelMeasure& measure : measured)
+    quantityList.push_back({measure.name.c_str(), "", "As the scene says."});
   if (f.given("file")) compile(f);
 }
 
@@ -212,9 +215,6 @@ void KernelsParameters::makePlan(scene::Fields& f, std::shared_ptr<const kernels
   for (const KernelPlan::Mistake& mistake : made->mistakes())
     f.errorIn(mistake.path, mistake.begin, mistake.end, mistake.message);
   plan = std::move(made);
-  quantityList.clear();
-  for (const KernelMeasure& measure : measured)
-    quantityList.push_back({measure.name.c_str(), "", "As the scene says."});
 }
 
 void KernelsParameters::keepProblem(const UserError& error) {

@@ -28,12 +28,13 @@ std::vector<KernelSlot> slotsNamed(const KernelPlan& plan, const std::string& of
   return slots;
 }
 
-bool isPosition(const KernelSlot& slot) {
-  std::string lower = slot.path;
+bool isPosition(const KernelSlot& slot, const std::string& buffer) {
+  std::string lower = slot.path.empty() ? buffer : slot.path;
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return std::tolower(c); });
   return slot.number == KernelSlot::Number::real && slot.offsets.size() >= 2 && slot.offsets.size() <= 4 &&
-         (lower.find("pos") != std::string::npos || lower == "p" || lower == "x");
+         (lower.find("pos") != std::string::npos || lower.find("vert") != std::string::npos ||
+          lower.find("point") != std::string::npos || lower == "p" || lower == "x");
 }
 
 }  // namespace
@@ -109,7 +110,9 @@ void KernelPlan::chooseDrawing() {
     return;
   }
   for (const PlannedBuffer& buffer : buffers_) {
-    const auto position = std::find_if(buffer.element.begin(), buffer.element.end(), isPosition);
+    const auto position =
+        std::find_if(buffer.element.begin(), buffer.element.end(),
+                     [&](const KernelSlot& slot) { return isPosition(slot, buffer.name); });
     if (position == buffer.element.end()) continue;
     if (buffer.size.y > 1 && buffer.size.z == 1 && position->offsets.size() >= 3) {
       KernelSurface& surface = drawn_.surface.emplace();

@@ -14,20 +14,30 @@ namespace {
 /// Invocations of a kernel by what it writes: the first texture, else the first buffer, else by the first
 /// that it reads. Nothing where that is a row of elements and the groups are none.
 std::optional<glm::ivec3> usualThreads(const KernelPlan& plan, const kernels::Kernel& kernel) {
+  if (kernel.threads[0] * kernel.threads[1] * kernel.threads[2] == 1) return glm::ivec3(1);
   for (const bool writes : {true, false}) {
-    for (const kernels::Texture& texture : kernel.textures)
-      if (texture.writes == writes)
-        return plan.textures()[static_cast<std::size_t>(plan.textureNamed(texture.name))].size;
-    for (const kernels::Buffer& buffer : kernel.buffers)
-      if (buffer.writes == writes && buffer.counterOf.empty() && buffer.previousOf.empty()) {
-        const PlannedBuffer& planned =
-            plan.buffers()[static_cast<std::size_t>(plan.bufferNamed(buffer.name))];
-        // A kernel in a row of groups counts elements whatever grid they lie in.
-        if (kernel.threads[1] == 1 && kernel.threads[2] == 1)
-          return glm::ivec3(static_cast<int>(planned.count()), 1, 1);
-        if (planned.size.y == 1 && planned.count() > 1) return std::nullopt;
-        return planned.size;
-      }
+    for (const kernels::Texture& texture : kernel.textures) {
+      if (texture.writes != writes) continue;
+      const PlannedTexture& planned =
+          plan.textures()[static_cast<std::size_t>(plan.textureNamed(texture.name))];
+      // The kernel may go through the layers itself.
+      if (planned.type == "2DArray" && planned.size.z > 1 && kernel.threads[2] == 1) return std::nullopt;
+      return planned.size;
+    }
+    for (const kernels::Buffer& buffer : kernel.buffers) {
+      const bool counted =
+          plan.bufferNamed(buffer.name + ".counter") >= 0;  // its elements are not known yet
+      if (buffer.writes != writes || (writes && counted) || !buffer.counterOf.empty() ||
+          !buffer.previousOf.empty())
+        continue;
+      const PlannedBuffer& planned =
+          plan.buffers()[static_cast<std::size_t>(plan.bufferNamed(buffer.name))];
+      // A kernel in a row of groups counts elements whatever grid they lie in.
+      if (kernel.threads[1] == 1 && kernel.threads[2] == 1)
+        return glm::ivec3(static_cast<int>(planned.count()), 1, 1);
+      if (planned.size.y == 1 && planned.count() > 1) return std::nullopt;
+      return planned.size;
+    }
   }
   return glm::ivec3(1);
 }
