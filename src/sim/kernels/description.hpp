@@ -88,7 +88,10 @@ struct KernelDescription {
   scene::Formulas constants;
   int steps = 1;  ///< per frame
   std::vector<KernelEntry> first, step;
-  bool boundsIgnored = false;
+  /// Accesses out of bounds: stop ends the run, ignore tells of the first, silent has no code that notes
+  /// them.
+  enum class Bounds { stop, ignore, silent };
+  Bounds bounds = Bounds::stop;
   int iterations = 65000;  ///< of a loop, at most; 0: no limit
   bool fast = false;
   std::optional<KernelSurface> surface;

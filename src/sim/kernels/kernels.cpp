@@ -45,7 +45,7 @@ class Kernels : public Simulation, public RaceChecked {
         plan_((checkKernels(object, setting), parameters_.plan)),
         store_(name_, *plan_, static_cast<unsigned>(setting.seed)),
         drawn_(name_, *plan_, object.material),
-        reports_(name_, *plan_, parameters_.boundsIgnored),
+        reports_(name_, *plan_, parameters_.bounds == KernelDescription::Bounds::ignore),
         programs_(name_, plan_->shaderPointer()),
         kind_(object.kind) {
     checkLoops();
@@ -116,7 +116,9 @@ class Kernels : public Simulation, public RaceChecked {
  private:
   /// A driver that ends loops by itself would do so in silence.
   void checkLoops() const {
-    if (parameters_.iterations > 0 && parameters_.iterations <= 65535) return;
+    if ((parameters_.iterations > 0 && parameters_.iterations <= 65535) ||
+        parameters_.bounds == KernelDescription::Bounds::silent)
+      return;
     if (const unsigned reached = probeLoop(); reached < loopProbeRounds)
       fail(ExitCode::device,
            "{} \"{}\": this driver ends each loop after {} iterations; give \"iterations\" at most that",

@@ -132,10 +132,10 @@ void KernelsParameters::describe(scene::Fields& f) {
   f.list("step", step, "What runs in each step, in this order.",
          [](scene::Fields& e, KernelEntry& entry) { describeEntry(e, entry); });
   f.leftOut("step", "all kernels of the file in its order");
-  int bounds = boundsIgnored ? 1 : 0;
-  f.oneOf("bounds", bounds, {"stop", "ignore"},
-          "Reads and writes out of bounds give zero and do nothing; the run stops there, or goes on.");
-  boundsIgnored = bounds == 1;
+  f.choice("bounds", bounds, {"stop", "ignore", "silent"},
+           "Reads and writes out of bounds give zero and do nothing: the run stops there, or tells it once "
+           "and goes on. "
+           "\"silent\": kernels have no code that notes them, nor endless loops, and are faster.");
   f.integer("iterations", iterations, {0, 2e9}, "",
             "Most iterations of a loop, which then ends and stops the run; 0: no limit. Software drivers "
             "(llvmpipe) "
@@ -187,8 +187,8 @@ void KernelsParameters::compile(scene::Fields& f) {
   request = {};
   request.file = file;
   request.fast = fast;
-  request.report = true;
-  request.maxIterations = static_cast<unsigned>(iterations);
+  request.report = bounds != Bounds::silent;
+  request.maxIterations = bounds == Bounds::silent ? 0 : static_cast<unsigned>(iterations);
   for (const auto& folder : scene::foldersAround(file)) request.folders.push_back(folder);
   for (const KernelMemory& buffer : buffers)
     if (buffer.previous) request.previous.push_back(buffer.name);
