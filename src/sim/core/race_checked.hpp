@@ -9,9 +9,9 @@ namespace simreel::sim {
 class RaceChecked {
  public:
   virtual ~RaceChecked() = default;
-  /// Runs the next frame's steps twice over, in checking variants of the kernels, and puts the present state
-  /// back. Returns a line for each place of a kernel that races; each kernel is searched once. Waits for the
-  /// GPU.
+  /// Runs the next frame's steps twice over, in checking variants of the kernels, and puts the present
+  /// state back. Returns a line for each place of a kernel that races; each kernel is searched once. Waits
+  /// for the GPU.
   [[nodiscard]] virtual std::vector<std::string> races(double time) = 0;
 };
 

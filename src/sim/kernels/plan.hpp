@@ -1,7 +1,7 @@
 #pragma once
 #include "kernels/kernels.hpp"
 #include "sim/core/expression.hpp"
-#include "sim/kernels/parameters.hpp"
+#include "sim/kernels/description.hpp"
 #include "sim/kernels/slots.hpp"
 #include "sim/kernels/table.hpp"
 
@@ -95,7 +95,7 @@ class KernelPlan {
 
   /// `announced`: the names of all kernels of the file; the shader has those that run. `aliases`: textures
   /// of the shader that are another one's memory.
-  KernelPlan(const KernelsParameters& parameters, std::shared_ptr<const kernels::Shader> shader,
+  KernelPlan(const KernelDescription& parameters, std::shared_ptr<const kernels::Shader> shader,
              const std::vector<std::string>& announced,
              const std::map<std::string, std::string>& aliases = {});
 
@@ -137,10 +137,10 @@ class KernelPlan {
   };
   void collectBuffer(const kernels::Buffer& from);
   void collectTexture(const kernels::Texture& from);
-  void holdNames(const KernelsParameters& parameters);
-  void size(const KernelsParameters& parameters);
+  void holdNames(const KernelDescription& parameters);
+  void size(const KernelDescription& parameters);
   void sizeOf(const char* list, const KernelMemory& given, glm::ivec3& size, bool& sized);
-  void planConstants(const KernelsParameters& parameters);
+  void planConstants(const KernelDescription& parameters);
   void holdConstants();
   void planEntries(const std::vector<KernelEntry>& given, const char* list,
                    const std::vector<std::string>& announced, std::vector<PlannedEntry>& planned);
@@ -151,11 +151,11 @@ class KernelPlan {
   /// Returns true if a file of the shader has the word, also where no kernel that runs needs it.
   [[nodiscard]] bool mentioned(const std::string& word) const;
   void planStarts();
-  void planDrawing(const KernelsParameters& parameters);
+  void planDrawing(const KernelDescription& parameters);
   void chooseDrawing();
   bool holdMember(const char* group, const char* key, const std::string& of, const std::string& member,
                   bool needed, std::size_t least);
-  void planMeasures(const KernelsParameters& parameters);
+  void planMeasures(const KernelDescription& parameters);
   PlannedNumber compiled(const scene::Formula::Part& part, std::vector<std::string> path);
   int placeOf(const std::string& name);
   void mistake(std::vector<std::string> path, std::string message, std::size_t begin = 0,

@@ -39,7 +39,7 @@ bool isPosition(const KernelSlot& slot, const std::string& buffer) {
 
 }  // namespace
 
-void KernelPlan::planDrawing(const KernelsParameters& parameters) {
+void KernelPlan::planDrawing(const KernelDescription& parameters) {
   drawn_ = {parameters.surface, parameters.points, parameters.field};
   if (!drawn_.surface && !drawn_.points && !drawn_.field) chooseDrawing();
   std::vector<std::string> buffers, all;
@@ -156,7 +156,7 @@ bool KernelPlan::holdMember(const char* group, const char* key, const std::strin
   return true;
 }
 
-void KernelPlan::planMeasures(const KernelsParameters& parameters) {
+void KernelPlan::planMeasures(const KernelDescription& parameters) {
   std::vector<std::string> all;
   for (const PlannedBuffer& buffer : buffers_) all.push_back(buffer.name);
   for (const PlannedTexture& texture : textures_) all.push_back(texture.name);
