@@ -49,7 +49,7 @@ Module prepared(Files& files, const Unit& unit, const Request& request, Report* 
   return hlsl && request.maxIterations != 0 && keepsUnrolled(plain) ? made(true) : plain;
 }
 
-/// What the runtime gives, apart from the user's own buffers.
+/// Resources of the runtime, beside the user's own buffers.
 void describeGuards(Kernel& kernel, bool fast) {
   for (Buffer& buffer : kernel.buffers) {
     if (buffer.name == reportBlock) kernel.report = buffer.binding;

@@ -1,5 +1,5 @@
-// Whether a user's kernel has done what it must not: its places (four words each, the first one counts) are looked through after
-// a frame. What they had when one of them first counted is kept.
+// Looks through the reports of a user's kernel after a frame: its places have four words each, of which the first one counts. The
+// words of the frame in which one first counted are kept.
 #include "common/status.glsl"
 layout(local_size_x = 1) in;
 layout(std430, binding = 0) readonly buffer ReportBlock { uvec4 reports[]; };

@@ -135,7 +135,7 @@ bool takesOthers(const std::vector<std::uint32_t>& words) {
   });
 }
 
-/// Nothing where a text was refused for what a new remedy may cure.
+/// Compiles once; returns nothing if a new remedy may cure what was refused.
 std::optional<std::vector<std::uint32_t>> attempt(Files& files, const Unit& unit, bool renamed) {
   Compiled compiled;
   glslang::TShader& shader = compiled.shader;

@@ -73,7 +73,7 @@ class Texels {
     return name.empty() ? "a texture" : name;
   }
 
-  /// Whether a texel's place is in the picture.
+  /// True if a texel lies in the picture.
   Id inside(Id image, Id at, Id lod, const char* kind, Id variable) {
     static constexpr const char* axes[] = {"x", "y", "z"};
     const Instruction shape = *module_.global(module_.typeOf(at));

@@ -93,7 +93,7 @@ class Races {
     }
   }
 
-  /// Whether an access is to an element of a buffer, and not to a guard.
+  /// True for an access to an element of a buffer, false for one to a guard.
   Id active(const WordsIn::Access& access, Id variable) {
     if (guards_ == 0 || access.array == 0 || module_.global(access.array)->op != SpvOpTypeRuntimeArray)
       return module_.globalOf(SpvOpConstantTrue, module_.boolType(), {});
@@ -171,7 +171,7 @@ class Races {
     call(variable, task, {inside, at, after, changed});
   }
 
-  /// Whether a texel is in its picture, and its number: x first, then y, then z.
+  /// Tests if a texel is in its picture, and numbers it: x first, then y, then z.
   std::pair<Id, Id> texelNumber(Id image, Id at) {
     const Instruction shape = *module_.global(module_.typeOf(at));
     const std::uint32_t length = shape.op == SpvOpTypeVector ? shape.operands[1] : 1;

@@ -74,7 +74,7 @@ bool isUnitys(std::string_view name) {
          name == "TerrainEngine.cginc";
 }
 
-/// Those of Unity's files that we have.
+/// Files of Unity's names that the program has.
 std::string unityFiles() {
   std::string names;
   for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {

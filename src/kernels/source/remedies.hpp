@@ -9,10 +9,10 @@
 
 namespace simreel::kernels {
 
-/// Before the name of a constant whose own name is that of a variable which begins with its value.
+/// Prefix of a constant that a variable of its name starts from.
 inline constexpr std::string_view constantPrefix = "simreel_constant_";
 
-/// What is done to texts of HLSL that glslang refuses and Microsoft's compiler reads. A text that glslang
+/// Changes to texts of HLSL that glslang refuses and Microsoft's compiler reads. A text that glslang
 /// reads stays as it is.
 struct Remedies {
   /// Constants that the shader assigns to. Each invocation has a variable of the name, which begins with

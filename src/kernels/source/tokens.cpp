@@ -15,7 +15,7 @@ bool among(std::string_view word, std::initializer_list<std::string_view> words)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Where a line of the preprocessor ends: at a line end without a backslash before it.
+/// End of a preprocessor line: a line end without a backslash before it.
 std::size_t directiveEnd(std::string_view code, std::size_t at) {
   for (; at < code.size(); ++at)
     if (code[at] == '\n' && code[at - 1] != '\\') return at;

@@ -123,7 +123,7 @@ void KernelsParameters::describe(scene::Fields& f) {
   f.formulas(
       "constants", constants,
       "Values of the shader's constants: numbers, lists of them, keyframes, or expressions of dt, time, "
-      "frame, step, seed, count(BUFFER), width(TEXTURE), height(TEXTURE), depth(TEXTURE).");
+      "frame, steps, seed, count(BUFFER), width(TEXTURE), height(TEXTURE), depth(TEXTURE).");
   f.integer("steps", steps, {0, 100000}, "per frame", "Steps a frame takes; dt is their length.");
   f.shorthand("first", "kernel");
   f.list("first", first, "What runs once, before the first frame.",

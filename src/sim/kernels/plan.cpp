@@ -20,7 +20,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr const char* lookups[] = {"count", "width", "height", "depth"};
-constexpr const char* plainNames[] = {"dt", "time", "frame", "step", "seed", "pi"};
+constexpr const char* plainNames[] = {"dt", "time", "frame", "steps", "seed", "pi"};
 constexpr double mostElements = 1 << 28;
 
 }  // namespace
@@ -260,10 +260,25 @@ void KernelPlan::sizeOf(const char* list, const KernelMemory& given, glm::ivec3&
 }
 
 void KernelPlan::size(const KernelDescription& /*parameters*/) {
+  // A size may name another memory: what cannot be told yet is told in a later round.
+  for (bool going = true; going;) {
+    going = false;
+    const auto attempt = [&](const char* list, auto& memory) {
+      if (memory.given == nullptr || memory.sized) return;
+      const std::size_t before = mistakes_.size();
+      sizeOf(list, *memory.given, memory.size, memory.sized);
+      if (memory.sized) going = true;
+      mistakes_.resize(before);
+    };
+    for (PlannedTexture& texture : textures_) attempt("textures", texture);
+    for (PlannedBuffer& buffer : buffers_) attempt("buffers", buffer);
+  }
   for (PlannedTexture& texture : textures_)
-    if (texture.given != nullptr) sizeOf("textures", *texture.given, texture.size, texture.sized);
+    if (texture.given != nullptr && !texture.sized)
+      sizeOf("textures", *texture.given, texture.size, texture.sized);
   for (PlannedBuffer& buffer : buffers_)
-    if (buffer.given != nullptr) sizeOf("buffers", *buffer.given, buffer.size, buffer.sized);
+    if (buffer.given != nullptr && !buffer.sized)
+      sizeOf("buffers", *buffer.given, buffer.size, buffer.sized);
   for (PlannedBuffer& buffer : buffers_)
     if (!buffer.previousOf.empty())
       buffer.size = buffers_[static_cast<std::size_t>(bufferNamed(buffer.previousOf))].size;
@@ -291,6 +306,9 @@ int KernelPlan::placeOf(const std::string& name) {
   const std::string function = name.substr(0, open), memory = name.substr(open + 1, name.size() - open - 2);
   const int buffer = bufferNamed(memory), texture = textureNamed(memory);
   if (buffer < 0 && texture < 0) return -1;
+  const bool sized = buffer >= 0 ? buffers_[static_cast<std::size_t>(buffer)].sized
+                                 : textures_[static_cast<std::size_t>(texture)].sized;
+  if (!sized) return -1;
   const glm::ivec3 size = buffer >= 0 ? buffers_[static_cast<std::size_t>(buffer)].size
                                       : textures_[static_cast<std::size_t>(texture)].size;
   lookups_.emplace_back(name, function == "count"    ? 1.0 * size.x * size.y * size.z

@@ -115,13 +115,13 @@ void KernelRaces::collect(const KernelStore& store, const PlannedEntry& entry, c
     const std::string member = place.part.empty() ? "" : scene::inQuotes(place.part) + " of ";
     found_.push_back(
         fmt::format("kernels {}: {}:{}: kernel {} races: invocation {} {} {}{} of {}, which invocation {} "
-                    "writes in the same dispatch ({} "
+                    "{} in the same dispatch ({} "
                     "invocation{} in all); {}",
                     scene::inQuotes(name_), place.file, place.line, scene::inQuotes(kernel.name),
                     invocation(words[i].y, all), place.kind == "race-read" ? "reads" : "writes", member,
                     elementText(store.plan(), place.what, words[i].w), scene::inQuotes(place.what),
-                    invocation(words[i].z, all), words[i].x, words[i].x == 1 ? "" : "s",
-                    cureOf(store.plan(), place.what)));
+                    invocation(words[i].z, all), place.kind == "race-read" ? "writes" : "reads or writes",
+                    words[i].x, words[i].x == 1 ? "" : "s", cureOf(store.plan(), place.what)));
   }
 }
 
