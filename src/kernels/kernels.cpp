@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/isolated.hpp"
+#include "kernels/cache.hpp"
 #include "kernels/compile/front_end.hpp"
 #include "kernels/exact/bounds.hpp"
 #include "kernels/exact/calls.hpp"
@@ -184,8 +185,11 @@ std::vector<std::string> kernelNames(const Request& request) {
 
 Shader load(const Request& request) {
   constexpr Allotment allotment{std::size_t{2} << 30, 120};
+  if (auto known = cachedShader(request)) return *known;
   try {
-    return fromJson(runIsolated(allotment, [&] { return toJson(loadHere(request)); }));
+    Shader shader = fromJson(runIsolated(allotment, [&] { return toJson(loadHere(request)); }));
+    keepShader(request, shader);
+    return shader;
   } catch (const UserError&) {
     throw;
   } catch (const std::runtime_error& error) {

@@ -29,6 +29,19 @@ class Kernels(Case):
         self.good("validate", "k.json")
         self.good("render", "k.json", "-o", "out/", "--frames", "0-1", "--size", "64x36")
 
+    def test_compiled_shaders_are_kept(self):
+        env = {"XDG_CACHE_HOME": str(self.folder / "cache")}
+        self.scene()
+        self.good("validate", "k.json", env=env)
+        entries = list((self.folder / "cache/simreel").glob("*.kernel"))
+        self.assertEqual(len(entries), 1)
+        for text in (entries[0].read_text(), "{}", "\0damaged"):
+            entries[0].write_text(text)
+            self.good("validate", "k.json", env=env)
+        # A file that has changed is compiled again.
+        self.scene(BLUR.replace("lerp(", "lrp("))
+        self.bad(2, "a.compute:8:19: error: ", "validate", "k.json", env=env)
+
     def test_a_race_ends_with_1(self):
         self.scene()
         done = self.bad(1, "k.json: 1 place of its kernels races", "kernels", "a.compute", "--check", "k.json")
