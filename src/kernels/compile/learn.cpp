@@ -17,6 +17,7 @@ namespace {
 struct Scan {
   explicit Scan(const std::string& text)
       : code(withoutComments(text)), all(tokens(code)), declared(globals(code, all)) {}
+  ~Scan() = default;
   Scan(const Scan&) = delete;
   Scan& operator=(const Scan&) = delete;
 

@@ -2,6 +2,8 @@
 
 #include "kernels/spirv/resource.hpp"
 
+#include <fmt/format.h>
+
 namespace simreel::kernels {
 
 void Chains::follow(const Instruction& one) {
@@ -77,7 +79,8 @@ WordsIn::Access WordsIn::access(Writing& writing, const PointerChain& chain) {
         last_ = matrix(found.type, member);
         const std::string name = module_.memberName(found.type, member);
         std::string& to = found.array == 0 ? found.what : found.part;
-        if (!name.empty() && name[0] != '@') to = found.array != 0 && !to.empty() ? to + "." + name : name;
+        if (!name.empty() && name[0] != '@')
+          to = found.array != 0 && !to.empty() ? fmt::format("{}.{}", to, name) : name;
         if (found.array == 0) found.member = member;
         found.type = one.operands[member];
         break;

@@ -139,7 +139,7 @@ void ImageParameters::addPass(scene::Fields& f, const ImagePass& pass) {
         }
     }
     aliases_[reads] = memory;
-    const auto place = static_cast<std::size_t>(3 * (channel.name[0] - '0'));
+    const auto place = std::size_t{3} * static_cast<std::size_t>(channel.name[0] - '0');
     resolutions.parts[place] = {0, fmt::format("width({})", memory)};
     resolutions.parts[place + 1] = {0, fmt::format("height({})", memory)};
     resolutions.parts[place + 2] = {1};

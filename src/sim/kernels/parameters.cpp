@@ -104,6 +104,7 @@ void describe(scene::Fields& f, KernelPoints& points) {
   const auto& names = colorMapNames();
   int map = static_cast<int>(std::find(names.begin(), names.end(), points.map) - names.begin());
   std::vector<const char*> words;
+  words.reserve(names.size());
   for (const std::string& name : names) words.push_back(name.c_str());
   f.oneOf("colors", map, words, "Colour map.");
   points.map = names[static_cast<std::size_t>(map)];

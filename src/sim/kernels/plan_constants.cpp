@@ -27,13 +27,6 @@ const std::vector<Standard>& standards() {
   return list;
 }
 
-/// Name of a constant without its block's: scenes give members of all blocks by name.
-std::vector<std::string> namesOf(const std::vector<KernelSlot>& slots) {
-  std::vector<std::string> names;
-  for (const KernelSlot& slot : slots) names.push_back(slot.path);
-  return names;
-}
-
 bool isSamplerBlock(const kernels::Block& block) {
   return block.name == "simreel_Samplers";
 }
@@ -61,7 +54,7 @@ void KernelPlan::holdConstants() {
   for (const kernels::Kernel& kernel : shader_->kernels)
     for (const kernels::Block& block : kernel.blocks)
       if (!isSamplerBlock(block))
-        for (const std::string& name : namesOf(slotsOf(block.members))) known.push_back(name);
+        for (const std::string& name : pathsOf(slotsOf(block.members))) known.push_back(name);
   for (const auto& [name, constant] : constants_)
     if (std::find(known.begin(), known.end(), name) == known.end() && !mentioned(name))
       unknown({"constants", name}, name, known, "constant");

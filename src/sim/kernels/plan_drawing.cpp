@@ -142,8 +142,7 @@ bool KernelPlan::holdMember(const char* group, const char* key, const std::strin
   // An element that is a vector itself has no name.
   if (slot == nullptr && needed && slots.size() == 1) slot = slots.data();
   if (slot == nullptr) {
-    std::vector<std::string> known;
-    for (const KernelSlot& one : slots) known.push_back(one.path);
+    const std::vector<std::string> known = pathsOf(slots);
     mistake({group, key}, fmt::format("{} has no member {}; {}", scene::inQuotes(of),
                                       scene::inQuotes(member), scene::suggestion(member, known)));
     return false;
@@ -165,8 +164,7 @@ void KernelPlan::planMeasures(const KernelDescription& parameters) {
     if (std::find(all.begin(), all.end(), measure.of) == all.end()) {
       unknown({"measures", measure.name, "of"}, measure.of, all, "buffer or texture");
     } else if (slotNamed(slots, measure.member) == nullptr) {
-      std::vector<std::string> known;
-      for (const KernelSlot& slot : slots) known.push_back(slot.path);
+      const std::vector<std::string> known = pathsOf(slots);
       mistake({"measures", measure.name, "member"},
               fmt::format("{} has no member {}; {}", scene::inQuotes(measure.of),
                           scene::inQuotes(measure.member), scene::suggestion(measure.member, known)));

@@ -36,16 +36,10 @@ class Starts {
   [[nodiscard]] std::vector<double> values(std::size_t i, unsigned seed) const {
     const auto width = static_cast<std::size_t>(size_.x), height = static_cast<std::size_t>(size_.y);
     const std::size_t count = width * height * static_cast<std::size_t>(size_.z);
-    std::vector<double> all = {1.0 * i,
-                               1.0 * (i % width),
-                               1.0 * (i / width % height),
-                               1.0 * (i / width / height),
-                               1.0 * count,
-                               1.0 * size_.x,
-                               1.0 * size_.y,
-                               1.0 * size_.z,
-                               1.0 * seed,
-                               3.14159265358979323846};
+    const std::size_t row = i / width % height, layer = i / width / height;
+    std::vector<double> all = {1.0 * i,     1.0 * (i % width),     1.0 * row,     1.0 * layer,
+                               1.0 * count, 1.0 * size_.x,         1.0 * size_.y, 1.0 * size_.z,
+                               1.0 * seed,  3.14159265358979323846};
     if (table_ == nullptr) return all;
     const std::size_t columns = table_->columns.size();
     for (std::size_t c = 0; c < columns; ++c)
@@ -73,7 +67,7 @@ scene::Formulas columnsFor(const KernelTable& table, const std::vector<KernelSlo
     std::vector<std::vector<std::string>> choices = {{plain}};
     for (const auto& axes : {std::vector<std::string>{"x", "y", "z", "w"}, {"r", "g", "b", "a"}}) {
       choices.emplace_back();
-      for (const std::string& axis : axes) choices.back().push_back(plain + "_" + axis);
+      for (const std::string& axis : axes) choices.back().push_back(fmt::format("{}_{}", plain, axis));
     }
     if (slot.path.find("os") != std::string::npos || slot.path.empty()) choices.push_back({"x", "y", "z"});
     if (slot.path.find("norm") != std::string::npos) choices.push_back({"nx", "ny", "nz"});

@@ -117,6 +117,13 @@ std::vector<KernelSlot> slotsOfElement(const kernels::Member& array) {
   return slots;
 }
 
+std::vector<std::string> pathsOf(std::span<const KernelSlot> slots) {
+  std::vector<std::string> paths;
+  paths.reserve(slots.size());
+  for (const KernelSlot& slot : slots) paths.push_back(slot.path);
+  return paths;
+}
+
 const KernelSlot* slotNamed(std::span<const KernelSlot> slots, std::string_view path) {
   const auto found =
       std::find_if(slots.begin(), slots.end(), [&](const KernelSlot& s) { return s.path == path; });

@@ -24,6 +24,8 @@ struct KernelSlot {
 [[nodiscard]] std::vector<KernelSlot> slotsOf(const std::vector<kernels::Member>& members);
 /// Returns the slots of an element of an array: those of its struct, or itself under an empty path.
 [[nodiscard]] std::vector<KernelSlot> slotsOfElement(const kernels::Member& array);
+/// Returns the paths of slots, as scenes name them.
+[[nodiscard]] std::vector<std::string> pathsOf(std::span<const KernelSlot> slots);
 /// Returns the slot of that path; null if there is none.
 [[nodiscard]] const KernelSlot* slotNamed(std::span<const KernelSlot> slots, std::string_view path);
 
