@@ -1,5 +1,6 @@
 #pragma once
-#include "kernels/kernels.hpp"
+#include "kernels/request.hpp"
+#include "kernels/shader/shader.hpp"
 
 #include <optional>
 
