@@ -1,4 +1,4 @@
-// NaN in a user's buffer gets one sign and payload: those of an operation are the machine's.
+// Gives each NaN in a user's buffer one sign and payload: operations give other ones on other machines.
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) buffer WordsBlock { uint words[]; };
 layout(std430, binding = 1) readonly buffer FloatBlock { uint floats[]; };  // of an element's words: 1 for floats

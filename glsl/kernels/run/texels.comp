@@ -13,7 +13,7 @@ void main() {
   STORE_WORDS(texels, i, uvec4(texelFetch(source, at.PLACE, 0)));
 #else
   uvec4 bits = floatBitsToUint(texelFetch(source, at.PLACE, 0));
-  // NaN gets one sign and payload: those of an operation are the machine's.
+  // Each NaN gets one sign and payload: operations give other ones on other machines.
   for (int c = 0; c < 4; ++c)
     if ((bits[c] & 0x7fffffffu) > 0x7f800000u) bits[c] = 0x7fc00000u;
   STORE_WORDS(texels, i, bits);

@@ -55,7 +55,7 @@ class Bounds {
   };
   /// A chain's indices.
   struct Walk {
-    Words held;                    ///< those that lead inside, apart from that of a buffer's elements
+    Words held;                    ///< indices kept inside, but for the index of a buffer's element
     std::vector<Checked> checked;  ///< those that are no constants
     Id inside;                     ///< whether those in `held` led there already; 0 where all are constants
     Id length, runtime, among;  ///< of a buffer: its length, the index of an element, whether it is below

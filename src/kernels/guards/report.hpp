@@ -53,7 +53,7 @@ class Report {
 
 /// The number of the running invocation in the whole dispatch: x first, then y, then z.
 [[nodiscard]] Id linearInvocation(Module& module, std::vector<Instruction>& body);
-/// The same of another invocation of its group, by its number there.
+/// Number of another invocation of the same group in the dispatch; `local`: its number in the group.
 [[nodiscard]] Id linearInvocation(Module& module, std::vector<Instruction>& body, Id local);
 
 }  // namespace simreel::kernels

@@ -76,16 +76,16 @@ class ClothKernels {
   bool keeps_;        ///< energy (glsl/cloth/keeping.glsl)
   /// An invocation takes a line of pairs (constrain_lines.comp) instead of one, and the first also steps.
   bool inLines_ = gl::memoryPath() == gl::MemoryPath::texel;
-  bool predicted_ = false;      ///< between predict() and finish()
-  gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
-  gl::Vec4Array between_;       ///< positions after the diagonal constraints, where those of bending follow
+  bool predicted_ = false;       ///< between predict() and finish()
+  gl::Vec4Array positions_[2];   ///< now, and where the next substep writes
+  gl::Vec4Array between_;        ///< positions between diagonal and bending constraints
   gl::Vec4Array velocities_[2];  ///< now, and of constraints where the next substep writes
   gl::Vec4Array trends_;
   gl::Vec4Array left_;  ///< of cloth in contact: where it was left before contact pushed
   SkinHold hold_;
   ThinColliders thin_;
   gl::Kernel<ClothStepKernel> step_;
-  gl::Kernel<ClothRelaxKernel> relax_[2];  ///< diagonal pairs, those of bending
+  gl::Kernel<ClothRelaxKernel> relax_[2];  ///< diagonal pairs, bending pairs
   gl::Kernel<ClothLinesKernel> lines_[2];  ///< the first family, others
   gl::Kernel<ClothSolveKernel> rows_, columns_;
   gl::Kernel<ClothSettleKernel> settle_;

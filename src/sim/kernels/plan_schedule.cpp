@@ -11,10 +11,16 @@ namespace simreel::sim {
 
 namespace {
 
-/// Invocations of a kernel by what it writes: the first texture, else the first buffer, else by the first
-/// that it reads. Nothing where that is a row of elements and the groups are none.
+/// Returns the invocations of a kernel by what it writes: the first texture, else the first buffer, else
+/// the first memory that it reads. Returns nothing if that does not tell: groups in a row that write a
+/// texture and a buffer, or a row of elements and groups of more axes.
 std::optional<glm::ivec3> usualThreads(const KernelPlan& plan, const kernels::Kernel& kernel) {
   if (kernel.threads[0] * kernel.threads[1] * kernel.threads[2] == 1) return glm::ivec3(1);
+  const bool row = kernel.threads[1] == 1 && kernel.threads[2] == 1;
+  const auto written = [](const auto& memory) { return memory.writes; };
+  if (row && std::any_of(kernel.textures.begin(), kernel.textures.end(), written) &&
+      std::any_of(kernel.buffers.begin(), kernel.buffers.end(), written))
+    return std::nullopt;
   for (const bool writes : {true, false}) {
     for (const kernels::Texture& texture : kernel.textures) {
       if (texture.writes != writes) continue;
@@ -33,8 +39,7 @@ std::optional<glm::ivec3> usualThreads(const KernelPlan& plan, const kernels::Ke
       const PlannedBuffer& planned =
           plan.buffers()[static_cast<std::size_t>(plan.bufferNamed(buffer.name))];
       // A kernel in a row of groups counts elements whatever grid they lie in.
-      if (kernel.threads[1] == 1 && kernel.threads[2] == 1)
-        return glm::ivec3(static_cast<int>(planned.count()), 1, 1);
+      if (row) return glm::ivec3(static_cast<int>(planned.count()), 1, 1);
       if (planned.size.y == 1 && planned.count() > 1) return std::nullopt;
       return planned.size;
     }
@@ -58,8 +63,8 @@ void KernelPlan::useUsualThreads(std::vector<std::string> path, PlannedEntry& en
   const std::optional<glm::ivec3> threads = usualThreads(*this, kernel);
   if (!threads)
     return mistake(std::move(path), fmt::format("kernel {} has groups of {} x {} x {}, and what it writes "
-                                                "is one row; give \"threads\": [x, y, z], or "
-                                                "the buffer a \"size\" of as many axes",
+                                                "does not tell how many threads it needs; give "
+                                                "\"threads\": [x, y, z]",
                                                 scene::inQuotes(kernel.name), kernel.threads[0],
                                                 kernel.threads[1], kernel.threads[2]));
   entry.threads = {{1.0 * threads->x, nullptr}, {1.0 * threads->y, nullptr}, {1.0 * threads->z, nullptr}};

@@ -61,6 +61,14 @@ class Kernels(Case):
         self.scene(step=["Blurr"])
         self.bad(2, 'the shader has no kernel "Blurr"; did you mean "Blur"?', "validate", "k.json")
 
+    def test_threads_are_asked_for_where_memory_does_not_tell(self):
+        both = BLUR.replace("float _Share;", "float _Share; RWTexture2D<float4> _Seen;")
+        both = both.replace("    _Data[id.x] =", "    _Seen[id.xy] = 1;\n    _Data[id.x] =")
+        self.scene(both, textures={"_Seen": [8, 8]})
+        self.bad(2, 'kernel "Blur" has groups of 8 x 1 x 1, and what it writes does not tell how many threads it needs', "validate", "k.json")
+        self.scene(both, textures={"_Seen": [8, 8]}, step=[{"kernel": "Blur", "threads": [32]}])
+        self.good("validate", "k.json")
+
     def test_a_read_out_of_bounds_ends_with_4(self):
         self.scene(BLUR.replace("id.x == 0 ? 0 : id.x - 1", "id.x - 1"))
         self.bad(4, 'a.compute:7: kernel "Blur" reads "_Data" at -1, but it has 32 elements', "render", "k.json", "-o", "out/", "--frames", "0-2")
