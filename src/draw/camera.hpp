@@ -38,7 +38,7 @@ struct View {
                           const sim::Drawables& drawables, const scene::Ground* ground = nullptr);
 /// The ground that a picture of the scene shows.
 [[nodiscard]] inline const scene::Ground* groundSeen(const scene::Scene& scene) {
-  return scene.hasGround && scene.ground.visible ? &scene.ground : nullptr;
+  return scene.ground && scene.ground->visible ? &*scene.ground : nullptr;
 }
 
 /// Where a camera is that goes along a path, and what it looks at.

@@ -79,7 +79,7 @@ shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double sec
   frame.rayUp = glm::vec4(view.parallel ? view.up / far : view.up, 0);
   setSun(frame, scene.sun, seconds);
   setSky(frame, scene.sky, seconds);
-  setGround(frame, scene.ground);
+  setGround(frame, scene.ground.value_or(scene::Ground()));
   frame.size = size;
   frame.exposure = static_cast<float>(ieee::exp2(static_cast<double>(scene.render.exposure.at(seconds))));
   frame.vignette = scene.render.vignette;

@@ -46,8 +46,8 @@ std::vector<glm::vec2> openingPoints(int count, int blades) {
 }
 
 std::vector<LensPoint> lensPoints(const scene::Camera& camera, const View& view, double seconds) {
-  if (!camera.hasLens) return {LensPoint{}};
-  const scene::Lens& lens = camera.lens;
+  if (!camera.lens) return {LensPoint{}};
+  const scene::Lens& lens = *camera.lens;
   const float focus = lens.focus ? lens.focus->at(seconds) : glm::length(view.target - view.eye);
   // reach.y is the tangent of half the angle of view, so the focal length is half the picture's height over
   // that.

@@ -168,19 +168,17 @@ void Camera::describe(Fields& fields) {
     gltf->hasFar = fields.given("far");
   }
   fields.switchable("lens");
-  fields.optionalGroup("lens", hasLens,
+  fields.optionalGroup("lens", lens,
                        "Depth of field: things nearer or farther than the focus are blurred. The driver's "
-                       "rasterizer has none.",
-                       [&](Fields& f) { lens.describe(f); });
-  if (hasLens && projection == Projection::orthographic)
+                       "rasterizer has none.");
+  if (lens && projection == Projection::orthographic)
     fields.error("lens", "an orthographic camera has no lens: all is sharp; leave out \"lens\"");
   fields.switchable("shutter");
   fields.optionalGroup(
-      "shutter", hasShutter,
+      "shutter", shutter,
       "Motion blur: the picture is the mean over the time before its frame. The motion of surfaces, "
       "particles, lights and the camera causes blur; changes inside fields, charts and growing caves do "
-      "not. The driver's rasterizer has none.",
-      [&](Fields& f) { shutter.describe(f); });
+      "not. The driver's rasterizer has none.");
   hasAngle = fields.given("fieldOfView");
   placed = follow || track || gltf || fields.given("position") || fields.given("target") ||
            (orbit && orbit->distanced);

@@ -208,7 +208,7 @@ void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camer
   if (const std::optional<double> height = gltf.shot->height()) {
     camera.projection = Projection::orthographic;
     if (!camera.hasHeight) camera.height = static_cast<float>(*height);
-    if (camera.hasLens) wrong = section->find("lens");
+    if (camera.lens) wrong = section->find("lens");
     if (camera.hasAngle) wrong = section->find("fieldOfView");
   } else {
     if (!camera.hasAngle) camera.fieldOfView = static_cast<float>(gltf.shot->fieldOfView());

@@ -184,10 +184,8 @@ struct Camera {
   std::optional<CameraFile> gltf;  ///< instead of position and target
   bool placed = false;             ///< whether the scene says where it stands or what it looks at
   bool hasAngle = false;           ///< whether the scene gives its field of view
-  bool hasLens = false;            ///< else all is sharp
-  Lens lens;
-  bool hasShutter = false;  ///< else each picture is of one moment
-  Shutter shutter;
+  std::optional<Lens> lens;        ///< none: the whole picture is sharp
+  std::optional<Shutter> shutter;  ///< none: each picture shows one moment
   float near = 0.05F;
   float far = 200.0F;
   void describe(Fields& fields);
@@ -263,8 +261,7 @@ struct Scene {
   Sky sky;
   bool staged = false;  ///< whether sun, sky, ground, lights and plain materials are a stage's (stage.hpp)
   bool surveyed = false;  ///< whether camera and stage stand where a run has shown (sim/world/survey.hpp)
-  bool hasGround = false;
-  Ground ground;
+  std::optional<Ground> ground;
   std::vector<Light> lights;  ///< at most maxLights, maxShadowedLights of them with shadows
   std::vector<Object> objects;
   Test test;

@@ -64,7 +64,7 @@ void remarkRays(Fields& fields, const Scene& scene) {
 void remarkSun(Fields& fields, const Scene& scene) {
   const auto& keys = scene.sun.direction.keys();
   const bool below = std::all_of(keys.begin(), keys.end(), [](const auto& key) { return key.value.y < 0; });
-  if (below && scene.hasGround && scene.ground.visible && !isNothing(scene.sun.intensity))
+  if (below && scene.ground && scene.ground->visible && !isNothing(scene.sun.intensity))
     fields.idle(
         "sun.direction", "",
         "\"direction\" is towards the sun, which stands below the ground so and lights nothing on it");
@@ -266,8 +266,7 @@ void describeScene(Fields& fields, Scene& scene) {
     scene.sun.intensity = 0.0F;
     scene.sun.shadow = false;
   }
-  fields.optionalGroup("ground", scene.hasGround, groundDoc,
-                       [&](Fields& inner) { scene.ground.describe(inner); });
+  fields.optionalGroup("ground", scene.ground, groundDoc);
   describeLights(fields, scene);
   remarkRays(fields, scene);
   remarkSun(fields, scene);

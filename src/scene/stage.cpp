@@ -89,9 +89,9 @@ void setStage(Scene& scene, const std::vector<Framed>& framed) {
     scene.render.quality = Quality::standard;
   scene.sun.diameter = 9.0F;
   scene.sun.shadowSize = 2048;
-  scene.hasGround = true;
-  scene.ground.visible = !scene.render.transparent;  // it is background
-  scene.ground.roughness = 0.9F;
+  scene.ground.emplace();
+  scene.ground->visible = !scene.render.transparent;  // it is background
+  scene.ground->roughness = 0.9F;
   Light& rim = scene.lights.emplace_back();
   rim.name = "rim";
   rim.glow = 0.0F;
@@ -121,7 +121,7 @@ void moveStage(Scene& scene, const std::vector<Framed>& framed) {
 
   // What lies flat hovers a little.
   const float thin = box.max.y - box.min.y < 0.02F * radius ? 0.1F * radius : 0.0F;
-  Ground& ground = scene.ground;
+  Ground& ground = *scene.ground;
   ground.height = box.min.y - std::max(thin, 1e-3F * radius);
   ground.fadeStart = 2.0F * radius;
   ground.fadeEnd = 9.0F * radius;

@@ -76,11 +76,11 @@ DriverScene::DriverScene(const Shared& shared, int samples)
     warn(
         "sky.picture: the driver's rasterizer draws a gradient of its mean light; the picture itself is of "
         "\"rasterizer\": \"exact\" alone");
-  if (scene.camera.hasLens)
+  if (scene.camera.lens)
     warn(
         "camera.lens: the driver's rasterizer draws all of the picture sharp; depth of field is of "
         "\"rasterizer\": \"exact\" alone");
-  if (scene.camera.hasShutter)
+  if (scene.camera.shutter)
     warn(
         "camera.shutter: the driver's rasterizer draws one moment; motion blur is of \"rasterizer\": "
         "\"exact\" alone");

@@ -59,7 +59,7 @@ struct Renderer::State {
         writings(pixels),
         frame("frame values", sizeof(shader::Frame)) {
     if (!shown.sky.picture.empty()) environment.emplace(shown.sky);
-    if (rasterizer == Rasterizer::exact && shown.camera.hasShutter)
+    if (rasterizer == Rasterizer::exact && shown.camera.shutter)
       motion.emplace(shown.numerics == scene::Numerics::fast);
     if (rasterizer == Rasterizer::exact)
       exact.emplace(shown, environment ? &*environment : nullptr, pixels, samples, options.visibilityBytes);
@@ -112,8 +112,8 @@ void Renderer::State::drawExactly(const ExactScene::Moment& shown, const StageWa
     exposure.motion = &*motion;
     exposure.frameSeconds = frameSeconds;
   }
-  if (scene.camera.hasShutter) {
-    const scene::Shutter& shutter = scene.camera.shutter;
+  if (scene.camera.shutter) {
+    const scene::Shutter& shutter = *scene.camera.shutter;
     exposure.moments = shutter.samples;
     exposure.at = [=, this](int i) -> ExactScene::Moment {
       const double open = static_cast<double>(shutter.angle) / 360;

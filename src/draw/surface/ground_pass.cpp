@@ -6,11 +6,11 @@
 namespace simreel::draw {
 
 GroundPass::GroundPass(const scene::Scene& scene, const ShadowPass& shadow, const Lamps& lamps)
-    : on_(scene.hasGround && scene.ground.visible), shadowed_(shadow.on()) {
+    : on_(groundSeen(scene) != nullptr), shadowed_(shadow.on()) {
   if (!on_) return;
   gl::Defines defines = withFrame(shadow.defines());
   defines.insert(defines.end(), lamps.defines().begin(), lamps.defines().end());
-  if (isReflective(scene.ground)) defines.emplace_back("GROUND_REFLECTIVE", "1");
+  if (on_ && isReflective(*scene.ground)) defines.emplace_back("GROUND_REFLECTIVE", "1");
   lit_ = gl::Program::graphics("draw/surface/ground.vert", "draw/surface/ground.frag", defines);
   if (!shadowed_) return;
   defines.emplace_back("SHADOWED", "1");

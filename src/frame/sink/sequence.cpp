@@ -39,7 +39,7 @@ class Run {
         fields_(beside.fields),
         writesCounts_(beside.counts),
         keeper_(beside.checkpoints, sink, scene.frameCount() - 1,
-                scene.camera.hasShutter || keepsVelocity(beside)),
+                scene.camera.shutter.has_value() || keepsVelocity(beside)),
         world_((sim::compileWorldAhead(scene), scene), false,
                [this](long done, long total) { prestepped(done, total); }),
         counts_(scene.time.fps, world_.countNames()),

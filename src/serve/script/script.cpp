@@ -120,20 +120,21 @@ bool drawsFieldsAlone(const scene::Scene& scene) {
 
 /// Groups that may come with a member of theirs, without anything else that depends on their being there.
 bool addsGroup(const Script& before, const Script& after) {
-  return before.scene.staged != after.scene.staged || before.scene.hasGround != after.scene.hasGround ||
+  return before.scene.staged != after.scene.staged ||
+         before.scene.ground.has_value() != after.scene.ground.has_value() ||
          before.scene.camera.follow.has_value() != after.scene.camera.follow.has_value() ||
          before.scene.camera.track.has_value() != after.scene.camera.track.has_value() ||
          before.scene.camera.gltf.has_value() != after.scene.camera.gltf.has_value() ||
          before.scene.camera.projection != after.scene.camera.projection ||
-         before.scene.camera.hasLens != after.scene.camera.hasLens ||
-         before.scene.camera.hasShutter != after.scene.camera.hasShutter;
+         before.scene.camera.lens.has_value() != after.scene.camera.lens.has_value() ||
+         before.scene.camera.shutter.has_value() != after.scene.camera.shutter.has_value();
 }
 
 /// Camera, light and ground as a stage has them, which stand where the objects do (scene::setStage,
 /// frameObjects).
 auto standing(const scene::Scene& scene) {
   const scene::Camera& camera = scene.camera;
-  const scene::Ground& ground = scene.ground;
+  const scene::Ground ground = scene.ground.value_or(scene::Ground());
   return std::tuple(camera.position.at(0), camera.target.at(0),
                     camera.orbit.value_or(scene::Orbit()).distance.at(0), camera.fieldOfView.at(0),
                     camera.height.at(0), camera.near, camera.far, scene.sun.direction.at(0),
@@ -167,8 +168,9 @@ bool impliesAlike(const scene::Scene& before, const scene::Scene& after) {
 void takeLookOf(scene::Scene& shown, scene::Scene& from) {
   const scene::Camera before = shown.camera;
   shown.camera = from.camera;
-  shown.camera.hasLens = before.hasLens;  // of the draft they are not the scene's
-  shown.camera.hasShutter = before.hasShutter;
+  // A draft has neither lens nor shutter.
+  if (!before.lens) shown.camera.lens.reset();
+  if (!before.shutter) shown.camera.shutter.reset();
   shown.sun.direction = from.sun.direction;
   shown.sun.color = from.sun.color;
   shown.sun.temperature = from.sun.temperature;
@@ -180,7 +182,7 @@ void takeLookOf(scene::Scene& shown, scene::Scene& from) {
   shown.sky.ambient = from.sky.ambient;
   shown.render.exposure = from.render.exposure;
   shown.render.vignette = from.render.vignette;
-  shown.ground.color = from.ground.color;
+  if (shown.ground && from.ground) shown.ground->color = from.ground->color;
   shown.title = from.title;
   shown.time.duration = from.time.duration;
   shown.test = from.test;
@@ -198,8 +200,8 @@ std::shared_ptr<Script> readScript(const SceneSource& source, const std::string&
   script->edits = std::move(edits);
   script->scene = scene::parseScene(text, source.file, all, sim::kinds(), source.folders);
   script->draft = scene::parseScene(text, source.file, all, sim::kinds(), source.folders);
-  script->draft.camera.hasLens = false;
-  script->draft.camera.hasShutter = false;
+  script->draft.camera.lens.reset();
+  script->draft.camera.shutter.reset();
   constexpr int draftShadow = 512;
   script->draft.sun.shadowSize = std::min(script->draft.sun.shadowSize, draftShadow);
   if (script->draft.render.quality == scene::Quality::high)
@@ -239,7 +241,8 @@ bool framedAlike(const Script& before, const Script& after) {
              : a.position.at(0) == b.position.at(0) && a.target.at(0) == b.target.at(0) &&
                    a.orbit.value_or(scene::Orbit()).distance.at(0) ==
                        b.orbit.value_or(scene::Orbit()).distance.at(0) &&
-                   before.scene.ground.height == after.scene.ground.height;
+                   before.scene.ground.value_or(scene::Ground()).height ==
+                       after.scene.ground.value_or(scene::Ground()).height;
 }
 
 std::set<std::string> differingPaths(std::string_view before, std::string_view after) {

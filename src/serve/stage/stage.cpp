@@ -63,7 +63,7 @@ void Stage::begin() {
 
 /// Who draws whole pictures hears of the frame before each, where they have motion blur.
 void Stage::follow() {
-  if (!script_->scene.camera.hasShutter) return world_->onFrameBefore({});
+  if (!script_->scene.camera.shutter) return world_->onFrameBefore({});
   world_->onFrameBefore([this](const sim::Drawables& before) {
     for (Drawer* drawer : {&drawers_[0], &tester_}) {
       if (drawer->renderer == nullptr) continue;
@@ -189,7 +189,7 @@ Stage::Drawer& Stage::drawerOf(std::size_t level) {
 /// Where pictures have motion blur, the frame before the present one is made once more for who draws it.
 void Stage::prepareMotion(Drawer& drawer) {
   const int frame = world_->frame();
-  if (!script_->scene.camera.hasShutter || drawer.toldBefore == frame) return;
+  if (!script_->scene.camera.shutter || drawer.toldBefore == frame) return;
   if (frame <= world_->firstFrame()) {
     lookAt();
     drawer.renderer->keepBefore(world_->drawables());  // things stand still, whatever came before elsewhere

@@ -58,11 +58,11 @@ std::vector<ColliderShape> collidersOf(const scene::Scene& scene, const Bones* b
   for (const scene::Object& object : scene.objects)
     if (const auto* shape = dynamic_cast<const ShapeParameters*>(object.parameters.get()))
       if (shape->collides) shapes.push_back(shape->shape);
-  if (scene.hasGround && !scene.staged) {  // light changes nothing of what moves
+  if (scene.ground && !scene.staged) {  // light changes nothing of what moves
     ColliderShape ground;
     ground.kind = ColliderShape::Kind::plane;
-    ground.position = glm::vec3(0, scene.ground.height, 0);
-    ground.friction = scene.ground.friction;
+    ground.position = glm::vec3(0, scene.ground->height, 0);
+    ground.friction = scene.ground->friction;
     shapes.push_back(ground);
   }
   if (bones != nullptr) bones->addCapsules(shapes);

@@ -16,8 +16,8 @@ scene::Scene ballScene() {
   scene::Scene scene;
   scene.camera.position = glm::vec3(0.3F, 1.6F, 4);
   scene.camera.target = glm::vec3(0, 0.5F, 0);
-  scene.hasGround = true;
-  scene.ground.height = 0;
+  scene.ground.emplace();
+  scene.ground->height = 0;
   return scene;
 }
 

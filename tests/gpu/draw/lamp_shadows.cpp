@@ -145,7 +145,7 @@ TEST_CASE("lights: no acne in grazing light, on coarse maps and on round things"
     return compare(shaded, plain).far;
   };
   scene::Scene scene = fromAbove();
-  scene.hasGround = false;  // which the sheet shades
+  scene.ground.reset();  // which the sheet shades
   scene.lights = {lampAt({-2.6F, 1.25F, 0.3F}, 60, true)};
   scene.lights[0].shadowSize = 64;
   GridStage wide({33, 33}, {-3, 1, -3}, {6, 0, 0}, {0, 0, 6});

@@ -20,10 +20,10 @@ inline simreel::scene::Scene fromAbove() {
   scene.camera.fieldOfView = 2.0F * std::atan(4.0F / 20.0F) * 57.29577951F;
   scene.sun.intensity = 0.0F;
   scene.sun.shadow = false;
-  scene.hasGround = true;
-  scene.ground.height = 0;
-  scene.ground.fadeStart = 1000;
-  scene.ground.fadeEnd = 2000;
+  scene.ground.emplace();
+  scene.ground->height = 0;
+  scene.ground->fadeStart = 1000;
+  scene.ground->fadeEnd = 2000;
   return scene;
 }
 

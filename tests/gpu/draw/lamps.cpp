@@ -49,7 +49,7 @@ TEST_CASE("lights: a plane below a point has the illuminance I cos^3(theta) / h^
       CAPTURE(shadow);
       CAPTURE(radius);
       scene::Scene scene = fromAbove();
-      scene.ground.color = glm::vec3(0.5F, 0.4F, 0.3F);
+      scene.ground->color = glm::vec3(0.5F, 0.4F, 0.3F);
       const glm::vec3 place(0.3F, 1.5F, -0.4F);
       scene.lights = {lampAt(place, 6, shadow)};
       scene.lights[0].radius = radius;
@@ -78,7 +78,7 @@ TEST_CASE("lights: a spot lights what lies within its cone, and fades towards th
       CAPTURE(shadow);
       CAPTURE(softness);
       scene::Scene scene = fromAbove();
-      scene.ground.color = glm::vec3(0.5F);
+      scene.ground->color = glm::vec3(0.5F);
       const glm::vec3 place(0.9F, 1.5F, -0.7F), target(-0.4F, 0.2F, 0.5F);
       scene.lights = {lampAt(place, 6, shadow), lampAt({-3, 2, -3}, 1, !shadow)};
       scene.lights[0].type = scene::Light::Type::spot;
@@ -123,9 +123,9 @@ TEST_CASE("lights: at a grazing angle everything mirrors more, ground and surfac
       scene.camera.position = glm::vec3(0, 1, 6);
       scene.camera.target = glm::vec3(0, 1, 0);
       scene.camera.fieldOfView = 40;
-      scene.hasGround = ground;
-      scene.ground.color = glm::vec3(0);
-      scene.ground.roughness = 0.5F;
+      if (ground) scene.ground.emplace();
+      scene.ground->color = glm::vec3(0);
+      scene.ground->roughness = 0.5F;
       GridStage sheet({9, 7}, {-20, 0, 20}, {40, 0, 0}, {0, 0, -40});
       sheet.material.color = glm::vec3(0);
       sheet.material.roughness = 0.5F;
@@ -164,8 +164,8 @@ TEST_CASE("lights: what mirrors shows the ball that shines, as wide as it is") {
       CAPTURE(radius);
       CAPTURE(roughness);
       scene::Scene scene = fromAbove();
-      scene.ground.color = glm::vec3(0);
-      scene.ground.roughness = roughness;
+      scene.ground->color = glm::vec3(0);
+      scene.ground->roughness = roughness;
       const glm::vec3 place(0.4F, 1.5F, 0.3F);
       scene.lights = {lampAt(place, 9, false)};
       scene.lights[0].radius = radius;
@@ -252,9 +252,9 @@ TEST_CASE("lights: every kind of drawable gets them") {
   std::filesystem::remove(file);
 
   scene = fromAbove();
-  scene.ground.roughness = 0.9F;
+  scene.ground->roughness = 0.9F;
   CHECK(gained({}) > 60);
-  scene.ground.roughness = 0.3F;  // one that mirrors
+  scene.ground->roughness = 0.3F;  // one that mirrors
   CHECK(gained({}) > 60);
   scene.sun.shadow = true;  // its two parts: in reach of the sun's shadows, and around
   GridStage left({3, 3}, {-2, 0.5F, -2}, {1, 0, 0}, {0, 0, 1});
@@ -296,8 +296,8 @@ TEST_CASE(
   scene::Scene scene;
   scene.camera.position = glm::vec3(0.3F, 1.6F, 4);
   scene.camera.target = glm::vec3(0, 0.5F, 0);
-  scene.hasGround = true;
-  scene.ground.height = 0;
+  scene.ground.emplace();
+  scene.ground->height = 0;
   scene.sun.intensity = 0.0F;
   scene.sun.shadow = false;
   scene.sky.ambient = 0.1F;

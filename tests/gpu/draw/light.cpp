@@ -15,10 +15,10 @@ scene::Scene groundScene(glm::vec3 sun) {
   scene.camera.position = glm::vec3(0, 20, 0);
   scene.camera.fieldOfView = 2.0F * std::atan(4.0F / 20.0F) * 57.29577951F;
   scene.sun.direction = sun;
-  scene.hasGround = true;
-  scene.ground.height = 0;
-  scene.ground.fadeStart = 1000;
-  scene.ground.fadeEnd = 2000;
+  scene.ground.emplace();
+  scene.ground->height = 0;
+  scene.ground->fadeStart = 1000;
+  scene.ground->fadeEnd = 2000;
   return scene;
 }
 

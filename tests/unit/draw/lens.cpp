@@ -24,7 +24,7 @@ scene::Camera tilted() {
   camera.position = glm::vec3(1, 2, 5);
   camera.target = glm::vec3(0.3F, 0.4F, -1);
   camera.roll = 20.0F;
-  camera.hasLens = true;
+  camera.lens.emplace();
   return camera;
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("lens: points lie evenly over a disc, and in polygons") {
 
 TEST_CASE("lens: as large as a real one, and focused where the camera looks unless the scene says where") {
   scene::Camera camera = tilted();
-  camera.lens.fNumber = 1.4F;
+  camera.lens->fNumber = 1.4F;
   const glm::ivec2 size(91, 67);
   const draw::View view = draw::viewAt(camera, 0, size, {});
   const auto points = draw::lensPoints(camera, view, 0);
@@ -77,9 +77,9 @@ TEST_CASE("lens: as large as a real one, and focused where the camera looks unle
   }
   // 12 mm / tan(20 degrees) = 32.97 mm; half of it over 1.4.
   CHECK(radius == doctest::Approx(0.03297 / 2.8).epsilon(0.01));
-  camera.lens.focus = 3.5F;
+  camera.lens->focus = 3.5F;
   CHECK(draw::lensPoints(camera, view, 0).front().focus == 3.5F);
-  camera.hasLens = false;
+  camera.lens.reset();
   REQUIRE(draw::lensPoints(camera, view, 0).size() == 1);
   CHECK(draw::lensPoints(camera, view, 0).front().aside == glm::vec3(0));
 }

@@ -26,8 +26,8 @@ TEST_CASE("a scene with everything in it") {
   CHECK(scene.frameCount() == 36);
   CHECK(scene.camera.position.at(0) == glm::vec3(1, 2, 3));
   CHECK(scene.sun.shadowSize == 512);
-  CHECK(scene.hasGround);
-  CHECK(scene.ground.height == -1.0F);
+  CHECK(scene.ground);
+  CHECK(scene.ground->height == -1.0F);
   REQUIRE(scene.objects.size() == 2);
   CHECK(scene.objects[0].name == "zebra");  // file order
   CHECK(scene.objects[0].kind == "cloth");
@@ -50,7 +50,7 @@ TEST_CASE("a scene with everything in it") {
 
 TEST_CASE("the smallest scene has the defaults") {
   const Scene scene = parse(R"({"version": 1})");
-  CHECK(!scene.hasGround);
+  CHECK(!scene.ground);
   CHECK(scene.objects.empty());
   CHECK(scene.render.size == glm::ivec2(1280, 720));
   CHECK(scene.frameCount() == 120);

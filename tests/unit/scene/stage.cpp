@@ -31,9 +31,9 @@ const std::string ball = R"({"m": {"sphere": {}}})";
 TEST_CASE("stage: a scene of one line has ground, light from three sides, and a colour") {
   const scene::Scene scene = parsed(ball);
   CHECK(scene.staged);
-  CHECK(scene.hasGround);
-  CHECK(scene.ground.height == doctest::Approx(-1).epsilon(0.01));
-  CHECK(scene.ground.height < -1);
+  CHECK(scene.ground);
+  CHECK(scene.ground->height == doctest::Approx(-1).epsilon(0.01));
+  CHECK(scene.ground->height < -1);
   CHECK(scene.sun.diameter > 1);
   CHECK(scene.lights.size() == 1);
   CHECK(scene.objects[0].material.color != scene::Material().color);
@@ -49,7 +49,7 @@ TEST_CASE("stage: any of sun, sky, ground and lights says that there is none") {
   for (const char* given : {"sun", "sky", "ground", "lights"}) {
     const scene::Scene scene = parsed(ball, fmt::format(R"("{}": {{}}, )", given));
     CHECK_FALSE(scene.staged);
-    CHECK(scene.hasGround == (std::string(given) == "ground"));
+    CHECK(scene.ground.has_value() == (std::string(given) == "ground"));
     CHECK(scene.lights.empty());
     CHECK(scene.sun.diameter == 0);
     CHECK(scene.sun.intensity.at(0) == scene::Sun().intensity.at(0));

@@ -9,7 +9,7 @@ namespace {
 class MeanPass final : public FramePass {
  public:
   explicit MeanPass(ExactFrame& frame) : FramePass(frame) {
-    if (!frame.scene.camera.hasLens && !frame.scene.camera.hasShutter) return;
+    if (!frame.scene.camera.lens && !frame.scene.camera.shutter) return;
     sum_ = gl::Program::compute("draw/exact/screen/lens_sum.comp", {});
     total_ = gl::Texture::image("light through the lens", GL_RGBA32F, frame.size.x, frame.size.y);
   }

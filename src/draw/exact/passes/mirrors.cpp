@@ -10,7 +10,7 @@ namespace {
 
 /// True if there is a ground that mirrors the scene.
 bool groundMirrors(const ExactFrame& frame) {
-  return frame.ground && frame.occludes() && mirrorsScene(frame.scene.ground.roughness);
+  return frame.ground && frame.occludes() && mirrorsScene(frame.scene.ground->roughness);
 }
 
 /// Finds if something mirrors the scene, and tells shaders how far mirrors reach.

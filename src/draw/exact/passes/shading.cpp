@@ -61,7 +61,8 @@ class SurfacesPass final : public FramePass {
     layered_ = f.layered;
     if (!f.ground) return;
     gl::Defines defines = f.lighting();
-    if (!f.occludes() && isReflective(f.scene.ground)) defines.emplace_back("GROUND_REFLECTIVE", "1");
+    if (!f.occludes() && f.ground && isReflective(*f.scene.ground))
+      defines.emplace_back("GROUND_REFLECTIVE", "1");
     litGround_ = gl::Program::compute("draw/exact/tiles/shade_ground.comp", defines);
     if (!f.shadow.on()) return;
     defines.emplace_back("SHADOWED", "1");

@@ -32,7 +32,7 @@ ExactFrame::ExactFrame(const scene::Scene& shown, const Environment* around, glm
       size(pixels),
       samples(count),
       bandRows(rows),
-      ground(shown.hasGround && shown.ground.visible),
+      ground(groundSeen(shown) != nullptr),
       skins(shown),
       lamps(shown, Rasterizer::exact),
       shadow(mappedSun(shown)),
@@ -67,7 +67,7 @@ gl::Defines ExactFrame::lighting() const {
   if (occludes()) defines.emplace_back("OCCLUSION", "1");
   if (occludes() && ground) {
     defines.emplace_back("GROUND_BELOW", "1");
-    if (isReflective(scene.ground)) defines.emplace_back("GROUND_REFLECTIVE", "1");
+    if (ground && isReflective(*scene.ground)) defines.emplace_back("GROUND_REFLECTIVE", "1");
   }
   if (layered) defines.emplace_back("BEHIND", "1");
   if (traces()) {
@@ -91,8 +91,8 @@ float ExactFrame::away() const {
 }
 
 GroundPlace ExactFrame::groundPlace() const {
-  return {rowsTowardsGround(values, scene.ground.height, ShadedTiles::side),
-          nearOfGround(values, scene.ground.height), raysAside(values)};
+  return {rowsTowardsGround(values, scene.ground->height, ShadedTiles::side),
+          nearOfGround(values, scene.ground->height), raysAside(values)};
 }
 
 std::vector<DrawnThing> ExactFrame::thingsDrawn() const {

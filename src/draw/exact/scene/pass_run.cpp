@@ -20,7 +20,7 @@ void PassRun::draw(const ExactScene::Watch& watch) {
   ExactFrame& f = frame_;
   watch_ = &watch;
   const ExactScene::Exposure& exposure = *f.asked.exposure;
-  const int points = f.scene.camera.hasLens ? f.scene.camera.lens.samples : 1;
+  const int points = f.scene.camera.lens ? f.scene.camera.lens->samples : 1;
   f.views = std::max(exposure.moments, points);
   f.number = 0;
   f.shines = false;

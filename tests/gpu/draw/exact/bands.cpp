@@ -31,9 +31,9 @@ struct BandStage {
     scene.camera.position = glm::vec3(0.3F, 1.6F, 4);
     scene.camera.target = glm::vec3(0, 0.5F, 0);
     scene.camera.roll = 5.0F;
-    scene.hasGround = true;
-    scene.ground.height = 0;
-    scene.ground.roughness = 0.3F;
+    scene.ground.emplace();
+    scene.ground->height = 0;
+    scene.ground->roughness = 0.3F;
     scene.render.bloom.strength = 0.3F;
     scene::Light lamp;
     lamp.position = glm::vec3(1, 2.5F, 1);
@@ -124,7 +124,7 @@ TEST_CASE("exact: passes of pictures drawn in bands are those of pictures drawn 
 TEST_CASE("exact: a picture's stages are those of the list of passes, in its order, whole or in bands") {
   testContext();
   BandStage stage(scene::Quality::standard);
-  stage.scene.ground.roughness = 0.05F;  // mirrors the scene
+  stage.scene.ground->roughness = 0.05F;  // mirrors the scene
   const glm::ivec2 size(75, 61);
   const auto stages = [&](int rows) {
     draw::Renderer renderer(stage.scene, size, 1,

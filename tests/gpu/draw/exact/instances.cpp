@@ -269,8 +269,8 @@ TEST_CASE("instances of every kind look alike in both rasterizers") {
   scene::Scene scene;
   scene.camera.position = glm::vec3(0.3F, 1.6F, 4);
   scene.camera.target = glm::vec3(0, 0.5F, 0);
-  scene.hasGround = true;
-  scene.ground.height = 0;
+  scene.ground.emplace();
+  scene.ground->height = 0;
   const auto file = temporaryFile("exact_dart.obj");
   writeFileAtomically(file,
                       "v 0 0 0.6\nv 0.34 0.03 -0.4\nv -0.34 0.03 -0.4\nv 0 -0.14 -0.4\n"

@@ -30,8 +30,8 @@ struct HeapStage {
   HeapStage() : sheet({9, 7}, {-1, 0.9F, 0.4F}, {2, 0.1F, -0.3F}, {0.1F, -1.6F, 0.2F}) {
     scene.camera.position = glm::vec3(0.4F, 0.7F, 3);
     scene.camera.target = glm::vec3(0);
-    scene.hasGround = true;
-    scene.ground.height = -0.8F;
+    scene.ground.emplace();
+    scene.ground->height = -0.8F;
     scene.lights.push_back(lampAt({0.8F, 0.9F, 1.1F}, 6, true));
     scene.lights.back().shadowSize = 128;
     for (int i = 0; i < 7; ++i) {

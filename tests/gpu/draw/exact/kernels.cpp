@@ -178,8 +178,8 @@ TEST_CASE("balls' shadows do not depend on what a simulation left bound") {
   scene::Scene scene = darkScene();
   scene.sun.direction = glm::vec3(0.3F, 1, 0.4F);
   scene.sun.shadow = true;
-  scene.hasGround = true;
-  scene.ground.height = -1;
+  scene.ground.emplace();
+  scene.ground->height = -1;
   scene.camera.position = glm::vec3(0, 4, 5);
   Dice dice(21);
   std::vector<glm::vec3> places;

@@ -62,15 +62,15 @@ TEST_CASE("exact: a lens spreads what is out of focus as its opening, and keeps 
   scene.camera.position = glm::vec3(0, 0, 3);  // 4 m away
   scene.camera.target = glm::vec3(0, 0, -1);
   const glm::ivec2 size(191, 143);
-  scene.camera.hasLens = true;
-  scene.camera.lens.fNumber = 0.06F;
-  scene.camera.lens.samples = 37;
+  scene.camera.lens.emplace();
+  scene.camera.lens->fNumber = 0.06F;
+  scene.camera.lens->samples = 37;
   for (const int blades : {0, 5})
     for (const float focus : {2.5F, 4.0F, 7.0F}) {
       CAPTURE(blades);
       CAPTURE(focus);
-      scene.camera.lens.blades = blades;
-      scene.camera.lens.focus = focus;
+      scene.camera.lens->blades = blades;
+      scene.camera.lens->focus = focus;
       const Covered seen = coveredBy(scene, drawables, size, size.y, "lens");
       const draw::View view = draw::viewAt(scene.camera, 0, size, {});
       // The sheet on the picture, and what a box of its sides is spread by; a pixel is one, too.
@@ -110,10 +110,10 @@ TEST_CASE("exact: a lens adds each of its points once, in equal parts") {
   const glm::ivec2 size(45, 31);
   const Covered sharp = coveredBy(scene, drawables, size, size.y, "");
   // So small that all points are one.
-  scene.camera.hasLens = true;
-  scene.camera.lens.fNumber = 1e9F;
+  scene.camera.lens.emplace();
+  scene.camera.lens->fNumber = 1e9F;
   for (const int samples : {2, 3, 16}) {
-    scene.camera.lens.samples = samples;
+    scene.camera.lens->samples = samples;
     const Covered seen = coveredBy(scene, drawables, size, size.y, "lens");
     REQUIRE(seen.light.size() == sharp.light.size());
     float most = 0;

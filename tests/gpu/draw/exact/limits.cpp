@@ -36,7 +36,7 @@ scene::Scene litScene() {
   scene.camera.target = glm::vec3(0, 0.5F, 0);
   scene.sun.direction = glm::vec3(0.4F, 1, 0.6F);
   scene.sun.shadowSize = 256;
-  scene.hasGround = true;
+  scene.ground.emplace();
   return scene;
 }
 

@@ -33,12 +33,12 @@ struct OverGround {
     scene.camera.projection = projection;
     scene.camera.height = 3.1F;
     scene.sun.direction = glm::vec3(0, 1, 0);
-    scene.hasGround = true;
-    scene.ground.height = 0;
-    scene.ground.color = glm::vec3(0.3F, 0.12F, 0.05F);
-    scene.ground.roughness = 1;
-    scene.ground.fadeStart = 60;
-    scene.ground.fadeEnd = 90;
+    scene.ground.emplace();
+    scene.ground->height = 0;
+    scene.ground->color = glm::vec3(0.3F, 0.12F, 0.05F);
+    scene.ground->roughness = 1;
+    scene.ground->fadeStart = 60;
+    scene.ground->fadeEnd = 90;
     ball.instances.shape = sim::Instances::Shape::sphere;
     ball.instances.size = static_cast<float>(2 * ballRadius);
     ball.material.color = glm::vec3(1);
@@ -169,8 +169,8 @@ TEST_CASE("exact: mirrors show the ground fade out where it does, and none that 
   testContext();
   const auto drawn = [](scene::Quality quality, const auto& change) {
     OverGround stage(quality, scene::Projection::perspective);
-    stage.scene.ground.fadeStart = 0.9F;
-    stage.scene.ground.fadeEnd = 1.3F;
+    stage.scene.ground->fadeStart = 0.9F;
+    stage.scene.ground->fadeEnd = 1.3F;
     stage.scene.sun.shadow = false;
     change(stage);
     return stage.draw();
@@ -204,7 +204,7 @@ TEST_CASE("exact: mirrors show the ground fade out where it does, and none that 
   CHECK(most < 1e-3);
   compare([](OverGround& matt) { matt.ball.material.roughness = 0.3F; }, 0.8, least, most);
   CHECK(most < 1e-3);
-  compare([](OverGround& bare) { bare.scene.ground.visible = false; }, 0.8, least, most);
+  compare([](OverGround& bare) { bare.scene.ground->visible = false; }, 0.8, least, most);
   CHECK(most < 1e-3);
 }
 
@@ -214,7 +214,7 @@ TEST_CASE("exact: mirrors near the ground show it as bright as it is, farther aw
   OverGround stage(scene::Quality::standard, scene::Projection::perspective);
   stage.scene.render.occlusionRadius.reset();
   stage.scene.sun.shadow = false;
-  stage.scene.ground.height = 1.08F;  // 0.02 m below the ball
+  stage.scene.ground->height = 1.08F;  // 0.02 m below the ball
   const std::vector<OverGround::Seen> pixels = stage.draw();
   const auto onGround = [](const OverGround::Ray& ray) {
     return groundOn(ray.from - glm::dvec3(0, 1.08, 0), ray.along);

@@ -30,10 +30,10 @@ struct MirrorStage {
     scene.render.quality = quality;
     scene.camera.position = glm::vec3(0.3F, 1, 3.6F);
     scene.camera.target = glm::vec3(0, 0.3F, 0);
-    scene.hasGround = true;
-    scene.ground.height = 0;
-    scene.ground.color = glm::vec3(0);
-    scene.ground.roughness = 0.03F;
+    scene.ground.emplace();
+    scene.ground->height = 0;
+    scene.ground->color = glm::vec3(0);
+    scene.ground->roughness = 0.03F;
     wall.material.color = glm::vec3(0.8F, 0.4F, 0.1F);
     wall.surface.doubleSided = true;
     pane.material.finish.alpha = scene::Alpha::blend;
@@ -150,7 +150,7 @@ TEST_CASE("exact: what mirrors nothing has the light that it has beside matt thi
   const glm::ivec2 size(301, 203);
   const auto lightOf = [&](float roughness, draw::PassPicture& kept) {
     MirrorStage stage(scene::Quality::standard);
-    stage.scene.ground.roughness = roughness;
+    stage.scene.ground->roughness = roughness;
     draw::Renderer renderer(stage.scene, size, 4, {.rasterizer = scene::Rasterizer::exact});
     renderer.keepPasses(&kept);
     renderer.draw(0, stage.drawables);
@@ -185,8 +185,8 @@ TEST_CASE("exact: a mirror that stands on the ground shows nearly what rays do")
     mirror.material.metallic = 1;
     mirror.material.roughness = 0.03F;
     mirror.material.color = glm::vec3(1);
-    stage.scene.ground.color = glm::vec3(0.05F, 0.3F, 0.1F);
-    stage.scene.ground.roughness = 1;
+    stage.scene.ground->color = glm::vec3(0.05F, 0.3F, 0.1F);
+    stage.scene.ground->roughness = 1;
     stage.scene.sun.diameter = 0;
     stage.scene.render.raySamples = 32;
     stage.drawables.surfaces = {mirror.surface};

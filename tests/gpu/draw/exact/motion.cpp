@@ -69,9 +69,9 @@ scene::Scene sceneOfSheet(float angle, int samples) {
   scene.sun.shadow = false;
   scene.camera.position = glm::vec3(0, 0, 3);  // 4 m away
   scene.camera.target = glm::vec3(0, 0, -1);
-  scene.camera.hasShutter = true;
-  scene.camera.shutter.angle = angle;
-  scene.camera.shutter.samples = samples;
+  scene.camera.shutter.emplace();
+  scene.camera.shutter->angle = angle;
+  scene.camera.shutter->samples = samples;
   return scene;
 }
 
@@ -216,16 +216,16 @@ TEST_CASE("exact: with a lens each moment is seen through other points of it, al
   testContext();
   const auto sheet = sheetAt({0, 0});
   scene::Scene scene = sceneOfSheet(180, 5);
-  scene.camera.hasLens = true;
-  scene.camera.lens.fNumber = 0.06F;
-  scene.camera.lens.samples = 37;
-  scene.camera.lens.focus = 7.0F;
+  scene.camera.lens.emplace();
+  scene.camera.lens->fNumber = 0.06F;
+  scene.camera.lens->samples = 37;
+  scene.camera.lens->focus = 7.0F;
   draw::PassPicture kept;
   draw::Renderer renderer(scene, shotSize, 4, {.rasterizer = scene::Rasterizer::exact});
   renderer.keepPasses(&kept);
   renderer.draw(0, {.surfaces = {sheet->surface}});
   const Smear seen = smearOf(kept, shotSize);
-  scene.camera.hasShutter = false;
+  scene.camera.shutter.reset();
   draw::PassPicture lens;
   draw::Renderer alone(scene, shotSize, 4, {.rasterizer = scene::Rasterizer::exact});
   alone.keepPasses(&lens);

@@ -137,8 +137,8 @@ TEST_CASE("exact: ambient occlusion is the twin's, bit for bit") {
         CAPTURE(ground);
         const LayoutAsked asked(layout);
         scene::Scene scene = standardScene();
-        scene.hasGround = ground;
-        scene.ground.height = -0.15F;
+        if (ground) scene.ground.emplace();
+        scene.ground->height = -0.15F;
         const Seen seen = seenOf(scene, stage.drawables, size, samples);
         const draw::View view = draw::viewAt(scene.camera, 0, size, stage.drawables);
         OcclusionTwin twin;
@@ -176,8 +176,8 @@ TEST_CASE("exact: occlusionRadius bounds how far away is searched, and scales wi
 TEST_CASE("exact: flat ground, a lone ball and a lone box are open") {
   testContext();
   scene::Scene scene = standardScene();
-  scene.hasGround = true;
-  scene.ground.height = 0;
+  scene.ground.emplace();
+  scene.ground->height = 0;
   // What is lost is what is rounded: of directions half a pixel long some 3e-4.
   for (const float height : {0.2F, 1.7F, 30.0F}) {
     CAPTURE(height);
@@ -188,7 +188,7 @@ TEST_CASE("exact: flat ground, a lone ball and a lone box are open") {
   }
   // Of what is convex nothing lies before the plane that touches it; those of slopes over whole half pixels
   // are off by as much as it bends there, which is most at its outline.
-  scene.hasGround = false;
+  scene.ground.reset();
   InstanceStage ball(std::vector<glm::vec3>{{0.1F, 0.2F, 0}});
   ball.instances.shape = sim::Instances::Shape::sphere;
   ball.instances.size = 2.5F;
@@ -316,8 +316,8 @@ TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is op
   darts.instances.size = 0.8F;
   stage.drawables.instances.push_back(darts.instances);
   scene::Scene scene = standardScene();
-  scene.hasGround = true;
-  scene.ground.height = -0.15F;
+  scene.ground.emplace();
+  scene.ground->height = -0.15F;
   scene.sun.intensity = 0.0F;
   scene.sun.shadow = false;
   const glm::ivec2 size(120, 81);
@@ -348,7 +348,7 @@ TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is op
       const glm::vec3 ray = glm::vec3(twin.view.ray) +
                             (static_cast<float>(x) + 0.5F) * glm::vec3(twin.view.rayAcross) +
                             (static_cast<float>(y) + 0.5F) * glm::vec3(twin.view.rayDown);
-      float depth = (scene.ground.height - twin.view.eye.y) / ray.y;
+      float depth = (scene.ground->height - twin.view.eye.y) / ray.y;
       if (!ground) {
         float near = 0;
         for (std::size_t s = 0; s < 4; ++s)

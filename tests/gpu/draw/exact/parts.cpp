@@ -26,8 +26,8 @@ scene::Scene dealtScene() {
   scene.camera.position = glm::vec3(0.3F, 2.1F, 4);
   scene.camera.target = glm::vec3(0.1F, 0.6F, 0);
   scene.sun.shadow = true;
-  scene.hasGround = true;
-  scene.ground.height = 0;
+  scene.ground.emplace();
+  scene.ground->height = 0;
   scene.lights.push_back(lampAt(glm::vec3(-1.3F, 2.2F, 1.1F), 40, true));
   return scene;
 }

@@ -46,9 +46,9 @@ scene::Scene exactScene(int samples) {
   scene.camera.position = glm::vec3(0.6F, 1.7F, 4.1F);
   scene.camera.roll = 7.0F;
   scene.sun.shadow = false;
-  scene.hasGround = true;
-  scene.ground.height = -0.2F;
-  scene.ground.roughness = 0.4F;  // it mirrors, as the twin does
+  scene.ground.emplace();
+  scene.ground->height = -0.2F;
+  scene.ground->roughness = 0.4F;  // it mirrors, as the twin does
   return scene;
 }
 

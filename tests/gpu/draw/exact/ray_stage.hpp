@@ -66,8 +66,8 @@ inline void lookDown(simreel::scene::Scene& scene, float height, float angle) {
 }
 
 inline void setGround(simreel::scene::Scene& scene, float color) {
-  scene.hasGround = true;
-  scene.ground.height = 0;
-  scene.ground.color = glm::vec3(color);
-  scene.ground.roughness = 1;
+  scene.ground.emplace();
+  scene.ground->height = 0;
+  scene.ground->color = glm::vec3(color);
+  scene.ground->roughness = 1;
 }
