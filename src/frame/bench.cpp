@@ -36,12 +36,12 @@ struct Pending {
   int frame = 0;
   bool timed = false;
   double waited = 0;
-  std::vector<std::size_t> order;  ///< stage index of each mark
-  std::vector<double> cpu;         ///< CPU time (ms) before each mark
+  std::vector<std::size_t> order;  ///< index of the stage that each mark ends
+  std::vector<double> cpu;         ///< CPU time (ms) of each stage, up to its mark
   Stamps stamps;
   /// number of marks that have a GPU timestamp
   std::size_t stamped = 0;
-  /// sub-stage names and times of each object
+  /// names and times of the sub-stages of each object
   std::vector<std::vector<std::pair<const char*, double>>> parts;
 };
 
@@ -71,7 +71,7 @@ struct BenchRun::State {
   std::vector<std::size_t> stepStage;
   std::deque<Pending> pending;
   std::vector<Stamps> spare;
-  Pending current;  ///< the frame that is being issued
+  Pending current;  ///< the frame whose commands are being issued
   Clock::time_point lastMark, lastDelivered;
   double lastProcessor = 0;  ///< value of processSeconds() at lastDelivered
   bool started = false;
@@ -163,7 +163,7 @@ struct BenchRun::State {
     if (timing == Timing::query) spare.push_back(std::move(oldest.stamps));
   }
 
-  /// Starts timing the next frame.
+  /// Restarts the clock for the time of the next frame.
   void restart() {
     lastDelivered = Clock::now();
     lastProcessor = processSeconds();

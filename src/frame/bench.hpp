@@ -36,7 +36,7 @@ struct StageSeries {
 
 /// Times of the measured frames of one scene, in frame order.
 struct FrameTimes {
-  std::vector<int> frames;  ///< frame numbers
+  std::vector<int> frames;  ///< numbers of the measured frames
   /// Wall time (ms) from the previous frame's arrival in CPU memory to the arrival of the frame.
   std::vector<double> wall;
   std::vector<double> waited;  ///< part of `wall` (ms) that the CPU spent waiting for the device

@@ -100,7 +100,8 @@ std::optional<std::size_t> compressZlib(std::span<const unsigned char> in, std::
 
 /// max width or height if the size is not known from the file header
 constexpr int largestSide = 16384;
-constexpr int largestSideOfAll = 1 << 24;  ///< upper bound above every decoder's own limit
+/// max width or height of any decoder; larger images are rejected before decoding
+constexpr int largestSideOfAll = 1 << 24;
 constexpr std::size_t mostPixels = std::size_t{1} << 28;
 
 using Bytes = std::span<const unsigned char>;

@@ -20,7 +20,7 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<double>::is_a
 
 constexpr int childPatience = 3;  ///< seconds without CPU time until the children are ended
 constexpr int patience = 10;      ///< seconds without CPU time until the process exits
-std::atomic<int> still = 0;       ///< consecutive seconds without CPU time
+std::atomic<int> still = 0;       ///< number of consecutive seconds in which the process used no CPU time
 std::atomic<double> busyBefore = 0;
 
 /// Returns the CPU time (s) of the process and its children. A process that waits for a slow disk or reader
@@ -71,7 +71,8 @@ void catchInterrupts() {
   for (const int number : {SIGINT, SIGTERM, SIGXFSZ, SIGHUP}) {
     struct sigaction before {};
     ::sigaction(number, nullptr, &before);
-    if (number == SIGHUP && before.sa_handler == SIG_IGN) continue;  // ignored before: started by nohup
+    // the signal was already ignored, because nohup started the program
+    if (number == SIGHUP && before.sa_handler == SIG_IGN) continue;
     ::sigaction(number, &action, nullptr);
   }
 }

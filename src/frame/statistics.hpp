@@ -6,7 +6,7 @@ namespace simreel::frame {
 /// Summary of a set of measured values; all zero if the set is empty.
 struct Statistics {
   int count = 0;
-  double median = 0, p5 = 0, p95 = 0;  ///< interpolated as in percentile()
+  double median = 0, p5 = 0, p95 = 0;  ///< percentiles, interpolated as in percentile()
   double mean = 0, min = 0, max = 0;
 };
 

@@ -13,21 +13,21 @@ namespace simreel::golden {
 /// Result of testing a scene or one of its frames. statusName() gives the spelling in JSON reports.
 enum class Status {
   pass,
-  updated,           ///< baselines were written on request
-  xfail,             ///< failed as the scene expects
+  updated,           ///< baselines were written, as requested by --update
+  xfail,             ///< failed, as the scene expects
   flaky,             ///< failed first, then passed on a retry
-  fail,              ///< pixels, state or a check differs
-  nondeterministic,  ///< two runs of the same program differ
-  missing,           ///< no baseline
-  xpass,             ///< expected to fail but passed
+  fail,              ///< fails: pixels, state or a check differs
+  nondeterministic,  ///< nondeterministic: two runs of the same program differ
+  missing,           ///< there is no baseline to compare with
+  xpass,             ///< passed although the scene expects a failure
   error,             ///< scene or baseline is unusable, or the device lost the state
 };
 inline constexpr int statusCount = 9;
-/// Words for a status.
+/// Words that describe a status in reports.
 struct StatusWords {
-  const char* name;     ///< name in reports
-  const char* counted;  ///< used after a number of scenes
-  const char* reason;   ///< message if a scene has no messages
+  const char* name;     ///< name of the status in reports
+  const char* counted;  ///< words used after a number of scenes, such as "failed"
+  const char* reason;   ///< message for scenes that have no messages of their own
 };
 [[nodiscard]] const StatusWords& wordsOf(Status status);
 [[nodiscard]] inline const char* statusName(Status status) {
@@ -44,14 +44,14 @@ struct Metrics {
   /// largest difference of one channel, 0 to 255; fractional for deep pictures
   double worst = 0;
   int worstX = 0, worstY = 0;  ///< pixel with the largest difference
-  long differentPixels = 0;    ///< number of pixels with any difference
+  long differentPixels = 0;    ///< number of pixels with any difference at all
   /// number of pixels with a channel that differs by more than maxChannelDiff
   long pixelsBeyond = 0;
   double ratioBeyond = 0;          ///< pixelsBeyond divided by the number of pixels
   double windowRatio = 0;          ///< fraction of pixelsBeyond in the densest window
-  int windowX = 0, windowY = 0;    ///< top left corner of the densest window
+  int windowX = 0, windowY = 0;    ///< pixel coordinates of the top left corner of the densest window
   double psnr = 0;                 ///< dB over R, G and B; infinite if equal (null in JSON)
-  std::optional<double> ssim = 1;  ///< empty if not measured (null in JSON)
+  std::optional<double> ssim = 1;  ///< structural similarity; empty if not measured (null in JSON)
   std::optional<double> flipMean = 0;
   /// Number of ignored pixels: inside masks, on antialiased edges, or found within the search radius.
   long maskedPixels = 0, antialiasedPixels = 0, movedPixels = 0;
@@ -64,14 +64,14 @@ struct PassPlace {
   /// First differing pixel that shows a single thing, or otherwise the first differing pixel.
   int x = 0, y = 0;
   std::string shows;    ///< what is visible at the pixel: "triangle 12 of flag"
-  std::string message;  ///< description in one line
+  std::string message;  ///< description of the difference in one line
   bool operator==(const PassPlace&) const = default;
 };
 
 /// Picture of another attempt or run, for display beside the compared pictures.
 struct OtherPicture {
   std::string label;  ///< "attempt 1", "run 3"
-  std::string image;  ///< path relative to the folder of report.json
+  std::string image;  ///< path of the picture, relative to the folder of report.json
   bool operator==(const OtherPicture&) const = default;
 };
 
@@ -79,7 +79,7 @@ struct FrameResult {
   int frame = 0;
   double time = 0;  ///< time of the frame in seconds
   Status status = Status::pass;
-  std::string message;                 ///< one line; empty if the frame passed
+  std::string message;                 ///< reason for the status in one line; empty if the frame passed
   std::string pixels, expectedPixels;  ///< pixel hashes; `expectedPixels` is empty if there is no baseline
   /// index of the closest accepted alternate, from 1; 0: the baseline itself
   int alternate = 0;
@@ -88,7 +88,8 @@ struct FrameResult {
   /// baseline.
   std::string asked;
   std::optional<Metrics> metrics;  ///< empty unless the pictures were compared pixel by pixel
-  std::optional<PassPlace> pass;   ///< set if an exact picture fails although the state is equal
+  /// place of the first difference, if an exact picture fails although the state is equal
+  std::optional<PassPlace> pass;
   /// Paths relative to the folder of report.json; empty if there is no such picture.
   std::string expectedImage, actualImage, differenceImage;
   std::string flipImage;  ///< path of the FLIP error map
@@ -109,7 +110,7 @@ struct CheckResult {
 struct Divergence {
   int frame = 0;  ///< frame being stepped to; negative during pre-roll
   int step = 0;   ///< step within the frame, from 1; 0 if only the frame is known
-  int steps = 0;  ///< number of steps per frame
+  int steps = 0;  ///< number of simulation steps per frame
   std::string object, buffer;
   /// Range of the first differing block of elements. Both are equal if a single element is known.
   long firstElement = 0, lastElement = 0;
@@ -153,7 +154,7 @@ struct SceneResult {
   /// Data of the run that wrote the baseline last. The processor is empty if unknown.
   std::string baselineDriver, baselineProcessor, baselineVersion, baselineReason;
   std::map<std::string, Bound> tolerance;  ///< bounds in force, by field name
-  double seconds = 0;                      ///< total time
+  double seconds = 0;                      ///< total time for the scene
   double simulateSeconds = 0;              ///< part of `seconds` spent stepping the simulation
   int repeats = 0;
   std::vector<Attempt> attempts;  ///< failed attempts before the last, with --retries
@@ -164,7 +165,7 @@ struct SceneResult {
   std::string candidate;
   /// If there is a candidate: input files of the scene and their hashes (baseline/inputs.hpp).
   std::map<std::string, std::string> inputs;
-  std::optional<Place> blame;  ///< set if the scene did not pass
+  std::optional<Place> blame;  ///< file and line to blame; set if the scene did not pass
   /// If the picture has no baseline: the baseline with equal pixels whose own picture is gone; may be
   /// empty.
   std::string renamedFrom;
@@ -174,7 +175,7 @@ struct SceneResult {
 /// A baseline that no test used.
 struct Stale {
   std::string path;
-  std::string message;  ///< reason in one line
+  std::string message;  ///< reason why the baseline is stale, in one line
   bool removed = false;
   bool operator==(const Stale&) const = default;
 };
@@ -194,7 +195,7 @@ struct SuiteResult {
   std::string expected;        ///< for pictures: folder of the baselines
   /// Properties of the run. `fingerprint` is of numerics, `drawing` of drawing.
   std::string driver, processor, profile, fingerprint, drawing, memoryPath;
-  std::string command;        ///< command line as typed
+  std::string command;        ///< command line of the run as typed
   std::string shard;          ///< "2/4" if this is a part of a run; empty if it is the whole run
   std::string acceptCommand;  ///< command that accepts the run's results; empty if nothing was kept
   bool allowFlaky = false;    ///< true if a flaky scene does not fail the run

@@ -53,7 +53,7 @@ class Checkpoint {
   std::string stateHash_;
   std::size_t countBytes_ = 0;
   std::vector<StatePart> parts_;
-  std::string text_;         ///< content of the file
+  std::string text_;         ///< content of the checkpoint file
   std::size_t payload_ = 0;  ///< offset in text_ of the table of counts; the parts follow it
 };
 

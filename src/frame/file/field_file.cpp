@@ -42,7 +42,7 @@ std::vector<std::byte> encodeField(FieldFormat format, glm::ivec2 size, std::spa
   const std::size_t rowBytes = static_cast<std::size_t>(size.x) * sizeof(float);
   SIMREEL_CHECK_EQ(values.size_bytes(), rows * rowBytes);
   const bool npy = format == FieldFormat::npy;
-  // In PFM, a negative scale means little endian.
+  // A negative scale factor in a PFM header means little endian.
   const std::string header = npy ? npyHeader(size) : fmt::format("Pf\n{} {}\n-1.0\n", size.x, size.y);
   std::vector<std::byte> file(header.size() + values.size_bytes());
   std::memcpy(file.data(), header.data(), header.size());

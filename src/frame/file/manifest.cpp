@@ -61,7 +61,7 @@ std::string manifestText(const Manifest& manifest) {
     return value.dump(indent, ' ', false, Json::error_handler_t::replace);
   };
   std::string text = dump(object, 2);
-  text.resize(text.size() - 2);  // removes the closing "\n}"
+  text.resize(text.size() - 2);  // removes the closing "\n}", so that more members can be appended
   if (!manifest.counts.empty()) text += ",\n  \"counts\": " + dump(manifest.counts, -1);
   text += ",\n  \"frames\": [";
   // Each frame is one line, so that a text diff of two manifests shows the frames.

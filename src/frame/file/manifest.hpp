@@ -10,10 +10,11 @@
 namespace simreel::frame {
 
 struct ManifestFrame {
-  std::string file;    ///< file name, relative to the manifest's folder
-  std::string bytes;   ///< hash of the file's bytes; empty for a video
-  std::string pixels;  ///< pixelHash; empty if unknown
-  std::string state;   ///< state hash; empty if unknown
+  /// file name of the picture, relative to the manifest's folder
+  std::string file;
+  std::string bytes;   ///< hash of the picture file's bytes; empty for a video
+  std::string pixels;  ///< pixel hash (pixelHash()); empty if unknown
+  std::string state;   ///< state hash of the simulations; empty if unknown
   /// hashes of the frame's other files (fields) by file name
   std::map<std::string, std::string> files = {};
   bool drawn = false;  ///< true if this process drew the frame; for run.json

@@ -18,7 +18,7 @@ namespace {
 /// Byte range to lock. It may lie beyond the end of the file.
 struct Range {
   off_t begin;
-  off_t length;  ///< 0: up to the end of the file, wherever that is
+  off_t length;  ///< length in bytes; 0 locks everything up to the end of the file, wherever that is
 };
 constexpr Range sharedFiles{0, 1};
 constexpr Range checkpoint{1, 1};

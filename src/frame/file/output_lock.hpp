@@ -52,7 +52,7 @@ class OutputLock {
   [[nodiscard]] bool stillThere() const;
   void claim(const std::string& run, std::span<const int> frames) const;
 
-  int file_ = -1;  ///< file descriptor; -1: nothing is locked
+  int file_ = -1;  ///< descriptor of the lock file; -1 if nothing is locked
   std::filesystem::path path_;
 };
 

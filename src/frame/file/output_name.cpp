@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 10> videoExtensions = {".mp4", ".webm", ".gif", ".mkv", ".mov",
                                                               ".avi", ".apng", ".m4v", ".ogv", ".mpg"};
-constexpr int maxDigits = 20;  ///< max width of a frame number
+constexpr int maxDigits = 20;  ///< max number of digits of a frame number in a file name
 constexpr const char* supported =
     "supported are a folder, NAME_####.png or .exr, NAME.png or .exr for one frame, a video (.mp4, .webm, "
     ".gif, .mkv, "

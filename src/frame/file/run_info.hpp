@@ -7,7 +7,7 @@ namespace simreel::frame {
 
 /// An additional output file of a frame, such as a field.
 struct FrameFile {
-  std::string name;  ///< file name without folder
+  std::string name;  ///< file name without its folder
   std::vector<std::byte> bytes;
 };
 
@@ -27,7 +27,7 @@ struct RunInfo {
   std::string driver;  ///< renderer and version string of the driver; in run.json
   /// CPU model; with the driver it identifies the machine; empty if unknown; in run.json
   std::string processor = {};
-  std::string rasterizer = "driver";  ///< "driver" or "exact"
+  std::string rasterizer = "driver";  ///< "driver" (rasterization by the OpenGL driver) or "exact"
   /// Scene changes as "path=value", from -D, --seed, --size, --fps, --samples and --rasterizer.
   std::vector<std::string> overrides = {};
   /// Scene changes that place the camera where a trial run found the whole scene visible. In the manifest.
@@ -36,7 +36,7 @@ struct RunInfo {
   std::string simulation = {};
   std::string asRun = {};                 ///< scene text with all changes applied; written to as-run.json
   std::string asRunHash = {};             ///< hash of `asRun`; in the manifest; empty if unknown
-  std::string command = {};               ///< command line as typed; in run.json
+  std::string command = {};               ///< command line as typed by the user; in run.json
   std::vector<std::string> folders = {};  ///< folders searched for files of the scene; in run.json
 
   /// True if every machine produces the same bytes, so that the driver does not matter.

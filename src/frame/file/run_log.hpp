@@ -10,7 +10,7 @@ namespace simreel::frame {
 
 /// Record of one process that worked on an output: machine, time, and the frames that it drew.
 struct RunRecord {
-  std::string program;  ///< program version
+  std::string program;  ///< version of the program
   std::string host;
   long process = 0;
   std::string began;  ///< start time in UTC, such as 2026-11-25T03:24:06.123Z
@@ -30,7 +30,7 @@ struct RunRecord {
 
 /// Content of run.json, the file beside a manifest with everything that differs between runs of one scene.
 struct RunLog {
-  std::vector<RunRecord> runs;  ///< sorted by the time of their first write
+  std::vector<RunRecord> runs;  ///< records of all runs, sorted by the time of their first write
 
   /// Returns the machine that drew a frame, or an empty text if unknown.
   [[nodiscard]] std::string machineOf(int frame) const;

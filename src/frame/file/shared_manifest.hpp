@@ -54,12 +54,12 @@ class SharedManifest {
   void storeScene();
 
   OutputName output_;
-  std::set<int> own_;  ///< frames that only this program writes
+  std::set<int> own_;  ///< frames that this program has locked and no other program writes
   OutputLock lock_;
   Manifest others_;  ///< content of the manifest last read from disk, without the frames in own_
   Version known_;    ///< version of the file on disk whose other frames are all in others_
   Clock::time_point began_ = Clock::now();
-  RunRecord record_;  ///< record of this run
+  RunRecord record_;  ///< record of this run for run.json
   RunLog log_;        ///< run.json as it was when this run began
   bool hasScene_ = false;
 };

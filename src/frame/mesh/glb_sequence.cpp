@@ -107,7 +107,7 @@ void GlbSequence::add(const sim::MeshTable& mesh) {
 
 void GlbSequence::finish() {
   const std::string document = text();
-  SIMREEL_CHECK(document.size() <= room_);  // the rest of the reserved space stays blank
+  SIMREEL_CHECK(document.size() <= room_);  // unused space stays filled with blanks
   file_.put(glbHeader(0, 0).size(), std::as_bytes(std::span(document)));
   file_.finish();
 }

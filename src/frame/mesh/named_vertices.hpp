@@ -17,7 +17,7 @@ class NamedVertices {
 
  private:
   std::vector<unsigned> kept_;   ///< indices of the used vertices
-  std::vector<unsigned> place_;  ///< new index of each used vertex, by old index
+  std::vector<unsigned> place_;  ///< new index of each used vertex, indexed by its old index
 };
 
 }  // namespace simreel::frame

@@ -33,7 +33,7 @@ PointCache::PointCache(Format format, const std::filesystem::path& file, Sequenc
 
 void PointCache::append(std::uint32_t word) {
   for (unsigned i = 0; i < 4; ++i) {
-    const unsigned byte = format_ == Format::pc2 ? i : 3 - i;  // little endian for PC2, big endian for MDD
+    const unsigned byte = format_ == Format::pc2 ? i : 3 - i;  // PC2 is little endian, MDD is big endian
     bytes_.push_back(static_cast<std::byte>(word >> (8 * byte) & 255U));
   }
 }
@@ -50,7 +50,7 @@ void PointCache::flush() {
 void PointCache::writeHeader(std::size_t points) {
   const std::vector<int>& frames = plan_.frames;
   if (format_ == Format::pc2) {
-    // including the terminating zero
+    // POINTCACHE2 with its terminating zero byte
     for (const char c : "POINTCACHE2") bytes_.push_back(static_cast<std::byte>(c));
     append(std::uint32_t{1});
     append(static_cast<std::uint32_t>(points));

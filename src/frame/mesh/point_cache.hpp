@@ -27,7 +27,7 @@ class PointCache : public MeshSequence {
   SequencePlan plan_;
   Format format_;
   SameSurface surface_{plan_};
-  int step_;  ///< difference between consecutive frame numbers
+  int step_;  ///< step between consecutive frame numbers
   PartFile file_;
   std::vector<std::byte> bytes_;  ///< bytes not yet written to the file
 };

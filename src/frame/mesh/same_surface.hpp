@@ -20,7 +20,7 @@ class SameSurface {
  private:
   const SequencePlan& plan_;
   std::size_t seen_ = 0;
-  sim::MeshTable first_;  ///< first frame, without normals
+  sim::MeshTable first_;  ///< mesh of the first frame, without normals
   std::optional<NamedVertices> named_;
 };
 

@@ -21,7 +21,7 @@ namespace simreel::frame {
 struct Checkpoints {
   std::filesystem::path file;  ///< periodic checkpoint; empty: none is written or read
   double seconds = 60;         ///< interval between checkpoints; 0: none are written
-  bool resume = false;         ///< true to resume from the existing checkpoint
+  bool resume = false;         ///< true to resume from the existing periodic checkpoint
   RunInfo run = {};
   /// Frames whose states are kept permanently, and their files. With `resume`, valid existing files are
   /// kept.

@@ -48,13 +48,13 @@ class FrameQueue {
     std::optional<Image> image;
   };
   void work() noexcept;
-  void handle(const Item& item) noexcept;  ///< stores an exception in error_
+  void handle(const Item& item) noexcept;  ///< calls the handler; stores an exception in error_
   void join() noexcept;
   void rethrow();
 
   std::size_t max_;
   Handler handler_;
-  mutable std::mutex mutex_;  ///< guards all members below
+  mutable std::mutex mutex_;  ///< guards all members declared below
   std::condition_variable changed_;
   std::deque<Item> waiting_;
   std::size_t atWork_ = 0;

@@ -13,9 +13,9 @@ struct StageTimes {
   double simulate = 0;
   double draw = 0;
   double readBack = 0;
-  double encode = 0;  ///< CPU time of other threads
+  double encode = 0;  ///< CPU time of other threads that encode frames
   double start = 0;   ///< device, shaders, textures: everything before the first step
-  double wait = 0;    ///< waiting for encoders, ffmpeg or the disk
+  double wait = 0;    ///< time spent waiting for encoders, ffmpeg or the disk
 };
 
 /// Reports the progress of a run on standard error. Not thread-safe.

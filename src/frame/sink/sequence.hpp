@@ -15,9 +15,9 @@ namespace simreel::frame {
 
 /// Result of rendering a sequence.
 struct SequenceResult {
-  int frames = 0;      ///< number of frames delivered or found complete
-  int signal = 0;      ///< signal that interrupted the run, or 0
-  double seconds = 0;  ///< wall-clock time
+  int frames = 0;      ///< number of frames delivered or found already complete
+  int signal = 0;      ///< number of the signal that interrupted the run, or 0
+  double seconds = 0;  ///< wall-clock time of the run
   StageTimes stages;   ///< simulate and draw are device time on a GPU; encode is summed over all threads
 };
 
@@ -44,7 +44,7 @@ struct BesideFrames {
   Clock::time_point began = Clock::now();
   bool counts = true;  ///< true to pass the simulations' counts to the sink
   Checkpoints checkpoints = {};
-  FrameWatch* watch = nullptr;  ///< observer of frames; may be null
+  FrameWatch* watch = nullptr;  ///< observer of selected frames; may be null
   /// Light and layers to keep, for picture formats other than 8-bit PNG.
   std::optional<draw::LightRequest> layers = std::nullopt;
 };

@@ -320,7 +320,7 @@ class SequenceSink final : public FrameSink {
     }
   }
 
-  /// Call only while no worker is running.
+  /// Writes the manifest and ignores errors. Call only while no worker is running.
   void writeManifestQuietly() noexcept {
     try {
       file_.write(manifest_, counts_);
@@ -355,7 +355,7 @@ class SequenceSink final : public FrameSink {
   std::string counts_;
   bool finished_ = false;
 
-  mutable std::mutex mutex_;  ///< guards all members below
+  mutable std::mutex mutex_;  ///< guards all members declared below
   Manifest manifest_;
   bool writingManifest_ = false;
   Clock::time_point manifestTime_ = Clock::now();

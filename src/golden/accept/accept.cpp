@@ -67,7 +67,8 @@ void checkBaseline(const SceneResult& scene, const Candidate& kept) {
 
 /// Removes passed frames from the candidate, so that they keep their baselines.
 void leaveOutPassed(const SceneResult& scene, const std::string& profile, Candidate& kept) {
-  if (profile != scene.profile) return;  // a new profile must be complete
+  // a new profile must be complete, so its passed frames are promoted, too
+  if (profile != scene.profile) return;
   for (const FrameResult& frame : scene.frames)
     if (frame.status == Status::pass || frame.pixels == frame.expectedPixels) kept.png.erase(frame.frame);
 }

@@ -35,9 +35,9 @@ struct PictureBaseline {
     std::map<std::string, std::string> passes = {};
   };
   std::string profile;
-  std::string version, driver, reason;      ///< from the run that wrote the baseline last
+  std::string version, driver, reason;      ///< properties of the run that wrote the baseline last
   int width = 0, height = 0;                ///< size in pixels
-  std::map<std::string, double> tolerance;  ///< set by hand; overrides the scene's tolerance
+  std::map<std::string, double> tolerance;  ///< bounds set by hand; they override the scene's tolerance
   std::map<int, Frame> frames;
 };
 
@@ -47,10 +47,10 @@ struct StateBaseline {
 
 /// New baseline data from a run, not yet promoted.
 struct Candidate {
-  PictureBaseline pictures;  ///< frames of this run, without alternates
+  PictureBaseline pictures;  ///< picture entries of this run's frames, without alternates
   std::map<int, std::vector<std::byte>> png;
   StateBaseline state;
-  std::vector<std::byte> steps;  ///< encoded trace; empty if unchanged
+  std::vector<std::byte> steps;  ///< encoded step trace (steps.bin); empty if unchanged
   bool exact = true;
 };
 

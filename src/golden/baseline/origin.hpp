@@ -6,7 +6,7 @@ namespace simreel::golden {
 /// Everything that the bits of a picture depend on besides program and scene. Includes the machine, because
 /// no fingerprint covers all of a driver's rasterizer. Exact pictures depend on none of it.
 struct Origin {
-  std::string numerics;   ///< fingerprint of arithmetic (sim::probeNumerics)
+  std::string numerics;   ///< fingerprint of floating-point arithmetic (sim::probeNumerics)
   std::string drawing;    ///< fingerprint of drawing (draw::probePictures); empty if unknown
   std::string processor;  ///< processorName; empty if unknown
   /// name and version, including Mesa's and LLVM's versions if reported; empty if unknown

@@ -34,9 +34,10 @@ struct StateDifference {
 struct BisectResult {
   TraceHeader here, there;
   int lastFrame = 0;
-  bool passes = false;  ///< true if pictures were compared, too
+  bool passes = false;  ///< true if the passes of pictures were compared, too
   std::optional<StateDifference> difference;
-  std::optional<PassDifference> pass;  ///< first differing picture, if the state is equal
+  /// first differing pass and pixel, if the states are equal but a picture differs
+  std::optional<PassDifference> pass;
 };
 
 /// Finds the first frame, step and element at which two runs differ. Runs `trace` on both sides: first all

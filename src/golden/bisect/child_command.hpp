@@ -48,7 +48,7 @@ class ChildCommand {
   pid_t process_ = -1;
   int output_ = -1;
   int messages_ = -1;
-  std::string read_;  ///< output not yet returned
+  std::string read_;  ///< output that was read from the command and not yet returned
 };
 
 }  // namespace simreel::golden

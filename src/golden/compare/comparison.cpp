@@ -111,7 +111,8 @@ struct DeepPair {
     }
     const double between = std::abs(double{a[i]} - double{b[i]});
     if (std::isnan(between)) return 255;  // one value is NaN, or two infinities differ in sign
-    constexpr double hair = 1e-6;         // for values that differ by less than the sRGB encoding resolves
+    // smallest reported difference, for values closer than the sRGB encoding resolves
+    constexpr double hair = 1e-6;
     return between == 0 ? (sameDepth ? hair : 0) : std::min(between, 255.0);
   }
 };

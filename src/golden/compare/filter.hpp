@@ -55,7 +55,7 @@ void filterRow(const float* in, std::ptrdiff_t step, int width,
                const std::array<Sum, sizeof...(shapes)>& sums) {
   constexpr std::size_t count = sizeof...(shapes);
   constexpr std::array<Shape, count> shapeOf = {shapes...};
-  // few enough that the sums stay in registers
+  // number of SIMD vectors per sum, few enough that all sums stay in registers
   constexpr std::size_t wide = count == 1 ? 8 : count == 2 ? 4 : 2;
   static_assert(filterStep % (4 * wide) == 0);
   const auto taps = static_cast<std::ptrdiff_t>(sums[0].kernel->size());

@@ -95,7 +95,7 @@ const Filters& filters() {
 class Seen {
  public:
   Seen(const frame::Image& image, const Tile& tile);
-  /// Computes the values of one row of the tile.
+  /// Computes the perceived values of one row of the tile.
   void look(int row);
   [[nodiscard]] ThreeConstRows lab() const { return {made_.row(3), made_.row(4), made_.row(5)}; }
   /// Gradient magnitudes of the edge and point detectors, which are applied to Y = 116 y.

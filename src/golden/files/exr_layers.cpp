@@ -73,7 +73,7 @@ class PartLayers {
   struct Channel {
     PictureLayer::Kind kind;
     bool sampled;
-    std::vector<std::uint32_t> values;  ///< values in the data window
+    std::vector<std::uint32_t> values;  ///< channel values in the data window
   };
 
   void addContent(const std::string& name, std::string hash) {

@@ -6,16 +6,17 @@
 
 namespace simreel::golden {
 
-/// A channel of an OpenEXR file besides its colour channels, such as depth, normals or object ids.
+/// A channel of an OpenEXR file that is not part of the colour picture, such as depth, normals or object
+/// ids.
 struct PictureLayer {
   enum class Kind {
     number,   ///< floats, whose differences have a magnitude
     exact,    ///< integers and identifiers: equal or not
     content,  ///< known only by `hash`
   };
-  std::string name;  ///< "Z", or "shadows.Z" for a part named shadows
+  std::string name;  ///< channel name: "Z", or "shadows.Z" for a part named shadows
   Kind kind = Kind::number;
-  std::vector<std::uint32_t> bits;  ///< bits of a float or integer for each pixel
+  std::vector<std::uint32_t> bits;  ///< value of each pixel: the bits of a float or an integer
   std::string hash = {};            ///< hash of data that has no value for each pixel
   bool operator==(const PictureLayer&) const = default;
 

@@ -57,7 +57,7 @@ bool jpegHasItsEnd(std::string_view bytes) {
   const auto at = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   std::size_t i = 2;
   while (i + 1 < bytes.size()) {
-    if (at(i) != 0xff) {  // inside the data of a scan
+    if (at(i) != 0xff) {  // inside the compressed data of a scan
       ++i;
       continue;
     }

@@ -15,8 +15,8 @@ inline constexpr std::size_t mostPicturePixels = std::size_t{1} << 28;
 
 /// Number format of a picture file.
 enum class Depth {
-  unorm8,   ///< integers 0 to 255, sRGB encoded
-  unorm16,  ///< integers 0 to 65535, sRGB encoded
+  unorm8,   ///< integers from 0 to 255, sRGB encoded
+  unorm16,  ///< integers from 0 to 65535, sRGB encoded
   linear,   ///< linear light; 1 is screen white; any float
 };
 

@@ -16,8 +16,8 @@ struct PictureCase {
 };
 
 struct PictureSet {
-  std::vector<PictureCase> cases;       ///< sorted by name
-  std::vector<std::string> passedOver;  ///< skipped: other files and hidden folders
+  std::vector<PictureCase> cases;       ///< picture cases, sorted by name
+  std::vector<std::string> passedOver;  ///< skipped paths: files that are no pictures, and hidden folders
 };
 
 /// Pairs the pictures of two folders by path, and the remaining ones by pixels. Only pairs names for which

@@ -108,7 +108,7 @@ void RenderCommand::tryAll(const std::vector<SceneFile>& scenes, const std::vect
   };
   for (const std::size_t i : chosen) trying(i, &RenderCommand::makeRoom);
   std::atomic<std::size_t> next = 0;
-  std::exception_ptr end;  // exception that ends all work: an interrupt
+  std::exception_ptr end;  // exception that ends all threads: an interrupt by a signal
   std::mutex guard;
   const auto work = [&] {
     try {

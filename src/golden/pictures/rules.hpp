@@ -22,7 +22,7 @@ struct Rectangle {
 /// accumulate.
 struct Rule {
   std::string match;                        ///< glob as in nameMatches(); empty: every picture
-  std::map<std::string, double> tolerance;  ///< bounds by field name
+  std::map<std::string, double> tolerance;  ///< tolerance bounds by field name
   std::optional<bool> ignoreAntialiased;
   std::optional<int> searchRadius;
   std::vector<Rectangle> rectangles;

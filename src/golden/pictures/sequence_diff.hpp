@@ -26,7 +26,7 @@ struct PairTerms {
 };
 
 struct PairList {
-  std::vector<Pair> pairs;  ///< sorted by name or frame number
+  std::vector<Pair> pairs;  ///< pairs of files, sorted by name or frame number
   std::vector<std::string> onlyA, onlyB;
   std::vector<std::string> passedOver;  ///< skipped: other files and hidden folders ("a/.git/")
 };
@@ -36,9 +36,9 @@ struct PairResult {
   Outcome outcome = Outcome::equal;
   /// size of both, or of the padded pictures if sizes differ; 0 if unreadable
   int width = 0, height = 0;
-  std::optional<Metrics> metrics;   ///< empty if a file could not be read
+  std::optional<Metrics> metrics;   ///< measured differences; empty if a file could not be read
   std::vector<std::string> broken;  ///< reasons for the difference, one clause each
-  std::string message;              ///< reason, if unreadable
+  std::string message;              ///< reason why a file is unreadable
   std::vector<std::string> notes;   ///< remarks on parts of the files that are not compared
 };
 /// Returns "equal", "within tolerance", "different" or "unreadable".

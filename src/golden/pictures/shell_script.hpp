@@ -10,7 +10,7 @@ struct Placeholder {
   std::string word;
   std::string variable;  ///< name of the shell variable that holds the value
   std::string value;
-  std::string before = {};  ///< if not empty: the word only counts if one of these characters follows
+  std::string before = {};  ///< if not empty, one of its characters must follow the word
 };
 
 /// Replaces the placeholders in a shell command; the first match wins. Values are never parsed as shell

@@ -101,7 +101,7 @@ void addStale(const Stale& stale, std::vector<Stale>& all) {
 }
 
 std::string shardNotes(const std::vector<PartReport>& parts, std::vector<std::string>& missing) {
-  // number of shards n -> shard k -> report
+  // maps the number of shards n and the shard index k to the report's file
   std::map<std::size_t, std::map<std::size_t, fs::path>> reports;
   for (const PartReport& part : parts) {
     if (part.suite.shard.empty()) continue;
@@ -118,7 +118,7 @@ std::string shardNotes(const std::vector<PartReport>& parts, std::vector<std::st
 }
 
 void mergeEnvironment(const SuiteResult& part, SuiteResult& all) {
-  if (part.driver.empty()) return;  // an empty shard without scenes
+  if (part.driver.empty()) return;  // the part is a shard without scenes
   if (all.driver.empty()) {
     all.driver = part.driver;
     all.processor = part.processor;
@@ -168,7 +168,8 @@ Merged mergeReports(const std::vector<PartReport>& parts, const fs::path& folder
     mergeEnvironment(part.suite, all);
     all.allowFlaky = all.allowFlaky && part.suite.allowFlaky;
     all.strict = all.strict || part.suite.strict;
-    all.seconds = std::max(all.seconds, part.suite.seconds);  // the parts ran in parallel
+    // the parts ran in parallel, so their times are not added
+    all.seconds = std::max(all.seconds, part.suite.seconds);
     addNotes(part, all.notes);
     for (const Stale& stale : part.suite.stale) addStale(stale, all.stale);
     Luggage luggage(part.file.parent_path(), folder, all.notes);

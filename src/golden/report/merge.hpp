@@ -17,7 +17,7 @@ struct PartReport {
 [[nodiscard]] PartReport readPart(const std::filesystem::path& report);
 
 struct Merged {
-  SuiteResult suite;  ///< scenes sorted by name
+  SuiteResult suite;  ///< merged report, with scenes sorted by name
   /// Shards like "3/4" without a report, although other shards of the same number of parts have one.
   std::vector<std::string> missingShards;
 };

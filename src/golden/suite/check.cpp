@@ -156,7 +156,7 @@ class Checker::Resolver {
   void resolveQuantity(Item& item) const {
     const std::string& what = item.check.what;
     const std::vector<std::size_t> owners = scene_.owners(item.check);
-    SIMREEL_CHECK_EQ(owners.size(), 1U);  // guaranteed by the scene reader
+    SIMREEL_CHECK_EQ(owners.size(), 1U);  // the scene reader has already checked that there is one owner
     const scene::Object& object = scene_.objects[owners.front()];
     const auto table = object.parameters->quantities();
     item.index = static_cast<std::size_t>(

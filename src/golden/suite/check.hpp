@@ -44,11 +44,11 @@ class Checker {
     Kind kind = Kind::quantity;
     std::string label;                 ///< description: "max of flag positions.y"
     std::vector<std::size_t> objects;  ///< indices of the objects whose state is checked
-    std::size_t index = 0;             ///< index of the state array or quantity
+    std::size_t index = 0;             ///< index of the state array or quantity within its object
     Statistic statistic = Statistic::mean;
     Component component = Component::x;
     std::vector<int> frames;                     ///< frames to check, ascending
-    std::optional<double> first = std::nullopt;  ///< value at the first of `frames`
+    std::optional<double> first = std::nullopt;  ///< value at the first of the check's frames
     /// true if the warning about a missing first value was printed
     bool told = false;
   };
@@ -66,7 +66,8 @@ class Checker {
   std::vector<std::string> names_;  ///< names of the scene's objects
   std::vector<int> tested_;
   std::vector<Item> items_;
-  std::map<std::pair<int, std::size_t>, CheckResult> results_;  ///< by frame and index of the check
+  /// results by frame number and index of the check
+  std::map<std::pair<int, std::size_t>, CheckResult> results_;
   int lastFrame_ = -1;
 };
 

@@ -22,9 +22,9 @@ enum class Component { x, y, z, w, length };
 
 /// Number and first position of infinities and NaNs in an array, detected by their bits.
 struct NotFinite {
-  std::size_t count = 0;    ///< number of components that are not finite
-  std::size_t element = 0;  ///< element index of the first one
-  int component = 0;        ///< component of the first one, 0 to 3
+  std::size_t count = 0;    ///< number of components that are infinite or NaN
+  std::size_t element = 0;  ///< element index of the first such component
+  int component = 0;        ///< index of the first such component within its element, 0 to 3
 };
 [[nodiscard]] NotFinite findNotFinite(std::span<const glm::vec4> items);
 

@@ -36,7 +36,7 @@ void addMessage(FrameResult& result, Status status, const std::string& message) 
 
 void judgeState(const RunFrame& made, const Reference& reference, bool sameNumerics, FrameResult& result) {
   result.state = "equal";
-  if (made.state.empty()) return;  // the scene has only static objects
+  if (made.state.empty()) return;  // the scene has no simulated objects
   if (!reference.exact && !sameNumerics) {
     result.state = "not compared";
     return;
@@ -197,7 +197,7 @@ std::optional<PassPlace> placeOfDifference(const Reference& reference, const Run
   try {
     expected = referencePicture(reference, made.frame, alternate);
   } catch (const UserError&) {
-    return std::nullopt;  // the error has been reported already
+    return std::nullopt;  // judgeFrame() has reported the error already
   }
   if (expected.bytes.size() != made.image.bytes.size()) return std::nullopt;
   constexpr std::size_t channels = 4;  // RGBA; alpha is not compared, because the files have none
@@ -232,7 +232,7 @@ std::vector<std::string> looseBounds(const std::vector<FrameResult>& frames,
                                      const scene::Tolerance& tolerance) {
   std::map<std::string, double> observed;
   for (const FrameResult& frame : frames) {
-    // For other frames the tolerance is not used.
+    // Only frames drawn with other numerics use the tolerance.
     if (!frame.metrics || frame.asked != askedName(Asked::tolerance)) continue;
     const Metrics& m = *frame.metrics;
     const auto raise = [&](const char* field, double value) {

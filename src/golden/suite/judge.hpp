@@ -16,7 +16,7 @@ namespace simreel::golden {
 /// Baselines and settings that a run is compared with.
 struct Reference {
   std::filesystem::path folder;             ///< folder of the scene's baselines
-  std::optional<PictureBaseline> pictures;  ///< empty if there is no baseline
+  std::optional<PictureBaseline> pictures;  ///< picture baseline; empty if the scene has no baseline
   std::optional<StateBaseline> state;
   /// true if the scene's numerics are exact; whether pictures are exact is in `here`
   bool exact = true;

@@ -93,7 +93,7 @@ class Runner {
   glm::ivec2 size_;
   bool alpha_;  ///< true if pictures have an alpha channel
   Checker checker_;
-  sim::World::Summary summary_;  ///< latest summary
+  sim::World::Summary summary_;  ///< latest state summary
   SceneRun result_;
   bool started_ = false;
 };

@@ -227,7 +227,7 @@ void SceneTest::findFormerName() {
     try {
       pictures = choosePictures(folder, profile_);
     } catch (const UserError&) {
-      continue;  // already reported as stale
+      continue;  // the unreadable baseline is already reported as stale
     }
     const bool same =
         pictures && std::all_of(run_.frames.begin(), run_.frames.end(), [&](const RunFrame& made) {

@@ -81,12 +81,12 @@ class SceneTest {
   std::vector<int> likeFirst_ = {1};  ///< numbers of runs equal to the first run, including it
   int uncounted_ = 0;                 ///< number of further differing runs that are not stored in others_
   std::set<int> failedPictures_;
-  std::optional<StepTrace> steps_;  ///< trace in the baseline
+  std::optional<StepTrace> steps_;  ///< step trace of the baseline
   Inputs inputs_;
   bool damaged_ = false;  ///< true if a file of the baseline is unusable
   bool damagedSteps_ = false;
   std::vector<Stale> stale_;
-  std::map<int, PassHashes> passes_;  ///< filled by passes()
+  std::map<int, PassHashes> passes_;  ///< pass hashes of each frame; filled by passes()
   SceneResult result_;
 };
 

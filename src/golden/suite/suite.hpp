@@ -20,7 +20,7 @@ struct SuiteOptions {
   bool allowFlaky = false;
   Measures measures = Measures::all;  ///< quick: measures SSIM and FLIP only if a verdict needs them
   Update update = Update::none;
-  std::string reason;                          ///< stored in baselines that are written
+  std::string reason;                          ///< reason for the update, stored in the baselines
   std::string profile;                         ///< profile to use instead of the driver's own; may be empty
   std::vector<std::filesystem::path> assets;   ///< additional folders that scenes may read
   std::map<std::string, double> tolerance;     ///< bounds from the command line, by field name

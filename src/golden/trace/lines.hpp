@@ -26,7 +26,7 @@ struct TraceHeader {
 /// State hashes at a frame, or after one step of one object.
 struct StateLine {
   int frame = 0;
-  std::string object;  ///< empty if the line is for a whole frame
+  std::string object;  ///< object name; empty if the line is for a whole frame
   int step = 0;        ///< step of `steps`, from 1; 0 if the line is for a whole frame
   int steps = 0;
   /// array name such as "flag.positions" and hash of 32 hexadecimal digits

@@ -26,7 +26,7 @@ struct PassDifference {
   SeenThing here, there;              ///< what the pixel shows on each side
   /// number of words per side: a depth key; red, green, blue and coverage; or bytes
   int values = 0;
-  bool light = false;  ///< true if the words are floats
+  bool light = false;  ///< true if the words are floats (linear light)
   std::array<std::uint32_t, 4> hereValues{}, thereValues{};
   /// number of differing pixels (visibility: samples; maps: texels) of the array
   std::int64_t differing = 0;

@@ -14,12 +14,13 @@ namespace simreel::golden {
 
 /// Differences between two state arrays of equal size.
 struct ArrayDifference {
-  std::int64_t elements = 0;  ///< number of elements (vec4)
-  /// number of elements with any different bit
+  std::int64_t elements = 0;  ///< number of vec4 elements in the array
+  /// number of elements that differ in any bit
   std::int64_t differing = 0;
-  std::int64_t first = -1;                                     ///< index of the first differing element
+  /// index of the first differing element; -1 if all are equal
+  std::int64_t first = -1;
   std::array<std::uint32_t, wordsPerElement> here{}, there{};  ///< bits of the first differing element
-  /// largest difference of a component in ULPs
+  /// largest difference of any component in ULPs
   std::uint64_t maxUlps = 0;
   /// differing elements with NaN on one side; not included in maxUlps
   std::int64_t withNan = 0;

@@ -86,7 +86,7 @@ class Tracer {
   gl::Program hash_, ofPlanes_;
   gl::Buffer sums_;
   AfterStep afterStep_;
-  std::vector<std::size_t> owners_;  ///< object index of each array
+  std::vector<std::size_t> owners_;  ///< object index that owns each array
 };
 
 TracedRun runOf(const StepTrace& trace) {

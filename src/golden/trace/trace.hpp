@@ -19,9 +19,9 @@ namespace simreel::golden {
 struct StepTrace {
   struct Array {
     std::string object, name;
-    std::uint32_t elements = 0;  ///< number of elements (vec4)
+    std::uint32_t elements = 0;  ///< number of vec4 elements in the array
     std::uint32_t perBlock = 1;  ///< number of elements whose hashes are summed in a block
-    std::uint32_t steps = 1;     ///< number of steps per frame
+    std::uint32_t steps = 1;     ///< number of simulation steps per frame
     [[nodiscard]] std::uint32_t blocks() const { return (elements + perBlock - 1) / perBlock; }
     /// Returns the number of words after one step: a sum for each block, then the sum of (i + 1) hash(i)
     /// over all elements.
@@ -30,7 +30,7 @@ struct StepTrace {
   };
   std::vector<Array> arrays;
   std::int32_t firstFrame = 0;  ///< frame of the initial state: 0, or negative with pre-roll
-  std::uint32_t frames = 0;     ///< number of frames after firstFrame
+  std::uint32_t frames = 0;     ///< number of frames stepped after firstFrame
   /// number of frames, from the start, that keep every step; later frames keep only the last
   std::uint32_t detailed = 0;
   /// Words of the initial state, then of each frame. Within a frame they are ordered by array, then by

@@ -14,8 +14,8 @@ namespace simreel::golden {
 /// A state array that is traced.
 struct TracedArray {
   std::string object, array;
-  std::int64_t elements = 0;  ///< number of elements (vec4)
-  int steps = 1;              ///< steps per frame of its object
+  std::int64_t elements = 0;  ///< number of vec4 elements in the array
+  int steps = 1;              ///< number of steps per frame of the array's object
   bool operator==(const TracedArray&) const = default;
   [[nodiscard]] std::string name() const { return object + "." + array; }
 };
@@ -23,7 +23,7 @@ struct TracedArray {
 /// Properties that two runs must share for their states to be comparable.
 struct TracedRun {
   int firstFrame = 0;               ///< frame of the state before any step; negative with pre-roll
-  std::vector<TracedArray> arrays;  ///< in the order of World::arrays()
+  std::vector<TracedArray> arrays;  ///< state arrays in the order of World::arrays()
 };
 
 /// Describes a world that has not been stepped yet.

@@ -25,7 +25,7 @@ function go(change, keepLink) {
 
 // ---- link: #scene=name&frame=119&view=swipe, or #overview ----
 
-/// A single failure needs no groups.
+/// The overview of groups is the start page if there are several failures.
 const beginsWithOverview = failing.length > 1;
 
 function writeLink(push) {

@@ -1,9 +1,9 @@
 // The list of scenes: filters by status and text, sort order, and rows that exist only while visible.
 
 const list = {
-  rowHeight: 46,  // px, must match style.css
-  hidden: new Set(),  // hidden statuses
-  shown: [],  // filtered and sorted scenes
+  rowHeight: 46,  // height of a row in px; must match style.css
+  hidden: new Set(),  // statuses whose scenes are hidden
+  shown: [],  // filtered and sorted scenes that the list shows
   rows: new Map(),    // index -> element
 };
 
@@ -20,7 +20,7 @@ function listOrders() {
   };
 }
 
-/// Returns the second line of a row: the reason for the status.
+/// Returns the second line of a scene's row: the reason for its status.
 function summary(scene) {
   if (scene.status === "xfail" && scene.xfail) return scene.xfail;
   return scene.messages[0] || scene.notes[0] || (ofPictures ? statusWords[scene.status] : plural(scene.frames.length, "frame"));

@@ -15,14 +15,14 @@ const suite = unpacked(JSON.parse(document.getElementById("data").textContent));
 /// true if the report is about pictures of other programs, which have no frames, device or state
 const ofPictures = suite.unit === "picture";
 
-/// Statuses in list order, most urgent first.
+/// All statuses in the order of the list, most urgent first.
 const statusOrder =
     ["error", "fail", "nondeterministic", "missing", "xpass", "flaky", "xfail", "updated", "pass"];
 const statusWords = {
   error: "error", fail: "failed", nondeterministic: "nondeterministic", missing: "no baseline",
   xpass: "passed unexpectedly", flaky: "flaky", xfail: "failed as expected", updated: "updated", pass: "passed",
 };
-/// Short names for narrow places.
+/// Short status names for narrow places.
 const statusShort = {...statusWords, xpass: "xpass", xfail: "xfail"};
 const statusGlyphs = {
   error: "!", fail: "✕", nondeterministic: "≠", missing: "?", xpass: "⊕", flaky: "~", xfail: "⊖", updated: "↑",

@@ -3,8 +3,8 @@
 
 const overview = {
   groups: [],
-  chosen: new Set(),  // selected scenes
-  boxes: new Map(),  // scene -> its check boxes
+  chosen: new Set(),  // scenes selected for acceptance
+  boxes: new Map(),  // check boxes of each scene
   most: 12,  // number of thumbnails of a group shown at first
 };
 

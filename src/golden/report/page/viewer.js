@@ -2,7 +2,7 @@
 // downwards. Each pane shows picture point (x, y) at its centre, with `scale` CSS pixels per picture pixel.
 
 const viewer = {
-  scale: null,  // null: fit to the pane
+  scale: null,  // zoom in CSS pixels per picture pixel; null: fit to the pane
   x: 0, y: 0,  // picture point at the centre of each pane, if scale is not null
   size: {width: 16, height: 9},  // size of the pictures, once known
   panes: [],                   // {box, layers: [{box, image, key}], window, worst}
