@@ -10,7 +10,7 @@
 namespace simreel::frame {
 
 /// Encodes a picture as an OpenEXR file. Channels: R, G, B and optionally A (half or float); if the layers
-/// exist, depth as Z, position as P.X, P.Y, P.Z, normal as N.*, albedo as albedo.R ..., velocity as
+/// exist, depth as Z, position as P.X, P.Y, P.Z, normal as N.X ..., albedo as albedo.R ..., velocity as
 /// velocity.X ..., and objects as Cryptomatte "CryptoObject" (Friedman and Jones, specification 1.2) in
 /// floats. `text` becomes header attributes. Thread-safe.
 [[nodiscard]] std::vector<std::byte> encodeExr(const draw::PictureLayers& picture, const ImageText& text);

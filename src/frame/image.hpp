@@ -41,8 +41,8 @@ struct HashedFile {
 /// Decodes a PNG, or any other format of stb_image, to RGBA. `alpha` is true unless the image is opaque.
 /// `name` appears in the message of the UserError(inputOutput) thrown on failure.
 [[nodiscard]] Image decodeImage(std::span<const std::byte> file, const std::string& name);
-/// Returns a hash of size and RGB values, and of alpha unless the image is opaque. It does not depend on
-/// the encoder. 32 hexadecimal digits.
+/// Returns a hash of size and RGB values, and of alpha unless the image is opaque. The hash does not depend
+/// on the encoder. 32 hexadecimal digits.
 [[nodiscard]] std::string pixelHash(const Image& image);
 
 }  // namespace simreel::frame

@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* manifestFormat = "simreel-manifest";
-// 2: hashes of files; 3: machines moved to run.json; 4: hash of the manifest itself
+// versions: 2 added hashes of files; 3 moved machines to run.json; 4 added the manifest's own hash
 constexpr int formatVersion = 4;
 constexpr int oldestVersion = 3;
 

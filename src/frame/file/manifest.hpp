@@ -21,9 +21,9 @@ struct ManifestFrame {
 };
 
 /// Content of manifest.json, the file beside the frames that describes the run and holds the hashes of each
-/// frame. It contains no time, path or machine, so all runs of one scene write the same bytes; if the
-/// pictures depend on the driver, it also contains the fingerprint of the driver's numerics. The text ends
-/// with a hash of everything before it, so that later changes are detected.
+/// frame. The manifest contains no time, path or machine, so all runs of one scene write the same bytes; if
+/// the pictures depend on the driver, the manifest also contains the fingerprint of the driver's numerics.
+/// The text ends with a hash of everything before it, so that later changes are detected.
 struct Manifest {
   RunInfo run;
   std::string counts = {};  ///< hash of the table of counts; empty if there is no table

@@ -10,7 +10,7 @@ namespace simreel::frame {
 
 /// One texture file of a material.
 struct MapPicture {
-  std::string name;  ///< "albedo", "normal", "height", "roughness", "occlusion", "emission"
+  std::string name;  ///< map name: "albedo", "normal", "height", "roughness", "occlusion" or "emission"
   std::vector<std::byte> png;
 };
 

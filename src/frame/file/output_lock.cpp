@@ -15,7 +15,7 @@ namespace simreel::frame {
 
 namespace {
 
-/// Byte range to lock. It may lie beyond the end of the file.
+/// Byte range of the lock file to lock, which may lie beyond the end of the file.
 struct Range {
   off_t begin;
   off_t length;  ///< length in bytes; 0 locks everything up to the end of the file, wherever that is

@@ -6,11 +6,11 @@
 
 namespace simreel::frame {
 
-/// Keeps two running programs from writing the same frames. It locks byte ranges of the file
+/// Keeps two running programs from writing the same frames. The lock consists of byte ranges of the file
 /// "manifest.json.lock" beside the manifest; the kernel releases the locks when the process ends, however
 /// it ends. The last user removes the file, and a file left by a killed process is harmless. Runs that
 /// differ only in their frames may run at the same time. If the file system has no locks (some NFS mounts),
-/// nothing is guarded; if NFS supports locks, they work between machines.
+/// nothing is guarded; if NFS supports locks, the locks work between machines.
 class OutputLock {
  public:
   OutputLock() = default;

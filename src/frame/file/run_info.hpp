@@ -21,7 +21,7 @@ struct RunInfo {
   int width = 0;
   int height = 0;
   double fps = 60;
-  std::string numerics;  ///< "exact" or "fast"
+  std::string numerics;  ///< arithmetic of the simulations: "exact" or "fast"
   /// fingerprint of the driver's numerics; in the manifest unless exact()
   std::string fingerprint;
   std::string driver;  ///< renderer and version string of the driver; in run.json

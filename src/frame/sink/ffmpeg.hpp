@@ -21,8 +21,8 @@ namespace simreel::frame {
 /// by one pixel.
 [[nodiscard]] std::pair<int, int> videoSize(const std::filesystem::path& file, int width, int height);
 
-/// A running ffmpeg process fed through a pipe. Its messages go to a memory file, so it never blocks on a
-/// pipe reader.
+/// A running ffmpeg process fed through a pipe. The messages of ffmpeg go to a memory file, so ffmpeg never
+/// blocks on a pipe reader.
 class Ffmpeg {
  public:
   /// Starts ffmpeg. Throws UserError(inputOutput); if ffmpeg is missing, the message says how to install

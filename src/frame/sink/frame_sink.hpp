@@ -26,8 +26,8 @@ struct FrameInfo {
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
-  /// False if this frame need not be drawn: with --skip-existing, because it exists and belongs to the same
-  /// run; with --resume, because it matches the hash in the manifest.
+  /// False if this frame need not be drawn: with --skip-existing, because it exists and does not belong to
+  /// another run; with --resume, because it matches the hash in the manifest.
   [[nodiscard]] virtual bool wants(int frame) = 0;
   /// Returns the state hash in an earlier run's manifest for a frame that need not be drawn again.
   [[nodiscard]] virtual std::optional<std::string> knownStateHash(int frame) const = 0;

@@ -29,8 +29,8 @@ class Progress {
   /// Reports the progress of the pre-roll steps before the first frame.
   void prepare(long done, long total);
   /// Reports that a frame is done or already existed. `stages` holds the times of the frame and of
-  /// preceding frames that are not written. Its `encode` is the encoding time of any frames since the last
-  /// call, because encoding runs in parallel.
+  /// preceding frames that are not written. `stages.encode` is the encoding time of any frames since the
+  /// last call, because encoding runs in parallel.
   void frame(int number, const StageTimes& stages);
   /// Reports the result of a scene check.
   void check(const std::string& what, int frame, std::optional<double> value, bool passed);

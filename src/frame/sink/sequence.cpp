@@ -143,8 +143,8 @@ class Run {
     keeper_.keep(latest_->stateHash, counts_.text(), world_);
   }
 
-  /// Returns the next frame to simulate to. The pre-roll is skipped in one go, because frame 0's summary
-  /// also covers everything before it; only counts need each pre-roll frame.
+  /// Returns the next frame whose state summary is needed. Frame 0's summary also covers the whole
+  /// pre-roll, so pre-roll frames only need their own summaries if objects have counts.
   [[nodiscard]] int nextFrame() const {
     if (started_) return world_.frame() + 1;
     if (keeper_.resumedFrame() >= 0) return keeper_.resumedFrame();

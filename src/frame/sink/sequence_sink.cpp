@@ -125,8 +125,8 @@ class SequenceSink final : public FrameSink {
   }
 
  private:
-  /// Creates the output folder. Must be the first member initialized. A folder that this created is removed
-  /// again if nothing was rendered into it.
+  /// Creates the output folder before other members create files in it. A new folder is removed again if
+  /// nothing was rendered into it.
   struct Folder {
     explicit Folder(const fs::path& path) : made(!pathExists(path)) { makeFolders(path); }
     bool made;

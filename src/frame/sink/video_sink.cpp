@@ -98,8 +98,8 @@ class VideoSink final : public FrameSink {
   std::string summary() const override { return file_.string(); }
 
  private:
-  /// Returns the temporary name "dir/name.part.mp4". It keeps the extension, because ffmpeg derives the
-  /// format from it.
+  /// Returns the temporary name "dir/name.part.mp4". The name keeps the extension, because ffmpeg derives
+  /// the format from it.
   static fs::path partName(const fs::path& file) {
     return file.parent_path() / (file.stem().string() + ".part" + file.extension().string());
   }

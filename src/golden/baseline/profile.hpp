@@ -4,7 +4,7 @@
 namespace simreel::golden {
 
 /// Returns a short name for the family of drivers and devices that round alike, derived from GL_RENDERER.
-/// It is used as the name of a baseline folder. Examples: "llvmpipe (LLVM 15.0.6, 256 bits)" with FMA gives
+/// The name is used for a folder of baselines. Examples: "llvmpipe (LLVM 15.0.6, 256 bits)" with FMA gives
 /// "llvmpipe-fma", a GeForce RTX 3080 "nvidia-ampere", a Radeon RX 6700 XT "amd-navi22". Layered drivers
 /// keep both names ("zink-nvidia-pascal"). At most 32 characters of [a-z0-9-]; "unknown" if nothing is
 /// left.

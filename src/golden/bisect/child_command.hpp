@@ -9,9 +9,9 @@
 
 namespace simreel::golden {
 
-/// A shell command whose output is read as it arrives. Its messages are kept in memory. Waiting for it
-/// throws Interrupted after SIGINT or SIGTERM. The destructor kills the command and all processes it
-/// started.
+/// A shell command whose output is read as it arrives. Messages (stderr) are kept in memory. Waiting for
+/// the command throws Interrupted after SIGINT or SIGTERM. The destructor kills the command and all
+/// processes it started.
 class ChildCommand {
  public:
   /// Starts the command; `arguments` become $1, $2 ... `name` is used in messages, for example "this side".

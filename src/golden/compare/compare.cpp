@@ -105,8 +105,8 @@ frame::Image over(const frame::Image& image, int background) {
   return made;
 }
 
-/// Measures PSNR, SSIM and FLIP. They ignore alpha, so transparent pictures are measured over black and
-/// over white.
+/// Measures PSNR, SSIM and FLIP. These metrics ignore alpha, so transparent pictures are measured over
+/// black and over white.
 void measureLook(const frame::Image& a, const frame::Image& b, Measures measures, Metrics& metrics) {
   if (hasHoles(a) || hasHoles(b)) {
     for (const int background : {0, 255})

@@ -94,8 +94,8 @@ struct DeepPair {
   const Picture &pictureA, &pictureB;
   std::vector<LayerPair> layers;
 
-  /// Returns the largest channel difference in units of 1/255, at most 255. It is above 0 whenever the
-  /// files' numbers differ.
+  /// Returns the largest channel difference in units of 1/255, at most 255. The result is above 0 whenever
+  /// the files' numbers differ.
   [[nodiscard]] double apart(std::size_t pixel) const {
     double worst = 0;
     for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i) worst = std::max(worst, channelApart(i));

@@ -4,8 +4,8 @@
 
 namespace simreel::golden {
 
-// Colour space conversions of FLIP. They process `count` pixels, with one row of floats per coordinate;
-// rows are padded to a multiple of 4. White is D65, which is linear RGB (1, 1, 1).
+// Colour space conversions of FLIP. Each function processes `count` pixels, with one row of floats per
+// coordinate; rows are padded to a multiple of 4. White is D65, which is linear RGB (1, 1, 1).
 
 struct ThreeRows {
   float *first, *second, *third;

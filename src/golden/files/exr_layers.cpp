@@ -87,7 +87,7 @@ class PartLayers {
     return name == "A" || (colour ? name == "R" || name == "G" || name == "B" : name == "Y");
   }
 
-  /// Collects the names of Cryptomattes. Their channels .R and .B hold identifiers.
+  /// Collects the names of Cryptomattes. The channels .R and .B of a Cryptomatte hold identifiers.
   void chooseMattes() {
     for (auto attribute = header_.begin(); attribute != header_.end(); ++attribute) {
       const std::string name = attribute.name();

@@ -53,8 +53,8 @@ struct RenderCommand {
                                                 const std::vector<SceneFile>& scenes) const;
 };
 
-/// Returns the files to render: the given files, and all files below given folders except hidden ones.
-/// Their names are their paths without extension. Throws like findScenes().
+/// Returns the files to render: the given files, and all files below given folders except hidden ones. The
+/// name of a file is its path without extension. Throws like findScenes().
 [[nodiscard]] std::vector<SceneFile> findInputs(std::span<const std::string> paths);
 
 /// Returns the scene of a picture: the one with the longest name that the picture's path starts with,

@@ -42,8 +42,8 @@ std::string withoutMarkup(const std::string& json) {
 
 /// Removes repetition from the data; the page's unpacked() restores it. Output: {"keys": [[...], ...],
 /// "texts": [...], "data": ...}. An object becomes [index of its key list, values...], a list [-1,
-/// values...], and a text that occurs several times {"t": index}. This reduces a report of 500 failures to
-/// a quarter.
+/// values...], and a text that occurs several times {"t": index}. Packing reduces a report of 500 failures
+/// to a quarter.
 class Packer {
  public:
   std::string packed(const ordered_json& value) {

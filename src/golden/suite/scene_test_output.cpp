@@ -88,7 +88,7 @@ fs::path SceneTest::artifacts() const {
   return options_.retries > 0 ? folder / fmt::format("attempt{}", attempt_) : folder;
 }
 
-/// Judges all frames again against the baseline that was just written. They must pass now.
+/// Judges all frames again against the baseline that was just written. All frames must pass now.
 void SceneTest::judgeAgain(const std::string& profile) {
   const auto before = std::exchange(result_.frames, {});
   const scene::Tolerance tolerance = reference_.tolerance;

@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t maxBlocks = 64;
 constexpr std::uint32_t maxPerInvocation = 64;
 
-/// Returns the number of elements per block. It is a multiple of maxPerInvocation if it exceeds
+/// Returns the number of elements per block: a multiple of maxPerInvocation, or a number below
 /// maxPerInvocation.
 std::uint32_t blockSize(std::uint32_t elements, std::uint32_t blocks) {
   const std::uint32_t size = std::max(1U, (elements + blocks - 1) / blocks);

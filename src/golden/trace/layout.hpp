@@ -21,8 +21,8 @@ namespace simreel::golden {
 /// Returns a coarser version of a trace: if `whole`, each array becomes one block; only the first
 /// `detailed` frames keep every step. `detailed` must not exceed trace.detailed.
 [[nodiscard]] StepTrace reduced(const StepTrace& trace, bool whole, std::uint32_t detailed);
-/// Returns the first difference within a frame: the earliest step, then the first array. Its message is
-/// empty.
+/// Returns the first difference within a frame: the earliest step, then the first array. The message of the
+/// result stays empty.
 [[nodiscard]] std::optional<Divergence> compareFrame(const StepTrace& layout, std::uint32_t index,
                                                      std::span<const std::uint32_t> run,
                                                      std::span<const std::uint32_t> baseline);

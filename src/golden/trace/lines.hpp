@@ -11,8 +11,8 @@
 namespace simreel::golden {
 
 // Text output of `simreel trace`, which `simreel bisect` reads: one JSON object per line, and a binary
-// dump. Readers ignore unknown members, so different versions are compatible. They throw std::runtime_error
-// with the mistake in the text.
+// dump. Readers ignore unknown members, so different versions are compatible. Readers throw
+// std::runtime_error with the mistake in the text.
 
 /// First line of a trace: the program, driver and traced run.
 struct TraceHeader {

@@ -229,7 +229,7 @@ function metricsOf(scene, frame) {
   const beyond = scene.tolerance.maxChannelDiff ? scene.tolerance.maxChannelDiff.value : 0;
   const side = windowSize();
   const exact = noneMayDiffer(frame.asked);
-  const near = frame.asked === "near";  // with the bounds of brokenNearness() in compare.cpp
+  const near = frame.asked === "near";  // near: limits as in brokenNearness() in compare.cpp
   const limit = (field) => exact || !scene.tolerance[field] ? null : scene.tolerance[field].value;
   const over = (field, value) => limit(field) !== null && value > limit(field);
   const bound = (field, text) => limit(field) === null ? "" : "≤ " + text(limit(field));

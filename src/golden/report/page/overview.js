@@ -27,7 +27,7 @@ function ringAtWorst(image, metrics) {
   return ring;
 }
 
-/// Returns a thumbnail of a scene's first failing frame. It is loaded when it comes near the window.
+/// Returns a thumbnail of a scene's first failing frame. The image is loaded when it comes near the window.
 function smallPicture(scene) {
   const frame = tellingFrame(scene);
   const path = frame && (frame.actualImage || frame.expectedImage);
