@@ -22,7 +22,8 @@ double milliseconds(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 
-/// Timestamps of one frame: the first at its start, one after each mark. Kept and used again.
+/// Timestamps of one frame: the first at the frame's start, then one after each mark. Reused by later
+/// frames.
 using Stamps = std::vector<gl::Timestamp>;
 
 scene::Scene framed(scene::Scene shown) {
@@ -30,16 +31,18 @@ scene::Scene framed(scene::Scene shown) {
   return shown;
 }
 
-/// A frame under way.
+/// A frame that has been issued and not yet delivered.
 struct Pending {
   int frame = 0;
   bool timed = false;
   double waited = 0;
-  std::vector<std::size_t> order;  ///< stage of each mark
-  std::vector<double> cpu;         ///< ms of each mark
+  std::vector<std::size_t> order;  ///< index of the stage that each mark ends
+  std::vector<double> cpu;         ///< CPU time (ms) of each stage, up to its mark
   Stamps stamps;
-  std::size_t stamped = 0;                                         ///< marks that have a timestamp
-  std::vector<std::vector<std::pair<const char*, double>>> parts;  ///< of each object
+  /// number of marks that have a GPU timestamp
+  std::size_t stamped = 0;
+  /// names and times of the sub-stages of each object
+  std::vector<std::vector<std::pair<const char*, double>>> parts;
 };
 
 }  // namespace
@@ -61,20 +64,20 @@ struct BenchRun::State {
   scene::Scene scene;
   const gl::Context& context;
   Timing timing;
-  std::size_t depth;  ///< frames under way, beside the one being issued
+  std::size_t depth;  ///< max number of frames in flight besides the one being issued
   sim::World world;
   draw::Renderer renderer;
   draw::Readback readback;
   std::vector<std::size_t> stepStage;
   std::deque<Pending> pending;
   std::vector<Stamps> spare;
-  Pending current;  ///< being issued
+  Pending current;  ///< the frame whose commands are being issued
   Clock::time_point lastMark, lastDelivered;
-  double lastProcessor = 0;  ///< processSeconds() at lastDelivered
+  double lastProcessor = 0;  ///< value of processSeconds() at lastDelivered
   bool started = false;
   FrameTimes times;
 
-  /// Index of the stage of that name, which is made where it is new.
+  /// Returns the index of the stage with the given name. Adds the stage if it is new.
   std::size_t stage(const std::string& name) {
     auto& stages = times.stages;
     for (std::size_t i = 0; i < stages.size(); ++i)
@@ -141,7 +144,7 @@ struct BenchRun::State {
     const auto picture = readback.take(true);
     SIMREEL_CHECK_EQ(picture->first, oldest.frame);
     const auto end = Clock::now();
-    // Where every stage was waited for, what is left to wait for is the copy of the summary.
+    // With Timing::wait every stage has been waited for, so only the copy of the summary remains.
     const double waited = milliseconds(begin, there);
     if (timing == Timing::wait) {
       oldest.order.push_back(stage("state hash"));
@@ -160,7 +163,7 @@ struct BenchRun::State {
     if (timing == Timing::query) spare.push_back(std::move(oldest.stamps));
   }
 
-  /// The next frame's time begins.
+  /// Restarts the clock for the time of the next frame.
   void restart() {
     lastDelivered = Clock::now();
     lastProcessor = processSeconds();
@@ -189,7 +192,7 @@ struct BenchRun::State {
   void addPart(StageSeries& stage, const std::string& name, double value) const {
     for (StageSeries::Part& part : stage.parts)
       if (part.name == name) return part.values.push_back(value);
-    // A part that shows up late was zero before.
+    // A part that first appears in a later frame gets zeros for the earlier frames.
     stage.parts.push_back({name, std::vector<double>(times.wall.size() - 1)});
     stage.parts.back().values.push_back(value);
   }
@@ -208,13 +211,13 @@ BenchRun& BenchRun::operator=(BenchRun&&) noexcept = default;
 void BenchRun::run(int warmUp, int frames, const std::function<bool()>& done) {
   State& s = *state_;
   if (!s.started) {
-    // Frame 0 comes after the pre-roll, which is nobody's frame time.
+    // Frame 0 includes the pre-roll, so it is not a representative frame time.
     s.issue(false);
     s.deliver();
   }
   glFinish();
   s.restart();
-  // Frames issued after the timed ones keep the pipeline full until the last of those is there.
+  // Extra frames after the timed ones keep the pipeline full until the last timed frame is delivered.
   const int all = warmUp + frames + static_cast<int>(s.depth);
   for (int i = 0; i < all; ++i) {
     s.issue(i >= warmUp && i < warmUp + frames);

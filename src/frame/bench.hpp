@@ -10,21 +10,23 @@
 
 namespace simreel::frame {
 
-/// How frames are timed. `wait`: each stage is waited for before the next begins, which tells them apart
-/// even where a software driver's work hides in threads and tiles, but keeps them from overlapping.
-/// `query`: by the device's timestamps, with frames under way as in `render`. `whole`: as in `render`, with
-/// no look inside.
+/// Selects how the time of a frame is measured. `wait`: the CPU calls glFinish after each stage, so stages
+/// are separated even if a software driver defers work to threads and tiles, but stages cannot overlap.
+/// `query`: GPU timestamps, with several frames in flight as in `render`. `whole`: as in `render`, without
+/// stage times.
 enum class Timing { wait, query, whole };
 
-/// What suits the current context: `wait` on a software driver, else `query`.
+/// Returns the suitable timing for the current context: `wait` on a software driver, else `query`.
 [[nodiscard]] Timing usualTiming();
 
-/// A stage of a frame; ms, one value a frame.
+/// Times of one stage of the frame, in milliseconds, with one value for each frame.
 struct StageSeries {
-  std::string name;         ///< "step flag", "shadow", "surfaces", ..., "readback"
-  std::vector<double> cpu;  ///< the CPU was in it; with Timing::wait until all of it was done
-  std::vector<double> gpu;  ///< the device worked on it; empty unless Timing::query
-  /// What the simulation says of its step (Simulation::stageTimes); ms, of the latest frame known then.
+  std::string name;  ///< name of the stage: "step flag", "shadow", "surfaces", ..., "readback"
+  /// CPU time; with Timing::wait it includes waiting for the device to finish the stage
+  std::vector<double> cpu;
+  std::vector<double> gpu;  ///< time between GPU timestamps; empty unless the timing is Timing::query
+  /// Sub-stage times in ms, as reported by Simulation::stageTimes for the latest frame known when the frame
+  /// was issued.
   struct Part {
     std::string name;
     std::vector<double> values;
@@ -32,23 +34,24 @@ struct StageSeries {
   std::vector<Part> parts;
 };
 
-/// Measured frames of one scene, in the order of their frames.
+/// Times of the measured frames of one scene, in frame order.
 struct FrameTimes {
-  std::vector<int> frames;  ///< numbers
-  /// ms from the frame before being complete in the CPU's memory to this one being so.
+  std::vector<int> frames;  ///< numbers of the measured frames
+  /// Wall time (ms) from the previous frame's arrival in CPU memory to the arrival of the frame.
   std::vector<double> wall;
-  std::vector<double> waited;  ///< ms of that in which the CPU waited for the device
-  /// ms of processor time in it, of all threads: a software driver's too.
+  std::vector<double> waited;  ///< part of `wall` (ms) that the CPU spent waiting for the device
+  /// CPU time (ms) of all threads of the process within `wall`, including the threads of a software driver.
   std::vector<double> processor;
   std::vector<StageSeries> stages;
-  std::uint64_t rays =
-      0;  ///< of the last frame, those that went any way: of quality "high" (BenchRun::countRays)
+  /// Number of rays traced for the last frame, for pictures of quality "high". Set by BenchRun::countRays.
+  std::uint64_t rays = 0;
 };
 
-/// One scene, kept ready to run further frames. Frames go on beyond the scene's end.
+/// Runs and times the frames of one scene. The scene stays loaded between calls of run(); frame numbers may
+/// exceed the scene's last frame.
 class BenchRun {
  public:
-  /// Makes the simulations and compiles everything on the current context. Throws UserError(device).
+  /// Creates the simulations and compiles all shaders on the current context. Throws UserError(device).
   BenchRun(scene::Scene scene, const gl::Context& context, Timing timing);
   ~BenchRun();
   BenchRun(BenchRun&&) noexcept;
@@ -56,11 +59,11 @@ class BenchRun {
   BenchRun(const BenchRun&) = delete;
   BenchRun& operator=(const BenchRun&) = delete;
 
-  /// Runs `warmUp` frames (and frame 0 before the first), then `frames` that are added to times(). Calls
-  /// `done` after each of either; leaves early, with what it has, once it returns false. Throws
-  /// UserError(device) when the state is lost.
+  /// Runs `warmUp` untimed frames (and frame 0 before the first call's), then `frames` timed frames that
+  /// are added to times(). Calls `done` after every frame and returns early if it returns false. Throws
+  /// UserError(device) if a simulation lost its state.
   void run(int warmUp, int frames, const std::function<bool()>& done);
-  /// Draws the last frame once more, untimed, for times().rays.
+  /// Draws the last frame again without timing it, and stores its ray count in times().rays.
   void countRays();
   [[nodiscard]] const FrameTimes& times() const;
   [[nodiscard]] const scene::Scene& scene() const;

@@ -4,16 +4,16 @@
 
 namespace simreel::frame {
 
-/// From now on the renderer hears of the frame before each that the world advances to, as motion blur and
-/// velocities ask for: after keepLayers().
+/// Makes the world pass the previous frame's drawables to the renderer, if the renderer needs them for
+/// motion blur or velocities. Call it after Renderer::keepLayers().
 inline void followMotion(draw::Renderer& renderer, sim::World& world) {
   if (renderer.hearsBefore())
     world.onFrameBefore([&renderer](const sim::Drawables& before) { renderer.keepBefore(before); });
 }
 
-/// Draws the world as it is. What turns out to have lacked memory gets it, and everything is drawn again,
-/// so that no frame leaves without it; where all had enough, which is nearly always, the device is never
-/// idle: it draws while the CPU hears so.
+/// Draws the world's current frame. If a simulation's draw buffers turn out to be too small, World::grow()
+/// enlarges them and the frame is drawn again, so no incomplete frame is output. The usual case needs no
+/// redraw: the device draws while the CPU checks.
 inline void drawWorld(draw::Renderer& renderer, sim::World& world,
                       const draw::Renderer::StageWatch& watch = {}) {
   renderer.draw(world.time(), world.drawables(), watch);

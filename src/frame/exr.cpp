@@ -1,4 +1,4 @@
-// OpenEXR files, by its own library.
+// OpenEXR encoding with the OpenEXR library.
 #include "frame/exr.hpp"
 
 #include "base/error.hpp"
@@ -47,13 +47,13 @@ class MemoryStream final : public Imf::OStream {
   std::size_t at_ = 0;
 };
 
-/// Channels whose values are kept until the file is written.
+/// Owns the channel values until the file is written.
 class Channels {
  public:
   explicit Channels(glm::ivec2 size)
       : width_(static_cast<std::size_t>(size.x)), height_(static_cast<std::size_t>(size.y)) {}
 
-  /// Every `stride`-th float, from the first one.
+  /// Adds a channel made of every `stride`-th float, starting at the first.
   void add(Imf::Header& header, const std::string& name, const float* values, std::size_t stride,
            Imf::PixelType type) {
     header.channels().insert(name.c_str(), Imf::Channel(type));
@@ -66,7 +66,7 @@ class Channels {
     }
     insert(name, type, kept.data());
   }
-  /// Whole numbers.
+  /// Adds a channel of 32-bit unsigned integers.
   void add(Imf::Header& header, const std::string& name, const std::vector<std::uint32_t>& numbers) {
     header.channels().insert(name.c_str(), Imf::Channel(Imf::UINT));
     std::vector<std::uint32_t>& kept = numbers_.emplace_back(numbers);
@@ -75,7 +75,7 @@ class Channels {
   [[nodiscard]] const Imf::FrameBuffer& frame() const { return frame_; }
 
  private:
-  /// What is brighter than any half is the brightest of them, not infinite.
+  /// Converts to half. Clamps values above the largest half to it, so that none becomes infinite.
   static half asHalf(float value) { return half(std::min(value, 65504.0F)); }
 
   template <class Value>
@@ -124,7 +124,7 @@ void addMatte(Imf::Header& header, Channels& channels, const PictureLayers& pict
   }
 }
 
-/// Its bytes, beside what was hashed before.
+/// Appends the name and hash of `values` to `all`, the text that is hashed.
 template <class Value>
 void addTo(std::string& all, const char* what, const std::vector<Value>& values) {
   if (!values.empty()) all += fmt::format(" {} {}", what, hashHex(std::as_bytes(std::span(values))));
@@ -138,7 +138,7 @@ std::vector<std::byte> encodeExr(const PictureLayers& picture, const ImageText& 
                    4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   Imf::Header header(size.x, size.y);
   header.compression() = Imf::ZIP_COMPRESSION;
-  header.insert("chromaticities", Imf::ChromaticitiesAttribute(Imf::Chromaticities()));  // Rec. 709
+  header.insert("chromaticities", Imf::ChromaticitiesAttribute(Imf::Chromaticities()));
   for (const auto& [keyword, value] : text) header.insert(keyword, Imf::StringAttribute(value));
   Channels channels(size);
   for (std::size_t c = 0; c < (picture.alpha ? 4 : 3); ++c)
@@ -210,8 +210,8 @@ std::string pixelHash(const PictureLayers& picture) {
   return hashHex(all);
 }
 
-// Austin Appleby's MurmurHash3_x86_32: words of four bytes are mixed in one by one, then what is left over,
-// then the length.
+// MurmurHash3_x86_32 by Austin Appleby: mixes in 4-byte words one by one, then the remaining bytes, then
+// the length.
 std::uint32_t cryptomatteId(const std::string& name) {
   const auto mixed = [](std::uint32_t word) { return std::rotl(word * 0xcc9e2d51U, 15) * 0x1b873593U; };
   std::uint32_t hash = 0;

@@ -9,18 +9,20 @@
 
 namespace simreel::frame {
 
-/// -> OpenEXR file: R, G, B and, where there is one, A as halves or floats; of layers that it has depth as
-/// Z, position as P.X, P.Y, P.Z, normal, albedo and velocity as N.X ..., albedo.R ... and velocity.X ...,
-/// and objects as Cryptomatte "CryptoObject" (Friedman and Jones, specification 1.2), in floats. Texts are
-/// attributes of the header. Safe to call from several threads.
+/// Encodes a picture as an OpenEXR file. Channels: R, G, B and optionally A (half or float); if the layers
+/// exist, depth as Z, position as P.X, P.Y, P.Z, normal as N.X ..., albedo as albedo.R ..., velocity as
+/// velocity.X ..., and objects as Cryptomatte "CryptoObject" (Friedman and Jones, specification 1.2) in
+/// floats. `text` becomes header attributes. Thread-safe.
 [[nodiscard]] std::vector<std::byte> encodeExr(const draw::PictureLayers& picture, const ImageText& text);
-/// -> PNG file of 16 bits a number, RGBA where alpha is part of it, else RGB, of a picture that is filmed.
+/// Encodes a filmed (display-referred) picture as a PNG with 16 bits per channel: RGBA if the picture has
+/// alpha, else RGB.
 [[nodiscard]] std::vector<std::byte> encodeDeepPng(const draw::PictureLayers& picture,
                                                    const ImageText& text);
-/// Hash of all that it holds, independent of the encoder. 32 hexadecimal digits.
+/// Returns a hash of the whole content of the picture, independent of the encoder, as 32 hexadecimal
+/// digits.
 [[nodiscard]] std::string pixelHash(const draw::PictureLayers& picture);
-/// The number of a name in Cryptomatte: MurmurHash3 (32 bits, seed 0), with one bit of the exponent turned
-/// where a float of these bits would be no ordinary number.
+/// Returns the Cryptomatte id of an object name: MurmurHash3 (32 bits, seed 0), with one exponent bit
+/// flipped if the bits would otherwise be a zero, denormal, infinite or NaN float.
 [[nodiscard]] std::uint32_t cryptomatteId(const std::string& name);
 
 }  // namespace simreel::frame

@@ -26,34 +26,34 @@ namespace simreel::frame {
 
 namespace {
 
-/// What ISA-L works in. Each thread keeps one: it is too large for a stack.
+/// State and buffers of the ISA-L compressor. Each thread keeps one, because it is too large for the stack.
 struct Deflater {
   isal_zstream stream;
-  // Measured on the images of tools/bench/png.cpp: level 0's fixed Huffman code makes files up to 1.23
-  // times stock stb's; 2 gains 1 % over 1 for more memory; 3 and libdeflate's fastest miss 10 times its
-  // speed.
+  // Compression level 1, measured with tools/bench/png.cpp: the fixed Huffman code of level 0 makes files
+  // up to 1.23 times as large as stock stb's; level 2 saves 1 % over level 1 but needs more memory; level 3
+  // and libdeflate's fastest level do not reach 10 times stb's speed.
   static constexpr std::uint32_t level = 1;
   alignas(64) std::array<std::uint8_t, ISAL_DEF_LVL1_DEFAULT> levelBuffer;
 };
 
-/// Bytes at the start of a stream that are stored as they are. Without a history ISA-L (to 2.32 at least)
-/// hashes three bytes of a register that still holds the address of its stream, so that the matches it
-/// finds are another run's once in some thousands. With a dictionary it does not, and the stored bytes are
-/// one.
+/// Number of bytes at the start of a zlib stream that are stored uncompressed and then serve as dictionary.
+/// Without a dictionary, ISA-L (at least up to 2.32) hashes three bytes of a register that still contains
+/// the stream's address, so its output differs about once in some thousand runs. With a dictionary it is
+/// deterministic.
 constexpr std::size_t storedFirst = 32;
 
-/// Most that a zlib stream takes: stored blocks with 5 bytes each, header and checksum, and room for
-/// ISA-L's 8-byte stores.
+/// Returns the max size of a zlib stream for `size` bytes: stored blocks (5 bytes each), header, checksum,
+/// and space for the 8-byte stores of ISA-L.
 std::size_t zlibBound(std::size_t size) {
   return size + 5 * (size / 65535 + 2) + 64 + ISAL_DEF_MAX_HDR_SIZE;
 }
 
-/// One deflate stream without a wrapping, which goes on from `history`; bytes written, or nothing when
-/// `out` is too small.
+/// Writes a raw deflate stream of `in` to `out`, with `history` as preset dictionary. Returns the number of
+/// bytes written, or nothing if `out` is too small.
 std::optional<std::size_t> deflate(std::span<const unsigned char> history,
                                    std::span<const unsigned char> in, std::span<unsigned char> out) {
   thread_local const auto deflater = std::make_unique<Deflater>();
-  // Only read; the C interface has no const.
+  // ISA-L only reads the bytes, but its C interface lacks const.
   const auto writable = [](std::span<const unsigned char> bytes) {
     return const_cast<unsigned char*>(bytes.data());
   };
@@ -75,8 +75,8 @@ std::optional<std::size_t> deflate(std::span<const unsigned char> history,
   return stream.total_out;
 }
 
-/// The zlib stream of `in` (RFC 1950): a stored block, a deflated rest; `out` holds zlibBound() bytes.
-/// Bytes written, or nothing if ISA-L fails.
+/// Writes the zlib stream of `in` (RFC 1950): one stored block, then one deflated block. `out` holds
+/// zlibBound() bytes. Returns the number of bytes written, or nothing if ISA-L fails.
 std::optional<std::size_t> compressZlib(std::span<const unsigned char> in, std::span<unsigned char> out) {
   const std::size_t stored = std::min(storedFirst, in.size());
   const bool isAll = stored == in.size();
@@ -98,13 +98,15 @@ std::optional<std::size_t> compressZlib(std::span<const unsigned char> in, std::
   return size;
 }
 
-constexpr int largestSide = 16384;         ///< of a picture whose header is not looked at here
-constexpr int largestSideOfAll = 1 << 24;  ///< more than decoders take
+/// max width or height if the size is not known from the file header
+constexpr int largestSide = 16384;
+/// max width or height of any decoder; larger images are rejected before decoding
+constexpr int largestSideOfAll = 1 << 24;
 constexpr std::size_t mostPixels = std::size_t{1} << 28;
 
 using Bytes = std::span<const unsigned char>;
 
-/// Whether nothing would show through.
+/// True if every alpha value is 255.
 bool isOpaque(const Image& image) {
   for (std::size_t i = 3; i < image.bytes.size(); i += 4)
     if (image.bytes[i] != 255) return false;
@@ -115,14 +117,15 @@ PackedPixels pixelsOf(const Image& image, Bytes bytes) {
   return {{image.width, image.height}, image.alpha ? 4 : 3, 8, bytes};
 }
 
-/// RGB of an image, or RGBA `withAlpha`, in a buffer that each thread keeps until its next image: fresh
-/// pages for every frame cost as much as a tenth of the encoding.
+/// Returns the RGB bytes of an image, or its RGBA bytes if `withAlpha`. The RGB buffer is thread-local and
+/// valid until the thread's next call: allocating fresh pages for every frame takes up to a tenth of the
+/// encoding time.
 Bytes packed(const Image& image, bool withAlpha) {
   const std::size_t pixels = std::size_t(image.width) * std::size_t(image.height);
   SIMREEL_CHECK(image.width > 0 && image.height > 0);
   SIMREEL_CHECK_EQ(image.bytes.size(), pixels * 4);
   if (withAlpha) return image.bytes;
-  // Four bytes are copied for each three; the next pixel overwrites the fourth.
+  // memcpy copies 4 bytes for each 3-byte pixel. The next pixel overwrites the fourth byte.
   thread_local std::vector<unsigned char> rgb;
   rgb.resize(pixels * 3 + 1);
   const std::uint8_t* from = image.bytes.data();
@@ -131,9 +134,10 @@ Bytes packed(const Image& image, bool withAlpha) {
   return Bytes(rgb).first(pixels * 3);
 }
 
-/// Rows as PNG stores them, filter Sub (the difference to the pixel on the left) before each. Measured by
-/// tools/bench/png.cpp: Paeth alone takes longer than all else, None and Sub have the smallest worst file,
-/// and Sub is smaller on the average. Kept as packRgb's are.
+/// Returns the rows as PNG stores them: each starts with its filter type, Sub (difference to the pixel on
+/// the left). Measured with tools/bench/png.cpp: Paeth alone takes longer than the rest of the encoding;
+/// None and Sub have the smallest worst-case file, and Sub has smaller files on average. The buffer is
+/// thread-local, as in packed().
 Bytes filterRows(Bytes rgb, std::size_t stride, std::size_t pixel) {
   constexpr unsigned char sub = 1;
   thread_local std::vector<unsigned char> rows;
@@ -159,7 +163,8 @@ struct ChunkText {
   bool fitsLatin1 = true;
 };
 
-/// Both encodings of a value. Malformed bytes and NUL, which would end the text, become '?'.
+/// Converts a UTF-8 value to Latin-1 and to clean UTF-8. Replaces malformed bytes and NUL (the terminator)
+/// by '?'.
 ChunkText convertText(std::string_view value) {
   ChunkText result;
   for (std::size_t i = 0; i < value.size();) {
@@ -174,8 +179,8 @@ ChunkText convertText(std::string_view value) {
   return result;
 }
 
-/// What the numbers mean: sRGB, rendering intent perceptual, and for readers that do not know that, the
-/// gamma and primaries nearest to it (PNG specification 11.3.3.5).
+/// Appends the colour space chunks: sRGB with perceptual intent, and for decoders that ignore it the
+/// nearest gamma and primaries (PNG specification 11.3.3.5). Linear pictures get gamma 1 and no sRGB chunk.
 void appendColorSpace(File& file, bool linear) {
   const auto words = [](std::initializer_list<std::uint32_t> values) {
     std::string bytes;
@@ -187,18 +192,20 @@ void appendColorSpace(File& file, bool linear) {
   appendPngChunk(file, "cHRM", words({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}));
 }
 
-/// tEXt holds Latin-1 only; anything else goes into an uncompressed iTXt (PNG specification 11.3.4).
+/// Appends a text chunk: tEXt if the value fits Latin-1, else an uncompressed iTXt (PNG specification
+/// 11.3.4).
 void appendText(File& file, const std::string& keyword, std::string_view value) {
   SIMREEL_CHECK(!keyword.empty() && keyword.size() <= 79);
   const ChunkText text = convertText(value);
-  // After the keyword's NUL, iTXt has: not compressed, method 0, no language, no translated keyword.
+  // The bytes after the keyword's NUL in iTXt: uncompressed, method 0, empty language, empty translated
+  // keyword.
   appendPngChunk(
       file, text.fitsLatin1 ? "tEXt" : "iTXt",
       keyword + std::string(text.fitsLatin1 ? 1 : 5, '\0') + (text.fitsLatin1 ? text.latin1 : text.utf8));
 }
 
-/// Of `bytes`, which are packed; the same for an image with an alpha channel that hides all as for one
-/// without.
+/// Returns the pixel hash of `image`, with its packed pixels in `bytes`. An image whose alpha is 255
+/// everywhere has the same hash as the image without alpha.
 std::string hashOf(const Image& image, Bytes bytes) {
   const bool withAlpha = image.alpha && !isOpaque(image);
   if (image.alpha && !withAlpha) bytes = packed(image, false);
@@ -211,8 +218,8 @@ File encode(const PackedPixels& pixels, const ImageText& text) {
   std::string header;
   for (const int side : {pixels.size.x, pixels.size.y})
     appendPngNumber(header, static_cast<std::uint32_t>(side));
-  constexpr char colourTypes[] = {0, 0, 0, 2, 6};  // by channels: grey, RGB, RGBA
-  // Deflate, filtered by row, not interlaced.
+  constexpr char colourTypes[] = {0, 0, 0, 2, 6};  // index: number of channels (1 grey, 3 RGB, 4 RGBA)
+  // The last three header bytes: deflate, per-row filters, not interlaced.
   header += {static_cast<char>(pixels.bits), colourTypes[pixels.channels], 0, 0, 0};
 
   const auto pixel = static_cast<std::size_t>(pixels.channels * pixels.bits / 8);
@@ -255,7 +262,7 @@ HashedFile encodeHashedPng(const Image& image, const ImageText& text) {
 
 namespace {
 
-/// Width and height of a JPEG: in its first frame header (ITU-T T.81, B.2.2).
+/// Returns width and height of a JPEG from its first frame header (ITU-T T.81, B.2.2).
 std::optional<glm::ivec2> sizeOfJpeg(std::string_view bytes) {
   const auto two = [&](std::size_t at) {
     return static_cast<unsigned char>(bytes[at]) << 8 | static_cast<unsigned char>(bytes[at + 1]);
@@ -273,7 +280,7 @@ std::optional<glm::ivec2> sizeOfJpeg(std::string_view bytes) {
   return std::nullopt;
 }
 
-/// Width and height as a PNG or a JPEG gives them; nothing for other kinds.
+/// Returns width and height from a PNG or JPEG header, or nothing for other formats.
 std::optional<glm::ivec2> sizeInHeader(std::string_view bytes) {
   if (bytes.starts_with("\xff\xd8")) return sizeOfJpeg(bytes);
   const auto header = pngHeaderOf(bytes);

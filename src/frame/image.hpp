@@ -10,39 +10,39 @@
 
 namespace simreel::frame {
 
-/// Rows from the top, RGBA, 8 bits each, sRGB encoded: bytes.size() == width * height * 4.
+/// Image of 8-bit RGBA, sRGB encoded, rows from the top: bytes.size() == width * height * 4.
 struct Image {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> bytes;
-  bool alpha = false;  ///< whether alpha is part of it, straight; else it is left out of files and hashes
+  bool alpha = false;  ///< true if alpha (straight) is stored in files and hashed; else it is ignored
 };
 
-/// Text chunks of a PNG, keyword and value.
+/// Text chunks of a PNG as pairs of keyword and value.
 using ImageText = std::vector<std::pair<std::string, std::string>>;
 
-/// Image -> PNG file, RGBA where alpha is part of it, else RGB. Safe to call from several threads.
+/// Encodes an image as PNG: RGBA if image.alpha is true, else RGB. Thread-safe.
 [[nodiscard]] std::vector<std::byte> encodePng(const Image& image, const ImageText& text);
-/// Numbers as PNG has them, rows from the top, grey, RGB or RGBA, of 16 bits the higher byte first.
+/// Raw samples in PNG order: rows from the top; grey, RGB or RGBA; 16-bit samples are big endian.
 struct PackedPixels {
   glm::ivec2 size;
   int channels;
   int bits;
   std::span<const std::uint8_t> bytes;
-  bool linear = false;  ///< whether the numbers are proportional to what they stand for, not sRGB
+  bool linear = false;  ///< true if the samples are linear, false if they are sRGB encoded
 };
 [[nodiscard]] std::vector<std::byte> encodePng(const PackedPixels& pixels, const ImageText& text);
-/// The same file and its pixelHash, for less than both.
+/// An encoded file together with its pixelHash. Computing both at once costs less than two separate calls.
 struct HashedFile {
   std::vector<std::byte> file;
   std::string pixels;
 };
 [[nodiscard]] HashedFile encodeHashedPng(const Image& image, const ImageText& text);
-/// PNG (or any format stb_image reads) -> RGBA; alpha is part of it unless it is opaque. `name` is used in
-/// the UserError(inputOutput) thrown.
+/// Decodes a PNG, or any other format of stb_image, to RGBA. `alpha` is true unless the image is opaque.
+/// `name` appears in the message of the UserError(inputOutput) thrown on failure.
 [[nodiscard]] Image decodeImage(std::span<const std::byte> file, const std::string& name);
-/// Hash of size and RGB values, and of alpha where that lets something through, independent of the encoder.
-/// 32 hexadecimal digits.
+/// Returns a hash of size and RGB values, and of alpha unless the image is opaque. The hash does not depend
+/// on the encoder. 32 hexadecimal digits.
 [[nodiscard]] std::string pixelHash(const Image& image);
 
 }  // namespace simreel::frame

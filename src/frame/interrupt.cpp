@@ -15,15 +15,16 @@ namespace simreel::frame {
 namespace {
 
 std::atomic<int> arrived = 0;
-// A handler may use lock-free atomics only.
+// A signal handler may only use lock-free atomics.
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<double>::is_always_lock_free);
 
-constexpr int childPatience = 3;  ///< s in which nothing has moved, before children are ended
-constexpr int patience = 10;      ///< and before the process is
-std::atomic<int> still = 0;       ///< s
+constexpr int childPatience = 3;  ///< seconds without CPU time until the children are ended
+constexpr int patience = 10;      ///< seconds without CPU time until the process exits
+std::atomic<int> still = 0;       ///< number of consecutive seconds in which the process used no CPU time
 std::atomic<double> busyBefore = 0;
 
-/// s of processor time, of children too: what waits for a slow disk or reader still moves now and then.
+/// Returns the CPU time (s) of the process and its children. A process that waits for a slow disk or reader
+/// still uses some now and then.
 double busy() {
   timespec time{};
   ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
@@ -35,7 +36,7 @@ double busy() {
   ::_exit(128 + number);
 }
 
-/// Every second after a signal has come.
+/// Handles SIGALRM, once a second after an interrupting signal.
 void onSecond(int /*number*/) {
   const int error = errno;
   const double now = busy();
@@ -50,7 +51,8 @@ void onSecond(int /*number*/) {
 }
 
 void onSignal(int number, siginfo_t* info, void* /*context*/) {
-  // Our own, since a file grew beyond the limit: the write fails, and says so.
+  // The kernel sent SIGXFSZ because a file exceeded the size limit. Ignored: the write itself fails with an
+  // error.
   if (number == SIGXFSZ && (info->si_code == SI_KERNEL || info->si_pid == ::getpid())) return;
   if (arrived.exchange(number) != 0) endNow(number);
   ::alarm(1);
@@ -69,7 +71,8 @@ void catchInterrupts() {
   for (const int number : {SIGINT, SIGTERM, SIGXFSZ, SIGHUP}) {
     struct sigaction before {};
     ::sigaction(number, nullptr, &before);
-    if (number == SIGHUP && before.sa_handler == SIG_IGN) continue;  // nohup
+    // the signal was already ignored, because nohup started the program
+    if (number == SIGHUP && before.sa_handler == SIG_IGN) continue;
     ::sigaction(number, &action, nullptr);
   }
 }

@@ -2,22 +2,24 @@
 
 namespace simreel::frame {
 
-/// Thrown by work that a signal has ended.
+/// Exception thrown by work that a signal interrupted.
 struct Interrupted {
   int signal;
 };
 
-/// From here on the first SIGINT, SIGTERM, SIGHUP (unless ignored, as by nohup) or SIGXFSZ that somebody
-/// sends is only noted, so that the frame and the manifest can be finished; a second one ends the process
-/// at once with 128 + its number. So does the first where nothing moves any more: after 3 s without
-/// processor time, its own or of children, these are ended; after 10 s the process.
+/// Installs signal handlers. The first SIGINT, SIGTERM, SIGHUP (unless ignored, as by nohup) or SIGXFSZ
+/// sent by a process only sets a flag, so that the current frame and the manifest can be finished. A second
+/// signal exits at once with 128 + its number. A watchdog covers hangs after the first signal: after 3 s
+/// without CPU time of the process or its children the children are ended, and after 10 s the process
+/// exits.
 void catchInterrupts();
 
-/// The signal that arrived, or 0. Poll it between frames; then finish() the sink and exit 128 + it.
+/// Returns the signal that arrived, or 0. Poll it between frames; if it is not 0, call finish() on the sink
+/// and exit with 128 + the signal.
 [[nodiscard]] int interruptSignal();
 void throwIfInterrupted();
 
-/// Makes writing to a closed pipe an error (EPIPE) instead of the end of the process.
+/// Ignores SIGPIPE, so that writing to a closed pipe fails with EPIPE instead of ending the process.
 void ignoreBrokenPipes();
 
 }  // namespace simreel::frame

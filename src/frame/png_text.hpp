@@ -6,11 +6,11 @@
 
 namespace simreel::frame {
 
-/// Text chunks of a PNG that are not compressed, as UTF-8, in their order; none of what is no PNG or ends
-/// before its time.
+/// Returns the uncompressed text chunks of a PNG, in file order, as UTF-8. Returns none if the data is not
+/// a PNG; stops at the first incomplete chunk.
 [[nodiscard]] ImageText readPngText(std::span<const std::byte> png);
 
-/// True if a PNG has all its chunks up to the end, with right checksums.
+/// True if a PNG has all chunks up to IEND with valid checksums.
 [[nodiscard]] bool isWholePng(std::span<const std::byte> png);
 
 }  // namespace simreel::frame

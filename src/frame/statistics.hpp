@@ -3,25 +3,25 @@
 
 namespace simreel::frame {
 
-/// What a set of measured values looks like; all zero for no values.
+/// Summary of a set of measured values; all zero if the set is empty.
 struct Statistics {
   int count = 0;
-  double median = 0, p5 = 0, p95 = 0;  ///< see percentile()
+  double median = 0, p5 = 0, p95 = 0;  ///< percentiles, interpolated as in percentile()
   double mean = 0, min = 0, max = 0;
 };
 
 [[nodiscard]] Statistics statisticsOf(std::span<const double> values);
 
-/// The value below which the share `p` (0 to 1) of `sorted` lies: linear between the two nearest, with the
-/// least at 0 and the greatest at 1 (definition 7 of Hyndman and Fan 1996, the default of NumPy and R).
-/// 0 for no values.
+/// Returns the percentile of `sorted` at fraction `p` (0 to 1), linearly interpolated between the two
+/// nearest values, with the min at 0 and the max at 1 (definition 7 of Hyndman and Fan 1996, the default of
+/// NumPy and R). 0 if `sorted` is empty.
 [[nodiscard]] double percentile(std::span<const double> sorted, double p);
 
-/// Values beyond three times the median.
+/// Values greater than three times the median.
 struct Outliers {
-  double bound = 0;  ///< three times the median
+  double bound = 0;  ///< three times the median; greater values are outliers
   int count = 0;
-  int worst = -1;  ///< index of the greatest of them; -1: there is none
+  int worst = -1;  ///< index of the greatest outlier; -1 without outliers
 };
 
 [[nodiscard]] Outliers outliersOf(std::span<const double> values);

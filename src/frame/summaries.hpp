@@ -6,20 +6,21 @@
 
 namespace simreel::frame {
 
-/// Throws UserError(device) when a simulation lost its state up to the present frame.
+/// Throws UserError(device) if a simulation lost its state at or before the current frame.
 inline void checkState(sim::World& world) {
   world.startSummary();
   static_cast<void>(world.takeSummary(true));
 }
 
-/// Summaries of a world's frames, as many under way as it allows, so that the device steps on meanwhile.
-/// Each goes to `take` in the order of frames. Throws UserError(device) when a simulation lost its state.
+/// Pipelines the state summaries of a world: keeps as many in flight as the world allows, so that the
+/// device keeps stepping. Passes each summary to `take` in frame order. Throws UserError(device) if a
+/// simulation lost its state.
 class Summaries {
  public:
   using Take = std::function<void(const sim::World::Summary& summary)>;
   Summaries(sim::World& world, Take take) : world_(world), take_(std::move(take)) {}
 
-  /// Of the present frame; waits for the oldest where there is no room for another.
+  /// Starts the summary of the current frame. If the max number is in flight, waits for the oldest first.
   void start() {
     if (underWay_ == sim::World::maxSummaries) takeOldest();
     world_.startSummary();

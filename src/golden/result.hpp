@@ -10,109 +10,115 @@
 
 namespace simreel::golden {
 
-/// How a scene (or one frame of it) came out. The JSON report spells them as statusName() does.
+/// Result of testing a scene or one of its frames. statusName() gives the spelling in JSON reports.
 enum class Status {
   pass,
-  updated,           ///< baselines were written, as asked
-  xfail,             ///< failed as the scene expects
-  flaky,             ///< failed, then passed on a retry
-  fail,              ///< pixels, state or a check differ
-  nondeterministic,  ///< two runs of the same program differ
-  missing,           ///< no baseline
-  xpass,             ///< expected to fail, but passed
-  error,             ///< scene or baseline cannot be used, or the device lost the state
+  updated,           ///< baselines were written, as requested by --update
+  xfail,             ///< failed, as the scene expects
+  flaky,             ///< failed first, then passed on a retry
+  fail,              ///< fails: pixels, state or a check differs
+  nondeterministic,  ///< nondeterministic: two runs of the same program differ
+  missing,           ///< there is no baseline to compare with
+  xpass,             ///< passed although the scene expects a failure
+  error,             ///< scene or baseline is unusable, or the device lost the state
 };
 inline constexpr int statusCount = 9;
-/// What is said of it.
+/// Words that describe a status in reports.
 struct StatusWords {
-  const char* name;     ///< in reports
-  const char* counted;  ///< after a number of scenes
-  const char* reason;   ///< of a scene that has no messages
+  const char* name;     ///< name of the status in reports
+  const char* counted;  ///< words used after a number of scenes, such as "failed"
+  const char* reason;   ///< message for scenes that have no messages of their own
 };
 [[nodiscard]] const StatusWords& wordsOf(Status status);
 [[nodiscard]] inline const char* statusName(Status status) {
   return wordsOf(status).name;
 }
-/// Nothing for a word that is no status.
+/// Returns the status with this name, or nothing for an unknown name.
 [[nodiscard]] std::optional<Status> statusOfName(std::string_view name);
-/// Whether a scene that came out so makes the run fail. A flaky one does unless --allow-flaky was given.
+/// True if a scene with this status makes the whole run fail. A flaky scene does unless `allowFlaky`.
 [[nodiscard]] bool isFailure(Status status, bool allowFlaky);
 
-/// What is measured between two pictures of equal size. Ratios and FLIP are 0 to 1; x grows right, y down.
+/// Measured differences between two pictures of equal size. Ratios and FLIP are in 0 to 1; x grows to the
+/// right, y downwards.
 struct Metrics {
-  double worst = 0;            ///< largest difference of one channel, 0 to 255; fractions in deep pictures
-  int worstX = 0, worstY = 0;  ///< where
-  long differentPixels = 0;    ///< with any difference
-  long pixelsBeyond = 0;       ///< with a channel further apart than maxChannelDiff
-  double ratioBeyond = 0;      ///< pixelsBeyond / pixels
-  double windowRatio = 0;      ///< fraction of pixelsBeyond in the densest window
-  int windowX = 0, windowY = 0;    ///< its top left corner
-  double psnr = 0;                 ///< dB over R, G and B; infinite when equal (null in JSON)
-  std::optional<double> ssim = 1;  ///< nothing: not measured (null in JSON), as is
+  /// largest difference of one channel, 0 to 255; fractional for deep pictures
+  double worst = 0;
+  int worstX = 0, worstY = 0;  ///< pixel with the largest difference
+  long differentPixels = 0;    ///< number of pixels with any difference at all
+  /// number of pixels with a channel that differs by more than maxChannelDiff
+  long pixelsBeyond = 0;
+  double ratioBeyond = 0;          ///< pixelsBeyond divided by the number of pixels
+  double windowRatio = 0;          ///< fraction of pixelsBeyond in the densest window
+  int windowX = 0, windowY = 0;    ///< pixel coordinates of the top left corner of the densest window
+  double psnr = 0;                 ///< dB over R, G and B; infinite if equal (null in JSON)
+  std::optional<double> ssim = 1;  ///< structural similarity; empty if not measured (null in JSON)
   std::optional<double> flipMean = 0;
-  /// Pixels that do not count: inside masks, of smoothed edges, found nearby.
+  /// Number of ignored pixels: inside masks, on antialiased edges, or found within the search radius.
   long maskedPixels = 0, antialiasedPixels = 0, movedPixels = 0;
   bool operator==(const Metrics&) const = default;
 };
 
-/// Where a picture leaves its baseline.
+/// First pass and pixel at which a picture differs from its baseline.
 struct PassPlace {
-  std::string pass;  ///< the first whose hash differs; empty: the baseline knows none
-  int x = 0,
-      y = 0;  ///< a pixel that differs from the baseline's picture: the first that shows one thing only
-  std::string shows;    ///< and what is visible there: "triangle 12 of flag"
-  std::string message;  ///< one line
+  std::string pass;  ///< first pass whose hash differs; empty if the baseline has no pass hashes
+  /// First differing pixel that shows a single thing, or otherwise the first differing pixel.
+  int x = 0, y = 0;
+  std::string shows;    ///< what is visible at the pixel: "triangle 12 of flag"
+  std::string message;  ///< description of the difference in one line
   bool operator==(const PassPlace&) const = default;
 };
 
-/// A picture beside those that are compared: of another attempt or run, under its number.
+/// Picture of another attempt or run, for display beside the compared pictures.
 struct OtherPicture {
   std::string label;  ///< "attempt 1", "run 3"
-  std::string image;  ///< relative to the folder of report.json
+  std::string image;  ///< path of the picture, relative to the folder of report.json
   bool operator==(const OtherPicture&) const = default;
 };
 
 struct FrameResult {
   int frame = 0;
-  double time = 0;  ///< s
+  double time = 0;  ///< time of the frame in seconds
   Status status = Status::pass;
-  std::string message;                 ///< one line, empty when it passed
-  std::string pixels, expectedPixels;  ///< hashes; expected is empty without a baseline
-  int alternate = 0;  ///< 0: the baseline itself; n: its n-th accepted alternate was nearest
-  std::string state;  ///< "equal", "different", "missing", "not compared"
-  /// Of its pixels: askedName() in golden/baseline/origin.hpp; empty without a baseline.
+  std::string message;                 ///< reason for the status in one line; empty if the frame passed
+  std::string pixels, expectedPixels;  ///< pixel hashes; `expectedPixels` is empty if there is no baseline
+  /// index of the closest accepted alternate, from 1; 0: the baseline itself
+  int alternate = 0;
+  std::string state;  ///< "equal", "different", "missing" or "not compared"
+  /// How closely the pixels had to match: askedName() in golden/baseline/origin.hpp. Empty if there is no
+  /// baseline.
   std::string asked;
-  std::optional<Metrics> metrics;  ///< of pictures that were compared pixel by pixel
-  std::optional<PassPlace> pass;   ///< of an exact picture that fails where the state is equal
-  /// Relative to the folder of report.json; empty where there is none.
+  std::optional<Metrics> metrics;  ///< empty unless the pictures were compared pixel by pixel
+  /// place of the first difference, if an exact picture fails although the state is equal
+  std::optional<PassPlace> pass;
+  /// Paths relative to the folder of report.json; empty if there is no such picture.
   std::string expectedImage, actualImage, differenceImage;
-  std::string flipImage;  ///< FLIP's map
+  std::string flipImage;  ///< path of the FLIP error map
   std::vector<OtherPicture> others;
   bool operator==(const FrameResult&) const = default;
 };
 
 struct CheckResult {
-  std::string what;  ///< "energy of flag", "max of flag positions.y", "not-blank"
+  std::string what;  ///< description: "energy of flag", "max of flag positions.y", "not-blank"
   int frame = 0;
   std::optional<double> value, min, max;
   bool passed = true;
-  std::string message;  ///< "frame 60: energy of flag is 3.1, above 3" when it failed
+  std::string message;  ///< if failed: "frame 60: energy of flag is 3.1, above 3"
   bool operator==(const CheckResult&) const = default;
 };
 
-/// Where a run first leaves the baseline's state.
+/// First place at which the state of a run differs from the baseline's.
 struct Divergence {
-  int frame = 0;  ///< the frame that is being stepped to; negative during pre-roll
-  int step = 0;   ///< of the frame, from 1; 0: known to the frame only
-  int steps = 0;  ///< steps a frame
+  int frame = 0;  ///< frame being stepped to; negative during pre-roll
+  int step = 0;   ///< step within the frame, from 1; 0 if only the frame is known
+  int steps = 0;  ///< number of simulation steps per frame
   std::string object, buffer;
-  /// The first block that differs; equal when one element is known.
+  /// Range of the first differing block of elements. Both are equal if a single element is known.
   long firstElement = 0, lastElement = 0;
   std::string message;
   bool operator==(const Divergence&) const = default;
 };
 
-/// One tolerance bound: its value and who said so ("default", "assets/scenes/flag.json",
+/// One tolerance bound: its value and its origin ("default", "assets/scenes/flag.json",
 /// "--max-diff-ratio").
 struct Bound {
   double value = 0;
@@ -126,72 +132,76 @@ struct Attempt {
   bool operator==(const Attempt&) const = default;
 };
 
-/// What somebody wrote that a result is about.
+/// Place in a user's file that causes a result.
 struct Place {
   std::string file;
-  int line = 1;  ///< from 1
+  int line = 1;  ///< line number, from 1
   bool operator==(const Place&) const = default;
 };
 
 struct SceneResult {
-  std::string name;  ///< unique in the run: the scene's path below the folder, without extension
+  std::string name;  ///< unique within the run: path of the scene below the folder, without extension
   std::string file;
   std::string baselines;  ///< folder of the scene's baselines
   Status status = Status::pass;
-  std::vector<std::string> messages;  ///< why it failed, one line each
-  std::vector<std::string> notes;     ///< worth knowing: a fallback, a tolerance much looser than needed
-  std::string xfail;                  ///< the scene's reason
-  std::string profile;                ///< the one whose baselines were used; empty: none
-  std::string asked;                  ///< the least that is asked of a frame's pixels; empty: no baseline
-  /// Of the run that wrote last; processor: empty where it is not known.
+  std::vector<std::string> messages;  ///< reasons for the failure, one line each
+  /// remarks, such as a fallback or a tolerance much looser than needed
+  std::vector<std::string> notes;
+  std::string xfail;    ///< reason for the expected failure, from the scene
+  std::string profile;  ///< profile whose baselines were used; empty if none
+  /// weakest requirement on the pixels of any frame; empty if there is no baseline
+  std::string asked;
+  /// Data of the run that wrote the baseline last. The processor is empty if unknown.
   std::string baselineDriver, baselineProcessor, baselineVersion, baselineReason;
-  std::map<std::string, Bound> tolerance;  ///< by field name, those in force
-  double seconds = 0;                      ///< in all
-  double simulateSeconds = 0;              ///< of it stepping the simulation
+  std::map<std::string, Bound> tolerance;  ///< bounds in force, by field name
+  double seconds = 0;                      ///< total time for the scene
+  double simulateSeconds = 0;              ///< part of `seconds` spent stepping the simulation
   int repeats = 0;
-  std::vector<Attempt> attempts;  ///< failed tries before the last, with --retries
+  std::vector<Attempt> attempts;  ///< failed attempts before the last, with --retries
   std::vector<FrameResult> frames;
   std::vector<CheckResult> checks;
   std::optional<Divergence> divergence;
-  /// Folder with what `simreel accept` would promote, relative to report.json; or empty.
+  /// Folder with the data that `simreel accept` would promote, relative to report.json; may be empty.
   std::string candidate;
-  /// Of what has a candidate: the files that the scene was made of, and their hashes (baseline/inputs.hpp).
+  /// If there is a candidate: input files of the scene and their hashes (baseline/inputs.hpp).
   std::map<std::string, std::string> inputs;
-  std::optional<Place> blame;  ///< of a scene that did not pass
-  /// Of a picture without a baseline: the baseline without a picture that has its pixels; or empty.
+  std::optional<Place> blame;  ///< file and line to blame; set if the scene did not pass
+  /// If the picture has no baseline: the baseline with equal pixels whose own picture is gone; may be
+  /// empty.
   std::string renamedFrom;
   bool operator==(const SceneResult&) const = default;
 };
 
-/// A baseline that nothing was tested against.
+/// A baseline that no test used.
 struct Stale {
   std::string path;
-  std::string message;  ///< one line
+  std::string message;  ///< reason why the baseline is stale, in one line
   bool removed = false;
   bool operator==(const Stale&) const = default;
 };
 
-/// What the test of one scene makes of it.
+/// Result of testing one scene.
 struct Outcome {
   SceneResult scene;
-  ExitCode error = ExitCode::ok;  ///< what kept a scene of Status::error from being tested
-  bool hardFailed = false;        ///< on some try: nothing excuses that
-  std::vector<Stale> stale;       ///< what of its baselines nothing was tested against
+  ExitCode error = ExitCode::ok;  ///< error that prevented the test, for Status::error
+  /// true if some attempt had a pixel beyond the hardFail bound, which neither retries nor xfail excuse
+  bool hardFailed = false;
+  std::vector<Stale> stale;  ///< the scene's baselines that no test used
 };
 
 struct SuiteResult {
   std::string version;
-  std::string unit = "scene";  ///< what was tested: "scene" or "picture"
-  std::string expected;        ///< of pictures: the folder of the baselines
-  /// Of this run; fingerprints of numerics and of drawing.
+  std::string unit = "scene";  ///< kind of the tests: "scene" or "picture"
+  std::string expected;        ///< for pictures: folder of the baselines
+  /// Properties of the run. `fingerprint` is of numerics, `drawing` of drawing.
   std::string driver, processor, profile, fingerprint, drawing, memoryPath;
-  std::string command;        ///< as typed
-  std::string shard;          ///< "2/4" where this is a part of a run; empty: all of it
-  std::string acceptCommand;  ///< to promote this run; empty where nothing was kept
-  bool allowFlaky = false;    ///< a flaky scene does not fail the run
-  bool strict = false;        ///< stale baselines fail the run
+  std::string command;        ///< command line of the run as typed
+  std::string shard;          ///< "2/4" if this is a part of a run; empty if it is the whole run
+  std::string acceptCommand;  ///< command that accepts the run's results; empty if nothing was kept
+  bool allowFlaky = false;    ///< true if a flaky scene does not fail the run
+  bool strict = false;        ///< true if stale baselines fail the run
   double seconds = 0;
-  std::vector<std::string> notes;  ///< of the run as a whole
+  std::vector<std::string> notes;  ///< remarks on the run as a whole
   std::vector<Stale> stale;
   std::vector<SceneResult> scenes;
   bool operator==(const SuiteResult&) const = default;

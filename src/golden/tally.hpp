@@ -4,15 +4,15 @@
 
 namespace simreel::golden {
 
-/// What a run's results make of its exit code.
+/// Accumulates results into the exit code of a run.
 class Tally {
  public:
-  /// `error`: what kept a result of Status::error from being one.
+  /// `error` is the exit code to use for a result of Status::error.
   void add(Status status, bool allowFlaky, ExitCode error = ExitCode::inputOutput);
-  /// Something beside the results fails the run.
+  /// Records a failure that is not a result of its own.
   void addFailure() { differs_ = true; }
-  /// 1 when anything differs, else the code of the first error, else 3 when a baseline is missing, else 0;
-  /// 5 when there was nothing.
+  /// Returns 1 if anything differs, else the code of the first error, else 3 if a baseline is missing, else
+  /// 0. Returns 5 if nothing was added.
   [[nodiscard]] ExitCode exitCode() const;
 
  private:

@@ -2,13 +2,13 @@
 
 namespace simreel::golden {
 
-/// Which baselines a run writes.
+/// Selects which baselines a run writes.
 enum class Update {
   none,
-  missing,  ///< those that are not there
-  changed,  ///< those that differ
-  all,      ///< both
-  prune,    ///< none; those that nothing is tested against are removed
+  missing,  ///< writes baselines that do not exist
+  changed,  ///< writes baselines that differ
+  all,      ///< writes missing and changed baselines
+  prune,    ///< writes none; removes baselines that no test uses
 };
 
 }  // namespace simreel::golden

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* checkpointFormat = "simreel-checkpoint";
 
-/// Takes the hash off its end. Throws JsonError where it is not of all before.
+/// Removes the hash from the end of the text. Throws JsonError if it does not match the text before it.
 void checkHash(std::string& text) {
   const std::string_view all(text);
   if (all.size() < hashDigits ||
@@ -107,7 +107,7 @@ std::optional<Checkpoint> Checkpoint::read(const std::filesystem::path& file, co
   return std::nullopt;
 }
 
-/// Sizes are taken off what there is, so they can add up to nothing else.
+/// Each size is checked against the bytes left, so the sum cannot exceed the file.
 void Checkpoint::readParts(const JsonValue& header) {
   std::size_t left = text_.size() - payload_;
   const auto take = [&](const JsonValue& size) {

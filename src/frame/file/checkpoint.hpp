@@ -12,28 +12,30 @@
 
 namespace simreel::frame {
 
-/// The state between two frames of a simulation, on disk: a line of JSON that says of which simulation and
-/// frame it is and which parts follow, their bytes, and a hash of all that (src/batch/README.md). Only the
-/// program version that wrote it reads it, for any run of the same simulation, whatever that draws of it.
+/// Saved state of a simulation between two frames. File layout: a JSON header line (simulation, frame, and
+/// names and sizes of the parts), the table of counts, the parts, and a hash of everything before it
+/// (src/batch/README.md). Only the program version that wrote a checkpoint reads it, for any run of the
+/// same simulation, regardless of what the run draws.
 class Checkpoint {
  public:
-  /// Reads the world's state back and writes it atomically. `counts`: the table of counts so far. Throws
-  /// UserError(inputOutput).
+  /// Reads back the world's state and writes it atomically. `counts`: the table of counts up to the current
+  /// frame. Throws UserError(inputOutput).
   static void write(const std::filesystem::path& file, const RunInfo& run, const std::string& stateHash,
                     const std::string& counts, sim::World& world);
-  /// Throws UserError(usage) where the file is no whole checkpoint of this program, inputOutput where it
-  /// cannot be read.
+  /// Throws UserError(usage) if the file is not a complete checkpoint of this program version,
+  /// UserError(inputOutput) if it cannot be read.
   [[nodiscard]] static Checkpoint load(const std::filesystem::path& file);
-  /// Why this run cannot go on from it: it is of another simulation, or of numerics that differ from one
-  /// driver to the next and another driver.
+  /// Returns the reason why `run` cannot continue from the checkpoint, or nothing if it can. Reasons:
+  /// another simulation, or fast numerics and a driver with another numerics fingerprint.
   [[nodiscard]] std::optional<std::string> mismatch(const RunInfo& run) const;
-  /// Nothing when the file does not exist, or is none that this run can go on from: says so in a warning
-  /// then. `lastFrame` of the run: none lies beyond it.
+  /// Reads a checkpoint. Returns nothing if the file does not exist, and also warns if the file exists but
+  /// `run` cannot continue from it. `lastFrame` is the last frame of the run; a checkpoint of a later frame
+  /// is rejected.
   [[nodiscard]] static std::optional<Checkpoint> read(const std::filesystem::path& file, const RunInfo& run,
                                                       int lastFrame);
 
-  /// Puts the state into the world of the same scene, whose present frame is frame() then. Throws
-  /// UserError(usage) where a part does not fit; the world is of no use then.
+  /// Restores the state into a world of the same scene; the world's current frame becomes frame(). Throws
+  /// UserError(usage) if a part does not fit, which leaves the world unusable.
   void restore(sim::World& world) const;
 
   [[nodiscard]] int frame() const { return frame_; }
@@ -51,8 +53,8 @@ class Checkpoint {
   std::string stateHash_;
   std::size_t countBytes_ = 0;
   std::vector<StatePart> parts_;
-  std::string text_;         ///< the file
-  std::size_t payload_ = 0;  ///< where the table of counts begins in it; the parts follow
+  std::string text_;         ///< content of the checkpoint file
+  std::size_t payload_ = 0;  ///< offset in text_ of the table of counts; the parts follow it
 };
 
 }  // namespace simreel::frame

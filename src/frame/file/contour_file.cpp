@@ -11,7 +11,7 @@ namespace simreel::frame {
 
 namespace {
 
-/// Whether b lies on the way from a to c.
+/// True if b lies on the straight segment from a to c.
 bool isBetween(glm::vec2 a, glm::vec2 b, glm::vec2 c) {
   const glm::dvec2 first(glm::dvec2(b) - glm::dvec2(a));
   const glm::dvec2 second(glm::dvec2(c) - glm::dvec2(b));
@@ -48,11 +48,12 @@ std::string encodeSvg(const sim::ContourLines& lines, glm::ivec2 size,
                       std::span<const std::string> comments) {
   std::string text;
   const auto out = std::back_inserter(text);
-  // Cell (0, 0) is drawn around its middle.
+  // The centre of cell (x, y) is at (x, y), so the view box from -1 to `size` leaves a margin of half a
+  // cell.
   fmt::format_to(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-1 -1 {} {}\">\n", size.x + 1,
                  size.y + 1);
   for (std::string comment : comments) {
-    std::replace(comment.begin(), comment.end(), '-', '_');  // two of them would end it
+    std::replace(comment.begin(), comment.end(), '-', '_');  // "--" would end the comment
     fmt::format_to(out, "<!-- {} -->\n", comment);
   }
   const std::vector<ContourLoop> loops = contourLoops(lines);

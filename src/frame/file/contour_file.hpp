@@ -9,23 +9,24 @@
 
 namespace simreel::frame {
 
-/// Contours as closed lines: of each loop its level and its points in order, those on a straight line left
-/// out, from the lowest point on.
+/// One closed contour: its level and its points in order. Collinear points are removed. The loop starts at
+/// its point with the lowest index in ContourLines.
 struct ContourLoop {
   int level = 1;
   std::vector<glm::vec2> points;
 };
 [[nodiscard]] std::vector<ContourLoop> contourLoops(const sim::ContourLines& lines);
 
-/// A picture of them: a path for each level with all its loops, filled by the even-odd rule; cells are
-/// units, y grows downwards. `size` of the field in cells.
+/// Returns the contours as SVG: one path for each level with all its loops, filled by the even-odd rule.
+/// One unit is one cell, y grows downwards. `size` is the field's size in cells.
 [[nodiscard]] std::string encodeSvg(const sim::ContourLines& lines, glm::ivec2 size,
                                     std::span<const std::string> comments);
 
-/// A FeatureCollection (RFC 7946) with a LineString for each loop, whose first point is repeated at its
-/// end, and with the property "level". Coordinates are cells with y upwards, for maps have north above:
-/// cell (x, y) is at [x, -y]. `path`: in cells, a LineString with the property "path"; empty: none. A Point
-/// at the centre of each room has its number "room" from 1, its "cells" and its "area" in m^2.
+/// Returns the contours as a GeoJSON FeatureCollection (RFC 7946): a LineString for each loop, with the
+/// first point repeated at its end and the property "level". Coordinates are cells with y upwards, because
+/// maps have north at the top: cell (x, y) is at [x, -y]. `path` (in cells; may be empty) becomes a
+/// LineString with the property "path". Each room becomes a Point at its centre with the properties "room"
+/// (from 1), "cells" and "area" (m^2).
 [[nodiscard]] std::string encodeGeoJson(const sim::ContourLines& lines, std::span<const glm::vec2> path,
                                         std::span<const std::string> comments);
 

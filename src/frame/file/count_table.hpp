@@ -7,22 +7,22 @@
 
 namespace simreel::frame {
 
-/// What the simulations of a run count in each of their steps, or measure in each frame, as CSV: step
-/// (since the start, which is step 0), time (s), and a column for each count, "object.column". Objects with
-/// steps of other lengths share rows where their times agree and leave cells empty elsewhere.
+/// Table of the simulations' counts (one row each step) or measurements (one row each frame), as CSV.
+/// Columns: step (the start is step 0), time (s), and "object.column" for each count. Objects with
+/// different step lengths share a row if their times are equal; other cells stay empty.
 class CountTable {
  public:
-  /// `fps` of the scene.
+  /// `fps` is the scene's frame rate.
   CountTable(double fps, std::vector<sim::World::CountNames> names);
 
-  /// The next frame's counts, in order of frames, the pre-roll's too.
+  /// Appends the counts of the next frame. Frames must come in order, including pre-roll frames.
   void add(const sim::World::Summary& summary);
-  /// Goes on after another run's rows, text() of it.
+  /// Continues the table of an earlier run. `text` is the earlier table's text().
   void resume(std::string_view text);
-  /// Without counting objects, or before the first frame.
+  /// True if no object has counts, or before the first frame.
   [[nodiscard]] bool empty() const { return names_.empty() || rows_ == 0; }
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Names of the columns, and the last row; comma separated.
+  /// Returns the column names, comma separated. lastRow() returns the last row.
   [[nodiscard]] std::string_view header() const;
   [[nodiscard]] std::string_view lastRow() const;
 

@@ -11,8 +11,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "floats are written as they lie in memory");
 
-/// NumPy's format 1.0: magic, version, length of the rest of the header, a Python dictionary, spaces up to
-/// a multiple of 64 bytes, a line feed.
+/// Returns the header of NumPy format 1.0: magic, version, length of the rest, a Python dictionary, padding
+/// with spaces to a multiple of 64 bytes, line feed.
 std::string npyHeader(glm::ivec2 size) {
   std::string text =
       fmt::format("{{'descr': '<f4', 'fortran_order': False, 'shape': ({}, {}), }}", size.y, size.x);
@@ -42,7 +42,7 @@ std::vector<std::byte> encodeField(FieldFormat format, glm::ivec2 size, std::spa
   const std::size_t rowBytes = static_cast<std::size_t>(size.x) * sizeof(float);
   SIMREEL_CHECK_EQ(values.size_bytes(), rows * rowBytes);
   const bool npy = format == FieldFormat::npy;
-  // A scale below zero says little endian.
+  // A negative scale factor in a PFM header means little endian.
   const std::string header = npy ? npyHeader(size) : fmt::format("Pf\n{} {}\n-1.0\n", size.x, size.y);
   std::vector<std::byte> file(header.size() + values.size_bytes());
   std::memcpy(file.data(), header.data(), header.size());

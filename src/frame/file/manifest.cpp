@@ -20,10 +20,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* manifestFormat = "simreel-manifest";
-constexpr int formatVersion = 4;  // 2: hashes of files; 3: machines are in run.json; 4: hash of itself
+// versions: 2 added hashes of files; 3 moved machines to run.json; 4 added the manifest's own hash
+constexpr int formatVersion = 4;
 constexpr int oldestVersion = 3;
 
-/// The end of a manifest, with the hash of all before it.
+/// Returns the end of a manifest, with the hash of everything `before` it.
 std::string closing(std::string_view before) {
   return fmt::format(",\n  \"hash\": \"{}\"\n}}\n", hashHex(before));
 }
@@ -60,10 +61,10 @@ std::string manifestText(const Manifest& manifest) {
     return value.dump(indent, ' ', false, Json::error_handler_t::replace);
   };
   std::string text = dump(object, 2);
-  text.resize(text.size() - 2);  // the closing "\n}"
+  text.resize(text.size() - 2);  // removes the closing "\n}", so that more members can be appended
   if (!manifest.counts.empty()) text += ",\n  \"counts\": " + dump(manifest.counts, -1);
   text += ",\n  \"frames\": [";
-  // One line a frame, so that a text diff of two manifests names the frames.
+  // Each frame is one line, so that a text diff of two manifests shows the frames.
   const char* separator = "\n";
   for (const auto& [number, frame] : manifest.frames) {
     Json item = {{"frame", number},

@@ -10,36 +10,40 @@
 namespace simreel::frame {
 
 struct ManifestFrame {
-  std::string file;                               ///< name beside the manifest
-  std::string bytes;                              ///< hash of that file; empty for a video
-  std::string pixels;                             ///< pixelHash; empty when unknown
-  std::string state;                              ///< state hash; empty when unknown
-  std::map<std::string, std::string> files = {};  ///< hashes of the files beside it (fields), by name
-  bool drawn = false;                             ///< by this very run; for run.json
+  /// file name of the picture, relative to the manifest's folder
+  std::string file;
+  std::string bytes;   ///< hash of the picture file's bytes; empty for a video
+  std::string pixels;  ///< pixel hash (pixelHash()); empty if unknown
+  std::string state;   ///< state hash of the simulations; empty if unknown
+  /// hashes of the frame's other files (fields) by file name
+  std::map<std::string, std::string> files = {};
+  bool drawn = false;  ///< true if this process drew the frame; for run.json
 };
 
-/// File beside the frames: the run, and the hashes of each frame. Holds no time, no path and
-/// nothing of the machine, so all runs of one scene write the same bytes; of pictures that depend on the
-/// driver the fingerprint of its numerics. As text it ends with the hash of all before, by which one that
-/// was changed afterwards is known.
+/// Content of manifest.json, the file beside the frames that describes the run and holds the hashes of each
+/// frame. The manifest contains no time, path or machine, so all runs of one scene write the same bytes; if
+/// the pictures depend on the driver, the manifest also contains the fingerprint of the driver's numerics.
+/// The text ends with a hash of everything before it, so that later changes are detected.
 struct Manifest {
   RunInfo run;
-  std::string counts = {};  ///< hash of the table of counts; empty: there is none
+  std::string counts = {};  ///< hash of the table of counts; empty if there is no table
   std::map<int, ManifestFrame> frames = {};
 };
 
 [[nodiscard]] std::string manifestText(const Manifest& manifest);
-/// Members that it does not know are passed over: a later program may have written them. Throws JsonError.
+/// Reads a manifest from JSON. Ignores unknown members, because a later program version may have written
+/// them. Throws JsonError.
 [[nodiscard]] Manifest manifestOf(const JsonValue& object);
-/// The same of a text, which has to be as it was written. Throws UserError(usage) naming the file and what
-/// is wrong in it.
+/// Reads a manifest from text and checks the hash at its end. Throws UserError(usage) with the file's
+/// `name` and the mistake.
 [[nodiscard]] Manifest parseManifest(const std::string& text, const std::string& name);
-/// Nothing when the file does not exist. Throws as parseManifest does.
+/// Reads a manifest file. Returns nothing if the file does not exist. Throws like parseManifest.
 [[nodiscard]] std::optional<Manifest> readManifest(const std::filesystem::path& path);
-/// "seed is 1 in this run and 2 in the earlier one": the first item in which frames of the two runs could
-/// differ by more than a few bits of their pixels.
+/// Returns the first setting in which two runs differ so that their pixels may differ by more than a few
+/// bits, as text: "seed is 1 in this run and 2 in the earlier one". Returns nothing if the runs do not
+/// differ.
 [[nodiscard]] std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& stored);
-/// The same for any two runs in which runDifference() finds nothing, and for no others.
+/// Returns a hash that is equal for two runs exactly if runDifference() finds no difference.
 [[nodiscard]] std::string runIdentity(const RunInfo& run);
 
 }  // namespace simreel::frame

@@ -36,7 +36,7 @@ float brightest(const glm::vec3& light) {
   return std::max({light.x, light.y, light.z});
 }
 
-/// 16 bits a pixel, grey, linear.
+/// Encodes the height map as linear grey with 16 bits per pixel.
 std::vector<std::byte> heightPicture(const draw::SkinMaps& maps, const ImageText& text) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(2 * maps.relief.size());

@@ -8,19 +8,18 @@
 
 namespace simreel::frame {
 
-/// One file of a material.
+/// One texture file of a material.
 struct MapPicture {
-  std::string name;  ///< "albedo", "normal", "height", "roughness", "occlusion", "emission"
+  std::string name;  ///< map name: "albedo", "normal", "height", "roughness", "occlusion" or "emission"
   std::vector<std::byte> png;
 };
 
-/// The names of the pictures of a material, in order; "emission" only where `glow` is not
-/// black.
+/// Returns the names of a material's pictures in order. "emission" is included only if `glow` is not black.
 [[nodiscard]] std::vector<std::string> mapNames(const glm::vec3& glow);
 
-/// A material's maps as PNG files with the given text chunks: albedo sRGB; normal with 0 to 255 for -1 to
-/// 1, green up; height 16-bit grey; roughness and occlusion linear grey; emission sRGB, as fractions of the
-/// brightest channel of `glow` (none when that is 0).
+/// Encodes a material's maps as PNG files with the given text chunks. Albedo: sRGB. Normal: components -1
+/// to 1 map to 0 to 255, green is up. Height: 16-bit linear grey. Roughness and occlusion: linear grey
+/// values. Emission: sRGB, as fractions of the brightest channel of `glow`; omitted if `glow` is black.
 [[nodiscard]] std::vector<MapPicture> encodeMaps(const draw::SkinMaps& maps, const glm::vec3& glow,
                                                  const ImageText& text);
 

@@ -15,10 +15,10 @@ namespace simreel::frame {
 
 namespace {
 
-/// Bytes of the file, which need not exist to be locked.
+/// Byte range of the lock file to lock, which may lie beyond the end of the file.
 struct Range {
   off_t begin;
-  off_t length;  ///< 0: to the end, wherever that comes to lie
+  off_t length;  ///< length in bytes; 0 locks everything up to the end of the file, wherever that is
 };
 constexpr Range sharedFiles{0, 1};
 constexpr Range checkpoint{1, 1};
@@ -34,8 +34,8 @@ struct flock description(short kind, Range range) {
   return lock;
 }
 
-/// Locks by open file description: they know no process id, and closing another descriptor does not end
-/// them.
+/// Locks a range without waiting. Uses open file description locks: they are independent of the process id,
+/// and closing another descriptor of the file does not release them.
 bool take(int file, Range range) {
   struct flock lock = description(F_WRLCK, range);
   return ::fcntl(file, F_OFD_SETLK, &lock) == 0;
@@ -54,8 +54,8 @@ void leave(int file, Range range) {
   (void)::fcntl(file, F_OFD_SETLK, &lock);
 }
 
-/// Runs of frames as ranges. The kernel keeps them in a list: so many that searching it would take long
-/// become one, with frames in it that are nobody's.
+/// Returns the byte ranges of consecutive frames. The kernel keeps locks in a list, so more than 8192
+/// ranges are merged into one range that also covers frames outside the list.
 std::vector<Range> rangesOf(std::span<const int> frames) {
   constexpr std::size_t max = 8192;
   std::vector<Range> ranges;
@@ -86,7 +86,7 @@ OutputLock::OutputLock(const std::filesystem::path& manifest, const std::string&
       return;
     }
     if (stillThere()) break;
-    ::close(std::exchange(file_, -1));  // the last of its users has just removed it
+    ::close(std::exchange(file_, -1));  // the last user has just removed the file, so a new one is needed
   }
   try {
     claim(run, frames);
@@ -162,7 +162,8 @@ bool OutputLock::ownsCheckpoint() const {
 
 void OutputLock::release() noexcept {
   if (file_ < 0) return;
-  // Who has opened it meanwhile finds it gone once it is his turn, and makes another.
+  // The file is unlinked while the shared range is locked. A program that has opened it meanwhile notices
+  // in its constructor that the file is gone and creates another.
   if (waitFor(file_, sharedFiles) && take(file_, {checkpoint.begin, 0})) ::unlink(path_.c_str());
   ::close(std::exchange(file_, -1));
 }

@@ -6,17 +6,17 @@
 
 namespace simreel::frame {
 
-/// Keeps two running programs from writing the same frames. The kernel holds it, on ranges of bytes of a
-/// file beside the manifest ("manifest.json.lock"), so it ends with its process however that ends; the file
-/// goes with the last of them, and one that a kill has left means nothing. Runs that agree in everything
-/// but their frames may go on side by side. File systems without locks, such as some NFS mounts, are
-/// written unguarded; where NFS has them, they hold between machines.
+/// Keeps two running programs from writing the same frames. The lock consists of byte ranges of the file
+/// "manifest.json.lock" beside the manifest; the kernel releases the locks when the process ends, however
+/// it ends. The last user removes the file, and a file left by a killed process is harmless. Runs that
+/// differ only in their frames may run at the same time. If the file system has no locks (some NFS mounts),
+/// nothing is guarded; if NFS supports locks, the locks work between machines.
 class OutputLock {
  public:
   OutputLock() = default;
-  /// Claims frames, in rising order. `run` names all else that the output depends on. Throws
-  /// UserError(inputOutput) where a live program has one of them, or does another run; and where the file
-  /// cannot be made.
+  /// Locks `frames`, which must be ascending. `run` identifies everything else that the output depends on.
+  /// Throws UserError(inputOutput) if a running program has locked one of the frames or renders another
+  /// run, or if the lock file cannot be created.
   OutputLock(const std::filesystem::path& manifest, const std::string& run, std::span<const int> frames);
   ~OutputLock() { release(); }
   OutputLock(OutputLock&& other) noexcept
@@ -29,7 +29,8 @@ class OutputLock {
   OutputLock(const OutputLock&) = delete;
   OutputLock& operator=(const OutputLock&) = delete;
 
-  /// While it lives, no other program writes what the runs share: manifest and counts. One at a time.
+  /// Scope guard: while it exists, no other program writes the manifest and counts that the runs share.
+  /// Only one may exist at a time.
   class Shared {
    public:
     explicit Shared(const OutputLock& lock);
@@ -41,7 +42,8 @@ class OutputLock {
     int file_;
   };
 
-  /// Whether the checkpoint is this program's to write: of several the first that asks, until it ends.
+  /// True if this program may write the checkpoint. The first of several programs that calls this owns the
+  /// checkpoint until it ends.
   [[nodiscard]] bool ownsCheckpoint() const;
   void release() noexcept;
 
@@ -50,11 +52,12 @@ class OutputLock {
   [[nodiscard]] bool stillThere() const;
   void claim(const std::string& run, std::span<const int> frames) const;
 
-  int file_ = -1;  ///< -1: nothing is locked
+  int file_ = -1;  ///< descriptor of the lock file; -1 if nothing is locked
   std::filesystem::path path_;
 };
 
-/// Whether a running program has frames of the output with this manifest, as far as locks tell.
+/// True if a running program has locked frames of the output with this manifest. False if locks do not
+/// work.
 [[nodiscard]] bool isOutputLocked(const std::filesystem::path& manifest);
 
 }  // namespace simreel::frame

@@ -18,20 +18,20 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 10> videoExtensions = {".mp4", ".webm", ".gif", ".mkv", ".mov",
                                                               ".avi", ".apng", ".m4v", ".ogv", ".mpg"};
-constexpr int maxDigits = 20;  ///< of a frame number
+constexpr int maxDigits = 20;  ///< max number of digits of a frame number in a file name
 constexpr const char* supported =
     "supported are a folder, NAME_####.png or .exr, NAME.png or .exr for one frame, a video (.mp4, .webm, "
     ".gif, .mkv, "
     ".mov, .avi, .apng, .m4v, .ogv, .mpg), or - for standard output";
 
-/// Where the frame number stands in a file name.
+/// Position of the frame number in a file name.
 struct Placeholder {
   std::size_t begin;
   std::size_t length;
   int digits;
 };
 
-/// Length of a `%d` or `%04d` at `at`, and its width; nothing when it is anything else.
+/// Parses a `%d` or `%04d` at position `at`. Returns nothing if the text there is anything else.
 std::optional<Placeholder> printfAt(const std::string& name, std::size_t at) {
   std::size_t i = at + 1;
   int digits = 0;
@@ -45,7 +45,7 @@ std::optional<Placeholder> printfAt(const std::string& name, std::size_t at) {
   return Placeholder{at, i + 1 - at, digits};
 }
 
-/// All placeholders of a file name. Throws when a '%' is anything but one.
+/// Returns all placeholders of a file name. Throws UserError(usage) if a '%' starts no valid placeholder.
 std::vector<Placeholder> findPlaceholders(const std::string& output, const std::string& name) {
   std::vector<Placeholder> found;
   for (std::size_t i = 0; i < name.size();) {
@@ -78,7 +78,7 @@ OutputName folderOutput(const fs::path& folder) {
   return result;
 }
 
-/// The output as a pattern, or nothing when it has no placeholder.
+/// Parses an output with a placeholder. Returns nothing if there is no placeholder.
 std::optional<OutputName> patternOutput(const std::string& output) {
   const fs::path path(output);
   const std::string name = path.filename().string();

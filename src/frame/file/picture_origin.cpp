@@ -17,13 +17,13 @@ namespace simreel::frame {
 
 namespace {
 
-/// Size and texts of a picture's header.
+/// Size and text entries of a picture's header.
 struct PictureHeader {
   std::optional<glm::ivec2> size;
   std::map<std::string, std::string> texts;
 };
 
-/// Four bytes, the lowest first.
+/// Reads a little-endian 32-bit word.
 std::uint32_t headerWord(std::string_view bytes, std::size_t at) {
   std::uint32_t word = 0;
   for (std::size_t i = 4; i-- > 0;) word = word << 8U | static_cast<unsigned char>(bytes[at + i]);
@@ -37,7 +37,8 @@ PictureHeader headerOfPng(std::span<const std::byte> file, std::string_view byte
   return header;
 }
 
-/// Attributes up to an empty name: name, type, four bytes of size, value (OpenEXR file layout).
+/// Reads the attributes of an OpenEXR header up to the empty name. Each has a name, type, 4-byte size and
+/// value (OpenEXR file layout).
 PictureHeader headerOfExr(std::string_view bytes) {
   PictureHeader header;
   constexpr std::size_t magicAndVersion = 8, box = 16;

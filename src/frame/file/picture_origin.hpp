@@ -8,16 +8,16 @@
 
 namespace simreel::frame {
 
-/// The run and frame that a picture's file says it is of: simreel writes them into PNG and OpenEXR.
+/// Run and frame recorded in a picture file. simreel writes them into PNG and OpenEXR headers.
 struct PictureOrigin {
-  bool told = false;       ///< whether the file names a scene and a frame
-  std::string difference;  ///< "seed is 7 in this run and 1 in a.png": the first item that is not the run's
-  std::string state;       ///< state hash that it names; empty: none
-  std::string driver;      ///< of pictures that depend on it
+  bool told = false;       ///< true if the file names a scene and a frame
+  std::string difference;  ///< first item that differs from the run: "seed is 7 in this run and 1 in a.png"
+  std::string state;       ///< recorded state hash; empty if not recorded
+  std::string driver;      ///< recorded driver, for pictures that depend on the driver
 };
 
-/// Compares what a picture tells with a run and one of its frames. A picture of another program tells its
-/// size alone; what is no picture tells nothing.
+/// Compares the header of a picture file with a run and one of its frames. For a picture of another program
+/// only the size is compared; for a file that is no picture, nothing.
 [[nodiscard]] PictureOrigin originOf(std::span<const std::byte> file, const std::filesystem::path& name,
                                      const RunInfo& run, int frame);
 

@@ -5,12 +5,13 @@
 
 namespace simreel::frame {
 
-/// Disk space held back so that a manifest can still be written when frames have filled the disk. It is a
-/// file without a name: a killed process leaves nothing behind.
+/// Disk space reserved so that the manifest can still be written when frames have filled the disk. The
+/// space belongs to an unnamed file, so a killed process leaves nothing behind.
 class ReservedRoom {
  public:
   ReservedRoom() = default;
-  /// Reserves nothing where the file system cannot; a disk that is full already shows at the first frame.
+  /// Reserves nothing if the file system does not support it or the disk is full. A full disk is reported
+  /// at the first frame.
   ReservedRoom(const std::filesystem::path& folder, std::size_t bytes);
   ~ReservedRoom() { release(); }
   ReservedRoom(ReservedRoom&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
@@ -21,7 +22,7 @@ class ReservedRoom {
   ReservedRoom(const ReservedRoom&) = delete;
   ReservedRoom& operator=(const ReservedRoom&) = delete;
 
-  /// Gives the space back.
+  /// Frees the reserved space.
   void release();
 
  private:

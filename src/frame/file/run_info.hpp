@@ -5,14 +5,15 @@
 
 namespace simreel::frame {
 
-/// A file beside the picture of a frame.
+/// An additional output file of a frame, such as a field.
 struct FrameFile {
-  std::string name;  ///< without a folder
+  std::string name;  ///< file name without its folder
   std::vector<std::byte> bytes;
 };
 
-/// A run as a whole. What its pictures depend on stands in the manifest, which holds no time, path or
-/// machine: two runs write the same bytes, wherever they ran. The rest goes to run.json (run_log.hpp).
+/// Description of a whole run. Everything that determines its pictures is in the manifest, which contains
+/// no time, path or machine, so two runs on any machines write the same bytes. The other members go to
+/// run.json (run_log.hpp).
 struct RunInfo {
   std::string title;
   std::string sceneHash;
@@ -20,22 +21,25 @@ struct RunInfo {
   int width = 0;
   int height = 0;
   double fps = 60;
-  std::string numerics;               ///< "exact" or "fast"
-  std::string fingerprint;            ///< of the driver's numerics; in the manifest unless exact()
-  std::string driver;                 ///< renderer and version string; run.json
-  std::string processor = {};         ///< with the driver, the machine; empty: not known; run.json
-  std::string rasterizer = "driver";  ///< or "exact"
-  /// "path=value" of each -D, --seed, --size, --fps, --samples and --rasterizer.
+  std::string numerics;  ///< arithmetic of the simulations: "exact" or "fast"
+  /// fingerprint of the driver's numerics; in the manifest unless exact()
+  std::string fingerprint;
+  std::string driver;  ///< renderer and version string of the driver; in run.json
+  /// CPU model; with the driver it identifies the machine; empty if unknown; in run.json
+  std::string processor = {};
+  std::string rasterizer = "driver";  ///< "driver" (rasterization by the OpenGL driver) or "exact"
+  /// Scene changes as "path=value", from -D, --seed, --size, --fps, --samples and --rasterizer.
   std::vector<std::string> overrides = {};
-  /// Overrides that place the camera where a first run has found that it sees all; in the manifest.
+  /// Scene changes that place the camera where a trial run found the whole scene visible. In the manifest.
   std::vector<std::string> camera = {};
-  std::string simulation = {};            ///< scene::simulationHash: whose checkpoints it goes on from
-  std::string asRun = {};                 ///< the scene with its overrides, as text; as-run.json
-  std::string asRunHash = {};             ///< of that text; in the manifest; empty: not known
-  std::string command = {};               ///< as typed; run.json
-  std::vector<std::string> folders = {};  ///< below which files of the scene were looked for; run.json
+  /// scene::simulationHash; a checkpoint must have the same one to be resumed
+  std::string simulation = {};
+  std::string asRun = {};                 ///< scene text with all changes applied; written to as-run.json
+  std::string asRunHash = {};             ///< hash of `asRun`; in the manifest; empty if unknown
+  std::string command = {};               ///< command line as typed by the user; in run.json
+  std::vector<std::string> folders = {};  ///< folders searched for files of the scene; in run.json
 
-  /// Whether every machine makes the same bytes: nothing of the driver matters then.
+  /// True if every machine produces the same bytes, so that the driver does not matter.
   [[nodiscard]] bool exact() const { return numerics == "exact" && rasterizer == "exact"; }
 };
 

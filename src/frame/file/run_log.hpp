@@ -8,45 +8,44 @@
 
 namespace simreel::frame {
 
-/// One program's part in an output: what it ran on, when, and the frames that it drew.
+/// Record of one process that worked on an output: machine, time, and the frames that it drew.
 struct RunRecord {
-  std::string program;  ///< version
+  std::string program;  ///< version of the program
   std::string host;
   long process = 0;
-  std::string began;  ///< UTC, 2026-11-25T03:24:06.123Z
+  std::string began;  ///< start time in UTC, such as 2026-11-25T03:24:06.123Z
   double seconds = 0;
   std::string driver, processor, fingerprint;
   std::string command;
   std::vector<std::string> folders;
   std::set<int> frames;
 
-  /// Whether both are of the same process.
+  /// True if both records describe the same process.
   [[nodiscard]] bool isOf(const RunRecord& other) const {
     return host == other.host && process == other.process && began == other.began;
   }
-  /// Processor and driver; empty where the processor is not known.
+  /// Returns processor and driver as text, or an empty text if the processor is unknown.
   [[nodiscard]] std::string machine() const;
 };
 
-/// run.json, beside a manifest: all that the manifest leaves out since it differs from one run of a scene
-/// to the next.
+/// Content of run.json, the file beside a manifest with everything that differs between runs of one scene.
 struct RunLog {
-  std::vector<RunRecord> runs;  ///< in the order in which they began to write
+  std::vector<RunRecord> runs;  ///< records of all runs, sorted by the time of their first write
 
-  /// What is known of the machine that drew a frame; empty where none is.
+  /// Returns the machine that drew a frame, or an empty text if unknown.
   [[nodiscard]] std::string machineOf(int frame) const;
-  /// Puts a run's record in place of its former one. Its frames are nobody else's any more; who has none
-  /// left is forgotten.
+  /// Inserts the record or replaces the same run's earlier record. Removes its frames from all other
+  /// records, and removes records without frames.
   void put(const RunRecord& record);
 };
 
-/// Of this process, which begins now.
+/// Returns a record for this process with the current time as start.
 [[nodiscard]] RunRecord beginRecord(const RunInfo& run);
 [[nodiscard]] std::string runLogText(const RunLog& log);
-/// Throws UserError(usage) naming the file and what is wrong in it.
+/// Parses run.json. Throws UserError(usage) with the file's `name` and the mistake.
 [[nodiscard]] RunLog parseRunLog(const std::string& text, const std::string& name);
-/// Empty where there is none, or none that can be read: it tells of what is past, and nothing depends on
-/// it.
+/// Reads run.json. Returns an empty log if the file is missing or unreadable, because the log only
+/// documents the past and nothing depends on it.
 [[nodiscard]] RunLog readRunLog(const std::filesystem::path& file);
 
 }  // namespace simreel::frame

@@ -17,7 +17,8 @@ namespace simreel::frame {
 
 namespace {
 
-/// One picture or video: the file is claimed, whatever frame it shows.
+/// Returns the frames to lock. A single picture or video is one file, so it locks number 0 whatever frames
+/// it shows.
 std::vector<int> claimed(const OutputName& output, std::span<const int> frames) {
   if (output.kind != OutputName::Kind::sequence) return {0};
   return {frames.begin(), frames.end()};
@@ -79,7 +80,8 @@ void SharedManifest::write(Manifest manifest, std::string_view counts) {
   try {
     if (!counts.empty() && (!manifest.frames.empty() || !others_.frames.empty())) storeCounts(counts);
   } catch (const UserError&) {
-    failure = std::current_exception();  // the frames are whole all the same
+    // the frames are complete nevertheless, so the manifest is still written
+    failure = std::current_exception();
   }
   try {
     storeRuns(manifest);
@@ -108,7 +110,8 @@ void SharedManifest::storeScene() {
   writeFileAtomically(output_.sceneFile(), others_.run.asRun, NameSync::later);
 }
 
-/// What other programs have put there meanwhile stays, and goes first: a manifest is never without it.
+/// Adds this run to run.json and keeps the records of other programs. Called before store(), so that a
+/// manifest never exists without run.json.
 void SharedManifest::storeRuns(const Manifest& manifest) {
   record_.frames.clear();
   for (const auto& [number, frame] : manifest.frames)
@@ -138,13 +141,14 @@ void SharedManifest::merge() {
     for (auto& [number, frame] : found->frames) {
       if (!own_.contains(number)) others_.frames[number] = std::move(frame);
     }
-  } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): it is replaced.
+  } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): an unreadable manifest is replaced.
   }
 }
 
 void SharedManifest::store(Manifest manifest) {
   manifest.counts = others_.counts;
-  manifest.frames.insert(others_.frames.begin(), others_.frames.end());  // those that are not in it
+  // insert() adds only frames that the manifest lacks
+  manifest.frames.insert(others_.frames.begin(), others_.frames.end());
   if (manifest.frames.empty()) return;
   storeScene();
   syncFolder(output_.folder);

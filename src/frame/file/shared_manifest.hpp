@@ -15,32 +15,32 @@
 
 namespace simreel::frame {
 
-/// The manifest of an output on disk, and beside it the table of counts and run.json: programs that render
-/// other frames of the same run may write them, too. Use from one thread at a time.
+/// The manifest, table of counts and run.json of an output on disk. Several programs that render different
+/// frames of the same run may share them. Not thread-safe.
 class SharedManifest {
  public:
-  /// Claims the frames. Throws UserError(inputOutput) where another program renders one of them.
+  /// Locks the frames. Throws UserError(inputOutput) if another program renders one of them.
   SharedManifest(const OutputName& output, const RunInfo& run, std::span<const int> frames);
 
-  /// The frames to be rendered that an earlier manifest of the same run lists; those of others it keeps for
-  /// itself, where their files exist, so that rendering some frames anew does not forget the rest. Throws
-  /// UserError(usage) where `existing` is resume or skip and the manifest is of another run; one that
-  /// cannot be read is a warning then.
+  /// Reads the manifest of an earlier run with the same settings. Returns its entries for the frames of
+  /// this run. Keeps its entries for other frames whose files exist, so that rendering some frames again
+  /// does not drop the rest. If `existing` is resume or skip, throws UserError(usage) for a manifest of a
+  /// different run, and warns if the manifest cannot be read.
   [[nodiscard]] std::map<int, ManifestFrame> inherit(Existing existing);
-  /// The machine that drew a frame that inherit() has found, where that is another one and matters; else
-  /// empty.
+  /// Returns the machine that drew a frame found by inherit(), if that is another machine and pictures
+  /// depend on the machine. Otherwise returns an empty text.
   [[nodiscard]] std::string otherMachineOf(int frame) const;
-  /// Writes it, and before that makes the names of the frames in it last; with what others have added of
-  /// their frames meanwhile. Without any frame nothing: it would only stand in the way of the next scene.
-  /// `counts`, if any, is the table of counts: an existing one that begins with all of it stays where its
-  /// hash holds. Throws UserError(inputOutput).
+  /// Writes the manifest, after syncing the folder so that the names of its frames are durable. Merges
+  /// entries that other programs have added meanwhile. Writes nothing if there are no frames, because an
+  /// empty manifest would only block the next scene. `counts` is the table of counts, if any; an existing
+  /// longer table that starts with it and matches its stored hash is kept. Throws UserError(inputOutput).
   void write(Manifest manifest, std::string_view counts = {});
   [[nodiscard]] bool ownsCheckpoint() const { return lock_.ownsCheckpoint(); }
-  /// Others may have the frames.
+  /// Releases the locks, so that other programs may render the frames.
   void release() noexcept { lock_.release(); }
 
  private:
-  /// What tells one version of a file from the next, each of which replaces the one before.
+  /// Identifies one version of a file on disk. Every write replaces the file by a new one.
   struct Version {
     unsigned long long number = 0;
     long long seconds = 0, nanoseconds = 0;
@@ -54,13 +54,13 @@ class SharedManifest {
   void storeScene();
 
   OutputName output_;
-  std::set<int> own_;  ///< frames that no other program writes
+  std::set<int> own_;  ///< frames that this program has locked and no other program writes
   OutputLock lock_;
-  Manifest others_;  ///< what was last found on the disk, less our own frames
-  Version known_;    ///< of the file on disk that others_ and our own frames tell all of
+  Manifest others_;  ///< content of the manifest last read from disk, without the frames in own_
+  Version known_;    ///< version of the file on disk whose other frames are all in others_
   Clock::time_point began_ = Clock::now();
-  RunRecord record_;  ///< of this run
-  RunLog log_;        ///< as it was when this run began
+  RunRecord record_;  ///< record of this run for run.json
+  RunLog log_;        ///< run.json as it was when this run began
   bool hasScene_ = false;
 };
 

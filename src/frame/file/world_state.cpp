@@ -10,7 +10,7 @@ namespace simreel::frame {
 
 namespace {
 
-/// Appends every part.
+/// Appends every visited array and number to a WorldState.
 class StateSaver final : public sim::CarryOver {
  public:
   explicit StateSaver(WorldState& state) : state_(state) {}
@@ -32,7 +32,7 @@ class StateSaver final : public sim::CarryOver {
   std::string object_;
 };
 
-/// Puts the parts back one after the other.
+/// Writes stored parts back into the visited arrays and numbers, in the same order.
 class StateRestorer final : public sim::CarryOver {
  public:
   StateRestorer(const std::vector<StatePart>& parts, std::string_view bytes, const std::string& from)
@@ -79,7 +79,7 @@ WorldState stateOf(sim::World& world) {
 
 void putBack(sim::World& world, int frame, const std::vector<StatePart>& parts, std::string_view bytes,
              const std::string& from) {
-  gl::beforeWrites();  // kernels of the first state may still be at it
+  gl::beforeWrites();  // kernels that read the present state may still be running
   StateRestorer restorer(parts, bytes, from);
   world.carryOver(restorer, [&](const std::string& object) { restorer.begin(object); });
   if (!restorer.ended())

@@ -8,26 +8,26 @@
 
 namespace simreel::frame {
 
-/// One array or number of what a world carries from a frame to the next.
+/// Name and size of one array or number of the state that a world carries from frame to frame.
 struct StatePart {
   std::string object, name;
   std::size_t bytes = 0;
 };
 
-/// The state between two frames of a simulation, on the CPU: what a checkpoint has on disk, and what a
-/// player goes back to.
+/// State between two frames of a simulation in CPU memory. A checkpoint stores it on disk; the player
+/// restores it to jump back.
 struct WorldState {
   int frame = 0;
   std::vector<StatePart> parts;
-  std::string bytes;  ///< of all parts, one after the other
+  std::string bytes;  ///< concatenated bytes of all parts
 };
 
-/// Reads the world's state back; waits for the GPU.
+/// Reads back the world's state. Waits for the GPU.
 [[nodiscard]] WorldState stateOf(sim::World& world);
 
-/// Puts parts back into the world of the same simulation, whose present frame is `frame` then. `from` names
-/// them in the UserError(usage) thrown where one does not fit, as those of another simulation; the world is
-/// of no use then.
+/// Restores parts into a world of the same simulation, and sets the world's current frame to `frame`.
+/// Throws UserError(usage) if a part does not fit, for example because it belongs to another simulation;
+/// the world is then unusable. `from` names the parts' origin in the message.
 void putBack(sim::World& world, int frame, const std::vector<StatePart>& parts, std::string_view bytes,
              const std::string& from);
 

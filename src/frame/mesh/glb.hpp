@@ -8,11 +8,10 @@
 
 namespace simreel::frame {
 
-/// A mesh as a binary glTF 2.0 file (Khronos, "glTF 2.0 specification", 4.4 and 5): one node, one mesh, one
-/// primitive with positions, normals, texture coordinates where there are some, and 32-bit indices; a
-/// material where backs are seen. y is
-/// up, metres, v counts from a picture's first row. Vertices that no triangle names are left out.
-/// `comments` stand in asset.extras.
+/// Encodes a mesh as binary glTF 2.0 (Khronos, "glTF 2.0 specification", 4.4 and 5): one node, one mesh,
+/// one primitive with positions, normals, optional texture coordinates and 32-bit indices. Double-sided
+/// meshes also get a material. Units are metres, y is up, v = 0 is the top row of a texture. Drops vertices
+/// that no triangle uses. `comments` go to asset.extras.
 [[nodiscard]] std::vector<std::byte> encodeGlb(const sim::MeshTable& mesh, const std::string& name,
                                                std::span<const std::string> comments);
 

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A float takes at most that many characters in the document: sign, 17 digits, point, zeros or exponent.
+/// Max number of characters of a float in the JSON document: sign, 17 digits, point, and zeros or exponent.
 constexpr std::uint64_t longestFloat = 24;
 
 }  // namespace
@@ -24,7 +24,8 @@ std::string GlbSequence::text() const {
   return document.dump();
 }
 
-/// Positions and normals of each frame after the first, less those of the first, one after the other.
+/// Adds views and accessors for the morph targets. Each holds the positions and normals of one frame after
+/// the first, minus the first frame's values.
 void GlbSequence::describeTargets(Json& primitive) {
   const std::size_t count = first_.positions.size();
   const std::uint64_t bytes = sizeof(glm::vec3) * std::uint64_t{count};
@@ -42,11 +43,12 @@ void GlbSequence::describeAnimation(std::size_t times, std::size_t weights) {
   const Json channel = {{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}};
   document_["animations"] = Json::array(
       {{{"name", plan_.name}, {"samplers", Json::array({sampler})}, {"channels", Json::array({channel})}}});
-  for (std::size_t i = 1; i < plan_.frames.size(); ++i)  // what programs call the targets
+  // names of the morph targets, by a convention of glTF importers
+  for (std::size_t i = 1; i < plan_.frames.size(); ++i)
     document_["meshes"][0]["extras"]["targetNames"].push_back(fmt::format("frame {}", plan_.frames[i]));
 }
 
-/// At frame i the weight of target i - 1 is 1, of all others 0.
+/// Writes the key times and weights: at frame i the weight of target i - 1 is 1, all others are 0.
 void GlbSequence::writeTimesAndWeights() {
   std::vector<float> row(plan_.frames.size());
   for (std::size_t i = 0; i < row.size(); ++i) row[i] = plan_.seconds(i);
@@ -105,7 +107,7 @@ void GlbSequence::add(const sim::MeshTable& mesh) {
 
 void GlbSequence::finish() {
   const std::string document = text();
-  SIMREEL_CHECK(document.size() <= room_);  // the rest of it stays blank
+  SIMREEL_CHECK(document.size() <= room_);  // unused space stays filled with blanks
   file_.put(glbHeader(0, 0).size(), std::as_bytes(std::span(document)));
   file_.finish();
 }

@@ -6,9 +6,9 @@
 
 namespace simreel::frame {
 
-/// A surface as binary glTF with a morph target for each frame after the first. All sizes are known with
-/// the first frame; the document stands before the data but has the bounds of every target in it, so it is
-/// written last, into room that was left for it.
+/// Writes a surface sequence as binary glTF with one morph target for each frame after the first. All sizes
+/// are known after the first frame. The JSON document comes before the binary data but contains the bounds
+/// of every target, so its space is reserved first and filled in last.
 class GlbSequence : public MeshSequence {
  public:
   GlbSequence(const std::filesystem::path& file, SequencePlan plan);
@@ -31,8 +31,8 @@ class GlbSequence : public MeshSequence {
   sim::MeshTable first_;
   nlohmann::ordered_json document_;
   GltfLayout layout_;
-  std::vector<std::size_t> bounded_;  ///< accessors of the targets' positions
-  std::uint64_t room_ = 0;            ///< bytes for the document
+  std::vector<std::size_t> bounded_;  ///< accessor indices of the targets' positions
+  std::uint64_t room_ = 0;            ///< number of bytes reserved for the JSON document
 };
 
 }  // namespace simreel::frame

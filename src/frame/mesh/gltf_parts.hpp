@@ -11,31 +11,31 @@
 
 namespace simreel::frame {
 
-/// Numbers that glTF 2.0 (Khronos, 3.6 and 5) gives to types and uses of data.
+/// Codes of component types and buffer targets in glTF 2.0 (Khronos, 3.6 and 5).
 enum GltfNumber : int { gltfFloat = 5126, gltfUnsigned = 5125, gltfVertices = 34962, gltfIndices = 34963 };
 
-/// Least and greatest coordinates, which accessors of positions have to state.
+/// Min and max coordinates, which glTF requires for accessors of positions.
 struct Bounds {
   glm::vec3 low{0}, high{0};
   [[nodiscard]] static Bounds of(std::span<const glm::vec3> points);
 };
 
-/// What a glTF document says of a binary chunk: views and accessors, in the order in which the bytes follow
-/// one another. All of it are words of four bytes, so that nothing needs padding.
+/// Builds the buffer views and accessors that describe the binary chunk of a glTF file, in the order of its
+/// bytes. All data consists of 4-byte words, so no padding is needed.
 class GltfLayout {
  public:
-  /// A view of that many bytes after those before; its number. `target`: 0 of what is no vertex and no
-  /// index; `stride`: 0 where one accessor has the view.
+  /// Adds a view of `bytes` bytes behind the existing views, and returns its index. `target` is 0 if the
+  /// data is neither vertices nor indices. `stride` is 0 if only one accessor uses the view.
   std::size_t view(std::uint64_t bytes, int target, int stride = 0);
-  /// `type`: "SCALAR", "VEC2" or "VEC3"; its number.
+  /// Adds an accessor and returns its index. `type` is "SCALAR", "VEC2" or "VEC3".
   std::size_t accessor(std::size_t view, std::uint64_t offset, int component, std::size_t count,
                        const char* type);
-  /// A view and its only accessor; the accessor's number.
+  /// Adds a view with a single accessor, and returns the accessor's index.
   std::size_t list(int target, int component, std::size_t count, const char* type);
   void setBounds(std::size_t accessor, const Bounds& bounds);
   void setBounds(std::size_t accessor, float low, float high);
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-  /// Adds all of it.
+  /// Writes accessors, views and the buffer into the glTF document.
   void into(nlohmann::ordered_json& document) const;
 
  private:
@@ -44,18 +44,22 @@ class GltfLayout {
   nlohmann::ordered_json accessors_ = nlohmann::ordered_json::array();
 };
 
-/// Positions, normals, uvs where there are some, and indices of a mesh, as a primitive names them.
+/// Adds positions, normals, optional uvs and indices of a mesh to `layout`. Returns the glTF primitive that
+/// refers to them.
 [[nodiscard]] nlohmann::ordered_json addSurface(GltfLayout& layout, const sim::MeshTable& mesh);
-/// Their bytes in that order, a list each.
+/// Returns the bytes of positions, normals, uvs and indices, as one span each, in the order of
+/// addSurface().
 [[nodiscard]] std::vector<std::span<const std::byte>> surfaceBytes(const sim::MeshTable& mesh);
 
-/// A document of one node with a mesh of one primitive, but for layout and buffer.
+/// Returns a glTF document with one empty node. addMesh() adds the node's mesh with one primitive;
+/// GltfLayout adds accessors and buffer.
 [[nodiscard]] nlohmann::ordered_json gltfDocument(const std::string& name,
                                                   std::span<const std::string> comments);
 void addMesh(nlohmann::ordered_json& document, const std::string& name,
              const nlohmann::ordered_json& primitive, bool doubleSided);
 
-/// The bytes before a document's text of `json` bytes in a GLB file (4.4 there), and before a binary chunk.
+/// Returns the bytes of a GLB file before its JSON text of `json` bytes (glTF 2.0 specification, 4.4).
+/// glbBinaryHeader() returns the bytes before the binary chunk.
 [[nodiscard]] std::vector<std::byte> glbHeader(std::uint64_t json, std::uint64_t binary);
 [[nodiscard]] std::vector<std::byte> glbBinaryHeader(std::uint64_t binary);
 

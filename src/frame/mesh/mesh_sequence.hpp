@@ -9,30 +9,31 @@
 
 namespace simreel::frame {
 
-/// Formats of a file that holds a surface at several frames.
-/// glb: binary glTF 2.0 whose mesh is the first frame and whose morph targets, with normals, are what the
-/// others add to it; an animation sets the weights, so that between two frames positions go straight.
-/// pc2: PointCache2 (J. Burnett, PointCache2 readme, "PC2 File Format"): little endian, 32 bytes of header
-/// with the first frame's number and the frames between two, then positions.
-/// mdd: LightWave's Motion Designer (as Blender's MOD_meshcache_mdd.c reads it): big endian, counts, the
-/// seconds of each frame since the first, then positions.
+/// File formats that hold a surface at several frames.
+/// glb: binary glTF 2.0. The mesh is the first frame; a morph target with normals for each later frame
+/// holds the difference from the first. An animation sets the weights, so positions are interpolated
+/// linearly between frames.
+/// pc2: PointCache2 (J. Burnett, PointCache2 readme, "PC2 File Format"). Little endian; a 32-byte header
+/// with the first frame's number and the step between frames, then positions.
+/// mdd: LightWave Motion Designer (as read by Blender's MOD_meshcache_mdd.c). Big endian; counts, time of
+/// each frame in seconds since the first, then positions.
 inline constexpr std::array<const char*, 3> sequenceFormats = {"glb", "pc2", "mdd"};
 
-/// What is known of a sequence before its first frame.
+/// Properties of a sequence that are known before its first frame.
 struct SequencePlan {
-  std::string name;         ///< of the surface
-  std::vector<int> frames;  ///< ascending
+  std::string name;         ///< name of the surface
+  std::vector<int> frames;  ///< frame numbers in ascending order
   double fps = 30;
-  std::vector<std::string> comments;  ///< for formats that have room for them
+  std::vector<std::string> comments;  ///< written if the format supports comments
 
-  /// s from the first frame to a later one.
+  /// Returns the time (s) from the first frame to the frame with index `i`.
   [[nodiscard]] float seconds(std::size_t i) const {
     return static_cast<float>((frames[i] - frames[0]) / fps);
   }
 };
 
-/// A surface frame by frame as one file. A frame is written when it is added, and no other is kept than the
-/// first. The file takes its name when it is finished; one that is not is removed.
+/// Writes a surface sequence to one file. Frames are written as they are added; only the first is kept in
+/// memory. The file gets its final name in finish(); an unfinished file is removed.
 class MeshSequence {
  public:
   MeshSequence() = default;
@@ -40,14 +41,16 @@ class MeshSequence {
   MeshSequence(const MeshSequence&) = delete;
   MeshSequence& operator=(const MeshSequence&) = delete;
 
-  /// The next frame of the plan. Throws UserError: usage for one that has other triangles, or more
-  /// vertices, than the first, or that there is no room for in the format; inputOutput.
+  /// Writes the next frame of the plan. Throws UserError(usage) if its triangles or its number of vertices
+  /// differ from the first frame, or if it does not fit the format. Throws UserError(inputOutput) if
+  /// writing fails.
   virtual void add(const sim::MeshTable& mesh) = 0;
-  /// After the last. Throws UserError(inputOutput).
+  /// Completes the file after the last frame. Throws UserError(inputOutput).
   virtual void finish() = 0;
 };
 
-/// Throws UserError(usage) where the format cannot hold these frames, and UserError(inputOutput).
+/// Opens a sequence file of the given format. Throws UserError(usage) if the format cannot hold these
+/// frames, and UserError(inputOutput).
 [[nodiscard]] std::unique_ptr<MeshSequence> openSequence(const std::string& format,
                                                          const std::filesystem::path& file,
                                                          SequencePlan plan);

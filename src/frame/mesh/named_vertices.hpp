@@ -5,18 +5,19 @@
 
 namespace simreel::frame {
 
-/// The vertices of a mesh that its triangles name, in their order; formats that hold nothing else would
-/// count others differently from one program to the next.
+/// Selects the vertices of a mesh that its triangles use, and keeps their order. Unused vertices are
+/// dropped because importers number vertices differently if a format contains unused ones.
 class NamedVertices {
  public:
   explicit NamedVertices(const sim::MeshTable& mesh);
 
-  /// That mesh, or one of the same triangles, without the others.
+  /// Returns `mesh` without unused vertices. `mesh` must have the same triangles as the mesh of the
+  /// constructor.
   [[nodiscard]] sim::MeshTable of(const sim::MeshTable& mesh) const;
 
  private:
-  std::vector<unsigned> kept_;   ///< their numbers
-  std::vector<unsigned> place_;  ///< of each vertex among them
+  std::vector<unsigned> kept_;   ///< indices of the used vertices
+  std::vector<unsigned> place_;  ///< new index of each used vertex, indexed by its old index
 };
 
 }  // namespace simreel::frame

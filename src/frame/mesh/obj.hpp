@@ -6,8 +6,8 @@
 
 namespace simreel::frame {
 
-/// A mesh as an OBJ file, numbers as short as they read back the same; the comments are its first lines. v
-/// counts from a picture's last row, as others read it.
+/// Encodes a mesh as OBJ. Numbers use the shortest text that reads back exactly. `comments` are the first
+/// lines. v = 0 is the bottom row of a texture, as usual for OBJ.
 [[nodiscard]] std::string encodeObj(const sim::MeshTable& mesh, std::span<const std::string> comments);
 
 }  // namespace simreel::frame

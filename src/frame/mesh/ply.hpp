@@ -6,13 +6,13 @@
 
 namespace simreel::frame {
 
-/// Points as a PLY file (binary, little endian, 32-bit floats): `values` row by row, one value a column.
-/// The comments go into the header, a line each.
+/// Encodes points as PLY (binary, little endian, 32-bit floats). `values` holds the rows one after the
+/// other, one value for each column. Each comment becomes a header line.
 [[nodiscard]] std::vector<std::byte> encodePly(std::span<const char* const> columns,
                                                std::span<const float> values,
                                                std::span<const std::string> comments);
 
-/// The same with triangles over the rows: three indices each.
+/// Encodes points and triangles as PLY. `indices` holds three row indices for each triangle.
 [[nodiscard]] std::vector<std::byte> encodePly(std::span<const char* const> columns,
                                                std::span<const float> values,
                                                std::span<const unsigned> indices,

@@ -13,7 +13,7 @@ int stepOf(const SequencePlan& plan) {
   return frames.size() > 1 ? frames[1] - frames[0] : 1;
 }
 
-/// Before a file is there.
+/// Checks the frames and returns `file`. Runs before the file is created.
 std::filesystem::path checked(PointCache::Format format, const SequencePlan& plan,
                               const std::filesystem::path& file) {
   const std::vector<int>& frames = plan.frames;
@@ -33,7 +33,7 @@ PointCache::PointCache(Format format, const std::filesystem::path& file, Sequenc
 
 void PointCache::append(std::uint32_t word) {
   for (unsigned i = 0; i < 4; ++i) {
-    const unsigned byte = format_ == Format::pc2 ? i : 3 - i;  // little or big end first
+    const unsigned byte = format_ == Format::pc2 ? i : 3 - i;  // PC2 is little endian, MDD is big endian
     bytes_.push_back(static_cast<std::byte>(word >> (8 * byte) & 255U));
   }
 }
@@ -50,7 +50,8 @@ void PointCache::flush() {
 void PointCache::writeHeader(std::size_t points) {
   const std::vector<int>& frames = plan_.frames;
   if (format_ == Format::pc2) {
-    for (const char c : "POINTCACHE2") bytes_.push_back(static_cast<std::byte>(c));  // and the zero
+    // POINTCACHE2 with its terminating zero byte
+    for (const char c : "POINTCACHE2") bytes_.push_back(static_cast<std::byte>(c));
     append(std::uint32_t{1});
     append(static_cast<std::uint32_t>(points));
     append(static_cast<float>(frames.front()));

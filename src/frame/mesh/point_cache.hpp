@@ -7,12 +7,12 @@
 
 namespace simreel::frame {
 
-/// The positions of a surface in each frame as PC2 or MDD; whoever reads it has the triangles from another
+/// Writes the vertex positions of each frame as PC2 or MDD. The reader needs the triangles from another
 /// file.
 class PointCache : public MeshSequence {
  public:
   enum class Format { pc2, mdd };
-  /// Throws UserError(usage) for frames that PC2 has no numbers for.
+  /// Throws UserError(usage) if the format is PC2 and the frames are not evenly spaced.
   PointCache(Format format, const std::filesystem::path& file, SequencePlan plan);
 
   void add(const sim::MeshTable& mesh) override;
@@ -27,9 +27,9 @@ class PointCache : public MeshSequence {
   SequencePlan plan_;
   Format format_;
   SameSurface surface_{plan_};
-  int step_;  ///< frames from one to the next
+  int step_;  ///< step between consecutive frame numbers
   PartFile file_;
-  std::vector<std::byte> bytes_;  ///< not yet written
+  std::vector<std::byte> bytes_;  ///< bytes not yet written to the file
 };
 
 }  // namespace simreel::frame

@@ -6,20 +6,21 @@
 
 namespace simreel::frame {
 
-/// Holds the frames of a sequence to the triangles and uvs of the first.
+/// Checks that all frames of a sequence have the triangles and uvs of the first frame.
 class SameSurface {
  public:
   explicit SameSurface(const SequencePlan& plan) : plan_(plan) {}
 
-  /// The next frame, with the vertices that its triangles name only. Throws UserError(usage).
+  /// Returns the next frame without unused vertices. Throws UserError(usage) if its triangles or uvs differ
+  /// from the first frame.
   [[nodiscard]] sim::MeshTable next(const sim::MeshTable& mesh);
-  /// Frames that it has seen.
+  /// Returns the number of frames passed to next().
   [[nodiscard]] std::size_t seen() const { return seen_; }
 
  private:
   const SequencePlan& plan_;
   std::size_t seen_ = 0;
-  sim::MeshTable first_;  ///< without normals
+  sim::MeshTable first_;  ///< mesh of the first frame, without normals
   std::optional<NamedVertices> named_;
 };
 

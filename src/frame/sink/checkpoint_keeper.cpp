@@ -22,7 +22,8 @@ void CheckpointKeeper::resume(const std::vector<int>& frames, const std::functio
   if (!how_.file.empty() && how_.resume) {
     const int last = std::max({lastFrame_, frames.empty() ? 0 : frames.back(), lastKept()});
     const auto checkpoint = found(last);
-    // Kept states that are whole need no work; one that is not lies before no checkpoint to go on from.
+    // Valid kept states up to the checkpoint need no work. Any other kept state at or before the checkpoint
+    // must be simulated again, so the run cannot resume from the checkpoint.
     std::erase_if(how_.keep, [&](const auto& kept) {
       return checkpoint && kept.first <= checkpoint->frame() &&
              (kept.second == checkpoint->file() || Checkpoint::read(kept.second, how_.run, last));
@@ -64,7 +65,7 @@ std::optional<Checkpoint> CheckpointKeeper::given(const std::vector<int>& frames
   }
 }
 
-/// The run's own, or else the last of those that are to be kept.
+/// Returns the run's periodic checkpoint, or else the last valid kept checkpoint.
 std::optional<Checkpoint> CheckpointKeeper::found(int last) {
   auto checkpoint = Checkpoint::read(how_.file, how_.run, last);
   stored_ = checkpoint ? checkpoint->frame() : beforeAll;

@@ -16,48 +16,55 @@
 
 namespace simreel::frame {
 
-/// Where a run's state is kept from time to time, so that it can go on after an end that nobody wanted, and
-/// at chosen frames, so that other runs can begin there.
+/// Settings for checkpoints. A run writes its state periodically, so that it can be resumed after a crash,
+/// and at chosen frames, so that other runs can start there.
 struct Checkpoints {
-  std::filesystem::path file;  ///< empty: none are written or read
-  double seconds = 60;         ///< between two; 0: none are written
-  bool resume = false;         ///< go on from the one that is there
+  std::filesystem::path file;  ///< periodic checkpoint; empty: none is written or read
+  double seconds = 60;         ///< interval between checkpoints; 0: none are written
+  bool resume = false;         ///< true to resume from the existing periodic checkpoint
   RunInfo run = {};
-  /// Frames whose states are kept for good, and where. With `resume` those that are there, and whole, stay.
+  /// Frames whose states are kept permanently, and their files. With `resume`, valid existing files are
+  /// kept.
   std::map<int, std::filesystem::path> keep = {};
-  std::filesystem::path from = {};  ///< where the run begins; empty: at the scene's start
-  bool mayDoWithout = false;        ///< where `from` cannot be used: from the start then, with a warning
+  /// checkpoint at which the run begins; empty: the run begins at the scene's start
+  std::filesystem::path from = {};
+  /// if `from` cannot be used: true to warn and begin at the scene's start, false to fail
+  bool mayDoWithout = false;
 };
 
-/// Writes the checkpoint of one run, goes on from one, and removes it.
+/// Writes the checkpoints of a run, restores the run from a checkpoint, and removes the periodic checkpoint
+/// after the run.
 class CheckpointKeeper {
  public:
-  /// `lastFrame` of the scene. `needsBefore`: a picture needs the frame before its own, too.
+  /// `lastFrame`: last frame of the scene. `needsBefore`: true if drawing a frame also needs the frame
+  /// before it.
   CheckpointKeeper(Checkpoints how, const FrameSink& sink, int lastFrame, bool needsBefore);
 
-  /// Goes on from a checkpoint before which nothing that is wanted is missing, where that is asked for;
-  /// else begins at the one that was given, if any.
+  /// Restores `world` and `counts` from a checkpoint if Checkpoints::resume is set and no missing frame
+  /// lies before that checkpoint. Otherwise restores Checkpoints::from, if it is set.
   void resume(const std::vector<int>& frames, const std::function<bool(int frame)>& isMissing,
               sim::World& world, CountTable& counts);
-  /// The frame of that checkpoint; before every frame where there is none.
+  /// Returns the frame of the restored checkpoint, or a number below every frame if none was restored.
   [[nodiscard]] int resumedFrame() const { return resumedFrame_; }
-  /// Whether a summary is of a frame after it. Throws UserError(different) when the frame of the checkpoint
-  /// has another state now.
+  /// True if the summary belongs to a frame after the restored checkpoint. Throws UserError(different) if
+  /// it belongs to the checkpoint's frame but has another state hash.
   [[nodiscard]] bool isAfterResume(const sim::World::Summary& summary) const;
 
   [[nodiscard]] bool isDue() const { return how_.seconds > 0 && secondsSince(saved_) >= how_.seconds; }
-  /// Whether checkpoints are this run's to write.
+  /// True if this run writes checkpoints.
   [[nodiscard]] bool writes() const;
-  /// Whether the state of this frame is to be kept for good and is not there yet.
+  /// True if the state of this frame must be kept permanently and does not exist yet.
   [[nodiscard]] bool keeps(int frame) const { return how_.keep.contains(frame); }
-  /// The last frame whose state is to be kept; before every frame where there is none.
+  /// Returns the last frame whose state must be kept, or a number below every frame if no state must be
+  /// kept.
   [[nodiscard]] int lastKept() const { return how_.keep.empty() ? beforeAll : how_.keep.rbegin()->first; }
-  /// Keeps it. Throws UserError(inputOutput).
+  /// Writes the world's current state to the file for its frame. Throws UserError(inputOutput).
   void keep(const std::string& stateHash, const std::string& counts, sim::World& world) const;
-  /// The state between two frames, all before which is stored. Without room for it the run goes on.
+  /// Writes the periodic checkpoint. All earlier frames must be stored already. If writing fails, warns and
+  /// writes no more checkpoints; the run continues.
   void save(const std::string& stateHash, const std::string& counts, sim::World& world);
-  /// Once a run has all frames up to `last`: only a longer one needs the checkpoint still. Takes along what
-  /// a kill in the middle of writing one has left.
+  /// Removes the periodic checkpoint after a run has completed all frames up to `last`, unless the
+  /// checkpoint is of a later frame. Also removes a partial file left by a killed process.
   void removeUnneeded(int last) const;
 
  private:
@@ -74,7 +81,7 @@ class CheckpointKeeper {
   const FrameSink& sink_;
   int lastFrame_;
   bool needsBefore_;
-  int stored_;  ///< frame of the checkpoint on disk: the scene's last one where that is not known
+  int stored_;  ///< frame of the checkpoint on disk; the scene's last frame if unknown
   int resumedFrame_ = beforeAll;
   std::string resumedHash_;
   std::filesystem::path resumedFile_;

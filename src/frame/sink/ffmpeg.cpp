@@ -22,9 +22,11 @@ bool hasH264(const std::string& extension) {
   return extension == ".mp4" || extension == ".m4v" || extension == ".mov" || extension == ".mkv";
 }
 
-/// Encoder for an extension (lower case, with dot); ffmpeg's own choice for the others.
+/// Returns the encoder options for an extension (lower case, with dot). Unknown extensions use ffmpeg's
+/// default encoder.
 std::vector<std::string> encoderArguments(const std::string& extension) {
-  // 4:2:0 needs even sides. The matrix is said in the file too, or players guess it from the size.
+  // 4:2:0 needs even sizes. The colour matrix is also stored in the file, because players otherwise guess
+  // it from the size.
   const std::string even =
       "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p";
   const std::vector<std::string> colour = {"-colorspace", "bt709", "-color_primaries", "bt709",
@@ -47,7 +49,7 @@ std::vector<std::string> encoderArguments(const std::string& extension) {
   return result;
 }
 
-/// " (SIGKILL)", or nothing for signals without a name.
+/// Returns the signal's name such as " (SIGKILL)", or an empty text if it has none.
 std::string signalName(int number) {
   const char* name = ::sigabbrev_np(number);
   return name == nullptr ? std::string() : fmt::format(" (SIG{})", name);
@@ -68,10 +70,11 @@ std::vector<std::string> ffmpegArguments(const std::filesystem::path& file, int 
       "-r",     rate.text('/'), "-i",       "pipe:0"};
   const std::vector<std::string> encoder = encoderArguments(lowerExtension(file));
   result.insert(result.end(), encoder.begin(), encoder.end());
-  // What x264 and others write depends on how many threads they are, which is by processors unless given;
-  // more than a machine has cost little.
+  // The output of x264 and other encoders depends on the number of threads, which defaults to the number of
+  // processors. A fixed number makes the output reproducible; more threads than processors cost little.
   result.insert(result.end(), {"-threads", "8"});
-  // Bit-exact: no version or time in the file. "file:" keeps a name with - or : from being read otherwise.
+  // bitexact keeps version and time out of the file. The prefix "file:" prevents ffmpeg from interpreting a
+  // name with - or : as something else.
   result.insert(result.end(), {"-fflags", "+bitexact", "-flags:v", "+bitexact", "file:" + file.string()});
   return result;
 }
@@ -120,7 +123,7 @@ void Ffmpeg::write(std::span<const std::byte> bytes) {
   const int error = writeAll(input_, bytes);
   if (error == 0) return;
   if (error != EPIPE) fail(ExitCode::inputOutput, "cannot write to ffmpeg: {}", std::strerror(error));
-  // It closed its end, so it has ended or is about to; one that lingers is not waited for long.
+  // ffmpeg closed its input, so it has ended or ends soon. Waits at most 2 s before killing it.
   constexpr int attempts = 200;
   constexpr useconds_t pause = 10'000;  // microseconds
   siginfo_t ended{};
@@ -142,7 +145,8 @@ void Ffmpeg::finish() {
 }
 
 int Ffmpeg::wait() {
-  // Waits first and reaps second, so that kill() in another thread never meets a reused id.
+  // Waits first and reaps afterwards under the mutex, so that kill() in another thread never hits a reused
+  // process id.
   siginfo_t ended{};
   while (::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
   }

@@ -12,31 +12,36 @@
 
 namespace simreel::frame {
 
-/// Arguments that make ffmpeg read RGBA frames from its standard input and encode `file` as its
-/// extension suggests.
+/// Returns ffmpeg arguments to read RGBA frames from standard input and encode `file` in the format of its
+/// extension.
 [[nodiscard]] std::vector<std::string> ffmpegArguments(const std::filesystem::path& file, int width,
                                                        int height, const FrameRate& rate);
 
-/// Width and height that the video gets: 4:2:0 encoders need even sides, so an odd one is one pixel longer.
+/// Returns the width and height of the video. 4:2:0 encoders need even sizes, so an odd size is increased
+/// by one pixel.
 [[nodiscard]] std::pair<int, int> videoSize(const std::filesystem::path& file, int width, int height);
 
-/// A running ffmpeg, fed through a pipe. What it says is kept in memory, so it never waits for a reader.
+/// A running ffmpeg process fed through a pipe. The messages of ffmpeg go to a memory file, so ffmpeg never
+/// blocks on a pipe reader.
 class Ffmpeg {
  public:
-  /// Throws UserError(inputOutput), with how to install it when it is missing.
+  /// Starts ffmpeg. Throws UserError(inputOutput); if ffmpeg is missing, the message says how to install
+  /// it.
   explicit Ffmpeg(const std::vector<std::string>& arguments);
-  /// Ends a process that was not finished.
+  /// Kills the process if finish() was not called.
   ~Ffmpeg();
   Ffmpeg(const Ffmpeg&) = delete;
   Ffmpeg& operator=(const Ffmpeg&) = delete;
   Ffmpeg(Ffmpeg&&) = delete;
   Ffmpeg& operator=(Ffmpeg&&) = delete;
 
-  /// Throws UserError(inputOutput) with ffmpeg's last line when it has ended.
+  /// Writes to ffmpeg's standard input. If ffmpeg has ended, throws UserError(inputOutput) with the last
+  /// line of its messages.
   void write(std::span<const std::byte> bytes);
-  /// Closes the pipe and waits. Throws as write() does when ffmpeg was not content.
+  /// Closes the pipe and waits for ffmpeg to end. Throws like write() if ffmpeg failed.
   void finish();
-  /// Ends the process at once, so that a write() in another thread returns. finish() must not follow.
+  /// Kills the process at once, so that a write() in another thread returns. Do not call finish()
+  /// afterwards.
   void kill() noexcept;
 
  private:
@@ -44,11 +49,11 @@ class Ffmpeg {
   [[noreturn]] void failed(int status);
   [[nodiscard]] std::string lastLine() const;
 
-  std::mutex mutex_;  ///< held to signal the process, and to reap it
+  std::mutex mutex_;  ///< locked while the process is signalled or reaped
   pid_t process_ = -1;
   int input_ = -1;
   int messages_ = -1;
-  bool killed_ = false;  ///< by us, since it went on without reading
+  bool killed_ = false;  ///< true if write() killed the process because it had stopped reading
 };
 
 }  // namespace simreel::frame

@@ -10,20 +10,20 @@
 
 namespace simreel::frame {
 
-/// The raw values of a scene's fields beside the pictures of the same frames: 000042.png has
-/// 000042.NAME.npy for each object NAME that is a field. Existing files are treated as the pictures are; on
-/// --resume those are kept that the manifest and their hashes say are whole.
+/// Writes the raw values of a scene's fields beside the pictures: frame 000042.png gets 000042.NAME.npy for
+/// each field object NAME. Existing files are treated like existing pictures; --resume keeps the files that
+/// are complete according to the manifest and its hashes.
 class FieldFiles {
  public:
-  /// Throws UserError(usage) where pictures have no files of their own: videos, standard output.
+  /// Throws UserError(usage) if the output has no picture files (video, standard output).
   FieldFiles(const OutputName& pictures, FieldFormat format, Existing existing, std::vector<int> frames);
 
-  /// Call once, before any frame is stored. Throws UserError: usage when the scene has no field,
-  /// inputOutput when files exist that must not be replaced.
+  /// Call once, before the first frame is stored. Throws UserError(usage) if the scene has no field,
+  /// UserError(inputOutput) if files exist that must not be replaced.
   void begin(const std::vector<sim::Field>& fields);
-  /// Whether anything of a frame is to be written; `sink` knows what is whole.
+  /// True if a field file of the frame must be written. `sink` tells which files are already complete.
   [[nodiscard]] bool misses(int frame, const FrameSink& sink) const;
-  /// Reads the fields of the present frame back whose files are to be written, encoded. Waits for the GPU.
+  /// Reads back and encodes the fields of the current frame whose files must be written. Waits for the GPU.
   [[nodiscard]] std::vector<FrameFile> read(int frame, const std::vector<sim::Field>& fields,
                                             const FrameSink& sink) const;
 

@@ -13,17 +13,18 @@
 
 namespace simreel::frame {
 
-/// Threads that handle frames behind a bounded queue, so that drawing goes on meanwhile: in order where it
-/// is one thread. Where the system grants no thread at all, push() handles its frame itself.
+/// Worker threads behind a bounded queue that handle frames while drawing continues. With one thread,
+/// frames are handled in order. If no thread can be created, push() handles the frame itself.
 class FrameQueue {
  public:
-  /// No image: only the files beside it.
+  /// Callback that handles one frame. The image is empty if only the additional files must be stored.
   using Handler = std::function<void(const FrameInfo&, const std::optional<Image>&)>;
 
-  /// For a thread that takes frames in order: what evens out frames that take longer than others.
+  /// Queue length for a single in-order thread: enough to absorb frames that take longer than others.
   static constexpr std::size_t maxWaitingInOrder = 4;
 
-  /// At most `most` frames wait, besides one at work in each thread.
+  /// Creates up to `threads` threads. At most `max` frames wait in the queue, in addition to the frames
+  /// being handled.
   FrameQueue(std::size_t threads, std::size_t max, Handler handler);
   ~FrameQueue();
   FrameQueue(const FrameQueue&) = delete;
@@ -31,15 +32,15 @@ class FrameQueue {
   FrameQueue(FrameQueue&&) = delete;
   FrameQueue& operator=(FrameQueue&&) = delete;
 
-  /// Blocks while the queue is full. Throws what the handler threw.
+  /// Adds a frame; blocks while the queue is full. Rethrows an exception of the handler.
   void push(FrameInfo info, std::optional<Image> image);
-  /// Waits until all is handled. Throws what the handler threw.
+  /// Waits until all frames are handled. Rethrows an exception of the handler.
   void settle();
-  /// Waits until all is handled and ends the threads. Throws what the handler threw.
+  /// Waits until all frames are handled, and ends the threads. Rethrows an exception of the handler.
   void close();
-  /// Drops what is waiting and ends the threads; a handler in progress must return by itself.
+  /// Drops waiting frames and ends the threads. Waits for handlers in progress.
   void abandon() noexcept;
-  [[nodiscard]] double seconds() const;  ///< processor time of the handler so far, over all threads
+  [[nodiscard]] double seconds() const;  ///< CPU time of the handler so far, summed over all threads
 
  private:
   struct Item {
@@ -47,23 +48,23 @@ class FrameQueue {
     std::optional<Image> image;
   };
   void work() noexcept;
-  void handle(const Item& item) noexcept;  ///< keeps what is thrown
+  void handle(const Item& item) noexcept;  ///< calls the handler; stores an exception in error_
   void join() noexcept;
   void rethrow();
 
   std::size_t max_;
   Handler handler_;
-  mutable std::mutex mutex_;  ///< guards all below
+  mutable std::mutex mutex_;  ///< guards all members declared below
   std::condition_variable changed_;
   std::deque<Item> waiting_;
   std::size_t atWork_ = 0;
-  std::exception_ptr error_;  ///< the first; what waits is dropped then
+  std::exception_ptr error_;  ///< first exception; once set, waiting frames are dropped
   double seconds_ = 0;
   bool closed_ = false;
   std::vector<std::thread> threads_;
 };
 
-/// Processor time of the calling thread in seconds.
+/// Returns the CPU time (s) of the calling thread.
 [[nodiscard]] double threadSeconds();
 
 }  // namespace simreel::frame

@@ -11,43 +11,45 @@
 
 namespace simreel::frame {
 
-/// What is known of a frame besides its pixels.
+/// Data of a frame besides its pixels.
 struct FrameInfo {
   int frame = 0;
   std::string stateHash;
-  std::vector<FrameFile> files = {};                            ///< to be stored with it
-  std::shared_ptr<const draw::PictureLayers> layers = nullptr;  ///< where the output has them
+  /// additional files to store with the frame
+  std::vector<FrameFile> files = {};
+  /// layers of the picture; null if the output has none
+  std::shared_ptr<const draw::PictureLayers> layers = nullptr;
 };
 
-/// Where rendered frames go: a numbered sequence, one picture, a video file, or standard output.
-/// add() may return before the frame is stored; finish() waits, and throws what went wrong.
+/// Destination of rendered frames: numbered sequence, single picture, video file, or standard output. add()
+/// may return before the frame is stored. finish() waits and throws any error.
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
-  /// False when this frame need not be drawn: it is already there and of no other run (--skip-existing),
-  /// or the manifest and the file's hash say it is whole (--resume).
+  /// False if this frame need not be drawn: with --skip-existing, because it exists and does not belong to
+  /// another run; with --resume, because it matches the hash in the manifest.
   [[nodiscard]] virtual bool wants(int frame) = 0;
-  /// The state hash that an earlier run's manifest holds for a frame that is not wanted again.
+  /// Returns the state hash in an earlier run's manifest for a frame that need not be drawn again.
   [[nodiscard]] virtual std::optional<std::string> knownStateHash(int frame) const = 0;
-  /// Whether an earlier run's manifest lists this file beside a frame that is not wanted again, and it is
-  /// whole.
+  /// True if an earlier run's manifest lists this additional file of a frame that need not be drawn again,
+  /// and the file is complete.
   [[nodiscard]] virtual bool holds(int /*frame*/, const std::string& /*file*/) const { return false; }
-  /// Hands over one frame, or for one that is not wanted only the files beside it; blocks while too many
-  /// are waiting. Throws UserError(inputOutput).
+  /// Stores one frame. The image is empty if the picture exists and only additional files must be stored.
+  /// Blocks while too many frames wait. Throws UserError(inputOutput).
   virtual void add(FrameInfo info, std::optional<Image> image) = 0;
-  /// Writes what the simulations count (count_table.hpp) beside the manifest, where there is one. A table
-  /// that begins with all of this one stays: it is of the same run, which went further then.
+  /// Writes the table of counts (count_table.hpp) beside the manifest, if there is one. Keeps an existing
+  /// longer table that starts with `text`, because it belongs to the same run rendered further.
   virtual void addCounts(std::string_view /*text*/) {}
-  /// Waits until all that was added is stored, and the manifest says so where --resume asks it.
+  /// Waits until all added frames are stored, and updates the manifest if --resume needs it.
   virtual void settle() {}
-  /// Whether a checkpoint beside the frames is this program's to write: of several that render frames of
-  /// one run it is one's.
+  /// True if this program may write the checkpoint beside the frames. Of several programs that render
+  /// frames of one run, only one may.
   [[nodiscard]] virtual bool ownsCheckpoint() const { return true; }
-  /// Writes all that is pending, then the manifest. Call once; also after an interrupt.
+  /// Writes all pending frames, then the manifest. Call once, also after an interrupt.
   virtual void finish() = 0;
-  /// Seconds of processor time spent encoding and writing so far, over all threads.
+  /// Returns the CPU time (s) spent encoding and writing so far, over all threads.
   [[nodiscard]] virtual double encodeSeconds() const = 0;
-  /// "out/flag_0000.png ... out/flag_0119.png" for the closing line.
+  /// Returns the text for the closing line: "out/flag_0000.png ... out/flag_0119.png".
   [[nodiscard]] virtual std::string summary() const = 0;
 };
 

@@ -47,7 +47,7 @@ void FramesUnderWay::draw(sim::World& world, std::optional<std::string> stateHas
     const Stopwatch time = timers_.watch(&StageTimes::readBack, frame);
     waiting_.back().files = fields_->read(frame, world.drawables().fields, sink_);
   }
-  // One slot stays free for the next picture.
+  // One readback slot stays free for the next picture.
   while (waiting_.size() >= draw::Readback::maxUnderWay) deliverOldest();
 }
 
@@ -85,7 +85,7 @@ void FramesUnderWay::deliverOldest() {
 }
 
 void FramesUnderWay::store(Waiting waiting) {
-  // A software driver draws in the background: waiting for it is drawing time.
+  // A software driver draws in the background, so waiting for the picture counts as drawing time.
   timers_.wait(&StageTimes::draw, waiting.frame, [&] { readback_.waitForOldest(); });
   timers_.collect(waiting.frame);
   Image image{size_.x, size_.y, {}, alpha_};

@@ -23,31 +23,32 @@
 
 namespace simreel::frame {
 
-/// Frames between their drawing and their sink: while the device draws one, those before it are read back
-/// and encoded.
+/// Pipeline between drawing and sink: while the device draws a frame, earlier frames are read back and
+/// encoded.
 class FramesUnderWay {
  public:
-  /// `awaitSummary` waits for the next summary and calls know(). `fields`: null where no raw values go
-  /// beside the pictures.
+  /// `awaitSummary` waits for the next state summary and calls know(). `fields` is null if no raw field
+  /// values are written.
   FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields, Progress& progress,
                  StageTimers& timers, std::function<void()> awaitSummary);
 
-  /// From now on draws know of the frame before theirs, where pictures have motion blur or velocities.
+  /// Makes the renderer receive each previous frame, if pictures have motion blur or velocities. Call it
+  /// before the first draw().
   void follow(sim::World& world);
-  /// From now on pictures have their light, and layers.
+  /// Makes the following pictures keep their light and the requested layers.
   void keepLayers(const draw::LightRequest& wanted);
-  /// Who hears of each picture before the sink gets it.
+  /// Sets a callback that receives each picture before the sink does.
   void onPicture(std::function<void(int frame, const Image& image)> hear) { hear_ = std::move(hear); }
-  /// Whether anything of a frame is to be written.
+  /// True if a picture or additional file of the frame must be written.
   [[nodiscard]] bool misses(int frame) const;
-  /// The present frame of the world, drawn if it is wanted. Waits for an older one where too many are under
-  /// way.
+  /// Draws the world's current frame if it must be written. If too many frames are in flight, first
+  /// delivers the oldest.
   void draw(sim::World& world, std::optional<std::string> stateHash);
-  /// The state hash of a frame. Those of frames that are not under way are of no use here.
+  /// Sets the state hash of a frame in flight. Ignored for other frames.
   void know(int frame, const std::string& stateHash);
-  /// A frame that an earlier run has stored whole.
+  /// Counts a frame that an earlier run has already stored.
   void pass(int frame);
-  /// Hands all to the sink.
+  /// Passes all frames in flight to the sink.
   void drain();
   [[nodiscard]] int delivered() const { return delivered_; }
 
@@ -55,7 +56,7 @@ class FramesUnderWay {
   struct Waiting {
     int frame;
     bool drawn;
-    std::vector<FrameFile> files;  ///< stored when the frame is known to be sound
+    std::vector<FrameFile> files;  ///< stored once the frame's state is known to be valid
     std::shared_ptr<const draw::PictureLayers> layers;
     std::optional<std::string> stateHash;
   };
@@ -71,13 +72,13 @@ class FramesUnderWay {
   std::function<void()> awaitSummary_;
   std::function<void(int frame, const Image& image)> hear_;
   glm::ivec2 size_;
-  bool alpha_;  ///< whether pictures have it
+  bool alpha_;  ///< true if pictures have an alpha channel
   bool keepsLayers_ = false;
   draw::Renderer renderer_;
   draw::Readback readback_;
   std::deque<Waiting> waiting_;
   int delivered_ = 0;
-  double toldEncode_ = 0;  ///< of encodeSeconds(), what progress has heard of
+  double toldEncode_ = 0;  ///< part of the sink's encodeSeconds() that has been reported to progress_
 };
 
 }  // namespace simreel::frame

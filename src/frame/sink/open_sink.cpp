@@ -37,8 +37,8 @@ std::unique_ptr<FrameSink> openSink(const OutputName& output, Existing existing,
 
 namespace {
 
-/// Throws UserError(inputOutput) where `folder` could not be made. Makes a folder of a random name for a
-/// moment where the first missing one would be: another run may be making the folder itself.
+/// Throws UserError(inputOutput) if `folder` cannot be created. Tests this with a temporary folder of
+/// random name inside the nearest existing parent, because another run may be creating `folder` itself.
 void checkFolder(const std::filesystem::path& folder) {
   std::filesystem::path above = folder;
   while (!above.empty() && !pathExists(above)) above = above.parent_path();

@@ -9,17 +9,17 @@
 
 namespace simreel::frame {
 
-/// Makes the sink that `output` asks for. Throws UserError: usage for what it cannot do, inputOutput where
-/// nothing can be written or files exist.
+/// Creates the sink for `output`. Throws UserError(usage) if the combination is not supported,
+/// UserError(inputOutput) if nothing can be written or files exist.
 [[nodiscard]] std::unique_ptr<FrameSink> openSink(const OutputName& output, Existing existing,
                                                   const RunInfo& run, std::span<const int> frames,
                                                   const std::string& streamFormat);
 
-/// Throws UserError(inputOutput) where a file of one of the frames is there.
+/// Throws UserError(inputOutput) if an output file of one of the frames exists.
 void refuseExisting(const OutputName& output, std::span<const int> frames);
 
-/// What openSink() would refuse without a device: files that exist, and a place that cannot be written.
-/// Leaves nothing. Throws as openSink() does.
+/// Performs the checks of openSink() that need no device: existing files, and whether the location is
+/// writable. Leaves no files behind. Throws like openSink().
 void checkOutput(const OutputName& output, Existing existing, std::span<const int> frames);
 
 }  // namespace simreel::frame

@@ -105,13 +105,14 @@ void Progress::clear() {
 void Progress::show() {
   lastShown_ = Clock::now();
   shown_ = true;
-  // One column less: a full line would wrap on some terminals. Erase what a longer line left.
+  // Uses one column less, because a full line would wrap on some terminals. The escape sequence erases the
+  // rest of an older, longer line.
   write(fmt::format("\r{}\x1b[K",
                     progressLine(done_, total_, secondsSince(begin_), columns(descriptor_) - 1)));
 }
 
 void Progress::write(const std::string& text) const {
-  // A closed standard error must not end the run.
+  // Ignores errors, because a closed standard error must not end the run.
   (void)writeAll(descriptor_, std::as_bytes(std::span(text)));
 }
 

@@ -8,43 +8,44 @@
 
 namespace simreel::frame {
 
-/// Seconds spent so far in each stage.
+/// Time (s) spent so far in each stage.
 struct StageTimes {
   double simulate = 0;
   double draw = 0;
   double readBack = 0;
-  double encode = 0;  ///< processor time of other threads
-  double start = 0;   ///< device, shaders, textures: all before the first step
-  double wait = 0;    ///< for encoders, ffmpeg or the disk
+  double encode = 0;  ///< CPU time of other threads that encode frames
+  double start = 0;   ///< device, shaders, textures: everything before the first step
+  double wait = 0;    ///< time spent waiting for encoders, ffmpeg or the disk
 };
 
-/// How far a run is, on standard error. Use from one thread.
+/// Reports the progress of a run on standard error. Not thread-safe.
 class Progress {
  public:
   enum class Mode { automatic, terminal, ndjson, none };
 
-  /// `automatic` shows a bar on a terminal and nothing when piped. The descriptor is for tests.
+  /// `automatic` shows a bar on a terminal and nothing otherwise. Tests pass another `descriptor`.
   explicit Progress(Mode mode, int descriptor = 2);
   void start(int total);
-  /// How far the steps before the first frame are.
+  /// Reports the progress of the pre-roll steps before the first frame.
   void prepare(long done, long total);
-  /// One frame is done (or was already there). `stages` are its times, and those of frames before it that
-  /// are not wanted; encode is that of other frames: it goes on beside, and is what was done since the last
-  /// call.
+  /// Reports that a frame is done or already existed. `stages` holds the times of the frame and of
+  /// preceding frames that are not written. `stages.encode` is the encoding time of any frames since the
+  /// last call, because encoding runs in parallel.
   void frame(int number, const StageTimes& stages);
-  /// A check of the scene was made.
+  /// Reports the result of a scene check.
   void check(const std::string& what, int frame, std::optional<double> value, bool passed);
-  /// Counts as they are now: names and numbers, comma separated.
+  /// Reports the current counts. `names` and `row` are comma separated. ndjson only.
   void counts(int frame, std::string_view names, std::string_view row);
-  /// An event of somebody else's making, a JSON object; ndjson only.
+  /// Writes an event given as a JSON object. ndjson only.
   void event(const std::string& object) const;
-  /// Whether anybody reads events: ndjson.
+  /// True if events are written (mode ndjson).
   [[nodiscard]] bool tellsEvents() const { return mode_ == Mode::ndjson; }
-  /// From here on each event says that it is of this job of several.
+  /// Adds the name of a job to all following events, because several jobs share the output.
   void ofJob(std::string job) { job_ = std::move(job); }
-  /// Clears the bar, before messages that come after it.
+  /// Clears the bar, before other messages are printed.
   void clear();
-  /// Clears the bar. `status` is "ok", "interrupted" or "failed"; `stages` are the times of the whole run.
+  /// Clears the bar and reports the end of the run. `status` is "ok", "interrupted" or "failed"; `stages`
+  /// holds the times of the whole run.
   void finish(const char* status = "ok", const StageTimes& stages = {});
 
  private:
@@ -61,18 +62,18 @@ class Progress {
   Clock::time_point lastShown_;
 };
 
-/// "auto", "tty", "ndjson" or "none". Throws UserError(usage).
+/// Parses "auto", "tty", "ndjson" or "none". Throws UserError(usage).
 [[nodiscard]] Progress::Mode parseProgressMode(const std::string& text);
 
-/// The bar, at most `width` columns wide.
+/// Returns the text of the progress bar, at most `width` columns wide.
 [[nodiscard]] std::string progressLine(int done, int total, double seconds, int width);
 
-/// "120 frames in 9.8 s (12.2 frames/s): start 0.8 s, simulate 2.1 s, draw 5.9 s, read back 0.3 s,
-/// encode 1.6 s, wait 0.7 s -> WHERE"
+/// Returns the summary line: "120 frames in 9.8 s (12.2 frames/s): start 0.8 s, simulate 2.1 s, draw 5.9 s,
+/// read back 0.3 s, encode 1.6 s, wait 0.7 s -> WHERE"
 [[nodiscard]] std::string closingLine(int frames, double seconds, const StageTimes& stages,
                                       const std::string& where);
 
-/// "9.8 s", "3 min 05 s", "2 h 04 min".
+/// Formats a duration: "9.8 s", "3 min 05 s", "2 h 04 min".
 [[nodiscard]] std::string formatDuration(double seconds);
 
 }  // namespace simreel::frame

@@ -20,7 +20,7 @@ namespace simreel::frame {
 
 namespace {
 
-/// Whether pictures tell how fast things are, which takes the frame before.
+/// True if pictures have velocity or motion vector layers, which need the previous frame.
 bool keepsVelocity(const BesideFrames& beside) {
   return beside.layers &&
          std::any_of(beside.layers->layers.begin(), beside.layers->layers.end(), [](draw::Layer layer) {
@@ -28,7 +28,7 @@ bool keepsVelocity(const BesideFrames& beside) {
          });
 }
 
-/// A run: steps the world, looks at the summary of each frame, and has the wanted ones drawn.
+/// One run: steps the world, evaluates each frame's state summary, and draws the wanted frames.
 class Run {
  public:
   Run(const scene::Scene& scene, const gl::Context& context, FrameSink& sink, Progress& progress,
@@ -54,7 +54,7 @@ class Run {
       frames_.onPicture([this](int frame, const Image& image) { watch_->drawn(frame, image); });
   }
 
-  /// Call first. Goes on from a checkpoint before which no frame is missing, where that is asked for.
+  /// Call first. Resumes from a checkpoint if requested and no wanted frame before it is missing.
   void begin(const std::vector<int>& frames) {
     if (watch_ != nullptr) watch_->begin(world_);
     if (fields_ != nullptr) fields_->begin(world_.drawables().fields);
@@ -62,9 +62,9 @@ class Run {
         frames, [&](int frame) { return frames_.misses(frame); }, world_, counts_);
   }
 
-  /// Simulates every frame up to this one, watching each for a lost state, and draws it if it is wanted.
+  /// Simulates all frames up to `frame`, checks each for a lost state, and draws `frame` if it is wanted.
   void render(int frame) {
-    // Whole, or there would be no going on from there.
+    // Earlier frames are complete; otherwise the run would not have been resumed after them.
     if (frame < keeper_.resumedFrame()) return frames_.pass(frame);
     simulateTo(frame);
     const bool known = latest_ && latest_->frame == frame;
@@ -72,19 +72,19 @@ class Run {
     context_.check();
   }
 
-  /// On to the last state that is to be kept.
+  /// Simulates up to the last frame whose state must be kept.
   void simulateRest() {
     if (keeper_.lastKept() >= 0) simulateTo(keeper_.lastKept());
   }
 
   void drain() { frames_.drain(); }
 
-  /// Every count that is there, also of a run that ended early.
+  /// Passes all counts so far to the sink, also if the run ended early.
   void writeCounts() {
     if (writesCounts_ && !counts_.empty()) sink_.addCounts(counts_.text());
   }
 
-  /// Between two frames: stores all before, then the state.
+  /// Stores all earlier frames, then the state. Call it between two frames.
   void saveCheckpoint() {
     if (!started_ || world_.frame() < 0 || !keeper_.writes()) return;
     lookAtPresent();
@@ -101,7 +101,7 @@ class Run {
   [[nodiscard]] const StageTimes& stages() { return timers_.stages(); }
 
  private:
-  /// Of an object that steps before the first frame, while the world is made.
+  /// Reports progress of objects that step before the first frame, while the world is being created.
   void prestepped(long done, long total) {
     const auto now = Clock::now();
     if (prestepTime_ > Clock::time_point()) timers_.stages().simulate += secondsSince(prestepTime_);
@@ -110,7 +110,9 @@ class Run {
     throwIfInterrupted();
   }
 
-  /// Frame by frame, watching for signals: a pre-roll, or the way to a far frame, takes its time.
+  /// Advances frame by frame and checks for signals, because a pre-roll or a distant frame takes long.
+  /// Intermediate frames use World::passTo(), after which the state must not be drawn or read; so does
+  /// frame `next` unless `seen` is true.
   void advanceTo(int next, bool seen) {
     const long preroll = -world_.firstFrame();
     while (world_.frame() < next) {
@@ -124,7 +126,7 @@ class Run {
     }
   }
 
-  /// Its summary is the latest then.
+  /// Makes the summary of the current frame the latest one.
   void lookAtPresent() {
     frames_.drain();
     if (!seen_) {
@@ -141,8 +143,8 @@ class Run {
     keeper_.keep(latest_->stateHash, counts_.text(), world_);
   }
 
-  /// The pre-roll is watched too: frame 0's summary tells of everything before it. Only counts need each of
-  /// its frames.
+  /// Returns the next frame whose state summary is needed. Frame 0's summary also covers the whole
+  /// pre-roll, so pre-roll frames only need their own summaries if objects have counts.
   [[nodiscard]] int nextFrame() const {
     if (started_) return world_.frame() + 1;
     if (keeper_.resumedFrame() >= 0) return keeper_.resumedFrame();
@@ -170,7 +172,8 @@ class Run {
       if (!counts_.empty() && summary.frame >= 0)
         progress_.counts(summary.frame, counts_.header(), counts_.lastRow());
     }
-    timers_.collect(summary.frame - 1);  // a frame's summary comes after all of the frame before
+    // a frame's summary arrives after all device work of the previous frame
+    timers_.collect(summary.frame - 1);
     frames_.know(summary.frame, summary.stateHash);
     latest_ = summary;
   }
@@ -191,7 +194,8 @@ class Run {
   FrameWatch* watch_;
   std::optional<sim::World::Summary> latest_;
   bool started_ = false;
-  bool seen_ = true;  ///< whether the present frame was stepped, not passed
+  /// true if the current frame is ready to be drawn; false if it was passed with World::passTo
+  bool seen_ = true;
 };
 
 }  // namespace
@@ -234,7 +238,7 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
     result.stages = run.stages();
     result.stages.start = start;
     if (whole && !failure) run.removeCheckpoint(frames);
-  } catch (const Interrupted& interrupted) {  // before there was anything
+  } catch (const Interrupted& interrupted) {  // interrupted while the world was being created
     result.signal = interrupted.signal;
   } catch (...) {
     failure = std::current_exception();
@@ -244,7 +248,7 @@ SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& cont
   try {
     sink.finish();
   } catch (...) {
-    // The first failure is the cause; what the sink says after it is a consequence.
+    // The first failure is the cause; errors from the sink after it are consequences.
     if (!failure) failure = std::current_exception();
   }
   result.stages.encode += sink.encodeSeconds();

@@ -13,44 +13,47 @@
 
 namespace simreel::frame {
 
-/// How a sequence ended.
+/// Result of rendering a sequence.
 struct SequenceResult {
-  int frames = 0;      ///< delivered or found whole
-  int signal = 0;      ///< that interrupted it, or 0
-  double seconds = 0;  ///< wall clock
-  StageTimes stages;   ///< simulate and draw: device time on a GPU; encode is over all threads
+  int frames = 0;      ///< number of frames delivered or found already complete
+  int signal = 0;      ///< number of the signal that interrupted the run, or 0
+  double seconds = 0;  ///< wall-clock time of the run
+  StageTimes stages;   ///< simulate and draw are device time on a GPU; encode is summed over all threads
 };
 
-/// Looks at some frames of a run.
+/// Callback interface that observes selected frames of a run.
 class FrameWatch {
  public:
   virtual ~FrameWatch() = default;
-  /// Once the world is there, before its first step.
+  /// Called once after the world is created and before its first step.
   virtual void begin(const sim::World& world) = 0;
-  /// Whether made() is to be called there.
+  /// True if made() must be called at this frame.
   [[nodiscard]] virtual bool wants(int frame) const = 0;
-  /// The world stands at a frame that is wanted. State may be read back, which waits for the device.
+  /// Called when the world has reached a selected frame. May read back state, which waits for the device.
   virtual void made(const sim::World& world) = 0;
-  /// The picture of a frame, in the order of frames, some after made().
+  /// Receives the picture of each frame, in frame order. May be called later than made() for the same
+  /// frame.
   virtual void drawn(int frame, const Image& image) = 0;
 };
 
-/// What is written beside the pictures.
+/// Additional outputs and options of renderSequence().
 struct BesideFrames {
-  FieldFiles* fields = nullptr;  ///< gets the raw values of fields in the same frames; null: nothing does
-  Clock::time_point began = Clock::now();  ///< of the command: what was before the first step counts
-  bool counts = true;                      ///< what the simulations count goes to the sink
+  /// writes raw field values of the same frames; null: none are written
+  FieldFiles* fields = nullptr;
+  /// start of the command, so that the time before the first step is counted
+  Clock::time_point began = Clock::now();
+  bool counts = true;  ///< true to pass the simulations' counts to the sink
   Checkpoints checkpoints = {};
-  FrameWatch* watch = nullptr;  ///< null: nobody looks
-  /// Of pictures that are not made of their bytes.
+  FrameWatch* watch = nullptr;  ///< observer of selected frames; may be null
+  /// Light and layers to keep, for picture formats other than 8-bit PNG.
   std::optional<draw::LightRequest> layers = std::nullopt;
 };
 
-/// Simulates the scene from its start, or from a checkpoint that no missing frame lies before, draws the
-/// wanted frames and hands them to the sink, which is finished in every case. Frames that the sink does not
-/// want are simulated all the same. Throws UserError: device when the state is lost (frames before that are
-/// stored), inputOutput from the sink, and different when a frame kept from an earlier run has another
-/// state hash now. A checkpoint that cannot be written is a warning. After the last frame it is removed.
+/// Simulates the scene from its start, or from a checkpoint before which no wanted frame is missing. Draws
+/// the wanted frames and passes them to the sink. Always calls sink.finish(). Frames that the sink does not
+/// want are still simulated. Throws UserError: device if a simulation lost its state (earlier frames are
+/// stored), inputOutput from the sink, different if a frame kept from an earlier run now has another state
+/// hash. Failing to write a checkpoint only warns. The checkpoint is removed after the last frame.
 [[nodiscard]] SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
                                             const std::vector<int>& frames, FrameSink& sink,
                                             Progress& progress, const BesideFrames& beside = {});

@@ -37,7 +37,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds manifestEvery{1000};
 
-/// PNG files and what lies beside them, encoded by worker threads, and the manifest.
+/// Sink for PNG or OpenEXR files and their additional files, encoded by worker threads, with a manifest.
 class SequenceSink final : public FrameSink {
  public:
   SequenceSink(OutputName output, Existing existing, const RunInfo& run, std::span<const int> frames)
@@ -47,7 +47,7 @@ class SequenceSink final : public FrameSink {
         file_(output_, run, frames) {
     manifest_.run = run;
     if (existing == Existing::error) refuseExisting(output_, frames_);
-    // Of a manifest, or more; run.json beside it.
+    // Upper bounds for the size of run.json and for each frame in the manifest.
     constexpr std::size_t runBytes = 16384, frameBytes = 256;
     room_ = ReservedRoom(output_.folder, runBytes + frameBytes * frames_.size());
     auto known = file_.inherit(existing);
@@ -59,10 +59,10 @@ class SequenceSink final : public FrameSink {
 
   ~SequenceSink() override {
     if (finished_) return;
-    // An error elsewhere ends the run. What is done can still be resumed.
+    // An error elsewhere ended the run. The frames done so far can still be resumed.
     try {
       queue_.settle();
-    } catch (...) {  // NOLINT(bugprone-empty-catch): the error elsewhere is the one to report.
+    } catch (...) {  // NOLINT(bugprone-empty-catch): the other error is the one to report.
     }
     queue_.abandon();
     writeManifestQuietly();
@@ -125,21 +125,24 @@ class SequenceSink final : public FrameSink {
   }
 
  private:
-  /// Made first; one that was not there before goes again where nothing is rendered into it.
+  /// Creates the output folder before other members create files in it. A new folder is removed again if
+  /// nothing was rendered into it.
   struct Folder {
     explicit Folder(const fs::path& path) : made(!pathExists(path)) { makeFolders(path); }
     bool made;
   };
 
-  /// A file that is there already.
+  /// State of a frame's file that already exists.
   struct Kept {
     bool exists = false;
-    bool damaged = false;  ///< empty, or no picture that can be decoded: to be drawn again
-    std::optional<ManifestFrame> whole = {};  ///< how the manifest lists it; nothing: it does not
-    std::string difference = {};              ///< from the pictures of this run
+    /// empty file, or not a decodable picture: must be drawn again
+    bool damaged = false;
+    std::optional<ManifestFrame> whole = {};  ///< manifest entry of a complete frame; nothing if not listed
+    /// how the file differs from pictures of this run; empty if it does not
+    std::string difference = {};
   };
 
-  /// Decides which frames need not be drawn. Reads the files, so on all cores.
+  /// Decides which frames need not be drawn. Uses all cores, because it reads all the files.
   void keepWholeFrames(Existing existing, const std::map<int, ManifestFrame>& known) {
     std::vector<Kept> found(frames_.size());
     tbb::parallel_for(std::size_t{0}, frames_.size(), [&](std::size_t i) {
@@ -169,7 +172,7 @@ class SequenceSink final : public FrameSink {
     tellOfOtherMachines();
   }
 
-  /// What is kept stays as it is; whoever wants pictures of one machine has to know.
+  /// Warns about kept frames that another machine drew, because their pixels may differ slightly.
   void tellOfOtherMachines() const {
     std::size_t count = 0;
     std::string machine;
@@ -186,7 +189,8 @@ class SequenceSink final : public FrameSink {
           count, kept_.size(), scene::printable(machine));
   }
 
-  /// What of a frame that the manifest lists is whole: nothing where its picture is not.
+  /// Returns the manifest entry of a listed frame, reduced to its complete additional files. Returns
+  /// nothing if the picture's hash does not match.
   [[nodiscard]] std::optional<ManifestFrame> wholeFrame(int frame, ManifestFrame listed) const {
     if (hashOfFile(output_.file(frame)) != listed.bytes) return std::nullopt;
     std::erase_if(listed.files, [&](const auto& file) {
@@ -196,8 +200,8 @@ class SequenceSink final : public FrameSink {
     return listed;
   }
 
-  /// A picture that no manifest lists as it is. Where it says itself that it is of this run, it is as good
-  /// as listed; where it says that it is of another, `difference` tells how.
+  /// Examines a picture that the manifest does not list. If its header says that it belongs to this run, it
+  /// counts as listed. If it belongs to another run, sets `difference`.
   [[nodiscard]] Kept unlistedFrame(int frame) const {
     const fs::path path = output_.file(frame);
     Kept kept;
@@ -216,7 +220,8 @@ class SequenceSink final : public FrameSink {
         return kept;
       }
       const auto header = pngHeaderOf(bytes);
-      const bool deep = !header || header->depth != 8;  // of which decodeImage() reads 8 bits
+      // deeper than 8 bits, but decodeImage() returns 8 bits
+      const bool deep = !header || header->depth != 8;
       if (!origin.told || !origin.difference.empty() || output_.isLight() || deep ||
           origin.driver != (manifest_.run.exact() ? std::string() : manifest_.run.driver)) {
         if (origin.difference.empty()) checkWhole(bytes, path);
@@ -230,7 +235,7 @@ class SequenceSink final : public FrameSink {
     return kept;
   }
 
-  /// Throws UserError for what cannot be decoded.
+  /// Throws UserError if the picture cannot be decoded.
   static void checkWhole(const std::string& bytes, const fs::path& path) {
     if (sim::isExr(bytes))
       static_cast<void>(sim::decodeExr(bytes, path.string(), ""));
@@ -238,7 +243,7 @@ class SequenceSink final : public FrameSink {
       static_cast<void>(decodeImage(std::as_bytes(std::span(bytes)), path.string()));
   }
 
-  /// Empty where it cannot be read.
+  /// Returns the hash of a file, or an empty text if it cannot be read.
   static std::string hashOfFile(const fs::path& path) {
     try {
       return pathExists(path) ? hashHex(readFile(path, "frame")) : "";
@@ -269,7 +274,7 @@ class SequenceSink final : public FrameSink {
     record(info.frame, std::move(entry));
   }
 
-  /// Into the manifest, which is written now and then.
+  /// Adds the frame to the manifest, and writes the manifest at most once a second.
   void record(int frame, ManifestFrame entry) {
     Manifest present;
     {
@@ -315,7 +320,7 @@ class SequenceSink final : public FrameSink {
     }
   }
 
-  /// With no worker at work.
+  /// Writes the manifest and ignores errors. Call only while no worker is running.
   void writeManifestQuietly() noexcept {
     try {
       file_.write(manifest_, counts_);
@@ -331,7 +336,7 @@ class SequenceSink final : public FrameSink {
     if (folder_.made) fs::remove(output_.folder, notEmpty);
   }
 
-  /// In a handler: ends with what it caught.
+  /// Call in a catch block. Cleans up and rethrows the exception.
   [[noreturn]] void giveUp() {
     const std::exception_ptr error = std::current_exception();
     queue_.abandon();
@@ -345,17 +350,17 @@ class SequenceSink final : public FrameSink {
   std::vector<int> frames_;
   Folder folder_;
   SharedManifest file_;
-  ReservedRoom room_;  ///< on a full disk the manifest takes its place
+  ReservedRoom room_;  ///< reserved disk space for the manifest on a full disk
   std::map<int, ManifestFrame> kept_;
   std::string counts_;
   bool finished_ = false;
 
-  mutable std::mutex mutex_;  ///< guards all below
+  mutable std::mutex mutex_;  ///< guards all members declared below
   Manifest manifest_;
   bool writingManifest_ = false;
   Clock::time_point manifestTime_ = Clock::now();
-  /// As many workers as processors: the caller mostly waits for the device, or for these. Last, so that
-  /// they end first.
+  /// One worker per processor: the calling thread mostly waits for the device or for the workers. The last
+  /// member, so that its threads end before other members are destroyed.
   FrameQueue queue_{
       processorCount(), processorCount(),
       [this](const FrameInfo& info, const std::optional<Image>& image) { store(info, image); }};

@@ -8,7 +8,7 @@
 
 namespace simreel::frame {
 
-/// A numbered sequence of pictures, or one. Throws as openSink does.
+/// Opens a sink for a numbered sequence of pictures or a single picture. Throws like openSink.
 [[nodiscard]] std::unique_ptr<FrameSink> openSequenceSink(const OutputName& output, Existing existing,
                                                           const RunInfo& run, std::span<const int> frames);
 

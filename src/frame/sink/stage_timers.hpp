@@ -8,11 +8,11 @@
 
 namespace simreel::frame {
 
-/// Adds the time of its own life to a stage.
+/// Adds its own lifetime to the time of a stage.
 class Stopwatch {
  public:
   explicit Stopwatch(double& stage) : stage_(stage), begin_(Clock::now()) {}
-  /// Also adds to the times of a frame, which outlives it.
+  /// Also adds its lifetime to the time of one frame. `ofFrame` must outlive the stopwatch.
   Stopwatch(double& stage, double& ofFrame) : stage_(stage), ofFrame_(&ofFrame), begin_(Clock::now()) {}
   ~Stopwatch() {
     const double seconds = secondsSince(begin_);
@@ -28,21 +28,22 @@ class Stopwatch {
   Clock::time_point begin_;
 };
 
-/// Times the stages of a run: what the device does by timer queries on a GPU, since its commands run later,
-/// and by the clock on a software driver.
+/// Measures the stages of a run. Device work is measured with timer queries on a GPU, because commands run
+/// later, and with the CPU clock on a software driver.
 class StageTimers {
  public:
   StageTimers() : byQuery_(!gl::softwareDriver()) {}
 
   [[nodiscard]] StageTimes& stages() { return stages_; }
 
-  /// By the clock, for as long as the stopwatch lives.
+  /// Measures a stage with the CPU clock as long as the returned stopwatch exists.
   [[nodiscard]] Stopwatch watch(double StageTimes::*stage) { return Stopwatch(stages_.*stage); }
-  /// The same for one frame.
+  /// Measures a stage of one frame with the CPU clock.
   [[nodiscard]] Stopwatch watch(double StageTimes::*stage, int frame) {
     return {stages_.*stage, ofFrame_[frame].*stage};
   }
-  /// Times of a frame, and of those before it that were not asked for.
+  /// Returns the times of a frame plus the times of earlier frames that have not been returned, and removes
+  /// them from the list.
   [[nodiscard]] StageTimes takeUpTo(int frame) {
     StageTimes sum;
     const auto end = ofFrame_.upper_bound(frame);
@@ -64,14 +65,15 @@ class StageTimers {
     work();
     pending_.back().query.end();
   }
-  /// Waiting for the device counts for a software driver only: elsewhere the queries have it.
+  /// Measures the wait for the device on a software driver only. On a GPU the timer queries already cover
+  /// it.
   template <class Work>
   void wait(double StageTimes::*stage, int frame, const Work& work) {
     if (byQuery_) return work();
     const Stopwatch time = watch(stage, frame);
     work();
   }
-  /// Adds the results of everything up to a frame that the device has finished.
+  /// Adds the timer query results up to `frame`. The device must have finished those frames.
   void collect(int frame) {
     for (; !pending_.empty() && pending_.front().frame <= frame; pending_.pop_front()) {
       const Pending& done = pending_.front();
@@ -88,7 +90,7 @@ class StageTimers {
     double StageTimes::*stage;
   };
   StageTimes stages_;
-  std::map<int, StageTimes> ofFrame_;  ///< of frames that takeUpTo() has not handed out
+  std::map<int, StageTimes> ofFrame_;  ///< times of frames not yet returned by takeUpTo()
   bool byQuery_;
   std::deque<Pending> pending_;
 };

@@ -11,16 +11,16 @@
 
 namespace simreel::frame {
 
-/// Raw frames to a descriptor (standard output). `format`: "rgba" is bytes as in Image; "y4m" is
-/// YUV4MPEG2 C444, 8 bits, full range, BT.601 matrix, which readers assume when a stream names none. Its
-/// rate is that of playedRate().
+/// Opens a sink that writes raw frames to a descriptor (standard output). `format` "rgba": bytes as in
+/// Image. "y4m": YUV4MPEG2 C444, 8 bits, full range, BT.601 matrix, which readers assume if a stream
+/// specifies none. The frame rate is computed by playedRate().
 [[nodiscard]] std::unique_ptr<FrameSink> openStreamSink(const std::string& format, const RunInfo& run,
                                                         std::span<const int> frames, int descriptor = 1);
 
-/// Writes all bytes, past interruptions and full pipes. Returns 0, or errno.
+/// Writes all bytes; retries after EINTR and waits while a pipe is full. Returns 0 or errno.
 [[nodiscard]] int writeAll(int descriptor, std::span<const std::byte> bytes);
 
-/// The three planes, Y then Cb then Cr, each width * height bytes.
+/// Converts to three planes of width * height bytes: Y, Cb, Cr.
 [[nodiscard]] std::vector<std::uint8_t> toFullRangeYuv444(const Image& image);
 
 }  // namespace simreel::frame

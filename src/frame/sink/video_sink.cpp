@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A video file made by ffmpeg under a temporary name, renamed when it is whole, and its manifest.
+/// Sink for a video file and its manifest. ffmpeg writes to a temporary name; the file is renamed when it
+/// is complete.
 class VideoSink final : public FrameSink {
  public:
   VideoSink(OutputName output, Existing existing, const RunInfo& run, std::span<const int> frames)
@@ -59,7 +60,7 @@ class VideoSink final : public FrameSink {
 
   ~VideoSink() override {
     if (!queue_) return;
-    ffmpeg_->kill();  // or the queue's thread might wait for it
+    ffmpeg_->kill();  // otherwise the queue's thread might block on ffmpeg
     queue_->abandon();
     removePart();
   }
@@ -84,7 +85,7 @@ class VideoSink final : public FrameSink {
   void finish() override {
     if (skipped_ || !queue_) return;
     queue_->close();
-    if (manifest_.frames.empty()) return;  // interrupted before the first frame: no video
+    if (manifest_.frames.empty()) return;  // interrupted before the first frame, so there is no video
     ffmpeg_->finish();
     seconds_ = queue_->seconds();
     queue_.reset();
@@ -97,12 +98,13 @@ class VideoSink final : public FrameSink {
   std::string summary() const override { return file_.string(); }
 
  private:
-  /// "dir/name.part.mp4": ffmpeg chooses the format by the extension.
+  /// Returns the temporary name "dir/name.part.mp4". The name keeps the extension, because ffmpeg derives
+  /// the format from it.
   static fs::path partName(const fs::path& file) {
     return file.parent_path() / (file.stem().string() + ".part" + file.extension().string());
   }
 
-  /// The existing file stays; its manifest, where one is readable, knows the state hashes.
+  /// Keeps the existing file. Reads state hashes from its manifest, if that is readable.
   void skip() {
     skipped_ = true;
     std::optional<std::string> difference;
@@ -119,7 +121,7 @@ class VideoSink final : public FrameSink {
            *difference, output_.manifestFile().string());
   }
 
-  /// Says so before the first frame is drawn, and in plainer words than ffmpeg's.
+  /// Reports an unwritable folder before the first frame is drawn, with a clearer message than ffmpeg's.
   void refuseReadOnly() const {
     const fs::path folder = output_.folder.empty() ? fs::path(".") : output_.folder;
     if (::access(folder.c_str(), W_OK) != 0)
@@ -145,7 +147,7 @@ class VideoSink final : public FrameSink {
   fs::path part_;
   bool skipped_ = false;
   double seconds_ = 0;
-  Manifest manifest_;  ///< written by the queue's thread until it is closed
+  Manifest manifest_;  ///< written by the queue's thread until the queue is closed
   std::string counts_;
   std::optional<SharedManifest> shared_;
   std::optional<Ffmpeg> ffmpeg_;

@@ -8,7 +8,7 @@
 
 namespace simreel::frame {
 
-/// A video that ffmpeg encodes. Throws as openSink does.
+/// Opens a sink for a video encoded by ffmpeg. Throws like openSink.
 [[nodiscard]] std::unique_ptr<FrameSink> openVideoSink(const OutputName& output, Existing existing,
                                                        const RunInfo& run, std::span<const int> frames);
 

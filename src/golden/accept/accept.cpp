@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The profile's folder inside the candidate: the only one there.
+/// Returns the profile of a candidate: the name of the only folder in it that has a baseline.json.
 std::string profileOf(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
@@ -49,7 +49,8 @@ Candidate readCandidate(const fs::path& folder, const SceneResult& scene) {
   return kept;
 }
 
-/// Frames whose baseline is what the report saw are promoted; another one means that somebody was faster.
+/// Throws UserError(usage) if a frame's baseline is neither the one that the report saw nor the kept one,
+/// because another update happened since.
 void checkBaseline(const SceneResult& scene, const Candidate& kept) {
   const auto current =
       scene.profile.empty() ? std::nullopt : readPictures(baselineFolder(scene.file), scene.profile);
@@ -64,9 +65,10 @@ void checkBaseline(const SceneResult& scene, const Candidate& kept) {
   }
 }
 
-/// Frames that passed keep their baseline.
+/// Removes passed frames from the candidate, so that they keep their baselines.
 void leaveOutPassed(const SceneResult& scene, const std::string& profile, Candidate& kept) {
-  if (profile != scene.profile) return;  // a new profile has to be complete
+  // a new profile must be complete, so its passed frames are promoted, too
+  if (profile != scene.profile) return;
   for (const FrameResult& frame : scene.frames)
     if (frame.status == Status::pass || frame.pixels == frame.expectedPixels) kept.png.erase(frame.frame);
 }
@@ -92,7 +94,8 @@ Accepted acceptScene(const fs::path& reportFolder, const SceneResult& scene, con
     if (scene.candidate.empty())
       fail(ExitCode::usage, "{}: nothing was kept to accept",
            scene.messages.empty() ? statusName(scene.status) : scene.messages.front());
-    // Where baselines are follows from the scene: a report from elsewhere does not choose it.
+    // The baseline folder is derived from the scene. The report must not choose it, because it may come
+    // from an untrusted place.
     const fs::path baselines = baselineFolder(scene.file);
     if (!liesBelow(scene.file, how.scenes) || !liesBelow(baselines, how.scenes))
       fail(ExitCode::usage,

@@ -6,11 +6,11 @@
 
 namespace simreel::golden {
 
-/// Promotes what a report's run made to baselines, without rendering: the pictures whose pixels the report
-/// lists, and the state. Scenes that passed are left out. A scene whose baseline has changed since that
-/// run, or whose kept pictures have not the pixels they had, is not promoted. Throws UserError(usage) for a
-/// report that cannot be used, also where that is of pictures and names a folder outside of this one. A
-/// scene outside of `how.scenes` is not promoted.
+/// Promotes the results of a report to baselines without rendering: the pictures with the pixel hashes of
+/// the report, and the state. Skips scenes that passed. Does not promote a scene if its baseline has
+/// changed since the run, if its kept pictures have other pixels, or if it lies outside of `how.scenes`.
+/// Throws UserError(usage) if the report is unusable, or if it is about pictures and names a folder outside
+/// of the current one.
 [[nodiscard]] std::vector<Accepted> acceptReport(const std::filesystem::path& report,
                                                  const Acceptance& how);
 

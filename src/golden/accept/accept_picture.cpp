@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether a path stays below the folder that it is put after.
+/// True if the path is relative and does not leave the folder to which it is appended.
 bool staysBelow(const fs::path& path) {
   return !path.empty() && !path.is_absolute() && std::find(path.begin(), path.end(), "..") == path.end() &&
          path.native().find('\0') == std::string::npos;
@@ -41,7 +41,7 @@ void promotePicture(const fs::path& kept, const SceneResult& picture, const fs::
   const std::string now = hashOf(baseline, "baseline");
   result.already = now == frame.pixels && (former.empty() || !pathExists(former));
   if (result.already) return;
-  // That of a renamed picture has another name.
+  // A renamed picture has no baseline under its new name yet.
   const std::string seen = former.empty() ? frame.expectedPixels : std::string();
   if (now != seen && now != frame.pixels)
     fail(ExitCode::usage, "the baseline {} has changed since that run; run the test again",

@@ -6,12 +6,13 @@
 
 namespace simreel::golden {
 
-/// The folder of the baselines: the one given, else the report's, which has to be below this folder,
-/// because a report from elsewhere must not choose what is written. Throws UserError(usage).
+/// Returns the folder of the picture baselines: `how.expected`, or else the report's folder, which must be
+/// below the current folder, because a report from an untrusted place must not choose what is written.
+/// Throws UserError(usage).
 [[nodiscard]] std::filesystem::path expectedFolder(const SuiteResult& suite, const Acceptance& how);
 
-/// Makes a picture that a report kept the baseline, and removes the one it was renamed from. `confined`: it
-/// may not go out of the current folder, not by links either.
+/// Makes the kept picture of a report the baseline, and removes the baseline that it was renamed from. If
+/// `confined`, refuses to write outside of the current folder, also through links.
 [[nodiscard]] Accepted acceptPicture(const std::filesystem::path& reportFolder, const SceneResult& picture,
                                      const std::filesystem::path& expected, bool confined);
 

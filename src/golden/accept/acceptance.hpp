@@ -4,19 +4,19 @@
 
 namespace simreel::golden {
 
-/// What of a report becomes baselines.
+/// Options for promoting a report's results to baselines.
 struct Acceptance {
-  std::vector<std::string> only;  ///< globs on scene names; empty: all
+  std::vector<std::string> only;  ///< globs on the names of scenes to accept; empty: all scenes
   std::string reason;
-  bool alternate = false;  ///< as an alternate beside the baseline
-  std::string expected;    ///< of pictures: the folder of the baselines; empty: as the report says
-  std::string scenes;      ///< the folder that scenes have to lie below; empty: the current one
+  bool alternate = false;  ///< true to add an alternate instead of replacing the baseline
+  std::string expected;    ///< folder of the picture baselines; empty: the report's folder
+  std::string scenes;      ///< folder that must contain the scenes; empty: the current folder
 };
 
 struct Accepted {
   std::string scene;
-  std::string problem;   ///< why it was not promoted; empty: it was
-  bool already = false;  ///< the baseline has these pixels and this state
+  std::string problem;   ///< reason why it was not promoted; empty if it was
+  bool already = false;  ///< true if the baseline already has these pixels and this state
 };
 
 }  // namespace simreel::golden

@@ -36,7 +36,7 @@ void checkFormat(JsonObject& root) {
     throw JsonError(fmt::format("its format is {}, this program reads {}", format, baselineFormat));
 }
 
-/// Older files have only the fingerprint of the numerics.
+/// Parses the origin of a frame. Older files only contain the numerics fingerprint.
 Origin parseOrigin(JsonObject& frame) {
   if (const auto rasterizer = frame.find("rasterizer")) {
     if (!rasterizer->is("exact")) rasterizer->wrong("is not \"exact\"");
@@ -82,7 +82,7 @@ PictureBaseline picturesOf(JsonObject& root) {
       for (const std::string& name : {std::string(field.name), field.formerName()})
         if (const auto bound = tolerance.find(name)) {
           result.tolerance[field.name] = bound->number();
-          break;  // one beside it that has the former name is unknown
+          break;  // if both spellings are present, the former name stays unread and is reported as unknown
         }
     tolerance.finish();
   }
@@ -101,7 +101,7 @@ StateBaseline stateOf(JsonObject& root) {
   return result;
 }
 
-/// A mistake in the text names the file.
+/// Parses a baseline file. Error messages name the file.
 template <class Result>
 Result parseBaseline(const std::string& text, const std::string& name, Result (*parse)(JsonObject&)) {
   try {
@@ -131,7 +131,7 @@ std::string readWhole(const fs::path& file) {
   return text;
 }
 
-/// Reads a file of the baseline if it is there.
+/// Reads a file of the baseline. Returns nothing if it does not exist.
 template <class Result>
 std::optional<Result> readBaseline(const fs::path& file,
                                    Result (*parse)(const std::string&, const std::string&)) {
@@ -139,8 +139,8 @@ std::optional<Result> readBaseline(const fs::path& file,
   return parse(readWhole(file), file.string());
 }
 
-/// Throws UserError(inputOutput) where a file to be written holds the place of another, which exists and
-/// would be lost.
+/// Throws UserError(inputOutput) if the file to be written is a Git LFS pointer or has merge conflicts,
+/// because the real file would be lost.
 void refuseToReplace(const fs::path& file) {
   std::error_code unknown;
   if (!fs::is_regular_file(file, unknown)) return;
@@ -158,8 +158,8 @@ std::string dump(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// The frame's entry after the candidate's picture was accepted, and the number its file takes: 0 for the
-/// baseline itself.
+/// Adds an accepted picture to the frame's entry. Returns the number of the picture's file: 0 for the
+/// baseline itself, else the number of the alternate.
 int accept(PictureBaseline::Frame& stored, const PictureBaseline::Frame& made, bool alternate, int frame) {
   if (!alternate || stored.pixels.empty()) {
     stored = made;
@@ -176,7 +176,7 @@ int accept(PictureBaseline::Frame& stored, const PictureBaseline::Frame& made, b
   return static_cast<int>(stored.alternates.size());
 }
 
-/// Pictures of the profile's folder that baseline.json does not list.
+/// Removes the pictures in the profile's folder that baseline.json does not list.
 void removeUnlisted(const fs::path& folder, const PictureBaseline& baseline) {
   std::vector<std::string> listed;
   for (const auto& [number, frame] : baseline.frames)
@@ -189,8 +189,8 @@ void removeUnlisted(const fs::path& folder, const PictureBaseline& baseline) {
       removeFile(entry.path());
 }
 
-/// What is there, or nothing where it cannot be read: then it is written anew, unless it stands for another
-/// file.
+/// Returns the existing baseline, or an empty one if it cannot be read, so that it is written anew.
+/// writeBaseline() still refuses to overwrite Git LFS pointers and files with merge conflicts.
 template <class Result>
 Result orFresh(const std::function<std::optional<Result>()>& read) {
   try {
@@ -229,7 +229,7 @@ void promotePictures(const fs::path& folder, const std::string& profile, const C
 void promoteState(const fs::path& place, const Candidate& candidate, const Promotion& how) {
   makeFolders(place);
   auto merged = orFresh<StateBaseline>([&] { return readState(place); });
-  // Two of three frames of another simulation's state would be a baseline that no run can meet.
+  // Mixing frames of two different simulations would make a state baseline that no run can match.
   if (!how.keepOthers) merged.frames.clear();
   for (const auto& [frame, hashes] : candidate.state.frames) merged.frames[frame] = hashes;
   if (!candidate.steps.empty()) writeBaseline(place / "steps.bin", candidate.steps);
@@ -327,7 +327,8 @@ std::string picturesText(const PictureBaseline& baseline) {
   if (!baseline.tolerance.empty()) json["tolerance"] = baseline.tolerance;
   json["frames"] = Json::object();
   for (const auto& [frame, entry] : baseline.frames) {
-    // Never a null that grows into an object: without memory the library ends the program there.
+    // Items are never created as null and then grown, because nlohmann::json would terminate the program if
+    // that runs out of memory.
     Json& item = json["frames"][std::to_string(frame)] = Json{{"pixels", entry.pixels}};
     if (entry.origin.exact)
       item["rasterizer"] = "exact";

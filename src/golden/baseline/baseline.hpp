@@ -11,33 +11,33 @@
 
 namespace simreel::golden {
 
-/// Baselines of one scene live in one folder:
+/// Layout of the baseline folder of one scene:
 ///
-///     state.json              state hashes of exact numerics, the same on every driver
-///     steps.bin               block hashes of every step (trace.hpp)
-///     any/baseline.json       pixel hash and origin of each picture, hashes of an exact one's passes
-///     any/000060.png          a frame; 000060.alt1.png ... its accepted alternates
-///     nvidia-hopper/...       pictures of one numerics family, where its own are wanted
+///    state.json              state hashes of exact numerics, equal on every driver
+///    steps.bin               block hashes of every step (trace.hpp)
+///    any/baseline.json       pixel hash and origin of each picture, pass hashes of exact pictures
+///    any/000060.png          picture of a frame; 000060.alt1.png ... are its accepted alternates
+///    nvidia-hopper/...       pictures of one driver family, if it needs its own
 ///
-/// Fast numerics differ by driver, so state.json and steps.bin stand in the profile's folder then.
+/// Fast numerics differ by driver, so their state.json and steps.bin are in the profile's folder.
 inline constexpr const char* sharedProfile = "any";
 inline constexpr int maxAlternates = 3;
 
-/// "flag.positions" -> hash.
+/// State hashes by "object.array", such as "flag.positions".
 using StateHashes = std::map<std::string, std::string>;
 
 struct PictureBaseline {
   struct Frame {
-    std::string pixels;                   ///< pixelHash
-    Origin origin;                        ///< of the run that drew it
-    std::vector<std::string> alternates;  ///< pixelHash of each
-    /// Hash of each pass of an exact picture, by its name (trace/passes.hpp); empty: not known.
+    std::string pixels;                   ///< pixelHash of the baseline picture
+    Origin origin;                        ///< origin of the run that drew the picture
+    std::vector<std::string> alternates;  ///< pixelHash of each accepted alternate
+    /// Pass hashes of an exact picture by pass name (trace/passes.hpp); empty if unknown.
     std::map<std::string, std::string> passes = {};
   };
   std::string profile;
-  std::string version, driver, reason;      ///< of the run that wrote it last
-  int width = 0, height = 0;                ///< pixels
-  std::map<std::string, double> tolerance;  ///< written by a person; wins over the scene's
+  std::string version, driver, reason;      ///< properties of the run that wrote the baseline last
+  int width = 0, height = 0;                ///< size in pixels
+  std::map<std::string, double> tolerance;  ///< bounds set by hand; they override the scene's tolerance
   std::map<int, Frame> frames;
 };
 
@@ -45,62 +45,64 @@ struct StateBaseline {
   std::map<int, StateHashes> frames;
 };
 
-/// What a run would have the baseline be.
+/// New baseline data from a run, not yet promoted.
 struct Candidate {
-  PictureBaseline pictures;  ///< the frames of this run; alternates empty
+  PictureBaseline pictures;  ///< picture entries of this run's frames, without alternates
   std::map<int, std::vector<std::byte>> png;
   StateBaseline state;
-  std::vector<std::byte> steps;  ///< encoded trace; empty: unchanged
+  std::vector<std::byte> steps;  ///< encoded step trace (steps.bin); empty if unchanged
   bool exact = true;
 };
 
-/// `<scene's folder>/golden/<scene>`.
+/// Returns the baseline folder of a scene: `<scene's folder>/golden/<scene>`.
 [[nodiscard]] std::filesystem::path baselineFolder(const std::filesystem::path& sceneFile);
-/// "000060.png", or "000060.alt2.png".
+/// Returns the file name of a picture: "000060.png", or "000060.alt2.png" for an alternate.
 [[nodiscard]] std::string pictureName(int frame, int alternate = 0);
-/// Where state.json and steps.bin stand.
+/// Returns the folder of state.json and steps.bin.
 [[nodiscard]] std::filesystem::path stateFolder(const std::filesystem::path& folder,
                                                 const std::string& profile, bool exact);
 
-/// Throws UserError(inputOutput) where a file of the baseline holds the place of another
-/// (standsForAnother()): that one exists, and would be lost if this were written anew.
+/// Throws UserError(inputOutput) if a file of the baseline is a Git LFS pointer or has merge conflicts
+/// (standsForAnother()). The real file then exists elsewhere, and overwriting would lose it.
 void checkReplaceable(const std::filesystem::path& folder, const std::string& profile, bool exact);
 
-/// Nothing where there is no such file. Throws UserError(inputOutput) naming the file and the mistake.
+/// Reads the picture baseline of a profile. Returns nothing if the file does not exist. Throws
+/// UserError(inputOutput) with the file's name and the mistake.
 [[nodiscard]] std::optional<PictureBaseline> readPictures(const std::filesystem::path& folder,
                                                           const std::string& profile);
 [[nodiscard]] std::optional<StateBaseline> readState(const std::filesystem::path& stateFolder);
 [[nodiscard]] std::vector<std::byte> readSteps(const std::filesystem::path& stateFolder);
-/// The baseline of this family, else the shared one.
+/// Returns the baseline of the driver's own profile, or else the shared one.
 [[nodiscard]] std::optional<PictureBaseline> choosePictures(const std::filesystem::path& folder,
                                                             const std::string& ownProfile);
-/// Where a new baseline of a driver's pictures goes: `own` where that exists, else the shared one unless it
-/// was drawn with other numerics (a fingerprint as in Origin). Exact pictures have the shared one alone.
+/// Returns the profile for a new baseline drawn by a driver: `ownProfile` if its folder exists, else the
+/// shared profile, unless the shared baseline was drawn with other numerics. `numerics` is a fingerprint as
+/// in Origin. Not for exact pictures, which only use the shared profile.
 [[nodiscard]] std::string profileToWrite(const std::filesystem::path& folder, const std::string& ownProfile,
                                          const std::string& numerics);
 
-/// How promote() treats what it finds.
+/// Options of promote().
 struct Promotion {
-  std::string reason;      ///< kept in baseline.json; empty: the one there stays
-  bool alternate = false;  ///< add as an alternate instead of replacing
-  bool keepOthers = true;  ///< keep frames that the candidate does not have
+  std::string reason;      ///< stored in baseline.json; if empty, the existing reason is kept
+  bool alternate = false;  ///< true to add an alternate instead of replacing
+  bool keepOthers = true;  ///< true to keep frames that the candidate lacks
 };
-/// Writes the candidate's frames and state into the baseline, pictures first, every file whole or not at
-/// all. The tolerance a person wrote stays. Throws UserError(inputOutput), and usage for a fourth
+/// Writes the candidate's pictures and then its state into the baseline. Each file is written atomically.
+/// Keeps the tolerance set by hand. Throws UserError(inputOutput), and UserError(usage) for a fourth
 /// alternate.
 void promote(const std::filesystem::path& folder, const std::string& profile, const Candidate& candidate,
              const Promotion& how);
 
-/// Writes the hashes of passes into what is listed of these frames' pictures; false where they stand there
-/// already. Throws UserError(inputOutput).
+/// Updates the pass hashes of the given frames in baseline.json. Returns false if they were already equal.
+/// Throws UserError(inputOutput).
 bool renewPasses(const std::filesystem::path& folder, const std::string& profile,
                  const std::map<int, std::map<std::string, std::string>>& passes);
 
-/// The contents of baseline.json and state.json. Throw UserError(inputOutput) naming the file and the
-/// mistake. The profile is the folder's name, which the text does not hold.
+/// Parse the contents of baseline.json and state.json. Throw UserError(inputOutput) with the file's name
+/// and the mistake. Leaves PictureBaseline::profile empty, because the profile is the folder's name.
 [[nodiscard]] PictureBaseline parsePictures(const std::string& text, const std::string& name);
 [[nodiscard]] StateBaseline parseState(const std::string& text, const std::string& name);
-/// The texts of baseline.json and state.json, ending in a newline.
+/// Return the texts of baseline.json and state.json, ending in a newline.
 [[nodiscard]] std::string picturesText(const PictureBaseline& baseline);
 [[nodiscard]] std::string stateText(const StateBaseline& baseline);
 

@@ -40,12 +40,13 @@ fs::path fileOf(const std::string& name) {
   return name;
 }
 
-/// Empty where there is none.
+/// Returns the hash of a file, or an empty text if it does not exist.
 std::string hashOf(const fs::path& file) {
   return pathExists(file) ? hashHex(readFile(file, "file")) : std::string();
 }
 
-/// Files beside a glTF file that hold what it describes. What is wrong with it is not for here to say.
+/// Returns the buffer files of a glTF file. Ignores errors in the glTF file, because loading the mesh
+/// reports them.
 std::vector<fs::path> buffersOf(const fs::path& file) {
   std::vector<fs::path> buffers;
   if (lowerExtension(file) != ".gltf") return buffers;
@@ -56,7 +57,8 @@ std::vector<fs::path> buffersOf(const fs::path& file) {
         const auto uri = buffer.find("uri");
         if (!uri || uri->text().starts_with("data:")) return;
         const fs::path beside = file.parent_path() / sim::decodePercent(uri->text());
-        // No mesh is made of what lies elsewhere, so neither its hash nor that it is there is told.
+        // Files outside the glTF file's folder are never loaded, so neither their hash nor their existence
+        // is revealed.
         if (liesBelow(beside, file.parent_path())) buffers.push_back(beside);
       });
   } catch (const std::runtime_error&) {  // NOLINT(bugprone-empty-catch)

@@ -6,16 +6,17 @@
 
 namespace simreel::golden {
 
-/// The hash of each file that a scene is made of, by its path: relative to this folder where it lies below
-/// it, "<assets>/..." for one of the shipped assets, so that reports of other machines name the same. One
-/// that may be there and is not (the sidecar) has an empty hash.
+/// Hash of each file that a scene is made of, by path. Paths are relative to the current folder if the file
+/// is below it, and "<assets>/..." for shipped assets, so that reports of different machines use the same
+/// names. An optional file that does not exist (the sidecar) has an empty hash.
 using Inputs = std::map<std::string, std::string>;
 
-/// Of the scene, its sidecar, the files that it names, and the buffers that glTF names.
+/// Returns the hashes of the scene, its sidecar, the files that it names, and the buffers of named glTF
+/// files.
 [[nodiscard]] Inputs inputsOf(const std::filesystem::path& scene,
                               std::span<const std::filesystem::path> named);
 
-/// Throws UserError(usage) naming the first file that is no longer what it was.
+/// Throws UserError(usage) that names the first file whose content has changed.
 void checkUnchanged(const Inputs& inputs);
 
 }  // namespace simreel::golden

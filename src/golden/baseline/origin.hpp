@@ -3,29 +3,32 @@
 
 namespace simreel::golden {
 
-/// What the bits of a picture depend on beside the program and the scene. No fingerprint can know all of a
-/// driver's rasterizer, hence the machine. Exact pictures depend on none of it.
+/// Everything that the bits of a picture depend on besides program and scene. Includes the machine, because
+/// no fingerprint covers all of a driver's rasterizer. Exact pictures depend on none of it.
 struct Origin {
-  std::string numerics;   ///< fingerprint of arithmetic (sim::probeNumerics)
-  std::string drawing;    ///< fingerprint of drawing (draw::probePictures); empty: not known
-  std::string processor;  ///< processorName; empty: not known
-  std::string driver;     ///< name and version, those of Mesa and LLVM where it says them; empty: not known
-  bool exact = false;     ///< by the exact rasterizer, of exact numerics; then all else is empty
+  std::string numerics;   ///< fingerprint of floating-point arithmetic (sim::probeNumerics)
+  std::string drawing;    ///< fingerprint of drawing (draw::probePictures); empty if unknown
+  std::string processor;  ///< processorName; empty if unknown
+  /// name and version, including Mesa's and LLVM's versions if reported; empty if unknown
+  std::string driver;
+  /// true for the exact rasterizer with exact numerics; the other members are then empty
+  bool exact = false;
   bool operator==(const Origin&) const = default;
 };
 inline const Origin exactOrigin{"", "", "", "", true};
 
-/// How close a picture has to be to its baseline; the strictest first.
+/// How closely a picture must match its baseline, the strictest first.
 enum class Asked {
-  exact,      ///< one of the two was drawn exactly: no pixel may differ on any machine
-  equal,      ///< this machine drew the baseline
-  near,       ///< another one of the same numerics did: brokenNearness()
-  tolerance,  ///< one of other numerics did: the scene's tolerance
+  exact,  ///< one of the two was drawn exactly: all pixels must be equal on any machine
+  equal,  ///< this machine drew the baseline: all pixels must be equal
+  /// another machine with the same numerics and drawing drew the baseline: within brokenNearness()
+  near,
+  tolerance,  ///< a machine with other numerics or drawing drew the baseline: within the scene's tolerance
 };
-/// What `here` is asked for by a baseline of `there`. A fingerprint that is not known is taken for the
-/// other's, a machine that is not known for another one.
+/// Returns how closely a picture with origin `here` must match a baseline with origin `there`. An unknown
+/// drawing fingerprint counts as equal, an unknown machine as a different one.
 [[nodiscard]] Asked asked(const Origin& there, const Origin& here);
-/// As reports spell it: "exact", "equal", "near", "tolerance".
+/// Returns the spelling in reports: "exact", "equal", "near" or "tolerance".
 [[nodiscard]] const char* askedName(Asked asked);
 
 }  // namespace simreel::golden

@@ -22,7 +22,7 @@ std::string lowered(std::string text) {
   return text;
 }
 
-/// Runs of letters and digits.
+/// Returns the runs of letters and digits in the text.
 std::vector<std::string> wordsOf(std::string_view text) {
   std::vector<std::string> words(1);
   for (const char c : text) {
@@ -35,7 +35,7 @@ std::vector<std::string> wordsOf(std::string_view text) {
   return words;
 }
 
-/// Words joined by '-', cut to the allowed length.
+/// Joins words with '-' and cuts the result to the max length.
 std::string nameOf(const std::vector<std::string>& words) {
   std::string name;
   for (const std::string& word : words) name += (name.empty() ? "" : "-") + word;
@@ -52,8 +52,9 @@ bool matches(const std::string& text, const char* pattern) {
   return std::regex_search(text, std::regex(pattern, std::regex::ECMAScript));
 }
 
-/// NVIDIA's architectures by product name, first match first: "Quadro RTX 4000" (Turing), "RTX 4000 Ada"
-/// and "GeForce RTX 4090" share words, and the GeForce RTX 2050 is an Ampere.
+/// Returns the name of NVIDIA's architecture for a product. The first match wins, because names overlap:
+/// "Quadro RTX 4000" (Turing), "RTX 4000 Ada" and "GeForce RTX 4090" share words, and the GeForce RTX 2050
+/// is an Ampere.
 std::string nvidiaName(const std::string& renderer) {
   struct Family {
     const char* pattern;
@@ -72,7 +73,7 @@ std::string nvidiaName(const std::string& renderer) {
   };
   for (const Family& family : families)
     if (matches(renderer, family.pattern)) return std::string("nvidia-") + family.name;
-  // "NVIDIA GeForce GTX 970/PCIe/SSE2": what follows the slash is the bus and the processor.
+  // In "NVIDIA GeForce GTX 970/PCIe/SSE2", the bus and the processor follow the slash.
   std::vector<std::string> words = wordsOf(renderer.substr(0, renderer.find('/')));
   std::erase(words, "nvidia");
   std::erase(words, "corporation");
@@ -80,7 +81,7 @@ std::string nvidiaName(const std::string& renderer) {
   return nameOf(words);
 }
 
-/// What stands in the last parentheses, and what stands before them.
+/// Splits a text into the part before its last parentheses and the text inside them.
 std::pair<std::string, std::string> splitParentheses(const std::string& text) {
   const std::size_t open = text.rfind('(');
   const std::size_t close = text.rfind(')');
@@ -88,7 +89,8 @@ std::pair<std::string, std::string> splitParentheses(const std::string& text) {
   return {text.substr(0, open), text.substr(open + 1, close - open - 1)};
 }
 
-/// Mesa puts the chip into parentheses: "AMD Radeon RX 6700 XT (radeonsi, navi22, LLVM 15.0.7, DRM 3.49)".
+/// Returns the name of an AMD chip. Mesa reports it in parentheses: "AMD Radeon RX 6700 XT (radeonsi,
+/// navi22, LLVM 15.0.7, DRM 3.49)".
 std::string amdName(const std::string& renderer) {
   const auto [product, details] = splitParentheses(renderer);
   if (has(details, ",")) {
@@ -103,7 +105,8 @@ std::string amdName(const std::string& renderer) {
   return nameOf(words);
 }
 
-/// "Mesa Intel(R) UHD Graphics 630 (CFL GT2)": the product where it has a number, else the chip with it.
+/// Returns the name of an Intel device, such as "Mesa Intel(R) UHD Graphics 630 (CFL GT2)": the product
+/// name if it contains a number, otherwise product and chip name.
 std::string intelName(const std::string& renderer) {
   auto [product, chip] = splitParentheses(renderer);
   if (chip == "r" || chip == "tm") product = renderer, chip.clear();
@@ -130,7 +133,7 @@ std::string intelName(const std::string& renderer) {
 
 std::string profileName(const std::string& renderer, bool fma) {
   const std::string text = lowered(renderer);
-  // Drivers over another driver: "zink Vulkan 1.3(AMD Radeon RX 7800 XT (RADV NAVI32))".
+  // Drivers layered on another driver, such as "zink Vulkan 1.3(AMD Radeon RX 7800 XT (RADV NAVI32))".
   for (const char* layer : {"zink", "d3d12", "virgl"}) {
     const std::size_t open = text.find('(');
     if (!text.starts_with(layer) || open == std::string::npos) continue;
@@ -140,7 +143,7 @@ std::string profileName(const std::string& renderer, bool fma) {
   if (has(text, "llvmpipe")) return fma ? "llvmpipe-fma" : "llvmpipe";
   if (has(text, "softpipe")) return "softpipe";
   if (matches(text, R"(\b(nvidia|geforce|quadro|tesla|titan|grid)\b)")) return nvidiaName(text);
-  // Since Mesa 22.2 some have the chip for a name: "NAVI22 (navi22, LLVM 14.0.6, DRM 3.48, ...)".
+  // Since Mesa 22.2 some devices report only the chip: "NAVI22 (navi22, LLVM 14.0.6, DRM 3.48, ...)".
   if (matches(text, R"(\b(amd|ati|radeon|radeonsi|firepro)\b|, drm \d)")) return amdName(text);
   if (matches(text, R"(\bintel\b)")) return intelName(text);
   return nameOf(wordsOf(text));

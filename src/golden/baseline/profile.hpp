@@ -3,15 +3,17 @@
 
 namespace simreel::golden {
 
-/// Short name of the family of drivers and devices that round alike, as far as GL_RENDERER tells; names a
-/// folder of baselines. "llvmpipe (LLVM 15.0.6, 256 bits)" with FMA is "llvmpipe-fma", a GeForce RTX 3080
-/// "nvidia-ampere", a Radeon RX 6700 XT "amd-navi22". Layers over another driver keep both names
-/// ("zink-nvidia-pascal"). At most 32 of [a-z0-9-]; "unknown" where nothing is left.
-/// `fma`: whether the processor fuses multiply and add, which llvmpipe's results depend on.
+/// Returns a short name for the family of drivers and devices that round alike, derived from GL_RENDERER.
+/// The name is used for a folder of baselines. Examples: "llvmpipe (LLVM 15.0.6, 256 bits)" with FMA gives
+/// "llvmpipe-fma", a GeForce RTX 3080 "nvidia-ampere", a Radeon RX 6700 XT "amd-navi22". Layered drivers
+/// keep both names ("zink-nvidia-pascal"). At most 32 characters of [a-z0-9-]; "unknown" if nothing is
+/// left.
+/// `fma`: true if the processor has fused multiply-add, which changes llvmpipe's results.
 [[nodiscard]] std::string profileName(const std::string& renderer, bool fma);
-/// Of this processor; true where it is not known how to ask (every other current architecture has it).
+/// True if this processor has fused multiply-add. Returns true on architectures without a check, because
+/// every other current architecture has it.
 [[nodiscard]] bool processorHasFma();
-/// profileName on this processor.
+/// Returns profileName() for this processor.
 [[nodiscard]] std::string ownProfile(const std::string& renderer);
 
 }  // namespace simreel::golden

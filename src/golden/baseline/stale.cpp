@@ -25,7 +25,7 @@ std::vector<fs::path> entriesOf(const fs::path& folder) {
   return entries;
 }
 
-/// "000060.png", "000060.alt2.png"
+/// True for names like "000060.png" and "000060.alt2.png".
 bool isPictureOfBaseline(const std::string& name) {
   const std::size_t digits = static_cast<std::size_t>(
       std::find_if(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) == 0; }) -
@@ -39,7 +39,7 @@ bool isOfBaseline(const std::string& name) {
          isPictureOfBaseline(name);
 }
 
-/// Of one scene.
+/// Finds the unused baseline parts of one scene.
 class StaleParts {
  public:
   StaleParts(const fs::path& folder, std::span<const int> frames, bool exactPictures, bool remove)
@@ -66,7 +66,7 @@ class StaleParts {
     found_.push_back({path.generic_string(), message, removed});
   }
 
-  /// What cannot be read is named and stays.
+  /// Runs `look`. If it throws a UserError, reports the file and keeps it.
   template <class Look>
   void looking(const fs::path& path, const Look& look) {
     try {
@@ -100,7 +100,7 @@ class StaleParts {
         pictures->frames.erase(frame);
         add(place / pictureName(frame), fmt::format("frame {} is not tested", frame), remove_);
       }
-      // The list first: a picture that it does not name harms nobody.
+      // Writes the list before deleting files, because an unlisted picture does no harm if deleting fails.
       if (remove_ && !gone.empty()) writeFileAtomically(place / "baseline.json", picturesText(*pictures));
       ofFiles(place, *pictures, gone);
     });
@@ -136,7 +136,7 @@ class StaleParts {
   std::vector<Stale> found_;
 };
 
-/// Whether some file below is one of a baseline.
+/// True if the folder or a direct subfolder contains a baseline file.
 bool holdsBaselines(const fs::path& folder) {
   for (const fs::path& entry : entriesOf(folder)) {
     std::error_code unknown;

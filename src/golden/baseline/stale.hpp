@@ -8,19 +8,19 @@
 
 namespace simreel::golden {
 
-/// What of a scene's baselines (`<scene's folder>/golden/<scene>`) nothing is tested against: frames that
-/// are not among `frames`, pictures that no baseline.json lists, and of exact pictures the profiles of
-/// drivers. With `remove` it is taken out; what cannot be read or stands for another file
-/// (standsForAnother()) is named and stays. Throws UserError(inputOutput) where it cannot be removed.
+/// Finds the parts of a scene's baselines (`<scene's folder>/golden/<scene>`) that no test uses: frames not
+/// in `frames`, pictures that no baseline.json lists, and driver profiles if pictures are exact. `remove`
+/// also deletes them. Files that are unreadable, Git LFS pointers or in merge conflict (standsForAnother())
+/// are reported but kept. Throws UserError(inputOutput) if removing fails.
 [[nodiscard]] std::vector<Stale> staleParts(const std::filesystem::path& folder,
                                             std::span<const int> frames, bool exactPictures, bool remove);
 
-/// Folders of baselines, `<folder>/golden/<scene>`, at any depth below these folders, whose scene is not
-/// there. Sorted. Throws UserError(inputOutput) for a folder that cannot be listed.
+/// Finds baseline folders `<folder>/golden/<scene>` at any depth below `paths` whose scene does not exist.
+/// Sorted. Throws UserError(inputOutput) if a folder cannot be listed.
 [[nodiscard]] std::vector<std::filesystem::path> baselinesWithoutScene(std::span<const std::string> paths);
 
-/// Removes the files of a baseline and the folders that are empty then. False where something else was in
-/// them, which stays. Throws UserError(inputOutput).
+/// Removes the files of a baseline and then its empty folders. Returns false if other files were found,
+/// which are kept. Throws UserError(inputOutput).
 bool removeBaselines(const std::filesystem::path& folder);
 
 }  // namespace simreel::golden

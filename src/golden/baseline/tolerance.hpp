@@ -6,14 +6,13 @@
 
 namespace simreel::golden {
 
-/// Sets the bound of that name. The name is that of one of tolerance.bounds() (an invariant).
+/// Sets the bound named `field`, which must be a name from tolerance.bounds().
 void setBound(scene::Tolerance& tolerance, const std::string& field, double value);
-/// What bounds from a person allow where nothing is allowed otherwise: equality without any; maxChannelDiff
-/// alone is kept by every pixel; a bound on how many pixels, on a window, on FLIP or on the worst pixel
-/// replaces that.
+/// Returns the tolerance for pictures that must be equal by default, relaxed by the given bounds.
+/// maxChannelDiff alone must hold for every pixel. A bound on the number of pixels, a window, FLIP or the
+/// worst pixel replaces the requirement on every pixel.
 [[nodiscard]] scene::Tolerance strictTolerance(const std::map<std::string, double>& given);
-/// The bounds that hold, by name; maxDiffRatio is among them when neither it nor maxDiffPixels was
-/// given.
+/// Returns the bounds that apply, by name. Includes maxDiffRatio if neither it nor maxDiffPixels was given.
 [[nodiscard]] std::map<std::string, double> boundsInForce(scene::Tolerance tolerance);
 
 }  // namespace simreel::golden

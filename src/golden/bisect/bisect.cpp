@@ -15,7 +15,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Appends the arguments of `trace` to a side's command.
+/// Returns the shell command of a side with `trace` and its arguments appended.
 std::string traceCommand(const BisectSide& side, const std::vector<std::string>& more) {
   std::string command = side.command + " trace -q";
   for (const auto* words : {&side.arguments, &more})
@@ -23,7 +23,7 @@ std::string traceCommand(const BisectSide& side, const std::vector<std::string>&
   return command;
 }
 
-/// What a child printed, read; a mistake in it is the child's.
+/// Parses the output of a child process. Reports a parse error as an error of the child.
 template <class Read>
 auto understood(const ChildCommand& child, const Read& read) {
   try {
@@ -34,7 +34,7 @@ auto understood(const ChildCommand& child, const Read& read) {
   }
 }
 
-/// `trace` running on one side.
+/// A `trace` process of one side.
 class Tracing {
  public:
   Tracing(const BisectSide& side, const std::vector<std::string>& arguments)
@@ -45,7 +45,7 @@ class Tracing {
     if (!line) endedEarly("its header");
     return understood(child_, [&] { return readHeaderLine(*line); });
   }
-  /// Nothing after the last.
+  /// Returns the next state line, or nothing after the last.
   std::optional<StateLine> state() {
     const auto line = child_.line();
     if (!line) {
@@ -74,7 +74,7 @@ class Tracing {
   ChildCommand child_;
 };
 
-/// Throws UserError(usage) unless both sides step the same arrays from the same frame on.
+/// Throws UserError(usage) unless both sides step the same arrays from the same first frame.
 void checkHeaders(const BisectSide& a, const TraceHeader& here, const BisectSide& b,
                   const TraceHeader& there, bool passes) {
   if (const auto mismatch = compareRuns(here.run, there.run))
@@ -125,8 +125,8 @@ class Search {
   }
 
  private:
-  /// The next lines of both sides, which must be of the same step; nothing after the last. `before`: what
-  /// is missing where one ends first.
+  /// Returns the next lines of both sides, or nothing after the last. Fails unless both lines are of the
+  /// same step. `before` describes what is missing if one side ends early.
   std::optional<std::pair<StateLine, StateLine>> nextLines(Tracing& a, Tracing& b,
                                                            const std::string& before) {
     const auto x = a.state();
@@ -176,7 +176,8 @@ class Search {
     return first;
   }
 
-  /// Compares the arrays of the object (empty: of the first that differs) after the step that was found.
+  /// Compares the arrays of `object` after the step that was found. If `object` is empty, uses the first
+  /// object that differs.
   void elements(const std::string& object) {
     StateDifference& found = *result_.difference;
     detail("bisect: the state after step {} of frame {}", found.step, found.frame);
@@ -206,7 +207,7 @@ class Search {
                            found.step, found.frame));
   }
 
-  /// The pictures of a frame whose states are equal.
+  /// Compares the passes of the pictures of a frame whose states are equal.
   void comparePictures(int frame) {
     detail("bisect: the passes of frame {}", frame);
     const std::vector<std::string> arguments = {fmt::format("--dump={}:passes", frame), "-o", "-"};
@@ -229,7 +230,8 @@ class Search {
   const BisectSide& here_;
   const BisectSide& there_;
   BisectResult result_;
-  bool pictureDiffers_ = false;  ///< at the first frame that differs, whose states are equal
+  /// true if the first difference is in the picture of a frame with equal states
+  bool pictureDiffers_ = false;
 };
 
 }  // namespace

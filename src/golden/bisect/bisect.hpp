@@ -9,14 +9,14 @@
 
 namespace simreel::golden {
 
-/// One of the two programs that are compared.
+/// One of the two programs to compare.
 struct BisectSide {
-  std::string name;                    ///< in messages: "this side"
-  std::string command;                 ///< for /bin/sh; `trace` and the arguments are appended
-  std::vector<std::string> arguments;  ///< scene, its options, the device: what says which run it is
+  std::string name;                    ///< name in messages: "this side"
+  std::string command;                 ///< command for /bin/sh; `trace` and arguments are appended
+  std::vector<std::string> arguments;  ///< arguments that select the run: scene, its options, device
 };
 
-/// An array that differs after the first step that does.
+/// An array that differs after the first differing step.
 struct DifferentArray {
   std::string object, array;
   ArrayDifference difference;
@@ -24,25 +24,27 @@ struct DifferentArray {
 
 struct StateDifference {
   int frame = 0;
-  int step = 0;  ///< of `steps`, from 1; 0: the first state, before any step
+  int step = 0;  ///< step of `steps`, from 1; 0: initial state, before any step
   int steps = 0;
-  std::vector<DifferentArray> arrays;  ///< those of one object; none when the runs do not repeat
-  std::string unstable;  ///< why the search ended early: a side does not repeat itself; or empty
+  std::vector<DifferentArray> arrays;  ///< arrays of one object; empty if the runs are not repeatable
+  /// reason if the search stopped because a side is not repeatable; may be empty
+  std::string unstable;
 };
 
 struct BisectResult {
   TraceHeader here, there;
   int lastFrame = 0;
-  bool passes = false;  ///< whether pictures were compared, too
+  bool passes = false;  ///< true if the passes of pictures were compared, too
   std::optional<StateDifference> difference;
-  std::optional<PassDifference> pass;  ///< of the first picture that differs, where the state does not
+  /// first differing pass and pixel, if the states are equal but a picture differs
+  std::optional<PassDifference> pass;
 };
 
-/// Finds the first frame, step and element at which two runs differ, by running `trace` on both sides:
-/// frame by frame side by side, then the steps of the first frame that differs, then the state itself.
-/// Throws UserError with a child's own message when it fails, UserError(usage) when the sides simulate
-/// different arrays, and Interrupted after SIGINT or SIGTERM. `passes`: compares the passes of exact
-/// pictures, too, of frames whose states are equal.
+/// Finds the first frame, step and element at which two runs differ. Runs `trace` on both sides: first all
+/// frames side by side, then the steps of the first differing frame, then the state itself. With `passes`,
+/// also compares the passes of exact pictures in frames with equal state. Throws UserError with a child's
+/// own message if it fails, UserError(usage) if the sides simulate different arrays, and Interrupted after
+/// SIGINT or SIGTERM.
 [[nodiscard]] BisectResult bisect(const BisectSide& here, const BisectSide& there, int lastFrame,
                                   bool passes = false);
 

@@ -18,10 +18,11 @@ namespace simreel::golden {
 
 namespace {
 
-constexpr int patience = 50;  ///< ms between looks for a signal, which may arrive just before a wait
+constexpr int patience = 50;  ///< poll timeout in ms, because a signal may arrive just before poll()
 constexpr std::size_t longestLine = std::size_t{16} << 20;
 
-/// The line of a program's messages that says what went wrong.
+/// Returns the most informative line of a program's messages: the first simreel error, else the first line
+/// with "error:", else the last line.
 std::string decisiveLine(const std::string& messages) {
   const std::string own = "simreel: error: ";
   std::string last;
@@ -66,7 +67,7 @@ ChildCommand::~ChildCommand() {
 
 void ChildCommand::end() noexcept {
   if (process_ > 0) {
-    // The whole group: the shell may have started the program as its child.
+    // Kills the whole process group, because the shell may have started the program as a child.
     ::kill(-process_, SIGKILL);
     childEnded(process_);
     while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {

@@ -9,13 +9,14 @@
 
 namespace simreel::golden {
 
-/// A shell command whose output is read as it comes. Its messages are kept. Waiting for it throws
-/// Interrupted after SIGINT or SIGTERM; whenever the object goes, the command and all it started are ended.
+/// A shell command whose output is read as it arrives. Messages (stderr) are kept in memory. Waiting for
+/// the command throws Interrupted after SIGINT or SIGTERM. The destructor kills the command and all
+/// processes it started.
 class ChildCommand {
  public:
-  /// `name` is how messages call it, for example "this side". Throws UserError(inputOutput) when it cannot
-  /// be started. `arguments` are $1 and so on to the command. After so many seconds it is ended, and
-  /// waiting for it throws UserError(inputOutput); 0: never.
+  /// Starts the command; `arguments` become $1, $2 ... `name` is used in messages, for example "this side".
+  /// After `timeout` seconds (0: never) the command is killed and waiting for it throws
+  /// UserError(inputOutput). Throws UserError(inputOutput) if the command cannot be started.
   ChildCommand(const std::string& command, std::string name, const std::vector<std::string>& arguments = {},
                double timeout = 0);
   ~ChildCommand();
@@ -24,18 +25,18 @@ class ChildCommand {
   ChildCommand(ChildCommand&&) = delete;
   ChildCommand& operator=(ChildCommand&&) = delete;
 
-  /// The next line without its end; nothing after the last.
+  /// Returns the next line without its line end, or nothing after the last.
   [[nodiscard]] std::optional<std::string> line();
-  /// All that is left to read. Throws UserError(inputOutput) beyond `maxBytes`.
+  /// Returns all remaining output. Throws UserError(inputOutput) if it exceeds `maxBytes`.
   [[nodiscard]] std::vector<std::byte> rest(std::size_t maxBytes);
-  /// Waits for its end. Throws UserError with its own message unless it ended with 0: usage and device
-  /// errors of a simreel keep their code, anything else is inputOutput.
+  /// Waits for the command to end. Unless its exit code is 0, throws UserError with the command's own
+  /// message. Usage and device errors of a simreel keep their exit code; all others become inputOutput.
   void finish();
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
-  /// Waits for more and appends it to read_; false at the end.
+  /// Waits for more output and appends it to read_. Returns false at the end of the output.
   bool more();
   [[noreturn]] void failed(int status);
   void checkTime();
@@ -47,7 +48,7 @@ class ChildCommand {
   pid_t process_ = -1;
   int output_ = -1;
   int messages_ = -1;
-  std::string read_;  ///< not yet handed out
+  std::string read_;  ///< output that was read from the command and not yet returned
 };
 
 }  // namespace simreel::golden

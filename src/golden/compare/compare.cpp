@@ -41,7 +41,7 @@ int channelDifference(const std::uint8_t* a, const std::uint8_t* b) {
   return apart;
 }
 
-/// `beyond` gets 1 for each pixel that is further apart than the tolerance's maxChannelDiff.
+/// Compares one row. Sets `beyond` to 1 for each pixel with a channel difference above `channel`.
 RowDifference compareRow(const std::uint8_t* a, const std::uint8_t* b, int width, int channel,
                          std::uint8_t* beyond) {
   RowDifference row;
@@ -50,11 +50,11 @@ RowDifference compareRow(const std::uint8_t* a, const std::uint8_t* b, int width
   return row;
 }
 
-/// Finds the N x N window with most marked pixels, from a summed-area table.
+/// Finds the window of `size` x `size` pixels with the most marked pixels, using a summed-area table.
 void densestWindow(const std::vector<std::uint8_t>& beyond, int width, int height, int size,
                    Metrics& metrics) {
   const std::size_t stride = std::size_t(width) + 1;
-  // sums[y][x] counts the marks above row y and left of column x.
+  // sums[y][x] is the number of marks above row y and left of column x.
   std::vector<std::int32_t> sums(stride * (std::size_t(height) + 1), 0);
   for (int y = 0; y < height; ++y) {
     const std::uint8_t* marks = beyond.data() + std::size_t(y) * std::size_t(width);
@@ -86,7 +86,7 @@ std::string percent(double ratio) {
   return fmt::format("{:.3g}%", ratio * 100);
 }
 
-/// Whether some pixel is seen through.
+/// True if some pixel is not opaque.
 bool hasHoles(const frame::Image& image) {
   for (std::size_t i = 3; i < image.bytes.size(); i += 4)
     if (image.bytes[i] != 255) return true;
@@ -105,7 +105,8 @@ frame::Image over(const frame::Image& image, int background) {
   return made;
 }
 
-/// PSNR, SSIM and FLIP, which know no alpha.
+/// Measures PSNR, SSIM and FLIP. These metrics ignore alpha, so transparent pictures are measured over
+/// black and over white.
 void measureLook(const frame::Image& a, const frame::Image& b, Measures measures, Metrics& metrics) {
   if (hasHoles(a) || hasHoles(b)) {
     for (const int background : {0, 255})
@@ -119,7 +120,7 @@ void measureLook(const frame::Image& a, const frame::Image& b, Measures measures
   metrics.flipMean = std::max(metrics.flipMean.value_or(0), flipMean(a, b));
 }
 
-/// compareRow(y, marks) finds what differs in a row and marks pixels beyond the tolerance.
+/// Measures all rows. compareRow(y, marks) compares row y and marks pixels beyond the tolerance.
 template <class CompareRow>
 Metrics measureRows(const frame::Image& a, const frame::Image& b, const scene::Tolerance& tolerance,
                     Measures measures, const CompareRow& compareRow) {

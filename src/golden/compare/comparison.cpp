@@ -17,7 +17,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Layers of one name that differ.
+/// Two differing layers of the same name.
 struct LayerPair {
   const PictureLayer *a, *b;
 };
@@ -35,7 +35,7 @@ std::vector<std::string> layersOnlyIn(const Picture& one, const Picture& other) 
   return names;
 }
 
-/// Pairs the layers that differ, and says what no bound can excuse.
+/// Returns the pairs of layers that differ. Writes differences that no tolerance excuses to made.layers.
 std::vector<LayerPair> pairLayers(const Picture& a, const Picture& b, Comparison& made) {
   std::vector<LayerPair> pairs;
   std::vector<std::string> clauses;
@@ -60,7 +60,7 @@ std::vector<LayerPair> pairLayers(const Picture& a, const Picture& b, Comparison
   return pairs;
 }
 
-/// Says where each of the layers differs.
+/// Describes where each pair of layers differs.
 std::string layerWords(const std::vector<LayerPair>& pairs, const std::vector<Excuse>& excuses, int width) {
   std::vector<std::string> clauses;
   for (const auto& [a, b] : pairs) {
@@ -87,15 +87,15 @@ std::string layerWords(const std::vector<LayerPair>& pairs, const std::vector<Ex
   return clauses.empty() ? std::string() : fmt::format("layers that differ: {}", fmt::join(clauses, ", "));
 }
 
-/// What two pictures are held against each other by, where bytes do not tell.
+/// Two pictures compared by float values, because at least one of them is deeper than 8 bits.
 struct DeepPair {
   std::vector<float> a, b;
   bool sameDepth;
   const Picture &pictureA, &pictureB;
   std::vector<LayerPair> layers;
 
-  /// Largest difference of a channel in units of 1/255, at most 255; above 0 wherever the files' numbers
-  /// differ.
+  /// Returns the largest channel difference in units of 1/255, at most 255. The result is above 0 whenever
+  /// the files' numbers differ.
   [[nodiscard]] double apart(std::size_t pixel) const {
     double worst = 0;
     for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i) worst = std::max(worst, channelApart(i));
@@ -110,14 +110,15 @@ struct DeepPair {
       if (x == y || (std::isnan(x) && std::isnan(y))) return 0;
     }
     const double between = std::abs(double{a[i]} - double{b[i]});
-    if (std::isnan(between)) return 255;  // one is no number, or two infinities differ in sign
-    constexpr double hair = 1e-6;         // light that differs by less than its encoding resolves
+    if (std::isnan(between)) return 255;  // one value is NaN, or two infinities differ in sign
+    // smallest reported difference, for values closer than the sRGB encoding resolves
+    constexpr double hair = 1e-6;
     return between == 0 ? (sameDepth ? hair : 0) : std::min(between, 255.0);
   }
 };
 
-/// PSNR over R, G and B of pictures of 16 bits, whose small differences 8 bits do not show: over black and
-/// over white where one is seen through, and the worse of the two.
+/// Returns the PSNR over R, G and B of 16-bit pictures, whose small differences are lost in 8 bits.
+/// Transparent pictures are measured over black and over white; the worse result counts.
 double deepPsnr(const DeepPair& pair) {
   double worst = std::numeric_limits<double>::infinity();
   for (const double background : {0.0, 255.0}) {
@@ -148,12 +149,12 @@ void padToEach(Picture& a, Picture& b) {
 bool equalPixels(const Picture& a, const Picture& b) {
   if (a.depth != b.depth) return false;
   if (a.depth == Depth::unorm8) return a.image.bytes == b.image.bytes;
-  // Bits: two that are no numbers are equal.
+  // Two NaNs count as equal.
   return std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
                     [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-/// Gives `b` the pixels of `a` that are excused, and counts them.
+/// Copies the ignored pixels of `a` into `b`, so that they compare as equal, and counts them.
 void excuse(const Picture& a, Picture& b, Comparison& made) {
   for (std::size_t pixel = 0; pixel < made.excuses.size(); ++pixel) {
     const Excuse why = made.excuses[pixel];

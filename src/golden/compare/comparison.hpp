@@ -11,34 +11,36 @@
 
 namespace simreel::golden {
 
-/// Two pictures held against each other.
+/// Result of comparing two pictures.
 struct Comparison {
-  Metrics metrics;    ///< of the pixels that count
-  std::string sizes;  ///< "the picture is 20x12, its baseline 19x12"; empty: equal
-  /// What the files say their numbers mean, where that differs: "the colour profile ..., which is not
-  /// compared".
+  Metrics metrics;    ///< measured over the pixels that are not ignored
+  std::string sizes;  ///< "the picture is 20x12, its baseline 19x12"; empty if the sizes are equal
+  /// Remark if the files declare different colour interpretations (profile, gamma), which are not applied.
+  /// Otherwise empty.
   std::string colours;
-  /// Layers that one of them lacks or whose differences have no size, which no bound excuses; empty: none.
+  /// Layer differences that no tolerance excuses: layers that only one file has or whose differences cannot
+  /// be measured. Otherwise empty.
   std::string layers;
-  std::string layerNote;        ///< layers that differ, and where most
-  frame::Image a, b;            ///< as screens show them; padded to the larger width and height
-  std::vector<Excuse> excuses;  ///< of each pixel; empty: none
-  std::vector<std::uint8_t>
-      apart;  ///< largest difference of a channel, rounded up: what `a` and `b` may not show
+  std::string layerNote;        ///< layers that differ, with the worst place of each
+  frame::Image a, b;            ///< 8-bit versions for display, padded to the larger width and height
+  std::vector<Excuse> excuses;  ///< excuse of each pixel; empty if no pixel is excused
+  /// Largest channel difference of each pixel, rounded up. Needed because the 8-bit `a` and `b` may hide
+  /// it.
+  std::vector<std::uint8_t> apart;
 };
 
-/// Compares pictures of any depth. Where sizes differ both are padded at the right and below to the larger,
-/// and what one has beside the other differs. Pixels with an excuse count as equal. A deeper picture's
-/// differences are fractions of 1/255, and those of layers of 1/255 of their unit; PSNR, SSIM and FLIP are
-/// of what a screen shows.
+/// Compares pictures of any bit depth. Pictures of different sizes are padded at the right and bottom to
+/// the larger size, and the padding counts as different. Ignored pixels count as equal. Differences of deep
+/// pictures are fractions of 1/255; differences of layers are in 1/255 of the layer's unit. PSNR, SSIM and
+/// FLIP use the 8-bit versions.
 [[nodiscard]] Comparison compare(const Picture& baseline, const Picture& picture,
                                  const scene::Tolerance& tolerance, const Allowance& allowance,
                                  Measures measures = Measures::all);
 
-/// As the other differenceImage(), and where a pixel is excused its reason: violet inside a mask, light
-/// grey on a smoothed edge, brown where it moved.
+/// Returns the difference image, with ignored pixels tinted by reason: violet inside a mask, light grey on
+/// an antialiased edge, brown if found within the search radius.
 [[nodiscard]] frame::Image differenceImage(const Comparison& comparison);
-/// FLIP's map, black (0) over violet and orange to light yellow (1).
+/// Returns the FLIP map in false colours: black (0) over violet and orange to light yellow (1).
 [[nodiscard]] frame::Image flipImage(const Comparison& comparison);
 
 }  // namespace simreel::golden

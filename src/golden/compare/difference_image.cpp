@@ -14,7 +14,7 @@ namespace {
 
 using Colour = std::array<std::uint8_t, 3>;
 
-/// Colour of each difference from 0 to 255; that of 0 is not used.
+/// Returns the colour of each difference from 0 to 255. Entry 0 is unused.
 std::array<Colour, 256> heatColours() {
   constexpr std::array<std::array<double, 3>, 4> stops = {
       {{70, 120, 255}, {0, 210, 140}, {255, 220, 0}, {255, 30, 20}}};
@@ -30,7 +30,7 @@ std::array<Colour, 256> heatColours() {
   return colours;
 }
 
-/// A quarter of the luma, so that the picture is recognised and no grey comes near a heat colour.
+/// Returns a quarter of the luma: the picture stays recognisable, and no grey is close to a heat colour.
 std::uint8_t dimmed(const std::uint8_t* pixel) {
   return static_cast<std::uint8_t>((54 * pixel[0] + 183 * pixel[1] + 19 * pixel[2]) / 1024 + 8);
 }

@@ -6,10 +6,11 @@
 
 namespace simreel::golden {
 
-/// Where pictures of equal size differ: dim grey where they do not; from blue (1/255, still bright) over
-/// green and yellow to red (255/255), by the logarithm of the largest channel's difference. Opaque.
+/// Returns a false-colour image of the differences between pictures of equal size. Equal pixels are dim
+/// grey. Other pixels range from bright blue (difference 1/255) over green and yellow to red (255/255), by
+/// the logarithm of the largest channel difference. Opaque.
 [[nodiscard]] frame::Image differenceImage(const frame::Image& a, const frame::Image& b);
-/// The same where each pixel's difference is known: of deeper pictures, rounded up.
+/// Returns the difference image for known differences of each pixel, rounded up. Used for deep pictures.
 [[nodiscard]] frame::Image differenceImage(const frame::Image& a, const std::vector<std::uint8_t>& apart);
 
 }  // namespace simreel::golden

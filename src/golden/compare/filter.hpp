@@ -7,17 +7,18 @@
 
 namespace simreel::golden {
 
-/// Half of a symmetric or antisymmetric kernel: weights at the distances 0, 1, 2, ... pixels.
+/// Half of a symmetric or antisymmetric filter kernel: weights at distances of 0, 1, 2, ... pixels.
 using HalfKernel = std::vector<float>;
 
-/// exp(-x^2 / (2 sigma^2)) for x = 0 to radius, scaled so that the whole kernel's weights sum to 1. Those
-/// below `least` of the middle's are left out, from the ends.
+/// Returns the Gaussian exp(-x^2 / (2 sigma^2)) for x = 0 to radius, normalized so that the whole kernel
+/// sums to 1. Drops weights below `least` times the centre weight.
 [[nodiscard]] HalfKernel gaussianKernel(double sigma, int radius, double least = 0);
 
-/// Filters compute so many values at a time, and so read and write beyond a row's end.
+/// Number of values that filters compute at a time. Filters therefore read and write beyond the end of a
+/// row.
 inline constexpr int filterStep = 32;
 
-/// Rows of floats, each with room for a filter's last step behind it.
+/// Rows of floats with padding, so that the last step of a filter may exceed the row.
 class Rows {
  public:
   Rows(int count, int width)
@@ -32,27 +33,30 @@ class Rows {
   std::vector<float> values_;
 };
 
-/// What a kernel k makes of the values v[i] in steps before and behind a place, v[0] there.
+/// How a kernel k is applied to the values v[i] around a position, with v[0] at the position.
 enum class Shape {
-  even,  ///< k[0] v[0] + sum of k[i] (v[i] + v[-i])
-  odd,   ///< sum of k[i] (v[i] - v[-i])
-  bend,  ///< sum of k[i] ((v[i] + v[-i]) - 2 v[0]): even, weights sum to 0; exactly 0 where v is constant
+  even,  ///< k[0] v[0] + sum over i of k[i] (v[i] + v[-i])
+  odd,   ///< sum over i of k[i] (v[i] - v[-i])
+  /// sum over i of k[i] ((v[i] + v[-i]) - 2 v[0]): even, weights sum to 0; exactly 0 if v is constant
+  bend,
 };
 
-/// One sum of several over the same values.
+/// One of several filters over the same input.
 struct Sum {
   const HalfKernel* kernel;
   float* out;
 };
 
-/// out[x] for x from 0 to width - 1 and on to the next multiple of filterStep, of in[x + i * step]: step 1
-/// is along a row, Rows::stride() down the columns. Kernels must be of one size (an invariant).
+/// Filters in[x + i * step] into out[x], for x from 0 to width - 1, rounded up to a multiple of filterStep.
+/// `step` is 1 to filter along a row and Rows::stride() to filter down the columns. All kernels must have
+/// the same size.
 template <Shape... shapes>
 void filterRow(const float* in, std::ptrdiff_t step, int width,
                const std::array<Sum, sizeof...(shapes)>& sums) {
   constexpr std::size_t count = sizeof...(shapes);
   constexpr std::array<Shape, count> shapeOf = {shapes...};
-  constexpr std::size_t wide = count == 1 ? 8 : count == 2 ? 4 : 2;  // so that sums stay in registers
+  // number of SIMD vectors per sum, few enough that all sums stay in registers
+  constexpr std::size_t wide = count == 1 ? 8 : count == 2 ? 4 : 2;
   static_assert(filterStep % (4 * wide) == 0);
   const auto taps = static_cast<std::ptrdiff_t>(sums[0].kernel->size());
   for (int x = 0; x < width; x += 4 * int(wide)) {

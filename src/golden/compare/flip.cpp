@@ -19,23 +19,24 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double pixelsPerDegree = 3840 * pi / 180;  // 0.7 m * (3840 / 0.7 m) * pi / 180
 
-/// All filters of the paper, as one-dimensional halves: Gaussians and their derivatives separate.
+/// All filters of the paper as one-dimensional half kernels, because Gaussians and their derivatives are
+/// separable.
 struct Filters {
-  /// Contrast sensitivity (section 4.1.1): sums of Gaussians a sqrt(pi / b) exp(-pi^2 d^2 / b), d in
-  /// degrees.
+  /// Contrast sensitivity filters (section 4.1.1): sums of Gaussians a sqrt(pi / b) exp(-pi^2 d^2 / b),
+  /// with d in degrees.
   HalfKernel achromatic, redGreen, blueYellow1, blueYellow2;
-  float share1 = 0, share2 = 0;  ///< of the two Gaussians of blue-yellow
-  /// Feature detectors (section 4.2.1): a Gaussian, its first and its second derivative.
+  float share1 = 0, share2 = 0;  ///< weights of the two Gaussians of blue-yellow
+  /// Feature detectors (section 4.2.1): a Gaussian and its first and second derivative.
   HalfKernel smooth, edge, point;
-  int radius = 0;  ///< of the widest
+  int radius = 0;  ///< radius of the widest filter
 };
 
-/// exp(-pi^2 d^2 / b) with d = x / ppd is a Gaussian of this sigma, in pixels.
+/// Returns sigma in pixels of the Gaussian exp(-pi^2 d^2 / b) with d = x / pixelsPerDegree.
 double contrastSigma(double b) {
   return std::sqrt(b / (2 * pi * pi)) * pixelsPerDegree;
 }
 
-/// Sum over the square of (2 radius + 1)^2 pixels of a sqrt(pi / b) exp(...).
+/// Returns the sum of a sqrt(pi / b) exp(-pi^2 d^2 / b) over the square of (2 radius + 1)^2 pixels.
 double contrastWeight(double a, double b, int radius) {
   double line = 1;
   const double sigma = contrastSigma(b);
@@ -43,8 +44,8 @@ double contrastWeight(double a, double b, int radius) {
   return a * std::sqrt(pi / b) * line * line;
 }
 
-/// Weights at x > 0 of -x g(x), or of (x^2 / sd^2 - 1) g(x). Positive weights are scaled to sum to 1 and
-/// negative ones to -1, over the whole kernel.
+/// Returns the half kernel of -x g(x) (first derivative) or (x^2 / sd^2 - 1) g(x) (second derivative) of a
+/// Gaussian g. Over the whole kernel, positive weights are scaled to sum to 1 and negative ones to -1.
 HalfKernel detector(double sd, int radius, bool second) {
   std::vector<double> weights;
   double positive = 0, negative = 0;
@@ -63,7 +64,7 @@ HalfKernel detector(double sd, int radius, bool second) {
 Filters makeFilters() {
   Filters f;
   const double achromatic = 0.0047, redGreen = 0.0053, blueYellow1 = 0.04, blueYellow2 = 0.025;
-  constexpr double negligible = 1e-9;  // of the middle's weight: less than floats resolve
+  constexpr double negligible = 1e-9;  // fraction of the centre weight that floats cannot resolve
   const int contrastRadius = static_cast<int>(std::ceil(3 * contrastSigma(blueYellow1)));
   f.achromatic = gaussianKernel(contrastSigma(achromatic), contrastRadius, negligible);
   f.redGreen = gaussianKernel(contrastSigma(redGreen), contrastRadius, negligible);
@@ -73,7 +74,8 @@ Filters makeFilters() {
   const double weight2 = contrastWeight(13.5, blueYellow2, contrastRadius);
   f.share1 = static_cast<float>(weight1 / (weight1 + weight2));
   f.share2 = static_cast<float>(weight2 / (weight1 + weight2));
-  // 0.082 degrees from peak to trough of the edge detector, which is two standard deviations.
+  // The distance from peak to trough of the edge detector is 0.082 degrees, which is two standard
+  // deviations.
   const double sd = 0.5 * 0.082 * pixelsPerDegree;
   const int detectorRadius = static_cast<int>(std::ceil(3 * sd));
   f.smooth = gaussianKernel(sd, detectorRadius);
@@ -88,22 +90,22 @@ const Filters& filters() {
   return all;
 }
 
-/// The part of one picture around a tile, as seen: colours after the eye's filter in Hunt-adjusted L*a*b*,
-/// and the strength of its features. Row by row: down the columns first, then along what that made.
+/// Perceived version of a picture around one tile: contrast-filtered colours in Hunt-adjusted L*a*b*, and
+/// feature strengths. Computes one row at a time: filters down the columns first, then along the row.
 class Seen {
  public:
   Seen(const frame::Image& image, const Tile& tile);
-  /// Fills the values of a row of the tile.
+  /// Computes the perceived values of one row of the tile.
   void look(int row);
   [[nodiscard]] ThreeConstRows lab() const { return {made_.row(3), made_.row(4), made_.row(5)}; }
-  /// Lengths of the gradients. The detectors run on Y = 116 y.
+  /// Gradient magnitudes of the edge and point detectors, which are applied to Y = 116 y.
   [[nodiscard]] const float* edges() const { return made_.row(6); }
   [[nodiscard]] const float* points() const { return made_.row(7); }
 
  private:
   void convert(const frame::Image& image, const Tile& tile);
 
-  int width_, wide_;  ///< of the tile; with the filters' radius on either side
+  int width_, wide_;  ///< width of the tile, and width including the filter radius on both sides
   Rows y_, cx_, cz_, down_, made_;
 };
 
@@ -118,7 +120,7 @@ Seen::Seen(const frame::Image& image, const Tile& tile)
   convert(image, tile);
 }
 
-/// Outside, the border's pixels go on.
+/// Converts the pixels around the tile to YCxCz. Pixels outside of the picture repeat its border.
 void Seen::convert(const frame::Image& image, const Tile& tile) {
   const int radius = filters().radius;
   Rows light(3, wide_);
@@ -170,8 +172,8 @@ void Seen::look(int row) {
   addSquares(points, across2);
 }
 
-/// Equation: dE = dEc^(1 - dEf), dEf = (feature / sqrt(2))^0.5, feature the larger difference of the
-/// lengths of two gradients.
+/// Computes the FLIP errors of a row: dE = dEc^(1 - dEf) with dEf = (feature / sqrt(2))^0.5. `feature` is
+/// the larger of the differences of edge and point gradient magnitudes.
 void combine(const Seen& a, const Seen& b, int width, float* errors) {
   colourErrors(a.lab(), b.lab(), width, errors);
   constexpr float scale = 1 / (116 * std::numbers::sqrt2_v<float>);
@@ -182,7 +184,7 @@ void combine(const Seen& a, const Seen& b, int width, float* errors) {
   }
 }
 
-/// Calls use(tile, y, errors) for each row y of the picture in each tile that is not the same in both.
+/// Calls use(tile, y, errors) for each picture row y of each tile in which the two pictures differ.
 template <class Use>
 void forEachErrorRow(const frame::Image& a, const frame::Image& b, const Use& use) {
   SIMREEL_CHECK_EQ(a.width, b.width);

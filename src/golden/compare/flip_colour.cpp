@@ -14,8 +14,9 @@ namespace simreel::golden {
 
 namespace {
 
-/// Linear RGB to XYZ relative to white: rows of the sRGB matrix (exact fractions of the primaries'
-/// chromaticities), each divided by its sum. Column-major, as GLM wants it.
+/// Returns the matrix from linear RGB to XYZ relative to white: the rows of the sRGB matrix (exact
+/// fractions from the primaries' chromaticities), each divided by its sum. Transposed for GLM, which is
+/// column-major.
 glm::dmat3 relativeXyz() {
   const glm::dvec3 x(10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794);
   const glm::dvec3 y(2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897);
@@ -24,7 +25,7 @@ glm::dmat3 relativeXyz() {
   return glm::transpose(glm::dmat3(relative(x), relative(y), relative(z)));
 }
 
-/// Rows one after the other.
+/// A row-major 3x3 matrix, applied to four pixels at a time.
 struct Matrix {
   explicit Matrix(const glm::dmat3& m) {
     for (int row = 0; row < 3; ++row)
@@ -52,19 +53,19 @@ Four unit(Four value) {
   return smaller(larger(value, Four{}), Four{} + 1);
 }
 
-/// CIELAB's cube root, with its line near 0.
+/// Returns the CIELAB function f(t): a cube root, linear near 0.
 Four labRoot(Four t) {
   constexpr float delta = 6.0f / 29, knee = delta * delta * delta;
   const Four line = t * (1 / (3 * delta * delta)) + 4.0f / 29, root = cubeRoot(larger(t, Four{} + knee));
   return t > knee ? root : line;
 }
 
-/// |dL| + sqrt(da^2 + db^2), to the power of qc = 0.7.
+/// Returns the HyAB distance |dL| + sqrt(da^2 + db^2) to the power of qc = 0.7.
 Four poweredHyab(Four dl, Four da, Four db) {
   return powerOf(magnitude(dl) + squareRoot(da * da + db * db), Four{} + 0.7f);
 }
 
-/// Of the largest difference there is, of green and blue.
+/// Returns the largest possible error, which is between green and blue.
 float largestError() {
   std::array<float, 4> red{}, green{1}, blue{0, 1}, y{}, cx{}, cz{}, l{}, a{}, b{};
   toYcxcz({red.data(), green.data(), blue.data()}, 2, {y.data(), cx.data(), cz.data()});
@@ -109,7 +110,7 @@ void toHuntLab(const ThreeConstRows& ycxcz, int count, const ThreeRows& lab) {
 }
 
 void colourErrors(const ThreeConstRows& a, const ThreeConstRows& b, int count, float* errors) {
-  // Errors up to pc of the largest take the range up to pt, the rest what is left.
+  // Errors up to the fraction pc of the largest are mapped to 0 to pt, larger errors to pt to 1.
   constexpr float pc = 0.4f, pt = 0.95f;
   static const float largest = largestError();
   const float knee = pc * largest, below = pt / knee, above = (1 - pt) / (largest - knee);

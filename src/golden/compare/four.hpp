@@ -6,8 +6,8 @@
 
 namespace simreel::golden {
 
-// Arithmetic of four neighbours at a time. The same operations in the same order on any processor, so the
-// same results.
+// SIMD arithmetic on four neighbouring pixels. All processors execute the same operations in the same
+// order, so results are identical.
 
 using Four = float __attribute__((vector_size(16)));
 using FourInts = std::int32_t __attribute__((vector_size(16)));
@@ -34,9 +34,10 @@ inline Four squareRoot(Four x) {
   return Four{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
 }
 
-// Of positive normal numbers; relative errors are below 1e-6.
+// The functions below take positive normal numbers and have relative errors below 1e-6.
 
-/// Cube root: an estimate from the bits, within 4%, and twice Halley's step, which triples its digits.
+/// Cube root: an estimate within 4% from the float's bits, then two Halley steps, each of which triples the
+/// correct digits.
 inline Four cubeRoot(Four x) {
   const Four third = __builtin_convertvector(std::bit_cast<FourInts>(x), Four) * (1 / 3.0f);
   Four root = std::bit_cast<Four>(__builtin_convertvector(third, FourInts) + 0x2a5137a0);
@@ -47,28 +48,29 @@ inline Four cubeRoot(Four x) {
   return root;
 }
 
-/// x = 2^n m with m between sqrt(1/2) and sqrt(2); ln m = 2 artanh((m - 1) / (m + 1)).
+/// Base-2 logarithm: x = 2^n m with m between sqrt(1/2) and sqrt(2); ln m = 2 artanh((m - 1) / (m + 1)).
 inline Four log2Of(Four x) {
   const auto bits = std::bit_cast<FourInts>(x);
   const FourInts exponent = (bits - 0x3f3504f3) >> 23;
   const auto m = std::bit_cast<Four>(bits - (exponent << 23));
   const Four t = (m - 1) / (m + 1), t2 = t * t;
   const Four series = 1 + t2 * (1 / 3.0f + t2 * (1 / 5.0f + t2 * (1 / 7.0f + t2 * (1 / 9.0f))));
-  return __builtin_convertvector(exponent, Four) + 2.88539008f * t * series;  // 2 / ln 2
+  return __builtin_convertvector(exponent, Four) + 2.88539008f * t * series;  // the constant is 2 / ln 2
 }
 
-/// 2^y for y from -126 to 127: whole powers by the exponent, the rest (at most 1/2) by its series.
+/// 2^y for y from -126 to 127: the integer part sets the exponent, the fraction (at most 1/2 in magnitude)
+/// uses the power series.
 inline Four exp2Of(Four y) {
-  constexpr float toWhole = 12582912;  // 1.5 * 2^23: numbers of its size have no fractions
+  constexpr float toWhole = 12582912;  // 1.5 * 2^23: floats of this size have no fraction bits
   const Four shifted = y + toWhole;
   const FourInts whole = std::bit_cast<FourInts>(shifted) - std::bit_cast<std::int32_t>(toWhole);
-  const Four f = (y - (shifted - toWhole)) * 0.693147181f;  // ln 2
+  const Four f = (y - (shifted - toWhole)) * 0.693147181f;  // the constant is ln 2
   const Four series =
       1 + f * (1 + f * (1 / 2.0f + f * (1 / 6.0f + f * (1 / 24.0f + f * (1 / 120.0f + f * (1 / 720.0f))))));
   return series * std::bit_cast<Four>((whole + 127) << 23);
 }
 
-/// x^y; exactly 0 for x = 0. |y log2 x| has to stay below 126.
+/// x^y; exactly 0 if x = 0. |y log2 x| must be below 126.
 inline Four powerOf(Four x, Four y) {
   const Four power = exp2Of(y * log2Of(x));
   return x > 0 ? power : Four{};

@@ -26,28 +26,29 @@ const HalfKernel& window() {
   return kernel;
 }
 
-/// Index of what lies at `i` of `count` values that are mirrored at their ends, those included:
-/// c b a | a b c | c b a.
+/// Returns the index for position `i` of `count` values that are mirrored at both ends, with the end values
+/// repeated: c b a | a b c | c b a.
 int mirrored(int i, int count) {
   const int period = 2 * count, at = ((i % period) + period) % period;
   return std::min(at, period - 1 - at);
 }
 
-/// Where windows have their middles along a side: all that lie inside, or where none does, everywhere.
+/// Range of window centres along a side: all whose window lies inside the picture, or every pixel if the
+/// side is shorter than a window.
 struct Span {
   explicit Span(int side) : first(side > 2 * radius ? radius : 0), count(side - 2 * first) {}
   int first, count;
 };
 
-/// SSIM in one tile of the windows' middles, channel by channel.
+/// Computes the SSIM of one tile of window centres, one channel at a time.
 class TileSsim {
  public:
   TileSsim(const frame::Image& a, const frame::Image& b, const Tile& tile);
-  /// The sum over a channel.
+  /// Returns the sum of the SSIM values of a channel.
   [[nodiscard]] double sum(int channel);
 
  private:
-  /// Sums of the window over a, b, a^2 + b^2 and a b, of which all others are made.
+  /// Number of windowed sums: of a, b, a^2 + b^2 and a b. Means, variances and covariance follow from them.
   static constexpr int mapCount = 4;
 
   void load(int channel);
@@ -102,7 +103,8 @@ double TileSsim::rowSum(int row) {
   const float *meanA = made_.row(0), *meanB = made_.row(1), *square = made_.row(2), *product = made_.row(3);
   float* __restrict similar = similar_.data();
   for (int x = 0; x < tile_.width; ++x) {
-    // (2 mA mB + C1)(2 sAB + C2) / ((mA^2 + mB^2 + C1)(sA^2 + sB^2 + C2))
+    // SSIM = (2 mA mB + C1)(2 sAB + C2) / ((mA^2 + mB^2 + C1)(sA^2 + sB^2 + C2)), with means m, variances
+    // s^2 and covariance sAB of the window.
     const float both = meanA[x] * meanB[x], squares = meanA[x] * meanA[x] + meanB[x] * meanB[x];
     const float covariance = product[x] - both, variances = square[x] - squares;
     similar[x] = (2 * both + c1) * (2 * covariance + c2) / ((squares + c1) * (variances + c2));

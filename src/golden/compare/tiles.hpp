@@ -8,10 +8,10 @@
 
 namespace simreel::golden {
 
-/// A part of a picture that is worked on at a time; small enough that what filters make of it stays in a
-/// core's cache.
+/// Part of a picture that is processed at a time, small enough for the filter results to stay in a core's
+/// cache.
 struct Tile {
-  int index = 0;  ///< in reading order
+  int index = 0;  ///< index of the tile in reading order
   int x = 0, y = 0;
   int width = 0, height = 0;
 };
@@ -21,8 +21,8 @@ inline constexpr int tileWidth = 256, tileHeight = 64;
   return ((width + tileWidth - 1) / tileWidth) * ((height + tileHeight - 1) / tileHeight);
 }
 
-/// Calls work(tile) for each tile of a picture, in any order and in parallel. What a tile computes must not
-/// depend on the others, so results do not depend on the thread count.
+/// Calls work(tile) for each tile of a picture, in parallel and in any order. Tiles must be independent of
+/// each other, so that results do not depend on the thread count.
 template <class Work>
 void forEachTile(int width, int height, const Work& work) {
   const int across = (width + tileWidth - 1) / tileWidth;
@@ -32,7 +32,7 @@ void forEachTile(int width, int height, const Work& work) {
   });
 }
 
-/// The same for bands of 32 whole rows: work(first, last).
+/// Calls work(first, last) for bands of 32 rows, in parallel and in any order.
 template <class Work>
 void forEachBand(int height, const Work& work) {
   constexpr int rows = 32;
@@ -40,7 +40,7 @@ void forEachBand(int height, const Work& work) {
                     [&](int band) { work(band * rows, std::min(height, (band + 1) * rows)); });
 }
 
-/// Whether two pictures of one size are equal in a tile and `margin` pixels around it, byte by byte.
+/// True if two pictures of equal size have equal bytes in a tile and `margin` pixels around it.
 [[nodiscard]] inline bool equalAround(const frame::Image& a, const frame::Image& b, const Tile& tile,
                                       int margin) {
   const int left = std::max(0, tile.x - margin), right = std::min(a.width, tile.x + tile.width + margin);

@@ -1,4 +1,4 @@
-// The channels of OpenEXR files that are no picture.
+// Reads the channels of OpenEXR files that are not part of the colour picture.
 #include "golden/files/exr_layers.hpp"
 
 #include "base/error.hpp"
@@ -31,13 +31,14 @@ namespace simreel::golden {
 namespace {
 
 constexpr double mostValues = 5e8;
-constexpr double mostOfOneByte = 65536;  ///< values: what no compression of OpenEXR's comes near
+/// max number of values per file byte, above what any compression of OpenEXR reaches
+constexpr double mostOfOneByte = 65536;
 
 std::string hashOf(const std::vector<std::uint32_t>& values) {
   return hashHex(std::as_bytes(std::span(values)));
 }
 
-/// Reads one part.
+/// Reads the layers of one part of an OpenEXR file.
 class PartLayers {
  public:
   PartLayers(std::string_view bytes, Imf::MultiPartInputFile& file, int part,
@@ -72,21 +73,21 @@ class PartLayers {
   struct Channel {
     PictureLayer::Kind kind;
     bool sampled;
-    std::vector<std::uint32_t> values;  ///< of the data window
+    std::vector<std::uint32_t> values;  ///< channel values in the data window
   };
 
   void addContent(const std::string& name, std::string hash) {
     layers_.push_back({prefix_ + oneLine(name), PictureLayer::Kind::content, {}, std::move(hash)});
   }
 
-  /// Those that decodePicture() takes.
+  /// True for channels that decodePicture() uses as colour or alpha.
   [[nodiscard]] bool makesPicture(const std::string& name) const {
     if (part_ > 0) return false;
     const bool colour = channels_.contains("R") || channels_.contains("G") || channels_.contains("B");
     return name == "A" || (colour ? name == "R" || name == "G" || name == "B" : name == "Y");
   }
 
-  /// Names of Cryptomattes, whose channels .R and .B hold identifiers.
+  /// Collects the names of Cryptomattes. The channels .R and .B of a Cryptomatte hold identifiers.
   void chooseMattes() {
     for (auto attribute = header_.begin(); attribute != header_.end(); ++attribute) {
       const std::string name = attribute.name();
@@ -129,7 +130,7 @@ class PartLayers {
     part.readPixels(window.min.y, window.max.y);
   }
 
-  /// Values of the data window in the display window; 0 where there are none.
+  /// Copies values from the data window to the display window. Pixels outside of the data window are 0.
   [[nodiscard]] std::vector<std::uint32_t> placed(const std::vector<std::uint32_t>& values) const {
     const Imath::Box2i &data = header_.dataWindow(), &shown = header_.displayWindow();
     if (data == shown) return values;

@@ -6,29 +6,30 @@
 
 namespace simreel::golden {
 
-/// A channel of an OpenEXR file besides those that make its picture: depth, normals, who is seen.
+/// A channel of an OpenEXR file that is not part of the colour picture, such as depth, normals or object
+/// ids.
 struct PictureLayer {
   enum class Kind {
-    number,   ///< floats, whose differences have a size
-    exact,    ///< whole numbers and identifiers: equal or not
-    content,  ///< known by `hash` alone
+    number,   ///< floats, whose differences have a magnitude
+    exact,    ///< integers and identifiers: equal or not
+    content,  ///< known only by `hash`
   };
-  std::string name;  ///< "Z", "shadows.Z" of a part called shadows
+  std::string name;  ///< channel name: "Z", or "shadows.Z" for a part named shadows
   Kind kind = Kind::number;
-  std::vector<std::uint32_t> bits;  ///< of each pixel, of a float or of a whole number
-  std::string hash = {};            ///< of what has no value for each pixel
+  std::vector<std::uint32_t> bits;  ///< value of each pixel: the bits of a float or an integer
+  std::string hash = {};            ///< hash of data that has no value for each pixel
   bool operator==(const PictureLayer&) const = default;
 
-  /// A value, where kind is number.
+  /// Returns a pixel's value as float. Only for Kind::number.
   [[nodiscard]] float number(std::size_t pixel) const;
-  /// 0 where both have the same value at a pixel, else how far apart they are in units of 1/255: more than
-  /// 0, and 255 at most.
+  /// Returns the difference of the two layers at a pixel in units of 1/255: 0 if the values are equal, else
+  /// more than 0 and at most 255.
   [[nodiscard]] double apart(const PictureLayer& other, std::size_t pixel) const;
 };
 
-/// All layers of an OpenEXR file, by name. What no value of a pixel tells (deep pixels, other levels,
-/// subsampled channels, what lies outside of the display window) is in one whose kind is content. Throws
-/// UserError(inputOutput) with `label` ("baseline a.exr") first.
+/// Reads all layers of an OpenEXR file, sorted by name. Data that is not one value for each pixel (deep
+/// pixels, further levels, subsampled channels, pixels outside of the display window) becomes layers of
+/// Kind::content. Throws UserError(inputOutput) with a message that starts with `label` ("baseline a.exr").
 [[nodiscard]] std::vector<PictureLayer> readExrLayers(std::string_view bytes, const std::string& label);
 
 }  // namespace simreel::golden

@@ -38,7 +38,7 @@ Kind kindOf(std::string_view bytes) {
   return Kind::other;
 }
 
-/// The name of a kind that is not read; empty where it is not known.
+/// Returns the name of a known but unsupported format; empty if unknown.
 std::string foreignKind(std::string_view bytes) {
   if (bytes.starts_with("GIF8")) return "a GIF";
   if (bytes.starts_with("BM")) return "a BMP";
@@ -50,13 +50,14 @@ std::string foreignKind(std::string_view bytes) {
   return {};
 }
 
-/// Whether a JPEG has its end: segments up to the scan, the scan's bytes up to the next marker, and so on
-/// (ITU-T T.81, annex B). The decoder makes the missing rest grey and says nothing.
+/// True if a JPEG is complete. Walks its segments up to the scan, then the scan's bytes up to the next
+/// marker, and so on (ITU-T T.81, annex B). Needed because the decoder silently fills missing parts with
+/// grey.
 bool jpegHasItsEnd(std::string_view bytes) {
   const auto at = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   std::size_t i = 2;
   while (i + 1 < bytes.size()) {
-    if (at(i) != 0xff) {  // inside a scan
+    if (at(i) != 0xff) {  // inside the compressed data of a scan
       ++i;
       continue;
     }
@@ -94,7 +95,7 @@ void readBytes(const fs::path& path, const char* what, std::string& bytes) {
   const auto failed = [&](const char* verb) {
     fail(ExitCode::inputOutput, "cannot {} {} {}: {}", verb, what, path.string(), std::strerror(errno));
   };
-  // Opening a pipe that nobody writes into would wait for ever.
+  // Opening a pipe without a writer would block forever.
   std::error_code unknown;
   const auto kind = fs::status(path, unknown).type();
   if (kind == fs::file_type::fifo || kind == fs::file_type::character || kind == fs::file_type::block ||
@@ -104,7 +105,7 @@ void readBytes(const fs::path& path, const char* what, std::string& bytes) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rbe"),
                                                                &std::fclose);
   if (!stream) failed("open");
-  std::setvbuf(stream.get(), nullptr, _IONBF, 0);  // straight into `bytes`
+  std::setvbuf(stream.get(), nullptr, _IONBF, 0);  // unbuffered: reads directly into `bytes`
   const auto size = fs::file_size(path, unknown);
   bytes.resize(unknown ? 65536 : size + 1);
   std::size_t used = 0;
@@ -118,8 +119,8 @@ void readBytes(const fs::path& path, const char* what, std::string& bytes) {
 
 namespace {
 
-/// Calls `read`. A picture that some program just made is not restored but made again: what else than a
-/// baseline is damaged gets no such advice.
+/// Calls `read`. Removes the advice to restore the file from error messages, unless the file is a baseline:
+/// a picture that a program has just made must be made again, not restored.
 template <class Read>
 auto advised(const char* what, const Read& read) {
   try {
@@ -133,7 +134,7 @@ auto advised(const char* what, const Read& read) {
   }
 }
 
-/// A PNG of 16 bits a channel.
+/// Decodes a PNG with 16 bits per channel.
 Picture decodeDeep(std::string_view bytes, const std::string& label) {
   const auto refuse = [&](const std::string& why) {
     fail(ExitCode::inputOutput, "{} cannot be decoded ({})", label, oneLine(why));
@@ -146,7 +147,7 @@ Picture decodeDeep(std::string_view bytes, const std::string& label) {
   if (pixels > mostPicturePixels)
     refuse(
         fmt::format("{}x{}, more than {} million pixels", size->x, size->y, mostPicturePixels / 1'000'000));
-  // deflate makes at most 1032 bytes of one; a pixel has at least two.
+  // deflate expands each byte to at most 1032 bytes, and a pixel has at least two.
   if (static_cast<double>(pixels) * 2 > static_cast<double>(bytes.size()) * 1032)
     refuse(fmt::format("{}x{} pixels do not fit in its {} bytes", size->x, size->y, bytes.size()));
   const auto values = sim::stbDecode<std::uint16_t>(bytes, *size);
@@ -159,12 +160,13 @@ Picture decodeDeep(std::string_view bytes, const std::string& label) {
   return picture;
 }
 
-/// A picture of 8 bits a channel.
+/// Decodes a picture with 8 bits per channel.
 Picture decodeShallow(std::string_view bytes, const std::string& label, const std::string& name) {
   try {
     return {frame::decodeImage(std::as_bytes(std::span(bytes)), name), Depth::unorm8, {}, {}, {}};
   } catch (const UserError& error) {
-    // "the image a.png is not a picture this program reads (not enough pixels); use PNG or JPEG"
+    // Extracts the reason in parentheses from messages like "the image a.png is not a picture this program
+    // reads (not enough pixels); use PNG or JPEG".
     const std::string_view message = error.what();
     const auto open = message.rfind(" ("), close = message.rfind(')');
     if (open == std::string_view::npos || close == std::string_view::npos || close < open) throw;
@@ -201,7 +203,7 @@ void check(std::string_view bytes, const char* what, const std::string& name) {
   }
 }
 
-/// Fills `image` from `values`, which are light.
+/// Fills `image` from `values`, which are linear light.
 void showLight(Picture& picture, int width, int height) {
   picture.depth = Depth::linear;
   picture.image = {width, height, std::vector<std::uint8_t>(picture.values.size())};
@@ -224,7 +226,8 @@ Picture decode(std::string_view bytes, const char* what, const std::string& name
     Picture picture = ofLight(sim::decodeExr(bytes, labelOf(what, name), restoreIt));
     picture.layers = readExrLayers(bytes, labelOf(what, name));
     picture.layered = true;
-    // A part has the display window of the first, or else no pixels of its picture.
+    // A layer whose part has another display window has no value for each pixel, so it is only compared by
+    // hash.
     for (PictureLayer& layer : picture.layers)
       if (layer.kind != PictureLayer::Kind::content && layer.bits.size() != picture.values.size() / 4)
         layer = {

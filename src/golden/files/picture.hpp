@@ -10,59 +10,63 @@
 
 namespace simreel::golden {
 
-/// Pixels in all; a file that claims more is damaged, or nothing to compare.
+/// Max number of pixels. A file that claims more is damaged or not worth comparing.
 inline constexpr std::size_t mostPicturePixels = std::size_t{1} << 28;
 
-/// What the numbers of a picture file are.
+/// Number format of a picture file.
 enum class Depth {
-  unorm8,   ///< 0 to 255, sRGB
-  unorm16,  ///< 0 to 65535, sRGB
-  linear,   ///< light, 1 is a screen's white; any number
+  unorm8,   ///< integers from 0 to 255, sRGB encoded
+  unorm16,  ///< integers from 0 to 65535, sRGB encoded
+  linear,   ///< linear light; 1 is screen white; any float
 };
 
-/// A picture of any file. Rows from the top.
+/// A decoded picture file. Rows from the top.
 struct Picture {
-  frame::Image image;  ///< as a screen shows it: deeper ones are rounded, light is clamped and encoded
+  /// 8-bit version for display: deep values are rounded, linear light is clamped and sRGB encoded
+  frame::Image image;
   Depth depth = Depth::unorm8;
-  std::vector<float> values;  ///< RGBA of each pixel where the file is deeper than 8 bits; else empty
-  std::string colours;        ///< colourWords()
-  std::string note = {};      ///< what of the file is not in it; or empty
-  std::vector<PictureLayer> layers = {};  ///< of OpenEXR
-  bool layered = false;                   ///< whether the file is of a kind that may have layers
+  /// RGBA of each pixel if the file is deeper than 8 bits; else empty
+  std::vector<float> values;
+  /// colour interpretation declared by the file, from colourWords()
+  std::string colours;
+  std::string note = {};                  ///< parts of the file that were not decoded; may be empty
+  std::vector<PictureLayer> layers = {};  ///< layers of an OpenEXR file
+  bool layered = false;                   ///< true if the file format can have layers
 };
 
-/// Reads a whole file into `bytes`, whose memory is used again. Throws UserError(inputOutput) in one line
-/// that begins with `what` ("baseline") and the path: for what cannot be read, and for a pipe or a device.
+/// Reads a whole file into `bytes` and reuses its memory. Throws UserError(inputOutput) if the file is
+/// unreadable, a pipe or a device. The message is one line that starts with `what` ("baseline") and the
+/// path.
 void readBytes(const std::filesystem::path& path, const char* what, std::string& bytes);
 
-/// PNG (8 and 16 bits, grey, palette, alpha), JPEG, Radiance HDR, OpenEXR and PNM, told apart by their
-/// first bytes. Throws UserError(inputOutput) for what is none of them, is damaged, larger than
-/// mostPicturePixels (OpenEXR, Radiance and PNM: than 16384 on a side), or something else in its place
-/// (standsForAnother()).
+/// Decodes PNG (8 and 16 bits, grey, palette, alpha), JPEG, Radiance HDR, OpenEXR and PNM, recognised by
+/// their first bytes. Throws UserError(inputOutput) for other formats, damaged files, pictures larger than
+/// mostPicturePixels (OpenEXR, Radiance and PNM: more than 16384 pixels on a side), Git LFS pointers and
+/// the like (standsForAnother()).
 [[nodiscard]] Picture decodePicture(std::string_view bytes, const char* what, const std::string& name);
 [[nodiscard]] Picture readPicture(const std::filesystem::path& path, const char* what);
 
-/// Throws as decodePicture does where the file is visibly not whole or not one of these kinds, without
-/// decoding its pixels.
+/// Throws like decodePicture() if the file is visibly incomplete or of another format. Does not decode the
+/// pixels.
 void checkPicture(std::string_view bytes, const char* what, const std::string& name);
 
-/// Whether the name ends as those of pictures do: of kinds that decodePicture reads and of others, which it
-/// refuses by name, so that none is passed over.
+/// True if the file name has the extension of a picture. Includes formats that decodePicture() rejects by
+/// name, so that none is silently skipped.
 [[nodiscard]] bool isPictureName(const std::filesystem::path& file);
 
-/// Whether a file begins as a picture of a kind that decodePicture reads, whatever its name. False for what
-/// cannot be read, and for text (PNM and Radiance begin as that, too).
+/// True if the file starts like a PNG, JPEG or OpenEXR picture, whatever its name. False for unreadable
+/// files and for PNM and Radiance, whose first bytes also occur in text files.
 [[nodiscard]] bool holdsPicture(const std::filesystem::path& file);
 
-/// Hash of size, depth, all four channels and layers, independent of the file's kind and encoder. 32
+/// Returns a hash of size, depth, all four channels and layers, independent of file format and encoder. 32
 /// hexadecimal digits.
 [[nodiscard]] std::string pictureHash(const Picture& picture);
 
-/// Values in units of 1/255 of the encoded range, RGBA: deeper pictures have fractions, light above white
-/// is above 255 (the sRGB curve goes on).
+/// Returns RGBA values in units of 1/255 of the sRGB encoded range. Deep pictures have fractional values.
+/// Light above white exceeds 255, because the sRGB curve is extended.
 [[nodiscard]] std::vector<float> inUnits(const Picture& picture);
 
-/// The picture at the top left of a larger one, the rest transparent black.
+/// Returns a larger picture with the given one at the top left and transparent black elsewhere.
 [[nodiscard]] Picture padded(const Picture& picture, int width, int height);
 
 }  // namespace simreel::golden

@@ -25,7 +25,7 @@ bool isText(const PngChunk& chunk) {
   return std::find(types.begin(), types.end(), chunk.type) != types.end();
 }
 
-/// Returns what is wrong with the header's pixel format, empty if nothing is (PNG specification 11.2.2).
+/// Returns what is wrong with the header's pixel format (PNG specification 11.2.2), or an empty text.
 std::string formatProblem(std::string_view header) {
   const auto [width, height, depth, colour, plain] = readPngHeader(header);
   constexpr std::array<std::uint32_t, 7> depths = {
@@ -36,11 +36,11 @@ std::string formatProblem(std::string_view header) {
   return fmt::format("is corrupt (colour type {} of {} bits); {}", colour, depth, restoreIt);
 }
 
-/// What is wrong with the file, to follow its name; empty when nothing is.
+/// Returns what is wrong with the file, as a text to follow its name, or an empty text.
 std::string problem(std::string_view file) {
   if (std::string other = standsForAnother(file); !other.empty()) return other;
   if (file.empty()) return fmt::format("is empty; {}", restoreIt);
-  // A file that ends inside the signature was a PNG, as far as one can tell.
+  // A file that ends within the signature is treated as a truncated PNG.
   if (file.substr(0, pngSignature.size()) !=
       pngSignature.substr(0, std::min(file.size(), pngSignature.size())))
     return "is not a PNG file; convert it to PNG";
@@ -63,12 +63,12 @@ std::string problem(std::string_view file) {
     pixels = pixels || chunk->type == "IDAT";
     if (chunk->type != "IEND") continue;
     if (!pixels) return fmt::format("is corrupt (it holds no pixels); {}", restoreIt);
-    return {};  // what follows is no part of the picture (PNG specification 5.6)
+    return {};  // data after IEND does not belong to the picture (PNG specification 5.6)
   }
   return cutOff;
 }
 
-/// The next chunk that matters to pixels, or nothing where the file is cut off.
+/// Returns the next chunk that affects pixels, or nothing if the file is cut off.
 std::optional<PngChunk> nextPixelChunk(std::string_view& rest) {
   auto chunk = takePngChunk(rest);
   while (chunk && isText(*chunk)) chunk = takePngChunk(rest);

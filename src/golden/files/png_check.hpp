@@ -10,21 +10,20 @@
 
 namespace simreel::golden {
 
-/// Refuses what cannot be compared exactly: a file that is empty, cut off, corrupt (every chunk's checksum
-/// is computed), animated, no PNG, or stands for another (standsForAnother()). Throws
-/// UserError(inputOutput) in one line that begins with `what` ("baseline") and `name`.
+/// Rejects files that cannot be compared exactly: empty, cut off, corrupt (checks every chunk's checksum),
+/// animated, not PNG, or not the real file (standsForAnother()). Throws UserError(inputOutput) with a
+/// one-line message that starts with `what` ("baseline") and `name`.
 void checkPng(std::span<const std::byte> file, const char* what, const std::string& name);
 
-/// Reads, checks and decodes a PNG of at most 8 bits a channel. Throws as checkPng does, also when the file
+/// Reads, checks and decodes a PNG of at most 8 bits per channel. Throws like checkPng, also if the file
 /// cannot be read.
 [[nodiscard]] frame::Image readPng(const std::filesystem::path& path, const char* what);
 
-/// Width and height of a file that checkPng is content with; nothing where it is no PNG.
+/// Returns width and height of a file that passed checkPng, or nothing if it is not a PNG.
 [[nodiscard]] std::optional<std::pair<int, int>> sizeOfPng(std::span<const std::byte> file);
 
-/// Whether two files that checkPng is content with hold the same chunks, text and time left out; their
-/// pixels are equal then. False where one is no PNG. Pixels of files for which this is false may still be
-/// equal.
+/// True if two files that passed checkPng have the same chunks except for text and time, so their pixels
+/// are equal. False if one is not a PNG. If it returns false, the pixels may still be equal.
 [[nodiscard]] bool sameEncodedPixels(std::span<const std::byte> a, std::span<const std::byte> b);
 
 }  // namespace simreel::golden

@@ -5,23 +5,23 @@
 
 namespace simreel::golden {
 
-/// What is below a folder, as paths relative to it with '/', sorted.
+/// Files below a folder, as sorted relative paths with '/'.
 struct PictureFolder {
   std::vector<std::string> pictures;
-  /// Files that are no pictures, and folders that are not entered, which end in '/'.
+  /// Other files, and folders that are not searched, which end in '/'.
   std::vector<std::string> others;
 };
 
-/// Marks a folder whose pictures are those of a report, and no baselines; nothing where it is marked.
+/// Marks a folder as part of a report, so that its pictures are not used as baselines. Does nothing if it
+/// is already marked.
 void markReport(const std::filesystem::path& folder);
 [[nodiscard]] bool isReport(const std::filesystem::path& folder);
 
-/// Searches the folder and all below it, links included; hidden folders and those of reports are not
-/// entered. Throws UserError(inputOutput) for a folder that cannot be listed, and where links go round in a
-/// circle.
+/// Searches the folder and its subfolders, following links. Skips hidden folders and report folders. Throws
+/// UserError(inputOutput) if a folder cannot be listed or links form a cycle.
 [[nodiscard]] PictureFolder listPictures(const std::filesystem::path& folder);
 
-/// "notes.txt, .git/ and 3 more"
+/// Returns a shortened list of names: "notes.txt, .git/ and 3 more".
 [[nodiscard]] std::string someOf(const std::vector<std::string>& names);
 
 }  // namespace simreel::golden

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Empty where it cannot be read: that is said when it is compared.
+/// Returns the pixel hash of a file, or an empty text if it cannot be read, because the comparison reports
+/// the error.
 std::string hashOfFile(const fs::path& file) {
   try {
     return pictureHash(readPicture(file, "picture"));
@@ -24,7 +25,7 @@ std::string hashOfFile(const fs::path& file) {
   }
 }
 
-/// Gives pictures without a baseline the one of those without a picture that has their pixels.
+/// Pairs pictures without a baseline with equal baselines whose picture is gone.
 void findRenamed(std::vector<PictureCase>& cases) {
   std::multimap<std::string, PictureCase*> gone;
   const bool anyNew =

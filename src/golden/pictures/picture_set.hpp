@@ -6,23 +6,23 @@
 
 namespace simreel::golden {
 
-/// A picture to test. `name` is its path below both folders.
+/// A picture to test. `name` is its path relative to both folders.
 struct PictureCase {
   std::string name;
-  std::filesystem::path expected, actual;  ///< empty: not there
-  /// Name of a baseline without a picture that has this picture's pixels, where this one has no baseline;
-  /// `expected` is that baseline then.
+  std::filesystem::path expected, actual;  ///< paths of baseline and picture; empty if it does not exist
+  /// If the picture has no baseline of its own: name of a baseline with the same pixels whose own picture
+  /// is gone. `expected` is then that baseline.
   std::string renamedFrom;
 };
 
 struct PictureSet {
-  std::vector<PictureCase> cases;       ///< by name
-  std::vector<std::string> passedOver;  ///< files that are no pictures, hidden folders
+  std::vector<PictureCase> cases;       ///< picture cases, sorted by name
+  std::vector<std::string> passedOver;  ///< skipped paths: files that are no pictures, and hidden folders
 };
 
-/// Pairs the pictures of two folders by path, and those left over by their pixels: of the names that
-/// `counts` takes, asked with whether there is a picture and not only a baseline. Throws as listPictures()
-/// does.
+/// Pairs the pictures of two folders by path, and the remaining ones by pixels. Only pairs names for which
+/// `counts` returns true; its argument `made` is true if the picture exists, not only its baseline. Throws
+/// like listPictures().
 [[nodiscard]] PictureSet pairPictures(
     const std::filesystem::path& expected, const std::filesystem::path& actual,
     const std::function<bool(const std::string& name, bool made)>& counts);

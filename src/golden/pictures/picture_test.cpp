@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A picture, and its file as it is.
+/// A decoded picture and the bytes of its file.
 struct ReadPicture {
   std::string bytes;
   Picture picture;
@@ -73,7 +73,7 @@ class PictureTest {
   }
 
   void read() {
-    // Both, so that one mistake does not hide the other.
+    // Reads both files before throwing, so that one error does not hide the other.
     std::optional<UserError> first;
     const auto readOne = [&](const fs::path& file, const char* what, std::optional<ReadPicture>& into) {
       if (file.empty()) return;
@@ -138,7 +138,7 @@ class PictureTest {
     if (!broken.empty()) result_.messages.push_back(fmt::format("{}", fmt::join(broken, "; ")));
   }
 
-  /// A picture that has no baseline, or another one: written, or kept for the report.
+  /// Updates the baseline of a missing or failed picture, or keeps its files for the report.
   void judge() {
     if (result_.xfail.empty() && update()) return;
     if (options_.artifacts.empty()) return;
@@ -180,7 +180,7 @@ class PictureTest {
     return write(name, frame::encodePng(image, {}));
   }
 
-  /// The file itself where browsers show it, with its alpha.
+  /// Copies the file itself, with alpha, if browsers can display it; else writes a PNG.
   std::string show(const char* role, const ReadPicture& read, const fs::path& file) const {
     const std::string ending = lowerExtension(file);
     if (read.picture.depth != Depth::linear && (ending == ".png" || ending == ".jpg" || ending == ".jpeg"))
@@ -245,7 +245,7 @@ void testPictures(const std::vector<PictureCase>& cases, const PictureOptions& o
   };
   using tbb::filter_mode;
   tbb::parallel_pipeline(
-      2 * processorCount(),  // so many pictures are in memory at a time
+      2 * processorCount(),  // max number of pictures in memory at a time
       tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, next) &
           tbb::make_filter<std::size_t, SceneResult>(filter_mode::parallel,
                                                      [&](std::size_t index) {

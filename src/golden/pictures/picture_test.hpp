@@ -17,20 +17,20 @@ struct PictureOptions {
   std::filesystem::path expected;  ///< folder of the baselines
   std::vector<Rule> rules;
   Update update = Update::none;
-  Measures measures = Measures::all;   ///< quick: SSIM and FLIP only where a bound needs them
-  std::filesystem::path reportFolder;  ///< of report.json; image paths are relative to it
-  std::filesystem::path artifacts;     ///< pictures of failures go below it; empty: nowhere
+  Measures measures = Measures::all;   ///< quick: measures SSIM and FLIP only if a bound needs them
+  std::filesystem::path reportFolder;  ///< folder of report.json; image paths are relative to it
+  std::filesystem::path artifacts;     ///< folder for pictures of failures; empty: none are kept
 };
 
-/// Compares one picture with its baseline, updates that where asked and keeps what a report needs. What
-/// cannot be read or written is a result like any other.
+/// Compares one picture with its baseline. Depending on the options, updates the baseline or keeps files
+/// for a report. Read and write errors become results, not exceptions.
 [[nodiscard]] SceneResult testPicture(const PictureCase& one, const PictureOptions& options);
 
-/// Tests pictures in parallel and hands results over in order, from one thread at a time.
+/// Tests pictures in parallel. Calls `done` for each result in order, from one thread at a time.
 void testPictures(const std::vector<PictureCase>& cases, const PictureOptions& options,
                   const std::function<void(SceneResult&&)>& done);
 
-/// "rules.json, "ui/*" matches no picture": what the rules say in vain.
+/// Returns a message for each rule that matches no picture: "rules.json, "ui/*" matches no picture".
 [[nodiscard]] std::vector<std::string> unusedRules(const std::vector<Rule>& rules,
                                                    const std::vector<PictureCase>& cases);
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view sceneWord = "{scene}", outputWord = "{output}";
 
-/// "name" of "name.png" or "name/0001.png".
+/// True if `picture` is "name", or "name" followed by "." or "/", such as "name.png" or "name/0001.png".
 bool isOf(const std::string& picture, const std::string& name) {
   if (!picture.starts_with(name)) return false;
   return picture.size() == name.size() || picture[name.size()] == '.' || picture[name.size()] == '/';
@@ -36,7 +36,7 @@ void RenderCommand::check() const {
          "{{output}}'");
 }
 
-/// {output}, followed by `after`.
+/// Returns the value of {output} if the character `after` follows it.
 std::string RenderCommand::outputOf(const SceneFile& scene, char after) const {
   if (!eachScene()) return folder.string();
   const std::string base = (folder / scene.name).string();
@@ -70,7 +70,7 @@ std::vector<std::string> RenderCommand::madeOf(const SceneFile& scene,
 void RenderCommand::makeRoom(const SceneFile& scene, const std::vector<SceneFile>& scenes) const {
   makeFolders((folder / scene.name).parent_path());
   if (!eachScene()) return;
-  // A folder of its own: {output}/####.png expects it.
+  // {output}/####.png needs the folder to exist.
   if (text.find("{output}/") != std::string::npos) makeFolders(folder / scene.name);
   for (const std::string& picture : madeOf(scene, scenes)) removeFile(folder / picture);
 }
@@ -78,7 +78,7 @@ void RenderCommand::makeRoom(const SceneFile& scene, const std::vector<SceneFile
 void RenderCommand::run(const SceneFile& scene, const std::vector<SceneFile>& /*scenes*/) const {
   const std::string command = fillIn(text, placeholders(scene));
   try {
-    // What it prints goes with its messages: only the end of those is ever shown.
+    // Redirects the output to the messages, of which only the end is ever shown.
     ChildCommand child(
         "export SIMREEL_SCENE=\"$1\" SIMREEL_OUTPUT=\"$2\" SIMREEL_BASE=\"$3\"; shift 3; { " + command +
             "\n} >&2",
@@ -108,7 +108,7 @@ void RenderCommand::tryAll(const std::vector<SceneFile>& scenes, const std::vect
   };
   for (const std::size_t i : chosen) trying(i, &RenderCommand::makeRoom);
   std::atomic<std::size_t> next = 0;
-  std::exception_ptr end;  // of all: an interrupt
+  std::exception_ptr end;  // exception that ends all threads: an interrupt by a signal
   std::mutex guard;
   const auto work = [&] {
     try {

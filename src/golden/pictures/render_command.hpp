@@ -12,30 +12,31 @@
 
 namespace simreel::golden {
 
-/// How the command of a scene ended.
+/// Result of running the command for a scene.
 struct CommandEnd {
-  std::optional<UserError> mistake;   ///< of the last try
-  std::vector<std::string> failures;  ///< messages of the tries before
+  std::optional<UserError> mistake;   ///< error of the last attempt; empty if it succeeded
+  std::vector<std::string> failures;  ///< messages of the earlier attempts
 };
 
-/// A shell command that makes pictures with any program. {scene} is replaced by a file, {output} by where
-/// its picture is to go, FOLDER/name.png; followed by "." or "/" it is FOLDER/name, so that {output}.exr
-/// has another kind and {output}/####.png makes several. Without {scene} it runs once, and {output} is
-/// FOLDER. The command has both as $SIMREEL_SCENE and $SIMREEL_OUTPUT, too.
+/// A shell command that makes pictures with any program. {scene} is replaced by the scene's file. {output}
+/// is replaced by the picture's path FOLDER/name.png, or by FOLDER/name if "." or "/" follows, so that
+/// {output}.exr selects another format and {output}/####.png makes several pictures. A command without
+/// {scene} runs once, and {output} is FOLDER. The command also gets both values as $SIMREEL_SCENE and
+/// $SIMREEL_OUTPUT.
 struct RenderCommand {
   std::string text;
   std::filesystem::path folder;
-  double timeout = 0;  ///< seconds after which it is ended; 0: never
-  int retries = 0;     ///< further tries of a command that fails
+  double timeout = 0;  ///< seconds until the command is killed; 0: never
+  int retries = 0;     ///< number of further attempts after a failure
 
-  /// Throws UserError(usage) for one without {output}.
+  /// Throws UserError(usage) if the command has no {output}.
   void check() const;
   [[nodiscard]] bool eachScene() const { return text.find("{scene}") != std::string::npos; }
-  /// To be shown: both words filled in, where they stand for names that no shell takes for anything else.
+  /// Returns the command for display. Fills in both placeholders if the names need no shell quotes.
   [[nodiscard]] std::string of(const SceneFile& scene) const;
-  /// For each of the chosen scenes, by index: removes what an earlier run left of its pictures, runs the
-  /// command, and tells how that failed, or that it made none. So many run at once. Throws Interrupted
-  /// after a signal.
+  /// Runs the command for each of the chosen scenes (indices), up to `jobs` at once. First removes pictures
+  /// of an earlier run. Returns the error of each scene, including the error that no picture was made.
+  /// Throws Interrupted after a signal.
   [[nodiscard]] std::vector<CommandEnd> runAll(const std::vector<SceneFile>& scenes,
                                                std::vector<std::size_t> chosen, std::size_t jobs) const;
 
@@ -47,17 +48,17 @@ struct RenderCommand {
   void checkMade(const SceneFile& scene, const std::vector<SceneFile>& scenes) const;
   void tryAll(const std::vector<SceneFile>& scenes, const std::vector<std::size_t>& chosen,
               std::size_t jobs, std::vector<CommandEnd>& ends) const;
-  /// What lies in the folder of its pictures, and is not another scene's.
+  /// Returns the pictures of the scene in the output folder, without pictures of other scenes.
   [[nodiscard]] std::vector<std::string> madeOf(const SceneFile& scene,
                                                 const std::vector<SceneFile>& scenes) const;
 };
 
-/// The files to render: those given, and all below folders given, hidden ones apart; named by their paths
-/// without extension. Throws as findScenes() does.
+/// Returns the files to render: the given files, and all files below given folders except hidden ones. The
+/// name of a file is its path without extension. Throws like findScenes().
 [[nodiscard]] std::vector<SceneFile> findInputs(std::span<const std::string> paths);
 
-/// The scene whose picture this is: the longest name that the picture's path begins with, up to ".", "/" or
-/// the end; nullptr: none.
+/// Returns the scene of a picture: the one with the longest name that the picture's path starts with,
+/// followed by ".", "/" or the end. nullptr if no scene matches.
 [[nodiscard]] const SceneFile* ownerOf(const std::string& picture, const std::vector<SceneFile>& scenes);
 
 }  // namespace simreel::golden

@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names of the files in a folder.
+/// Returns the names of the files in a folder.
 std::vector<std::string> fileNames(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
@@ -45,7 +45,7 @@ std::vector<std::string> fileNames(const fs::path& folder) {
   return names;
 }
 
-/// Files by what pairs them.
+/// Files by the key that pairs them: a name or a frame number.
 template <class Key>
 using Files = std::map<Key, fs::path>;
 
@@ -70,7 +70,7 @@ PairList pairUp(const Files<Key>& a, const Files<Key>& b, const Name& name) {
   return list;
 }
 
-/// The number in a file name that the pattern makes, or nothing.
+/// Returns the frame number in a file name that matches the pattern, or nothing.
 std::optional<int> frameOf(const frame::OutputName& pattern, const std::string& name) {
   if (!name.starts_with(pattern.prefix)) return std::nullopt;
   std::string_view number = std::string_view(name).substr(pattern.prefix.size());
@@ -99,8 +99,8 @@ Metrics equalMetrics() {
   return metrics;
 }
 
-/// Both pictures at a time. Isolated: a thread that waits here must not begin another pair, which would
-/// read its files into the same memory.
+/// Decodes both pictures in parallel. Isolated, because a thread that waits here could otherwise start
+/// another pair, which reads its files into the same thread-local memory.
 std::pair<Picture, Picture> decodeBoth(const Pair& pair, std::string_view fileA, std::string_view fileB) {
   std::pair<Picture, Picture> both;
   tbb::this_task_arena::isolate([&] {
@@ -145,8 +145,8 @@ PairList pairPatterns(const std::string& a, const std::string& b) {
 
 PairResult comparePair(const Pair& pair, const PairTerms& terms, const fs::path& differenceFile,
                        bool always) {
-  // Kept by each thread: fresh pages for every file cost more than all else where files are equal. Not to
-  // be used after decoding, because while compare() waits, this thread may begin another pair.
+  // Thread-local, because allocating fresh pages for every file takes longer than comparing equal files. Do
+  // not use after decoding: while compare() waits, the thread may start another pair.
   thread_local std::string fileA, fileB;
   readBytes(pair.a, "picture", fileA);
   checkPicture(fileA, "picture", pair.a.string());
@@ -155,7 +155,8 @@ PairResult comparePair(const Pair& pair, const PairTerms& terms, const fs::path&
   PairResult result;
   const bool wantsImage = !differenceFile.empty();
   const auto bytesA = std::as_bytes(std::span(fileA)), bytesB = std::as_bytes(std::span(fileB));
-  // One of two alike is decoded: what no decoder reads is equal to nothing.
+  // If both files have the same chunks, decodes one of them, because an undecodable file must not count as
+  // equal.
   if (sizeOfPng(bytesA) && sameEncodedPixels(bytesA, bytesB) && (!wantsImage || !always)) {
     const Picture picture = decodePicture(fileA, "picture", pair.a.string());
     result.metrics = equalMetrics();
@@ -200,7 +201,7 @@ void comparePairs(const std::vector<Pair>& pairs, const PairTerms& terms, const 
     try {
       fs::path image;
       if (!differenceFolder.empty()) {
-        // The name is one below the folders, but for frames of patterns.
+        // pair.name is a path below both folders, except for "frame N" of patterns.
         const bool named = pair.a.generic_string().ends_with(pair.name);
         image = differenceFolder / (named ? fs::path(pair.name) : pair.a.filename());
         if (lowerExtension(image) != ".png") image += ".png";
@@ -214,7 +215,7 @@ void comparePairs(const std::vector<Pair>& pairs, const PairTerms& terms, const 
       return {index, std::move(result)};
     }
   };
-  // So many pairs are in memory at a time.
+  // Max number of pairs in memory at a time.
   const std::size_t atOnce = 2 * processorCount();
   using tbb::filter_mode;
   tbb::parallel_pipeline(

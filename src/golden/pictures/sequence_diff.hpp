@@ -12,13 +12,13 @@
 
 namespace simreel::golden {
 
-/// Two files to compare.
+/// Two picture files to compare.
 struct Pair {
-  std::string name;  ///< of the file, or "frame 12" where the files are named differently
+  std::string name;  ///< file name, or "frame 12" if the two files have different names
   std::filesystem::path a, b;
 };
 
-/// How they are compared.
+/// Settings for comparing pairs.
 struct PairTerms {
   scene::Tolerance tolerance;
   Allowance allowance;
@@ -26,41 +26,42 @@ struct PairTerms {
 };
 
 struct PairList {
-  std::vector<Pair> pairs;  ///< by name, or by frame number
+  std::vector<Pair> pairs;  ///< pairs of files, sorted by name or frame number
   std::vector<std::string> onlyA, onlyB;
-  std::vector<std::string> passedOver;  ///< files that are no pictures, and hidden folders ("a/.git/")
+  std::vector<std::string> passedOver;  ///< skipped: other files and hidden folders ("a/.git/")
 };
 
 struct PairResult {
   enum class Outcome { equal, within, different, unreadable };
   Outcome outcome = Outcome::equal;
-  int width = 0, height = 0;        ///< of both, padded where they differ; 0 when unreadable
-  std::optional<Metrics> metrics;   ///< none where a file could not be read
-  std::vector<std::string> broken;  ///< why they are different, a clause each
-  std::string message;              ///< unreadable: why
-  std::vector<std::string> notes;   ///< what of the files is not compared
+  /// size of both, or of the padded pictures if sizes differ; 0 if unreadable
+  int width = 0, height = 0;
+  std::optional<Metrics> metrics;   ///< measured differences; empty if a file could not be read
+  std::vector<std::string> broken;  ///< reasons for the difference, one clause each
+  std::string message;              ///< reason why a file is unreadable
+  std::vector<std::string> notes;   ///< remarks on parts of the files that are not compared
 };
-/// "equal", "within tolerance", "different", "unreadable".
+/// Returns "equal", "within tolerance", "different" or "unreadable".
 [[nodiscard]] const char* outcomeName(PairResult::Outcome outcome);
 
-/// The pictures of two folders and all below them, by path. Throws UserError(inputOutput) for a folder that
-/// cannot be listed.
+/// Pairs the pictures in and below two folders by path. Throws UserError(inputOutput) if a folder cannot be
+/// listed.
 [[nodiscard]] PairList pairFolders(const std::filesystem::path& a, const std::filesystem::path& b);
-/// Whether the file name holds a frame number: #### or %04d.
+/// True if the file name contains a placeholder for the frame number, #### or %04d.
 [[nodiscard]] bool isPattern(const std::string& name);
-/// The files that two patterns name, by frame number. Throws UserError: usage for a senseless pattern,
-/// inputOutput for a folder that cannot be listed.
+/// Pairs the files that match two patterns by frame number. Throws UserError(usage) for an invalid pattern,
+/// UserError(inputOutput) if a folder cannot be listed.
 [[nodiscard]] PairList pairPatterns(const std::string& a, const std::string& b);
 
-/// Reads and compares two pictures; metrics are filled in for equal pictures too. Pictures of different
-/// sizes differ, and are measured padded. The difference image is written where a path is given; for equal
-/// pictures only with `always`. Throws UserError(inputOutput) naming the file; nothing has been written
-/// then.
+/// Reads and compares two pictures; fills in the metrics also if they are equal. Pictures of different
+/// sizes count as different and are padded. If `differenceFile` is not empty, writes the difference image
+/// there, for equal pictures only if `always`. Throws UserError(inputOutput) with the file's name, without
+/// having written anything.
 [[nodiscard]] PairResult comparePair(const Pair& pair, const PairTerms& terms,
                                      const std::filesystem::path& differenceFile, bool always);
 
-/// Compares pairs in parallel and hands results over in order, from one thread at a time. A pair that
-/// cannot be read is a result like any other. `differenceFolder` (empty: none) must exist.
+/// Compares pairs in parallel. Calls `done` for each result in order, from one thread at a time. Unreadable
+/// files are reported as results. `differenceFolder` must exist; empty: no difference images.
 void comparePairs(const std::vector<Pair>& pairs, const PairTerms& terms,
                   const std::filesystem::path& differenceFolder,
                   const std::function<void(const Pair&, const PairResult&)>& done);

@@ -12,8 +12,8 @@ namespace simreel::golden {
 
 namespace {
 
-/// Reads a command as /bin/sh does, as far as quotes go, and copies it. Where it is wrong a value may fall
-/// into several words, but it stays a value: it comes from a variable.
+/// Copies a command while tracking quotes like /bin/sh. If the tracking is wrong, a value may be split into
+/// several words, but it is not executed, because it comes from a variable.
 class Filling {
  public:
   Filling(std::string_view command, const std::vector<Placeholder>& placeholders)
@@ -29,7 +29,7 @@ class Filling {
   }
 
  private:
-  /// What the present character stands in: plain text, '...', "...", $(...) or `...`.
+  /// Kind of text around the current character: plain, '...', "...", $(...) or `...`.
   enum class Place { plain, single, twice, paren, back };
 
   [[nodiscard]] Place place() const { return places_.back().place; }
@@ -64,7 +64,7 @@ class Filling {
     }
   }
 
-  /// The quotes around the present place, with what is in them.
+  /// Returns the quoted text around the current position, with its quotes.
   [[nodiscard]] std::string_view quotedText() const {
     const std::size_t begin = places_.back().begin;
     const char mark = command_[begin];
@@ -74,7 +74,7 @@ class Filling {
     return command_.substr(begin, end + 1 - begin);
   }
 
-  /// Whether the quoted text is one word, not a script of its own.
+  /// True if the quoted text is a single word, not a script.
   [[nodiscard]] bool standsAlone() const {
     return quotedText().find_first_of(" \t\n;|&<>()`") == std::string_view::npos;
   }

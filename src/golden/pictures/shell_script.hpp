@@ -5,18 +5,18 @@
 
 namespace simreel::golden {
 
-/// A word of a command that a value takes the place of: "{scene}", "{output}".
+/// A word in a command to be replaced by a value: "{scene}", "{output}".
 struct Placeholder {
   std::string word;
-  std::string variable;  ///< of the shell, which holds the value
+  std::string variable;  ///< name of the shell variable that holds the value
   std::string value;
-  std::string before = {};  ///< characters one of which has to follow; empty: anything may
+  std::string before = {};  ///< if not empty, one of its characters must follow the word
 };
 
-/// The command with its placeholders filled in, first match first. A value never becomes text that the
-/// shell reads as a command: one of letters, digits and such stands there as it is, any other is taken from
-/// its variable, quoted as the place needs it. Throws UserError(usage) where such a value stands among
-/// other words inside quotes, which another shell may read (sh -c '...').
+/// Replaces the placeholders in a shell command; the first match wins. Values are never parsed as shell
+/// code: a value of letters, digits and the like is inserted as it is; any other is read from its shell
+/// variable, quoted as needed at that place. Throws UserError(usage) if such a value is inside quotes
+/// together with other words, because another shell may parse them (sh -c '...').
 [[nodiscard]] std::string fillIn(const std::string& command, const std::vector<Placeholder>& placeholders);
 
 }  // namespace simreel::golden

@@ -6,15 +6,15 @@
 
 namespace simreel::golden {
 
-// The keys of report.json, once for writing and reading. A visitor is called with each key and member, in
-// the file's order; some have a form of their own:
-//   decibels  a number, or null for infinity
-//   path      a path below the folder of the report
-//   format    the number of this format
-//   group     an object whose keys belong to the same struct
-//   counts    how many scenes came out in each way
+// Keys of report.json, defined once for writing and reading. A visitor is called with each key and member
+// in the file's order. Some members have their own visitor function:
+//  decibels  a number, or null for infinity
+//  path      a path below the report's folder
+//  format    the version number of the file format
+//  group     an object whose keys belong to the same struct
+//  counts    the number of scenes with each status
 
-/// T itself or const T: fields() serves the Writer (const) and the Reader.
+/// T or const T: fields() serves both the Writer (const) and the Reader.
 template <class S, class T>
 concept Is = std::same_as<std::remove_const_t<S>, T>;
 

@@ -13,11 +13,11 @@ namespace simreel::golden {
 
 namespace {
 
-/// GitHub shows the first ten of a kind.
+/// Max number of annotations of each kind that GitHub shows.
 constexpr std::size_t mostShown = 10;
 
-/// The value of a workflow command, the part after "::"; of a property (file=, title=) ':' and ',' are
-/// separators as well.
+/// Escapes the value of a workflow command (the part after "::"). Properties such as file= and title= also
+/// need ':' and ',' in `separators`.
 std::string escaped(std::string_view text, std::string_view separators = "") {
   std::string result;
   for (const char c : cleanText(text)) {
@@ -34,7 +34,8 @@ std::string lineAnnotation(const char* level, const std::string& place, const st
   return fmt::format("::{} {}title={}::{}\n", level, place, escaped(title, ":,"), escaped(message));
 }
 
-/// Relative to the folder the program ran in; GitHub wants no "./" before it.
+/// Returns an annotation for a scene. The path is relative to the current folder, without "./", which
+/// GitHub does not accept.
 std::string annotation(const char* level, const SceneResult& scene, std::string_view what,
                        const std::string& message) {
   const std::string named = scene.blame ? scene.blame->file : scene.file;
@@ -44,7 +45,8 @@ std::string annotation(const char* level, const SceneResult& scene, std::string_
   return lineAnnotation(level, place, fmt::format("simreel: {} ({})", scene.name, what), message);
 }
 
-/// All of one kind, or nine and one that counts the rest.
+/// Joins the annotations of one kind; if there are too many, nine of them and one with the number of the
+/// rest.
 std::string asMany(const std::vector<std::string>& all, const char* level) {
   const std::size_t shown = all.size() <= mostShown ? all.size() : mostShown - 1;
   std::string text;

@@ -5,9 +5,10 @@
 
 namespace simreel::golden {
 
-/// Workflow commands for GitHub's log ("::error file=...,title=...::..."), a line each: an error for every
-/// scene that fails the run, a warning for a flaky one that does not and for every note that speaks of a
-/// loose tolerance (holds "loose"), a notice for updated baselines. They name the file and the line that is
-/// to blame. Of more than ten of a kind, which servers do not show, nine are left and one counts the rest.
+/// Returns workflow commands for GitHub's log ("::error file=...,title=...::..."), one per line: an error
+/// for each scene that fails the run, a warning for each flaky scene that does not fail the run and for
+/// each note that contains "loose", a notice for updated baselines. Annotations name the file and line to
+/// blame. GitHub shows at most ten of each kind; if there are more, returns nine and one with the number of
+/// the rest.
 [[nodiscard]] std::string githubAnnotations(const SuiteResult& suite);
 }  // namespace simreel::golden

@@ -26,8 +26,8 @@ std::string_view pageFile(std::string_view path) {
                   std::string(path));
 }
 
-/// JSON that cannot end its script element or begin a comment in it, whatever its strings hold: outside of
-/// strings JSON has no "<".
+/// Escapes '<' in JSON, so that no string can end the page's script element or start a comment in it.
+/// Outside of strings JSON contains no '<'.
 std::string withoutMarkup(const std::string& json) {
   std::string text;
   text.reserve(json.size());
@@ -40,9 +40,10 @@ std::string withoutMarkup(const std::string& json) {
   return text;
 }
 
-/// The data without what repeats, for the page's unpacked(): {"keys": [[...], ...], "texts": [...], "data":
-/// ...}, where an object is [number of its keys, values...], a list [-1, values...], and a text that is
-/// there more than once {"t": its number}. Of 500 failures that is a quarter.
+/// Removes repetition from the data; the page's unpacked() restores it. Output: {"keys": [[...], ...],
+/// "texts": [...], "data": ...}. An object becomes [index of its key list, values...], a list [-1,
+/// values...], and a text that occurs several times {"t": index}. Packing reduces a report of 500 failures
+/// to a quarter.
 class Packer {
  public:
   std::string packed(const ordered_json& value) {
@@ -53,7 +54,8 @@ class Packer {
   }
 
  private:
-  static constexpr std::size_t shortText = 10;  // as long as a number of one
+  // texts up to this length are kept, because {"t": index} is no shorter
+  static constexpr std::size_t shortText = 10;
 
   struct Text {
     int times = 0, number = -1;
@@ -99,8 +101,8 @@ class Packer {
 }  // namespace
 
 std::string htmlReport(const std::string& reportJson) {
-  // index.html names what is pasted into it as {{file}}. What was pasted is not searched again, so data may
-  // hold such marks.
+  // Replaces each {{file}} in index.html by the content of that file. Inserted content is not searched
+  // again, so data may contain such marks.
   std::string page;
   std::string_view rest = pageFile("index.html");
   while (true) {

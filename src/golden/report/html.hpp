@@ -7,22 +7,23 @@
 
 namespace simreel::golden {
 
-/// A source file of the report's page built into the program: path below src/golden/report/page/ and text.
+/// A source file of the report page that is built into the program: path below src/golden/report/page/, and
+/// text.
 struct PageFile {
   const char* path;
   const char* text;
 };
 [[nodiscard]] std::span<const PageFile> pageFiles();
 
-/// The report as one HTML page with style, script and the data (`reportJson`, what reportText makes)
-/// inside. It refers to nothing but the images that the data names, relative to the page.
+/// Returns the report as a single HTML page that contains styles, scripts and the data. `reportJson` is the
+/// result of reportText(). The page only refers to the image files named in the data, relative to itself.
 [[nodiscard]] std::string htmlReport(const std::string& reportJson);
 
-/// Writes htmlReport(reportJson) as index.html into the folder, whole or not at all. Throws
-/// UserError(inputOutput) naming the file and the system's reason.
+/// Writes htmlReport(reportJson) atomically as index.html into the folder. Throws UserError(inputOutput)
+/// with the file's name and the system's reason.
 void writeReportPage(const std::filesystem::path& folder, const std::string& reportJson);
 
-/// Writes index.html into `folder`, which holds report.json and the images already.
+/// Writes index.html into `folder`, which already contains report.json and the images.
 void writeHtmlReport(const std::filesystem::path& folder, const SuiteResult& suite);
 
 }  // namespace simreel::golden

@@ -1,4 +1,4 @@
-// report.json. The keys stand in fields.hpp; Writer and Reader visit them.
+// Reads and writes report.json. fields.hpp defines the keys, which Writer and Reader visit.
 #include "golden/report/json.hpp"
 
 #include "base/error.hpp"
@@ -66,7 +66,7 @@ class Writer {
   }
   static Json json(Status value) { return statusName(value); }
   static Json json(const std::string& value) { return value; }
-  /// JSON has no infinity; the largest number stands for it. NaN is nobody's measurement and becomes null.
+  /// Replaces infinity by the largest double and NaN by null, because JSON has neither.
   static Json json(double value) {
     constexpr double largest = std::numeric_limits<double>::max();
     return std::isnan(value) ? Json(nullptr) : Json(std::clamp(value, -largest, largest));
@@ -152,7 +152,8 @@ class Reader {
     const JsonValue json = object_.at(key);
     value = json.isNull() ? std::numeric_limits<double>::infinity() : json.number();
   }
-  /// `simreel accept` copies from there: a report from elsewhere must not name files of this machine.
+  /// Reads a path that must stay below the report's folder. `simreel accept` copies such files, so a report
+  /// from an untrusted place must not name other files.
   void path(const char* key, std::string& value) {
     const JsonValue json = object_.at(key);
     value = json.text();
@@ -175,7 +176,7 @@ class Reader {
     reader.finish();
   }
   void finish() const { object_.finish(); }
-  /// Once the scenes are read.
+  /// Checks the counts in the report. Call it after the scenes have been read.
   void checkCounts(const SuiteResult& suite) const {
     const nlohmann::json wanted = statusCounts(suite);
     if (counts_->json() != wanted)

@@ -1,4 +1,4 @@
-// JUnit XML as Jenkins, GitLab and others read it: tests/unit/junit.xsd says what holds.
+// JUnit XML as Jenkins, GitLab and others read it. tests/unit/junit.xsd defines what is valid.
 #include "golden/report/junit.hpp"
 
 #include "golden/baseline/origin.hpp"
@@ -23,7 +23,7 @@ void setText(xml_node node, const char* name, const std::string& value) {
   node.append_attribute(name).set_value(cleanText(value).c_str());
 }
 
-/// Seconds with three digits: the schema of Jenkins knows no exponent.
+/// Writes seconds with three decimals, because the Jenkins schema allows no exponent.
 void setSeconds(xml_node node, double seconds) {
   const double finite = std::isfinite(seconds) ? std::max(seconds, 0.0) : 0.0;
   setText(node, "time", fmt::format("{:.3f}", finite));
@@ -70,7 +70,7 @@ std::string outputText(const SuiteResult& suite, const SceneResult& scene) {
   return text + imageLines(suite, scene);
 }
 
-/// A line each, and nothing else in it.
+/// Returns one attachment line for each picture; a line must not contain anything else.
 std::string attachments(const SceneResult& scene, const std::filesystem::path& pictures) {
   std::vector<std::string> paths;
   const auto add = [&](const std::string& path) {
@@ -132,8 +132,8 @@ std::string junitText(const SuiteResult& suite, const std::filesystem::path& pic
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
   xml_node root = document.append_child("testsuites");
-  // No "skipped" here: the schema of Jenkins' xUnit plugin knows it on <testsuite> only, and refuses the
-  // file.
+  // No "skipped" attribute here: the schema of Jenkins' xUnit plugin only allows it on <testsuite> and
+  // otherwise rejects the file.
   setCounts(root, suite);
   setSeconds(root, suite.seconds);
   xml_node node = root.append_child("testsuite");
@@ -142,7 +142,7 @@ std::string junitText(const SuiteResult& suite, const std::filesystem::path& pic
   setSeconds(node, suite.seconds);
   xml_node properties = node.append_child("properties");
   const auto property = [&](const char* name, const std::string& value) {
-    if (value.empty() && suite.unit == "picture") return;  // no device drew these
+    if (value.empty() && suite.unit == "picture") return;  // pictures of other programs have no device
     xml_node entry = properties.append_child("property");
     setText(entry, "name", name);
     setText(entry, "value", value);

@@ -6,10 +6,11 @@
 
 namespace simreel::golden {
 
-/// JUnit XML: one suite, a case for each scene; times in s. Characters that XML 1.0 forbids become U+FFFD.
-/// `pictures` is what GitLab and Jenkins put before the paths of pictures: the report's folder, relative to
-/// theirs. Those of a scene that fails are attached ("[[ATTACHMENT|path]]"), the worst frame's first,
-/// because GitLab shows one; empty: none are.
+/// Returns JUnit XML: one suite, one case for each scene, times in seconds. Replaces characters that XML
+/// 1.0 forbids by U+FFFD. `pictures` is the report's folder relative to the base folder of GitLab or
+/// Jenkins; it is prepended to picture paths. Attaches the pictures of failing scenes
+/// ("[[ATTACHMENT|path]]"), the worst frame's pictures first, because GitLab shows only one. Empty
+/// `pictures`: attaches none.
 [[nodiscard]] std::string junitText(const SuiteResult& suite, const std::filesystem::path& pictures = {});
 
 }  // namespace simreel::golden

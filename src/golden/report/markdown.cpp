@@ -14,13 +14,14 @@ namespace simreel::golden {
 
 namespace {
 
-/// GitHub drops a summary above 1 MiB (1,048,576 bytes); another step may have written before.
+/// Max size of the summary. GitHub drops summaries above 1 MiB (1,048,576 bytes), and another step may have
+/// written before.
 constexpr std::size_t summaryBytes = 1'000'000;
 constexpr std::size_t commandBytes = 50'000;
 constexpr std::size_t cellBytes = 300;
 
-/// Text that Markdown, its tables and HTML show as it is. A character reference is never markup (CommonMark
-/// 6.2), unlike a backslash before '|', which tables read first.
+/// Escapes text for Markdown, tables and HTML. Uses character references, which are never markup
+/// (CommonMark 6.2); a backslash before '|' would not work, because tables are parsed first.
 std::string markdown(std::string_view text) {
   constexpr std::string_view special = "&<>|`\\*_[]~#\"";
   std::string escaped;
@@ -59,7 +60,7 @@ std::string failureRow(const SuiteResult& suite, const SceneResult& scene) {
                      cell(scene.divergence ? scene.divergence->message : ""), cell(firstReason(scene)));
 }
 
-/// What is stale, and notes of the run.
+/// Lists stale baselines and notes of the run.
 std::string aboutRun(const SuiteResult& suite) {
   constexpr std::size_t most = 50;
   std::vector<std::string> lines;
@@ -94,7 +95,7 @@ std::string heading(const SuiteResult& suite) {
   return text;
 }
 
-/// The command in a fence longer than any run of backticks in it.
+/// Returns the command in a code fence that is longer than any run of backticks in it.
 std::string commandBlock(const std::string& command) {
   if (command.empty()) return "";
   const std::string clean = cleanText(command);
@@ -106,7 +107,7 @@ std::string commandBlock(const std::string& command) {
   return fmt::format("Look at the pictures first. To accept this run:\n\n{0}sh\n{1}\n{0}\n", fence, clean);
 }
 
-/// As many of the lines as fit into `room` bytes, and how many do not.
+/// Returns as many lines as fit into `room` bytes, and the number of remaining lines.
 std::pair<std::string, std::size_t> fitting(const std::vector<std::string>& lines, std::size_t room) {
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -122,7 +123,7 @@ std::string leftOut(std::size_t count, const std::string& which) {
                      count == 1 ? " is" : "s are");
 }
 
-/// A row of a table of pictures: those of the frame that differs most.
+/// Returns a table row with the pictures of the scene's worst frame.
 std::string pictureRow(const SceneResult& scene, const PictureAddress& address) {
   const FrameResult* frame = worstFrame(scene);
   if (frame == nullptr || !address) return "";
@@ -140,7 +141,7 @@ std::string pictureRow(const SceneResult& scene, const PictureAddress& address) 
   return any ? fmt::format("| {} |{}\n", cell(scene.name), row) : "";
 }
 
-/// As many scenes' pictures as fit into `room` bytes, and no more than anybody looks at.
+/// Returns a table with the pictures of at most 50 scenes that fit into `room` bytes.
 std::string pictureTable(const SuiteResult& suite, const PictureAddress& address, std::size_t room) {
   constexpr std::size_t most = 50;
   std::string rows;
@@ -178,7 +179,7 @@ std::string markdownSummary(const SuiteResult& suite, const PictureAddress& addr
   }
   std::string text = heading(suite);
   const std::string command = commandBlock(suite.acceptCommand);
-  constexpr std::size_t words = 2000;  // of the headings and sentences around the lists
+  constexpr std::size_t words = 2000;  // space for the headings and sentences around the lists
   const std::size_t used = text.size() + command.size() + words;
   if (!failed.empty()) {
     const auto [rows, more] = fitting(failed, summaryBytes - used);

@@ -6,12 +6,13 @@
 
 namespace simreel::golden {
 
-/// The src of an image: of a picture's path in the report, its address; empty: it is left out.
+/// Returns the src attribute of an image for a picture path of the report. An empty result leaves out the
+/// picture.
 using PictureAddress = std::function<std::string(const std::string& picture)>;
-inline constexpr int thumbnailWidth = 160;  ///< pixels
+inline constexpr int thumbnailWidth = 160;  ///< width of thumbnails in pixels
 
-/// Markdown for a job summary, a comment or a file, below 1 MB (GitHub drops one above 1 MiB): where scenes
-/// or pictures had to be left out it says how many.
+/// Returns a Markdown summary for a job summary, a comment or a file, below 1 MB (GitHub drops summaries
+/// above 1 MiB). If scenes or pictures do not fit, it says how many are missing.
 [[nodiscard]] std::string markdownSummary(const SuiteResult& suite, const PictureAddress& address = {});
 
 }  // namespace simreel::golden

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Pictures and candidates of one report, on their way into the folder of another.
+/// Copies pictures and candidates from one report's folder to another, and adjusts their paths.
 class Luggage {
  public:
   Luggage(fs::path from, fs::path to, std::vector<std::string>& notes)
@@ -34,7 +34,7 @@ class Luggage {
   }
 
  private:
-  /// Where "files/a/1.png" (or "report-files/a/1.png") goes.
+  /// Returns the new path of "files/a/1.png" (or "report-files/a/1.png").
   static std::string placeOf(const std::string& path) {
     const std::size_t slash = path.find('/');
     return "files/" + (slash == std::string::npos ? path : path.substr(slash + 1));
@@ -45,10 +45,12 @@ class Luggage {
     const fs::path source = from_ / path;
     path = placeOf(path);
     std::error_code unknown;
-    // Links are not followed: a report from elsewhere must not fetch files of this machine.
+    // Links are not followed, because a report from an untrusted place must not copy other files of this
+    // machine.
     const fs::file_status status = fs::symlink_status(source, unknown);
     if (fs::is_directory(status)) {
-      std::vector<fs::path> files;  // first of all: the copies may go below
+      // list complete before copying, because the copies may go below `source`
+      std::vector<fs::path> files;
       for (const auto& entry : fs::recursive_directory_iterator(source, unknown))
         if (entry.is_regular_file(unknown) && !entry.is_symlink(unknown)) files.push_back(entry.path());
       for (const fs::path& file : files) copy(file, to_ / path / file.lexically_relative(source));
@@ -62,7 +64,7 @@ class Luggage {
   }
 
   static void copy(const fs::path& from, const fs::path& to) {
-    if (pathExists(to)) return;  // a candidate's picture is a frame's as well
+    if (pathExists(to)) return;  // a candidate's picture may also be a frame's picture
     makeFolders(to.parent_path());
     const std::string bytes = readFile(from, "picture");
     writeFileAtomically(to, std::string_view(bytes), NameSync::later);
@@ -83,7 +85,8 @@ void checkTogether(const PartReport& first, const PartReport& part) {
   apart("version", first.suite.version, part.suite.version);
 }
 
-/// What several reports say of the same baseline is said once; best by the one that knows where it went.
+/// Adds a stale baseline, or merges it with the same message of another report. Prefers the more detailed
+/// message, which tells where a moved baseline went.
 void addStale(const Stale& stale, std::vector<Stale>& all) {
   const auto known = std::find_if(all.begin(), all.end(), [&](const Stale& other) {
     return other.path == stale.path &&
@@ -98,7 +101,8 @@ void addStale(const Stale& stale, std::vector<Stale>& all) {
 }
 
 std::string shardNotes(const std::vector<PartReport>& parts, std::vector<std::string>& missing) {
-  std::map<std::size_t, std::map<std::size_t, fs::path>> reports;  // of n: by k
+  // maps the number of shards n and the shard index k to the report's file
+  std::map<std::size_t, std::map<std::size_t, fs::path>> reports;
   for (const PartReport& part : parts) {
     if (part.suite.shard.empty()) continue;
     const auto [k, n] = shardNumbers(part.suite.shard);
@@ -114,7 +118,7 @@ std::string shardNotes(const std::vector<PartReport>& parts, std::vector<std::st
 }
 
 void mergeEnvironment(const SuiteResult& part, SuiteResult& all) {
-  if (part.driver.empty()) return;  // of a shard that no scene fell into
+  if (part.driver.empty()) return;  // the part is a shard without scenes
   if (all.driver.empty()) {
     all.driver = part.driver;
     all.processor = part.processor;
@@ -164,7 +168,8 @@ Merged mergeReports(const std::vector<PartReport>& parts, const fs::path& folder
     mergeEnvironment(part.suite, all);
     all.allowFlaky = all.allowFlaky && part.suite.allowFlaky;
     all.strict = all.strict || part.suite.strict;
-    all.seconds = std::max(all.seconds, part.suite.seconds);  // they ran beside each other
+    // the parts ran in parallel, so their times are not added
+    all.seconds = std::max(all.seconds, part.suite.seconds);
     addNotes(part, all.notes);
     for (const Stale& stale : part.suite.stale) addStale(stale, all.stale);
     Luggage luggage(part.file.parent_path(), folder, all.notes);
@@ -175,7 +180,7 @@ Merged mergeReports(const std::vector<PartReport>& parts, const fs::path& folder
   }
   std::sort(all.scenes.begin(), all.scenes.end(),
             [](const SceneResult& a, const SceneResult& b) { return a.name < b.name; });
-  // Notes of whole folders stand in each part.
+  // Every part contains the same notes on whole folders, so duplicates are removed.
   std::vector<std::string> once;
   for (std::string& note : all.notes)
     if (std::find(once.begin(), once.end(), note) == once.end()) once.push_back(std::move(note));

@@ -7,24 +7,24 @@
 
 namespace simreel::golden {
 
-/// The report of a part of a run.
+/// The report of one part of a run, such as a shard.
 struct PartReport {
-  std::filesystem::path file;  ///< report.json
+  std::filesystem::path file;  ///< path of report.json
   SuiteResult suite;
 };
 
-/// Reads report.json, or that of a folder. Throws UserError(usage).
+/// Reads report.json, given its path or its folder. Throws UserError(usage).
 [[nodiscard]] PartReport readPart(const std::filesystem::path& report);
 
 struct Merged {
-  SuiteResult suite;  ///< scenes by name
-  /// "3/4": parts that no report is of, though the others are parts of as many.
+  SuiteResult suite;  ///< merged report, with scenes sorted by name
+  /// Shards like "3/4" without a report, although other shards of the same number of parts have one.
   std::vector<std::string> missingShards;
 };
 
-/// One report of the scenes of several, each of which one report holds. Their pictures are copied below
-/// `folder`/files; one that is gone is noted. Throws UserError(usage) for a scene or a shard that two
-/// reports hold, and for reports that do not belong together.
+/// Merges the scenes of several reports, each scene in exactly one report, into one. Copies their pictures
+/// below `folder`/files; missing pictures are noted. Throws UserError(usage) if two reports contain the
+/// same scene or shard, or if the reports do not belong together.
 [[nodiscard]] Merged mergeReports(const std::vector<PartReport>& parts,
                                   const std::filesystem::path& folder);
 

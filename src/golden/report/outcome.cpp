@@ -7,8 +7,8 @@
 
 namespace simreel::golden {
 
-// Two characters, the exit code as a letter from '0' on and whether a hardFail was broken, and the report
-// of a run of this one scene.
+// Format: one character '0' + exit code, one character '0' or '1' for hardFailed, then the report of a run
+// of this single scene.
 
 std::string outcomeText(Outcome outcome) {
   SuiteResult alone;

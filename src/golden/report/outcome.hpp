@@ -6,9 +6,9 @@
 
 namespace simreel::golden {
 
-/// What a process that tested a scene tells the one that started it.
+/// Serializes the outcome of a scene, so that a worker process can pass it to its parent.
 [[nodiscard]] std::string outcomeText(Outcome outcome);
-/// Reads what outcomeText wrote; throws as parseReport does.
+/// Parses the output of outcomeText. Throws like parseReport.
 [[nodiscard]] Outcome parseOutcome(const std::string& text);
 
 }  // namespace simreel::golden

@@ -26,7 +26,7 @@ std::string painted(const std::string& text, const char* ansi, bool color) {
   return color ? fmt::format("\x1B[{}m{}\x1B[0m", ansi, text) : text;
 }
 
-/// Capitals catch the eye where something is wrong.
+/// Returns the status name, in capitals for failures so that they stand out.
 std::string label(Status status) {
   std::string text = statusName(status);
   if (status != Status::flaky && isFailure(status, false))
@@ -35,7 +35,7 @@ std::string label(Status status) {
   return text;
 }
 
-/// Every line of `text`, below the scene's name.
+/// Indents every line of `text` below the scene's name.
 std::string indented(const std::string& text) {
   std::string lines;
   const std::string clean = cleanText(text);
@@ -72,7 +72,7 @@ std::string staleText(const SuiteResult& suite, bool color) {
   return text;
 }
 
-/// " (flag, curtain and 3 more)"
+/// Returns the names of the scenes with a status: " (flag, curtain and 3 more)".
 std::string namesOf(const SuiteResult& suite, Status status) {
   constexpr long maxNames = 5;
   const long count = countOf(suite, status);

@@ -6,11 +6,12 @@
 
 namespace simreel::golden {
 
-/// At most so many pixels wide and high: means of whole blocks of pixels.
+/// Shrinks a picture to at most `side` pixels in width and height by averaging blocks of pixels.
 [[nodiscard]] frame::Image thumbnail(const frame::Image& image, int side);
-/// "data:image/png;base64,...": a small copy of a picture's file; empty where that cannot be read.
+/// Returns a small copy of a picture as "data:image/png;base64,...", or an empty text if the file cannot be
+/// read.
 [[nodiscard]] std::string dataAddress(const std::filesystem::path& picture, int side);
-/// A path as part of an address: "a%20b/c.png".
+/// Percent-encodes a path for a URL: "a%20b/c.png".
 [[nodiscard]] std::string addressOf(const std::string& path);
 
 }  // namespace simreel::golden

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 
-/// Whether every reader takes this character, well-formed UTF-8.
+/// True if every reader accepts this well-formed UTF-8 character.
 bool isPlain(std::string_view character) {
   if (character == "\t" || character == "\n") return true;
   return !steersTerminal(character) && character != "\xEF\xBF\xBE" &&

@@ -8,33 +8,35 @@
 
 namespace simreel::golden {
 
-/// Text that any reader takes: what is no UTF-8, what steers terminals other than tab and newline, and the
-/// code points that XML 1.0 forbids become U+FFFD; "\r\n" and "\r" become "\n".
+/// Returns text that every reader accepts: invalid UTF-8, control characters that affect terminals (except
+/// tab and newline), and code points that XML 1.0 forbids become U+FFFD; "\r\n" and "\r" become "\n".
 [[nodiscard]] std::string cleanText(std::string_view text);
-/// Up to the first newline.
+/// Returns the text up to the first newline.
 [[nodiscard]] std::string_view firstLine(std::string_view text);
-/// At most `bytes` bytes of clean text, not ending inside a character; "..." stands for the rest.
+/// Cuts clean text to at most `bytes` bytes at a character boundary, with "..." for the rest.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t bytes);
-/// "1 scene", "2 scenes".
+/// Returns a number with its noun: "1 scene", "2 scenes".
 [[nodiscard]] std::string counted(long count, std::string_view thing);
 
-/// Why the scene came out so, each line once: its messages, then those of checks and of the divergence.
+/// Returns the reasons for the scene's status without duplicates: its messages, then the messages of
+/// frames, checks and the divergence.
 [[nodiscard]] std::vector<std::string> reasons(const SceneResult& scene);
-/// The first line of the first reason; what the status means where a scene gives none.
+/// Returns the first line of the first reason, or the meaning of the status if the scene has no reasons.
 [[nodiscard]] std::string firstReason(const SceneResult& scene);
-/// "failed, then passed on attempt 2"
+/// Returns "failed, then passed on attempt 2".
 [[nodiscard]] std::string flakyText(const SceneResult& scene);
-/// "within 2 of 255: another machine with the same numerics drew the baseline"; empty without a baseline.
+/// Returns how closely pictures had to match: "within 2 of 255: another machine with the same numerics drew
+/// the baseline". Empty if there is no baseline.
 [[nodiscard]] std::string comparedText(const SceneResult& scene);
-/// "15 scenes within 2 of 255 ...; 4 scenes within their tolerance ...": those whose pictures need not be
-/// equal to their baselines, and why; empty where all have to be.
+/// Returns the number of scenes whose pictures need not equal their baselines, with the reason: "15 scenes
+/// within 2 of 255 (another machine ...), 4 scenes within the tolerance (...)". Empty if all must be equal.
 [[nodiscard]] std::string comparedText(const SuiteResult& suite);
-/// How many scenes came out so.
+/// Returns the number of scenes with the given status.
 [[nodiscard]] long countOf(const SuiteResult& suite, Status status);
-/// The frame that stands for a scene: the one with most pixels beyond the tolerance among those that did
-/// not pass; null where all did.
+/// Returns the frame that represents a scene: among the frames that did not pass, the one with the most
+/// pixels beyond the tolerance. nullptr if all passed.
 [[nodiscard]] const FrameResult* worstFrame(const SceneResult& scene);
-/// Those that make the run fail, in order.
+/// Returns the scenes that make the run fail, in order.
 [[nodiscard]] std::vector<const SceneResult*> failures(const SuiteResult& suite);
 
 }  // namespace simreel::golden

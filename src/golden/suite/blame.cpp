@@ -15,7 +15,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Of "FILE:12:5: error: ...", as the scene's reader says it.
+/// Parses the place in "FILE:12:5: error: ...", the format of the scene reader's messages.
 std::optional<Place> placeIn(std::string_view message) {
   const std::size_t end = message.find(": error: ");
   if (end == std::string_view::npos) return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<Place> placeIn(std::string_view message) {
   return found;
 }
 
-/// A file's text; empty where it cannot be read any more.
+/// Returns a file's text, or an empty text if it can no longer be read.
 std::string textOf(const std::filesystem::path& file) {
   try {
     return pathExists(file) ? readFile(file, "scene", scene::maxSceneBytes) : std::string();
@@ -38,7 +38,7 @@ std::string textOf(const std::filesystem::path& file) {
   }
 }
 
-/// The place of a check that fails, among those that the text lists.
+/// Returns the line of the failing check in the list of checks in the text.
 std::optional<int> lineOfCheck(const std::string& text, const CheckResult& check) {
   scene::Diagnostics unheard("", text);
   const auto root = scene::parseJson(text, 0, 0, unheard);
@@ -48,7 +48,7 @@ std::optional<int> lineOfCheck(const std::string& text, const CheckResult& check
     const scene::Node* found = node.find(key);
     return found == nullptr ? std::string() : found->text;
   };
-  // "energy of flag": the words of the check that was meant (suite/check.cpp).
+  // check.what has the form "energy of flag": the words of the check (suite/check.cpp).
   for (std::size_t i = 0; i < checks->children.size(); ++i) {
     const scene::Node& one = checks->children[i];
     const std::string what = says(one, "what"), object = says(one, "object"), of = says(one, "of");
@@ -63,7 +63,7 @@ std::optional<int> lineOfCheck(const std::string& text, const CheckResult& check
   return std::nullopt;
 }
 
-/// "flag" of "triangle 12 of flag".
+/// Returns the object's name: "flag" for "triangle 12 of flag".
 std::string objectOf(const std::string& shows) {
   const std::size_t of = shows.rfind(" of ");
   return of == std::string::npos ? shows : shows.substr(of + 4);

@@ -3,8 +3,9 @@
 
 namespace simreel::golden {
 
-/// The line that a result is about: where the scene's mistake is, the check that fails, the object whose
-/// state or picture differs first, else what the scene says of its test. In the sidecar where that says it.
+/// Returns the file and line that caused a result: the scene's mistake, else the failing check, else the
+/// object whose state or picture differs first, else the scene's "test" member. Prefers the sidecar if it
+/// contains the check or the "test" member.
 [[nodiscard]] Place blameOf(const SceneResult& scene);
 
 }  // namespace simreel::golden

@@ -17,9 +17,9 @@ namespace simreel::golden {
 
 namespace {
 
-/// One step of 8 bits: a picture whose luma deviates less shows nothing.
+/// Min standard deviation of luma: one step of 8 bits. Below it a picture counts as blank.
 constexpr double minDeviation = 1.0 / 255.0;
-/// Drift is relative to the first value; one smaller than this counts as this.
+/// Lower limit of |first value| for drift, because drift is relative to the first value.
 constexpr double tiny = 1e-12;
 
 constexpr const char* statisticNames[] = {"mean", "min", "max", "sum"};
@@ -36,7 +36,7 @@ std::vector<std::string> arrayNames(const sim::Simulation& simulation) {
 
 }  // namespace
 
-/// Finds what a check names in a scene and its world.
+/// Resolves the names in a check to objects, arrays and quantities.
 class Checker::Resolver {
  public:
   Resolver(const scene::Scene& scene, const sim::World& world, std::span<const int> tested)
@@ -71,7 +71,7 @@ class Checker::Resolver {
              fmt::join(tested_, ", "));
   }
 
-  /// Indices of the objects a check may mean: the named one, or all.
+  /// Returns the indices of the objects that a check may refer to: the named one, or all.
   [[nodiscard]] std::vector<std::size_t> candidates(const std::string& where,
                                                     const scene::Check& check) const {
     std::vector<std::size_t> found;
@@ -104,7 +104,8 @@ class Checker::Resolver {
     return {};
   }
 
-  /// The one object that has a state array of that name.
+  /// Returns the only object that has a state array of that name. Throws UserError(usage) if none or
+  /// several have one.
   [[nodiscard]] std::size_t owner(const std::string& where, const scene::Check& check,
                                   const std::string& name) const {
     std::set<std::string> known;
@@ -155,7 +156,7 @@ class Checker::Resolver {
   void resolveQuantity(Item& item) const {
     const std::string& what = item.check.what;
     const std::vector<std::size_t> owners = scene_.owners(item.check);
-    SIMREEL_CHECK_EQ(owners.size(), 1U);  // the scene's reader sees to it
+    SIMREEL_CHECK_EQ(owners.size(), 1U);  // the scene reader has already checked that there is one owner
     const scene::Object& object = scene_.objects[owners.front()];
     const auto table = object.parameters->quantities();
     item.index = static_cast<std::size_t>(
@@ -170,7 +171,7 @@ class Checker::Resolver {
   std::span<const int> tested_;
 };
 
-/// What was read back of one frame, each array and each object's quantities once.
+/// State of one frame that has been read back. Reads each array and each object's quantities only once.
 class Checker::StateOfFrame {
  public:
   explicit StateOfFrame(const sim::World& world) : world_(world) {}
@@ -246,7 +247,7 @@ void Checker::picture(int frame, const frame::Image& image) {
   });
 }
 
-/// What of a frame `look` looks at, as it says.
+/// Calls `look` for each check of this frame and stores the result if `look` returns true.
 template <class Look>
 void Checker::evaluate(int frame, const Look& look) {
   for (std::size_t i = 0; i < items_.size(); ++i) {
@@ -341,7 +342,7 @@ bool Checker::checkBounds(Item& item, double value, CheckResult& result) {
   else if (check.max && value > *check.max)
     result.message = fmt::format("{}{:.9g}, above {}", head, value, *check.max);
   if (!check.drift) return true;
-  // |v - v0| <= drift max(|v0|, tiny)
+  // Drift condition: |v - v0| <= drift max(|v0|, tiny).
   const double room = *check.drift * std::max(std::abs(first), tiny);
   if (result.message.empty() && !(std::abs(value - first) <= room))
     result.message = fmt::format("{}{:.9g}, {:.3g} away from {:.9g} at frame {}; drift {} allows {:.3g}",

@@ -15,40 +15,42 @@
 
 namespace simreel::golden {
 
-/// Evaluates the checks of a scene as its frames are made.
+/// Evaluates the checks of a scene while its frames are made.
 class Checker {
  public:
-  /// Throws UserError(usage) for a check that names an object, array, component or quantity that the scene
-  /// does not have, listing what there is, and for a "not-blank" at a frame without picture.
-  /// `testedFrames`: those at which frame() will be called with a picture, ascending.
+  /// Throws UserError(usage) if a check names an unknown object, array, component or quantity, with a list
+  /// of the known ones, or if a "not-blank" check is at a frame without picture. `testedFrames` are the
+  /// frames (ascending) for which picture() will be called.
   Checker(const scene::Scene& scene, const sim::World& world, std::span<const int> testedFrames);
-  /// Frames, besides the tested ones, that some check wants; ascending.
+  /// Returns the frames, besides the tested ones, that checks need. Ascending.
   [[nodiscard]] std::vector<int> frames() const;
-  /// The world stands at this frame. Waits for the GPU and reads state back, only where a check of this
-  /// frame needs it. Frames must ascend.
+  /// Evaluates the state checks of `frame`, which must be the world's current frame. Waits for the GPU and
+  /// reads back state only if a check of this frame needs it. Frames must ascend.
   void state(int frame, const sim::World& world);
-  /// The picture of a tested frame, before or after its state.
+  /// Evaluates the picture checks of a tested frame. May be called before or after state().
   void picture(int frame, const frame::Image& image);
-  /// What an earlier run of the scene came to at frames that this one does not make again.
+  /// Takes over the results of an earlier run at frames that this run does not make again.
   void resume(const std::vector<CheckResult>& earlier);
-  /// One result for each check and frame so far: by frame, then in the scene's order. Of a check with drift
-  /// `least` and `most` are the tighter ones of its bounds and the drift's.
+  /// Returns one result for each check and frame so far, sorted by frame and then by the scene's order. For
+  /// checks with drift, the result's min and max are the tighter of the check's own bounds and the drift's
+  /// bounds.
   [[nodiscard]] std::vector<CheckResult> results() const;
 
  private:
-  /// A check and what it means in this world.
+  /// A check with its names resolved for this world.
   struct Item {
     enum class Kind { notBlank, noNan, statistic, quantity };
     scene::Check check;
     Kind kind = Kind::quantity;
-    std::string label;                 ///< "max of flag positions.y"
-    std::vector<std::size_t> objects;  ///< whose state it looks at
-    std::size_t index = 0;             ///< of the state array, or of the quantity
+    std::string label;                 ///< description: "max of flag positions.y"
+    std::vector<std::size_t> objects;  ///< indices of the objects whose state is checked
+    std::size_t index = 0;             ///< index of the state array or quantity within its object
     Statistic statistic = Statistic::mean;
     Component component = Component::x;
-    std::vector<int> frames;                     ///< ascending
-    std::optional<double> first = std::nullopt;  ///< value at the first of the frames
-    bool told = false;                           ///< that there is none
+    std::vector<int> frames;                     ///< frames to check, ascending
+    std::optional<double> first = std::nullopt;  ///< value at the first of the check's frames
+    /// true if the warning about a missing first value was printed
+    bool told = false;
   };
   class Resolver;
   class StateOfFrame;
@@ -57,13 +59,15 @@ class Checker {
   void evaluate(int frame, const Look& look);
   static void checkContrast(const frame::Image& image, CheckResult& result);
   void checkFinite(const Item& item, StateOfFrame& state, CheckResult& result) const;
-  /// Whether it could be judged: drift counts from the first of the check's frames.
+  /// Checks a value against min, max and drift. Returns false if drift cannot be judged, because the value
+  /// at the first of the check's frames is unknown.
   static bool checkBounds(Item& item, double value, CheckResult& result);
 
-  std::vector<std::string> names_;  ///< of the scene's objects
+  std::vector<std::string> names_;  ///< names of the scene's objects
   std::vector<int> tested_;
   std::vector<Item> items_;
-  std::map<std::pair<int, std::size_t>, CheckResult> results_;  ///< by frame and check
+  /// results by frame number and index of the check
+  std::map<std::pair<int, std::size_t>, CheckResult> results_;
   int lastFrame_ = -1;
 };
 

@@ -19,7 +19,7 @@ double valueOf(const glm::vec4& item, Component component) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
-/// Of a pixel's three bytes, 0 to 1; Rec. 709 weights on encoded values.
+/// Returns the luma of a pixel's three bytes, 0 to 1, with Rec. 709 weights on sRGB encoded values.
 double luma(const std::uint8_t* rgb) {
   return (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]) / 255.0;
 }
@@ -40,7 +40,7 @@ double statistic(Statistic which, Component component, std::span<const glm::vec4
   for (const glm::vec4& item : items) {
     const double value = valueOf(item, component);
     sum += value;
-    if (std::isnan(value)) return value;  // comparisons below would pass over it
+    if (std::isnan(value)) return value;  // NaN compares false below and would be ignored
     if (value < min) min = value;
     if (value > max) max = value;
   }
@@ -76,7 +76,7 @@ Contrast contrastOf(const frame::Image& image) {
     if (pixel[0] != first[0] || pixel[1] != first[1] || pixel[2] != first[2]) contrast.oneColour = false;
     sum += luma(pixel);
   }
-  // Two passes: the difference of large sums would lose a small deviation.
+  // Uses two passes, because subtracting large sums would lose a small deviation.
   const double mean = sum / pixels;
   double squares = 0;
   for (std::size_t i = 0; i < image.bytes.size(); i += 4) {

@@ -11,29 +11,29 @@
 namespace simreel::golden {
 
 enum class Statistic { mean, min, max, sum };
-/// One component of an element, or the length of its xyz.
+/// A component of a vec4 element, or the length of its xyz.
 enum class Component { x, y, z, w, length };
 
-/// "x", "y", "z", "w" or "length"; nothing for another word.
+/// Parses "x", "y", "z", "w" or "length". Returns nothing for other words.
 [[nodiscard]] std::optional<Component> componentOf(std::string_view word);
-/// Over all elements, in their order and in double. NaN when a value is NaN or there is none (a sum of none
-/// is 0).
+/// Computes a statistic over all elements, in order and in double. NaN if a value is NaN or there are no
+/// elements, but the sum of no elements is 0.
 [[nodiscard]] double statistic(Statistic which, Component component, std::span<const glm::vec4> items);
 
-/// Infinities and NaN of an array, told by their bits.
+/// Number and first position of infinities and NaNs in an array, detected by their bits.
 struct NotFinite {
-  std::size_t count = 0;    ///< components
-  std::size_t element = 0;  ///< of the first
-  int component = 0;        ///< of the first, 0 to 3
+  std::size_t count = 0;    ///< number of components that are infinite or NaN
+  std::size_t element = 0;  ///< element index of the first such component
+  int component = 0;        ///< index of the first such component within its element, 0 to 3
 };
 [[nodiscard]] NotFinite findNotFinite(std::span<const glm::vec4> items);
 
-/// How much there is to see in a picture.
+/// Contrast measures of a picture, used to detect blank pictures.
 struct Contrast {
   bool oneColour = true;
   double lumaDeviation = 0;  ///< standard deviation of Y' = 0.2126 R' + 0.7152 G' + 0.0722 B', 0 to 0.5
 };
-/// Alpha does not count.
+/// Measures the contrast of a picture. Ignores alpha.
 [[nodiscard]] Contrast contrastOf(const frame::Image& image);
 
 }  // namespace simreel::golden

@@ -29,14 +29,14 @@ fs::path pictureFile(const Reference& reference, int frame, int alternate) {
 }
 
 void addMessage(FrameResult& result, Status status, const std::string& message) {
-  // A difference outweighs a missing part.
+  // A difference has precedence over a missing baseline.
   if (result.status != Status::fail) result.status = status;
   result.message += (result.message.empty() ? "" : "; ") + message;
 }
 
 void judgeState(const RunFrame& made, const Reference& reference, bool sameNumerics, FrameResult& result) {
   result.state = "equal";
-  if (made.state.empty()) return;  // scenery only
+  if (made.state.empty()) return;  // the scene has no simulated objects
   if (!reference.exact && !sameNumerics) {
     result.state = "not compared";
     return;
@@ -66,8 +66,8 @@ struct Nearest {
   std::vector<std::string> broken;
 };
 
-/// The baseline or alternate that breaks the fewest bounds; among equals the one with the fewest pixels
-/// beyond, then with the fewest that differ.
+/// Returns the baseline or alternate that violates the fewest bounds; among equals the one with the fewest
+/// pixels beyond, then the fewest differing pixels.
 Nearest nearest(const RunFrame& made, const Reference& reference, const PictureBaseline::Frame& stored,
                 Measures measures) {
   const bool near = asked(stored.origin, reference.here) == Asked::near;
@@ -89,7 +89,7 @@ Nearest nearest(const RunFrame& made, const Reference& reference, const PictureB
   return *best;
 }
 
-/// What is wrong with a picture of which no pixel may differ.
+/// Returns the message for a picture whose pixels must all be equal but are not.
 std::string unequal(const Metrics& metrics, const Origin& there, const Origin& here) {
   if (there.exact && !here.exact)
     return "the baseline was drawn exactly, this picture by the driver; write it anew with "
@@ -103,7 +103,7 @@ std::string unequal(const Metrics& metrics, const Origin& there, const Origin& h
                      here.exact ? "of exact pictures" : "on the machine that drew the baseline");
 }
 
-/// Whether the picture fails.
+/// Judges the pixels of a frame. Returns true if the picture fails.
 bool judgePixels(const RunFrame& made, const Reference& reference, Measures measures, FrameResult& result) {
   const PictureBaseline::Frame* stored = find(reference, made.frame);
   if (stored == nullptr) {
@@ -197,10 +197,10 @@ std::optional<PassPlace> placeOfDifference(const Reference& reference, const Run
   try {
     expected = referencePicture(reference, made.frame, alternate);
   } catch (const UserError&) {
-    return std::nullopt;  // its message is out already
+    return std::nullopt;  // judgeFrame() has reported the error already
   }
   if (expected.bytes.size() != made.image.bytes.size()) return std::nullopt;
-  constexpr std::size_t channels = 4;  // alpha is in no file
+  constexpr std::size_t channels = 4;  // RGBA; alpha is not compared, because the files have none
   const std::size_t pixels = expected.bytes.size() / channels;
   const auto color = [](const frame::Image& image, std::size_t pixel) {
     const auto* bytes = &image.bytes[channels * pixel];
@@ -232,7 +232,7 @@ std::vector<std::string> looseBounds(const std::vector<FrameResult>& frames,
                                      const scene::Tolerance& tolerance) {
   std::map<std::string, double> observed;
   for (const FrameResult& frame : frames) {
-    // Elsewhere the tolerance decides nothing.
+    // Only frames drawn with other numerics use the tolerance.
     if (!frame.metrics || frame.asked != askedName(Asked::tolerance)) continue;
     const Metrics& m = *frame.metrics;
     const auto raise = [&](const char* field, double value) {

@@ -13,47 +13,49 @@
 
 namespace simreel::golden {
 
-/// What a run is held against.
+/// Baselines and settings that a run is compared with.
 struct Reference {
-  std::filesystem::path folder;             ///< of the scene's baselines
-  std::optional<PictureBaseline> pictures;  ///< nothing: missing
+  std::filesystem::path folder;             ///< folder of the scene's baselines
+  std::optional<PictureBaseline> pictures;  ///< picture baseline; empty if the scene has no baseline
   std::optional<StateBaseline> state;
-  bool exact = true;           ///< the scene's numerics; of its pictures see `here`
-  Origin here;                 ///< of this run's pictures
-  scene::Tolerance tolerance;  ///< in force where a driver drew and the fingerprints differ
+  /// true if the scene's numerics are exact; whether pictures are exact is in `here`
+  bool exact = true;
+  Origin here;                 ///< origin of this run's pictures
+  scene::Tolerance tolerance;  ///< used if a driver drew the pictures and the fingerprints differ
 };
 
-/// Reads what there is for the scene. Throws UserError(inputOutput) where it cannot be used.
+/// Reads the existing baselines of a scene. Throws UserError(inputOutput) if they are unusable.
 [[nodiscard]] Reference findReference(const std::filesystem::path& folder, const std::string& ownProfile,
                                       bool exact, const Origin& here);
 
 struct Judgement {
   FrameResult frame;
-  bool pictureFails = false;  ///< differs, or its baseline cannot be used
-  bool damaged = false;       ///< its baseline cannot be used
+  bool pictureFails = false;  ///< true if the picture differs or its baseline is unusable
+  bool damaged = false;       ///< true if the picture's baseline is unusable
 };
 
-/// The verdict on one frame, in this order: a baseline must be there, state must be equal (always in exact
-/// numerics; between equal numerics fingerprints in fast numerics), sizes must be equal, equal pixel hashes
-/// pass; then the frame fails where one of the two was drawn exactly and on the machine that drew the
-/// baseline; on another one with its fingerprints it has to be near (brokenNearness), and everywhere every
-/// bound of the tolerance must hold. Alternates count as the baseline does. Fills the metrics of pictures
-/// that differ; the image paths stay empty. Pictures of the baseline are read, and have to be those that
-/// are listed, where the hashes are equal, too. Quick measures are without SSIM and FLIP, but for the FLIP
-/// that a verdict needs.
+/// Judges one frame by these rules, in order. There must be a baseline. The state must be equal (always in
+/// exact numerics; in fast numerics if the numerics fingerprints are equal). The sizes must be equal. Equal
+/// pixel hashes pass. Otherwise the frame fails if one of the pictures is exact or if this machine drew the
+/// baseline. On another machine with equal fingerprints, the picture must be within brokenNearness(). All
+/// bounds of the tolerance must hold.
+/// Accepted alternates count like the baseline. Fills in the metrics of differing pictures; image paths
+/// stay empty. Always reads the baseline's pictures and verifies their listed hashes. Quick measures omit
+/// SSIM and FLIP, unless a rule needs FLIP.
 [[nodiscard]] Judgement judgeFrame(const RunFrame& made, const Reference& reference,
                                    Measures measures = Measures::all);
 
-/// The picture that judgeFrame compared with: number as in FrameResult::alternate. Throws
+/// Returns the picture with which judgeFrame compared. `alternate` is as in FrameResult::alternate. Throws
 /// UserError(inputOutput).
 [[nodiscard]] frame::Image referencePicture(const Reference& reference, int frame, int alternate);
 
-/// Where a picture that was compared with that one leaves it; `drawn`: its passes. Nothing where it does
-/// not, or where the baseline's picture cannot be used.
+/// Returns the first pass and pixel at which a picture differs from its baseline. `drawn` holds the passes
+/// of the picture. Returns nothing if they are equal or the baseline's picture is unusable.
 [[nodiscard]] std::optional<PassPlace> placeOfDifference(const Reference& reference, const RunFrame& made,
                                                          int alternate, const PassDump& drawn);
 
-/// "maxDiffRatio is 0.02, 50 times the 0.0004 observed": bounds over 10 times what any frame came to.
+/// Returns a message for each bound that is more than 10 times the largest observed value: "maxDiffRatio is
+/// 0.02, 50 times the 0.0004 observed".
 [[nodiscard]] std::vector<std::string> looseBounds(const std::vector<FrameResult>& frames,
                                                    const scene::Tolerance& tolerance);
 

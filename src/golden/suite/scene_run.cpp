@@ -66,7 +66,8 @@ class Runner {
     result_.simulateSeconds += secondsSince(begin);
   }
 
-  /// Kernels of a user that race fail the scene: their result depends on the machine.
+  /// Adds a failed check for each data race in a user's kernels, because their result depends on the
+  /// machine.
   void searchRaces(int frame) {
     for (const std::string& line : world_.races())
       result_.checks.push_back({"races", frame, {}, {}, {}, false, line});
@@ -86,13 +87,13 @@ class Runner {
   }
 
   sim::World world_;
-  frame::Summaries summaries_;  ///< of every frame: a state that is lost shows there
+  frame::Summaries summaries_;  ///< summary of every frame, which detects a lost state
   draw::Renderer renderer_;
   draw::Readback readback_;
   glm::ivec2 size_;
-  bool alpha_;  ///< whether pictures have it
+  bool alpha_;  ///< true if pictures have an alpha channel
   Checker checker_;
-  sim::World::Summary summary_;  ///< the latest
+  sim::World::Summary summary_;  ///< latest state summary
   SceneRun result_;
   bool started_ = false;
 };

@@ -10,27 +10,27 @@
 
 namespace simreel::golden {
 
-/// One tested frame as this program made it.
+/// One tested frame, as rendered by this program.
 struct RunFrame {
   int frame = 0;
-  double time = 0;  ///< s
+  double time = 0;  ///< time of the frame in seconds
   frame::Image image;
-  std::string pixels;  ///< pixelHash
+  std::string pixels;  ///< pixelHash of `image`
   StateHashes state;
 };
 
 struct SceneRun {
   std::vector<RunFrame> frames;
   std::vector<CheckResult> checks;
-  double simulateSeconds = 0;  ///< of the clock, the device's work included
+  double simulateSeconds = 0;  ///< wall-clock time, including the device's work
 };
 
-/// Simulates and draws the frames on the current context, evaluating the scene's checks on the way. Throws
-/// UserError as World, Renderer and Checker do, and Interrupted after SIGINT or SIGTERM.
+/// Simulates and draws the given frames on the current context, and evaluates the scene's checks. Throws
+/// UserError like World, Renderer and Checker, and Interrupted after SIGINT or SIGTERM.
 [[nodiscard]] SceneRun runScene(const scene::Scene& scene, std::span<const int> frames);
 
-/// "frame 60: flag.positions differs", or "frame 60: the pictures differ": the first difference between two
-/// runs of one scene, or empty.
+/// Returns the first difference between two runs of one scene, or an empty text: "frame 60: the state of
+/// flag.positions differs" or "frame 60: the pictures differ".
 [[nodiscard]] std::string runDifference(const SceneRun& first, const SceneRun& second);
 
 }  // namespace simreel::golden

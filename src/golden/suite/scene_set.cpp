@@ -22,7 +22,8 @@ bool isSceneName(const fs::path& file) {
   return file.extension() == ".json" && !name.starts_with('.') && !name.ends_with(".test.json");
 }
 
-/// Text that is not JSON at all may be a scene with a mistake in it: that has to be reported, not skipped.
+/// True if the file may be a scene. Invalid JSON counts as a scene, so that its mistake is reported and the
+/// file is not skipped.
 bool mayBeScene(const fs::path& file) {
   const std::string text = readFile(file, "scene");
   try {
@@ -49,7 +50,7 @@ void searchFolder(const fs::path& folder, std::vector<SceneFile>& found) {
   if (error) fail(ExitCode::inputOutput, "cannot read folder {}: {}", folder.string(), error.message());
 }
 
-/// A file's whole path as a name below any folder: no root, no way up.
+/// Converts a path to a unique name below any folder: removes the root and replaces ".." by "up".
 std::string wholeName(const fs::path& file) {
   fs::path name;
   for (const fs::path& part : file.lexically_normal().replace_extension().relative_path())
@@ -76,7 +77,7 @@ std::vector<SceneFile> findScenes(std::span<const std::string> paths) {
     if (uses[scene.name] > 1) scene.name = wholeName(scene.file);
   std::sort(found.begin(), found.end(),
             [](const SceneFile& a, const SceneFile& b) { return a.name < b.name; });
-  // The same file given twice is one scene.
+  // A file that was given twice counts once.
   found.erase(std::unique(found.begin(), found.end(),
                           [](const SceneFile& a, const SceneFile& b) { return a.name == b.name; }),
               found.end());

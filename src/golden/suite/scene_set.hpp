@@ -8,28 +8,28 @@
 
 namespace simreel::golden {
 
-/// A scene to test. `name` is unique in a set: the path below the folder that was given, without extension.
+/// A scene to test. `name` is unique within a set: the path below the given folder, without extension.
 struct SceneFile {
   std::string name;
   std::filesystem::path file;
 };
 
-/// The scenes among files and folders, sorted by name. A file is taken as it is. A folder is searched with
-/// all below it, except hidden folders and those called "golden"; a .json file there counts unless it is a
-/// sidecar (*.test.json) or plainly something else: valid JSON with neither "version" nor "objects". Throws
-/// UserError(usage) for a path that does not exist.
+/// Returns the scenes in files and folders, sorted by name. A given file is always included. Folders are
+/// searched recursively, except hidden folders and folders named "golden". A .json file in a folder is
+/// included unless it is a sidecar (*.test.json) or clearly something else: valid JSON with neither
+/// "version" nor "objects". Throws UserError(usage) for a path that does not exist.
 [[nodiscard]] std::vector<SceneFile> findScenes(std::span<const std::string> paths);
 
-/// Those whose name or path matches one of the globs (`*`, `?`, `[a-z]`; `*` crosses '/'); all without
-/// globs.
+/// Returns the scenes whose name or path matches one of the globs (`*`, `?`, `[a-z]`; `*` also matches
+/// '/'). Returns all scenes if there are no globs.
 [[nodiscard]] std::vector<SceneFile> filtered(const std::vector<SceneFile>& scenes,
                                               std::span<const std::string> globs);
-/// Whether the whole name matches the glob.
+/// True if the whole name matches the glob.
 [[nodiscard]] bool matches(const std::string& glob, const std::string& name);
 
-/// k and n of "k/n", 1 <= k <= n. Throws UserError(usage).
+/// Parses "k/n" with 1 <= k <= n. Throws UserError(usage).
 [[nodiscard]] std::pair<std::size_t, std::size_t> shardNumbers(const std::string& shard);
-/// The k-th of n nearly equal parts, "k/n" counted from 1, as every n-th item. Throws UserError(usage).
+/// Returns every n-th item, starting with the k-th (from 1), for `shard` "k/n". Throws UserError(usage).
 template <class Item>
 [[nodiscard]] std::vector<Item> shardOf(const std::vector<Item>& all, const std::string& shard) {
   const auto [k, n] = shardNumbers(shard);
@@ -37,7 +37,7 @@ template <class Item>
   for (std::size_t i = k - 1; i < all.size(); i += n) kept.push_back(all[i]);
   return kept;
 }
-/// "shard 2/4: 8 of 33 scenes"
+/// Returns "shard 2/4: 8 of 33 scenes".
 [[nodiscard]] std::string shardNote(const std::string& shard, std::size_t tested, std::size_t whole,
                                     const char* unit);
 

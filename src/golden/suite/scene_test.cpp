@@ -22,9 +22,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// steps.bin stays below what a repository should hold.
+/// Max size of steps.bin, small enough for a repository.
 constexpr std::size_t maxTraceBytes = std::size_t{96} << 10;
-/// Whose pictures are kept.
+/// Max number of differing runs whose pictures are kept.
 constexpr std::size_t mostOtherRuns = 7;
 
 }  // namespace
@@ -92,7 +92,7 @@ void SceneTest::load() {
   if (exactPictures_) noteUnused();
 }
 
-/// Whose baseline the pictures are held against, and how closely.
+/// Fills in which baseline the pictures are compared with and how closely they must match.
 void SceneTest::describeBaseline() {
   if (!reference_.pictures) return;
   const PictureBaseline& pictures = *reference_.pictures;
@@ -110,7 +110,7 @@ void SceneTest::describeBaseline() {
   }
 }
 
-/// What exact pictures have no use for: bounds that somebody gave.
+/// Adds a note for each explicitly set tolerance, because exact pictures do not use tolerances.
 void SceneTest::noteUnused() {
   for (const auto& [field, bound] : result_.tolerance)
     if (bound.origin != "default")
@@ -118,7 +118,8 @@ void SceneTest::noteUnused() {
           "tolerance without need: {} ({}), exact pictures have to be equal", field, bound.origin));
 }
 
-/// The command line wins over the baseline, which wins over the scene, which wins over the defaults.
+/// Merges the tolerances: the command line overrides the baseline, which overrides the scene, which
+/// overrides the defaults.
 void SceneTest::resolveTolerance() {
   scene::Tolerance tolerance = scene_.test.tolerance;
   std::map<std::string, std::string> origins = scene_.test.toleranceOrigin;
@@ -192,7 +193,7 @@ void SceneTest::judge() {
       result_.notes.push_back(fmt::format("loose tolerance: {} ({})", loose, bound.origin));
 }
 
-/// Also where nothing asks for them: what is damaged now is missed later.
+/// Reads steps.bin even if it is not needed now, so that damage is reported early.
 void SceneTest::readStepsOfBaseline() {
   if (!reference_.state) return;
   const auto folder = stateFolder(reference_.folder, result_.profile, reference_.exact);
@@ -206,7 +207,7 @@ void SceneTest::readStepsOfBaseline() {
   }
 }
 
-/// Where the state first leaves the baseline's.
+/// Finds the first step at which the state differs from the baseline's.
 void SceneTest::locate() {
   if (!stateIs("different") || damagedSteps_) return;
   if (!steps_) {
@@ -217,7 +218,8 @@ void SceneTest::locate() {
   if (result_.divergence) result_.messages.push_back(result_.divergence->message);
 }
 
-/// A scene without any baseline may have had another name, under which its pictures are.
+/// Looks for an orphaned baseline with equal pictures if the scene has no baseline: the scene may have been
+/// renamed.
 void SceneTest::findFormerName() {
   if (result_.status != Status::missing || reference_.pictures || reference_.state) return;
   for (const fs::path& folder : options_.orphans) {
@@ -225,7 +227,7 @@ void SceneTest::findFormerName() {
     try {
       pictures = choosePictures(folder, profile_);
     } catch (const UserError&) {
-      continue;  // it is named among what is stale
+      continue;  // the unreadable baseline is already reported as stale
     }
     const bool same =
         pictures && std::all_of(run_.frames.begin(), run_.frames.end(), [&](const RunFrame& made) {
@@ -257,7 +259,7 @@ const std::map<int, PassHashes>& SceneTest::passes() {
   return passes_;
 }
 
-/// Where pictures first leave the baselines' whose state is the same.
+/// Finds the first differing pass of pictures that fail although the state is equal.
 void SceneTest::locatePasses() {
   if (!exactPictures_ || failedPictures_.empty() || stateIs("different")) return;
   static_cast<void>(passes());

@@ -13,22 +13,23 @@
 
 namespace simreel::golden {
 
-/// One try at one scene: run, repeat, judge, update, keep what a report needs.
+/// One attempt at testing a scene: runs, repeats, judges, updates baselines, and keeps files for the
+/// report.
 class SceneTest {
  public:
-  /// `attempt` counts from 1: each keeps its pictures in a folder of its own where there may be several.
+  /// `attempt` counts from 1. With retries, each attempt keeps its pictures in its own folder.
   SceneTest(const SceneFile& file, const SuiteOptions& options, const Device& device, int attempt);
   ~SceneTest();
   SceneTest(SceneTest&&) = delete;
   SceneTest& operator=(SceneTest&&) = delete;
   SceneTest(const SceneTest&) = delete;
   SceneTest& operator=(const SceneTest&) = delete;
-  /// Throws UserError for what makes the scene unusable.
+  /// Throws UserError if the scene cannot be tested.
   void run();
   [[nodiscard]] SceneResult& result() { return result_; }
-  /// Whether some pixel is beyond the scene's hardFail, which nothing excuses.
+  /// True if a pixel differs by more than the scene's hardFail, which neither retries nor xfail excuse.
   [[nodiscard]] bool hardFailed() const;
-  /// What of the scene's baselines nothing is tested against.
+  /// Returns the scene's baselines that no test uses.
   [[nodiscard]] std::vector<Stale>& stale() { return stale_; }
 
  private:
@@ -49,15 +50,15 @@ class SceneTest {
   void keepPicture(FrameResult& frame, const frame::Image& made);
   [[nodiscard]] bool keepRuns(std::size_t index);
   void keepCandidate();
-  /// The folder of this attempt's pictures.
+  /// Returns the folder for this attempt's pictures.
   [[nodiscard]] std::filesystem::path artifacts() const;
   [[nodiscard]] bool stateIs(const char* what) const;
   [[nodiscard]] bool checkFails() const;
   [[nodiscard]] std::string profileToPromote() const;
   [[nodiscard]] Candidate candidate(bool withSteps);
-  /// Of every frame, drawn once more where that is not known yet.
+  /// Returns the pass hashes of every frame. Draws the frames again if they are not known yet.
   const std::map<int, PassHashes>& passes();
-  /// Writes below the artifacts; the path is relative to the report.
+  /// Writes a picture below artifacts(). Returns its path relative to the report.
   [[nodiscard]] std::string keep(const std::string& name, const frame::Image& image) const;
 
   SceneFile file_;
@@ -65,27 +66,27 @@ class SceneTest {
   const Device& device_;
   int attempt_;
   scene::Scene scene_;
-  bool exactPictures_ = false;  ///< the same on every machine
-  Origin origin_;               ///< of the pictures
-  std::string profile_;         ///< of the baselines that are asked for first
+  bool exactPictures_ = false;  ///< true if pictures are equal on every machine
+  Origin origin_;               ///< origin of this run's pictures
+  std::string profile_;         ///< profile whose baselines are tried first
   std::vector<int> frames_;
   Reference reference_;
   SceneRun run_;
-  /// Runs that came out alike, but not as the first.
+  /// Runs with equal results that differ from the first run's.
   struct OtherRun {
     std::vector<int> numbers;
     SceneRun run;
   };
   std::vector<OtherRun> others_;
-  std::vector<int> likeFirst_ = {1};  ///< runs that came out as the first, with it
-  int uncounted_ = 0;                 ///< further ones, which are not in others_
+  std::vector<int> likeFirst_ = {1};  ///< numbers of runs equal to the first run, including it
+  int uncounted_ = 0;                 ///< number of further differing runs that are not stored in others_
   std::set<int> failedPictures_;
-  std::optional<StepTrace> steps_;  ///< of the baseline
+  std::optional<StepTrace> steps_;  ///< step trace of the baseline
   Inputs inputs_;
-  bool damaged_ = false;  ///< some file of the baseline cannot be used
+  bool damaged_ = false;  ///< true if a file of the baseline is unusable
   bool damagedSteps_ = false;
   std::vector<Stale> stale_;
-  std::map<int, PassHashes> passes_;  ///< filled when somebody asks
+  std::map<int, PassHashes> passes_;  ///< pass hashes of each frame; filled by passes()
   SceneResult result_;
 };
 

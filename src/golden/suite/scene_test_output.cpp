@@ -1,4 +1,4 @@
-// What a scene's test writes: baselines when asked, and what a report and `simreel accept` need.
+// Output of a scene's test: updated baselines, and the files needed by the report and `simreel accept`.
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "golden/baseline/stale.hpp"
@@ -21,7 +21,7 @@ std::string listOf(const std::set<int>& frames) {
   return text;
 }
 
-/// "run 2", "runs 1, 3".
+/// Returns "run 2" or "runs 1, 3".
 std::string runsText(const std::vector<int>& numbers) {
   return fmt::format("run{} {}", numbers.size() == 1 ? "" : "s", fmt::join(numbers, ", "));
 }
@@ -46,7 +46,7 @@ std::string SceneTest::profileToPromote() const {
 
 void SceneTest::update() {
   if (result_.status == Status::pass) {
-    // A pass may have changed without showing in the picture.
+    // The output of a pass may have changed without changing the picture.
     if (exactPictures_ && renewPasses(reference_.folder, profile_, passes()))
       result_.notes.push_back("wrote hashes of passes; the pictures are the same");
     return;
@@ -67,7 +67,7 @@ void SceneTest::update() {
   const bool writeState =
       (changed && (stateIs("different") || damagedSteps_)) || (missing && stateIs("missing"));
   if (written.empty() && !writeState) return;
-  // A profile has to be complete: the next run compares with nothing else.
+  // The next run uses this profile alone, so a new profile must contain all frames.
   if (!written.empty() && profile != result_.profile) written.insert(frames_.begin(), frames_.end());
 
   Candidate made = candidate(writeState);
@@ -88,7 +88,7 @@ fs::path SceneTest::artifacts() const {
   return options_.retries > 0 ? folder / fmt::format("attempt{}", attempt_) : folder;
 }
 
-/// Held against what was just written, every frame has to pass.
+/// Judges all frames again against the baseline that was just written. All frames must pass now.
 void SceneTest::judgeAgain(const std::string& profile) {
   const auto before = std::exchange(result_.frames, {});
   const scene::Tolerance tolerance = reference_.tolerance;
@@ -107,7 +107,8 @@ void SceneTest::judgeAgain(const std::string& profile) {
   if (result_.status == Status::pass) result_.status = Status::updated;
 }
 
-/// The baselines of the scene's former name, with the alternates, tolerances and reasons that they have.
+/// Moves the baselines of the scene's former name to the new one, with their alternates, tolerances and
+/// reasons.
 void SceneTest::takeFormerBaseline() {
   makeFolders(reference_.folder.parent_path());
   std::error_code error;
@@ -136,12 +137,12 @@ void SceneTest::keepPicture(FrameResult& frame, const frame::Image& made) {
     if (expected.width == made.width && expected.height == made.height)
       frame.differenceImage = keep(number + ".difference.png", differenceImage(expected, made));
   } catch (const UserError& error) {
-    if (error.code() != ExitCode::inputOutput)
-      throw;  // an unreadable baseline: the message says so already
+    if (error.code() != ExitCode::inputOutput) throw;  // an unreadable baseline has been reported already
   }
 }
 
-/// The pictures of one frame that runs of the same program made, each once; false where they are equal.
+/// Keeps each different picture of one frame that runs of this program produced. Returns false if all are
+/// equal.
 bool SceneTest::keepRuns(std::size_t index) {
   struct Made {
     const RunFrame* frame;
@@ -183,10 +184,10 @@ void SceneTest::keepPictures() {
   }
 }
 
-/// Everything that `simreel accept` would promote, laid out as the baselines are.
+/// Keeps everything that `simreel accept` would promote, in the layout of a baseline folder.
 void SceneTest::keepCandidate() {
   const bool acceptable = result_.status == Status::fail || result_.status == Status::missing;
-  // A baseline that is damaged is restored, not accepted over.
+  // A damaged baseline must be restored, not replaced.
   if (!acceptable || checkFails() || damaged_) return;
   const bool withState = stateIs("different") || stateIs("missing");
   Candidate made = candidate(withState);

@@ -37,7 +37,7 @@ Outcome tryScene(const SceneFile& scene, const SuiteOptions& options, const Devi
   return made;
 }
 
-/// Adds the pictures of an earlier attempt to the frames of the last.
+/// Adds the pictures of an earlier attempt to the frames of the last attempt.
 void addEarlier(const std::vector<FrameResult>& frames, const std::string& attempt, SceneResult& result) {
   for (const FrameResult& from : frames) {
     if (from.actualImage.empty()) continue;
@@ -62,7 +62,8 @@ bool mayPassOnRetry(Status status) {
   return status == Status::fail || status == Status::nondeterministic || status == Status::error;
 }
 
-/// A failure that the scene announces is expected, unless hardFail forbids it.
+/// Turns an expected failure into xfail, unless a pixel exceeds hardFail, and an unexpected pass into
+/// xpass.
 void applyExpectation(Outcome& made) {
   SceneResult& result = made.scene;
   if (result.xfail.empty()) return;
@@ -94,7 +95,7 @@ void addAttempts(std::vector<Attempt> attempts, SceneResult& result, int losses)
 Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device, int losses) {
   const auto begin = Clock::now();
   std::vector<Attempt> attempts;
-  std::vector<std::vector<FrameResult>> earlier;  // frames of those attempts
+  std::vector<std::vector<FrameResult>> earlier;  // frames of the earlier attempts, for their pictures
   int attempt = losses + 1;
   Outcome made = tryScene(scene, options, device, attempt);
   bool everHardFailed = made.hardFailed;

@@ -15,38 +15,39 @@
 namespace simreel::golden {
 
 struct SuiteOptions {
-  int repeats = 2;  ///< runs of each scene, which have to agree
-  int retries = 0;  ///< further tries of a scene that fails
+  int repeats = 2;  ///< number of runs of each scene, which must agree
+  int retries = 0;  ///< number of further attempts for a scene that fails
   bool allowFlaky = false;
-  Measures measures = Measures::all;  ///< quick: SSIM and FLIP only where a verdict needs them
+  Measures measures = Measures::all;  ///< quick: measures SSIM and FLIP only if a verdict needs them
   Update update = Update::none;
-  std::string reason;                          ///< kept in baselines that are written
-  std::string profile;                         ///< instead of the driver's own; empty: that
-  std::vector<std::filesystem::path> assets;   ///< folders that scenes may read beside the usual ones
+  std::string reason;                          ///< reason for the update, stored in the baselines
+  std::string profile;                         ///< profile to use instead of the driver's own; may be empty
+  std::vector<std::filesystem::path> assets;   ///< additional folders that scenes may read
   std::map<std::string, double> tolerance;     ///< bounds from the command line, by field name
-  std::filesystem::path reportFolder;          ///< of report.json; image paths are relative to it
-  std::filesystem::path artifacts;             ///< pictures of failures go below it; empty: nowhere
-  std::vector<std::filesystem::path> orphans;  ///< folders of baselines whose scene is gone
+  std::filesystem::path reportFolder;          ///< folder of report.json; image paths are relative to it
+  std::filesystem::path artifacts;             ///< folder for pictures of failures; empty: none are kept
+  std::vector<std::filesystem::path> orphans;  ///< baseline folders whose scene does not exist
 };
 
-/// The device of this run.
+/// Properties of the device that runs the tests.
 struct Device {
-  Origin origin;  ///< of the pictures it draws
+  Origin origin;  ///< origin of the pictures that it draws
   std::string profile, memoryPath;
-  std::string inexact;  ///< why exact numerics do not hold; empty: they do
+  std::string inexact;  ///< reason why the device does not support exact numerics; empty if it does
 };
 
-/// Runs a scene on the current context, compares and, where asked, updates. A mistake in the scene or its
-/// baseline, or a lost device, is the scene's result; only Interrupted leaves. `losses`: processes that
-/// ended with this scene in hand before, each of which was a try.
+/// Tests a scene on the current context and optionally updates its baseline. A mistake in the scene or its
+/// baseline and a lost device become the scene's result; only Interrupted is thrown. `losses` is the number
+/// of earlier processes that died while testing this scene; each counts as an attempt.
 [[nodiscard]] Outcome testScene(const SceneFile& scene, const SuiteOptions& options, const Device& device,
                                 int losses = 0);
 
-/// Puts failed tries before those of a result, which is flaky where it passed. `losses`: tries before them
-/// that are added later.
+/// Inserts failed attempts before a result's own attempts. A result that passed becomes flaky. `losses` is
+/// the number of still earlier attempts, which are added later.
 void addAttempts(std::vector<Attempt> attempts, SceneResult& result, int losses = 0);
 
-/// Puts tries whose processes ended, with what each said of it, before those of a scene that was then done.
+/// Inserts an attempt for each process that died while testing the scene before the scene's other attempts.
+/// `losses` holds their messages.
 void addLosses(const std::vector<std::string>& losses, Outcome& made);
 
 }  // namespace simreel::golden

@@ -1,4 +1,5 @@
-// steps.bin: magic, version, header, words, then the XXH3 of all before it; numbers are little endian.
+// Layout of steps.bin: magic, version, header, words, then the XXH3 hash of everything before it. Numbers
+// are little endian.
 #include "golden/trace/file.hpp"
 
 #include "base/error.hpp"
@@ -77,7 +78,7 @@ StepTrace::Array readArray(Input& in) {
   if (array.elements < 1 || array.elements > max || array.perBlock < 1 || array.perBlock > max ||
       array.steps < 1 || array.steps > max)
     in.wrong("its sizes make no sense");
-  // The kernel adds up a block in equal shares.
+  // Every invocation of the hash kernel must take the same number of elements of a block.
   if (array.perBlock % elementsPerInvocation(array.perBlock) != 0) in.wrong("its sizes make no sense");
   return array;
 }
@@ -122,7 +123,7 @@ StepTrace decodeTrace(std::span<const std::byte> bytes, const std::string& name)
       trace.firstFrame > 0 || trace.firstFrame < -static_cast<std::int32_t>(maxFrames))
     in.wrong("its sizes make no sense");
   for (std::uint32_t i = 0; i < arrays; ++i) trace.arrays.push_back(readArray(in));
-  // Compared as a quotient: the product of absurd sizes would wrap.
+  // Computed in double, because the product of invalid sizes could overflow an integer.
   double expected = 0;
   for (const StepTrace::Array& array : trace.arrays)
     expected += double(array.words()) *

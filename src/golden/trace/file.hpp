@@ -8,9 +8,9 @@
 
 namespace simreel::golden {
 
-/// The bytes of steps.bin.
+/// Returns the bytes of steps.bin.
 [[nodiscard]] std::vector<std::byte> encodeTrace(const StepTrace& trace);
-/// Throws UserError(inputOutput) naming the file and what is wrong with it.
+/// Parses the bytes of steps.bin. Throws UserError(inputOutput) with the file's name and the mistake.
 [[nodiscard]] StepTrace decodeTrace(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace simreel::golden

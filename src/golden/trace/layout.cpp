@@ -12,7 +12,8 @@ namespace {
 constexpr std::uint32_t maxBlocks = 64;
 constexpr std::uint32_t maxPerInvocation = 64;
 
-/// Elements a block: a multiple of the kernel's share where blocks are that large.
+/// Returns the number of elements per block: a multiple of maxPerInvocation, or a number below
+/// maxPerInvocation.
 std::uint32_t blockSize(std::uint32_t elements, std::uint32_t blocks) {
   const std::uint32_t size = std::max(1U, (elements + blocks - 1) / blocks);
   return size <= maxPerInvocation ? size
@@ -79,7 +80,7 @@ StepTrace reduced(const StepTrace& trace, bool whole, std::uint32_t detailed) {
         rest = rest.subspan(array.words());
         if (step < steps && index > detailed) continue;
         const auto blocks = words.first(array.blocks());
-        if (whole)  // sums of blocks add up to the array's, modulo 2^32 as the kernel's do
+        if (whole)  // block sums add up to the array's sum modulo 2^32, like in the kernel
           result.words.push_back(std::accumulate(blocks.begin(), blocks.end(), 0U));
         else
           result.words.insert(result.words.end(), blocks.begin(), blocks.end());
@@ -91,20 +92,20 @@ StepTrace reduced(const StepTrace& trace, bool whole, std::uint32_t detailed) {
 
 namespace {
 
-/// Which elements of an array differ, given its words after one step.
+/// Finds the range of elements that differ, given the words of an array after one step.
 void locate(const StepTrace::Array& array, std::span<const std::uint32_t> run,
             std::span<const std::uint32_t> baseline, Divergence& found) {
   std::vector<std::uint32_t> differing;
   for (std::uint32_t block = 0; block < array.blocks(); ++block)
     if (run[block] != baseline[block]) differing.push_back(block);
-  // Blocks can agree by chance while the weighted sums do not: then it may be anywhere.
+  // The block sums may agree by chance while the weighted sums differ. The difference may then be anywhere.
   const std::uint32_t first = differing.empty() ? 0 : differing.front() * array.perBlock;
   const std::uint32_t last =
       differing.empty() ? array.elements - 1 : std::min(first + array.perBlock, array.elements) - 1;
   found.firstElement = first;
   found.lastElement = last;
   if (differing.size() != 1) return;
-  // One differing element i: the weighted sums differ by (i + 1) times what the block's sums differ by.
+  // If only element i differs, the weighted sums differ by (i + 1) times the difference of the block sums.
   const std::uint32_t difference = run[differing.front()] - baseline[differing.front()];
   const std::uint32_t weighted = run[array.blocks()] - baseline[array.blocks()];
   std::optional<std::uint32_t> only;

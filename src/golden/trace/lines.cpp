@@ -24,7 +24,7 @@ std::string text(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-/// Calls `read` with the parsed line.
+/// Parses a line as JSON and calls `read` with it. Adds the line and `what` to error messages.
 template <class Read>
 auto reading(const std::string& line, const char* what, const Read& read) {
   try {

@@ -10,39 +10,41 @@
 
 namespace simreel::golden {
 
-// What `simreel trace` prints and `simreel bisect` reads: JSON, a line each, and one binary dump. Readers
-// ignore members that they do not know, so builds of different versions understand each other. They throw
-// std::runtime_error saying what is wrong with the text.
+// Text output of `simreel trace`, which `simreel bisect` reads: one JSON object per line, and a binary
+// dump. Readers ignore unknown members, so different versions are compatible. Readers throw
+// std::runtime_error with the mistake in the text.
 
-/// The first line: who traces what.
+/// First line of a trace: the program, driver and traced run.
 struct TraceHeader {
   std::string version, driver, fingerprint, memoryPath;
-  std::string inexact;  ///< how the driver breaks exact numerics; empty: it does not
+  std::string inexact;  ///< how the driver violates exact numerics; empty if it does not
   TracedRun run;
 };
 [[nodiscard]] std::string headerLine(const TraceHeader& header);
 [[nodiscard]] TraceHeader readHeaderLine(const std::string& line);
 
-/// The state at a frame, or after one step of one object.
+/// State hashes at a frame, or after one step of one object.
 struct StateLine {
   int frame = 0;
-  std::string object;  ///< empty: of a whole frame
-  int step = 0;        ///< of `steps`, from 1; 0: of a whole frame
+  std::string object;  ///< object name; empty if the line is for a whole frame
+  int step = 0;        ///< step of `steps`, from 1; 0 if the line is for a whole frame
   int steps = 0;
-  std::vector<std::pair<std::string, std::string>> arrays;  ///< "flag.positions", 32 hexadecimal digits
-  std::vector<std::pair<std::string, std::string>> passes = {};  ///< of the frame's picture; hashesOf()
+  /// array name such as "flag.positions" and hash of 32 hexadecimal digits
+  std::vector<std::pair<std::string, std::string>> arrays;
+  /// pass name and hash of the frame's picture, from hashesOf()
+  std::vector<std::pair<std::string, std::string>> passes = {};
   bool operator==(const StateLine&) const = default;
 };
 [[nodiscard]] std::string stateLine(const StateLine& state);
-/// Its arrays and passes are in the order of their names.
+/// Parses a state line. Arrays and passes are sorted by name.
 [[nodiscard]] StateLine readStateLine(const std::string& line);
 
-/// An element of an array is a vec4 of 32-bit numbers.
+/// An array element is a vec4 of 32-bit values.
 constexpr std::size_t wordsPerElement = 4;
 constexpr std::size_t bytesPerElement = wordsPerElement * sizeof(std::uint32_t);
 
-/// The words of every state array: a JSON line that says which, then the words as little-endian 32-bit
-/// floats, array by array.
+/// Content of every state array. Format: a JSON line that lists the arrays, then their words as
+/// little-endian 32-bit floats, one array after the other.
 struct StateDump {
   struct Array {
     std::string object, array;

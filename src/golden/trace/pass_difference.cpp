@@ -30,10 +30,11 @@ PicturePlace placeOf(const PassArray& array, std::size_t item) {
   return {static_cast<int>(item % width), static_cast<int>(item / width)};
 }
 
-/// What differs of two arrays of a shape.
+/// Differences between two arrays of equal shape.
 struct Found {
-  std::size_t first = 0;   ///< the lowest item that differs; of those that are preferred, where some do
-  std::int64_t count = 0;  ///< items that do
+  /// index of the first differing item that is preferred, or else of the first differing item
+  std::size_t first = 0;
+  std::int64_t count = 0;  ///< number of differing items
 };
 
 template <class Preferred>
@@ -92,7 +93,7 @@ class Comparison {
     return true;
   }
 
-  /// The first sample of which the key or the number differs.
+  /// Describes the first sample whose key or primitive number differs.
   void describeSample() {
     const PassArray* keys[] = {find(here_, "visibility", "keys"), find(there_, "visibility", "keys")};
     const PassArray* numbers[] = {find(here_, "visibility", "numbers"),
@@ -142,7 +143,7 @@ class Comparison {
 
   [[nodiscard]] bool alone(PicturePlace at) const { return showsOneThing(here_, at.x, at.y); }
 
-  /// Where a map that differs shows first.
+  /// Returns the first pixel whose light differs, for a difference in a shadow map.
   [[nodiscard]] std::optional<PicturePlace> firstLight() const {
     const PassArray* a = find(here_, "light", "");
     const PassArray* b = find(there_, "light", "");
@@ -160,7 +161,7 @@ class Comparison {
 }  // namespace
 
 std::optional<float> nearnessOf(std::uint32_t key) {
-  constexpr std::uint32_t most = 0x7fffffffU;  // nearKey in glsl/draw/exact/triangles/triangle.glsl
+  constexpr std::uint32_t most = 0x7fffffffU;  // as in nearKey in glsl/draw/exact/triangles/triangle.glsl
   if (key > most) return std::nullopt;
   return std::bit_cast<float>(most - key);
 }

@@ -13,29 +13,34 @@ struct PicturePlace {
   bool operator==(const PicturePlace&) const = default;
 };
 
-/// The first pass of a picture that differs, and where.
+/// First differing pass of two pictures, and the place of the first difference.
 struct PassDifference {
   int frame = 0;
-  std::string pass, part;  ///< as draw::PassArray has them; only one side has them where `values` is 0
-  /// Of the picture: the first of those that show one thing only, or else of all. Where a map differs: one
-  /// whose light does, if any; of what is scattered: one of those that a texel stands for.
+  std::string pass, part;  ///< as in draw::PassArray; if `values` is 0, only one side has this array
+  /// Pixel of the picture: the first differing one that shows a single thing, or else the first differing
+  /// one. For a shadow map: the first pixel whose light differs, if any. For bloom: one of the pixels that
+  /// the texel covers.
   std::optional<PicturePlace> pixel;
-  std::optional<int> sample;          ///< of what is visible
-  std::optional<PicturePlace> texel;  ///< of a map, or of what is scattered
-  SeenThing here, there;              ///< what is visible at the pixel
-  int values = 0;      ///< words of each side: a key; red, green, blue and coverage; or bytes
-  bool light = false;  ///< they are floats
+  std::optional<int> sample;          ///< index of the sample, for the visibility pass
+  std::optional<PicturePlace> texel;  ///< texel of a shadow map or bloom level
+  SeenThing here, there;              ///< what the pixel shows on each side
+  /// number of words per side: a depth key; red, green, blue and coverage; or bytes
+  int values = 0;
+  bool light = false;  ///< true if the words are floats (linear light)
   std::array<std::uint32_t, 4> hereValues{}, thereValues{};
-  std::int64_t differing = 0;  ///< pixels (samples of what is visible; texels) of the part, of
-  std::int64_t all = 0;        ///< so many
-  std::string unstable;        ///< why there is no more: a side does not repeat itself; or empty
+  /// number of differing pixels (visibility: samples; maps: texels) of the array
+  std::int64_t differing = 0;
+  std::int64_t all = 0;  ///< total number of pixels, samples or texels
+  /// reason if the comparison stopped because a side is not repeatable; may be empty
+  std::string unstable;
 };
 
-/// How near a key says something is: nearest plane / depth, of the sun's map 1 at the light; nothing where
-/// there is nothing.
+/// Converts a depth key to nearness: near plane distance / depth; for the sun's shadow map 1 at the light.
+/// Returns nothing if the key stands for an empty sample.
 [[nodiscard]] std::optional<float> nearnessOf(std::uint32_t key);
 
-/// Nothing where the pictures are equal. Throws UserError(usage) where they are of different sizes.
+/// Returns the first differing pass, or nothing if the pictures are equal. Throws UserError(usage) if their
+/// sizes differ.
 [[nodiscard]] std::optional<PassDifference> comparePasses(const PassDump& here, const PassDump& there);
 
 }  // namespace simreel::golden

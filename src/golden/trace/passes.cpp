@@ -23,12 +23,12 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "dumps are copied as they lie in memory");
 
-// As in glsl/draw/exact/tiles/tile_lists.glsl.
+// Must match glsl/draw/exact/tiles/tile_lists.glsl.
 constexpr unsigned groundNumber = 0xfffffffeU;
 constexpr unsigned noNumber = 0xffffffffU;
 constexpr std::size_t passDigits = 16;
 
-/// Numbers of the pixel's samples; none where nothing has numbers.
+/// Returns the primitive numbers of a pixel's samples, or an empty span if the picture has none.
 std::span<const std::uint32_t> numbersAt(const draw::PassPicture& picture, int x, int y) {
   for (const draw::PassArray& array : picture.arrays) {
     if (array.pass != "visibility" || array.part != "numbers") continue;

@@ -9,29 +9,31 @@
 
 namespace simreel::golden {
 
-/// By the name of a pass (draw::passNames()), 16 hexadecimal digits over all that it left.
+/// Hashes by pass name (draw::passNames()): 16 hexadecimal digits over everything that the pass wrote.
 using PassHashes = std::map<std::string, std::string>;
 [[nodiscard]] PassHashes hashesOf(const draw::PassPicture& picture);
-/// The first pass that is not the same on both sides; empty: none.
+/// Returns the first pass whose hashes differ, or an empty text.
 [[nodiscard]] std::string firstDifferentPass(const PassHashes& here, const PassHashes& there);
 
-/// What a pixel shows.
+/// The object and primitive that a pixel shows.
 struct SeenThing {
-  std::string object;     ///< its name in the scene; empty for the ground, the sky, and where it has none
+  std::string object;     ///< object name; empty for ground, sky and objects without a name
   std::string primitive;  ///< "triangle 12", "ball 3", "triangle 5 of instance 7", "ground", "sky"
   bool operator==(const SeenThing&) const = default;
-  /// "triangle 12 of flag"
+  /// Returns text like "triangle 12 of flag".
   [[nodiscard]] std::string name() const;
 };
-/// Of the number that a sample has.
+/// Returns the thing with the primitive number of a sample.
 [[nodiscard]] SeenThing thingOfNumber(const draw::PassPicture& picture, unsigned number);
-/// At a pixel: what has the first of its samples that does not show the sky.
+/// Returns the thing at the first sample of a pixel that does not show the sky.
 [[nodiscard]] SeenThing thingAt(const draw::PassPicture& picture, int x, int y);
-/// Whether all samples of a pixel show one thing, so that what its light has is due to that.
+/// True if all samples of a pixel show the same thing, so that the pixel's light comes from that thing
+/// alone.
 [[nodiscard]] bool showsOneThing(const draw::PassPicture& picture, int x, int y);
 
-/// All that passes left, as `simreel trace --dump FRAME:passes` writes it: a JSON line that says what, then
-/// little-endian 32-bit words, array by array. Reading throws std::runtime_error saying what is wrong.
+/// Everything that the passes wrote, as written by `simreel trace --dump FRAME:passes`. Format: a JSON line
+/// that lists the arrays, then their little-endian 32-bit words, one array after the other. Reading throws
+/// std::runtime_error with the mistake.
 struct PassDump {
   int frame = 0;
   draw::PassPicture picture;

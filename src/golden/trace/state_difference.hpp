@@ -8,20 +8,24 @@
 
 namespace simreel::golden {
 
-/// Representable numbers between two floats, given by their bits: 0 for +0 and -0, and 1 for neighbours.
-/// Nothing where one is NaN.
+/// Returns the number of representable floats between two floats given by their bits: 0 for +0 and -0, 1
+/// for neighbours. Returns nothing if one is NaN.
 [[nodiscard]] std::optional<std::uint64_t> ulpsBetween(std::uint32_t a, std::uint32_t b);
 
-/// How far one state array is from another of the same size.
+/// Differences between two state arrays of equal size.
 struct ArrayDifference {
-  std::int64_t elements = 0;                                   ///< vec4 each
-  std::int64_t differing = 0;                                  ///< elements with any bit different
-  std::int64_t first = -1;                                     ///< the lowest of them
-  std::array<std::uint32_t, wordsPerElement> here{}, there{};  ///< its bits
-  std::uint64_t maxUlps = 0;                                   ///< over all components
-  std::int64_t withNan = 0;  ///< differing elements that have NaN on a side; not in maxUlps
+  std::int64_t elements = 0;  ///< number of vec4 elements in the array
+  /// number of elements that differ in any bit
+  std::int64_t differing = 0;
+  /// index of the first differing element; -1 if all are equal
+  std::int64_t first = -1;
+  std::array<std::uint32_t, wordsPerElement> here{}, there{};  ///< bits of the first differing element
+  /// largest difference of any component in ULPs
+  std::uint64_t maxUlps = 0;
+  /// differing elements with NaN on one side; not included in maxUlps
+  std::int64_t withNan = 0;
 };
-/// `words`: four for each element, as many on both sides.
+/// Compares the words of two arrays, four for each element. Both sides must have equal sizes.
 [[nodiscard]] ArrayDifference compareWords(const std::vector<std::uint32_t>& here,
                                            const std::vector<std::uint32_t>& there);
 

@@ -19,7 +19,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Draws a world as it is, and keeps the passes.
+/// Draws the current frame of a world and keeps the results of all passes.
 class PassDrawer {
  public:
   PassDrawer(const scene::Scene& scene, sim::World& world) : world_(world), renderer_(made(scene)) {
@@ -67,7 +67,7 @@ void traceFrames(sim::World& world, int first, int last, const TakeLine& take,
   bool wanted = true;
   std::optional<PassDrawer> drawer;
   if (pictures != nullptr) drawer.emplace(*pictures, world);
-  std::map<int, PassHashes> passes;  // of frames whose lines are not out yet
+  std::map<int, PassHashes> passes;  // hashes of frames whose lines have not been written yet
   frame::Summaries summaries(world, [&](const sim::World::Summary& summary) {
     if (!wanted) return;
     StateLine line;

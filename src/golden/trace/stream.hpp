@@ -10,23 +10,23 @@
 
 namespace simreel::golden {
 
-/// Takes a line without its end; false: nobody reads on.
+/// Receives a line without its line end. Returns false to stop.
 using TakeLine = std::function<bool(const std::string& line)>;
 
-/// A line for the state at each frame from `first` to `last`. Throws UserError(device) when the state is
-/// lost, after the lines of the frames before. `pictures`: the scene, whose pictures are drawn from frame 0
-/// on, and the lines have their passes.
+/// Writes a line with the state hashes of each frame from `first` to `last`. If `pictures` is a scene, also
+/// draws its pictures from frame 0 on and adds their pass hashes. If the state is lost, throws
+/// UserError(device) after writing the lines of earlier frames.
 void traceFrames(sim::World& world, int first, int last, const TakeLine& take,
                  const scene::Scene* pictures = nullptr);
-/// A line for the state after each step of `frame`, object by object.
+/// Writes a line with the state hashes after each step of `frame`, object by object.
 void traceSteps(sim::World& world, int frame, const TakeLine& take);
-/// Every array after step `step` of `frame`, counted from 1; where an object takes fewer steps, after its
-/// last. Step 0 is for the first frame: the state before any step. Throws UserError(usage) for a step that
-/// the frame does not have.
+/// Returns every array after step `step` (from 1) of `frame`. Objects with fewer steps are read after their
+/// last step. Step 0 of the first frame is the state before any step. Throws UserError(usage) if the frame
+/// has no such step.
 [[nodiscard]] StateDump dumpState(sim::World& world, int frame, int step);
 
-/// Calls `take` with what the passes of each of the frames' pictures left; frames ascend, from 0 on. Throws
-/// UserError(usage) unless the scene's rasterizer is the exact one.
+/// Draws the given frames and calls `take` with everything that the passes of each picture wrote. Frames
+/// must ascend and start at 0 or later. Throws UserError(usage) unless the scene uses the exact rasterizer.
 void drawPasses(const scene::Scene& scene, sim::World& world, std::span<const int> frames,
                 const std::function<void(const PassDump& drawn)>& take);
 

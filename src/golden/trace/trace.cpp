@@ -17,7 +17,7 @@ namespace simreel::golden {
 
 namespace {
 
-/// Steps a world and hashes what each step leaves.
+/// Steps a world and hashes the state after each step.
 class Tracer {
  public:
   explicit Tracer(const scene::Scene& scene, AfterStep afterStep = {})
@@ -30,7 +30,8 @@ class Tracer {
 
   [[nodiscard]] const sim::World& world() const { return world_; }
 
-  /// Words of one frame as StepTrace has them. Index 0 is the first state; call in ascending order.
+  /// Returns the words of one frame as in StepTrace. Index 0 is the initial state. Call with ascending
+  /// indices.
   std::vector<std::uint32_t> frame(const StepTrace& layout, std::uint32_t index) {
     if (layout.arrays.empty()) return {};
     const std::vector<std::uint32_t> zero(layout.frameWords(index));
@@ -51,7 +52,7 @@ class Tracer {
   }
 
  private:
-  /// Hashes an object's arrays into the place of a step.
+  /// Adds the hashes of an object's arrays to the words of a step.
   void add(const StepTrace& layout, std::size_t object, std::uint32_t step) {
     gl::barrier();
     std::uint32_t place = 0;
@@ -81,10 +82,11 @@ class Tracer {
   }
 
   sim::World world_;
-  gl::Program hash_, ofPlanes_;  ///< of elements; of planes, once there are some
+  /// hash kernels for elements and for planes; the latter is compiled when needed
+  gl::Program hash_, ofPlanes_;
   gl::Buffer sums_;
   AfterStep afterStep_;
-  std::vector<std::size_t> owners_;  ///< object of each array
+  std::vector<std::size_t> owners_;  ///< object index that owns each array
 };
 
 TracedRun runOf(const StepTrace& trace) {
@@ -94,7 +96,7 @@ TracedRun runOf(const StepTrace& trace) {
   return run;
 }
 
-/// Whether the traces are of the same arrays, however they are cut into blocks.
+/// Returns a divergence if the traces have different arrays. Differences in block sizes are ignored.
 std::optional<Divergence> differentRuns(const TracedRun& run, const StepTrace& baseline) {
   const auto mismatch = compareRuns(run, runOf(baseline));
   if (!mismatch) return std::nullopt;
@@ -107,7 +109,8 @@ std::optional<Divergence> differentRuns(const TracedRun& run, const StepTrace& b
   return found;
 }
 
-/// Frame by frame up to that of index `last`; `wordsOf` gives those of the run, in ascending order.
+/// Compares frames up to index `last`. `wordsOf` returns the words of the run; it is called with ascending
+/// indices.
 template <class WordsOf>
 std::optional<Divergence> firstDifference(const StepTrace& baseline, std::uint32_t last,
                                           const WordsOf& wordsOf) {
@@ -143,7 +146,7 @@ StepTrace traceRun(const scene::Scene& scene, int lastFrame, std::size_t maxByte
 
 std::optional<Divergence> compareTraces(const StepTrace& run, const StepTrace& baseline) {
   if (auto other = differentRuns(runOf(run), baseline)) return other;
-  if (run.arrays.empty()) return std::nullopt;  // nothing to compare, however many frames a file claims
+  if (run.arrays.empty()) return std::nullopt;  // nothing to compare, whatever the number of frames
   if (run.arrays != baseline.arrays || run.detailed != baseline.detailed) {
     const bool whole = run.arrays != baseline.arrays;
     const std::uint32_t detailed = std::min(run.detailed, baseline.detailed);

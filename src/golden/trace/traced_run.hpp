@@ -11,41 +11,42 @@ class World;
 
 namespace simreel::golden {
 
-/// An array of the state that is traced.
+/// A state array that is traced.
 struct TracedArray {
   std::string object, array;
-  std::int64_t elements = 0;  ///< vec4 each
-  int steps = 1;              ///< of its object, a frame
+  std::int64_t elements = 0;  ///< number of vec4 elements in the array
+  int steps = 1;              ///< number of steps per frame of the array's object
   bool operator==(const TracedArray&) const = default;
   [[nodiscard]] std::string name() const { return object + "." + array; }
 };
 
-/// What two runs have to share for their states to be comparable.
+/// Properties that two runs must share for their states to be comparable.
 struct TracedRun {
-  int firstFrame = 0;               ///< that of the state before any step; negative with pre-roll
-  std::vector<TracedArray> arrays;  ///< in the order of World::arrays()
+  int firstFrame = 0;               ///< frame of the state before any step; negative with pre-roll
+  std::vector<TracedArray> arrays;  ///< state arrays in the order of World::arrays()
 };
 
-/// Of a world that has not been stepped.
+/// Describes a world that has not been stepped yet.
 [[nodiscard]] TracedRun describeWorld(const sim::World& world);
-/// Where each object's arrays begin in it.
+/// Returns the index of each object's first array in World::arrays().
 [[nodiscard]] std::vector<std::size_t> firstArrays(const sim::World& world);
-/// What users call an element of an object: "particle (12, 30)".
+/// Returns the user-visible name of an element of an object: "particle (12, 30)".
 [[nodiscard]] std::string elementName(const sim::World& world, const std::string& object, long element);
 
-// Where two runs part is asked by `simreel test`, which has the trace of a baseline, and by `simreel
-// bisect`, which has another program; both answer by what follows.
+// The functions below are shared by `simreel test`, which compares with a baseline's trace, and `simreel
+// bisect`, which compares with another program.
 
-/// Two runs that do not simulate the same.
+/// First difference that makes two runs incomparable.
 struct RunMismatch {
-  std::string here,
-      there;          ///< "starts at frame -3", "has flag.positions of 63 elements in 4 steps a frame"
-  TracedArray array;  ///< that not both have; of no name where it is another matter
+  /// Texts for the two sides: "starts at frame -3", "has flag.positions of 63 elements in 4 steps a frame".
+  std::string here, there;
+  /// array that differs or only one side has; without names if the difference is elsewhere
+  TracedArray array;
 };
 [[nodiscard]] std::optional<RunMismatch> compareRuns(const TracedRun& here, const TracedRun& there);
 
-/// Whether a step, counted from 1, of so many a frame ends before another one of the same frame: objects
-/// are stepped in turn, each through the whole frame, so the one that is earliest in its time comes first.
+/// True if a step (from 1) ends before another step of the same frame in simulated time. Needed because
+/// each object is stepped through the whole frame in turn.
 [[nodiscard]] bool isEarlierStep(int step, int steps, int otherStep, int otherSteps);
 
 }  // namespace simreel::golden

@@ -1,6 +1,6 @@
-// Puts the parts together: what is chosen, the link in the address bar, the keyboard, light and dark.
+// Connects the parts of the page: the selection, the link in the address bar, the keyboard, light and dark theme.
 
-/// Chooses a scene, a frame (index) or a view. With a scene alone its first failing frame is shown.
+/// Selects a scene, a frame (by index) or a view. Selecting only a scene shows its first failing frame.
 function go(change, keepLink) {
   const scene = change.scene || state.scene;
   if (!scene) return;
@@ -25,7 +25,7 @@ function go(change, keepLink) {
 
 // ---- link: #scene=name&frame=119&view=swipe, or #overview ----
 
-/// Of one failure there is nothing to group.
+/// The overview of groups is the start page if there are several failures.
 const beginsWithOverview = failing.length > 1;
 
 function writeLink(push) {
@@ -45,7 +45,7 @@ function changeLink(link, push) {
   }
 }
 
-/// Whether the link names a scene of this report.
+/// Selects what the link names. Returns true if the link is valid for this report.
 function followLink() {
   if (location.hash === "#overview" || (location.hash === "" && beginsWithOverview)) {
     showOverview(true);
@@ -61,7 +61,7 @@ function followLink() {
   return true;
 }
 
-/// On a narrow screen the list and the scene are pages of their own.
+/// On a narrow screen, the list and the scene are separate pages.
 function showScenePage() {
   document.body.classList.remove("showList");
 }
@@ -71,7 +71,7 @@ function showListPage() {
   byId("list").focus({preventScroll: true});
 }
 
-/// Hides the list, or shows it again.
+/// Toggles the visibility of the list.
 function toggleWide() {
   const wide = document.body.classList.toggle("wide");
   byId("wide").setAttribute("aria-pressed", String(wide));
@@ -184,7 +184,7 @@ function showVerdict() {
   if (!ofPictures) byId("run").title = "numerics " + environment.fingerprint + ", " + environment.memoryPath;
 }
 
-/// Of pictures the page says so.
+/// Adjusts the page's texts for a report about pictures instead of scenes.
 function namePictures() {
   document.body.classList.add("ofPictures");
   byId("filter").placeholder = "Filter pictures  ( / )";

@@ -1,10 +1,10 @@
-// Everything about a scene that is words and numbers.
+// Cards with texts and numbers about a scene.
 
 function card(title, name, ...content) {
   return element("section", {class: "card " + name}, element("h3", {}, title), ...content);
 }
 
-/// A table; rows are {class, cells}, each cell text or an element.
+/// Returns a table card. Each row is {class, cells}; a cell is a text or an element.
 function table(title, name, heads, rows) {
   const head = element("tr", {}, ...heads.map((text) => element("th", {scope: "col"}, text)));
   const line = ({cells: [first, ...others], class: kind}) =>
@@ -14,7 +14,7 @@ function table(title, name, heads, rows) {
   return card(title, name, element("div", {class: "wide"}, made));
 }
 
-/// Names and values; empty values are left out.
+/// Returns a card of names and values. Leaves out empty values.
 function facts(title, name, pairs) {
   const lines = pairs.filter(([, value]) => value !== "" && value !== null && value !== undefined)
                     .flatMap(([key, value]) => [element("dt", {}, key), element("dd", {}, value)]);
@@ -26,7 +26,7 @@ function lines(title, name, texts) {
   return card(title, name, element("ul", {}, ...texts.map((text) => element("li", {}, text))));
 }
 
-/// A path that may be broken after its slashes.
+/// Returns a path with optional line breaks after its slashes.
 function breakable(path) {
   const made = element("span", {});
   path.split("/").forEach((part, i) => made.append(...i > 0 ? ["/", element("wbr"), part] : [part]));
@@ -42,7 +42,8 @@ function checkBounds(check) {
   return most !== null ? "≤ " + format(most, 6) : "–";
 }
 
-/// Failures first; each line leads to its frame where that frame is shown.
+/// Returns the table of checks, failures first. The frame number is a button that selects the frame, if the frame is
+/// part of the report.
 function checksTable(scene) {
   if (scene.checks.length === 0) return null;
   const checks = [...scene.checks].sort((a, b) => a.passed - b.passed);
@@ -58,7 +59,7 @@ function checksTable(scene) {
   }));
 }
 
-/// What each bound limits.
+/// Measurement that each tolerance bound limits.
 const measuredFor = {
   maxChannelDiff: (m) => m.worst,
   maxDiffPixels: (m) => m.pixelsBeyond,
@@ -78,7 +79,7 @@ function toleranceTable(scene) {
   const title = "Tolerance" + (unused[scene.asked] || "");
   return table(title, "tolerance", ["bound", "value", "largest measured", "set by"], fields.map(([field, bound]) => {
     const value = measured && measuredFor[field] ? largest(scene, measuredFor[field]) : null;
-    // maxChannelDiff decides which pixels count; it is no limit itself.
+    // maxChannelDiff defines which pixels count as beyond; it is not a limit itself.
     const limit = !noneMayDiffer(scene.asked) && field !== "maxChannelDiff";
     return {
       class: limit && value !== null && value > bound.value ? "fails" : "",
@@ -110,13 +111,13 @@ function baselineCard(scene) {
 
 function divergenceCard(scene) {
   if (!scene.divergence) return null;
-  // The scene's messages stand above already.
+  // The scene's messages are already shown above.
   const message = scene.messages.includes(scene.divergence.message) ? "" : scene.divergence.message;
   return card("Divergence", "divergence", element("p", {}, "The state " + divergenceText(scene.divergence) + "."),
               message ? element("p", {class: "dim"}, message) : null);
 }
 
-/// A failed try before the last, each a line; then the last.
+/// Returns a card with one line for each failed attempt, then one for the last attempt.
 function attemptsCard(scene) {
   if (scene.attempts.length === 0) return null;
   const tries = scene.attempts.map(({status, messages}) =>
@@ -125,7 +126,7 @@ function attemptsCard(scene) {
   return lines("Attempts", "attempts", tries.map((text, i) => "attempt " + (i + 1) + ": " + text));
 }
 
-/// Pictures of other attempts and of runs that differ, each under its number.
+/// Returns a card with pictures of other attempts and of differing runs, each with its number.
 function othersCard(scene) {
   const figures = scene.frames.flatMap((frame) => frame.others.map((other) =>
       element("figure", {class: "other"},
@@ -177,7 +178,7 @@ function showDetails(scene) {
 
 // ---- above the pictures ----
 
-/// The first few, and a button for the others.
+/// Shows the first few messages and a button for the rest.
 function showMessages(messages) {
   const most = 3;
   const box = byId("messages");
@@ -203,7 +204,7 @@ function showHead(scene) {
   byId("name").textContent = scene.name;
   byId("badge").replaceChildren(badge(scene.status));
   byId("file").textContent = scene.file;
-  // Messages that each frame repeats come last.
+  // Messages that repeat a frame's message come last.
   const ofFrames = new Set(scene.frames.map((frame) => frame.message));
   const texts = [...scene.messages].sort((a, b) => ofFrames.has(a) - ofFrames.has(b));
   const messages = texts.map((text) => element("li", {}, text));
@@ -217,7 +218,7 @@ function showHead(scene) {
 
 // ---- measurements below the pictures ----
 
-/// One measurement; `over` where it breaks its bound.
+/// Returns one measurement; `over` is true if it exceeds its bound.
 function metric(label, value, over, bound) {
   return element("div", {class: over ? "over" : ""}, element("dt", {}, label),
                  element("dd", {}, value, bound ? element("small", {}, " " + bound) : null));
@@ -228,14 +229,14 @@ function metricsOf(scene, frame) {
   const beyond = scene.tolerance.maxChannelDiff ? scene.tolerance.maxChannelDiff.value : 0;
   const side = windowSize();
   const exact = noneMayDiffer(frame.asked);
-  const near = frame.asked === "near";  // the bounds of brokenNearness in compare.cpp
+  const near = frame.asked === "near";  // near: limits as in brokenNearness() in compare.cpp
   const limit = (field) => exact || !scene.tolerance[field] ? null : scene.tolerance[field].value;
   const over = (field, value) => limit(field) !== null && value > limit(field);
   const bound = (field, text) => limit(field) === null ? "" : "≤ " + text(limit(field));
   return [
     metric("worst", `${format(m.worst)} at ${m.worstX}, ${m.worstY}`, over("hardFail", m.worst) || (near && m.worst > 2),
            near ? "≤ 2" : bound("hardFail", format)),
-    // Of exact pictures, and on the machine that drew the baseline, any difference is one too many, and no bound is in force.
+    // For exact pictures and on the machine that drew the baseline, no pixel may differ, so the bounds do not apply.
     metric("differ", plural(m.differentPixels, "pixel"), exact && m.differentPixels > 0,
            exact ? "none may" : near ? "≤ 2 % of them" : ""),
     metric("beyond " + format(beyond), m.pixelsBeyond + " = " + percent(m.ratioBeyond),

@@ -1,4 +1,4 @@
-// The scene's frames: a strip to choose from, and a curve of a measurement against the frame.
+// The frames of the scene: a strip of thumbnails, and a curve of a measurement over the frames.
 
 const strip = {observer: null, scene: null};
 const curve = {points: [], toX: null};
@@ -7,7 +7,7 @@ const curveChosen = () => curves.find((one) => one.id === byId("metric").value);
 
 // ---- strip ----
 
-/// A tile's picture exists only while the tile is visible.
+/// Creates the image of a thumbnail while it is visible and removes it afterwards.
 function tileVisible(entries) {
   for (const entry of entries) {
     const frame = strip.scene.frames[Number(entry.target.dataset.index)];
@@ -52,14 +52,14 @@ function showStrip() {
 
 // ---- curve ----
 
-const curveArea = {left: 62, right: 14, top: 12, bottom: 18, height: 104};  // px
+const curveArea = {left: 62, right: 14, top: 12, bottom: 18, height: 104};  // margins and height of the curve in px
 
 function curveScales(scene, chosen, width) {
   const values = scene.frames.map((frame) => curveValue(chosen, frame));
   const given = chosen.bound ? scene.tolerance[chosen.bound] : undefined;
   const bound = given && !noneMayDiffer(scene.asked) ? given.value : null;
   const most = Math.max(...values.filter((value) => value !== null), 0);
-  // A bound far above everything measured would press the curve flat.
+  // A bound far above all measurements is hidden, because it would flatten the curve.
   const showBound = bound !== null && bound <= most * 8 + 1e-12;
   const top = Math.max(most, showBound ? bound : 0) || 1;
   const numbers = scene.frames.map((frame) => frame.frame);
@@ -81,7 +81,7 @@ function curveText(x, y, anchor, text, name) {
   return svgElement("text", {x, y, "text-anchor": anchor, class: name || ""}, text);
 }
 
-/// Segments between neighbours that were both measured.
+/// Returns line segments between consecutive measured frames.
 function curvePath(scene, scales) {
   let path = "", open = false;
   scene.frames.forEach((frame, i) => {
@@ -150,7 +150,7 @@ function showCurve() {
   if (scene.divergence) svg.append(...divergenceMark(scene, scales, width));
 }
 
-/// The frame nearest to where the curve was clicked.
+/// Selects the frame nearest to the click.
 function clickCurve(event) {
   if (!curve.toX || state.scene.frames.length === 0) return;
   const x = event.clientX - byId("curve").getBoundingClientRect().left;

@@ -1,23 +1,25 @@
-// Failures that look alike, for the overview: what one change of a program broke is looked at and accepted at once.
+// Groups similar failures for the overview, so that everything broken by one change can be reviewed and accepted at
+// once.
 
-/// Classes of a difference: the largest of a channel, and the share of pixels that differ at all. The last has no end.
+/// Classes of differences by the largest channel difference and by the fraction of differing pixels. The last class has
+/// no upper limit.
 const worstClasses = [[1, "by 1 of 255"], [4, "by 2 to 4 of 255"], [16, "by up to 16 of 255"], [64, "by up to 64 of 255"],
                       [Infinity, "by more than 64 of 255"]];
 const areaClasses = [[0.001, "under 0.1 % of the pixels"], [0.01, "under 1 %"], [0.1, "under 10 %"],
                      [0.5, "under half of the pixels"], [Infinity, "most of the picture"]];
 const classOf = (classes, value) => classes.find(([most]) => value <= most)[1];
 
-/// The frame that tells most about a scene: where it first fails.
+/// Returns the frame that represents a scene: the first failing one.
 const tellingFrame = (scene) => scene.frames[firstFrame(scene)] || null;
 
-/// Share of pixels with any difference, as far as the measurements say it.
+/// Returns the fraction of pixels with any difference, estimated from the metrics.
 function differingShare(metrics) {
   if (metrics.pixelsBeyond > 0 && metrics.ratioBeyond > 0)
     return metrics.differentPixels * metrics.ratioBeyond / metrics.pixelsBeyond;
   return metrics.differentPixels > 0 ? 0.0005 : 0;
 }
 
-/// What a message says without what is this scene's alone: numbers, and words in quotes.
+/// Returns the scene's message without parts that are specific to the scene: numbers and quoted words.
 function plainMessage(scene) {
   const frame = tellingFrame(scene);
   const text = scene.messages[0] || (frame && ownMessage(frame)) || statusWords[scene.status];
@@ -25,8 +27,8 @@ function plainMessage(scene) {
       .replace(/[0-9]+(\.[0-9]+)?/g, "#");
 }
 
-/// What failures of one group share, as a few words; the first says how it came out. Of pictures that differ: the pass
-/// that first does, the class of the worst pixel and that of the area. Of state: the array. Of others: the message.
+/// Returns the words that all failures of a group share. The first is the kind of failure. Differing pictures: first
+/// differing pass, class of the worst pixel, class of the differing area. State: the array. Others: the message.
 function signature(scene) {
   const frame = tellingFrame(scene), metrics = frame && frame.metrics;
   if (scene.divergence && scene.divergence.buffer)
@@ -42,7 +44,7 @@ function signature(scene) {
   return [statusWords[scene.status], plainMessage(scene)].filter((text, i, all) => all.indexOf(text) === i);
 }
 
-/// [{status, words, scenes}]: the worst status first, then the largest.
+/// Returns a list of {status, words, scenes}, sorted by severity of the status, then by size.
 function groupsOf(scenes) {
   const groups = new Map();
   for (const scene of scenes) {
@@ -55,7 +57,8 @@ function groupsOf(scenes) {
   return [...groups.values()].sort((a, b) => rank(a) - rank(b) || b.scenes.length - a.scenes.length);
 }
 
-/// The command that accepts all of these, "" where none can be; without names where it is all that can be accepted.
+/// Returns the command that accepts all these scenes, or "" if nothing was kept. Omits the names if the scenes are all
+/// that can be accepted.
 function acceptAll(scenes) {
   const kept = scenes.filter(acceptCommand);
   if (kept.length === 0) return "";

@@ -1,9 +1,9 @@
-// The list of scenes: filters by status and text, an order, and rows that exist only while they are visible.
+// The list of scenes: filters by status and text, sort order, and rows that exist only while visible.
 
 const list = {
-  rowHeight: 46,      // px, as in style.css
-  hidden: new Set(),  // statuses
-  shown: [],          // scenes, filtered and in order
+  rowHeight: 46,  // height of a row in px; must match style.css
+  hidden: new Set(),  // statuses whose scenes are hidden
+  shown: [],  // filtered and sorted scenes that the list shows
   rows: new Map(),    // index -> element
 };
 
@@ -20,13 +20,13 @@ function listOrders() {
   };
 }
 
-/// The second line of a row: why, in a few words.
+/// Returns the second line of a scene's row: the reason for its status.
 function summary(scene) {
   if (scene.status === "xfail" && scene.xfail) return scene.xfail;
   return scene.messages[0] || scene.notes[0] || (ofPictures ? statusWords[scene.status] : plural(scene.frames.length, "frame"));
 }
 
-/// One small mark a frame; many frames share marks, each as bad as the worst of its frames.
+/// Returns one small mark per frame. If there are many frames, several share a mark with their worst status.
 function frameMarks(scene) {
   const most = 12;
   const marks = element("span", {class: "ticks", "aria-hidden": "true"});
@@ -40,7 +40,7 @@ function frameMarks(scene) {
   return marks;
 }
 
-/// Rows exist only while they are visible, and so do their pictures.
+/// Returns the thumbnail of a row. Rows and thumbnails exist only while visible.
 function rowPicture(scene) {
   const frame = tellingFrame(scene), path = frame && (frame.actualImage || frame.expectedImage);
   return element("span", {class: "rowPicture"},
@@ -64,7 +64,7 @@ function listRow(scene, index) {
   return row;
 }
 
-/// Makes the rows near the visible part and drops the others.
+/// Creates the rows near the visible part and removes the others.
 function drawRows() {
   const box = byId("list");
   const first = Math.max(0, Math.floor(box.scrollTop / list.rowHeight) - 6);
@@ -155,7 +155,7 @@ function startList() {
   filterList();
 }
 
-/// The scene `step` rows further down the list.
+/// Selects the scene `step` rows further down in the list.
 function stepScene(step) {
   if (list.shown.length === 0) return;
   const at = list.shown.indexOf(state.scene);
@@ -163,7 +163,8 @@ function stepScene(step) {
   go({scene: list.shown[to]});
 }
 
-/// The next frame that failed, in this scene or, past its last, in the next that fails; round at the end.
+/// Selects the next (step 1) or previous (step -1) failed frame in this scene or in the next failing scene. Wraps
+/// around at the ends of the list.
 function stepFailure(step) {
   const failed = (frame) => isFailure(frame.status);
   const scenes = list.shown.filter((scene) => isFailure(scene.status) || scene === state.scene);
@@ -174,7 +175,7 @@ function stepFailure(step) {
     const rest = indices(state.scene).filter((i) => step > 0 ? i > state.frame : i < state.frame);
     if (rest.length > 0) return go({frame: step > 0 ? rest[0] : rest[rest.length - 1]});
   }
-  // A scene that is not in the list counts as before the first, or behind the last.
+  // A scene that is not in the list counts as before the first (step 1) or after the last (step -1).
   const scene = scenes[(Math.max(at, step > 0 ? -1 : 0) + step + scenes.length) % scenes.length];
   const found = indices(scene);
   go({scene, frame: found.length === 0 ? firstFrame(scene) : step > 0 ? found[0] : found[found.length - 1]});

@@ -1,7 +1,7 @@
-// The report's data, what is derived from it, and what is chosen: suite, scene, frame, view.
+// The report's data, values derived from it, and the selection: suite, scene, frame, view.
 
-/// Objects of the same keys are many: each is [number of its keys, values...], and a list [-1, values...]. A text that is
-/// there more than once is {"t": its number}.
+/// Unpacks the data of Packer in html.cpp: an object is [index of its key list, values...], a list [-1, values...], a
+/// repeated text {"t": index}.
 function unpacked({keys, texts, data}) {
   const open = (value) => {
     if (!Array.isArray(value)) return value !== null && typeof value === "object" ? texts[value.t] : value;
@@ -12,17 +12,17 @@ function unpacked({keys, texts, data}) {
 }
 
 const suite = unpacked(JSON.parse(document.getElementById("data").textContent));
-/// Pictures of other programs have no frames, no device and no state.
+/// true if the report is about pictures of other programs, which have no frames, device or state
 const ofPictures = suite.unit === "picture";
 
-/// In the order of the list: what needs attention first.
+/// All statuses in the order of the list, most urgent first.
 const statusOrder =
     ["error", "fail", "nondeterministic", "missing", "xpass", "flaky", "xfail", "updated", "pass"];
 const statusWords = {
   error: "error", fail: "failed", nondeterministic: "nondeterministic", missing: "no baseline",
   xpass: "passed unexpectedly", flaky: "flaky", xfail: "failed as expected", updated: "updated", pass: "passed",
 };
-/// Where room is short.
+/// Short status names for narrow places.
 const statusShort = {...statusWords, xpass: "xpass", xfail: "xfail"};
 const statusGlyphs = {
   error: "!", fail: "✕", nondeterministic: "≠", missing: "?", xpass: "⊕", flaky: "~", xfail: "⊖", updated: "↑",
@@ -34,7 +34,7 @@ function isFailure(status) {
   return !["pass", "updated", "xfail"].includes(status);
 }
 
-/// Of pictures that are compared so; `asked` of a scene or a frame.
+/// True if pixels must be equal; `asked` comes from a scene or a frame.
 function noneMayDiffer(asked) {
   return asked === "exact" || asked === "equal";
 }
@@ -48,7 +48,8 @@ const views = [
   {id: "amplified", label: "amplified", key: "a"},
 ];
 
-/// What the curve can show, as a number of a frame's metrics; `bound` is the tolerance that limits it.
+/// Measurements that the curve can show. `of` computes the value from a frame's metrics; `bound` is the tolerance field
+/// that limits it.
 const curves = [
   {id: "worst", label: "worst channel", of: (m) => m.worst, bound: "hardFail", text: (v) => format(v, 3)},
   {id: "ratioBeyond", label: "pixels beyond", of: (m) => m.ratioBeyond, bound: "maxDiffRatio", text: percent},
@@ -56,7 +57,7 @@ const curves = [
   {id: "ssim", label: "1 − SSIM", of: (m) => m.ssim === null ? null : 1 - m.ssim, bound: null, text: (v) => format(v, 3)},
 ];
 
-/// What is chosen. Change it with go(), which redraws and writes the link.
+/// The current selection. Change it with go(), which redraws the page and updates the link.
 const state = {scene: null, frame: 0, view: "side"};
 
 const byName = new Map(suite.scenes.map((scene) => [scene.name, scene]));
@@ -66,24 +67,24 @@ const frameOf = (scene) => (scene && scene.frames[state.frame]) || null;
 const hasPictures = (frame) => Boolean(frame.expectedImage || frame.actualImage || frame.differenceImage);
 const equalPixels = (frame) => !frame.metrics && frame.pixels !== "" && frame.pixels === frame.expectedPixels;
 
-/// A frame's message where its number stands beside it already.
+/// Returns a frame's message without the frame number, for places that already show the number.
 function ownMessage(frame) {
   const prefix = "frame " + frame.frame + ": ";
   return frame.message.startsWith(prefix) ? frame.message.slice(prefix.length) : frame.message;
 }
 
-/// Largest of a curve's values over the scene's frames; 0 where nothing was measured.
+/// Returns the largest value of a measurement over the scene's frames, or 0 if nothing was measured.
 function largest(scene, of) {
   return scene.frames.reduce((most, frame) => frame.metrics ? Math.max(most, of(frame.metrics)) : most, 0);
 }
 
-/// Index of the frame to show first: where the scene first fails.
+/// Returns the index of the frame to show first: the first failing one.
 function firstFrame(scene) {
   const telling = (frame) => (frame.status !== "pass" && frame.status !== "updated") || frame.others.length > 0;
   return Math.max(0, scene.frames.findIndex(telling));
 }
 
-/// The value of a curve at a frame: 0 where the pixels are equal, null where nothing can be compared.
+/// Returns a curve's value at a frame: 0 if the pixels are equal, null if nothing can be compared.
 function curveValue(curve, frame) {
   if (frame.metrics) return curve.of(frame.metrics);
   return equalPixels(frame) || frame.alternate > 0 ? 0 : null;
@@ -108,18 +109,18 @@ function plural(count, noun) {
 }
 const natural = new Intl.Collator("en", {numeric: true}).compare;
 
-/// One word of a POSIX shell.
+/// Quotes text as one word for a POSIX shell.
 function shellWord(text) {
   return "'" + text.replaceAll("'", "'\\''") + "'";
 }
 
-/// The command that accepts this scene, or "" where nothing was kept.
+/// Returns the command that accepts this scene, or "" if nothing was kept.
 function acceptCommand(scene) {
   if (!suite.acceptCommand || !scene.candidate) return "";
   return suite.acceptCommand + " --only " + shellWord(scene.name);
 }
 
-/// "first leaves the baseline at frame 37, step 4 of 22: flag.positions, within elements 128–191"
+/// Returns text like "first leaves the baseline at frame 37, step 4 of 22: flag.positions, within elements 128–191".
 function divergenceText(divergence) {
   const d = divergence;
   const when = d.frame < 0 ? "before frame 0, at pre-roll frame " + d.frame : "at frame " + d.frame;
@@ -134,7 +135,7 @@ function divergenceText(divergence) {
 
 const byId = (id) => document.getElementById(id);
 
-/// An element; text goes through text nodes, so data is never markup.
+/// Creates an element. Text becomes text nodes, so data is never parsed as markup.
 function element(tag, properties, ...children) {
   const made = document.createElement(tag);
   for (const [key, value] of Object.entries(properties || {})) {
@@ -156,7 +157,7 @@ function badge(status) {
   return element("span", {class: "badge " + status}, statusGlyphs[status] + " " + statusWords[status]);
 }
 
-/// localStorage may be denied (a page from disk, a private window): settings then last as long as the page.
+/// localStorage may be denied (page from disk, private window). Settings then last only as long as the page.
 function remembered(key) {
   try {
     return window.localStorage.getItem("simreel." + key);
@@ -168,11 +169,11 @@ function remember(key, value) {
   try {
     window.localStorage.setItem("simreel." + key, value);
   } catch {
-    // Nothing is kept.
+    // The setting is lost when the page is closed.
   }
 }
 
-/// Of the asynchronous interface, or, where that is refused, of a selected text field.
+/// Copies text with the asynchronous clipboard API, or through a selected text field if that is denied.
 async function copyText(text) {
   try {
     await navigator.clipboard.writeText(text);
@@ -190,7 +191,7 @@ async function copyText(text) {
   }
 }
 
-/// A command with a button that copies it.
+/// Returns a command and a button that copies it.
 function commandLine(text, label) {
   const button = element("button", {class: "copy", "aria-label": "Copy: " + label, title: "Copy"}, "copy");
   button.addEventListener("click", async () => {

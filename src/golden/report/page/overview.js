@@ -1,21 +1,22 @@
-// The overview: groups of like failures with small pictures, what is chosen of them to be accepted, and a line for each
-// failure with its pass and its tolerance.
+// The overview: groups of similar failures with thumbnails, the selection of scenes to accept, and a table of all
+// failures with their pass and tolerance.
 
 const overview = {
   groups: [],
-  chosen: new Set(),  // scenes
-  boxes: new Map(),   // scene -> its check boxes
-  most: 12,           // pictures of a group that are shown at first
+  chosen: new Set(),  // scenes selected for acceptance
+  boxes: new Map(),  // check boxes of each scene
+  most: 12,  // number of thumbnails of a group shown at first
 };
 
 // ---- small pictures ----
 
-/// A ring around the worst pixel where few differ: in a small picture nobody would find it.
+/// Returns a ring that marks the worst pixel if only few pixels differ, because a single pixel is hard to see in a
+/// thumbnail.
 function ringAtWorst(image, metrics) {
   if (!metrics || metrics.worst === 0 || differingShare(metrics) > 0.1) return null;
   const ring = element("i", {class: "ring", hidden: true});
   image.addEventListener("load", () => {
-    // The picture is fitted into its box, in the middle.
+    // The picture is scaled to fit its box and centred in it.
     const box = image.getBoundingClientRect();
     const scale = Math.min(box.width / image.naturalWidth, box.height / image.naturalHeight);
     const place = (inside, size, at) => (inside - size * scale) / 2 + (at + 0.5) * scale;
@@ -26,7 +27,7 @@ function ringAtWorst(image, metrics) {
   return ring;
 }
 
-/// The picture of a scene's telling frame, loaded once it comes near the window.
+/// Returns a thumbnail of a scene's first failing frame. The image is loaded when it comes near the window.
 function smallPicture(scene) {
   const frame = tellingFrame(scene);
   const path = frame && (frame.actualImage || frame.expectedImage);
@@ -37,7 +38,7 @@ function smallPicture(scene) {
   const difference = frame.differenceImage ?
       element("img", {loading: "lazy", decoding: "async", alt: "", class: "over", draggable: "false"}) : null;
   const box = element("span", {class: "small"}, image, difference, ring);
-  // The difference shows under the pointer; nobody else needs its file.
+  // The difference image is loaded and shown only while the pointer is over the thumbnail.
   if (difference) box.addEventListener("pointerenter", () => difference.src = link(frame.differenceImage), {once: true});
   return box;
 }
@@ -58,7 +59,7 @@ function thumbnail(scene) {
 
 // ---- choosing ----
 
-/// A check box for one scene or a group of them.
+/// Returns a check box for a scene or a group of scenes.
 function chooser(scenes, label) {
   const box = element("input", {type: "checkbox", class: "choose", "aria-label": label, title: label});
   box.addEventListener("change", () => choose(scenes, box.checked));
@@ -88,7 +89,7 @@ function choose(scenes, on) {
   showChoice();
 }
 
-/// What is chosen, at the foot of the page, with the command that accepts it.
+/// Updates the footer: the number of selected scenes and the command that accepts them.
 function showChoice() {
   const scenes = [...overview.chosen], foot = byId("choice");
   foot.hidden = scenes.length === 0;
@@ -99,7 +100,7 @@ function showChoice() {
       element("button", {class: "quiet", onclick: () => choose(scenes, false)}, "clear"));
 }
 
-/// One click: the group is chosen, and its command in the clipboard.
+/// Selects a group and copies the command that accepts it, with a single click.
 function acceptGroup(group, button) {
   const scenes = group.scenes.filter(acceptCommand);
   choose([...overview.chosen], false);
@@ -136,7 +137,7 @@ function groupCard(group) {
 
 // ---- every failure in a line ----
 
-/// The bounds in force: "worst ≤ 12 · pixels ≤ 0.5 %", and who set them.
+/// Returns the bounds in force, such as "maxChannelDiff 12 · maxDiffRatio 0.005", and their origins.
 function toleranceText(scene) {
   if (noneMayDiffer(scene.asked)) return ["none: has to be equal", ""];
   const bounds = Object.entries(scene.tolerance).filter(([name]) => name !== "windowSize");
@@ -174,7 +175,7 @@ function makeOverview() {
               element("span", {class: "dim"}, "in " + plural(overview.groups.length, "group") + " of like differences"),
               kept.length > 0 ? element("label", {class: "all"}, chooser(kept, "choose all"), " all") : null),
       ...overview.groups.map(groupCard));
-  // Made when it comes near: it may have thousands of cells.
+  // The table is created when it comes near the window, because it may have thousands of cells.
   const place = element("section", {class: "card failures later"}, "Every failure, with its tolerance");
   byId("overviewPage").append(place);
   const near = new IntersectionObserver((entries) => {
@@ -185,7 +186,7 @@ function makeOverview() {
   near.observe(place);
 }
 
-/// Instead of a scene. Made when it is first asked for.
+/// Shows the overview instead of a scene. Creates it on the first call.
 function showOverview(keepLink) {
   if (failing.length === 0) return;
   if (overview.groups.length === 0) makeOverview();

@@ -1,14 +1,14 @@
-// The views of a frame's pictures: side by side, swipe, blink, difference, and FLIP's map where there is one.
+// Views of a frame's pictures: side by side, swipe, blink, difference, and the FLIP map if there is one.
 
 const blink = {
   playing: !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
   timer: null,
-  first: true,  // shows the expected picture
+  first: true,  // true while the expected picture is shown
 };
 
 const pictureKeys = ["expected", "actual", "difference"];
 
-/// What a picture is called; runs that disagree with each other have no expected one.
+/// Returns the caption of a picture. If two runs differ, the captions name the runs.
 function pictureLabel(frame, key) {
   if (frame.status === "nondeterministic" && key !== "difference" && frame.others.length > 1)
     return frame.others[key === "expected" ? 0 : 1].label;
@@ -17,7 +17,7 @@ function pictureLabel(frame, key) {
   return key;
 }
 
-/// A path as a relative link: a name may hold "#", "?" or "%".
+/// Returns a path as relative URL, because a name may contain "#", "?" or "%".
 function link(path) {
   return path.split("/").map(encodeURIComponent).join("/");
 }
@@ -25,7 +25,7 @@ function link(path) {
 function pictureLoaded(image) {
   const images = viewer.panes.flatMap((pane) => pane.layers).map((layer) => layer.image)
                      .filter((other) => other.naturalWidth > 0);
-  if (!images.includes(image)) return;  // of a frame that is no longer shown
+  if (!images.includes(image)) return;  // image of a frame that is no longer shown
   viewer.size = {
     width: Math.max(...images.map((other) => other.naturalWidth)),
     height: Math.max(...images.map((other) => other.naturalHeight)),
@@ -33,7 +33,8 @@ function pictureLoaded(image) {
   sizePanes();
 }
 
-/// The picture's element; one that is shown already is used again, so that switching views does not flicker.
+/// Returns the image element for a path. Reuses an element that is already shown, so that switching views does not
+/// flicker.
 function pictureElement(path) {
   const shown = viewer.panes.flatMap((pane) => pane.layers).find((layer) => layer.path === path);
   if (shown) return shown.image;
@@ -54,7 +55,7 @@ function makeLayer(frame, key) {
   return {box: element("div", {class: "layer"}, image), image, key, path};
 }
 
-/// A pane of one or more pictures on top of each other, with a caption in its corner.
+/// Returns a pane of one or more stacked pictures, with a caption in its corner.
 function makePane(frame, keys) {
   const layers = keys.map((key) => makeLayer(frame, key));
   const window = element("i", {class: "mark window", title: "densest window", hidden: true});
@@ -92,7 +93,7 @@ function makePanes(frame, existing) {
   return [pane];
 }
 
-/// Why there is nothing to see.
+/// Returns a text that explains why the view is empty.
 function emptyText(frame, existing) {
   if (!frame) return state.scene.status === "error" ? "No frame was made." : "No frame was tested.";
   if (existing.length > 0)
@@ -128,7 +129,7 @@ function showPictures() {
   sizePanes();
 }
 
-/// Heights follow the pictures' shape, so that no pane is half empty.
+/// Sets the height of the panes from the pictures' aspect ratio, so that no pane is half empty.
 function sizePanes() {
   const box = byId("panes");
   const columns = getComputedStyle(box).gridTemplateColumns.split(" ").length;
@@ -144,14 +145,15 @@ function sizePanes() {
 
 const amplified = {chosen: "auto", factors: [1, 4, 16, 64, 255]};
 
-/// A difference of 1 is seen beside any: as white where there is none larger, else as a dark grey.
+/// Returns the amplification factor. The automatic factor keeps a difference of 1 visible: white if it is the largest
+/// one, otherwise dark grey.
 function factorOf(frame) {
   if (amplified.chosen !== "auto") return Number(amplified.chosen);
   return frame.metrics && frame.metrics.worst > 1 ? 64 : 255;
 }
 
-/// |actual - expected| of each channel, times a factor. The browser blends the two: a page from disk may not read their
-/// pixels, but it may show them so.
+/// Shows |actual - expected| of each channel times a factor. Uses CSS blending, because a page from disk may show the
+/// pictures but not read their pixels.
 function amplify(pane, frame) {
   const factor = factorOf(frame);
   const box = element("div", {class: "amplified", style: `filter: brightness(${factor})`}, ...pane.layers.map((layer) => layer.box));
@@ -190,7 +192,7 @@ function startBlink() {
   if (blink.playing) blink.timer = setInterval(swapBlink, Number(byId("interval").value));
 }
 
-/// By hand: the timer stops, or the next swap would come at once.
+/// Swaps the pictures by hand. Stops the timer, because its next swap could follow immediately.
 function blinkByHand() {
   if (state.view !== "blink") return go({view: "blink"});
   blink.playing = false;

@@ -1,12 +1,12 @@
-// Looking at pictures: zoom, pan and marks, the same in every pane. Positions are in picture pixels, x right
-// and y down; a pane shows picture point (x, y) at its middle, `scale` screen pixels (CSS) a picture pixel.
+// Picture viewer: zoom, pan and marks, the same in all panes. Positions are in picture pixels, x to the right and y
+// downwards. Each pane shows picture point (x, y) at its centre, with `scale` CSS pixels per picture pixel.
 
 const viewer = {
-  scale: null,                 // null: fit
-  x: 0, y: 0,                  // picture point in the middle of each pane, where scale is given
-  size: {width: 16, height: 9},  // of the pictures, once known
+  scale: null,  // zoom in CSS pixels per picture pixel; null: fit to the pane
+  x: 0, y: 0,  // picture point at the centre of each pane, if scale is not null
+  size: {width: 16, height: 9},  // size of the pictures, once known
   panes: [],                   // {box, layers: [{box, image, key}], window, worst}
-  split: 0.5,                  // of swipe: share of the pane that shows the expected picture
+  split: 0.5,  // swipe position: fraction of the pane that shows the expected picture
   marks: true,
   pointers: new Map(),         // id -> {x, y}
   drag: null,                  // "pan", "split" or "pinch"
@@ -16,21 +16,22 @@ const zoomLadder = [1 / 8, 1 / 4, 1 / 2, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 6
 const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
 const fitScale = (pane) =>
     Math.min(pane.box.clientWidth / viewer.size.width, pane.box.clientHeight / viewer.size.height);
-/// Screen pixels of CSS a device pixel.
+/// Returns the size of a device pixel in CSS pixels.
 const devicePixel = () => 1 / (window.devicePixelRatio || 1);
 
-/// Where a pane shows the picture: screen = offset + scale * picture.
+/// Returns how a pane shows the picture: screen = offset + scale * picture.
 function placement(pane) {
   const fitted = viewer.scale === null;
   const scale = fitted ? fitScale(pane) : viewer.scale;
   const x = fitted ? viewer.size.width / 2 : viewer.x;
   const y = fitted ? viewer.size.height / 2 : viewer.y;
-  // Whole device pixels, or a picture pixel's edges fall between.
+  // Snaps to whole device pixels, so that the edges of picture pixels stay sharp.
   const snap = (value) => Math.round(value / devicePixel()) * devicePixel();
   return {scale, left: snap(pane.box.clientWidth / 2 - x * scale), top: snap(pane.box.clientHeight / 2 - y * scale)};
 }
 
-/// Scaled, an image's edge is smoothed; where two are subtracted that would show, so there it has whole screen pixels.
+/// Positions an image. A scaled image has smoothed edges, which would be visible when two images are subtracted;
+/// `wholePixels` then gives it a size in whole device pixels.
 function placeImage(image, place, wholePixels) {
   const move = `translate(${place.left}px, ${place.top}px)`;
   const side = (size) => wholePixels ? Math.round(size * place.scale / devicePixel()) * devicePixel() + "px" : "";
@@ -48,7 +49,7 @@ function placeMark(mark, place, x, y, size, visible) {
   mark.style.width = mark.style.height = side + "px";
 }
 
-/// Side of the densest window in pixels.
+/// Returns the side length of the densest window in pixels.
 function windowSize() {
   const given = state.scene.tolerance.windowSize;
   return given ? given.value : 16;
@@ -79,7 +80,7 @@ function drawPanes() {
   byId("zoom").textContent = first ? Math.round(placement(first).scale / devicePixel() * 100) + " %" : "–";
 }
 
-/// Zooms so that the picture point under (clientX, clientY) stays where it is.
+/// Zooms so that the picture point at (clientX, clientY) stays in place.
 function zoomAt(pane, clientX, clientY, scale) {
   const box = pane.box.getBoundingClientRect();
   const place = placement(pane);
@@ -108,7 +109,7 @@ function setScale(scale) {
   }
 }
 
-/// The next step of the ladder up (1) or down (-1).
+/// Zooms to the next step of the ladder, up (1) or down (-1).
 function stepZoom(direction) {
   if (!viewer.panes[0]) return;
   const now = placement(viewer.panes[0]).scale / devicePixel();
@@ -123,7 +124,7 @@ function pan(dx, dy) {
   lookAt(viewer.x - dx / viewer.scale, viewer.y - dy / viewer.scale);
 }
 
-/// To the pixel that differs most, near enough to see its neighbours.
+/// Moves to the pixel with the largest difference and zooms in enough to see its neighbours.
 function goToWorst() {
   const frame = frameOf(state.scene);
   if (!frame || !frame.metrics || viewer.panes.length === 0) return;
@@ -143,7 +144,7 @@ function toggleMarks() {
 
 const probe = {context: null, refused: false};
 
-/// [r, g, b] or null: browsers do not let a page from disk read the pictures beside it.
+/// Returns [r, g, b] of an image pixel, or null if the browser does not let a page from disk read pictures.
 function colourAt(image, x, y) {
   if (probe.refused || !image.complete || x >= image.naturalWidth || y >= image.naturalHeight) return null;
   try {
@@ -194,7 +195,7 @@ function pointerDown(event) {
   viewer.pointers.set(event.pointerId, {x: event.clientX, y: event.clientY});
   byId("panes").setPointerCapture(event.pointerId);
   const onHandle = pane.handle && pane.handle.contains(event.target);
-  // A picture that fits cannot be moved: dragging anywhere moves the slider then.
+  // A picture that fits the pane cannot be panned, so dragging anywhere moves the slider.
   const split = pane.handle && (onHandle || viewer.scale === null);
   viewer.drag = viewer.pointers.size > 1 ? "pinch" : split ? "split" : "pan";
   viewer.dragPane = pane;
