@@ -47,7 +47,8 @@ out vec3 place;
 #endif
 
 #ifdef GRID
-// Central differences, one-sided at the borders; agrees with the triangles (a, a + width, a + 1).
+// Returns the normal from central differences, one-sided at the borders. Its direction agrees with the triangles (a, a
+// + width, a + 1).
 vec3 gridNormal(int i) {
   int x = i % grid.x, y = i / grid.x;
   vec3 left = worldPoint(i - min(x, 1)), right = worldPoint(i + min(grid.x - 1 - x, 1));
