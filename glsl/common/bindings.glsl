@@ -1,5 +1,5 @@
-// Binding points that every simulation uses, and those of the kernels in glsl/common. Compiles as GLSL and, through
-// common/cpp.hpp, as C++.
+// Binding points that all simulations and the kernels in glsl/common use. Compiles as GLSL and, through common/cpp.hpp,
+// as C++.
 #ifndef COMMON_BINDINGS
 #define COMMON_BINDINGS
 

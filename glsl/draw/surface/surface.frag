@@ -1,5 +1,5 @@
-// Shades a metal/rough surface. Variants: those of lighting.glsl, SHADOW, PALETTE, TEXTURED (with TRIPLANAR, BUMPED),
-// DOUBLE_SIDED, SKIN (with SKIN_UV or TRIPLANAR, and one LOOK_ variant of skin_look.glsl).
+// Shades a metal/rough surface. Variants: SHADOW, PALETTE, TEXTURED (with TRIPLANAR, BUMPED), DOUBLE_SIDED, SKIN (with
+// SKIN_UV or TRIPLANAR, and one LOOK_ variant of skin_look.glsl), and the variants of lighting.glsl.
 #include "draw/fragment_frame.glsl"
 #include "draw/surface/material.glsl"
 #include "draw/surface/shadow_read.glsl"
