@@ -1,4 +1,4 @@
-// The uv of a surface's vertex. GRID: from its number.
+// The uv of a surface's vertex. GRID: computed from the vertex index.
 #include "draw/bindings.glsl"
 #ifdef GRID
 #include "common/once.glsl"
@@ -10,7 +10,8 @@ uniform float perRow;  // 1 / grid.x
 float perRow_ = once(perRow);
 
 vec2 uvOf(int vertex) {
-  // Software drivers divide integers lane by lane. In floats the quotient is off by one at most, of up to five million rows.
+  // Software drivers divide integers lane by lane. The float quotient is off by at most one for up to five million
+  // rows.
   int i = vertex - firstVertex_;
   precise float about = float(i) * perRow_;
   int row = int(about);
