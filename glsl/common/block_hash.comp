@@ -8,7 +8,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = sumsBinding) restrict buffer SumBlock { uint sums[]; };
 uniform int texels;
 #include "common/state_words.glsl"
-uniform int perInvocation;  // number of elements; divides perBlock
+uniform int perInvocation;  // number of elements that one invocation hashes; divides perBlock
 uniform int perBlock;
 uniform int place;  // index of this array's first sum; one sum for each block, then the weighted sum
 

@@ -2,7 +2,7 @@
 // The totals follow after the last tile.
 #include "common/sort_tile.glsl"
 #ifdef TEXEL_PATH
-layout(local_size_x = 4) in;  // each invocation sums four digits
+layout(local_size_x = 4) in;  // each invocation sums the counts of four digits
 
 void main() {
   int quad = int(gl_LocalInvocationID.x);

@@ -16,7 +16,7 @@ layout(local_size_x = 16) in;
 void main() {
   int tile = int(gl_GlobalInvocationID.x);
   if (tile >= tiles) return;
-  // The destination index of the next record of each digit.
+  // Destination index of the next record of each digit.
   uvec4 total0 = LOAD_WORDS(digits, tiles * 4);
   uvec4 total1 = LOAD_WORDS(digits, tiles * 4 + 1);
   uvec4 total2 = LOAD_WORDS(digits, tiles * 4 + 2);
@@ -48,7 +48,7 @@ void main() {
 }
 #else
 layout(local_size_x = threads) in;
-shared uint ranks[16 * threads];  // indexed by digit, then by invocation
+shared uint ranks[16 * threads];  // rank counters, indexed by digit, then by invocation
 shared uint sums[threads];
 shared uint places[16];
 

@@ -6,14 +6,15 @@
 #include "common/words.glsl"
 INPUT_WORDS(recordsBinding, RecordBlock, records)
 STATE_WORDS(digitsBinding, DigitBlock, digits)
-uniform int count;        // number of records
+uniform int count;        // number of records to sort
 uniform int tiles;
-uniform int tileRecords;  // records per tile: texel path: counted by one invocation; storage path: 2048
-uniform int word;         // word of the record that holds the digit: 0 or 1
-uniform int shift;        // bit offset of the digit in that word
+uniform int tileRecords;  // number of records per tile; a tile is the work of one invocation (texel path) or one
+                          // workgroup (storage path, 2048)
+uniform int word;         // index of the word of a record that holds the digit: 0 or 1
+uniform int shift;        // bit offset of the digit in the record's word
 
 const int threads = 256;
-const int perThread = 8;  // records per invocation of a workgroup, storage path only
+const int perThread = 8;  // number of records for each invocation of a workgroup, storage path only
 
 uint digitOf(uvec4 record) {
   return ((word == 0 ? record.x : record.y) >> uint(shift)) & 15u;

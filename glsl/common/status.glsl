@@ -1,8 +1,8 @@
 // Status block in which a simulation records the first step and element whose state is not a finite number.
 #include "common/bindings.glsl"
 layout(std430, binding = statusBinding) restrict buffer StatusBlock {
-  uint firstStep;     // 0xffffffff until a non-finite state occurs
-  uint firstElement;  // lowest index of a non-finite element in that step
+  uint firstStep;     // step of the first non-finite state; 0xffffffff until one occurs
+  uint firstElement;  // lowest index of a non-finite element in that first step
   uint remark;        // non-zero if the simulation has a remark for the user (Simulation::remark)
   uint spare1;
 } status;

@@ -16,10 +16,9 @@ struct STD140 Frame {
   vec4 zenith;             // rgb sky radiance overhead
   vec4 horizon;            // rgb sky radiance at the horizon
   vec4 nadir;              // rgb sky radiance below the horizon
-  // xyz direction of the picture's centre; the ray of a pixel is rayForward + rayRight x + rayUp y, x and y from -1 to
-  // 1
-  vec4 rayForward;
-  vec4 rayRight;           // xyz half the picture's width as a vector
+  vec4 rayForward;         // xyz ray through the picture's centre; the ray at x, y (-1 to 1) is rayForward + rayRight x
+                           // + rayUp y
+  vec4 rayRight;           // xyz half the picture's width at depth 1, as a vector
   vec4 rayUp;
   vec4 lightRight;         // xyz first axis across the sun's direction
   vec4 lightUp;            // xyz second axis across the sun's direction
@@ -28,7 +27,7 @@ struct STD140 Frame {
   vec4 whiteGreen;         // rgb result of the white balance for green light of 1
   vec4 whiteBlue;          // rgb result of the white balance for blue light of 1
   vec2 size;               // picture size in pixels
-  float exposure;          // factor on the light
+  float exposure;          // exposure factor on the light
   float vignette;
   float sunGlow;           // factor on the glow around the sun
   float ambient;           // factor on the sky's light on surfaces

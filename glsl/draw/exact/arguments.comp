@@ -5,10 +5,10 @@
 #include "draw/exact/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = counterBinding) readonly restrict buffer CounterBlock { uint counters[]; };
-// 4 words per dispatch
+// Arguments of each dispatch take 4 words.
 layout(std430, binding = dispatchBinding) writeonly restrict buffer DispatchBlock { uint groups[]; };
 uniform int counts;
-uniform int first;  // first dispatch to write
+uniform int first;  // index of the first dispatch whose arguments are written
 uniform int firstCount;
 uniform uint skipped;
 uniform uint most;

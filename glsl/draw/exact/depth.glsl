@@ -5,7 +5,7 @@
 #include "common/exact.glsl"
 
 #ifdef PARALLEL
-// Returns the nearness; 0 at the far end of the span and behind it.
+// Returns the nearness of a depth; 0 at the far end of the depth range and behind it.
 FUNCTION float nearOf(float depth) {
   precise float near = 1.0f - (depth - view.near) * view.forward.w;
   return max(near, 0.0f);

@@ -4,7 +4,7 @@
 #define EXACT_FIXED
 #include "common/exact.glsl"
 
-const int subpixels = 256;   // steps per pixel of triangle corners
+const int subpixels = 256;   // fixed-point steps per pixel for the positions of triangle corners
 const int guardPixels = 1024;  // guard band in pixels around the picture; triangles that extend beyond it are clipped
 const int tileSide = 8;      // side of a tile in pixels
 

@@ -3,7 +3,7 @@
 #include "draw/bindings.glsl"
 #include "common/exact.glsl"
 layout(binding = lightUnit) uniform samplerBuffer light;
-// Read once per invocation instead of in each round of a loop.
+// The shadow map's transform, read once per invocation instead of in each round of a loop.
 vec4 lightAcross = texelFetch(light, 0), lightUp = texelFetch(light, 1), lightAway = texelFetch(light, 2);
 vec4 lightSize = texelFetch(light, 3);
 
@@ -17,7 +17,7 @@ vec3 lightPlace(vec3 p) {
 float lightTexel() {
   return lightSize.x;
 }
-// Returns the depth range of the map (m).
+// Returns the depth range of the sun's shadow map (m).
 float lightDepth() {
   return lightSize.z;
 }

@@ -5,7 +5,8 @@
 #include "draw/exact/bindings.glsl"
 #ifdef PAIRED
 layout(binding = nearUnit) uniform usamplerBuffer samplePairs;
-layout(binding = nearFoursUnit) uniform usamplerBuffer pairsOfTwo;  // the same memory, two samples per texel
+// Texel view of the same buffer, two samples per texel.
+layout(binding = nearFoursUnit) uniform usamplerBuffer pairsOfTwo;
 
 uint keyAt(int at) {
   return texelFetch(samplePairs, at).y;
@@ -24,7 +25,8 @@ uvec4 fourIdsAt(int at) {
 }
 #else
 layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;
-layout(binding = nearFoursUnit) uniform usamplerBuffer nearestFours;  // the same memory, four samples per texel
+// Texel view of the same buffer, four samples per texel.
+layout(binding = nearFoursUnit) uniform usamplerBuffer nearestFours;
 layout(binding = idUnit) uniform usamplerBuffer visibleIds;
 layout(binding = idFoursUnit) uniform usamplerBuffer visibleFours;
 

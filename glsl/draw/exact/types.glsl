@@ -5,21 +5,20 @@
 #define DRAW_EXACT_TYPES
 
 struct STD140 ExactView {
-  vec4 eye;        // xyz position (m); w, lamp's shadow map: its first row in the atlas
+  vec4 eye;        // xyz position of the eye (m); w of a lamp's shadow map: its first row in the atlas
   vec4 across;     // xyz: dot product with the vector from the eye (m) gives pixels to the right times depth (PARALLEL:
-                   // pixels from the centre); w, lamp's shadow map: its first column in the atlas
-  vec4 down;       // xyz: as `across`, for pixels downwards
-  // xyz: unit view direction; dot product with the vector from the eye gives the depth; w: 1 / depth range (1/m) if
-  // PARALLEL, else 0
-  vec4 forward;
-  // xyz: ray of depth 1 through the picture's top left corner (PARALLEL: start of that ray, relative to the eye)
-  vec4 ray;
+                   // pixels from the centre); w of a lamp's shadow map: its first column in the atlas
+  vec4 down;       // xyz: like `across`, for pixels downwards
+  vec4 forward;    // xyz: unit view direction; dot product with the vector from the eye gives the depth; w: 1 / depth
+                   // range (1/m) if PARALLEL, else 0
+  vec4 ray;        // xyz: ray of depth 1 through the picture's top left corner (PARALLEL: start of that ray, relative
+                   // to the eye)
   vec4 rayAcross;  // xyz: change of the ray per pixel to the right
   vec4 rayDown;    // xyz: change of the ray per pixel downwards
   ivec2 size;      // picture size in pixels
   float near;      // depth of the near plane in metres
   float nearOverFar;
-  ivec2 rows;      // first row and end row (exclusive) of the band that is being rasterized
+  ivec2 rows;      // band of rows that is being rasterized: first row, end row (exclusive)
 };
 const int maxFaceViews = 48;  // max number of shadow map faces of all lamps
 

@@ -15,7 +15,7 @@ layout(std140, binding = viewBinding) uniform ViewBlock {
   ExactView viewBlock;
 };
 #endif
-ExactView viewOnce() {  // reads each member of ExactView once (common/once.glsl)
+ExactView viewOnce() {  // Reads each member of ExactView once (common/once.glsl).
   ExactView one;
   one.eye = once(viewBlock.eye);
   one.across = once(viewBlock.across);
@@ -33,7 +33,8 @@ ExactView viewOnce() {  // reads each member of ExactView once (common/once.glsl
 ExactView view = viewOnce();
 
 #ifdef SAMPLES
-// Returns the index of the pixel's first sample. The buffers hold the samples of the current band, row by row.
+// Returns the index of the pixel's first sample. The buffers hold the samples of the current band of picture rows, row
+// by row.
 int firstSample(ivec2 pixel) {
   return ((pixel.y - view.rows.x) * view.size.x + pixel.x) * SAMPLES;
 }

@@ -13,7 +13,7 @@ ivec2 mapSize = ivec2(mapTexels);
 #define PICTURE_ROWS view.rows
 #endif
 #ifdef LAMP_MAP
-uniform int keyStride;  // number of keys from one row to the next
+uniform int keyStride;  // number of keys from one row of the map to the next
 #ifdef FACES
 int firstKey = int(view.eye.w) * keyStride + int(view.across.w);
 #else
@@ -31,7 +31,7 @@ int sampleIndex(ivec2 pixel, int s) {
 #endif
 }
 #ifndef ADDS
-// The memory that sample_read.glsl reads.
+// Buffers of keys and ids, the same memory that sample_read.glsl reads.
 #ifdef ONE_PASS
 layout(std430, binding = nearBinding) restrict buffer PairBlock { uint64_t pairs[]; };
 #elif defined PAIRED

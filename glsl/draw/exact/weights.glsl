@@ -7,8 +7,8 @@
 #include "common/exact.glsl"
 
 struct Weights {
-  vec3 of;      // weights of the corners, not negative, sum 1
-  bool within;  // true if the position is on the triangle
+  vec3 of;      // barycentric weights of the corners, not negative, with sum 1
+  bool within;  // true if the picture position is on the triangle
   bool turned;  // true if the triangle is seen from behind
 };
 

@@ -7,12 +7,11 @@
 #include "draw/instances/glow_block.glsl"
 #include "draw/samples.glsl"
 layout(binding = depthUnit) uniform SAMPLED sceneDepth;
-// 1 / SAMPLES, from the bits of the float, because SAMPLES is a power of two
+// 1 / SAMPLES, from the bits of the float, because SAMPLES is a power of two.
 const float perSamples = intBitsToFloat(0x7f000000 - floatBitsToInt(float(SAMPLES)));
 uniform int strides;  // number of invocations; LARGE: number of workgroups
-// glows with a larger radius (pixels) are squares in space, as the rasterizer draws them; smaller glows are discs in
-// the picture
-uniform float roundPixels;
+uniform float roundPixels;  // glows with a larger radius (pixels) are squares in space, as the rasterizer draws them;
+                            // smaller glows are discs in the picture
 
 Glow glowAt(uint at) {
   vec4 position, velocity;
@@ -28,7 +27,7 @@ void add(ivec2 pixel, vec3 light, float across, float depth) {
     before += int(depth < texelFetch(sceneDepth, pixel, SAMPLE(i)).x);
   precise float inside = (1.0 - across) * (1.0 - across) * float(before) * perSamples;
   precise vec3 all = light * inside;
-  all = min(all, 6e4);  // larger values show as white anyway
+  all = min(all, 6e4);  // clamped because larger values show as white anyway
   precise vec3 large = all * perGlowUpper;
   vec3 upper = floor(large);
   precise vec3 units = (all - upper * glowUpper) * glowUnits + 0.5;
@@ -71,7 +70,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 void addFacing(Glow g, ivec2 aside, ivec2 stride) {
   Facing facing = facingEye(g.middle);
   bool parallel = frame.eye.w == 0.0;
-  vec2 seen = clipPlace(g.middle).xy;  // position in the picture, for parallel rays
+  vec2 seen = clipPlace(g.middle).xy;  // position of the glow's centre in the picture, used for parallel rays
   vec2 low = vec2(1), high = vec2(0);
   bool before = true;
   for (int corner = 0; corner < 4; ++corner) {

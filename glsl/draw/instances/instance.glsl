@@ -3,17 +3,18 @@
 #include "common/exact.glsl"
 #include "draw/bindings.glsl"
 layout(binding = positionUnit) uniform samplerBuffer positions;   // xyz position (m), w mass (kg)
-// xyz velocity (m/s), w age 0 to 1, negative if not alive
+// xyz velocity (m/s), w age 0 to 1, negative if not alive.
 layout(binding = velocityUnit) uniform samplerBuffer velocities;
-uniform float size;         // scale of the shape's coordinates
+uniform float size;         // scale factor of the shape's coordinates
 float size_ = once(size);
 uniform float shapeRadius;  // radius of the shape's bounding sphere at size 1
 float shapeRadius_ = once(shapeRadius);
 uniform float massExponent;
 float massExponent_ = once(massExponent);
-uniform float perMassReference;  // 1 / mass at which the factor of the mass is 1, in 1/kg
+uniform float perMassReference;  // 1 / reference mass (1/kg); the size is scaled by (mass / reference
+                                 // mass)^massExponent
 float perMassReference_ = once(perMassReference);
-uniform float minPixels;  // min radius on screen in pixels
+uniform float minPixels;  // min radius of an instance on screen in pixels
 float minPixels_ = once(minPixels);
 
 // True if the instance is alive and its position is finite and not far away.

@@ -5,7 +5,7 @@ layout(binding = listUnit) uniform usamplerBuffer list;
 layout(binding = argumentUnit) uniform usamplerBuffer arguments;
 layout(binding = stopUnit) uniform samplerBuffer stops;
 uniform int level;
-uniform int colorBy;  // a value of sim::Instances::ColorBy
+uniform int colorBy;  // attribute that selects the colour, a value of sim::Instances::ColorBy
 int colorBy_ = once(colorBy);
 uniform int stopCount;
 int stopCount_ = once(stopCount);
@@ -54,7 +54,7 @@ float brightnessAt(float age) {
 
 struct Glow {
   vec3 middle;
-  float radius;  // radius in metres
+  float radius;  // radius of the glow in metres
   vec3 light;
 };
 

@@ -7,7 +7,7 @@ layout(binding = beforeUnit) uniform usamplerBuffer before;
 layout(binding = blockFirstUnit) uniform usamplerBuffer blockFirst;
 layout(std430, binding = listBinding) writeonly restrict buffer ListBlock { uint list[]; };
 uniform int allWords;
-uniform int words;  // words of one level of detail
+uniform int words;  // number of mask words of one level of detail
 
 void main() {
   int word = int(gl_GlobalInvocationID.x);

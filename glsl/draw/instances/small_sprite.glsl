@@ -2,16 +2,16 @@
 // fragment work, so a kernel computes position and light and the draw shaders only unpack them.
 #include "common/exact.glsl"
 struct SmallSprite {
-  vec3 place;  // clip coordinates divided by w, -1 to 1
+  vec3 place;  // position: clip coordinates divided by w, -1 to 1
   float side;  // side of the square in pixels (texels of the shadow map for FOR_LIGHT)
-  vec3 light;  // light at the centre
+  vec3 light;  // light at the sprite's centre
   vec2 slope;  // relative change of light from the centre to the right edge and to the top edge, -1 to 1
 };
 
 // Packs a light value as three 9-bit mantissas with a shared exponent.
 uint packedLight(vec3 light) {
   float largest = max(max(light.r, light.g), max(light.b, 1e-9));
-  // exponent of the next power of two above the largest component
+  // Exponent of the next power of two above the largest component.
   int exponent = clamp((floatBitsToInt(largest) >> 23) - 126, -15, 16);
   precise vec3 steps = light * intBitsToFloat((136 - exponent) << 23) + 0.5;
   uvec3 m = uvec3(min(steps, 511.0));

@@ -22,7 +22,7 @@ float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
           texture(lampShadows, vec3(place + v, depth)) + texture(lampShadows, vec3(place - v, depth)));
 #else
   float sum = 0.0;
-  for (int i = 0; i < LAMP_TAPS; ++i) {  // points of a sunflower spiral on a disc
+  for (int i = 0; i < LAMP_TAPS; ++i) {  // taps at points of a sunflower spiral on a disc
     float turn = 2.399963 * float(i);
     vec2 offset = radius * sqrt((float(i) + 0.5) / float(LAMP_TAPS)) * vec2(cos(turn), sin(turn));
     sum += texture(lampShadows, vec3(place + offset, depth));

@@ -4,7 +4,7 @@
 #include "draw/ordered_key.glsl"
 #include "draw/surface/vertex_pull.glsl"
 layout(local_size_x = 64) in;
-// six keys per surface: low xyz, high xyz
+// Bounding box of each surface as six keys: low xyz, high xyz.
 layout(std430, binding = boxBinding) restrict buffer BoxBlock { uint boxes[]; };
 uniform int surface;
 uniform int vertexCount;

@@ -6,7 +6,7 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = boxBinding) restrict buffer BoxBlock { uint boxes[]; };
 layout(std430, binding = cellBinding) restrict writeonly buffer CellBlock { uint cells[]; };
-// 5 words per surface
+// Draw arguments, 5 words per surface.
 layout(std430, binding = cellArgumentBinding) restrict buffer ArgumentBlock { uint arguments[]; };
 uniform int surfaces;
 
@@ -14,7 +14,7 @@ uniform int surfaces;
 bool reaches(int face, vec3 low, vec3 high, float scale, float nearest) {
   vec3 a = onFace(face, low), b = onFace(face, high);
   vec3 least = min(a, b), most = max(a, b);
-  precise float reach = most.x + 1e-4 * (most.x - least.x + abs(most.x));  // tolerance for rounding
+  precise float reach = most.x + 1e-4 * (most.x - least.x + abs(most.x));  // margin for rounding errors
   precise float across = scale * max(max(least.y, -most.y), max(least.z, -most.z));
   return most.x >= nearest && reach >= across;
 }

@@ -20,7 +20,7 @@ const int lampTexels = 7;  // texels of a Lamp in a buffer of vec4
 const int lampFaces = 6;   // number of shadow maps of a lamp
 // Size of the grid that stores, for each cell, the lamps with a range that reach the cell.
 const int lampCellsAcross = 16, lampCellsUp = 8;
-// words before the cells: three floats for the corner of the grid, three for cells per metre, two unused
+// Number of words before the cells: three floats for the corner of the grid, three for cells per metre, two unused.
 const int lampCellHead = 8;
 
 #endif

@@ -1,5 +1,5 @@
 // Draws the panel of a chart as a triangle strip. Row 0 of the target is the picture's top row.
-uniform vec4 panel;    // bounds in whole pixels: left, top, right, bottom
+uniform vec4 panel;    // bounds of the chart's panel in whole pixels: left, top, right, bottom
 uniform vec2 picture;  // picture size in pixels
 
 void main() {

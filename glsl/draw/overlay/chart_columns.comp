@@ -7,7 +7,7 @@
 layout(local_size_x = 64) in;
 layout(rgba32f, binding = targetImage) writeonly uniform restrict image2D condensed;
 uniform int columnCount;
-uniform float perColumn;  // number of steps per column
+uniform float perColumn;  // number of steps per column of pixels
 
 void main() {
   int number = int(gl_GlobalInvocationID.x);

@@ -3,7 +3,7 @@
 layout(binding = countUnit) uniform usamplerBuffer counts;
 uniform int steps;     // number of steps counted so far
 uniform float perTop;  // 1 / count at the top of the plot
-layout(binding = columnUnit) uniform sampler2D columns;  // written by chart_columns.comp
+layout(binding = columnUnit) uniform sampler2D columns;  // condensed curves, written by chart_columns.comp
 uniform vec4 panel;      // bounds of the panel in whole pixels: left, top, right, bottom
 uniform vec4 plot;       // bounds of the area with the curves in whole pixels: left, top, right, bottom
 uniform float unit;      // thickness of a thin line in pixels

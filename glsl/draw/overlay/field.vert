@@ -1,5 +1,5 @@
 // Draws the rectangle of the picture that a field covers, as a triangle strip.
-uniform vec4 part;      // bounds in whole pixels from the top left: left, top, right, bottom
+uniform vec4 part;      // bounds of the field in whole pixels from the picture's top left: left, top, right, bottom
 uniform vec2 picture;   // picture size in pixels
 uniform bool topFirst;  // true if row 0 of the target is the picture's top row
 

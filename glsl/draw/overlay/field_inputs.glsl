@@ -4,9 +4,9 @@
 layout(binding = wordUnit) uniform usamplerBuffer words;
 layout(binding = colorUnit) uniform samplerBuffer stops;
 uniform ivec2 cells;     // size of the field in cells
-uniform int rowWords;    // number of words from one row to the next
+uniform int rowWords;    // number of words from one row of cells to the next
 uniform int firstWord;   // index of the word of cell (0, 0)
-uniform int cellWords;   // number of words from one cell to the next, for floats and colours
+uniform int cellWords;   // number of words from one cell to the next, for cells that are floats or colours
 uniform int stopCount;
 uniform float rangeLow;     // cell value of the first colour
 uniform float rangeFactor;  // 1 / (value of the last colour - value of the first)

@@ -19,7 +19,7 @@ FUNCTION vec4 meanOfAll(vec2 from, vec2 to) {
   ROUNDED vec4 sum = vec4(0.0f);
   for (int y = first.y; y <= last.y; ++y) {
     ROUNDED float tall = min(to.y, float(y + 1)) - max(from.y, float(y));
-    tall = tall < 1e-9f ? 0.0f : tall;  // avoids subnormal products
+    tall = tall < 1e-9f ? 0.0f : tall;  // set to zero to avoid subnormal products
     for (int x = first.x; x <= last.x; ++x) {
       ROUNDED float wide = min(to.x, float(x + 1)) - max(from.x, float(x));
       wide = wide < 1e-9f ? 0.0f : wide;
@@ -63,7 +63,7 @@ FUNCTION vec4 meanOver(vec2 from, vec2 to) {
 FUNCTION vec3 splineWeights(float beyond) {
   ROUNDED float before = 0.5f - beyond;
   ROUNDED float after = 0.5f + beyond;
-  before = before < 1e-3f ? 0.0f : before;  // avoids subnormal products
+  before = before < 1e-3f ? 0.0f : before;  // set to zero to avoid subnormal products
   after = after < 1e-3f ? 0.0f : after;
   ROUNDED vec3 weights = vec3(0.5f * (before * before), 0.75f - beyond * beyond, 0.5f * (after * after));
   return weights;

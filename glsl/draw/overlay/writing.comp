@@ -7,7 +7,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = boxUnit) uniform usamplerBuffer shares;
 layout(rgba8, binding = targetImage) uniform restrict image2D target;
-uniform ivec4 panel, box;  // bounds in pixels: left, top, right, bottom
+uniform ivec4 panel, box;  // bounds of the panel and of the text in pixels: left, top, right, bottom
 uniform vec3 color;        // sRGB-encoded text colour
 uniform float opacity;
 uniform float backdrop;

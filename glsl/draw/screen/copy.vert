@@ -3,8 +3,8 @@
 #include "draw/instances/instance_pull.glsl"
 #include "draw/screen/copy_vertex.glsl"
 #include "draw/surface/light_map.glsl"
-// distance by which the facets of a round shape lie inside the true surface, as a fraction of its size
-uniform float swell;
+uniform float swell;  // distance by which the facets of a round shape lie inside the true surface, as a fraction of its
+                      // size
 flat out vec3 tint;
 out vec3 worldNormal;
 out vec3 worldPosition;

@@ -1,6 +1,6 @@
 #include "common/exact.glsl"
 #include "draw/bindings.glsl"
-layout(binding = shapeUnit) uniform samplerBuffer shape;  // position and normal of each vertex
+layout(binding = shapeUnit) uniform samplerBuffer shape;  // two texels per vertex: position, normal
 uniform bool alongVelocity;
 
 // Returns the axes of a copy as columns: z along the velocity, x horizontal.

@@ -94,6 +94,6 @@ FUNCTION vec3 encoded(vec3 x) {
 FUNCTION float dither(ivec2 at) {
   int x = at.x & 3, y = at.y & 3, z = x ^ y;
   int rank = ((z & 1) << 3) | ((y & 1) << 2) | (z & 2) | (y >> 1);
-  ROUNDED float step_ = (float(rank) - 7.5f) * 0.000245098039f;  // 1 / (16 * 255)
+  ROUNDED float step_ = (float(rank) - 7.5f) * 0.000245098039f;  // 1 / (16 * 255): a sixteenth of a byte's step
   return step_;
 }

@@ -9,8 +9,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f, binding = targetImage) writeonly restrict uniform image2D resolved;
 layout(binding = sceneUnit) uniform SAMPLED scene;
 layout(binding = depthUnit) uniform SAMPLED sceneDepth;
-// 0 if the light was not cleared: samples without depth then hold light of an earlier frame and are skipped
-uniform int cleared;
+uniform int cleared;  // 0 if the light was not cleared: samples without depth then hold light of an earlier frame and
+                      // are skipped
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
@@ -27,5 +27,5 @@ void main() {
     glowSums[word + i] = glowSums[word + 3 + i] = 0u;
   }
 #endif
-  imageStore(resolved, at, min(light, 6e4));  // the sum of glows may exceed the half-float range
+  imageStore(resolved, at, min(light, 6e4));  // clamped because the sum of glows may exceed the half-float range
 }

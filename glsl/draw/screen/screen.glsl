@@ -5,7 +5,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(KERNEL, binding = targetImage) writeonly restrict uniform image2D target;
 #define PIXEL (vec2(gl_GlobalInvocationID.xy) + 0.5)
-// stores outside the image have no effect
+// Stores outside the image have no effect.
 #define PUT(value) imageStore(target, ivec2(gl_GlobalInvocationID.xy), value)
 #else
 layout(location = 0) out vec4 result;

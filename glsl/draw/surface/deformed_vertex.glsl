@@ -10,7 +10,7 @@ vec4 loadTrail(int i) {
 #include "mesh/model.glsl"
 
 // Returns the normal (not unit length) of the displaced mesh, from four displaced points at the distance `spacing`
-// along the tangent and bitangent. `spacing`: half the distance between vertices.
+// along tangent and bitangent. `spacing`: length of the shortest edge at the vertex (m).
 vec3 displacedNormal(vec3 rest, vec3 normal, float spacing) {
   vec3 tangent = normalize(abs(normal.x) < 0.7 ? cross(normal, cross(vec3(1, 0, 0), normal))
                                                : cross(normal, cross(vec3(0, 0, 1), normal)));

@@ -2,9 +2,9 @@
 // A square through a ball's centre that faces the eye.
 struct Facing {
   vec3 towards;  // unit vector to the eye
-  vec3 right;    // unit vectors: axes of the square
+  vec3 right;    // unit vectors: axes of the square that faces the eye
   vec3 up;
-  float distance;  // distance from the eye (m)
+  float distance;  // distance of the ball's centre from the eye (m)
 };
 
 Facing facingEye(vec3 p) {

@@ -17,8 +17,8 @@ struct TextureShape {
 };
 
 struct Footprint {
-  vec2 along;     // longer side of the footprint in uv
-  float longer;   // length of the longer side in texels of level 0
+  vec2 along;     // longer side of the pixel's footprint in uv
+  float longer;   // length of the footprint's longer side in texels of mip level 0
   int level;
   float part;     // interpolation weight of the next mip level
   int taps;

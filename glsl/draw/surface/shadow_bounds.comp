@@ -30,14 +30,14 @@ void main() {
   vec3 low = vec3(3.4e38), high = vec3(-3.4e38);
   vec2 groundLow = vec2(3.4e38), groundHigh = vec2(-3.4e38);
   float perHeight = exactReciprocal(sunHeight());
-  // shift of the shadow along the ground for each metre of height
-  precise vec2 away = frame.sunDirection.xz * perHeight;
+  precise vec2 away = frame.sunDirection.xz * perHeight;  // shift of the shadow along the ground for each metre of
+                                                          // height
   for (int i = first; i < vertexCount; i += invocations) {
     vec4 found = ball(i);
     vec3 p = found.xyz;
     precise float far = abs(p.x) + abs(p.y) + abs(p.z) + found.w;
-    // ignores runaway particles, which would enlarge the map without limit
-    if (!(isNumber(far) && far < 1e6)) continue;
+    if (!(isNumber(far) && far < 1e6)) continue;  // ignores runaway particles, which would enlarge the map without
+                                                  // limit
     vec3 q = vec3(exactDot(p, frame.lightRight.xyz), exactDot(p, frame.lightUp.xyz),
                   exactDot(p, frame.sunDirection.xyz));
     precise vec2 g = p.xz - away * (p.y - frame.groundHeight);

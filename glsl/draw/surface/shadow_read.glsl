@@ -4,7 +4,7 @@
 layout(binding = shadowUnit) uniform sampler2DShadow shadowMap;
 
 float sunFraction(vec3 place) {
-  float depth = min(place.z, 1.0);  // a point behind every caster still counts as inside the map
+  float depth = min(place.z, 1.0);  // clamped so that a point behind every caster counts as inside the map
   float radius = frame.shadowSoftness / frame.shadowTexels;
 #if SHADOW_TAPS == 4
   // A square turned by 27 degrees: with bilinear taps the steps overlap to a smooth ramp.
@@ -13,7 +13,7 @@ float sunFraction(vec3 place) {
                  texture(shadowMap, vec3(place.xy + b, depth)) + texture(shadowMap, vec3(place.xy - b, depth)));
 #else
   float sum = 0.0;
-  for (int i = 0; i < SHADOW_TAPS; ++i) {  // points of a sunflower spiral on a disc
+  for (int i = 0; i < SHADOW_TAPS; ++i) {  // taps at points of a sunflower spiral on a disc
     float turn = 2.399963 * float(i);
     vec2 offset = radius * sqrt((float(i) + 0.5) / float(SHADOW_TAPS)) * vec2(cos(turn), sin(turn));
     sum += texture(shadowMap, vec3(place.xy + offset, depth));

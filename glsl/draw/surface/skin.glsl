@@ -1,8 +1,10 @@
 // Materials generated from a simulation field ("skins"), with the driver's texture filtering. Used on surfaces and for
 // baked maps.
 #include "draw/bindings.glsl"
-layout(binding = reliefUnit) uniform sampler2D relief;  // from skin_relief.comp: q, q^2, slope along u and v per cell
-layout(binding = surroundingsUnit) uniform sampler2D surroundings;  // mean of q in a ring around the texel
+layout(binding = reliefUnit) uniform sampler2D relief;  // texture of skin_relief.comp: q (value above the threshold),
+                                                        // q^2, slope of q along u and v per cell
+// Texture with the mean of q in a ring around each texel.
+layout(binding = surroundingsUnit) uniform sampler2D surroundings;
 #ifdef LOOK_MAP
 layout(binding = skinColorUnit) uniform sampler2D skinColors;
 #endif

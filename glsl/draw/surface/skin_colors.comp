@@ -12,8 +12,8 @@ uniform int stopCount;
 #endif
 layout(rgba16f, binding = skinColorImage) uniform writeonly restrict image2D colors;
 uniform ivec2 texels;
-uniform float rangeLow;     // value that maps to 0
-uniform float rangeFactor;  // 1 / width of the range
+uniform float rangeLow;     // field value that maps to 0
+uniform float rangeFactor;  // 1 / width of the range of field values
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);

@@ -6,8 +6,8 @@
 
 // Field values over the footprint of a pixel.
 struct SkinArea {
-  float q;         // mean of (value - threshold)
-  float variance;  // variance of (value - threshold)
+  float q;         // mean of q = field value - threshold
+  float variance;  // variance of q over the pixel
   float around;    // mean of q in a ring around the point
   vec2 slope;      // slope of q along u and v, per cell
   vec3 color;
@@ -17,7 +17,7 @@ struct Skin {
   vec3 albedo;
   vec3 emission;  // emitted radiance
   float roughness;
-  float height;    // height, 0 to 1
+  float height;    // height of the relief, 0 to 1
   float openness;  // fraction of ambient light that reaches the point
 };
 

@@ -13,10 +13,10 @@ layout(r32f, binding = fieldImage) uniform readonly restrict image2D field;
 layout(rgba16f, binding = reliefImage) uniform writeonly restrict image2D relief;
 layout(r16f, binding = surroundingsImage) uniform writeonly restrict image2D around;
 uniform ivec2 texels;
-uniform float rangeLow;     // value that maps to 0
-uniform float rangeFactor;  // 1 / width of the range
+uniform float rangeLow;     // field value that maps to 0
+uniform float rangeFactor;  // 1 / width of the range of field values
 uniform float threshold;   // threshold as a fraction of the range
-uniform float texelCells;  // cells on a side of a texel
+uniform float texelCells;  // number of cells on a side of a texel
 
 float aboveThreshold(ivec2 at) {
   at += texels * ivec2(lessThan(at, ivec2(0))) - texels * ivec2(greaterThanEqual(at, texels));
@@ -26,7 +26,7 @@ float aboveThreshold(ivec2 at) {
   float value = imageLoad(field, at).r;
 #endif
   precise float fraction = (value - rangeLow) * rangeFactor;
-  fraction = isNumber(fraction) && fraction > -1.0 ? min(fraction, 2.0) : -1.0;  // NaN becomes -1 too
+  fraction = isNumber(fraction) && fraction > -1.0 ? min(fraction, 2.0) : -1.0;  // NaN becomes -1 as well
   precise float above = fraction - threshold;
   return above;
 }

@@ -2,7 +2,7 @@
 // else uses uv.
 #include "draw/surface/skin.glsl"
 #ifdef TRIPLANAR
-uniform vec2 skinRepeats;  // repeats per metre
+uniform vec2 skinRepeats;  // repeats of the skin per metre
 uniform mat4 model;
 #else
 in vec2 uv;

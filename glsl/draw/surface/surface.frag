@@ -11,7 +11,7 @@ in vec3 place;
 const vec3 place = vec3(0);
 #endif
 #ifdef TRIPLANAR
-in vec3 objectPosition;  // position in the object's own space (m)
+in vec3 objectPosition;  // position of the surface point in the object's own space (m)
 in vec3 objectNormal;
 #include "draw/surface/three_sides.glsl"
 #endif

@@ -30,7 +30,7 @@ uniform float bump;
 const float bump = 0.0;
 #endif
 flat out vec3 passedColor;
-flat out vec4 passedMaterial;  // roughness, metallic, translucency, bump
+flat out vec4 passedMaterial;  // material: roughness, metallic, translucency, bump height
 #endif
 #ifdef PALETTE
 layout(binding = paletteUnit) uniform samplerBuffer palette;

@@ -26,7 +26,7 @@ float texelsAcross(vec2 place) {
 }
 
 #ifdef TRIPLANAR
-uniform vec2 perMetre;  // repeats per metre
+uniform vec2 perMetre;  // repeats of the texture per metre
 float texelsAPixel() {
   ThreeSides three = threeSides(objectPosition, objectNormal);
   return dot(three.weight, vec3(texelsAcross(three.x * perMetre), texelsAcross(three.y * perMetre), texelsAcross(three.z * perMetre)));
@@ -48,7 +48,7 @@ vec3 textureColor(vec2 shift) {
 
 #ifdef BUMPED
 #include "draw/surface/raised_normal.glsl"
-// `bump`: height of white in metres.
+// `bump`: height of white in the texture, in metres.
 vec3 bumpedNormal(vec3 normal, vec3 p, float bump) {
   float aside = pixelsAside(texelsAPixel());
   vec2 rises = vec2(brightness(textureColor(vec2(aside, 0))) - brightness(textureColor(vec2(-aside, 0))),

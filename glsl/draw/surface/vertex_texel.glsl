@@ -1,10 +1,9 @@
 // Vertex of a sim::Surface in the object's own space: a stored position, or a point of a height grid.
 layout(binding = positionUnit) uniform samplerBuffer positions;
-// xy vertices along x and z (x 0: no grid, positions are stored), z component that holds the height, w bit mask of the
-// sides on which the height is at least heightRim
-uniform ivec4 heightShape;
-uniform vec4 heightGrid;    // x and z of the first vertex, spacing, level of height 0 (m)
-uniform float heightRim;    // min height at the rim (m)
+uniform ivec4 heightShape;  // xy vertices along x and z (x 0: no grid, positions are stored), z component that holds
+                            // the height, w bit mask of the sides on which the height is at least heightRim
+uniform vec4 heightGrid;    // grid: x and z of the first vertex, spacing, level of height 0 (m)
+uniform float heightRim;    // min height at the rim of the grid (m)
 
 vec3 vertexPlace(int i) {
   vec4 texel = texelFetch(positions, i);

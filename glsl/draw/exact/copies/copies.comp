@@ -7,13 +7,13 @@ layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) writeonly restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
 layout(binding = counterUnit) uniform usamplerBuffer listedCounts;
-uniform int draw_;        // index of these copies among all drawn copies
-uniform int part;         // index of this dispatch
-uniform int mostCopies;   // max number of copies per dispatch
+uniform int draw_;        // index of the current mesh copies among all drawn copies
+uniform int part;         // index of the current dispatch
+uniform int mostCopies;   // max number of copies in one dispatch
 uniform int parts;
-uniform int listRoom;      // capacity of the list
-// longest side of a medium-sized triangle's box; if less than smallPixels, no triangle is medium-sized
-uniform int mediumPixels;
+uniform int listRoom;      // capacity of the list of larger triangles
+uniform int mediumPixels;  // longest side in pixels of a medium-sized triangle's box; if less than smallPixels, no
+                           // triangle is medium-sized
 #include "draw/exact/list_place.glsl"
 
 void main() {
@@ -26,7 +26,7 @@ void main() {
   float nearest = view.near;
 #endif
 #ifdef PARALLEL
-  if (min(c.a.z, min(c.b.z, c.c.z)) < 0.0f) return;  // behind the camera's depth range
+  if (min(c.a.z, min(c.b.z, c.c.z)) < 0.0f) return;  // skips triangles behind the camera's depth range
 #endif
   if (beside(c.a, c.b, c.c, size, nearest)) return;
   bool whole = inside(c.a, size, nearest) && inside(c.b, size, nearest) && inside(c.c, size, nearest);

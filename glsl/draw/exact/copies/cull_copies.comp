@@ -35,7 +35,7 @@ void main() {
   int slot = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
   if (slot >= capacity) return;
   vec4 position = texelFetch(positions, slot);
-  // tolerance for the rounding of vertices
+  // Slightly enlarged as a margin for the rounding of vertices.
   precise float radius = 1.001f * radiusOf(position, texelFetch(velocities, slot));
   if (!(radius > 0.0f) || radius > 1e9f || !isSeen(position, radius)) return;
   listedCopies[firstListed + int(nextPlace(draw_))] = uint(slot);

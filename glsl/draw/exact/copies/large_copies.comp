@@ -9,7 +9,8 @@ uniform int part;
 void drawLarge(uint pair) {
   CopyTriangle c = copyTriangle(pair);
 #ifdef SUN_MAP
-  fillTiles(drawnTriangle(cornerAt(c.a, c.na), cornerAt(c.b, c.nb), cornerAt(c.c, c.nc)), c.id);  // needs no clipping
+  // Triangles in the sun's shadow map need no clipping.
+  fillTiles(drawnTriangle(cornerAt(c.a, c.na), cornerAt(c.b, c.nb), cornerAt(c.c, c.nc)), c.id);
 #else
   fillClipped(c.a, c.b, c.c, view.near, c.id);
 #endif

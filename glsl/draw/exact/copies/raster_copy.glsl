@@ -13,12 +13,13 @@
 #include "draw/instances/instance_list.glsl"
 #endif
 layout(binding = listUnit) uniform usamplerBuffer listedCopies;
-uniform int firstListed;  // first entry of this draw in the list of copies
-uniform int skipped;      // list entries that earlier dispatches have drawn
+uniform int firstListed;  // first entry of these copies in the list of visible copies
+uniform int skipped;      // number of list entries that earlier dispatches have drawn
 
 struct CopyTriangle {
-  vec3 a, b, c;        // corners: pixels times depth to the right and down, and depth; sun's shadow map: texels, and 1
-  float na, nb, nc;    // sun's shadow map: nearness of the corners
+  vec3 a, b, c;        // projected corners: pixels times depth to the right and down, and depth; in the sun's shadow
+                       // map texels, and 1
+  float na, nb, nc;    // nearness of the corners to the sun, used in the sun's shadow map
   uint id;
 };
 

@@ -19,7 +19,7 @@
 #include "draw/exact/rays/spots.glsl"
 #include "draw/exact/rays/rounded_place.glsl"
 #endif
-uniform vec3 material;  // roughness, metallic, translucency
+uniform vec3 material;  // material: roughness, metallic, translucency
 vec3 material_ = once(material);
 
 vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
@@ -40,7 +40,7 @@ vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
   vec3 p = placeOnRay(ray, depth);
   precise vec3 mean = w.x * normalOf(copy, corners.x) + w.y * normalOf(copy, corners.y) + w.z * normalOf(copy, corners.z);
   vec3 normal = unitOf(mean);
-  normal = weights.turned ? -normal : normal;  // an open mesh shows its back sides
+  normal = weights.turned ? -normal : normal;  // flips the normal because an open mesh shows its back sides
 #ifdef RAYS
   vec3 ca = pointOf(copy, corners.x), cb = pointOf(copy, corners.y), cc = pointOf(copy, corners.z);
   precise vec3 first = cb - ca;

@@ -2,15 +2,15 @@
 #include "common/exact.glsl"
 
 struct Ball {
-  vec3 middle;  // vector from the eye to the centre (m)
-  float depth;  // depth of the centre along the view direction (m)
+  vec3 middle;  // vector from the eye to the ball's centre (m)
+  float depth;  // depth of the ball's centre along the view direction (m)
   float radius;
 };
 
 struct BallHit {
   bool found;
   float depth;
-  vec3 outwards;  // vector from the centre to the hit point (m)
+  vec3 outwards;  // vector from the ball's centre to the hit point (m)
 };
 
 FUNCTION Ball ballAt(vec3 p, float radius, vec3 eye, vec3 forward) {
@@ -92,7 +92,7 @@ FUNCTION vec2 ballSpan(Ball ball, vec3 along, vec3 forward, float size) {
   precise float beyond = exactDot(aside, aside) - rr * (aa - af * af);
   precise float middle = (x * ball.depth - rr * af) * perSquare;
   precise float half_ = ball.radius * exactSqrt(max(beyond, 0.0f)) * perSquare;
-  precise float more = half_ + 0.01f + 1e-5f * (abs(middle) + half_);  // tolerance for rounding
+  precise float more = half_ + 0.01f + 1e-5f * (abs(middle) + half_);  // margin for rounding errors
   precise float from = middle - more;
   precise float to = middle + more;
   return vec2(max(from, 0.0f), min(to, size));

@@ -29,7 +29,8 @@ Disc discOf(int number, out uint key) {
   precise float radius = radiusOf(position, texelFetch(velocities, number)) * exactReciprocal(lightTexel());
   disc.middle = middle;
   disc.radius = radius;
-  precise float near = 1.0f - place.z - 4e-7f;  // same offset as for triangles without slope in raster_triangle.glsl
+  precise float near = 1.0f - place.z - 4e-7f;  // depth offset, the same as for triangles without slope in
+                                                // raster_triangle.glsl
   key = nearKey(max(near, 0.0f));
   return disc;
 }

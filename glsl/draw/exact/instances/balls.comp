@@ -7,8 +7,8 @@ layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
 #include "draw/exact/list_place.glsl"
-uniform int draw_;        // index of these instances among all drawn instances
-uniform int firstLarge;   // start of their list
+uniform int draw_;        // index of the current instances among all drawn instances
+uniform int firstLarge;   // first entry of the current instances in the list of larger balls
 uniform int smallPixels;  // longest side of a small ball's box in pixels
 #ifdef MEDIUM
 uniform int mediumPixels;  // longest side of a medium-sized ball's box in pixels

@@ -16,7 +16,7 @@ int samplesBefore(ivec2 pixel, float near) {
 
 // Adds light to the integer sums: three words for the lower parts, three for the upper parts.
 void addUnits(ivec2 pixel, vec3 light) {
-  vec3 all_ = min(light, vec3(6e4f));  // larger values show as white anyway
+  vec3 all_ = min(light, vec3(6e4f));  // clamped because larger values show as white anyway
   precise vec3 uppers = all_ * 0.00390625f;
   vec3 upper = floor(uppers);
   precise vec3 lower = (all_ - upper * glowUpper) * glowUnits;

@@ -10,17 +10,17 @@ uniform float roundPixels;  // radius in pixels above which a glow is a disc in 
 struct GlowDisc {
   vec3 light;
   Ball ball;
-  Disc disc;   // disc in pixels, if round_
-  float near;  // nearness (near plane / depth), if round_
+  Disc disc;   // the glow as a disc in the picture (pixels); valid if round_
+  float near;  // nearness of the disc (near plane / depth); valid if round_
   bool round_;
-  ivec4 box;   // bounding box: first and last pixel
+  ivec4 box;   // bounding box in pixels: first and last pixel
 };
 
 bool farEnough(float depth, float near) {
   return depth >= view.near && near >= view.nearOverFar;
 }
 
-// Clips a box to the rows of the current band.
+// Clips a box to the current band of picture rows.
 ivec4 inBand(ivec4 box) {
   return ivec4(box.x, max(box.y, view.rows.x), box.z, min(box.w, view.rows.y - 1));
 }

@@ -4,8 +4,8 @@
 // SAMPLES.
 #define EXACT_PICTURE
 #include "draw/exact/instances/glow_disc.glsl"
-uniform int draw_;        // index of these instances among all additive instances
-uniform int firstLarge;   // start of their list
+uniform int draw_;        // index of the current instances among all additive instances
+uniform int firstLarge;   // first entry of the current instances in the list of larger glows
 uniform int smallPixels;  // longest side of a small glow's box in pixels
 #ifdef MEDIUM
 uniform int mediumPixels;  // longest side of a medium-sized glow's box in pixels

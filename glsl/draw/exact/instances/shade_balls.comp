@@ -19,14 +19,14 @@
 #ifdef RAYS
 #include "draw/exact/rays/spots.glsl"
 #endif
-uniform vec3 material;  // roughness, metallic, translucency
+uniform vec3 material;  // material: roughness, metallic, translucency
 vec3 material_ = once(material);
-uniform float squarePixels;  // max radius in pixels of balls that are shaded as squares
+uniform float squarePixels;  // balls with at most this radius in pixels are shaded as squares
 float squarePixels_ = once(squarePixels);
 
 // The point of a ball that is shaded for a pixel or sample.
 struct Place {
-  vec3 outwards;  // vector from the ball's centre (m)
+  vec3 outwards;  // vector from the ball's centre to the shaded point (m)
   vec3 ray;
 };
 
@@ -68,10 +68,12 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   Place place = placeOn(ball, pixel, sampleAt);
   precise vec3 backwards = -directionOf(place.ray);
   vec3 towards = small ? facing.towards : unitOf(backwards);
-  precise vec3 middle = 0.6666667f * facing.towards;  // mean cosine between the visible normals and the view is 2/3
+  precise vec3 middle = 0.6666667f * facing.towards;  // the mean cosine between a ball's visible normals and the view
+                                                      // is 2/3
   precise vec3 lit = position.xyz + (small ? ball.radius * middle : place.outwards);
 #if defined SHADOW && !defined REFLECTED
-  float fraction = sunFractionOn(lit, frame.sunDirection.xyz);  // normals already darken the ball's unlit half
+  // The lookup normal is the sun's direction, because a ball's normals already darken its unlit half.
+  float fraction = sunFractionOn(lit, frame.sunDirection.xyz);
 #else
   const float fraction = 1.0f;
 #endif

@@ -12,7 +12,7 @@ layout(binding = ownerUnit) uniform samplerBuffer velocitiesNow;
 layout(std430, binding = outVertexBinding) writeonly restrict buffer PlaceBlock { vec4 places[]; };
 layout(std430, binding = outNormalBinding) writeonly restrict buffer VelocityBlock { vec4 motions[]; };
 uniform int elementCount;
-uniform float seconds;  // time between the frames in seconds
+uniform float seconds;  // time between the two frames in seconds
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
@@ -21,7 +21,8 @@ void main() {
   vec4 velocityBefore = texelFetch(velocitiesBefore, i), velocity = texelFetch(velocitiesNow, i);
   precise vec3 way = now.xyz - before.xyz;
   precise float swiftest = 2.0f * (exactDot(velocity.xyz, velocity.xyz) + exactDot(velocityBefore.xyz, velocityBefore.xyz));
-  precise float farthest = 4.0f * swiftest * seconds * seconds;  // upper bound of (2 (|v| + |v before|) t)^2
+  // Upper bound of the squared movement (2 (|v| + |v before|) t)^2.
+  precise float farthest = 4.0f * swiftest * seconds * seconds;
   bool same = velocityBefore.w >= 0.0f && velocity.w >= velocityBefore.w && exactDot(way, way) <= farthest;
   precise float rest = (1.0f - part) * seconds;
   precise vec3 along = now.xyz - rest * velocity.xyz;

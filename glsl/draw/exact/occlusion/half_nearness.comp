@@ -1,5 +1,6 @@
-// Writes the nearness of the nearest sample in each half pixel of the band (GROUND: including the ground). One
-// invocation handles ROWS half pixels, one below the other. Variants: SAMPLES, PAIRED.
+// Writes the nearness of the nearest sample in each half pixel (block of 2x2 pixels) of the current band of picture
+// rows. GROUND: including the ground. One invocation handles ROWS half pixels, one below the other. Variants: SAMPLES,
+// PAIRED.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"

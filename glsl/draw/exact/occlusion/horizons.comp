@@ -1,13 +1,14 @@
-// Computes the occluded and the total ambient light of each half pixel (draw/exact/occlusion/horizons.glsl). One
-// invocation handles ROWS half pixels, one below the other. Variants: SLICES, STEPS.
+// Computes the occluded and the total ambient light of each half pixel (block of 2x2 pixels) by
+// draw/exact/occlusion/horizons.glsl. One invocation handles ROWS half pixels, one below the other. Variants: SLICES,
+// STEPS.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
 layout(r32f, binding = nearnessImage) readonly restrict uniform imageBuffer nearness;
 layout(std430, binding = halfPixelBinding) writeonly restrict buffer ArcBlock { vec2 arcs[]; };
-// x max distance of occluders (m), y max distance in half pixels, z half pixels per metre at depth 1
-uniform vec3 reach;
+uniform vec3 reach;  // x max distance of occluders (m), y max distance in half pixels, z half pixels per metre at depth
+                     // 1
 vec3 reach_ = once(reach);
 ivec2 halfSize = (view.size + 1) / 2;
 

@@ -5,7 +5,7 @@
 // A slice is a plane through the eye, visible as a line through the half pixel. Let r be the ray of the half pixel and
 // u its change per half pixel along the line. The point that is visible t half pixels further, at depth e, is e (r + t
 // u). Seen from the shaded point d r, its direction is r (1 - d / e) + t u, two numbers along r and across it. The
-// horizon on each side is the highest of these directions, given as its angle h from the direction to the eye. With the
+// horizon on each side is the highest such direction, given as its angle h from the direction to the eye. With the
 // angle g of the normal in that plane, the light below the horizon is (cos g - cos(2 h - g) + 2 h sin g) / 4 for each
 // side, and cos g + g sin g in total without occluders. Nearness is affine on planes, so samples between two half
 // pixels are estimated along the plane of the shaded point; on that plane the estimate is exact.
@@ -17,23 +17,23 @@
 
 struct HalfPlace {
   ivec2 at;
-  float nearness;  // nearness in 1/m
-  float depth;     // depth in metres
-  vec2 slope;      // change of nearness per half pixel, x and y
+  float nearness;  // nearness of the shaded point in 1/m
+  float depth;     // depth of the shaded point in metres
+  vec2 slope;      // change of nearness per half pixel along x and y
   float reach;     // max distance of occluders in half pixels
   float perReach;  // 1 / max distance of occluders, in 1/m
 };
 
 struct Slice {
   vec2 along;           // unit direction of the slice in the picture
-  float ray;            // length of the ray
+  float ray;            // length of the half pixel's ray
   float forth, across;  // change of the ray per half pixel along the slice: component along the ray, and across it
   float sine, cosine;   // sine and cosine of the angle between normal and direction to the eye, in the slice's plane
-  // weight of the slice: length of the normal's projection to the slice's plane times the slice's angular width
-  float weight;
+  float weight;         // weight of the slice: length of the normal's projection to the slice's plane times the slice's
+                        // angular width
 };
 
-// Occluded light and total light.
+// Ambient light: occluded part, and total.
 struct Arcs {
   float lost;
   float all_;

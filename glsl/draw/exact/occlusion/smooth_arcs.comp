@@ -1,6 +1,6 @@
-// Smooths the occluded and total ambient light along rows. DOWN: smooths along columns and writes the openness
-// (draw/exact/occlusion/smooth_arcs.glsl) and nearness of each half pixel. One invocation handles ROWS half pixels side
-// by side in that direction, in groups that share their reads.
+// Smooths the occluded and total ambient light of half pixels (blocks of 2x2 pixels) along rows. DOWN: smooths along
+// columns and writes the openness (draw/exact/occlusion/smooth_arcs.glsl) and nearness of each half pixel. One
+// invocation handles ROWS half pixels side by side in that direction, in groups that share their reads.
 #define EXACT_PICTURE
 #include "draw/exact/view_block.glsl"
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;

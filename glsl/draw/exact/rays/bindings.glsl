@@ -2,16 +2,16 @@
 #ifndef EXACT_RAY_BINDINGS
 #define EXACT_RAY_BINDINGS
 // Texel views.
-// triangles and balls in the order of their hierarchies, and the nodes of the hierarchies
+// Triangles and balls in the order of their hierarchies, and the nodes of the hierarchies.
 const int solidUnit = 20, solidNodeUnit = 21, ballUnit = 22, ballNodeUnit = 23;
-const int rayUnit = 24, rayHitUnit = 25, rayLightUnit = 26;                        // rays of paths: rays, hits, light
+const int rayUnit = 24, rayHitUnit = 25, rayLightUnit = 26;  // rays of paths, their hits and their light
 const int spotUnit = 27, spotListUnit = 28;
-// geometry of all surfaces: vertex positions, triangle corners, vertex words
+// Geometry of all surfaces: vertex positions, triangle corners, vertex words.
 const int solidPlaceUnit = 29, solidCornerUnit = 30, solidWordUnit = 31;
 const int solidIdUnit = 32, ballLookUnit = 33, rayLookUnit = 34, spotLightUnit = 35;
-// texture coordinates, texels of skins, listed paths or rays, emitters
+// Vertices' texture positions, texels of skins, listed paths or rays, emitters.
 const int rayLayUnit = 36, raySkinUnit = 37, rayListUnit = 38, rayEmitterUnit = 39;
-const int recordUnit = 0;  // records in the order of the hierarchy; a binding of INPUT_WORDS
+const int recordUnit = 0;  // sort records in the order of the hierarchy; a binding of INPUT_WORDS
 // Storage blocks.
 const int outPlaceBinding = 0, outWordBinding = 1, outCornerBinding = 2, outRecordBinding = 3, rayBoundsBinding = 4;
 const int outNodeBinding = 5, outIdBinding = 6, outLayBinding = 8;

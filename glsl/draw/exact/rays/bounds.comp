@@ -3,7 +3,7 @@
 #include "draw/exact/rays/solids.glsl"
 #include "draw/ordered_key.glsl"
 layout(local_size_x = 64) in;
-// six keys: low xyz, high xyz
+// Bounding box as six keys: low xyz, high xyz.
 layout(std430, binding = rayBoundsBinding) restrict buffer BoundsBlock { uint bounds[]; };
 uniform int count;
 uniform int invocations;

@@ -2,7 +2,7 @@
 // microfacet of a GGX surface, with the probability of Fresnel's equations (Walter et al., "Microfacet models for
 // refraction through rough surfaces", EGSR 2007). The microfacets are sampled as visible from the view direction, so
 // the weight contains only the remaining masking term. Part of facet.glsl.
-const float surely = 1e9f;  // density of directions that no other sampling method finds (1/sr)
+const float surely = 1e9f;  // sample density of directions that no other sampling method finds (1/sr)
 
 FUNCTION Onward clearOnward(Facet f, vec3 u) {
   vec3 facet = unitOf(facetSeen(f.normal, f.nv, f.alpha, f.view, u.x, u.y));

@@ -44,7 +44,7 @@ FUNCTION float ggxDensity(float cosine, float alpha) {
   return d;
 }
 
-// Returns Smith's Lambda for GGX at the given cosine, above 0.
+// Returns Smith's Lambda for GGX at the given cosine, which must be above 0.
 FUNCTION float ggxLambda(float cosine, float alpha) {
   precise float c2 = cosine * cosine;
   precise float tangent2 = (1.0f - min(c2, 1.0f)) * exactReciprocal(max(c2, 1e-8f));
@@ -53,7 +53,7 @@ FUNCTION float ggxLambda(float cosine, float alpha) {
   return lambda;
 }
 
-// Returns Schlick's Fresnel term.
+// Returns Schlick's Fresnel term for the reflectance f0 at normal incidence.
 FUNCTION vec3 fresnel(vec3 f0, float cosine) {
   precise float left = 1.0f - min(cosine, 1.0f);
   precise float left2 = left * left;

@@ -1,7 +1,7 @@
 // Emitting triangles as light sources for sampling. A triangle is chosen with a probability proportional to its area
 // times brightness, then a point of it uniformly. Variants: EMITTERS, LAID.
 #include "draw/exact/rays/looks.glsl"
-// one entry per emitter: x end of its interval in a cumulative distribution over 0..2^24, y index of the triangle
+// One entry per emitter: x end of its interval in a cumulative distribution over 0..2^24, y index of the triangle.
 layout(binding = rayEmitterUnit) uniform usamplerBuffer emitters;
 layout(binding = solidPlaceUnit) uniform samplerBuffer solidPlaces;
 #include "draw/exact/rays/solid_words.glsl"

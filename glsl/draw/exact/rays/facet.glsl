@@ -1,7 +1,7 @@
-// A shading point of the scene and its reflection model: a GGX lobe over a diffuse surface that receives the light that
-// the lobe does not reflect. Light is irradiance / pi, as in draw/surface/shading.glsl. EMITTERS: the facet may emit
-// light. FINISHED: it may have a coat and fibres on top and may transmit light (finished_facet.glsl). Compiles as GLSL
-// and as C++.
+// Facet: a shading point of the ray tracer and its reflection model, a GGX lobe over a diffuse surface that receives
+// the light that the lobe does not reflect. Light is irradiance / pi, as in draw/surface/shading.glsl. EMITTERS: the
+// facet may emit light. FINISHED: it may have a coat and fibres on top and may transmit light (finished_facet.glsl).
+// Compiles as GLSL and as C++.
 #ifndef EXACT_RAY_FACET
 #define EXACT_RAY_FACET
 #include "draw/surface/shading.glsl"
@@ -30,7 +30,7 @@ struct Facet {
   vec3 sought;  // emission as emitter sampling estimates it: without the emission map; 0 for skins
 #endif
 #ifdef FINISHED
-  float kept;  // fraction of lobe and diffuse light that the layers above let through
+  float kept;  // fraction of lobe and diffuse light that coat and fibres let through
   float coat;  // strength of the coat
   vec3 coatNormal;
   float coatAlpha;
@@ -39,7 +39,7 @@ struct Facet {
   vec3 fibres;
   float fibreRoughness;
   float glass;   // fraction of light for which the clear (transmissive) surface replaces lobe and diffuse surface
-  float clear;   // the same fraction after the losses in coat and fibres
+  float clear;   // fraction of the clear surface after the losses in coat and fibres
   float clearF0;
   float ior;
   vec3 tint;
@@ -131,8 +131,8 @@ struct Lobed {
 #ifdef FINISHED
   float coatDensity;
   float roughness;  // roughness of lobe and coat, averaged by their light
-  vec3 fibres;      // light of the fibres, in the same units
-  float clear;      // light of the clear surface, in the same units
+  vec3 fibres;      // light of the fibres, in the units of `light`
+  float clear;      // light of the clear surface, in the units of `light`
   float clearDensity;
 #endif
 };
@@ -192,7 +192,7 @@ FUNCTION float densityTowards(Facet f, Lobed lobed, float nl) {
 struct Onward {
   vec3 direction;
   vec3 weight;
-  float density;  // density of the direction (1/sr)
+  float density;  // sample density of the direction (1/sr)
   float share;    // fraction of the response that comes from the lobe
 #ifdef FINISHED
   float roughness;

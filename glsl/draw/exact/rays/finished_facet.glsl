@@ -14,7 +14,7 @@ FUNCTION Facet withFibres(Facet f, vec3 color, float roughness) {
   f.fibres = color;
   f.fibreRoughness = roughness;
   f.kept = max(kept, 0.0f);
-  // fibres are sampled with the diffuse surface, so at least half of the samples are diffuse
+  // Fibres are sampled with the diffuse surface, so at least half of the samples are diffuse.
   f.mirrors = most > 0.0f ? min(f.mirrors, 0.5f) : f.mirrors;
   return f;
 }
@@ -77,7 +77,7 @@ FUNCTION float clearFresnel(Facet f, float cosine) {
 }
 
 // Returns the specular light of lamps and sun by lobe and clear surface, because the lobes' own samples cannot hit
-// them. Inside a solid there is none.
+// lamps and sun. Inside a solid the clear surface reflects none of their light.
 FUNCTION vec3 mirroredBy(Facet f, vec2 lobed) {
   float clear = f.inside ? 0.0f : f.clear;
   precise vec3 f0 = f.f0 * f.kept + clear * f.clearF0;

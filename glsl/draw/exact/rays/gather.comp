@@ -26,7 +26,7 @@ uniform int vertexCount;
 uniform int firstVertex;
 uniform int triangleCount;
 uniform int firstTriangle;
-uniform ivec2 rowOf;  // as in draw/exact/triangles/surface_triangle.glsl
+uniform ivec2 rowOf;  // layout of a grid's indices, as `rowOf` in draw/exact/triangles/surface_triangle.glsl
 uniform uint owner;
 uniform vec3 color;
 #ifdef LAID
@@ -34,7 +34,7 @@ layout(std430, binding = outLayBinding) writeonly restrict buffer LayBlock { vec
 #ifdef TRIPLANAR
 uniform float modelScale;
 #elif defined GRID
-uniform vec2 perGrid;  // 1 / (grid - 1)
+uniform vec2 perGrid;  // 1 / (grid - 1): factor from grid coordinates to uv
 #else
 layout(binding = uvUnit) uniform samplerBuffer uvs;
 #endif

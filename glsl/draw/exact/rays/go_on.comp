@@ -17,7 +17,7 @@ layout(binding = rayListUnit) uniform usamplerBuffer goingOn;
 #endif
 layout(std430, binding = outListBinding) writeonly restrict buffer NextBlock { uint next[]; };
 layout(std430, binding = outCountBinding) restrict buffer CountBlock { uint listed; };
-uniform int going;  // number of paths to handle
+uniform int going;  // number of paths to handle in this round
 uniform int round_;
 
 void main() {
@@ -43,8 +43,8 @@ void main() {
   vec3 u = samplePoint(start.number, sampleMask, start.seed, uint(5 + round_));
   if (u.z >= f.glass) return;  // the opaque fraction of the surface ends the path here
   precise float own = u.z * exactReciprocal(f.glass);
-  // the coat's share of the clear fraction; the coat over the opaque fraction is shaded in bounce.comp
-  bool byCoat = own < f.coats;
+  bool byCoat = own < f.coats;  // the coat's share of the clear fraction; the coat over the opaque fraction is shaded
+                                // in bounce.comp
   precise float rest = 1.0f - f.coats;
   precise float after = (own - f.coats) * exactReciprocal(rest);
   own = f.coats > 0.0f ? after : own;

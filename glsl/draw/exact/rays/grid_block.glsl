@@ -2,7 +2,7 @@
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/rays/ray_box.glsl"
 #include "draw/ordered_key.glsl"
-// six keys: low xyz, high xyz
+// Bounding box of the scene as six keys: low xyz, high xyz.
 layout(std430, binding = rayBoundsBinding) readonly restrict buffer BoundsBlock { uint bounds[]; };
 vec3 lowBound() {
   return vec3(fromOrderedKey(bounds[0]), fromOrderedKey(bounds[1]), fromOrderedKey(bounds[2]));

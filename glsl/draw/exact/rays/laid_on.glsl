@@ -113,7 +113,7 @@ vec3 riseLaid(int owner, Laid laid, vec3 normal, vec2 x, vec2 y, vec2 z) {
 
 struct LaidNormal {
   vec3 normal;
-  vec3 mean;  // mean of the map's texels
+  vec3 mean;  // mean of the normal map's texels
 };
 LaidNormal normalLaid(int owner, Laid laid, vec3 normal, ivec4 map) {
   float strength = lookOf(owner, laidLook).z;

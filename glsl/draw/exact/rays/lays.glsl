@@ -3,5 +3,6 @@
 #define EXACT_RAY_LAYS
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/surface/map_read.glsl"
-layout(binding = rayLayUnit) uniform samplerBuffer lays;  // per vertex: uv, or position in the surface's own space (m)
+layout(binding = rayLayUnit) uniform samplerBuffer lays;  // texture position of each vertex: uv, or position in the
+                                                          // surface's own space (m)
 #endif

@@ -16,7 +16,7 @@
 #endif
 #endif
 
-// Returns the solid angle of the sun (sr); 0 for a point.
+// Returns the solid angle of the sun in steradians; 0 for a point-like sun.
 float sunAngle() {
   precise float angle = 3.14159265f * frame.sunSpread * frame.sunSpread;
   return angle;

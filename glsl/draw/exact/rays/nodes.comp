@@ -10,7 +10,7 @@ layout(binding = solidNodeUnit) uniform usamplerBuffer children;
 layout(std430, binding = outNodeBinding) writeonly restrict buffer NodeBlock { uvec4 nodes[]; };
 uniform int count;
 uniform int leaves;
-uniform int width;  // number of nodes in this level
+uniform int width;  // number of nodes in this level of the hierarchy
 
 uvec3 boxOf(int i) {
 #ifdef BALLS

@@ -9,8 +9,8 @@
 #include "draw/exact/rays/lays.glsl"
 #endif
 #ifdef ANY_HIT
-// transmitted fraction of light, and path lengths inside solids times absorption
-vec3 passed_ = vec3(1), depths_ = vec3(0);
+vec3 passed_ = vec3(1), depths_ = vec3(0);  // transmitted fraction of light, and path lengths inside solids times
+                                            // absorption
 
 vec3 lightPassed() {
   precise vec3 light = passed_ * vec3(exactExp(-max(depths_.x, 0.0f)), exactExp(-max(depths_.y, 0.0f)), exactExp(-max(depths_.z, 0.0f)));
@@ -67,7 +67,7 @@ void passGlass(Ray ray, int at, ivec3 vertices, int owner, vec2 weight, float t,
   precise float all_ = 1.0f + once_;
   precise float both = 2.0f * once_ * exactReciprocal(all_);
   vec3 own = thin ? tint : vec3(exactSqrt(tint.x), exactSqrt(tint.y), exactSqrt(tint.z));
-  // Fraction that the coat's lobe reflects (finished_facet.glsl).
+  // Fraction of light that the coat's lobe reflects (finished_facet.glsl).
   vec2 coated_ = ambientLobe(lookOf(owner, layerLook).x, clamp(unit_, 1e-3f, 1.0f));
   precise float taken = lookOf(owner, lightLook).w * (0.04f * coated_.x + coated_.y);
   precise float left = 1.0f - clamp(taken, 0.0f, 1.0f);

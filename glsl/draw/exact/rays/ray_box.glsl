@@ -17,7 +17,7 @@ FUNCTION RayGrid rayGrid(vec3 low, vec3 high) {
   precise vec3 size = high - low;
   float most = max(max(size.x, max(size.y, size.z)), 1e-6f);
   precise float least = most * 1e-4f;
-  precise vec3 cell = max(size, vec3(least)) * 3.0521e-5f;  // 1/32764
+  precise vec3 cell = max(size, vec3(least)) * 3.0521e-5f;  // 1 / 32764: the scene spans 32,764 of the 32,768 cells
   precise vec3 first = low - cell * 1.5f;
   RayGrid grid;
   grid.low = first;

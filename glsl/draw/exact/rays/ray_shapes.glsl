@@ -9,16 +9,16 @@
 #include "draw/exact/rays/ray_box.glsl"
 
 struct Ray {
-  vec3 origin;  // origin in metres
-  vec3 along;   // unit direction
-  vec3 right;   // unit vectors across the direction
+  vec3 origin;  // origin of the ray in metres
+  vec3 along;   // unit direction of the ray
+  vec3 right;   // unit vectors across the ray's direction
   vec3 up;
 };
 
 struct RayHit {
-  float t;   // distance along the ray in metres
-  int at;    // index in the hierarchy's order; -1 without a hit
-  vec2 weight;  // barycentric weights of the second and third corner
+  float t;   // distance of the hit along the ray in metres
+  int at;    // index of the hit object in the hierarchy's order; -1 without a hit
+  vec2 weight;  // barycentric weights of the triangle's second and third corner
 };
 
 // Unit vectors across a unit vector n (Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017).

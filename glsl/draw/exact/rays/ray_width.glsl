@@ -4,9 +4,9 @@
 float rayWidth(vec3 origin, float t, float density) {
   precise float all_ = density * float(sampleMask + 1u);
   precise float angle = min(exactReciprocal(max(all_, 1e-6f)), 1.0f);
-  float pixel = exactSqrt(exactDot(view.rayDown.xyz, view.rayDown.xyz));  // size of a pixel at depth 1 in metres
+  float pixel = exactSqrt(exactDot(view.rayDown.xyz, view.rayDown.xyz));  // size of a pixel at depth 1, in metres
 #ifdef PARALLEL
-  float distance_ = pixel;  // size of a pixel at every depth
+  float distance_ = pixel;  // parallel rays: a pixel has the same size at every depth
 #else
   precise vec3 way = origin - view.eye.xyz;
   precise float distance_ = (exactSqrt(exactDot(way, way)) + t) * pixel;

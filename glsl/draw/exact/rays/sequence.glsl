@@ -29,7 +29,7 @@ FUNCTION uint owenScrambled(uint x, uint seed) {
   return reversedBits(mixedUpwards(reversedBits(x), seed));
 }
 
-const int sequenceBits = 10;  // bits of a sample index
+const int sequenceBits = 10;  // number of bits in a sample index
 
 // Second and third dimension of the Sobol sequence: bit b of the index i selects direction number v.
 FUNCTION uint sobolSecond(uint i) {

@@ -2,7 +2,8 @@
 #include "draw/exact/rays/bindings.glsl"
 #include "common/exact.glsl"
 #ifdef BALLS
-layout(binding = solidPlaceUnit) uniform samplerBuffer places;  // centre and radius (m); radius 0 if not shown
+// Centre and radius of each ball (m); radius 0 if not shown.
+layout(binding = solidPlaceUnit) uniform samplerBuffer places;
 
 struct Solid {
   vec4 ball;
@@ -16,7 +17,7 @@ Solid solidOf(int i) {
   return Solid(ball, low, high, ball.w > 0.0f);
 }
 #else
-layout(binding = solidPlaceUnit) uniform samplerBuffer places;     // position (m); w 0 if invalid
+layout(binding = solidPlaceUnit) uniform samplerBuffer places;     // position of each vertex (m); w 0 if invalid
 layout(binding = solidCornerUnit) uniform usamplerBuffer corners;  // three vertex indices per triangle
 
 struct Solid {

@@ -11,11 +11,11 @@ uniform int firstSpot;
 uniform int spotCount;
 uniform int firstRaySample;
 uniform uint sampleMask;
-uniform uint samplesBefore;  // samples that other lens points have used
+uniform uint samplesBefore;  // number of samples that other points of the lens have used
 
 struct PathStart {
-  int at;       // index of the spot
-  uint number;  // index of the sample
+  int at;       // index of the spot where the path starts
+  uint number;  // index of the path's sample
   uint seed;
   bool there;
 };

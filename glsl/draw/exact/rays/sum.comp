@@ -17,7 +17,7 @@ uniform float most;
 vec3 arriving(int kind, int path) {
   int i = kind * paths + path;
   vec3 brought = texelFetch(light, i).rgb;
-  if (max(brought.x, max(brought.y, brought.z)) <= 0.0f) return vec3(0);  // the ray was not traced
+  if (max(brought.x, max(brought.y, brought.z)) <= 0.0f) return vec3(0);  // rays without light are not traced
 #ifdef PASSAGES
   precise vec3 found = brought * uintBitsToFloat(texelFetch(rayHits, i).xyz);
 #else

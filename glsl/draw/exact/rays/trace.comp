@@ -27,7 +27,7 @@ layout(std430, binding = outCountBinding) readonly restrict buffer RayListCountB
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
-#ifdef LISTED  // the second list starts at firstRay
+#ifdef LISTED  // rays come from two lists; the second starts at firstRay
   int first = int(counters[0]);
   if (i >= first + int(counters[1])) return;
   i = int(texelFetch(goingOn, i < first ? i : firstRay + i - first).x);

@@ -25,7 +25,7 @@ uniform ivec2 size;  // picture size in pixels
 uniform int level;
 ivec2 half_ = (size + 1) / 2, room = levelRoom(half_), end = levelSize(half_, level), last = levelSize(half_, level - 1) - 1;
 
-// Returns zero beyond the border.
+// Returns the light of a cell of the level before; zero beyond the border.
 vec4 lightBefore(ivec2 at) {
 #ifdef FIRST
   return imageLoad(sums, min(at, size - 1));

@@ -9,7 +9,7 @@ uniform vec2 mirrorReach;  // x max length of rays (m), y assumed thickness of o
 vec2 mirrorReach_ = once(mirrorReach);
 #endif
 
-// roughness up to which reflections count fully, and from which they do not count
+// Roughness up to which reflections count fully, and from which they do not count.
 const float mirrorSmooth = 0.1f, mirrorRough = 0.3f;
 
 // Returns the smoothstep 3 t^2 - 2 t^3 of x clamped to 0..1.

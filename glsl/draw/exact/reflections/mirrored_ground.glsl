@@ -11,9 +11,9 @@
 #endif
 
 struct GroundMirrored {
-  vec3 p;         // point on the ground
-  // weight: the ground's alpha times the weight for the mirror's roughness; 0 if the ray misses the ground
-  float counts;
+  vec3 p;         // point where the reflected ray hits the ground
+  float counts;   // weight of the reflection: the ground's alpha times the weight for the mirror's roughness; 0 if the
+                  // ray misses the ground
   float open;
 };
 

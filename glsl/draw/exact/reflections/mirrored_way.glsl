@@ -2,20 +2,21 @@
 // Mara, "Efficient GPU screen-space ray tracing", Journal of Computer Graphics Techniques 3(4), 2014, for the path on
 // the picture and the thickness; Y. Uludag, "Hi-Z screen-space cone-traced reflections", GPU Pro 5, 2014, for the
 // levels). Compiles as GLSL and as C++. The including file declares `view`, float nearestAt(level, cell) and vec4
-// litAt(level, cell) of half pixels, and vec2 mirrorReach_: max length of rays and thickness of objects (m).
+// litAt(level, cell) of half pixels (blocks of 2x2 pixels), and vec2 mirrorReach_: max length of rays and thickness of
+// objects (m).
 // On the picture a ray is a line, and its nearness is affine along the line, as for planes: n(t) = n0 + t n', t in half
 // pixels. A cell of a level holds the nearness of the nearest point below it. If that point is farther away than the
 // ray in the whole cell, the ray hits nothing there and continues with larger cells; otherwise it continues with
-// smaller cells. In a half pixel the ray has hit something if
-//   nearest(t1) > n(t1),               at the end t1 of its path through the half pixel: the ray is behind the visible
-//   surface,
-//   1 / nearest - 1 / n(t) < thickness,  by less than the thickness, at the nearer end,
-//   nearest > nearness of the mirror's own plane,  by more than the change over a half pixel.
-// The weight of a hit falls from 1 to 0 with the depth behind the visible surface (beyond the change over a half pixel,
-// and faster for a curved mirror), over the last tenth of the picture's height before its border, over the farther half
-// of the max length, for rays that come towards the eye (the back sides of objects are not visible), for mirrors so
-// curved that neighbours reflect points 1/8 to 3/4 half pixels apart (which would be noise), and with the roughness
-// from 0.1 to 0.3 (rougher mirrors would need blurred edges). The remaining weight counts as a miss.
+// smaller cells. In a half pixel the ray has hit something if three conditions hold:
+//   nearest(t1) > n(t1): at the end t1 of its path through the half pixel the ray is behind the visible surface.
+//   1 / nearest - 1 / n(t) < thickness: at the nearer end the ray is behind it by less than the thickness.
+//   nearest > nearness of the mirror's own plane, by more than the plane's change over a half pixel.
+// The weight of a hit falls from 1 to 0 in these cases: the ray is far behind the visible surface (beyond the surface's
+// change over a half pixel, sooner for a curved mirror); the hit is in the last tenth of the picture's height before
+// its border; it is in the farther half of the max length; the ray comes towards the eye, because the back sides of
+// objects are not visible; the mirror is so curved that neighbours reflect points 1/8 to 3/4 half pixels apart, which
+// would be noise; the roughness goes from 0.1 to 0.3, because rougher mirrors would need blurred edges. The rest of the
+// weight counts as a miss.
 #include "common/exact.glsl"
 #include "draw/exact/depth.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
@@ -25,11 +26,11 @@
 const int mirrorSteps = 96;
 
 struct MirrorWay {
-  vec2 from;       // start in half pixels
-  vec2 along;      // unit direction on the picture
-  float nearness;  // nearness at the start (1/m)
+  vec2 from;       // start of the path in half pixels
+  vec2 along;      // unit direction of the path on the picture
+  float nearness;  // nearness at the start of the path (1/m)
   float rate;      // change of nearness per half pixel along the path
-  float speed;     // half pixels per metre at the start
+  float speed;     // half pixels per metre at the start of the path
   vec2 slope;      // change of nearness per half pixel on the mirror's own plane
   float turns;     // angle between the mirror's normals at neighbouring half pixels (radians)
   float end;       // length of the path in half pixels
@@ -37,7 +38,7 @@ struct MirrorWay {
 };
 
 struct MirrorHit {
-  float at;      // distance along the path in half pixels
+  float at;      // distance of the hit along the path in half pixels
   float counts;
   float spread;  // distance, in half pixels, between the points that neighbouring half pixels reflect
 };
@@ -261,7 +262,7 @@ FUNCTION vec4 lightMirrored(MirrorWay way, MirrorHit hit, float roughness) {
   precise float counts = way.counts * hit.counts * easedBetween(inwards) * (1.0f - easedBetween(part));
   float perAcross = exactInverseSqrt(exactDot(vec3(view.rayAcross), vec3(view.rayAcross)));
 #ifdef PARALLEL
-  precise float wide = roughness * roughness * metres * perAcross;  // in half pixels
+  precise float wide = roughness * roughness * metres * perAcross;  // width of the lobe in half pixels
 #else
   precise float wide = roughness * roughness * metres * perAcross * max(there, 0.0f);
 #endif

@@ -6,7 +6,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 LIGHT_PICTURE(sceneUnit, lightImage, fine);
 layout(rgba32f, binding = sumImage) writeonly restrict uniform image2D coarse;
-uniform ivec2 size;  // size of the source in texels
+uniform ivec2 size;  // size of the source level in texels
 
 vec3 texel(ivec2 at) {
   return LIGHT_AT(fine, clamp(at, ivec2(0), size - 1)).rgb;

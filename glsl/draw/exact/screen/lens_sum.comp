@@ -7,8 +7,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
 layout(rgba32f, binding = lightImage) restrict uniform image2D total;
-uniform int first;    // 1 for the first lens point
-uniform float share;  // 1 / number of lens points for the last lens point; else 0
+uniform int first;    // 1 if `sums` holds the light of the first lens point
+uniform float share;  // 1 / number of lens points if this is the last lens point; else 0
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);

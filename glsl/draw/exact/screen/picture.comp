@@ -17,7 +17,7 @@ layout(rgba32f, binding = pictureImage) writeonly restrict uniform image2D pictu
 #else
 layout(rgba8, binding = pictureImage) writeonly restrict uniform image2D picture;
 #endif
-uniform vec2 perSize;  // 2 / picture size
+uniform vec2 perSize;  // 2 / size of the picture in pixels
 vec2 perSize_ = once(perSize);
 #ifdef BLOOM
 #include "draw/exact/screen/bloom_read.glsl"

@@ -5,12 +5,12 @@
 #include "draw/exact/shadows/disc_points.glsl"
 
 struct AreaReceiver {
-  vec2 middle;   // position on the map in texels
-  float near;    // distance of the nearest caster / distance of the receiver
-  vec2 rise;     // change of `near` along the surface per texel
+  vec2 middle;   // position of the receiver on the map in texels
+  float near;    // receiver's nearness: distance of the nearest caster / distance of the receiver
+  vec2 rise;     // change of the receiver's nearness per texel along its surface
   float spread;  // radius of the penumbra (texels) per unit of nearness between caster and receiver
-  float least;   // min filter radius in texels
-  float most;    // max filter radius in texels
+  float least;   // min radius of the filter in texels
+  float most;    // max radius of the filter in texels
 };
 
 float mapNear(usamplerBuffer keys, ShadowMap map, vec2 place) {
@@ -30,7 +30,7 @@ Casters castersWithin(usamplerBuffer keys, ShadowMap map, AreaReceiver r, float 
   Casters found = Casters(0, 0.0f);
   for (int i = 0; i < 32; ++i) {
     precise vec2 middle = (0.94f * radius) * discPoints[i];
-    for (int k = 0; k < 4; ++k) {  // square with the side of the points' spacing
+    for (int k = 0; k < 4; ++k) {  // the four corners of a square as large as the spacing of the disc points
       precise vec2 way = middle + ((k & 1) == 0 ? 1.0f : -1.0f) * ((k & 2) == 0 ? aside : turned);
       precise vec2 place = r.middle + way;
       precise float plane = r.near + r.rise.x * way.x + r.rise.y * way.y;

@@ -9,7 +9,7 @@ layout(binding = indexUnit) uniform usamplerBuffer indices;
 layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgumentBlock { uint drawArguments[]; };
 layout(std430, binding = largeBinding) writeonly restrict buffer ListBlock { uint lists[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
-uniform int room;  // capacity of a list
+uniform int room;  // capacity of the triangle list of one face
 uniform int firstFace;
 uniform int faces;
 #include "draw/exact/list_place.glsl"

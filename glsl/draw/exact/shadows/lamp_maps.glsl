@@ -38,7 +38,8 @@ float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
     float perTexel = exactReciprocal(sampling.y);
     precise float area = 0.318309886f * exactReciprocal(up.w);
     precise float spread = exactSqrt(area) * perTexel * exactReciprocal(sampling.x);
-    precise float least_ = -0.15f * exactSqrt(exactDot(q, q));  // limits the slope of the plane at grazing light
+    // Limits the slope of the receiver's plane at grazing light.
+    precise float least_ = -0.15f * exactSqrt(exactDot(q, q));
     precise float perOff = sampling.x * sampling.y * exactReciprocal(min(exactDot(across, q), least_));
     precise vec2 rise = across.yz * perOff;
     precise float most = 0.125f * maps.x - 2.0f;

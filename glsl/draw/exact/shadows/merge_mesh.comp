@@ -13,7 +13,7 @@ layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgum
 uniform int vertexCount;
 uniform int firstVertex;
 uniform int triangleCount;
-uniform ivec2 rowOf;  // as in draw/exact/triangles/surface_triangle.glsl
+uniform ivec2 rowOf;  // layout of a grid's indices, as `rowOf` in draw/exact/triangles/surface_triangle.glsl
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);

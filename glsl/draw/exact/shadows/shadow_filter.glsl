@@ -6,7 +6,7 @@
 struct ShadowMap {
   int side;    // side of the map in texels
   int first;   // index of the map's first key
-  int stride;  // number of keys from one row to the next
+  int stride;  // number of keys from one row of the map to the next
 };
 
 // Returns the bilinearly weighted fraction of lit texels around a position (texels).

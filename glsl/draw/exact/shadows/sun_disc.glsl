@@ -10,12 +10,13 @@
 const int discTaps = 32;  // number of points in discPoints
 
 struct SunReceiver {
-  vec2 middle;   // position on the map in texels
-  float near;    // 1 - depth; negative behind every caster
-  vec2 rise;  // change of `near` along the surface per texel, so that the surface's own plane casts no shadow on itself
+  vec2 middle;   // position of the receiver on the map in texels
+  float near;    // receiver's nearness: 1 - depth; negative behind every caster
+  vec2 rise;     // change of the receiver's nearness per texel along its surface, so that the surface's plane casts no
+                 // shadow on itself
   float spread;  // radius of the penumbra (texels) per unit of depth between caster and receiver
-  float least;   // min filter radius in texels
-  float most;    // max filter radius in texels
+  float least;   // min radius of the filter in texels
+  float most;    // max radius of the filter in texels
 };
 
 // Returns the nearness of the receiver's plane at the offset `way` (texels).

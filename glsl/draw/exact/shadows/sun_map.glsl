@@ -19,7 +19,7 @@ float casterNear(ivec2 texel) {
 // `normal`: normal of the receiving surface, which casts no shadow on itself if it is flat.
 float sunFraction(vec3 place, vec3 normal) {
   float perDepth = exactReciprocal(lightDepth());
-  precise float perTexel = lightTexel() * perDepth;  // depth units per texel width
+  precise float perTexel = lightTexel() * perDepth;  // depth difference that equals the width of a texel
   float along = max(exactDot(normal, frame.sunDirection.xyz), 0.1f);
   precise vec2 across = vec2(exactDot(normal, frame.lightRight.xyz), exactDot(normal, frame.lightUp.xyz));
   precise vec2 rise = across * (-perTexel * exactReciprocal(along));
@@ -33,7 +33,7 @@ float sunFraction(vec3 place, vec3 normal) {
 float sunFraction(vec3 place, vec3 normal) {
   int side = int(frame.shadowTexels);
   precise float near = 1.0f - place.z;
-  uint key = nearKey(max(near, 0.0f));  // a point behind every caster still counts as inside the map
+  uint key = nearKey(max(near, 0.0f));  // clamped so that a point behind every caster counts as inside the map
   precise vec2 middle = place.xy * frame.shadowTexels;
   ShadowMap map = ShadowMap(side, 0, side);
 #if SHADOW_TAPS == 4

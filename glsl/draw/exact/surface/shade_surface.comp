@@ -45,7 +45,7 @@ vec3 emission_ = once(emission);
 #endif
 #ifdef COAT
 #include "draw/surface/coat.glsl"
-uniform vec2 coat;  // x strength, y roughness
+uniform vec2 coat;  // coat: x strength, y roughness
 vec2 coat_ = once(coat);
 #endif
 #ifdef BLENDED
@@ -83,7 +83,7 @@ void takeLook(uint number) {
 const bool bothSides = true;
 uniform vec3 color;
 vec3 color_ = once(color);
-uniform vec3 material;  // roughness, metallic, translucency
+uniform vec3 material;  // material: roughness, metallic, translucency
 vec3 material_ = once(material);
 #endif
 
@@ -162,7 +162,7 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   keepSurfaceSpot(spot, look, normal, firstSample(pixel) + sampleAt, owner_, clear_);
 #else
 #if defined SHOWN || defined REFLECTED
-  light = vec3(0);  // no emission in these variants
+  light = vec3(0);  // the outputs SHOWN and REFLECTED contain no emission
 #endif
 #ifdef REFLECTED
   facing_ = spot.turned ? -spot.normal : spot.normal;
@@ -172,7 +172,7 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
 #if defined COAT && !defined SHOWN
 #ifdef SHEEN
   vec3 fibres = sheen_;
-  sheen_ = vec3(0);  // the coat lies over the fibres, so it is shaded without them
+  sheen_ = vec3(0);  // the coat lies over the fibres, so it is shaded without fibres
 #endif
   vec3 smoothNormal = spot.normal;
 #ifdef DOUBLE_SIDED

@@ -18,18 +18,18 @@ vec3 skinLow_ = once(skinLow), skinHigh_ = once(skinHigh);
 #define skinHigh skinHigh_
 #include "draw/surface/skin_look.glsl"
 #ifndef SKIN_TAKEN
-layout(binding = reliefUnit) uniform usamplerBuffer skinTexels;  // written by skin_texels.comp
+layout(binding = reliefUnit) uniform usamplerBuffer skinTexels;  // texels of the skin, written by skin_texels.comp
 uniform ivec2 reliefSize;
 ivec2 reliefSize_ = once(reliefSize);
 uniform int reliefLevels;
 int reliefLevels_ = once(reliefLevels);
-uniform vec2 skinCells;  // size of the field in cells
+uniform vec2 skinCells;  // size of the skin's field in cells
 vec2 skinCells_ = once(skinCells);
 #endif
 
 struct SkinTexel {
   vec4 relief;
-  vec4 around;  // x mean of the ring around the texel, yzw colour
+  vec4 around;  // x mean of q in a ring around the texel, yzw colour
 };
 
 SkinTexel skinTexel(int at) {

@@ -7,8 +7,8 @@ layout(binding = reliefUnit) uniform sampler2D relief;
 layout(binding = surroundingsUnit) uniform sampler2D surroundings;
 layout(binding = skinColorUnit) uniform sampler2D skinColors;
 layout(std430, binding = outVertexBinding) writeonly restrict buffer TexelBlock { uvec4 texels[]; };
-uniform ivec2 size;  // size of mip level 0
-uniform int count;   // number of texels of all levels
+uniform ivec2 size;  // size of the skin's mip level 0 in texels
+uniform int count;   // total number of texels of all mip levels
 uniform bool colored;
 
 void main() {

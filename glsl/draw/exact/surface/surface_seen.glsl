@@ -3,7 +3,7 @@
 #include "common/once.glsl"
 #include "draw/surface/footprint.glsl"
 #include "draw/surface/three_sides.glsl"
-uniform vec2 textureScale;  // repeats along u and v, or per metre
+uniform vec2 textureScale;  // repeats of the texture along u and v, or per metre
 vec2 textureScale_ = once(textureScale);
 #ifdef TRIPLANAR
 uniform mat4 model;

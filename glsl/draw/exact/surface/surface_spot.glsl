@@ -16,12 +16,12 @@ layout(binding = paletteUnit) uniform samplerBuffer vertexTints;
 #endif
 
 struct Spot {
-  ivec3 corners;      // vertex indices of the triangle's corners
-  vec3 a, b, c;       // corners projected to the picture
+  ivec3 corners;      // vertex indices of the triangle's three corners
+  vec3 a, b, c;       // the triangle's corners projected to the picture
   vec3 weight;        // barycentric weights of the corners
   vec2 at;            // position on the picture in pixels
-  vec3 place;         // world position (m)
-  vec3 normal;        // unit normal
+  vec3 place;         // world position of the shading point (m)
+  vec3 normal;        // unit normal of the shading point
   vec3 view;          // unit vector to the eye
   bool turned;        // true if the triangle is seen from behind
 };

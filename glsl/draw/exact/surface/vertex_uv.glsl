@@ -4,9 +4,9 @@
 #include "common/once.glsl"
 uniform ivec2 grid;
 ivec2 grid_ = once(grid);
-uniform vec2 perGrid;  // 1 / (grid - 1)
+uniform vec2 perGrid;  // 1 / (grid - 1): factor from grid coordinates to uv
 vec2 perGrid_ = once(perGrid);
-uniform float perRow;  // 1 / grid.x
+uniform float perRow;  // 1 / number of vertices in a row of the grid
 float perRow_ = once(perRow);
 
 vec2 uvOf(int vertex) {

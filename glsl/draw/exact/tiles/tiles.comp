@@ -25,7 +25,7 @@ layout(std430, binding = nearBinding) writeonly restrict buffer PairBlock { uint
 layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uint ids[]; };
 #define PUT_ID(at, id) ids[at] = id
 #else
-// software drivers store four values at once
+// Ids of four samples, because software drivers store four values at once.
 layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uvec4 ids[]; };
 #define PUT_FOUR(at, four) ids[(at) / 4] = four
 #endif
@@ -41,16 +41,17 @@ uniform int draws;
 uniform int tileCount;
 uniform int firstTileRow;
 #ifdef FOURS
-uniform ivec4 firstFour, nextFour;  // the values of firstIds, padded with values above all ids
-uvec4 firsts = uvec4(firstFour), next = uvec4(nextFour);  // read once per invocation instead of in each round of a loop
+uniform ivec4 firstFour, nextFour;  // first ids of the surfaces (firstIds), padded with values above all ids
+uvec4 firsts = uvec4(firstFour), next = uvec4(nextFour);  // first ids, read once per invocation instead of in each
+                                                          // round of a loop
 #endif
 #ifdef GROUND
 // Nearness of the ground: x at the centre of the picture's first pixel, y and z change per pixel to the right and
 // downwards, w max difference within a pixel.
 uniform vec4 groundNear;
 vec4 groundAffine = groundNear;
-// Times the near plane's depth: x the max horizontal extent of a ray of depth 1 along x or z, y and z its max change
-// within a pixel along each axis.
+// Extents of rays, times the near plane's depth: x max extent of a ray of depth 1 along x or z, y and z max change of a
+// ray's x and z within a pixel.
 uniform vec3 groundRays;
 vec3 raysAround = groundRays;
 #ifdef SHADOW
@@ -58,7 +59,7 @@ vec4 shadowReach = texelFetch(light, 4);
 #endif
 #endif
 #ifdef FEW
-shared uint shown[1];  // one bit per surface
+shared uint shown[1];  // visibility flags: one bit per surface
 #else
 shared uint shown[64];
 #endif
@@ -152,7 +153,7 @@ int groundOf(ivec2 pixel, uvec4 keys) {
   precise float within = sure * farther;
   precise float down = frame.groundHeight - view.eye.y;
   precise float steep = abs(down) * farther;
-  precise float leastSteep = 3e-6f * view.near;  // same min as in groundDepth()
+  precise float leastSteep = 3e-6f * view.near;  // same min slope as in groundDepth()
   precise float leastNear = view.nearOverFar * 1.001f;
   bool seen = farther >= leastNear && steep >= leastSteep && nearer <= 0.999f && within >= raysAround.x;
 #ifdef PARALLEL
@@ -231,7 +232,7 @@ void look(ivec2 pixel) {
 #ifdef FOURS
   for (int s = 0; s < SAMPLES; ++s) showId(seen[s]);
 #else
-  while (left != 0) {  // one round for each surface in the pixel
+  while (left != 0) {  // one round for each surface that the pixel shows
     uint id = emptyId;
     for (int s = SAMPLES - 1; s >= 0; --s) id = (left >> s & 1) != 0 ? seen[s] : id;
     left &= left - 1;

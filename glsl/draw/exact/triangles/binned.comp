@@ -18,7 +18,7 @@ ivec2 mapSize = ivec2(mapTexels);
 #endif
 #ifdef LAMP_MAP
 uniform int firstKey;   // index of this map's first key in the atlas of all lamps
-uniform int keyStride;  // number of keys from one row to the next
+uniform int keyStride;  // number of keys from one row of the map to the next
 #endif
 #if defined SUN_MAP || defined LAMP_MAP
 #define KEYS_ONLY
@@ -50,7 +50,7 @@ layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uvec4 id
 uniform int binTiles;
 uniform int rounds;
 uniform int round_;
-const int noId = 0x7fffffff;  // larger than all triangle ids
+const int noId = 0x7fffffff;  // placeholder id, larger than all triangle ids
 
 // Row of the pixel, and sample index, of sample i in group j.
 int rowOf(int j, int i) {
@@ -172,7 +172,7 @@ void main() {
       fours[f].across = across;
       fours[f].down = corner.y + y - a.y;
     }
-    const int below = SAMPLES < 4 ? 4 / SAMPLES : 1;  // rows from one group to the next
+    const int below = SAMPLES < 4 ? 4 / SAMPLES : 1;  // number of rows from one group of four samples to the next
     int belowAb = ab.step_.x * (16 * below), belowBc = bc.step_.x * (16 * below), belowCa = ca.step_.x * (16 * below);
 #define BELOW(J)                                 \
     fours[J % foursOfPixel].ab -= belowAb;       \

@@ -18,8 +18,8 @@ uniform int roundTriangles;
 #ifdef LAMP_MAP
 uniform int face;
 #endif
-uniform int faceRounds;  // rounds of the picture or of each face
-uniform int rounds;      // rounds in total
+uniform int faceRounds;  // number of rounds of the picture or of each shadow map face
+uniform int rounds;      // number of rounds of all faces together
 uniform int cornerRoom;       // capacity of the corner buffer in triangles
 uniform int sharedNodes;      // number of nodes in the shared pool
 uniform uint firstSharedNode;

@@ -9,7 +9,7 @@ uniform vec2 textureScale;
 vec2 textureScale_ = once(textureScale);
 uniform vec2 opacityLimit;  // x opacity of the whole material, y min opacity of a visible sample
 vec2 opacityLimit_ = once(opacityLimit);
-vec3 cutA = vec3(0), cutB = vec3(0), cutC = vec3(0);  // corners projected to the picture
+vec3 cutA = vec3(0), cutB = vec3(0), cutC = vec3(0);  // the triangle's corners projected to the picture
 vec2 cutUvA = vec2(0), cutUvB = vec2(0), cutUvC = vec2(0);
 
 void cutTriangle(ivec3 corners, vec3 a, vec3 b, vec3 c) {

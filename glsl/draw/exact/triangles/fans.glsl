@@ -3,12 +3,12 @@
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/clip.glsl"
 #include "draw/exact/triangles/triangle.glsl"
-const int fanTexels = 8;  // texels of a fan: x, y, nearness, number of corners
-uniform int fanRoom;   // capacity in fans
+const int fanTexels = 8;  // texels of a fan; each holds x, y, nearness and the number of corners
+uniform int fanRoom;   // capacity of the buffer in fans
 #ifdef FACES
 int firstFan = face_ * fanRoom;
 #else
-uniform int firstFan;  // first fan of the surface
+uniform int firstFan;  // index of the surface's first fan
 #endif
 #ifdef MAKES_FANS
 layout(std430, binding = fanBinding) writeonly restrict buffer FanBlock { uvec4 fans[]; };

@@ -13,7 +13,7 @@ uniform int vertexCount;
 uniform int firstVertex;
 uniform int triangleCount;
 uniform int firstTriangle;
-uniform ivec2 rowOf;  // as in draw/exact/triangles/surface_triangle.glsl
+uniform ivec2 rowOf;  // layout of a grid's indices, as `rowOf` in draw/exact/triangles/surface_triangle.glsl
 uniform uint owner;
 
 void main() {

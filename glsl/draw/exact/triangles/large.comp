@@ -31,7 +31,8 @@ void drawLarge(int entry) {
   cutTriangle(corners, placeOf(a), placeOf(b), placeOf(c));
 #endif
 #ifdef SUN_MAP
-  fillTiles(drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c)), id);  // needs no clipping
+  // Triangles in the sun's shadow map need no clipping.
+  fillTiles(drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c)), id);
 #else
   fillClipped(drawnPlace(a), drawnPlace(b), drawnPlace(c), view.near, id);
 #endif

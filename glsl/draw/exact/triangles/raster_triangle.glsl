@@ -11,7 +11,7 @@
 #include "draw/exact/triangles/layer.glsl"
 #endif
 #ifdef SUN_MAP
-uniform float slopeOffset;  // offset in texels times the slope
+uniform float slopeOffset;  // factor of the depth offset: number of texels times the triangle's slope
 const float nearest = 0.0f;
 #endif
 #ifdef LAMP_MAP
@@ -79,7 +79,7 @@ void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
     if ((mask >> s & 1) != 0) putSample(t, pixel, s, keyAt(sampleIndex(pixel, s)), id);
 #else
   int at = firstSample(pixel);
-  for (int s = 0; s < SAMPLES; s += 4) {  // reading four keys costs a software driver as much as reading one
+  for (int s = 0; s < SAMPLES; s += 4) {  // a software driver reads four keys as fast as one
     uvec4 before = fourKeysAt(at + s);
     for (int i = 0; i < 4; ++i)
       if ((mask >> (s + i) & 1) != 0) putSample(t, pixel, s + i, before[i], id);

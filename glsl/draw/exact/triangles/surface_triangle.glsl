@@ -35,7 +35,7 @@ uniform int firstIndex;
 layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgumentBlock { uint listed[]; };
 layout(binding = tileListUnit) uniform usamplerBuffer lists;
 #ifndef FACES
-uniform int list;  // index of the face's list
+uniform int list;  // index of the shadow map face's triangle list
 #endif
 int trianglesToDraw() {
   return int(listed[list]);
@@ -54,9 +54,8 @@ int trianglesToDraw() {
 }
 #endif
 
-// x triangles in a row of a grid that stores the indices of one row only, y vertices per row; 0: indices of all
-// triangles are stored
-uniform ivec2 rowOf;
+uniform ivec2 rowOf;  // x triangles in a row of a grid that stores the indices of one row only, y vertices per row; 0:
+                      // indices of all triangles are stored
 ivec2 rowOf_ = once(rowOf);
 
 ivec3 cornersOf(int triangle) {
@@ -71,7 +70,7 @@ vec3 placeOf(uvec4 vertex) {
 #ifdef PARALLEL
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/corner_place.glsl"
-// Returns the vertex in the rasterizer's form.
+// Returns the vertex position in the rasterizer's form (draw/exact/corner_place.glsl).
 vec3 drawnPlace(uvec4 vertex) {
   return rasterPlace(placeOf(vertex));
 }

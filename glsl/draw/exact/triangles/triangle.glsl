@@ -9,25 +9,25 @@
 
 // A corner of a triangle, from the vertex kernels' pixels times depth to the right and down, and depth (m).
 struct Corner {
-  ivec2 at;    // position in 1/256 pixel
+  ivec2 at;    // position of the corner in 1/256 pixel
   float near;  // nearness: near plane / depth, 0 to 1, affine on the picture
 };
 
 struct Edge {
-  ivec2 from;  // start in 1/256 pixel
-  ivec2 step_;  // vector to the end
+  ivec2 from;  // start of the edge in 1/256 pixel
+  ivec2 step_;  // vector from the edge's start to its end
   int bias;    // 0 if samples on the edge belong to the triangle, else -1
 };
 
 struct Triangle {
   Edge edges[3];
-  ivec2 low, high;     // bounding box in 1/256 pixel
-  float near;          // nearness at edges[0].from
+  ivec2 low, high;     // bounding box of the triangle in 1/256 pixel
+  float near;          // nearness of the triangle at edges[0].from
   float acrossNear;    // change of nearness per 1/256 pixel to the right
   float downNear;      // change of nearness per 1/256 pixel downwards
   float least, most;   // min and max nearness of the corners
-  bool turned;         // true if seen from behind
-  bool empty;          // true if the area is zero
+  bool turned;         // true if the triangle is seen from behind
+  bool empty;          // true if the triangle's area is zero
 };
 
 FUNCTION Corner cornerOf(vec3 v, float nearest) {

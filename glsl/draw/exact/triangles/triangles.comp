@@ -14,11 +14,11 @@ layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint cou
 #ifdef FACES
 int draw_ = face_;
 #else
-uniform int draw_;         // index of the surface among all drawn surfaces
+uniform int draw_;         // index of the current surface among all drawn surfaces
 #endif
 uniform int draws;
-// longest side of a medium-sized triangle's box; if less than smallPixels, no triangle is medium-sized
-uniform int mediumPixels;
+uniform int mediumPixels;  // longest side in pixels of a medium-sized triangle's box; if less than smallPixels, no
+                           // triangle is medium-sized
 #include "draw/exact/list_place.glsl"
 #if defined BINS && (defined LAMP_MAP || defined SUN_MAP)
 // Shadow maps have one sample per texel and no ids, so a few atomics cost less than all samples of a tile.
@@ -41,7 +41,7 @@ void drawOrList(int number) {
 #endif
   vec3 pa = drawnPlace(a), pb = drawnPlace(b), pc = drawnPlace(c);
 #ifdef PARALLEL
-  if (min(pa.z, min(pb.z, pc.z)) < 0.0f) return;  // behind the camera's depth range
+  if (min(pa.z, min(pb.z, pc.z)) < 0.0f) return;  // skips triangles behind the camera's depth range
 #endif
   if (beside(pa, pb, pc, size, nearest)) return;
   bool whole = inside(pa, size, nearest) && inside(pb, size, nearest) && inside(pc, size, nearest);

@@ -27,7 +27,7 @@ vec3 worldPlace(int i) {
   return q;
 }
 
-// Returns the normal, not of unit length.
+// worldNormal() returns the normal of vertex i, not of unit length.
 #ifdef GRID
 // Central differences, one-sided at the borders. The direction agrees with the triangles (a, a + width, a + 1).
 vec3 worldNormal(int i) {
@@ -37,7 +37,8 @@ vec3 worldNormal(int i) {
   return exactCross(down, right);
 }
 #elif defined DEFORMED
-// From four displaced points around the vertex, along tangent and bitangent.
+// From four displaced points at the distance w of the rest position (the shortest edge at the vertex) along tangent and
+// bitangent.
 vec3 worldNormal(int i) {
   vec4 rest = texelFetch(positions, i);
   vec3 normal = texelFetch(normals, i).xyz;
