@@ -2,7 +2,7 @@
 #ifndef DRAW_BINDINGS
 #define DRAW_BINDINGS
 
-// Uniform blocks.
+// Binding points of uniform blocks.
 const int frameBinding = 0, deformBinding = 1, lampBinding = 2;
 
 // Texture units of surfaces and instances.
@@ -23,7 +23,7 @@ const int boxUnit = 0;
 // Texture units of passes over the whole picture.
 const int sceneUnit = 0, depthUnit = 1, bloomUnit = 1;
 
-// Storage blocks.
+// Binding points of storage blocks.
 const int maskBinding = 0, beforeBinding = 1, blockCountBinding = 2, blockFirstBinding = 3;
 const int argumentBinding = 4, listBinding = 5, boundsBinding = 6, lightBinding = 7;
 const int boxBinding = 0, cellBinding = 1, cellArgumentBinding = 2;

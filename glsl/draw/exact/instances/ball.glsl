@@ -34,7 +34,7 @@ FUNCTION BallHit ballHitAfter(Ball ball, vec3 a, vec3 ray, float beyond, float t
 }
 
 // Returns the first hit of a ray of depth 1 from the eye. With a = ray * depth - middle it solves |a + t ray| = radius.
-// These numbers are not larger than the ball, so their squares lose little precision in the difference.
+// The vector a is about as short as the ball's radius, so the difference of squares loses little precision.
 FUNCTION BallHit ballHit(Ball ball, vec3 ray) {
   precise vec3 a = ray * ball.depth - ball.middle;
   float rr = exactDot(ray, ray), b = exactDot(a, ray), aa = exactDot(a, a);

@@ -1,7 +1,7 @@
 // Binding points of the ray tracing kernels in draw/exact/rays. Compiles as GLSL and as C++ (src/draw/exact/rays).
 #ifndef EXACT_RAY_BINDINGS
 #define EXACT_RAY_BINDINGS
-// Texel views.
+// Texture units of texel views.
 // Triangles and balls in the order of their hierarchies, and the nodes of the hierarchies.
 const int solidUnit = 20, solidNodeUnit = 21, ballUnit = 22, ballNodeUnit = 23;
 const int rayUnit = 24, rayHitUnit = 25, rayLightUnit = 26;  // rays of paths, their hits and their light
@@ -12,7 +12,7 @@ const int solidIdUnit = 32, ballLookUnit = 33, rayLookUnit = 34, spotLightUnit =
 // Vertices' texture positions, texels of skins, listed paths or rays, emitters.
 const int rayLayUnit = 36, raySkinUnit = 37, rayListUnit = 38, rayEmitterUnit = 39;
 const int recordUnit = 0;  // sort records in the order of the hierarchy; a binding of INPUT_WORDS
-// Storage blocks.
+// Binding points of storage blocks.
 const int outPlaceBinding = 0, outWordBinding = 1, outCornerBinding = 2, outRecordBinding = 3, rayBoundsBinding = 4;
 const int outNodeBinding = 5, outIdBinding = 6, outLayBinding = 8;
 const int outRayBinding = 0, outHitBinding = 1, outRayLightBinding = 2, outSpotLightBinding = 3, outListBinding = 4;

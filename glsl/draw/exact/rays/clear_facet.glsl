@@ -38,9 +38,9 @@ FUNCTION Onward clearOnward(Facet f, vec3 u) {
   return onward;
 }
 
-// Samples the direction in which light continues if the coat over a clear surface reflects it. The weight equals the
-// coat's light of facetOf() and finishedLobes() divided by the probability of the coat's lobe; `coats` is another
-// factor of that probability.
+// Samples the direction in which light continues if the coat over a clear surface reflects it. The weight is the coat's
+// light, as in facetOf() and finishedLobes(), divided by the probability of the coat's lobe, which includes the factor
+// `coats`.
 FUNCTION Onward coatOnward(Facet f, vec2 u) {
   vec3 facet = unitOf(facetSeen(f.coatNormal, f.coatNv, f.coatAlpha, f.view, u.x, u.y));
   float cosine = clamp(exactDot(f.view, facet), 0.0f, 1.0f);

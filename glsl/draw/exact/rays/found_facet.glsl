@@ -1,4 +1,5 @@
-// Shading point of a ray's hit. Variants: TRIANGLES, BALLS, GROUND; LAID, RAISED, SKINS, EMITTERS, FINISHED.
+// Computes the shading point (facet) where a ray hits the scene. Variants: TRIANGLES, BALLS, GROUND; LAID, RAISED,
+// SKINS, EMITTERS, FINISHED.
 #include "draw/exact/rays/rounded_place.glsl"
 #include "draw/exact/rays/looks.glsl"
 #ifdef TRIANGLES

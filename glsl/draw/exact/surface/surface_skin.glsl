@@ -26,7 +26,7 @@ SkinArea noArea() {
 SkinSeen skinSeen(Spot spot, vec3 normal) {
   SurfaceSeen seen = surfaceSeen(spot);
   vec3 w = seen.weight;
-  // A loop over the projections with weight, as in surface_texture.glsl.
+  // Loops only over the projections with a weight above 0, as in surface_texture.glsl.
   SkinArea x = noArea(), y = noArea(), z = noArea();
   int left = sidesThatShow(w);
   while (left != 0) {

@@ -46,8 +46,8 @@ Patch withSide(Patch patch_, Seen seen, float weight) {
 }
 
 #ifdef TRIPLANAR
-// Loops only over the projections with weight, because software drivers execute both sides of a branch. Most walls and
-// floors need only one projection.
+// Loops only over the projections with a weight above 0, because software drivers execute both sides of a branch. Most
+// walls and floors need only one projection.
 Patch patchSeen(SurfaceSeen seen) {
   vec3 w = seen.weight;
   Patch sum = noPatch();

@@ -107,8 +107,8 @@ uint keyOf(float near) {
   return near < 0.0f ? ~0u : 0x7fffffffu - uint(floatBitsToInt(near));
 }
 
-// A group of four samples relative to a triangle: E / 16 of each edge, distance below the triangle's first corner, and
-// change of nearness across from that corner.
+// A group of four samples relative to a triangle: edge function E / 16 of each edge, distance below the triangle's
+// first corner, and change of nearness across from that corner.
 struct Four {
   ivec4 ab, bc, ca, down;
   vec4 across;

@@ -34,7 +34,7 @@ void fillBox(Triangle t, uint id) {
 
 // Returns the longest side of a triangle's box (1/256 pixel), which decides how the triangle is rasterized. On software
 // drivers slivers count as small, because they cover little of their tiles and often come in large numbers. The limits
-// keep E below 2^31 near the triangle, since partial products may wrap around.
+// keep the edge function E below 2^31 near the triangle; partial products may wrap around.
 int drawnAs(Triangle t) {
   int longest = max(t.high.x - t.low.x, t.high.y - t.low.y);
 #ifndef BRANCHES

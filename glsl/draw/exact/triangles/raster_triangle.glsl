@@ -57,7 +57,7 @@ void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
   addPart(pixel, addedLight, 1.0f, samples);
 }
 #else
-// Writes sample `s` of the pixel, which the triangle covers.
+// Writes sample `s` of the pixel. The triangle must cover the sample.
 void putSample(Triangle t, ivec2 pixel, int s, uint before, uint id) {
   float near = nearAt(t, pixel * subpixels + samplePlace(s) * (subpixels / 16));
 #ifndef SUN_MAP
@@ -69,7 +69,7 @@ void putSample(Triangle t, ivec2 pixel, int s, uint before, uint id) {
   keep(sampleIndex(pixel, s), nearKey(near), before, id);
 }
 
-// Writes the samples of the pixel in the mask.
+// Writes the samples in the mask of one pixel. The triangle must cover the samples.
 void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
 #ifdef CUTOUT
   mask = uncut(pixel, mask);

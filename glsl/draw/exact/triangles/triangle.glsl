@@ -105,16 +105,16 @@ FUNCTION uint nearKey(float near) {
   return 0x7fffffffu - uint(floatBitsToInt(near));
 }
 
-// Returns E of an edge at a position, for triangles of at most 64 pixels; the result is below 2^30.
+// Returns the edge function E at a position, for triangles of at most 64 pixels; the result is below 2^30.
 FUNCTION int edgeAt(Edge edge, ivec2 at) {
   ivec2 to = at - edge.from;
   return edge.step_.y * to.x - edge.step_.x * to.y + edge.bias;
 }
 
-// Returns E / 16, rounded down, at a position; the result is clamped if no sample of a tile around the position can
-// change the sign. For a position 16 h + l from the edge's start it is step x h + floor((step x l + bias) / 16). The
-// result is exact in 32 bits if it is below 2^30, even if partial products wrap around; float arithmetic decides well
-// enough if that holds.
+// Returns the edge function E / 16, rounded down, at a position; the result is clamped if no sample of a tile around
+// the position can change the sign. For a position 16 h + l from the edge's start it is step x h + floor((step x l +
+// bias) / 16). The result is exact in 32 bits if it is below 2^30, even if partial products wrap around; float
+// arithmetic decides well enough if that holds.
 FUNCTION int edgeOverSixteen(Edge edge, ivec2 at) {
   const int most = 0x3fffffff;
   ivec2 to = at - edge.from;
@@ -127,7 +127,7 @@ FUNCTION int edgeOverSixteen(Edge edge, ivec2 at) {
   return sixteenth;
 }
 
-// Returns E / 16 at a sample with the offset `aside` (1/16 pixel).
+// Returns the edge function E / 16 at a sample with the offset `aside` (1/16 pixel).
 FUNCTION int edgeAside(Edge edge, int middle, ivec2 aside) {
   return middle + edge.step_.y * aside.x - edge.step_.x * aside.y;
 }
