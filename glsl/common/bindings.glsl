@@ -1,13 +1,14 @@
-// What every simulation has, and the kernels of this folder. Compiles as GLSL and, by common/cpp.hpp, as C++.
+// Binding points that all simulations and the kernels in glsl/common use. Compiles as GLSL and, through common/cpp.hpp,
+// as C++.
 #ifndef COMMON_BINDINGS
 #define COMMON_BINDINGS
 
-const int stepBinding = 0;     // of uniform blocks: what a step is told
-const int statusBinding = 7;   // of storage blocks: status.glsl
-const int wordsBinding = 0;    // of textures: what is hashed
-const int sumsBinding = 0;     // of storage blocks: the hashes' sums
-const int planesBinding = 1;   // of storage blocks: what is hashed, where it lies in planes
-const int inputsBinding = 0;   // of storage blocks: a probe's
+const int stepBinding = 0;     // uniform block: parameters of a simulation step
+const int statusBinding = 7;   // storage block: status.glsl
+const int wordsBinding = 0;    // texture: words to hash
+const int sumsBinding = 0;     // storage block: sums of hashes
+const int planesBinding = 1;   // storage block: words to hash if they are stored in planes (state_words.glsl)
+const int inputsBinding = 0;   // storage blocks of probe.comp and loop_probe.comp: inputs and outputs
 const int outputsBinding = 1;
 
 #endif

@@ -1,10 +1,10 @@
 #pragma once
-// Lets the shared shader files compile as C++: include this, open a namespace or struct, include them.
-// Built with -ffp-contract=off, every C++ operation rounds as a `precise` one does.
-// What the files mark for C++ alone is nothing in GLSL (src/gl/shader_source.cpp):
-//   FUNCTION vec3 f(vec3 v)      `inline` as a rule: whoever includes the file says so
-//   struct STD140 Name { ... };  starts and ends at multiples of 16 bytes, as in a uniform block
-//   float mass DEFAULT(1.0f);    a member's value where the scene gives none
+// Lets the shared shader files compile as C++: include this header, open a namespace or struct, then
+// include the shader files. The build uses -ffp-contract=off, so every C++ operation rounds like a
+// `precise` GLSL operation. In GLSL the following C++ markers expand to nothing (src/gl/shader_source.cpp):
+//   FUNCTION vec3 f(vec3 v)       expands to what the including file defines, usually `inline`
+//   struct STD140 Name { ... };   starts and ends at multiples of 16 bytes, as in a uniform block
+//   float mass DEFAULT(1.0f);     default value of a member if the scene does not set it
 #include <bit>
 #include <cmath>
 #include <cstdint>

@@ -1,25 +1,25 @@
-// Arithmetic with the same bits on every driver. Compiles as GLSL and, through common/cpp.hpp, as C++.
-// Only operations that IEEE 754 pins down are used (add, subtract, multiply, integers, floor), each
-// rounded on its own by `precise`; divisions and roots are Newton iterations from an integer start.
-// Literals carry an f: in C++ a bare 0.5 would be a double.
+// Arithmetic with the same bits on every driver. Compiles as GLSL and, through common/cpp.hpp, as C++. The functions
+// use only operations that IEEE 754 defines exactly (add, subtract, multiply, floor, integer operations); `precise`
+// rounds each operation separately. Divisions and roots are Newton iterations from an integer start value. Float
+// literals need the suffix f because a bare 0.5 is a double in C++.
 #ifndef EXACT_ARITHMETIC
 #define EXACT_ARITHMETIC
 #ifdef FAST_NUMERICS
 #define precise
 #endif
 
-// Magnitudes below 1e-30 become zero: drivers disagree on subnormal numbers.
+// Returns x, or zero if |x| < 1e-30, because drivers disagree on subnormal numbers.
 FUNCTION float exactFlush(float x) {
   return abs(x) < 1e-30f ? 0.0f : x;
 }
 
-// Neither infinite nor NaN, by its bits: compilers may assume that comparisons never meet NaN.
+// True if x is neither infinite nor NaN. Tests the bits because compilers may assume that comparisons never meet NaN.
 FUNCTION bool isNumber(float x) {
   return (floatBitsToInt(x) & 0x7f800000) != 0x7f800000;
 }
 
-// 1/sqrt(x) for x >= 1e-30, relative error below 3e-7. y' = y (3/2 - x y^2 / 2), three times.
-// For x = 0 the result is large but finite. Of a vector each component by itself.
+// Returns 1/sqrt(x) for x >= 1e-30, relative error below 3e-7. Newton step y' = y (3/2 - x y^2 / 2), three times. The
+// result for x = 0 is large but finite. Works on each component of a vector.
 #ifdef FAST_NUMERICS
 #define EXACT_INVERSE_SQRT(T) \
   T exactInverseSqrt(T x) { return inversesqrt(max(x, T(1e-30f))); }
@@ -36,13 +36,13 @@ FUNCTION bool isNumber(float x) {
 #endif
 EXACT_INVERSE_SQRT(float)
 
-// sqrt(x) for x >= 0; zero below 1e-30.
+// Returns sqrt(x) for x >= 0; zero below 1e-30.
 FUNCTION float exactSqrt(float x) {
   precise float root = x * exactInverseSqrt(x);
   return x < 1e-30f ? 0.0f : root;
 }
 
-// 1/x for 1e-30 <= |x| <= 1e30, relative error below 3e-7. y' = y (2 - x y), three times.
+// Returns 1/x for 1e-30 <= |x| <= 1e30, relative error below 3e-7. Newton step y' = y (2 - x y), three times.
 FUNCTION float exactReciprocal(float x) {
 #ifdef FAST_NUMERICS
   return 1.0f / x;
@@ -56,8 +56,8 @@ FUNCTION float exactReciprocal(float x) {
 #endif
 }
 
-// sin(x) for |x| <= 1e4: x - 2 pi n in three parts (Cody and Waite), folded into [-pi/2, pi/2], then the
-// odd Taylor polynomial of degree 11 (error below 6e-8 there).
+// Returns sin(x) for |x| <= 1e4. Subtracts 2 pi n in three parts (Cody and Waite), folds the rest into [-pi/2, pi/2]
+// and evaluates the odd Taylor polynomial of degree 11 (error below 6e-8 in that interval).
 FUNCTION float exactSin(float x) {
   precise float turns = x * 0.15915494f + 0.5f;
   precise float n = floor(turns);
@@ -75,10 +75,11 @@ FUNCTION float exactCos(float x) {
   return exactSin(shifted);
 }
 
-// exp(x), zero below -69 and held at exp(69) above 69. x = n ln 2 + r, |r| <= ln2/2, Taylor of degree 7.
+// Returns exp(x); zero for x < -69, exp(69) for x > 69. Splits x = n ln 2 + r, |r| <= ln2/2, and evaluates the Taylor
+// polynomial of degree 7 in r.
 FUNCTION float exactExp(float x) {
 #if defined FAST_NUMERICS && defined EXACT_PICTURE
-  return x < -69.0f ? 0.0f : exp(min(x, 69.0f));  // inexact
+  return x < -69.0f ? 0.0f : exp(min(x, 69.0f));  // inexact: rounding depends on the driver
 #else
   precise float held = min(max(x, -69.0f), 69.0f);
   precise float doublings = held * 1.44269504f + 0.5f;
@@ -91,11 +92,11 @@ FUNCTION float exactExp(float x) {
 #endif
 }
 
-// log(x) for x >= 1e-30, relative error below 3e-7. x = 2^n m, m from sqrt(1/2) to sqrt(2); Cephes' polynomial (logf.c)
-// for log(1 + t), |t| < 0.42.
+// Returns log(x) for x >= 1e-30, relative error below 3e-7. Splits x = 2^n m with m from sqrt(1/2) to sqrt(2) and
+// evaluates the polynomial of Cephes (logf.c) for log(1 + t), |t| < 0.42.
 FUNCTION float exactLog(float x) {
 #if defined FAST_NUMERICS && defined EXACT_PICTURE
-  return log(x);  // inexact
+  return log(x);  // inexact: rounding depends on the driver
 #else
   int n = (floatBitsToInt(x) - 0x3f3504f3) >> 23;
   precise float t = intBitsToFloat(floatBitsToInt(x) - n * 8388608) - 1.0f;
@@ -109,7 +110,8 @@ FUNCTION float exactLog(float x) {
 #endif
 }
 
-// x^y for y >= 0 and x^y between exp(-69) and exp(69), relative error below 4e-7 (1 + |y log x|); 0 for x below 1e-30.
+// Returns x^y for y >= 0 and results between exp(-69) and exp(69), relative error below 4e-7 (1 + |y log x|); zero for
+// x < 1e-30.
 FUNCTION float exactPow(float x, float y) {
   precise float power = y * exactLog(max(x, 1e-30f));
   return x < 1e-30f && y > 0.0f ? 0.0f : exactExp(power);

@@ -1,7 +1,7 @@
-// Random numbers: an integer hash of where and when, nothing else (PCG family; Jarzynski and Olano,
-// "Hash Functions for GPU Rendering", JCGT 9(3), 2020). Compiles as GLSL and as C++.
+// Random numbers as integer hashes of position and time, without other state (PCG family; Jarzynski and Olano, "Hash
+// Functions for GPU Rendering", JCGT 9(3), 2020). Compiles as GLSL and as C++.
 
-// Three words in, three well-mixed words out.
+// Hashes three words to three well-mixed words.
 FUNCTION uvec3 hash3(uvec3 v) {
   v = v * 1664525u + 1013904223u;
   v.x += v.y * v.z;
@@ -14,7 +14,7 @@ FUNCTION uvec3 hash3(uvec3 v) {
   return v;
 }
 
-// The upper 24 bits of a word as a number in [-1, 1), exactly.
+// Converts the upper 24 bits of a word to a number in [-1, 1), without rounding.
 FUNCTION float signedUnit(uint bits) {
   precise float u = float(int(bits >> 8u) - 8388608) * 1.1920929e-7f;
   return u;

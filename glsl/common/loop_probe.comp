@@ -1,4 +1,5 @@
-// Counts to `rounds` in a loop: some software drivers stop silently after 65,535 iterations.
+// Counts to `rounds` in a loop and stores the count. The test detects software drivers that silently stop a loop after
+// 65,535 iterations.
 #include "common/bindings.glsl"
 layout(local_size_x = 1) in;
 layout(std430, binding = outputsBinding) writeonly restrict buffer OutputBlock { uint reached; };

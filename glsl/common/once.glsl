@@ -1,6 +1,7 @@
-// A uniform's value, read where the kernel begins. Software drivers read uniforms lane by lane in loops, at some 25
-// instructions a number, and compilers put the uniform itself for a variable that is nothing but its copy: so the copy is of
-// the bits, or held where no such number lies. For global variables: T name_ = once(name).
+// Reads the value of a uniform once, at the start of the kernel. Software drivers read uniforms lane by lane inside
+// loops, about 25 instructions for each number. A plain copy in a variable does not help because compilers replace the
+// variable by the uniform. Therefore once() copies through a bit cast, or through a clamp that never takes effect.
+// Usage, for global variables: T name_ = once(name).
 #ifndef COMMON_ONCE
 #define COMMON_ONCE
 float once(float x) {

@@ -1,2 +1,2 @@
-// Nothing but whether there is a point.
+// Writes no colour: only the fact that the point is rasterized matters (src/gl/condition.cpp).
 void main() {}

@@ -1,4 +1,4 @@
-// A point at the middle of what is drawn into.
+// Puts one point in the middle of the render target.
 void main() {
   gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
 }

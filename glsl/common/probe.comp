@@ -1,5 +1,6 @@
-// Every function of exact.glsl (bits compared with C++) and the built-ins whose rounding differs between
-// drivers (inexact; bits hashed to tell one family of drivers from another). 19 words an item.
+// Evaluates every function of exact.glsl, for a bit comparison with C++, and the built-in functions whose rounding
+// differs between drivers. The hash of the inexact results distinguishes driver families. One invocation reads one
+// input and writes 19 words.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 layout(local_size_x = 64) in;
@@ -24,12 +25,12 @@ void main() {
   outputs[o + 8] = exactDot(vec4(x, a, 1.5f, a), vec4(0.3f, x, a, -x));
   outputs[o + 9] = exactLog(max(a, 1e-30f));
   outputs[o + 10] = exactPow(a, 0.7f);
-  outputs[o + 11] = inversesqrt(a);  // inexact
-  outputs[o + 12] = sqrt(a);  // inexact
-  outputs[o + 13] = 1.7f / x;  // inexact
-  outputs[o + 14] = sin(x);  // inexact
-  outputs[o + 15] = exp(-a);  // inexact
-  outputs[o + 16] = pow(a, 1.7f);  // inexact
-  outputs[o + 17] = dot(vec3(x, a, 1.5f), vec3(0.3f, x, a));  // inexact
-  outputs[o + 18] = x * 1.3f + a;  // inexact
+  outputs[o + 11] = inversesqrt(a);  // inexact: rounding depends on the driver
+  outputs[o + 12] = sqrt(a);  // inexact: rounding depends on the driver
+  outputs[o + 13] = 1.7f / x;  // inexact: rounding depends on the driver
+  outputs[o + 14] = sin(x);  // inexact: rounding depends on the driver
+  outputs[o + 15] = exp(-a);  // inexact: rounding depends on the driver
+  outputs[o + 16] = pow(a, 1.7f);  // inexact: rounding depends on the driver
+  outputs[o + 17] = dot(vec3(x, a, 1.5f), vec3(0.3f, x, a));  // inexact: rounding depends on the driver
+  outputs[o + 18] = x * 1.3f + a;  // inexact: rounding depends on the driver
 }

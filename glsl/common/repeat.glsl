@@ -1,5 +1,6 @@
-// Writes REPEATED(0) to REPEATED(TIMES - 1), for TIMES of at most 32: a loop whose counter is a constant in each round. Software
-// drivers read uniform blocks lane by lane where the place is none, and run the code of every branch.
+// Unrolls a loop: expands to REPEATED(0) ... REPEATED(TIMES - 1) for TIMES <= 32, so the counter is a constant in each
+// round. Software drivers read a uniform block lane by lane if the index is not constant, and they execute both sides
+// of every branch.
 #ifndef REPEAT_MACROS
 #define REPEAT_MACROS
 #define REPEAT_2(i) REPEATED(i) REPEATED((i) + 1)

@@ -1,4 +1,4 @@
-// Where the arrays of a sorting pass are bound. Compiles as GLSL and as C++ (src/gl/radix_sort.cpp).
+// Binding points of the arrays of a radix sort pass. Compiles as GLSL and as C++ (src/gl/radix_sort.cpp).
 #ifndef SORT_BINDINGS
 #define SORT_BINDINGS
 

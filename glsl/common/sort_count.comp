@@ -1,4 +1,5 @@
-// How many records of each tile have each digit.
+// First kernel of a radix sort pass: counts the records of each tile by digit (0 to 15). TEXEL_PATH: one invocation
+// counts one tile; else one workgroup does.
 #include "common/sort_tile.glsl"
 #ifdef TEXEL_PATH
 layout(local_size_x = 16) in;
@@ -8,7 +9,7 @@ void main() {
   if (tile >= tiles) return;
   int first = tile * tileRecords;
   int last = min(first + tileRecords, count);
-  // Sixteen counters in the bytes of four words.
+  // Sixteen 8-bit counters in the bytes of four words.
   uvec4 packed_ = uvec4(0u);
   for (int i = first; i < last; ++i) {
     uint digit = digitOf(LOAD_INPUT_WORDS(records, i));
@@ -20,7 +21,7 @@ void main() {
 }
 #else
 layout(local_size_x = threads) in;
-const int copies = 32;  // of each counter, so that few invocations share one
+const int copies = 32;  // copies of each counter, so that few invocations share one
 shared uint counters[16 * copies];
 shared uint sums[16];
 

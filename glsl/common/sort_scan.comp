@@ -1,7 +1,8 @@
-// Replaces each tile's counts by their sum over the tiles before; the totals follow the last tile.
+// Second kernel of a radix sort pass: replaces each tile's digit counts by the exclusive prefix sums over the tiles.
+// The totals follow after the last tile.
 #include "common/sort_tile.glsl"
 #ifdef TEXEL_PATH
-layout(local_size_x = 4) in;  // four digits each
+layout(local_size_x = 4) in;  // each invocation sums the counts of four digits
 
 void main() {
   int quad = int(gl_LocalInvocationID.x);

@@ -1,8 +1,8 @@
-// Moves every record to its place in the order of this digit.
+// Third kernel of a radix sort pass: moves every record to its position in the order of the current digit.
 #include "common/sort_tile.glsl"
 STATE_WORDS(nextRecordsBinding, NextBlock, nextRecords)
 
-// Exclusive sums over four digits.
+// Returns the exclusive prefix sums of the four components.
 uvec4 sumsBefore(uvec4 v) {
   return uvec4(0u, v.x, v.x + v.y, v.x + v.y + v.z);
 }
@@ -16,7 +16,7 @@ layout(local_size_x = 16) in;
 void main() {
   int tile = int(gl_GlobalInvocationID.x);
   if (tile >= tiles) return;
-  // Where the next record of each digit goes.
+  // Destination index of the next record of each digit.
   uvec4 total0 = LOAD_WORDS(digits, tiles * 4);
   uvec4 total1 = LOAD_WORDS(digits, tiles * 4 + 1);
   uvec4 total2 = LOAD_WORDS(digits, tiles * 4 + 2);
@@ -48,11 +48,12 @@ void main() {
 }
 #else
 layout(local_size_x = threads) in;
-shared uint ranks[16 * threads];  // by digit, then by invocation
+shared uint ranks[16 * threads];  // rank counters, indexed by digit, then by invocation
 shared uint sums[threads];
 shared uint places[16];
 
-// Exclusive sums over all of `ranks`: sixteen neighbours each, then a scan over the invocations.
+// Replaces `ranks` by its exclusive prefix sums. Each invocation sums sixteen neighbouring entries, then a scan runs
+// over the invocations.
 void scanRanks(int thread) {
   uint sum = 0u;
   for (int k = 0; k < 16; ++k) {
@@ -87,7 +88,7 @@ void main() {
     }
   barrier();
   scanRanks(thread);
-  // Where this tile's first record of each digit goes, less its rank in the tile.
+  // Destination index of this tile's first record of each digit, minus the rank of that record in the tile.
   if (thread < 16) {
     uint lower = 0u;
     for (int digit = 0; digit < thread; ++digit) lower += digits[tiles * 4 + digit / 4][digit % 4];

@@ -1,6 +1,8 @@
-// Keys by which neighbours in space are neighbours in a sorted list. Compiles as GLSL and as C++, after common/exact.glsl.
+// Sort keys along a space-filling curve: positions that are close in space get places that are close in the sorted
+// list. Compiles as GLSL and as C++, after common/exact.glsl.
 
-// The cell, of 65536 along each axis, in which a body lies. The box is made a cube.
+// Returns the cell of a position in a grid of 65536 cells along each axis. The grid covers a cube: the box from `low`
+// to `high`, extended to its longest side.
 FUNCTION uvec3 cellOf(vec3 position, vec3 low, vec3 high) {
   precise vec3 size = high - low;
   float side = max(size.x, max(size.y, size.z));
@@ -10,7 +12,7 @@ FUNCTION uvec3 cellOf(vec3 position, vec3 low, vec3 high) {
   return uvec3(uint(at.x), uint(at.y), uint(at.z));
 }
 
-// Moves bit i of the lower eight to bit 3i.
+// Moves bit i of the lower eight bits to bit 3i.
 FUNCTION uint spread(uint bits) {
   uint b = bits & 0xffu;
   b = (b | (b << 8u)) & 0x00f00fu;
@@ -19,10 +21,10 @@ FUNCTION uint spread(uint bits) {
   return b;
 }
 
-// A cell's place along a Hilbert curve through 65536^3 cells: x the lower 24 bits, y the upper. The curve has no
-// jumps, so a run of sorted bodies of any length is compact. From the top level down, the lower bits are
-// reflected or exchanged as the curve's copy in that octant is; a Gray code then orders the octants
-// (J. Skilling, "Programming the Hilbert curve", AIP Conf. Proc. 707, 2004).
+// Returns the index of a cell along a Hilbert curve through 65536^3 cells: x holds the lower 24 bits, y the upper 24.
+// The curve has no jumps, so every run of consecutive sorted bodies is compact in space. From the top level down, the
+// loop reflects or exchanges the lower bits to match the orientation of the curve in the octant; a Gray code then
+// orders the octants (J. Skilling, "Programming the Hilbert curve", AIP Conf. Proc. 707, 2004).
 FUNCTION uvec3 hilbertKey(uvec3 cell) {
   uint x = cell.x;
   uint y = cell.y;

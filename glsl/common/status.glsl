@@ -1,9 +1,9 @@
-// Where a simulation notes the first step and element whose state is not a number.
+// Status block in which a simulation records the first step and element whose state is not a finite number.
 #include "common/bindings.glsl"
 layout(std430, binding = statusBinding) restrict buffer StatusBlock {
-  uint firstStep;     // 0xffffffff while all is well
-  uint firstElement;  // the lowest of that step
-  uint remark;        // not 0: worth a word to the user (Simulation::remark)
+  uint firstStep;     // step of the first non-finite state; 0xffffffff until one occurs
+  uint firstElement;  // lowest index of a non-finite element in that first step
+  uint remark;        // non-zero if the simulation has a remark for the user (Simulation::remark)
   uint spare1;
 } status;
 

@@ -1,4 +1,5 @@
-// common/memory.glsl for elements of four words (src/gl/radix_sort.hpp binds accordingly).
+// The macros of common/memory.glsl for elements of four unsigned words. src/gl/radix_sort.hpp binds the arrays
+// accordingly.
 #ifdef TEXEL_PATH
 #define INPUT_WORDS(unit, block, name) layout(binding = unit) uniform usamplerBuffer name;
 #define LOAD_INPUT_WORDS(name, i) texelFetch(name, i)

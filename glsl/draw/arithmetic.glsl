@@ -1,6 +1,6 @@
-// The arithmetic of shading, which both rasterizers share. EXACT_PICTURE: the same bits on every driver, each operation
-// of an assignment to a ROUNDED variable being rounded on its own; else what the driver has for it. Compiles as GLSL and
-// as C++. Vectors that become units are longer than 1e-15.
+// Arithmetic of shading, shared by both rasterizers. EXACT_PICTURE: results have the same bits on every driver;
+// assignments to ROUNDED variables round each operation separately. Otherwise the driver's built-in functions are used.
+// Vectors passed to unitOf() must be longer than 1e-15. Compiles as GLSL and as C++.
 #ifndef DRAW_ARITHMETIC
 #define DRAW_ARITHMETIC
 #ifdef EXACT_PICTURE
@@ -64,7 +64,7 @@ FUNCTION vec3 blend(vec3 a, vec3 b, float t) {
   ROUNDED vec3 blended = a + (b - a) * t;
   return blended;
 }
-// 3 t^2 - 2 t^3.
+// Returns the smoothstep polynomial 3 t^2 - 2 t^3.
 FUNCTION float smoothed(float t) {
   ROUNDED float s = t * t * (3.0f - 2.0f * t);
   return s;

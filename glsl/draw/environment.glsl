@@ -1,9 +1,10 @@
-// Light from all around, of a picture. Compiles as GLSL and as C++. ENVIRONMENT: cells on a side of the finest map.
-//
-// environmentTexel(i): first what falls onto surfaces, spherical harmonics up to the second degree (Ramamoorthi and Hanrahan
-// 2001) of a normal, with all factors in them: irradiance / pi. Then octahedral maps (Engelhardt and Dachsbacher 2008), up in
-// their middle, each with a border of one cell that goes on where the map does: what is seen, then what surfaces of roughness
-// 1/4, 1/2, 3/4 and 1 mirror of it.
+// Environment light from a panoramic picture. Compiles as GLSL and as C++. ENVIRONMENT: number of cells on a side of
+// the finest map.
+// environmentTexel(i) returns texel i of the environment buffer. The buffer starts with the nine spherical harmonics
+// coefficients up to degree two of irradiance / pi as a function of the normal, all constant factors included
+// (Ramamoorthi and Hanrahan 2001). Octahedral maps follow (Engelhardt and Dachsbacher 2008): the up direction is in the
+// middle, and each map has a border of one cell that continues the map. Level 0 holds the radiance that the camera
+// shows; levels 1 to 4 hold the reflection of surfaces of roughness 1/4, 1/2, 3/4 and 1.
 #ifndef DRAW_ENVIRONMENT
 #define DRAW_ENVIRONMENT
 #include "draw/arithmetic.glsl"
@@ -20,7 +21,7 @@ FUNCTION int environmentStart(int level) {
   return start;
 }
 
-// Where a direction lies on an octahedral map, -1 to 1.
+// Returns the position of a direction on an octahedral map, -1 to 1 in both axes.
 FUNCTION vec2 octahedral(vec3 direction) {
   ROUNDED float sum = abs(direction.x) + abs(direction.y) + abs(direction.z);
   float per = inverse(sum);
@@ -41,7 +42,7 @@ FUNCTION vec3 environmentAt(vec3 direction, int level) {
   return blend(above, below, share.y);
 }
 
-// What a surface of that roughness mirrors of a direction.
+// Returns the radiance that a surface of the given roughness reflects, for the mirrored direction `direction`.
 FUNCTION vec3 environmentMirrored(vec3 direction, float roughness) {
   ROUNDED float place = clamp(roughness, 0.0f, 1.0f) * 4.0f;
   int level = min(int(place), environmentLevels - 2);
@@ -49,7 +50,7 @@ FUNCTION vec3 environmentMirrored(vec3 direction, float roughness) {
   return blend(environmentAt(direction, level), environmentAt(direction, level + 1), share);
 }
 
-// Irradiance / pi on a surface with that normal.
+// Returns irradiance / pi on a surface with normal `n`.
 FUNCTION vec3 environmentAmbient(vec3 n) {
   ROUNDED vec3 sum = vec3(environmentTexel(0)) + vec3(environmentTexel(1)) * n.x + vec3(environmentTexel(2)) * n.y +
                      vec3(environmentTexel(3)) * n.z + vec3(environmentTexel(4)) * (n.x * n.y) + vec3(environmentTexel(5)) * (n.y * n.z) +

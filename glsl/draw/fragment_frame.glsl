@@ -1,6 +1,6 @@
-// The frame's values for fragment shaders. PASSED_FRAME: as inputs from the vertex shader (passed_frame.glsl), since
-// llvmpipe collects each number of a uniform block lane by lane, some 25 instructions for 8 pixels, where an input that
-// does not vary takes one.
+// Frame values for fragment shaders. PASSED_FRAME: the values arrive as flat inputs from the vertex shader
+// (passed_frame.glsl), because llvmpipe reads each number of a uniform block lane by lane, about 25 instructions for 8
+// pixels, while a flat input takes one. Without PASSED_FRAME they come from the uniform block.
 #include "draw/bindings.glsl"
 #ifdef PASSED_FRAME
 #define PASSED in

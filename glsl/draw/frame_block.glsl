@@ -5,7 +5,7 @@
 layout(std140, binding = frameBinding) uniform FrameBlock {
   Frame frameBlock;
 };
-Frame frameOnce() {  // each member of Frame
+Frame frameOnce() {  // Reads each member of Frame once (common/once.glsl).
   Frame one;
   one.viewProjection = once(frameBlock.viewProjection);
   one.eye = once(frameBlock.eye);

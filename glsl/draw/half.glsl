@@ -1,5 +1,5 @@
-// What a texel of half floats holds of a value: rounded here, so that no driver rounds it on storing. Magnitudes below
-// the normal ones become zero.
+// Rounds a value to half-float precision before the shader stores it in a half-float texel, so the driver has nothing
+// left to round. Magnitudes below the smallest normal half float become zero.
 #include "common/exact.glsl"
 
 vec2 asHalf(vec2 v) {

@@ -1,4 +1,4 @@
-// For vertex shaders, after frame_block.glsl: hands the frame's values on to fragment_frame.glsl.
+// Passes the frame's values from a vertex shader to fragment_frame.glsl. Include after frame_block.glsl.
 #ifdef PASSED_FRAME
 #define PASSED out
 #define PASSED_NAME passed

@@ -1,4 +1,5 @@
-// Members of Frame (frame.glsl) that fragment shaders read. What one of them leaves unread is not passed to it.
+// Interface block with the members of Frame (frame.glsl) that fragment shaders read. The linker drops members that a
+// fragment shader does not read.
 PASSED PassedFrame {
   flat vec4 eye;
   flat vec4 target;

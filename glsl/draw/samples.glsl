@@ -1,5 +1,5 @@
-// A texture of SAMPLES samples, 1 or more; number s of them is the last argument of texelFetch: a level where there
-// are none.
+// Declares a texture with SAMPLES samples per texel, 1 or more. SAMPLE(s) is the last argument of texelFetch for sample
+// s; with one sample per texel it is the mip level 0.
 #if SAMPLES > 1
 #define SAMPLED sampler2DMS
 #define SAMPLE(s) (s)

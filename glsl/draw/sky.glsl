@@ -1,5 +1,5 @@
-// The sky's gradient by the height y of a unit direction, and the light it gives; with ENVIRONMENT a picture's instead.
-// Compiles as GLSL and as C++.
+// Sky radiance as a gradient over the height y of a unit direction, and the ambient light of the sky. ENVIRONMENT: a
+// panoramic picture replaces the gradient. Compiles as GLSL and as C++.
 #ifndef DRAW_SKY
 #define DRAW_SKY
 #include "draw/arithmetic.glsl"
@@ -17,7 +17,7 @@ FUNCTION vec3 skyRadiance(float y) {
   return blend(above, vec3(frame.nadir), smoothed(clamp(below, 0.0f, 1.0f)));
 }
 
-// Radiance of the sky in a unit direction with the glow around the sun: a lobe cos^16 around it.
+// Returns the sky's radiance in a unit direction, including the glow around the sun: a cos^16 lobe.
 FUNCTION vec3 skyInDirection(vec3 direction) {
 #ifdef ENVIRONMENT
   return environmentAt(direction, 0);
@@ -32,7 +32,7 @@ FUNCTION vec3 skyInDirection(vec3 direction) {
 #endif
 }
 
-// Irradiance / pi on a surface whose normal has height y.
+// Returns irradiance / pi of the gradient sky on a surface whose normal has the height y.
 FUNCTION vec3 ambientLight(float y) {
   vec3 side = vec3(frame.ambientSide);
   ROUNDED vec3 light = side + max(y, 0.0f) * (vec3(frame.ambientUp) - side) +
@@ -40,7 +40,7 @@ FUNCTION vec3 ambientLight(float y) {
   return light;
 }
 
-// The same of a picture, too.
+// Returns irradiance / pi of the sky, gradient or panoramic picture, on a surface with the given normal.
 FUNCTION vec3 ambientOn(vec3 normal) {
 #ifdef ENVIRONMENT
   ROUNDED vec3 light = environmentAmbient(normal) * frame.ambient;
@@ -50,7 +50,7 @@ FUNCTION vec3 ambientOn(vec3 normal) {
 #endif
 }
 
-// What a surface of that roughness mirrors of a direction.
+// Returns the sky radiance that a surface of the given roughness reflects, for the mirrored direction `direction`.
 FUNCTION vec3 skyMirrored(vec3 direction, float roughness) {
 #ifdef ENVIRONMENT
   return environmentMirrored(direction, roughness);

@@ -1,11 +1,14 @@
-// From counts to the arguments of indirect dispatches: count times `times` / each groups, in rows of at most 32,768, `parts`
-// deep, or less where there are many: `fewerParts` at least. Of each count no more than `most` from `skipped` on.
+// Converts counts to the arguments of indirect dispatches. A dispatch needs count * times / each workgroups, arranged
+// in rows of at most 32,768. The third dimension is `parts` workgroups, fewer if there are many items, but at least
+// `fewerParts`. Of each count, `skipped` items are skipped and at most `most` are taken. One invocation writes one
+// dispatch.
 #include "draw/exact/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = counterBinding) readonly restrict buffer CounterBlock { uint counters[]; };
-layout(std430, binding = dispatchBinding) writeonly restrict buffer DispatchBlock { uint groups[]; };  // 4 words each
+// Arguments of each dispatch take 4 words.
+layout(std430, binding = dispatchBinding) writeonly restrict buffer DispatchBlock { uint groups[]; };
 uniform int counts;
-uniform int first;  // dispatch to fill
+uniform int first;  // index of the first dispatch whose arguments are written
 uniform int firstCount;
 uniform uint skipped;
 uniform uint most;

@@ -1,10 +1,11 @@
-// Nothing is visible at any sample yet: keys and numbers at their most.
+// Clears a visibility buffer: all depth keys and primitive ids to 0xffffffff, so no sample shows anything. One
+// invocation clears four samples.
 #include "draw/exact/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = nearBinding) writeonly restrict buffer NearBlock { uvec4 nearKeys[]; };
 layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uvec4 ids[]; };
 uniform int quads;
-uniform bool both;  // lie apart
+uniform bool both;  // true if keys and ids are in two separate buffers
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);

@@ -1,5 +1,5 @@
-// Where a place of the scene lies on the picture: pixels times depth to the right and down, and depth (m); PARALLEL: pixels and depth.
-// Whoever includes it has `view`. Compiles as GLSL and as C++.
+// Projection of scene points to the picture: x and y in pixels times depth to the right and down, z depth (m);
+// PARALLEL: pixels and depth. The including file declares `view`. Compiles as GLSL and as C++.
 #ifndef EXACT_CORNER_PLACE
 #define EXACT_CORNER_PLACE
 #include "common/exact.glsl"
@@ -15,9 +15,10 @@ FUNCTION vec3 onPicture(vec3 p) {
   return at;
 }
 
-// As the rasterizer has corners. PARALLEL: as if seen from a point, at a depth that makes nearest plane / depth what draw/exact/depth.glsl
-// says: a projective map of space, under which planes stay planes and what lies on the picture stays where it is. Beyond the span, where
-// that has no depth, corners are lost: their third number is none.
+// Converts a projected point to the rasterizer's form. PARALLEL: returns the projection from a virtual eye point with
+// the depth for which near plane / depth equals nearOf() of draw/exact/depth.glsl. The mapping is a projective map of
+// space that keeps planes flat and positions on the picture fixed. Points behind the depth range have no such depth: z
+// is -1.
 FUNCTION vec3 rasterPlace(vec3 at) {
 #ifdef PARALLEL
   precise float near = 1.0f - (at.z - view.near) * view.forward.w;

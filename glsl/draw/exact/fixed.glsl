@@ -1,19 +1,20 @@
-// Places of the picture in whole 1/256 of a pixel, and of samples in 1/16. Compiles as GLSL and as C++.
+// Fixed-point positions in the picture: triangle corners in 1/256 pixel, samples in 1/16 pixel. Compiles as GLSL and as
+// C++.
 #ifndef EXACT_FIXED
 #define EXACT_FIXED
 #include "common/exact.glsl"
 
-const int subpixels = 256;   // of a pixel, where corners of triangles lie
-const int guardPixels = 1024;  // corners lie no further outside the picture; what reaches beyond is clipped
-const int tileSide = 8;      // pixels
+const int subpixels = 256;   // fixed-point steps per pixel for the positions of triangle corners
+const int guardPixels = 1024;  // guard band in pixels around the picture; triangles that extend beyond it are clipped
+const int tileSide = 8;      // side of a tile in pixels
 
-// 1 / SAMPLES.
+// Returns 1 / SAMPLES.
 FUNCTION float perSamples() {
   return SAMPLES == 1 ? 1.0f : SAMPLES == 2 ? 0.5f : SAMPLES == 4 ? 0.25f : SAMPLES == 8 ? 0.125f : 0.0625f;
 }
 
-// Sample s of SAMPLES of a pixel, in 1/16 pixel from its top left corner: the usual patterns, no two in a row or column.
-// Four bits each, the first lowest.
+// Returns the position of sample s in 1/16 pixel from the pixel's top left corner: the usual multisample patterns, with
+// no two samples in the same row or column. The constants hold four bits per sample, the first in the lowest bits.
 FUNCTION ivec2 samplePlace(int s) {
   uint x = 8u, y = 8u;
   int shift = (s & 7) * 4;

@@ -1,4 +1,4 @@
-// Where the ray through a place of the picture (pixels) meets the ground. Compiles as GLSL and as C++.
+// Intersection of the ray through a picture position (pixels) with the ground plane. Compiles as GLSL and as C++.
 #ifndef EXACT_GROUND_PLANE
 #define EXACT_GROUND_PLANE
 #include "common/exact.glsl"
@@ -9,7 +9,7 @@ FUNCTION vec3 rayThrough(vec2 place) {
   return ray;
 }
 
-// Depth (m); below 0: it does not.
+// Returns the depth (m) of the intersection, or -1 if the ray does not hit the ground square.
 FUNCTION float groundDepth(vec3 ray) {
 #ifdef PARALLEL
   precise float down = frame.groundHeight - (view.eye.y + ray.y);

@@ -1,12 +1,13 @@
-// The sun's map as draw/surface/shadow_fit.comp places it (draw/surface/light_map.glsl), exactly.
+// Exact arithmetic version of the sun's shadow map transform (draw/surface/light_map.glsl), as
+// draw/surface/shadow_fit.comp writes it.
 #include "draw/bindings.glsl"
 #include "common/exact.glsl"
 layout(binding = lightUnit) uniform samplerBuffer light;
-// Once, not in each turn of a loop.
+// The shadow map's transform, read once per invocation instead of in each round of a loop.
 vec4 lightAcross = texelFetch(light, 0), lightUp = texelFetch(light, 1), lightAway = texelFetch(light, 2);
 vec4 lightSize = texelFetch(light, 3);
 
-// xy 0 to 1 over the map, z depth from the sun.
+// Returns the position in the shadow map: xy 0 to 1 over the map, z depth from the sun.
 vec3 lightPlace(vec3 p) {
   precise float x = exactDot(lightAcross.xyz, p) + lightAcross.w;
   precise float y = exactDot(lightUp.xyz, p) + lightUp.w;
@@ -16,7 +17,7 @@ vec3 lightPlace(vec3 p) {
 float lightTexel() {
   return lightSize.x;
 }
-// Of the map (m).
+// Returns the depth range of the sun's shadow map (m).
 float lightDepth() {
   return lightSize.z;
 }

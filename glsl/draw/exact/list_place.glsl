@@ -1,5 +1,5 @@
-// The next place of a list whose counter that is. BALLOT: a subgroup's invocations take theirs together, since a card's
-// atomics on one word stand in line.
+// Reserves the next entry of a list and returns its index. `counter`: index of the list's counter. BALLOT: the
+// invocations of a subgroup reserve their entries with one atomic, because a GPU serializes atomics on the same word.
 #ifdef BALLOT
 uint nextPlace(int counter) {
   uvec4 these = subgroupBallot(true);

@@ -1,10 +1,12 @@
-// What samples show, read: keys of nearness and numbers. PAIRED: both lie together, number first; else apart.
+// Access to the samples of a visibility buffer: depth keys and primitive ids. PAIRED: id and key are stored together,
+// id first; else in separate buffers.
 #ifndef EXACT_SAMPLE_READ
 #define EXACT_SAMPLE_READ
 #include "draw/exact/bindings.glsl"
 #ifdef PAIRED
 layout(binding = nearUnit) uniform usamplerBuffer samplePairs;
-layout(binding = nearFoursUnit) uniform usamplerBuffer pairsOfTwo;  // the same memory, two samples a texel
+// Texel view of the same buffer, two samples per texel.
+layout(binding = nearFoursUnit) uniform usamplerBuffer pairsOfTwo;
 
 uint keyAt(int at) {
   return texelFetch(samplePairs, at).y;
@@ -12,7 +14,7 @@ uint keyAt(int at) {
 uint idAt(int at) {
   return texelFetch(samplePairs, at).x;
 }
-// Of samples `at`, a multiple of 4, to at + 3.
+// Returns the keys of the samples `at` to at + 3; `at` must be a multiple of 4.
 uvec4 fourKeysAt(int at) {
   uvec4 a = texelFetch(pairsOfTwo, at / 2), b = texelFetch(pairsOfTwo, at / 2 + 1);
   return uvec4(a.y, a.w, b.y, b.w);
@@ -23,7 +25,8 @@ uvec4 fourIdsAt(int at) {
 }
 #else
 layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;
-layout(binding = nearFoursUnit) uniform usamplerBuffer nearestFours;  // the same memory, four a texel
+// Texel view of the same buffer, four samples per texel.
+layout(binding = nearFoursUnit) uniform usamplerBuffer nearestFours;
 layout(binding = idUnit) uniform usamplerBuffer visibleIds;
 layout(binding = idFoursUnit) uniform usamplerBuffer visibleFours;
 

@@ -1,23 +1,25 @@
-// How the exact rasterizer sees the scene. Compiles as GLSL and as C++ (src/draw/exact), std140. Pixels count from the
-// top left corner of the picture, to the right and down; depth is the distance from the eye along its direction. PARALLEL: of a camera
-// whose rays all go along that; its eye is the middle of the plane that they come from.
+// View of the exact rasterizer. Compiles as GLSL and as C++ (src/draw/exact), std140 layout. Pixels count from the
+// picture's top left corner, to the right and down. Depth is the distance from the eye along the view direction.
+// PARALLEL: all rays go along the view direction; the eye is the centre of the plane where they start.
 #ifndef DRAW_EXACT_TYPES
 #define DRAW_EXACT_TYPES
 
 struct STD140 ExactView {
-  vec4 eye;        // xyz (m); w of a lamp's map: its first row among those of all maps
-  vec4 across;     // xyz: pixels to the right times depth (PARALLEL: from the middle, alone), for each metre from the eye; w: the
-                   // map's first column there
-  vec4 down;       // xyz: the same downwards
-  vec4 forward;    // xyz: depth for each metre from the eye; unit; w, PARALLEL: how much less near what is 1 m farther away is, else 0
-  vec4 ray;        // xyz: ray of depth 1 through the picture's top left corner (PARALLEL: where it begins, from the eye)
-  vec4 rayAcross;  // xyz: what a pixel to the right adds to it
-  vec4 rayDown;    // xyz: what a pixel downwards adds to it
-  ivec2 size;      // of the picture (pixels)
-  float near;      // m
+  vec4 eye;        // xyz position of the eye (m); w of a lamp's shadow map: its first row in the atlas
+  vec4 across;     // xyz: dot product with the vector from the eye (m) gives pixels to the right times depth (PARALLEL:
+                   // pixels from the centre); w of a lamp's shadow map: its first column in the atlas
+  vec4 down;       // xyz: like `across`, for pixels downwards
+  vec4 forward;    // xyz: unit view direction; dot product with the vector from the eye gives the depth; w: 1 / depth
+                   // range (1/m) if PARALLEL, else 0
+  vec4 ray;        // xyz: ray of depth 1 through the picture's top left corner (PARALLEL: start of that ray, relative
+                   // to the eye)
+  vec4 rayAcross;  // xyz: change of the ray per pixel to the right
+  vec4 rayDown;    // xyz: change of the ray per pixel downwards
+  ivec2 size;      // picture size in pixels
+  float near;      // depth of the near plane in metres
   float nearOverFar;
-  ivec2 rows;      // of the picture, from and to before which: the band whose visibility is being found
+  ivec2 rows;      // band of rows that is being rasterized: first row, end row (exclusive)
 };
-const int maxFaceViews = 48;  // of all lamps' maps
+const int maxFaceViews = 48;  // max number of shadow map faces of all lamps
 
 #endif

@@ -1,4 +1,4 @@
-// Unit vectors in 32 bits: on an octahedron, folded into a square of 65,535 steps a side (Cigolle et al., "A survey of
+// Unit vectors packed in 32 bits with octahedral encoding, 65,535 steps per axis (Cigolle et al., "A survey of
 // efficient representations for independent unit vectors", JCGT 3(2), 2014). Compiles as GLSL and as C++.
 #ifndef EXACT_UNIT_VECTOR
 #define EXACT_UNIT_VECTOR
@@ -20,7 +20,7 @@ FUNCTION uint packedUnit(vec3 n) {
   return uint(int(floor(x))) | uint(int(floor(y))) << 16;
 }
 
-// Of length 1 to 1/sqrt(3).
+// Returns the direction with a length of 1 to 1/sqrt(3), not normalized.
 FUNCTION vec3 unpackedDirection(uint word) {
   precise float u = float(int(word & 0xffffu) - 32767) * 3.0518509e-5f;
   precise float v = float(int(word >> 16) - 32767) * 3.0518509e-5f;

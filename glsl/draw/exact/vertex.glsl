@@ -1,2 +1,3 @@
-// What stands in a vertex's last word where one of its numbers is none: no normal's and no nearness' bits.
+// Value of a vertex's last word if one of its coordinates is not finite. No packed normal and no nearness has these
+// bits.
 const uint lostVertex = 0xffffffffu;

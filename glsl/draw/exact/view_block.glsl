@@ -2,7 +2,8 @@
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/types.glsl"
 #ifdef FACES
-// All of some lamps' maps in one dispatch: FACES is the coordinate of a group that says which.
+// FACES: one dispatch handles shadow map faces of several lamps; FACES is the workgroup coordinate that selects the
+// face.
 layout(std140, binding = viewBinding) uniform ViewBlock {
   ExactView viewBlocks[maxFaceViews];
 };
@@ -14,7 +15,7 @@ layout(std140, binding = viewBinding) uniform ViewBlock {
   ExactView viewBlock;
 };
 #endif
-ExactView viewOnce() {  // each member of ExactView
+ExactView viewOnce() {  // Reads each member of ExactView once (common/once.glsl).
   ExactView one;
   one.eye = once(viewBlock.eye);
   one.across = once(viewBlock.across);
@@ -32,7 +33,8 @@ ExactView viewOnce() {  // each member of ExactView
 ExactView view = viewOnce();
 
 #ifdef SAMPLES
-// Where the keys and the numbers of a pixel's samples begin: those of the band are kept, row by row.
+// Returns the index of the pixel's first sample. The buffers hold the samples of the current band of picture rows, row
+// by row.
 int firstSample(ivec2 pixel) {
   return ((pixel.y - view.rows.x) * view.size.x + pixel.x) * SAMPLES;
 }

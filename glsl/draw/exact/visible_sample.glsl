@@ -1,6 +1,6 @@
-// Where the kernels that find what is visible keep it. PASS 0 keeps the nearest at each sample, pass 1 the least number
-// among those that are as near; ONE_PASS: pass 0 does both. SAMPLES, PAIRED. SUN_MAP: the nearest of each texel of the sun's map alone; LAMP_MAP: of one face of a lamp's maps, seen as
-// a picture is. ADDS: neither.
+// Visibility buffer of the rasterizing kernels. PASS 0 keeps the smallest depth key of each sample, pass 1 the smallest
+// primitive id among those with that key; ONE_PASS: pass 0 does both. SUN_MAP: only keys, for the sun's shadow map;
+// LAMP_MAP: only keys, for one face of a lamp's shadow maps. ADDS: keeps nothing. Variants: SAMPLES, PAIRED.
 #include "draw/exact/sample_read.glsl"
 #ifdef SUN_MAP
 uniform int mapTexels;
@@ -13,11 +13,11 @@ ivec2 mapSize = ivec2(mapTexels);
 #define PICTURE_ROWS view.rows
 #endif
 #ifdef LAMP_MAP
-uniform int keyStride;  // from one row to the next
+uniform int keyStride;  // number of keys from one row of the map to the next
 #ifdef FACES
 int firstKey = int(view.eye.w) * keyStride + int(view.across.w);
 #else
-uniform int firstKey;   // of this map among those of all lamps
+uniform int firstKey;   // index of this map's first key in the atlas of all lamps
 #endif
 #endif
 
@@ -31,7 +31,7 @@ int sampleIndex(ivec2 pixel, int s) {
 #endif
 }
 #ifndef ADDS
-// The memory that sample_read.glsl reads.
+// Buffers of keys and ids, the same memory that sample_read.glsl reads.
 #ifdef ONE_PASS
 layout(std430, binding = nearBinding) restrict buffer PairBlock { uint64_t pairs[]; };
 #elif defined PAIRED
@@ -41,7 +41,8 @@ layout(std430, binding = nearBinding) restrict buffer NearBlock { uint nearKeys[
 layout(std430, binding = idBinding) restrict buffer IdBlock { uint ids[]; };
 #endif
 
-// At a sample where the nearest was `before`, or something less near.
+// Stores key and id at a sample if they are nearer than the stored ones. `before`: a key that was stored there at some
+// time.
 void keep(int at, uint key, uint before, uint id) {
 #ifdef ONE_PASS
   if (key <= before) atomicMin(pairs[at], packUint2x32(uvec2(id, key)));

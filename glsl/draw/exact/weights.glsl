@@ -1,19 +1,18 @@
-// Where on a triangle a place of the picture (pixels) lies. Compiles as GLSL and as C++.
-//
-// A corner P = (x, y, 1) depth of the picture seen from the place q is P - q depth, a vector u of the plane; weights w with
-// sum w_i u_i = 0 are those of the place on the triangle in space, so w_a = u_b x u_c and so on, over their sum. PARALLEL: a corner is
-// x, y and depth apart, seen from q at P - q.
+// Barycentric weights of a picture position (pixels) on a triangle. Compiles as GLSL and as C++.
+// A corner P = (x, y, 1) depth, seen from the position q, is P - q depth, a 2D vector u. Weights w with sum w_i u_i = 0
+// belong to the point of the triangle in space, so w_a = u_b x u_c and so on, divided by their sum. PARALLEL: a corner
+// has x, y and a separate depth; seen from q it is P - q.
 #ifndef EXACT_WEIGHTS
 #define EXACT_WEIGHTS
 #include "common/exact.glsl"
 
 struct Weights {
-  vec3 of;      // of the corners; not negative, of sum 1
-  bool within;  // the place is on the triangle
-  bool turned;  // the triangle is seen from behind
+  vec3 of;      // barycentric weights of the corners, not negative, with sum 1
+  bool within;  // true if the picture position is on the triangle
+  bool turned;  // true if the triangle is seen from behind
 };
 
-// Where the place is outside, weights are negative.
+// Returns weights that are not normalized; outside the triangle some have the opposite sign.
 FUNCTION vec3 weightsAround(vec3 a, vec3 b, vec3 c, vec2 place) {
 #ifdef PARALLEL
   precise vec2 u = vec2(a) - place;

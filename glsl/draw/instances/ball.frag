@@ -1,4 +1,5 @@
-// A ball on the square of ball.vert. Variants of draw/surface/lighting.glsl. SAMPLES: 1 or more.
+// Shades a ball on the square of ball.vert. Variants of draw/surface/lighting.glsl. SAMPLES: samples per pixel, 1 or
+// more.
 #include "draw/frame_block.glsl"
 #include "draw/surface/material.glsl"
 #include "draw/surface/shadow_read.glsl"
@@ -9,11 +10,11 @@ in vec3 worldPosition;
 in vec3 place;
 in vec3 placeRay;
 #if SAMPLES > 1
-uniform vec2 sampleOffsets[SAMPLES];  // from the pixel's middle, in pixels
+uniform vec2 sampleOffsets[SAMPLES];  // offset of each sample from the pixel's centre, in pixels
 #endif
 layout(location = 0) out vec4 radiance;
 
-// Which samples lie inside the disk: its edge is as smooth as a mesh's.
+// Returns the bit mask of the samples inside the ball's outline, so the edge is as smooth as a mesh's.
 int samplesInside(vec3 across) {
 #if SAMPLES > 1
   vec3 alongX = dFdx(across), alongY = dFdy(across);
@@ -35,7 +36,7 @@ void main() {
 #if SAMPLES > 1
   gl_SampleMask[0] = inside;
 #endif
-  // Where the ray from the eye through the square meets the ball: |across + t ray| = radius.
+  // Intersects the ray from the eye through this point of the square with the ball: |across + t ray| = radius.
   vec3 ray = frame.eye.w * worldPosition - frame.eye.xyz;
   float rr = dot(ray, ray), b = dot(across, ray);
   float t = -(b + sqrt(max(b * b - rr * (dot(across, across) - radii.x * radii.x), 0.0))) / rr;

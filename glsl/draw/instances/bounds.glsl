@@ -1,4 +1,5 @@
-// Bounds of what casts shadows, as ordered keys: light space x, y, z (m), then x and z of the shadow on the ground (m).
+// Bounds of the shadow casters, as ordered keys: x, y, z in light space (m), then x and z of their shadows on the
+// ground (m).
 #include "common/exact.glsl"
 #include "draw/frame_block.glsl"
 #include "draw/ordered_key.glsl"
@@ -8,7 +9,8 @@ layout(std430, binding = boundsBinding) restrict buffer BoundsBlock {
   uint boundHigh[boundCount];
 };
 
-// Low and grazing suns would throw shadows without end.
+// Returns the height of the sun's direction, at least 0.05, because a sun at or below the horizon casts endless
+// shadows.
 float sunHeight() {
   return max(frame.sunDirection.y, 0.05);
 }

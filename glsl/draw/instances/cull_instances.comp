@@ -1,6 +1,7 @@
-// One bit a slot: alive and in sight. An invocation fills one word, 32 slots. With LEVELS > 1 every level of
-// detail has its own words, `words` of them, and a slot's bit is set in one level. FOR_LIGHT: in the box of the
-// light's map instead of the camera's frustum. FOR_LAMPS: wherever it is, for the shadow maps of all lamps.
+// Culls instances: sets one bit per slot if the instance is alive and in view. One invocation writes one word (32
+// slots). LEVELS > 1: every level of detail has its own `words` words, and an instance's bit is set in one level.
+// FOR_LIGHT: culls against the box of the sun's shadow map instead of the camera's frustum. FOR_LAMPS: keeps all living
+// instances, for the shadow maps of all lamps.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance.glsl"
 #ifdef FOR_LIGHT
@@ -12,13 +13,13 @@ layout(local_size_x = 64) in;
 layout(std430, binding = maskBinding) writeonly restrict buffer MaskBlock { uint masks[]; };
 uniform int capacity;
 uniform int words;
-uniform float pointPixels;  // sprites of at most this radius are points
-uniform float levelError;  // pixels by which the outline of a coarse shape may miss the true one
+uniform float pointPixels;  // sprites with at most this radius in pixels are drawn as points
+uniform float levelError;  // max error of a coarse shape's outline, in pixels
 
 #ifdef FOR_LIGHT
-// What every instance is looked at with.
+// Values that the view test uses for every instance.
 struct Sight {
-  vec3 perExtent;  // of the map (1/m)
+  vec3 perExtent;  // 1 / size of the shadow map's box along each axis (1/m)
   float perTexel;
 };
 Sight sightNow() {
@@ -35,7 +36,7 @@ float pixelRadius(Sight sight, vec3 p, float radius) {
   precise float texels = radius * sight.perTexel;
   return texels;
 }
-// A point is dropped as a whole with its middle.
+// True if the centre is in view. A point primitive is clipped as a whole by its centre.
 bool isMiddleSeen(vec3 p) {
   precise vec3 aside = shadowPlace(p) - 0.5;
   return all(lessThan(abs(aside), vec3(0.4999)));
@@ -50,7 +51,7 @@ Sight sightNow() {
 bool isSeen(Sight sight, vec3 p, float radius) {
   return sight.everywhere;
 }
-// Texels of the map in which it is largest.
+// Returns the largest radius, in texels, of the instance in any lamp's shadow map.
 float pixelRadius(Sight sight, vec3 p, float radius) {
   float largest = 0.0;
   for (int i = 0; i < LAMPS; ++i) {
@@ -62,15 +63,15 @@ float pixelRadius(Sight sight, vec3 p, float radius) {
   }
   return largest;
 }
-// No sprite is drawn as a point.
+// Always false, so no sprite is drawn as a point.
 bool isMiddleSeen(vec3 p) {
   return false;
 }
 #else
 struct Sight {
-  vec4 sides[6];  // the frustum's planes; dot with (place, 1) is the distance inwards (m)
+  vec4 sides[6];  // planes of the frustum; the dot product with (position, 1) is the distance inside (m)
 };
-// A plane is a sum or difference of rows of the matrix.
+// Returns the frustum's planes, each a sum or difference of two rows of the matrix.
 Sight sightNow() {
   mat4 rows = transpose(frame.viewProjection);
   Sight sight;
@@ -83,7 +84,7 @@ Sight sightNow() {
   }
   return sight;
 }
-// Outside when wholly behind one plane.
+// True unless the ball is completely behind one plane.
 bool isSeen(Sight sight, vec3 p, float radius) {
   bool seen = true;
   for (int i = 0; i < 6; ++i) seen = seen && exactDot(sight.sides[i], vec4(p, 1)) > -radius;
@@ -114,7 +115,8 @@ void main() {
     found[0] |= fine ? 0u : 1u << i;
     found[1] |= fine ? 1u << i : 0u;
 #elif LEVELS > 1
-    // An icosphere's edges span 63.4 degrees / 2^level; their middles lie 1 - cos(half) inside.
+    // Relative outline error of icosphere levels: an edge spans 63.4 degrees / 2^level, and its middle lies 1 -
+    // cos(half that angle) inside the sphere.
     precise vec4 missed = pixelRadius(sight, position.xyz, radius) * vec4(0.149, 0.0489, 0.0123, 0.0031);
     int wanted = int(missed.x > levelError) + int(missed.y > levelError) + int(missed.z > levelError) +
                  int(missed.w > levelError);

@@ -1,4 +1,4 @@
-// Soft and round. Alpha 0: light that adds to what is behind it, sky included.
+// Shades a soft round glow. Alpha is 0 because the light adds to everything behind it, including the sky.
 flat in vec3 tint;
 in vec2 across;
 layout(location = 0) out vec4 radiance;

@@ -1,9 +1,9 @@
-// Additive sprites: a square facing the eye for each.
+// Draws additive sprites: one square per instance that faces the eye.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_pull.glsl"
 #include "draw/surface/facing.glsl"
 flat out vec3 tint;
-out vec2 across;  // from the middle, in radii
+out vec2 across;  // offset from the glow's centre in radii
 
 void main() {
   vec4 position, velocity;

@@ -1,9 +1,9 @@
-// Light of additive sprites as whole numbers of 64 bits, in units of 2^-24: kernels may add it in any order and the sums
-// are the same. Six words a pixel of the scene: the lower ones of r, g, b, then the upper ones.
+// Light of additive sprites as 64-bit integers in units of 2^-24, so the sums do not depend on the order in which
+// kernels add. Six words per pixel: the lower words of r, g, b, then the upper words.
 layout(std430, binding = glowBinding) restrict buffer GlowBlock { uint glowSums[]; };
 
-const float glowUnits = 16777216.0;  // of light 1
-const float glowUpper = 256.0;       // light that the upper word counts
+const float glowUnits = 16777216.0;  // integer units in a light value of 1
+const float glowUpper = 256.0;       // light value of one unit of the upper word
 const float perGlowUpper = 0.00390625;
 
 #ifndef GLOW_FIRST_ROW

@@ -1,14 +1,17 @@
-// Adds the glows of instances to the sums. An invocation takes one after the other; LARGE: a group shares each one's pixels,
-// in slices of SLICES rows of squares. SAMPLES: of the scene's depth.
+// Adds the glows of instances to the sums of glow_block.glsl. One invocation adds whole glows one after the other;
+// LARGE: a workgroup shares the pixels of each glow, in SLICES slices of rows of 8 by 8 squares. SAMPLES: samples per
+// pixel of the scene's depth.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_list.glsl"
 #include "draw/surface/facing.glsl"
 #include "draw/instances/glow_block.glsl"
 #include "draw/samples.glsl"
 layout(binding = depthUnit) uniform SAMPLED sceneDepth;
-const float perSamples = intBitsToFloat(0x7f000000 - floatBitsToInt(float(SAMPLES)));  // of a power of two
-uniform int strides;  // invocations; LARGE: groups
-uniform float roundPixels;  // larger ones are squares in space, as the rasteriser draws them; smaller ones on the picture
+// 1 / SAMPLES, from the bits of the float, because SAMPLES is a power of two.
+const float perSamples = intBitsToFloat(0x7f000000 - floatBitsToInt(float(SAMPLES)));
+uniform int strides;  // number of invocations; LARGE: number of workgroups
+uniform float roundPixels;  // glows with a larger radius (pixels) are squares in space, as the rasterizer draws them;
+                            // smaller glows are discs in the picture
 
 Glow glowAt(uint at) {
   vec4 position, velocity;
@@ -16,7 +19,7 @@ Glow glowAt(uint at) {
   return glowOf(position, velocity);
 }
 
-// `across`: square of the distance from the middle in radii.
+// `across`: squared distance from the glow's centre in radii.
 void add(ivec2 pixel, vec3 light, float across, float depth) {
   if (across >= 1.0 || depth < 0.0) return;
   int before = 0;
@@ -24,7 +27,7 @@ void add(ivec2 pixel, vec3 light, float across, float depth) {
     before += int(depth < texelFetch(sceneDepth, pixel, SAMPLE(i)).x);
   precise float inside = (1.0 - across) * (1.0 - across) * float(before) * perSamples;
   precise vec3 all = light * inside;
-  all = min(all, 6e4);  // more than half floats hold shows white in any case
+  all = min(all, 6e4);  // clamped because larger values show as white anyway
   precise vec3 large = all * perGlowUpper;
   vec3 upper = floor(large);
   precise vec3 units = (all - upper * glowUpper) * glowUnits + 0.5;
@@ -37,13 +40,13 @@ void add(ivec2 pixel, vec3 light, float across, float depth) {
   }
 }
 
-// Over the picture 0 to 1, and the depth.
+// Returns the position in the picture (0 to 1) and the depth.
 vec3 placed(vec4 clip) {
   precise vec3 place = clip.xyz * exactReciprocal(clip.w) * 0.5 + 0.5;
   return place;
 }
 
-// A disk on the picture, the pixels from `aside` on, `stride` apart.
+// Adds a glow as a disc in the picture. `aside`: first pixel, `stride`: step, for sharing the pixels among invocations.
 void addDisk(Glow g, ivec2 aside, ivec2 stride) {
   vec3 place = placed(clipPlace(g.middle));
   float radius = pixelsOf(g.middle, g.radius), perRadius = exactReciprocal(radius);
@@ -62,11 +65,12 @@ void addDisk(Glow g, ivec2 aside, ivec2 stride) {
 #ifdef LARGE
 layout(local_size_x = 8, local_size_y = 8) in;
 
-// A disk that faces the eye, pixel by pixel through the picture's rays.
+// Adds a glow as a disc in space that faces the eye, by intersecting the camera ray of each pixel with the disc's
+// plane.
 void addFacing(Glow g, ivec2 aside, ivec2 stride) {
   Facing facing = facingEye(g.middle);
   bool parallel = frame.eye.w == 0.0;
-  vec2 seen = clipPlace(g.middle).xy;  // where rays are parallel
+  vec2 seen = clipPlace(g.middle).xy;  // position of the glow's centre in the picture, used for parallel rays
   vec2 low = vec2(1), high = vec2(0);
   bool before = true;
   for (int corner = 0; corner < 4; ++corner) {
@@ -78,7 +82,7 @@ void addFacing(Glow g, ivec2 aside, ivec2 stride) {
     low = min(low, place);
     high = max(high, place);
   }
-  // Partly behind the eye: anywhere.
+  // A disc that is partly behind the eye may cover any pixel.
   if (!before) low = vec2(0), high = vec2(1);
   precise vec2 from = clamp(low, 0.0, 1.0) * frame.size, to = clamp(high, 0.0, 1.0) * frame.size;
   precise vec2 perSize = 2.0 * vec2(exactReciprocal(frame.size.x), exactReciprocal(frame.size.y));

@@ -1,21 +1,23 @@
-// One instance of a sim::Instances by its slot.
+// Access to one instance of a sim::Instances by its slot index.
 #include "common/once.glsl"
 #include "common/exact.glsl"
 #include "draw/bindings.glsl"
-layout(binding = positionUnit) uniform samplerBuffer positions;   // xyz (m), w mass (kg)
-layout(binding = velocityUnit) uniform samplerBuffer velocities;  // xyz (m/s), w age 0 to 1, negative: not alive
-uniform float size;         // factor on the shape's coordinates
+layout(binding = positionUnit) uniform samplerBuffer positions;   // xyz position (m), w mass (kg)
+// xyz velocity (m/s), w age 0 to 1, negative if not alive.
+layout(binding = velocityUnit) uniform samplerBuffer velocities;
+uniform float size;         // scale factor of the shape's coordinates
 float size_ = once(size);
-uniform float shapeRadius;  // of a ball around the shape at size 1
+uniform float shapeRadius;  // radius of the shape's bounding sphere at size 1
 float shapeRadius_ = once(shapeRadius);
 uniform float massExponent;
 float massExponent_ = once(massExponent);
-uniform float perMassReference;  // 1/kg
+uniform float perMassReference;  // 1 / reference mass (1/kg); the size is scaled by (mass / reference
+                                 // mass)^massExponent
 float perMassReference_ = once(perMassReference);
-uniform float minPixels;  // no ball is drawn with a smaller radius on screen
+uniform float minPixels;  // min radius of an instance on screen in pixels
 float minPixels_ = once(minPixels);
 
-// Dead ones and lost ones are not drawn.
+// True if the instance is alive and its position is finite and not far away.
 bool isShown(vec4 position, vec4 velocity) {
   precise float far = abs(position.x) + abs(position.y) + abs(position.z);
   return velocity.w >= 0.0 && isNumber(far) && far < 1e6;
@@ -28,31 +30,31 @@ float instanceSize(float mass) {
   return scaled;
 }
 
-// Of a ball around it (m).
+// Returns the radius of the instance's bounding sphere (m).
 float instanceRadius(float mass) {
   precise float radius = instanceSize(mass) * shapeRadius_;
   return radius;
 }
 
-// Pixels that one metre spans at one metre from the eye.
+// Returns the pixels that one metre spans at one metre from the eye.
 float pixelsPerMetre() {
   precise float pixels = 0.5 * frame.size.y * exactInverseSqrt(exactDot(frame.rayUp.xyz, frame.rayUp.xyz));
   return pixels;
 }
 
-// Along the view's axis (m).
+// Returns the distance of p from the eye along the view direction (m).
 float distanceOf(vec3 p) {
   precise vec3 aside = frame.eye.w * p - frame.eye.xyz;
   return exactDot(aside, frame.rayForward.xyz);
 }
 
-// Pixels that `radius` (m) spans at p.
+// Returns the pixels that `radius` (m) spans at p.
 float pixelsOf(vec3 p, float radius) {
   precise float pixels = radius * pixelsPerMetre() * exactReciprocal(max(distanceOf(p), 1e-6));
   return pixels;
 }
 
-// Metres that `minPixels` span at p.
+// Returns the metres that `minPixels` pixels span at p.
 float minRadius(vec3 p) {
   precise float metres = max(distanceOf(p), 0.0) * minPixels_ * exactReciprocal(pixelsPerMetre());
   return metres;
@@ -65,14 +67,14 @@ vec4 clipPlace(vec3 p) {
 }
 
 #if !defined FOR_LIGHT && !defined FOR_LAMPS
-// Radius on screen, pixels, of a ball's nearest point.
+// Returns the radius on screen, in pixels, of a ball, at the distance of its nearest point.
 float pixelRadius(vec3 p, float radius) {
   precise float nearest = distanceOf(p) - radius;
   precise float pixels = radius * pixelsPerMetre() * exactReciprocal(max(nearest, 1e-3));
   return pixels;
 }
 
-// A point is dropped as a whole with its middle.
+// True if the centre is in view. A point primitive is clipped as a whole by its centre.
 bool isMiddleSeen(vec3 p) {
   vec4 place = clipPlace(p);
   precise float border = 0.9999 * place.w;

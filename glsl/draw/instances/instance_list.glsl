@@ -1,26 +1,26 @@
-// Listed instances and their colours.
+// Access to the list of visible instances, and their colours.
 #include "common/once.glsl"
 #include "draw/instances/instance.glsl"
 layout(binding = listUnit) uniform usamplerBuffer list;
 layout(binding = argumentUnit) uniform usamplerBuffer arguments;
 layout(binding = stopUnit) uniform samplerBuffer stops;
 uniform int level;
-uniform int colorBy;  // sim::Instances::ColorBy
+uniform int colorBy;  // attribute that selects the colour, a value of sim::Instances::ColorBy
 int colorBy_ = once(colorBy);
 uniform int stopCount;
 int stopCount_ = once(stopCount);
 uniform vec3 color;
 vec3 color_ = once(color);
-uniform float colorFactor;  // value * factor + offset is 0 to 1 over the range
+uniform float colorFactor;  // value * colorFactor + colorOffset maps the colour range to 0..1
 float colorFactor_ = once(colorFactor);
 uniform float colorOffset;
 float colorOffset_ = once(colorOffset);
 uniform float brightness;
 float brightness_ = once(brightness);
-uniform float fade;  // fraction of life to fade in and out
+uniform float fade;  // fraction of an instance's life during which it fades in and during which it fades out
 float fade_ = once(fade);
 
-// Number `at` of the level's visible ones; false where there are fewer.
+// Reads visible instance number `at` of the current level of detail. Returns false if the level has fewer instances.
 bool listed(uint at, out vec4 position, out vec4 velocity) {
   position = velocity = vec4(0);
   if (at >= texelFetch(arguments, level * 8 + 6).x) return false;
@@ -41,8 +41,8 @@ vec3 tintOf(vec4 position, vec4 velocity) {
   return exactMix(texelFetch(stops, below).rgb, texelFetch(stops, min(below + 1, stopCount_ - 1)).rgb, rest);
 }
 
-// Light of an additive instance for its colour: it brightens and dims over its life. One whose age is exactly 0
-// does not age.
+// Returns the factor on an additive instance's colour: it fades in and out over the instance's life. An instance of age
+// exactly 0 does not age.
 float brightnessAt(float age) {
   if (fade_ <= 0.0 || age == 0.0) return brightness_;
   precise float left = 1.0 - age;
@@ -54,11 +54,12 @@ float brightnessAt(float age) {
 
 struct Glow {
   vec3 middle;
-  float radius;  // m
+  float radius;  // radius of the glow in metres
   vec3 light;
 };
 
-// An additive sprite. One too small to be drawn is widened and keeps its light: it is dimmer by the ratio of areas.
+// Returns an additive sprite. A sprite below the min radius is enlarged and dimmed by the ratio of areas, so its total
+// light stays the same.
 Glow glowOf(vec4 position, vec4 velocity) {
   float radius = instanceRadius(position.w);
   float minimum = minRadius(position.xyz);

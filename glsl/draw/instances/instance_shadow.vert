@@ -1,4 +1,4 @@
-// Instances into the light's map. SPRITE: a square facing the sun.
+// Draws instances into the sun's shadow map. SPRITE: draws a square that faces the sun.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_pull.glsl"
 #include "draw/screen/copy_vertex.glsl"

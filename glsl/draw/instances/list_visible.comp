@@ -1,4 +1,5 @@
-// Writes the slots whose bits are set, in the order of slots within each level of detail.
+// Writes the slot indices of the visible instances, sorted by level of detail and then by slot. One invocation handles
+// one word of the bit mask.
 #include "draw/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(binding = maskUnit) uniform usamplerBuffer masks;
@@ -6,7 +7,7 @@ layout(binding = beforeUnit) uniform usamplerBuffer before;
 layout(binding = blockFirstUnit) uniform usamplerBuffer blockFirst;
 layout(std430, binding = listBinding) writeonly restrict buffer ListBlock { uint list[]; };
 uniform int allWords;
-uniform int words;  // of one level
+uniform int words;  // number of mask words of one level of detail
 
 void main() {
   int word = int(gl_GlobalInvocationID.x);

@@ -1,4 +1,5 @@
-// GLOW: soft and round, alpha 0: light that adds to what is behind it, sky included. Else a ball's square.
+// Shades a small sprite. GLOW: a soft round glow with alpha 0, because its light adds to everything behind it,
+// including the sky. Otherwise a square that stands for a lit ball.
 flat in vec3 light;
 flat in vec2 slope;
 #ifdef POINT

@@ -1,5 +1,5 @@
-// Sprites of few pixels as small_sprites.comp made them: points, or squares where points are drawn coarsely
-// (software drivers round their size). FOR_LIGHT: into the light's map.
+// Draws the small sprites that small_sprites.comp prepared: as points, or as squares if the driver rounds point sizes
+// (software drivers). FOR_LIGHT: draws into the sun's shadow map.
 #include "draw/bindings.glsl"
 #include "draw/instances/small_sprite.glsl"
 layout(binding = spriteUnit) uniform usamplerBuffer sprites;
@@ -7,7 +7,7 @@ layout(binding = argumentUnit) uniform usamplerBuffer arguments;
 uniform int level;
 uniform int batch;
 uniform int vertexBits;
-uniform vec2 targetSize;  // pixels
+uniform vec2 targetSize;  // size of the target in pixels
 #ifndef FOR_LIGHT
 flat out vec3 light;
 flat out vec2 slope;
@@ -27,7 +27,8 @@ void main() {
 #ifdef POINT
   gl_PointSize = s.side;
 #ifdef FOR_LIGHT
-  // A square smaller than a texel is drawn where it holds a texel's middle; no point is that small.
+  // Drops a point smaller than a texel unless its square contains the texel's centre, because a driver draws no point
+  // smaller than a texel.
   vec2 aside = abs(fract((s.place.xy * 0.5 + 0.5) * targetSize) - 0.5);
   used = used && (s.side >= 1.0 || max(aside.x, aside.y) <= 0.5 * s.side);
 #endif

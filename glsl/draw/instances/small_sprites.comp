@@ -1,5 +1,5 @@
-// Makes the sprites of few pixels ready to be drawn. GLOW: additive. FOR_LIGHT: into the light's map. Else
-// lit balls: squares of their outlines' area, shaded as if lit at four corners.
+// Prepares the sprites of a few pixels for drawing. GLOW: additive sprites. FOR_LIGHT: sprites in the sun's shadow map.
+// Otherwise lit balls: squares with the area of the ball's outline, shaded at four normals.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_list.glsl"
 #include "draw/instances/small_sprite.glsl"
@@ -15,7 +15,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = spriteBinding) writeonly restrict buffer SpriteBlock { uvec4 sprites[]; };
 uniform int invocations;
 
-const float squareSide = 1.7724539;  // sqrt(pi): of the square with a disk's area
+const float squareSide = 1.7724539;  // sqrt(pi): side of the square with the area of a unit disc
 
 vec3 placed(vec3 p) {
   vec4 clip = clipPlace(p);
@@ -40,7 +40,7 @@ SmallSprite ready(vec4 position, vec4 velocity) {
   Facing facing = facingEye(position.xyz);
   float radius = max(instanceRadius(position.w), minRadius(position.xyz));
   precise float side = squareSide * pixelsOf(position.xyz, outlineRadius(radius, facing.distance));
-  // The part of the ball that is seen faces the eye by 2/3 in the mean.
+  // The mean cosine between the normals of the visible half of a ball and the view direction is 2/3.
   precise vec3 middle = 0.6666667 * facing.towards;
   vec3 tint = tintOf(position, velocity);
   precise vec3 lifted = position.xyz + radius * middle + shadowLift(frame.sunDirection.xyz);

@@ -1,13 +1,13 @@
-// One work group: prefix sums of the blocks' counts, then the arguments of the indirect draws, one for each level
-// of detail: {count, instanceCount, firstIndex, baseVertex, baseInstance}, then the level's first place in the
-// list and its number of instances. `batch` instances of the shape are one drawn instance.
+// Computes prefix sums over the blocks' counts, then writes eight words per level of detail: the arguments of its
+// indirect draw {count, instanceCount, firstIndex, baseVertex, baseInstance}, its first index in the list and its
+// number of instances. One drawn instance holds `batch` copies of the shape. Runs as one workgroup.
 #include "draw/bindings.glsl"
 layout(local_size_x = 256) in;
 layout(binding = blockCountUnit) uniform usamplerBuffer blockCount;
 layout(std430, binding = blockFirstBinding) writeonly restrict buffer FirstBlock { uint blockFirst[]; };
 layout(std430, binding = argumentBinding) writeonly restrict buffer ArgumentBlock { uint arguments[]; };
-uniform int blocks;           // of all levels
-uniform ivec2 indices[LEVELS];  // first and count
+uniform int blocks;           // number of blocks of all levels together
+uniform ivec2 indices[LEVELS];  // first index and number of indices of each level's shape
 uniform int batch[LEVELS];
 shared uint strip[256];
 shared uint levelFirst[LEVELS + 1];

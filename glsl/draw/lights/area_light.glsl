@@ -1,12 +1,13 @@
-// Light of an evenly shining rectangle, from its front alone. Compiles as GLSL and as C++.
-//
-// What a polygon of luminance L gives a surface of normal n is E = L n.F with the vector irradiance
-// F = 1/2 sum over its sides of (angle that the side spans) (unit normal of the plane of eye and side), of the part of it
-// above the surface's horizon (Lambert 1760; for instance Arvo, "Applications of irradiance tensors", SIGGRAPH 1995).
+// Light of a uniformly bright rectangle that shines only to its front. Compiles as GLSL and as C++.
+// A polygon of luminance L gives a surface of normal n the illuminance E = L n.F. F is the vector irradiance: half the
+// sum over the polygon's sides of (angle that the side spans) (unit normal of the plane through the eye and the side).
+// Only the part of the polygon above the surface's horizon counts (Lambert 1760; for instance Arvo, "Applications of
+// irradiance tensors", SIGGRAPH 1995).
 #include "draw/arithmetic.glsl"
 #include "draw/surface/shading.glsl"
 
-// acos(c) / sqrt(1 - c^2), by Abramowitz and Stegun, 4.4.46: acos(x) = sqrt(1 - x) (a0 + a1 x + ...) within 2e-8.
+// Returns acos(c) / sqrt(1 - c^2), from acos(x) = sqrt(1 - x) (a0 + a1 x + ...), error below 2e-8 (Abramowitz and
+// Stegun, 4.4.46).
 FUNCTION float angleOverSine(float c) {
   float x = min(abs(c), 1.0f);
   ROUNDED float high = ((-0.0012624911f * x + 0.0066700901f) * x - 0.0170881256f) * x + 0.0308918810f;
@@ -18,20 +19,21 @@ FUNCTION float angleOverSine(float c) {
   return obtuse;
 }
 
-// Twice what the side from a to b, seen from its right, adds to n.F.
+// Returns twice the contribution to n.F of the polygon side from a to b, relative to the receiving point. The result is
+// positive for sides that run counter-clockwise as seen from the receiving point.
 FUNCTION float sideShare(vec3 a, vec3 b, vec3 normal) {
   vec3 from = unitOf(a), to = unitOf(b);
   ROUNDED float share = dotted(crossed(to, from), normal) * angleOverSine(dotted(from, to));
   return share;
 }
 
-// A walk round a polygon that leaves out what lies below the horizon of `normal`.
+// State of a walk round a polygon that clips the polygon at the horizon of a surface with `normal`.
 struct Horizon {
   vec3 normal;
-  vec3 left;     // where it went below the horizon,
-  vec3 back;     // and where it came up again
-  float crossed; // how often
-  float sum;     // of its sides' shares
+  vec3 left;     // point where the walk goes below the horizon
+  vec3 back;     // point where the walk comes back above the horizon
+  float crossed; // number of horizon crossings
+  float sum;     // sum of the sides' contributions
 };
 FUNCTION Horizon walked(Horizon h, vec3 a, vec3 b) {
   float up = dotted(a, h.normal), after = dotted(b, h.normal);
@@ -54,7 +56,8 @@ FUNCTION Horizon walked(Horizon h, vec3 a, vec3 b) {
   return h;
 }
 
-// n.F at a place, of the rectangle `middle` +- `across` +- `up` (m), whose front is to the side of their cross product.
+// Returns n.F at the point p for the rectangle `middle` +- `across` +- `up` (m). The rectangle's front is on the side
+// of cross(across, up).
 FUNCTION float rectangleShare(vec3 p, vec3 normal, vec3 middle, vec3 across, vec3 up) {
   ROUNDED vec3 to = middle - p;
   if (dotted(to, crossed(across, up)) >= 0.0f) return 0.0f;
@@ -77,7 +80,7 @@ FUNCTION float rectangleShare(vec3 p, vec3 normal, vec3 middle, vec3 across, vec
   return max(share, 0.0f);
 }
 
-// Unit, from p to the place of the rectangle where a ray in direction `mirrored` comes nearest.
+// Returns the unit vector from p to the point of the rectangle that is nearest to the ray in direction `mirrored`.
 FUNCTION vec3 towardsRectangle(vec3 p, vec3 mirrored, vec3 middle, vec3 across, vec3 up) {
   vec3 front = unitOf(crossed(across, up));
   ROUNDED vec3 to = middle - p;
@@ -89,10 +92,12 @@ FUNCTION vec3 towardsRectangle(vec3 p, vec3 mirrored, vec3 middle, vec3 across, 
   return unitOf(place);
 }
 
-// The lobe of shading.glsl seen in that direction, lower by what the rectangle is wider (the idea: Karis, "Real shading in Unreal Engine
-// 4", SIGGRAPH 2013): its directions of light span about 4 pi alpha^2 lh, with the cosine lh of light and what is halfway to the view, as half
-// vectors span pi alpha^2 and turn half as fast. `spread2`: the rectangle's solid angle / pi; `lit`: its n.F, of which shadowing gets
-// the mean cosine, as all of it shines, not that direction alone.
+// Returns the specular lobe of shading.glsl for a rectangle, evaluated for the direction `light`. The lobe is lowered
+// by the factor by which the rectangle widens it (idea: Karis, "Real shading in Unreal Engine 4", SIGGRAPH 2013). The
+// light directions of a lobe cover about 4 pi alpha^2 lh, with lh the cosine between `light` and the half vector,
+// because half vectors cover pi alpha^2 and turn half as fast. `spread2`: solid angle of the rectangle / pi. `lit`: n.F
+// of the rectangle; the shadowing term uses the mean cosine lit / spread2 because the whole rectangle shines, not one
+// direction.
 FUNCTION vec2 rectangleLobe(vec3 normal, vec3 view, vec3 light, float lit, float alpha, float spread2) {
   ROUNDED float alpha2 = alpha * alpha;
   ROUNDED float cosine2 = 0.5f + 0.5f * dotted(view, light);
@@ -104,7 +109,7 @@ FUNCTION vec2 rectangleLobe(vec3 normal, vec3 view, vec3 light, float lit, float
   return nl > 0.0f ? lobed : vec2(0.0f);
 }
 
-// About the solid angle / pi of it.
+// Returns the approximate solid angle of the rectangle / pi.
 FUNCTION float rectangleSpread(vec3 p, vec3 middle, vec3 across, vec3 up) {
   ROUNDED vec3 to = p - middle;
   float perDistance = inverseRoot(max(dotted(to, to), 1e-12f));

@@ -1,5 +1,5 @@
-// Draws into the maps of all lamps at once: number `cell` is face cell % 6 of lamp cell / 6. What lies beyond a map's
-// border is clipped away.
+// Vertex positions for drawing into the shadow maps of all lamps at once. Cell number `cell` is face cell % 6 of lamp
+// cell / 6. Clip distances cut off geometry beyond the border of a map.
 #include "draw/lights/faces.glsl"
 #include "draw/lights/lamp_list.glsl"
 out float gl_ClipDistance[4];

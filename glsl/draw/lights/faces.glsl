@@ -1,5 +1,6 @@
-// The six shadow maps around a lamp: face 2k looks along axis k, face 2k + 1 against it. `from` is from the lamp (m).
-// On a face a place has the distance x along its axis and y, z across it; the map covers |y|, |z| <= x.
+// The six shadow maps around a lamp: face 2k looks along axis k, face 2k + 1 looks against axis k. `from` is the vector
+// from the lamp to a point (m). In the coordinates of a face, x is the distance along the face's axis and y, z lie
+// across the axis; the map covers |y|, |z| <= x.
 vec3 turnedTo(int axis, vec3 from) {
   return axis == 0 ? from : axis == 1 ? from.yzx : from.zxy;
 }
@@ -15,7 +16,8 @@ int faceOf(vec3 from) {
   return 2 * axis + int(turnedTo(axis, from).x < 0.0);
 }
 
-// Depth grows from 0 at the nearest caster towards 1; planes are planes in it, so the rasteriser's offset by slope holds.
+// Returns the depth of a point in a shadow map: 0 at the nearest caster, growing towards 1. Planes stay planes in this
+// depth, so the rasterizer's slope offset works.
 float faceDepth(float along, float nearest) {
   return 1.0 - nearest / along;
 }

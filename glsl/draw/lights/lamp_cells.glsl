@@ -1,4 +1,5 @@
-// Which of the last RANGED_LAMPS lamps reach a place: a bit each in the words of its cell (src/draw/lights/lamp_cells.cpp).
+// Lookup of the lamps that reach a point. Each cell of a grid has one bit for each of the last RANGED_LAMPS lamps, set
+// if the lamp's range reaches the cell (src/draw/lights/lamp_cells.cpp).
 #include "draw/arithmetic.glsl"
 #include "draw/bindings.glsl"
 #include "draw/lights/types.glsl"
@@ -8,7 +9,8 @@ vec3 lampCellVector(int first) {
   return vec3(uintBitsToFloat(texelFetch(lampCells, first).x), uintBitsToFloat(texelFetch(lampCells, first + 1).x),
               uintBitsToFloat(texelFetch(lampCells, first + 2).x));
 }
-// First word of the cell of a place; negative where no lamp with a range reaches.
+// Returns the index of the first word of the cell that contains p; -1 outside the grid, where no lamp with a range
+// reaches.
 int lampCellAt(vec3 p) {
   ROUNDED vec3 place = (p - lampCellVector(0)) * lampCellVector(3);
   ivec3 at = ivec3(floor(clamp(place, -1.0f, 64.0f)));

@@ -1,4 +1,5 @@
-// Instances into one of the lamps' shadow maps. SPRITE: a square facing the lamp, on which the ball's outline is a disk.
+// Draws instances into one shadow map of a lamp. SPRITE: draws a square that faces the lamp; the outline of the ball is
+// a disc on that square.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_pull.glsl"
 #include "draw/screen/copy_vertex.glsl"

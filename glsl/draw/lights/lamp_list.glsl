@@ -1,5 +1,5 @@
-// The scene's lamps by number, LAMPS of them. LAMP_BLOCK: in a uniform block; software drivers are quicker at texels, by
-// 10 to 40 % of a frame with 16 lamps.
+// Access to the scene's LAMPS lamps by index. LAMP_BLOCK: the lamps are in a uniform block; else they are in a texel
+// buffer, which software drivers read faster (10 to 40 % of the frame time with 16 lamps).
 #include "draw/bindings.glsl"
 #include "draw/lights/types.glsl"
 #ifdef LAMP_BLOCK

@@ -1,8 +1,9 @@
-// Fraction of a lamp's light that reaches a place, filtered over a few texels of its maps.
+// Returns the fraction of a lamp's light that reaches a point, filtered over a few texels of the lamp's shadow maps.
 #include "draw/lights/faces.glsl"
 layout(binding = lampShadowUnit) uniform sampler2DShadow lampShadows;
 
-// `nl`: cosine between normal and lamp. Looked up a step to the lit side of the surface, it does not shade itself.
+// `nl`: cosine between the normal and the direction to the lamp. The lookup point is offset to the lit side of the
+// surface so that the surface does not shadow itself.
 float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
   vec4 maps = lampMaps(lamp), sampling = lampSampling(lamp);
   vec3 a = abs(from);
@@ -14,14 +15,14 @@ float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
   float depth = clamp(faceDepth(q.x, sampling.x), 0.0, 1.0);
   vec2 radius = maps.xy * (sampling.z * sampling.w);
 #if LAMP_TAPS == 4
-  // A square turned by 27 degrees, as for the sun.
+  // A square turned by 27 degrees, as in the sun's shadow filter.
   vec2 u = radius * vec2(0.667, 0.333), v = radius * vec2(-0.333, 0.667);
   return 0.25 *
          (texture(lampShadows, vec3(place + u, depth)) + texture(lampShadows, vec3(place - u, depth)) +
           texture(lampShadows, vec3(place + v, depth)) + texture(lampShadows, vec3(place - v, depth)));
 #else
   float sum = 0.0;
-  for (int i = 0; i < LAMP_TAPS; ++i) {  // sunflower disc
+  for (int i = 0; i < LAMP_TAPS; ++i) {  // taps at points of a sunflower spiral on a disc
     float turn = 2.399963 * float(i);
     vec2 offset = radius * sqrt((float(i) + 0.5) / float(LAMP_TAPS)) * vec2(cos(turn), sin(turn));
     sum += texture(lampShadows, vec3(place + offset, depth));

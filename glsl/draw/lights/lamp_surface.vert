@@ -1,4 +1,4 @@
-// Surfaces into the lamps' shadow maps: an instance for each map that the surface reaches into.
+// Draws a surface into the lamps' shadow maps: one instance for each map that the surface reaches.
 #include "draw/frame_block.glsl"
 #include "draw/surface/vertex_pull.glsl"
 #include "draw/lights/face_clip.glsl"

@@ -1,6 +1,6 @@
-// What all lamps together give a surface. LAMPS: those with shadows, SHADOWED_LAMPS, come first, then those without, and last
-// RANGED_LAMPS of them that have a range. SPOTS: some have cones; AREAS: some are rectangles; RANGES: some have a range;
-// TRANSLUCENT: some light comes from behind.
+// Sums the light of all lamps on a surface point. The LAMPS lamps are ordered: first SHADOWED_LAMPS lamps with shadows,
+// then those without shadows or range, last RANGED_LAMPS lamps with a range and no shadow. SPOTS: some lamps have
+// cones; AREAS: some are rectangles; RANGES: some have a range; TRANSLUCENT: light may also come through from behind.
 #include "draw/lights/lamp_list.glsl"
 #include "draw/lights/point_light.glsl"
 #ifdef AREAS
@@ -20,14 +20,14 @@
 #endif
 
 struct LampLight {
-  vec3 matt;    // irradiance / pi, for the albedo
-  vec3 mirror;  // light of the lobes
+  vec3 matt;    // diffuse part: irradiance / pi, to be multiplied by the albedo
+  vec3 mirror;  // specular part: light of the lobes
 #ifdef SHEEN
-  vec3 sheen;   // of those of fibres, for their colour
+  vec3 sheen;   // light of the fabric fibre lobes, to be multiplied by the sheen colour
 #endif
 };
 
-// Adds the share of number i, of which `fraction` reaches the place.
+// Adds the light of lamp i; `fraction` of the lamp's light reaches the point.
 LampLight withLamp(LampLight sum, int i, Arrival a, float fraction, vec3 normal, vec3 view, vec3 f0, float alpha,
                    float translucent) {
   float nl = dotted(normal, a.towards);
@@ -49,7 +49,7 @@ LampLight withLamp(LampLight sum, int i, Arrival a, float fraction, vec3 normal,
 #endif
 }
 
-// What lamp i sends into the direction of the place.
+// Returns the factor on lamp i's light at p: the share of its cone in that direction times the share of its range.
 float sentBy(int i, Arrival a, vec3 p) {
   float sent = 1.0f;
 #ifdef SPOTS
@@ -64,7 +64,7 @@ float sentBy(int i, Arrival a, vec3 p) {
 }
 
 #ifdef AREAS
-// The share of rectangle i.
+// Adds the light of rectangular lamp i.
 LampLight withRectangle(LampLight sum, int i, vec3 p, float fraction, vec3 normal, vec3 view, vec3 f0, float alpha,
                         float translucent) {
   vec3 middle = lampPlace(i).xyz, across = lampAcross(i).xyz, up = lampUp(i).xyz;
@@ -89,7 +89,7 @@ LampLight withRectangle(LampLight sum, int i, vec3 p, float fraction, vec3 norma
 }
 #endif
 
-// Of lamp i, of which `fraction` is not in shadow.
+// Adds the light of lamp i of any shape; `fraction` of its light is not in shadow.
 LampLight withAny(LampLight sum, int i, vec3 p, Arrival a, float fraction, vec3 normal, vec3 view, vec3 f0, float alpha,
                   float translucent) {
   ROUNDED float reaching = fraction * sentBy(i, a, p);
@@ -110,7 +110,7 @@ LampLight lampLight(vec3 p, vec3 normal, vec3 view, vec3 f0, float roughness, fl
   LampLight sum = LampLight(vec3(0), vec3(0));
 #endif
   float alpha = roughAlpha(roughness);
-  // Two loops: software drivers run both sides of a branch.
+  // Two loops instead of a branch in one loop, because software drivers execute both sides of a branch.
 #if SHADOWED_LAMPS > 0
   for (int i = 0; i < SHADOWED_LAMPS; ++i) {
     Arrival a = arrivalAt(p, lampPlace(i), lampPower(i).w);

@@ -1,8 +1,9 @@
-// A light's end. Compiles as GLSL and as C++.
+// Falloff of a light with a limited range. Compiles as GLSL and as C++.
 #include "draw/arithmetic.glsl"
 
-// Share of a light that is left at a squared distance (m^2) from it, by 1 / range^2: (1 - (d / range)^4)^2, which is as
-// good as all of it near by and goes to nothing evenly (Karis 2013, as above); all where there is no range.
+// Returns the fraction (1 - (d / range)^4)^2 of a light at the squared distance `distance2` (m^2); `perRange2` = 1 /
+// range^2. The fraction is nearly 1 close to the light and falls smoothly to 0 at the range (Karis, "Real shading in
+// Unreal Engine 4", SIGGRAPH 2013). A light without a range has perRange2 = 0 and the fraction 1.
 FUNCTION float rangeShare(float distance2, float perRange2) {
   ROUNDED float part = distance2 * perRange2;
   ROUNDED float left = 1.0f - part * part;

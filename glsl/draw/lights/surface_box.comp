@@ -1,10 +1,11 @@
-// Grows the box around one surface, in world space, as ordered keys. Each invocation reduces a strided share of the
-// vertices first.
+// Grows the bounding box of one surface in world space, stored as ordered keys. Each invocation first reduces a strided
+// share of the vertices, then updates the box with atomics.
 #include "draw/frame_block.glsl"
 #include "draw/ordered_key.glsl"
 #include "draw/surface/vertex_pull.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = boxBinding) restrict buffer BoxBlock { uint boxes[]; };  // low xyz and high xyz of each
+// Bounding box of each surface as six keys: low xyz, high xyz.
+layout(std430, binding = boxBinding) restrict buffer BoxBlock { uint boxes[]; };
 uniform int surface;
 uniform int vertexCount;
 uniform int invocations;
@@ -16,7 +17,7 @@ void main() {
   for (int i = first; i < vertexCount; i += invocations) {
     vec3 p = worldPoint(i);
     precise float far = abs(p.x) + abs(p.y) + abs(p.z);
-    if (!(isNumber(far) && far < 1e9)) continue;  // lost
+    if (!(isNumber(far) && far < 1e9)) continue;  // skips vertices that are not finite or very far away
     low = min(low, p);
     high = max(high, p);
   }

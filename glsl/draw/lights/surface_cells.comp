@@ -1,19 +1,20 @@
-// Which of the lamps' shadow maps each surface reaches into: their numbers, and the arguments of its indirect draw.
-// Empties the boxes for the next frame. An invocation does one surface.
+// Lists, for each surface, the lamp shadow maps that the surface's bounding box reaches, and writes the instance count
+// of the surface's indirect draw. Resets the boxes for the next frame. One invocation handles one surface.
 #include "draw/lights/faces.glsl"
 #include "draw/lights/lamp_list.glsl"
 #include "draw/ordered_key.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = boxBinding) restrict buffer BoxBlock { uint boxes[]; };
 layout(std430, binding = cellBinding) restrict writeonly buffer CellBlock { uint cells[]; };
-layout(std430, binding = cellArgumentBinding) restrict buffer ArgumentBlock { uint arguments[]; };  // 5 words each
+// Draw arguments, 5 words per surface.
+layout(std430, binding = cellArgumentBinding) restrict buffer ArgumentBlock { uint arguments[]; };
 uniform int surfaces;
 
-// Whether the box reaches to the inner side of all planes that bound the map: those of face_clip.glsl.
+// True if the box reaches the inner side of every plane that bounds the shadow map (the planes of face_clip.glsl).
 bool reaches(int face, vec3 low, vec3 high, float scale, float nearest) {
   vec3 a = onFace(face, low), b = onFace(face, high);
   vec3 least = min(a, b), most = max(a, b);
-  precise float reach = most.x + 1e-4 * (most.x - least.x + abs(most.x));  // some slack
+  precise float reach = most.x + 1e-4 * (most.x - least.x + abs(most.x));  // margin for rounding errors
   precise float across = scale * max(max(least.y, -most.y), max(least.z, -most.z));
   return most.x >= nearest && reach >= across;
 }

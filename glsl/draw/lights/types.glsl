@@ -1,23 +1,26 @@
-// A lamp: one of a scene's "lights" as shaders read it. Compiles as GLSL and as C++ (src/draw/lights), std140.
+// Lamp: one entry of a scene's "lights" in the layout that shaders read. Compiles as GLSL and as C++ (src/draw/lights),
+// std140 layout.
 #ifndef DRAW_LIGHTS_TYPES
 #define DRAW_LIGHTS_TYPES
 
 struct STD140 Lamp {
-  vec4 place;     // xyz position (m), w radius of the ball that shines (m)
+  vec4 place;     // xyz position (m), w radius of the luminous ball (m)
   vec4 power;     // rgb luminous intensity / pi (cd), w 1 / radius^2 (1/m^2)
-  vec4 maps;      // of its six shadow maps in the atlas: xy size of one, z where they begin upwards, all as fractions of
-                  // the atlas; w fraction of a map's side that 90 degrees span, the rest being margin for the filter
-  vec4 sampling;  // x distance of the nearest caster (m), y texel of a map at distance 1 (m), z filter's radius (texels),
-                  // w 1 / texels on a side of a map
-  vec4 across;    // of a rectangle: xyz half its width (m), 0 of a ball; w 1 / range^2 (1/m^2), 0: it has none
-  vec4 up;        // xyz half its height (m), w 1 / its area (1/m^2)
-  vec4 cone;      // xyz times the direction from a spot light, plus w: its share, within 0 and 1, before it is squared
+  vec4 maps;      // place of the lamp's six shadow maps in the atlas: xy size of one map, z lower edge of the row, all
+                  // as fractions of the atlas; w fraction of a map's side that spans 90 degrees (the rest is margin for
+                  // the filter)
+  vec4 sampling;  // x distance of the nearest caster (m), y texel size of a map at distance 1 (m), z filter radius
+                  // (texels), w 1 / texels on a side of a map
+  vec4 across;    // rectangle: xyz half its width vector (m); ball: xyz 0; w 1 / range^2 (1/m^2), 0 without a range
+  vec4 up;        // rectangle: xyz half its height vector (m), w 1 / its area (1/m^2); ball: 0
+  vec4 cone;      // spot: share = clamp(w + dot(xyz, direction from the lamp), 0, 1)^2; other lamps: xyz 0, w 1
 };
 
 const int lampTexels = 7;  // texels of a Lamp in a buffer of vec4
-const int lampFaces = 6;   // shadow maps of a lamp
-// Cells of the scene for which it is known which lamps with a range reach into them.
+const int lampFaces = 6;   // number of shadow maps of a lamp
+// Size of the grid that stores, for each cell, the lamps with a range that reach the cell.
 const int lampCellsAcross = 16, lampCellsUp = 8;
-const int lampCellHead = 8;  // words before them: the box's corner and cells a metre, three floats each, and two of nothing
+// Number of words before the cells: three floats for the corner of the grid, three for cells per metre, two unused.
+const int lampCellHead = 8;
 
 #endif

@@ -1,5 +1,6 @@
-// Rectangles of letters and lines, painted over the finished picture: two texels each, the rectangle in whole pixels
-// (left, top, right, bottom) and its encoded colour. Those of one dispatch do not overlap, or have one colour.
+// Fills the rectangles of letters and lines over the finished picture. Each rectangle has two texels: its bounds in
+// whole pixels (left, top, right, bottom) and its encoded colour. The rectangles of one dispatch do not overlap or have
+// the same colour, so their order does not matter. One invocation fills one rectangle.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"
 #include "draw/bindings.glsl"

@@ -1,4 +1,4 @@
-// A chart, drawn by a kernel over the finished picture.
+// Draws a chart over the finished picture. One invocation draws one pixel.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"
 #include "draw/overlay/chart_inputs.glsl"
@@ -7,7 +7,7 @@
 #include "draw/overlay/pixel.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba8, binding = targetImage) uniform restrict image2D target;
-uniform ivec4 part;  // of the picture: left, top, right, bottom
+uniform ivec4 part;  // bounds of the chart's panel in the picture, in pixels: left, top, right, bottom
 
 void main() {
   ivec2 at = part.xy + ivec2(gl_GlobalInvocationID.xy);

@@ -1,4 +1,4 @@
-// A chart, drawn by the driver: chart_shading.glsl.
+// Draws a chart as a fragment shader (chart_shading.glsl).
 #include "draw/arithmetic.glsl"
 #include "draw/overlay/chart_inputs.glsl"
 #include "draw/overlay/chart_columns.glsl"

@@ -1,6 +1,6 @@
-// The panel of a chart, as a strip. Row 0 of the picture is its top row.
-uniform vec4 panel;    // whole pixels: left, top, right, bottom
-uniform vec2 picture;  // pixels
+// Draws the panel of a chart as a triangle strip. Row 0 of the target is the picture's top row.
+uniform vec4 panel;    // bounds of the chart's panel in whole pixels: left, top, right, bottom
+uniform vec2 picture;  // picture size in pixels
 
 void main() {
   vec2 corner = vec2((gl_VertexID & 1) == 0 ? panel.x : panel.z, (gl_VertexID & 2) == 0 ? panel.y : panel.w);

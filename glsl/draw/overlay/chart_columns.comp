@@ -1,4 +1,5 @@
-// Condenses a chart's steps to columns of pixels. Exact for both rasterizers.
+// Condenses the steps of a chart's curves to columns of pixels. The arithmetic is exact for both rasterizers. One
+// invocation writes one column.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"
 #include "draw/overlay/chart_inputs.glsl"
@@ -6,7 +7,7 @@
 layout(local_size_x = 64) in;
 layout(rgba32f, binding = targetImage) writeonly uniform restrict image2D condensed;
 uniform int columnCount;
-uniform float perColumn;  // steps
+uniform float perColumn;  // number of steps per column of pixels
 
 void main() {
   int number = int(gl_GlobalInvocationID.x);

@@ -1,8 +1,7 @@
-// What the curves of a chart are in each column of pixels, as fractions of its height: where they enter it, where
-// they leave it, the lowest and the highest in it. Where nothing is counted yet: -1. So the cost of drawing does
-// not grow with the number of steps. Compiles as GLSL and as C++, after
-// chart_inputs.glsl.
-const int maxLooked = 16384;  // at, a column: above it some steps are passed over
+// Reduces a chart's curves to columns of pixels, so the cost of drawing does not grow with the number of steps. A
+// column stores for each curve the height at its left edge, at its right edge, the min and the max, as fractions of the
+// plot's height; -1 if the column has no steps yet. Compiles as GLSL and as C++, after chart_inputs.glsl.
+const int maxLooked = 16384;  // max number of steps that are read per column; with more steps some are skipped
 
 struct ChartColumn {
   vec4 enter;
@@ -11,19 +10,20 @@ struct ChartColumn {
   vec4 highest;
 };
 
-// Rounded once, to the nearest: conversions of more than 24 bits may do otherwise.
+// Converts a count to float with one rounding to nearest, because drivers may round conversions of more than 24 bits
+// differently.
 FUNCTION float countOf(uint n) {
   ROUNDED float count = float(int(n >> 12u)) * 4096.0f + float(int(n & 4095u));
   return count;
 }
 
-// The counts of a step as fractions of the plot's height.
+// Returns the counts of a step as fractions of the plot's height.
 FUNCTION vec4 heightsOf(uvec4 n) {
   ROUNDED vec4 heights = vec4(countOf(n.x), countOf(n.y), countOf(n.z), countOf(n.w)) * perTop;
   return clamp(heights, 0.0f, 1.0f);
 }
 
-// Between two steps.
+// Returns the heights at a fractional step, by linear interpolation between two steps.
 FUNCTION vec4 heightsAt(float place) {
   int number = clamp(int(place), 0, steps - 1);
   vec4 low = heightsOf(texelFetch(counts, number)), high = heightsOf(texelFetch(counts, min(number + 1, steps - 1)));
@@ -32,7 +32,7 @@ FUNCTION vec4 heightsAt(float place) {
   return heights;
 }
 
-// A column for so many steps.
+// Returns column number `column` of a chart with `stepsEach` steps per column.
 FUNCTION ChartColumn columnOf(int column, float stepsEach) {
   ROUNDED float first = float(column) * stepsEach;
   ROUNDED float next = float(column + 1) * stepsEach;

@@ -1,16 +1,16 @@
-// What a shader gets of a chart and of its place on the picture.
+// Uniforms and textures of a chart and its place in the picture.
 #include "draw/bindings.glsl"
 layout(binding = countUnit) uniform usamplerBuffer counts;
-uniform int steps;     // counted so far
-uniform float perTop;  // 1 / the count at the top of the plot
-layout(binding = columnUnit) uniform sampler2D columns;  // chart_columns.comp
-uniform vec4 panel;      // whole pixels: left, top, right, bottom
-uniform vec4 plot;       // the same, of the curves
-uniform float unit;      // pixels: thickness of a thin line
+uniform int steps;     // number of steps counted so far
+uniform float perTop;  // 1 / count at the top of the plot
+layout(binding = columnUnit) uniform sampler2D columns;  // condensed curves, written by chart_columns.comp
+uniform vec4 panel;      // bounds of the panel in whole pixels: left, top, right, bottom
+uniform vec4 plot;       // bounds of the area with the curves in whole pixels: left, top, right, bottom
+uniform float unit;      // thickness of a thin line in pixels
 uniform int curves;
-uniform vec3 colors[4];  // encoded
-uniform float zero;    // part of the height towards which curves are filled
-uniform float end;       // pixels from the left of the plot to the last count
+uniform vec3 colors[4];  // sRGB-encoded colour of each curve
+uniform float zero;    // height, as a fraction of the plot, of the baseline to which the area under a curve is filled
+uniform float end;       // distance from the plot's left edge to the last count, in pixels
 
 vec4 columnAt(int column, int row) {
   return texelFetch(columns, ivec2(column, row), 0);

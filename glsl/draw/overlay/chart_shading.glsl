@@ -1,10 +1,10 @@
-// A translucent panel with rounded corners, axes, and curves as lines of even thickness over a faint fill.
-// Everything is in the picture's own encoded colours; alpha is premultiplied. Reads what chart_inputs.glsl
-// declares. Compiles as GLSL and as C++, after chart_columns.glsl.
+// Draws a translucent panel with rounded corners, axes, and curves as lines of even thickness over a faint fill. All
+// colours are sRGB-encoded; alpha is premultiplied. Uses the uniforms of chart_inputs.glsl. Compiles as GLSL and as
+// C++, after chart_columns.glsl.
 
 struct ChartLook {
-  vec4 nearest;  // distances from the curves
-  vec4 below;    // by how much a point lies below them
+  vec4 nearest;  // distance from the point to each curve, in pixels
+  vec4 below;    // vertical distance of the point below each curve, in pixels
 };
 
 FUNCTION vec4 covered(vec4 below, vec3 color, float alpha) {
@@ -17,7 +17,7 @@ FUNCTION float lengthOf(vec2 v) {
   return root(square);
 }
 
-// Squares of distances: the root of the least one will do.
+// Returns the squared distance from p to the segment a-b. The caller compares squares and takes one root at the end.
 FUNCTION float squareTo(vec2 p, vec2 a, vec2 b) {
   ROUNDED vec2 along = b - a;
   ROUNDED vec2 aside = p - a;
@@ -28,13 +28,13 @@ FUNCTION float squareTo(vec2 p, vec2 a, vec2 b) {
   return apart;
 }
 
-// Pixels from the top of a plot so high.
+// Returns the depths below the plot's top edge, in pixels, of one row of a column's data; `high` is the plot's height.
 FUNCTION vec4 depthsAt(int column, int row, float high) {
   ROUNDED vec4 depths = (1.0f - columnAt(column, row)) * high;
   return depths;
 }
 
-// From a point of the plot (pixels from its top left).
+// Returns the distances of the curves from the point p of the plot (pixels from its top left corner).
 FUNCTION ChartLook looked(vec2 p, vec2 size, int reach) {
   vec4 square = vec4(1e12f), below = vec4(-1e6f);
   int middle = int(floor(p.x));
@@ -52,7 +52,7 @@ FUNCTION ChartLook looked(vec2 p, vec2 size, int reach) {
     float x1 = min(float(c + 1), max(end, least));
     for (int k = 0; k < curves; ++k) {
       square[k] = min(square[k], squareTo(p, vec2(x0, a[k]), vec2(x1, b[k])));
-      // What is more than a straight line within the column.
+      // Adds a vertical line if the curve is more than a straight segment within the column.
       if (high[k] < above[k] || low[k] > under[k])
         square[k] = min(square[k], squareTo(p, vec2(half_, high[k]), vec2(half_, low[k])));
       if (c == middle && p.x <= end) below[k] = deep[k];
@@ -94,7 +94,7 @@ FUNCTION vec4 withCurves(vec4 panelLight, vec2 p, vec2 size) {
   return sum;
 }
 
-// Of the pixel whose middle this is.
+// Returns the colour, premultiplied by alpha, of the pixel with the centre `at`.
 FUNCTION vec4 chartPixel(vec2 at) {
   ROUNDED float corner = 5.0f * unit;
   ROUNDED vec2 size = vec2(panel.z, panel.w) - vec2(panel.x, panel.y);

@@ -1,7 +1,7 @@
-// Rectangles of letters: two texels each, the rectangle in pixels and its encoded colour.
+// Draws the rectangles of letters. Each rectangle has two texels: its bounds in pixels and its encoded colour.
 #include "draw/bindings.glsl"
 layout(binding = boxUnit) uniform samplerBuffer boxes;
-uniform vec2 picture;  // pixels
+uniform vec2 picture;  // picture size in pixels
 flat out vec3 color;
 
 void main() {

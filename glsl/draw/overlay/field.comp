@@ -1,5 +1,5 @@
-// A field, drawn by a kernel: OVER the finished picture (OPAQUE: nothing of that is seen), else behind the light of the scene.
-// An invocation does ROWS pixels, one below the other.
+// Draws a field of cells as a compute kernel. OVER: draws over the finished picture (OPAQUE: nothing of the picture
+// shows through); else draws behind the light of the scene. One invocation draws ROWS pixels, one below the other.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"
 #include "draw/overlay/field_inputs.glsl"
@@ -16,9 +16,9 @@ layout(rgba8, binding = targetImage) uniform restrict image2D target;
 #else
 layout(rgba32f, binding = targetImage) uniform restrict image2D target;
 #endif
-uniform ivec4 part;     // left, top, right, bottom: within the picture, from its top left
+uniform ivec4 part;     // bounds of the field in the picture, in pixels from the top left: left, top, right, bottom
 ivec4 part_ = once(part);
-uniform int lastRow;    // of the target, where its row 0 is the picture's last; else -1
+uniform int lastRow;    // index of the target's last row if the target is stored bottom row first; else -1
 int lastRow_ = once(lastRow);
 
 void put(ivec2 at) {

@@ -1,7 +1,7 @@
-// The rectangle of the picture that a field covers, as a strip.
-uniform vec4 part;      // whole pixels from the top left: left, top, right, bottom
-uniform vec2 picture;   // pixels
-uniform bool topFirst;  // row 0 of the target is the picture's top row
+// Draws the rectangle of the picture that a field covers, as a triangle strip.
+uniform vec4 part;      // bounds of the field in whole pixels from the picture's top left: left, top, right, bottom
+uniform vec2 picture;   // picture size in pixels
+uniform bool topFirst;  // true if row 0 of the target is the picture's top row
 
 void main() {
   vec2 corner = vec2((gl_VertexID & 1) == 0 ? part.x : part.z, (gl_VertexID & 2) == 0 ? part.y : part.w);

@@ -1,6 +1,6 @@
-// Blocks of a field's cells, averaged. Compiles as GLSL and as C++, after field_values.glsl.
+// Averages over blocks of a field's cells. Compiles as GLSL and as C++, after field_values.glsl.
 
-// sum / count: a quotient that a float holds comes out as it is.
+// Returns sum / count. A correction step makes the result exact if a float can hold the quotient.
 FUNCTION vec4 meanOf(vec4 sum, float count) {
   float each = inverse(count);
   ROUNDED vec4 rough = sum * each;
@@ -8,7 +8,7 @@ FUNCTION vec4 meanOf(vec4 sum, float count) {
   return mean;
 }
 
-// Fraction of the bits that are set.
+// Returns the fraction of set bits in the cells from `first` to `end` - 1.
 FUNCTION float meanBit(ivec2 first, ivec2 end) {
   int count = 0;
   for (int y = first.y; y < end.y; ++y) {
@@ -21,7 +21,7 @@ FUNCTION float meanBit(ivec2 first, ivec2 end) {
   return meanOf(vec4(float(count)), float((end.x - first.x) * (end.y - first.y))).x;
 }
 
-// To the nearest number that a half float holds, zero below 2^-14: stores round it no more.
+// Rounds x to the nearest half float, zero below 2^-14, so a store in a half-float texel does not round again.
 FUNCTION float asHalf(float x) {
   float held = clamp(x, -65504.0f, 65504.0f);
   int bits = floatBitsToInt(held);
@@ -29,8 +29,8 @@ FUNCTION float asHalf(float x) {
   return abs(held) < 6.1035156e-5f ? 0.0f : intBitsToFloat(bits);
 }
 
-// The mean of the cells first to end - 1: light where `colored`, with the value's place in the range in a; else the
-// value, in every component.
+// Returns the mean of the cells from `first` to `end` - 1. If `colored`: rgb the light, a the position of the value in
+// the range (0 to 1); else the value in every component.
 FUNCTION vec4 blockMean(ivec2 first, ivec2 end) {
   if (cellKind == 0) {
     float share = meanBit(first, end);
@@ -49,8 +49,9 @@ FUNCTION vec4 blockMean(ivec2 first, ivec2 end) {
   return vec4(asHalf(mean.x), asHalf(mean.y), asHalf(mean.z), asHalf(placeOf(mean.w)));
 }
 
-// Texel i of `texels` covers the cells from floor(i cells / texels) on, so blocks differ by one cell at most and the
-// texture ends where the field does: a repeated one has no seam.
+// Returns the mean of the cells that texel `at` of a texture covers. Texel i of `texels` starts at cell floor(i cells /
+// texels), so block sizes differ by one cell at most and the texture ends exactly at the field's edge: a tiled texture
+// has no seam.
 FUNCTION vec4 texelMean(ivec2 at, ivec2 texels) {
   return blockMean(ivec2(uvec2(at) * uvec2(cells) / uvec2(texels)),
                    ivec2(uvec2(at + 1) * uvec2(cells) / uvec2(texels)));

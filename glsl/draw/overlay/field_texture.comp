@@ -1,4 +1,5 @@
-// Averages a field's cells into the texels of a texture: values, or light where COLORED. Exact for both rasterizers.
+// Averages a field's cells into the texels of a texture: values, or light if COLORED. The arithmetic is exact for both
+// rasterizers. One invocation writes one texel.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"
 #include "draw/overlay/field_inputs.glsl"
@@ -10,7 +11,7 @@ layout(rgba16f, binding = targetImage) writeonly uniform restrict image2D texels
 #else
 layout(r32f, binding = targetImage) writeonly uniform restrict image2D texels;
 #endif
-uniform ivec2 size;  // texels
+uniform ivec2 size;  // size of the texture in texels
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);

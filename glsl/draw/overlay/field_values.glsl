@@ -1,12 +1,13 @@
-// The values of a field's cells, and their colours, linear RGB. `categories`: a value is the number of its colour; else
-// colours lie evenly over the range. Reads what field_inputs.glsl declares. Compiles as GLSL and as C++.
+// Values and colours (linear RGB) of a field's cells. `categories`: a value is the index of a colour; else the colours
+// are spaced evenly over the range. Reads the uniforms of field_inputs.glsl. Compiles as GLSL and as C++.
 
 FUNCTION uint wordAt(int i) {
   uvec4 four = texelFetch(words, i >> 2);
   return (i & 2) == 0 ? ((i & 1) == 0 ? four.x : four.y) : ((i & 1) == 0 ? four.z : four.w);
 }
 
-// Finite, and not so small that products were lost: what is infinite lies far above, NaN far below.
+// Returns the float in `word` as a finite number: magnitudes below 1e-20 become 0, the rest is clamped to +-1e18,
+// infinity becomes 1e18, and NaN or -infinity becomes -1e18.
 FUNCTION float heldValue(uint word) {
   bool lost = (word & 0x7f800000u) == 0x7f800000u;
   float value = uintBitsToFloat(lost ? 0u : word);
@@ -21,7 +22,7 @@ FUNCTION float valueOf(ivec2 cell) {
   return heldValue(wordAt(row + cell.x * cellWords + (cellKind == 3 ? 3 : 0)));
 }
 
-// 0 at the first colour, 1 at the last.
+// Returns the position of a value in the range: 0 at the first colour, 1 at the last.
 FUNCTION float placeOf(float value) {
   ROUNDED float place = (value - rangeLow) * rangeFactor;
   return abs(place) < 1e-9f ? 0.0f : clamp(place, -1e9f, 1e9f);
@@ -44,7 +45,7 @@ FUNCTION vec3 colorOf(float value) {
   return stopAt(int(number));
 }
 
-// Of a cell that has this value: its own where cells have colours.
+// Returns the colour of a cell with the given value: the cell's own colour if cells store colours, else colorOf(value).
 FUNCTION vec3 colorOfCell(ivec2 cell, float value) {
   if (cellKind != 3) return colorOf(value);
   int word = firstWord + cell.y * rowWords + cell.x * cellWords;

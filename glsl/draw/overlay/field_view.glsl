@@ -1,18 +1,19 @@
-// What a shader gets of a field's place on the picture. Variants: REDUCED (reads a texture of averaged blocks), RELIEF
-// (shaded as if lit), OVER (encoded for the finished picture; else light), SMOOTH_COLORS
-// (colours are linear between cells; else cells are squares), TILED (repeated beyond its borders; else
-// `border` is shown there). Constants: software drivers compute both sides of every choice, and divisions are dear.
+// Uniforms and variants of a field's place in the picture. Variants: REDUCED (reads a texture of averaged blocks),
+// RELIEF (shaded as if lit), OVER (encoded colours for the finished picture; else light), SMOOTH_COLORS (colours are
+// interpolated between cells; else cells are squares), TILED (repeats beyond the field's borders; else `border` is
+// shown there). The variants are compile-time constants because software drivers execute both sides of every branch and
+// divisions are expensive.
 #ifdef REDUCED
 layout(binding = reducedUnit) uniform sampler2D reduced;
 #endif
-uniform ivec2 size;      // elements: cells, or texels of `reduced`
-uniform ivec2 base;      // pixel p covers the elements from base + start + perPixel p to + perPixel (p + 1)
+uniform ivec2 size;      // size of the field in elements: cells, or texels of `reduced`
+uniform ivec2 base;  // pixel p covers the elements from base + start + perPixel p to base + start + perPixel (p + 1)
 uniform vec2 start;
 uniform vec2 perPixel;
 uniform vec3 border;
 uniform float opacity;
-uniform vec2 slope;      // height of the whole range in elements, along x and y
-#ifdef EXACT_PICTURE  // kernels, which read them before their loops
+uniform vec2 slope;      // height of the whole value range, measured in elements along x and y, for the relief
+#ifdef EXACT_PICTURE  // kernels read the uniforms once, before their loops
 #include "common/once.glsl"
 ivec2 size_ = once(size);
 ivec2 base_ = once(base);

@@ -1,19 +1,19 @@
-// Pixels of the finished picture, 8 bits a component, exactly. Compiles as GLSL and as C++.
+// Pixels of the finished picture, 8 bits per component, converted exactly. Compiles as GLSL and as C++.
 
-// The numbers 0 to 255 of what an image of that format gives, whichever way a driver divides by 255.
+// Returns the bytes (0 to 255) of a value loaded from an 8-bit image, independent of how the driver divides by 255.
 FUNCTION vec4 bytesOf(vec4 loaded) {
   ROUNDED vec4 bytes = loaded * 255.0f + 0.5f;
   return floor(bytes);
 }
 
-// What such an image is given for them: every driver rounds it back to the same.
+// Returns the value to store in an 8-bit image for the given bytes; every driver rounds it back to the same bytes.
 FUNCTION vec4 storedBytes(vec4 bytes) {
   ROUNDED vec4 stored = clamp(bytes, 0.0f, 255.0f) * 0.00392156863f;
   return stored;
 }
 
-// A colour times its opacity, and its opacity, over the bytes that are there. Those are straight: where they hide nothing they
-// have no part in the colour.
+// Blends a pixel (premultiplied colour, opacity) over the bytes of the picture. The picture's alpha is straight: a
+// fully transparent pixel does not contribute its colour.
 FUNCTION vec4 laidOver(vec4 bytes, vec4 pixel) {
   ROUNDED vec4 sum = pixel * 255.0f + bytes * (1.0f - pixel.w) + 0.5f;
   if (bytes.w > 254.5f || pixel.w >= 1.0f) return floor(sum);
@@ -25,7 +25,7 @@ FUNCTION vec4 laidOver(vec4 bytes, vec4 pixel) {
   return floor(vec4(color, alpha));
 }
 
-// Light times coverage, and coverage: `front` stays in front of what is laid behind it.
+// Adds `behind` behind `front`; both are light premultiplied by coverage, and the coverage.
 FUNCTION vec4 laidBehind(vec4 front, vec4 behind) {
   ROUNDED vec4 sum = front + behind * (1.0f - front.w);
   return sum;

@@ -1,4 +1,5 @@
-// Letters over the finished picture: a byte for each pixel of a box says how much they cover of it. Behind them a dark panel.
+// Draws text over the finished picture, on a dark panel. One byte for each pixel of the text box gives the coverage by
+// letters. One invocation draws one pixel.
 #define EXACT_PICTURE
 #include "draw/arithmetic.glsl"
 #include "draw/bindings.glsl"
@@ -6,8 +7,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = boxUnit) uniform usamplerBuffer shares;
 layout(rgba8, binding = targetImage) uniform restrict image2D target;
-uniform ivec4 panel, box;  // left, top, right, bottom
-uniform vec3 color;        // encoded
+uniform ivec4 panel, box;  // bounds of the panel and of the text in pixels: left, top, right, bottom
+uniform vec3 color;        // sRGB-encoded text colour
 uniform float opacity;
 uniform float backdrop;
 

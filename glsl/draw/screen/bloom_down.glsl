@@ -1,8 +1,8 @@
-// Half the size: thirteen taps in five overlapping squares (J. Jimenez, "Next generation post processing in Call of
-// Duty: Advanced Warfare", SIGGRAPH 2014), so that small lights do not shimmer as they move.
+// Halves the size of a bloom level with thirteen taps in five overlapping squares, so that small lights do not shimmer
+// as they move (J. Jimenez, "Next generation post processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014).
 #include "draw/screen/screen.glsl"
 layout(binding = sceneUnit) uniform sampler2D source;
-uniform vec2 texel;  // of the source, in texture coordinates
+uniform vec2 texel;  // size of a source texel in texture coordinates
 
 vec3 tap(vec2 uv, float x, float y) {
   return texture(source, uv + vec2(x, y) * texel).rgb;

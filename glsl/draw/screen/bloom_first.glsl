@@ -1,14 +1,14 @@
-// Light above the threshold, at half the size. SAMPLES: 1 or more.
+// Writes the light above the bloom threshold at half the picture's size. SAMPLES: samples per pixel, 1 or more.
 #include "draw/samples.glsl"
 #include "draw/screen/screen.glsl"
 layout(binding = sceneUnit) uniform SAMPLED scene;
-uniform ivec2 size;  // of the scene
+uniform ivec2 size;  // size of the scene in pixels
 uniform float threshold;
 
 vec3 above(ivec2 at) {
   at = min(at, size - 1);
   vec3 light = vec3(0);
-  // No sample is brighter than half floats hold: infinite light would spread over the whole picture.
+  // Clamps each sample to the half-float range, because infinite light would spread over the whole picture.
   for (int i = 0; i < SAMPLES; ++i) light += min(texelFetch(scene, at, SAMPLE(i)).rgb, 6e4);
   light /= float(SAMPLES);
   float brightest = max(light.r, max(light.g, light.b));

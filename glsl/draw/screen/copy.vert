@@ -1,15 +1,16 @@
-// Copies of a mesh or sphere. Variants: ADDITIVE, and those of draw/surface/lighting.glsl.
+// Places instanced copies of a mesh or sphere. Variants: ADDITIVE, and the variants of draw/surface/lighting.glsl.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_pull.glsl"
 #include "draw/screen/copy_vertex.glsl"
 #include "draw/surface/light_map.glsl"
-uniform float swell;  // fraction of a round shape's size by which its facets lie inside it
+uniform float swell;  // distance by which the facets of a round shape lie inside the true surface, as a fraction of its
+                      // size
 flat out vec3 tint;
 out vec3 worldNormal;
 out vec3 worldPosition;
 out vec3 place;
 #ifdef LAMPS
-out vec3 onRound;  // what facets stand for
+out vec3 onRound;  // point on the true round surface that the facet approximates
 #endif
 
 void main() {

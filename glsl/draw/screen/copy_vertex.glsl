@@ -1,9 +1,9 @@
 #include "common/exact.glsl"
 #include "draw/bindings.glsl"
-layout(binding = shapeUnit) uniform samplerBuffer shape;  // position and normal of each vertex
+layout(binding = shapeUnit) uniform samplerBuffer shape;  // two texels per vertex: position, normal
 uniform bool alongVelocity;
 
-// Columns are the copy's axes: its z axis lies along the velocity, its x axis level.
+// Returns the axes of a copy as columns: z along the velocity, x horizontal.
 mat3 turned(vec3 velocity) {
   float speed = exactDot(velocity, velocity);
   if (!alongVelocity || !(speed > 1e-20)) return mat3(1);

@@ -1,12 +1,13 @@
-// From light to the numbers of a picture. TONE: the curve, a scene::Tone; 0 unless it is said. Compiles as GLSL and as C++.
+// Converts light to the encoded values of a picture. TONE: tone curve, a value of scene::Tone; default 0 (ACES).
+// Compiles as GLSL and as C++.
 #include "draw/arithmetic.glsl"
 #ifndef TONE
 #define TONE 0
 #endif
 
-// Rows of the two matrices around the curve, and the curve, of a fit of the ACES reference rendering and sRGB output
-// transforms by Stephen Hill (BakingLab, ToneMapping.hlsl). The factor makes matt white under the default sun come out
-// just short of white.
+// Applies the ACES reference rendering and sRGB output transforms as fitted by Stephen Hill (BakingLab,
+// ToneMapping.hlsl): a matrix, a curve, a second matrix. The code lists the columns of the matrices. The factor 1.3
+// makes matt white under the default sun come out just below white.
 FUNCTION vec3 filmedAces(vec3 light) {
   ROUNDED vec3 bright = 1.3f * light;
   ROUNDED vec3 v = vec3(0.59719f, 0.07600f, 0.02840f) * bright.x + vec3(0.35458f, 0.90834f, 0.13383f) * bright.y +
@@ -19,9 +20,9 @@ FUNCTION vec3 filmedAces(vec3 light) {
   return clamp(shown, 0.0f, 1.0f);
 }
 
-// AgX by Troy Sobotka, in Benjamin Wrensch's fit (iolite-engine.com, "Minimal AgX Implementation"): primaries moved
-// inwards, so that bright colours go to white; the curve, a polynomial over 16.5 stops; back, and from its numbers, which
-// are those of a display of gamma 2.2, to light.
+// AgX by Troy Sobotka, in Benjamin Wrensch's fit (iolite-engine.com, "Minimal AgX Implementation"). A matrix moves the
+// primaries inwards so that bright colours go to white; the curve is a polynomial over 16.5 stops; a second matrix
+// moves the primaries back; the result, encoded for a display of gamma 2.2, is converted to light.
 FUNCTION float agxCurve(float light) {
   ROUNDED float stops = (logarithmOfTwo(max(light, 1e-10f)) + 12.47393f) * 0.0606060661f;
   float x = clamp(stops, 0.0f, 1.0f);
@@ -44,8 +45,8 @@ FUNCTION vec3 filmedAgx(vec3 light) {
               fromGamma(clamp(shown.z, 0.0f, 1.0f)));
 }
 
-// John Hable's curve for "Uncharted 2" (GDC 2010, "HDR Lighting") with a linear white of 11.2 after doubling:
-// h(x) = (x (0.15 x + 0.05) + 0.004) / (x (0.15 x + 0.5) + 0.06) - 0.02 / 0.3, over h(11.2).
+// John Hable's curve for "Uncharted 2" (GDC 2010, "HDR Lighting") with a linear white of 11.2 after doubling: h(x) /
+// h(11.2), with h(x) = (x (0.15 x + 0.05) + 0.004) / (x (0.15 x + 0.5) + 0.06) - 0.02 / 0.3.
 FUNCTION vec3 filmedFilmic(vec3 light) {
   ROUNDED vec3 x = 2.0f * light;
   ROUNDED vec3 over = x * (0.15f * x + 0.05f) + 0.004f;
@@ -66,8 +67,9 @@ FUNCTION vec3 filmed(vec3 light) {
 #endif
 }
 
-// Linear -> sRGB (IEC 61966-2-1). DEEP, for numbers of 16 bits: within a quarter of their step. Else x^(1/2.4) from square
-// roots, within 0.001 (a quarter of a byte's step) and from 0.021 on within 0.0003.
+// Converts linear light to sRGB (IEC 61966-2-1). DEEP, for 16-bit output: error within a quarter of a 16-bit step.
+// Otherwise x^(1/2.4) is approximated from square roots, within 0.001 (a quarter of a byte's step) and within 0.0003
+// for x >= 0.021.
 #ifdef DEEP
 FUNCTION float encodedOne(float x) {
   ROUNDED float doublings = logarithmOfTwo(max(x, 1e-6f)) * 0.416666667f;
@@ -87,10 +89,11 @@ FUNCTION vec3 encoded(vec3 x) {
   return vec3(encodedOne(x.x), encodedOne(x.y), encodedOne(x.z));
 }
 
-// Ordered 4x4 pattern of half a step either way: gradients do not band, files stay small. As a fraction of full white.
+// Returns an ordered 4x4 dither offset of up to half a byte's step, as a fraction of full white. The pattern avoids
+// banding in gradients and keeps compressed files small.
 FUNCTION float dither(ivec2 at) {
   int x = at.x & 3, y = at.y & 3, z = x ^ y;
   int rank = ((z & 1) << 3) | ((y & 1) << 2) | (z & 2) | (y >> 1);
-  ROUNDED float step_ = (float(rank) - 7.5f) * 0.000245098039f;  // 1 / (16 * 255)
+  ROUNDED float step_ = (float(rank) - 7.5f) * 0.000245098039f;  // 1 / (16 * 255): a sixteenth of a byte's step
   return step_;
 }

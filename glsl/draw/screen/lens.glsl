@@ -1,8 +1,8 @@
-// The lens darkens towards the corners of the picture. WHITE_BALANCE: what light of some colour sends is shown as white.
-// Compiles as GLSL and as C++.
+// Lens effects: exposure, vignette (darkening towards the corners) and, with WHITE_BALANCE, the white balance. Compiles
+// as GLSL and as C++.
 #include "draw/arithmetic.glsl"
 
-// What the film gets of the light at the middle `aside` of a pixel, -1 to 1 over the picture.
+// Returns the light that reaches the film at the pixel centre `aside`, -1 to 1 over the picture.
 FUNCTION vec3 throughLens(vec3 light, vec2 aside) {
   ROUNDED float dark = frame.vignette * 0.5f * (aside.x * aside.x + aside.y * aside.y);
   ROUNDED vec3 through = light * (frame.exposure * (1.0f - dark));

@@ -1,5 +1,5 @@
-// The average of each pixel's samples and (GLOWS) the glows that kernels have summed up, whose sums are empty
-// afterwards. SAMPLES: 1 or more.
+// Averages the samples of each pixel. GLOWS: adds the glows that kernels have summed up and resets the sums. SAMPLES:
+// samples per pixel, 1 or more. One invocation resolves one pixel.
 #include "draw/frame_block.glsl"
 #include "draw/samples.glsl"
 #ifdef GLOWS
@@ -9,7 +9,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f, binding = targetImage) writeonly restrict uniform image2D resolved;
 layout(binding = sceneUnit) uniform SAMPLED scene;
 layout(binding = depthUnit) uniform SAMPLED sceneDepth;
-uniform int cleared;  // 0: where nothing has written depth, the light is what an earlier frame left
+uniform int cleared;  // 0 if the light was not cleared: samples without depth then hold light of an earlier frame and
+                      // are skipped
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
@@ -26,5 +27,5 @@ void main() {
     glowSums[word + i] = glowSums[word + 3 + i] = 0u;
   }
 #endif
-  imageStore(resolved, at, min(light, 6e4));  // glows may add up beyond what half floats hold
+  imageStore(resolved, at, min(light, 6e4));  // clamped because the sum of glows may exceed the half-float range
 }

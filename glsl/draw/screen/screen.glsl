@@ -1,11 +1,12 @@
-// A pass over every pixel of a target: as a fragment shader, or (KERNEL) as a compute shader that stores to an image of
-// the layout KERNEL. PIXEL is the middle of the pixel; finish with PUT(value).
+// Declarations of a pass over every pixel of a target: a fragment shader or, with KERNEL, a compute shader that stores
+// to an image of the format KERNEL. PIXEL is the centre of the pixel; the pass ends with PUT(value).
 #include "draw/bindings.glsl"
 #ifdef KERNEL
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(KERNEL, binding = targetImage) writeonly restrict uniform image2D target;
 #define PIXEL (vec2(gl_GlobalInvocationID.xy) + 0.5)
-#define PUT(value) imageStore(target, ivec2(gl_GlobalInvocationID.xy), value)  // beyond the border: nothing
+// Stores outside the image have no effect.
+#define PUT(value) imageStore(target, ivec2(gl_GlobalInvocationID.xy), value)
 #else
 layout(location = 0) out vec4 result;
 #define PIXEL gl_FragCoord.xy

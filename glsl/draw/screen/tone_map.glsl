@@ -1,4 +1,5 @@
-// Averages the samples, lays them over the sky, then lens and film. SAMPLES: 1 or more. BLOOM: adds scattered light.
+// Averages the samples of each pixel, composites them over the sky, and applies lens and film. SAMPLES: samples per
+// pixel, 1 or more. BLOOM: adds the bloom texture.
 #include "draw/fragment_frame.glsl"
 #include "draw/samples.glsl"
 #include "draw/sky.glsl"
@@ -7,7 +8,7 @@
 #include "draw/screen/screen.glsl"
 layout(binding = sceneUnit) uniform SAMPLED scene;
 #ifdef BLOOM
-layout(binding = bloomUnit) uniform sampler2D scattered;  // half the size
+layout(binding = bloomUnit) uniform sampler2D scattered;  // bloom texture at half the picture's size
 uniform float bloomStrength;
 #endif
 #ifndef KERNEL
@@ -19,7 +20,7 @@ vec4 resolved(ivec2 at) {
   vec4 sum = texelFetch(scene, at, 0);
   for (int i = 1; i < SAMPLES; ++i) sum += texelFetch(scene, at, i);
   sum /= float(SAMPLES);
-  return min(sum, 6e4);  // glows may add up beyond what half floats hold
+  return min(sum, 6e4);  // clamped because the sum of glows may exceed the half-float range
 #else
   return min(texelFetch(scene, at, 0), 6e4);
 #endif
@@ -35,7 +36,7 @@ void main() {
   vec3 direction = normalize(ray);
   vec3 light = drawn.rgb + (1.0 - drawn.a) * skyInDirection(direction);
 #ifdef BLOOM
-  // Level 0 has (size + 1) / 2 texels, each over two pixels.
+  // Bloom level 0 has (size + 1) / 2 texels, each two pixels wide.
   vec2 place = vec2(PIXEL.x, frame.size.y - PIXEL.y) * 0.5 / vec2(textureSize(scattered, 0));
   light += bloomStrength * texture(scattered, place).rgb;
 #endif

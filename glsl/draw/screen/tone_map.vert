@@ -1,4 +1,4 @@
-// One triangle over the whole picture.
+// Draws one triangle that covers the whole picture, with the camera ray at each corner.
 #include "draw/frame_block.glsl"
 #include "draw/passed_frame.glsl"
 out vec3 ray;

@@ -1,7 +1,9 @@
-// A clear coat: a smooth dielectric over everything else, which gets what the coat does not mirror. Compiles as GLSL and as C++.
+// Clear coat: a smooth dielectric layer over a material. The material receives the light that the coat does not
+// reflect. Compiles as GLSL and as C++.
 #include "draw/surface/shading.glsl"
 
-// `below`: light from under the coat; `mirrored`: what a black dielectric of the coat's roughness sends.
+// Adds the coat. `below`: light of the material under the coat; `mirrored`: light that a black dielectric with the
+// coat's roughness reflects.
 FUNCTION vec3 coated(vec3 below, vec3 mirrored, float strength, float roughness, float nv) {
   vec2 share = ambientLobe(roughness, nv);
   ROUNDED float kept = 1.0f - strength * (0.04f * share.x + share.y);

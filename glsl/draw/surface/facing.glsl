@@ -1,10 +1,10 @@
 #include "common/exact.glsl"
-// A square through a ball's middle that faces the eye.
+// A square through a ball's centre that faces the eye.
 struct Facing {
-  vec3 towards;  // the eye; unit, as are
-  vec3 right;    // the square's axes
+  vec3 towards;  // unit vector to the eye
+  vec3 right;    // unit vectors: axes of the square that faces the eye
   vec3 up;
-  float distance;  // from the eye (m)
+  float distance;  // distance of the ball's centre from the eye (m)
 };
 
 Facing facingEye(vec3 p) {
@@ -16,7 +16,8 @@ Facing facingEye(vec3 p) {
   return Facing(towards, right, exactCross(towards, right), exactSqrt(distance2));
 }
 
-// Radius on the square of a ball's outline, which seen from nearby is wider than the ball.
+// Returns the radius of a ball's outline on the square. Perspective makes the outline of a near ball wider than the
+// ball.
 float outlineRadius(float radius, float distance) {
   precise float sine = radius * exactReciprocal(distance);
   precise float cosine2 = 1.0 - sine * sine;

@@ -1,30 +1,30 @@
-// What a pixel covers of a texture, and textures by reads of our own: between texels and levels in proportion, along the
-// longer side of what the pixel covers by up to four taps. Compiles as GLSL and as C++.
+// Texture filtering in shader code: the footprint of a pixel in a texture, with bilinear filtering, interpolation
+// between mip levels, and up to four taps along the footprint's longer side (anisotropic). Compiles as GLSL and as C++.
 #ifndef EXACT_FOOTPRINT
 #define EXACT_FOOTPRINT
 #include "common/exact.glsl"
 
-// A place in uv, and its change over a pixel to the right and up.
+// A uv position and its change per pixel to the right and up.
 struct Seen {
   vec2 at, across, up;
 };
 
-// A texture's first level; each next one has half its size, rounded down.
+// Size of a texture's mip level 0. Each further level has half the size, rounded down.
 struct TextureShape {
   ivec2 size;
   int levels;
-  bool repeats;  // else its border goes on
+  bool repeats;  // true if the texture repeats; else its border texels extend
 };
 
 struct Footprint {
-  vec2 along;     // uv of the longer side
-  float longer;   // texels of the first level
+  vec2 along;     // longer side of the pixel's footprint in uv
+  float longer;   // length of the footprint's longer side in texels of mip level 0
   int level;
-  float part;     // of the way to the next level
+  float part;     // interpolation weight of the next mip level
   int taps;
 };
 
-// Squares of the lengths of what a pixel covers, in texels.
+// Returns the squared lengths, in texels, of the footprint's two sides.
 FUNCTION vec2 texelsCovered(Seen seen, ivec2 size) {
   precise vec2 across = seen.across * vec2(size);
   precise vec2 up = seen.up * vec2(size);
@@ -41,7 +41,8 @@ FUNCTION Footprint footprintOf(Seen seen, TextureShape shape) {
   print.along = covered.x >= covered.y ? seen.across : seen.up;
   precise float quarter = print.longer * 0.25f;
   float width = max(max(quarter, shorter), 1.0f);
-  // Level and what lies between it and the next: the width in powers of two, straight between them.
+  // Mip level from the exponent bits of the width, and weight of the next level from the mantissa: linear between
+  // powers of two.
   int bits = floatBitsToInt(width);
   precise float part = intBitsToFloat((bits & 0x7fffff) | 0x3f800000) - 1.0f;
   int level = (bits >> 23) - 127;
@@ -57,7 +58,8 @@ FUNCTION float perTap(int taps) {
   return taps == 1 ? 1.0f : taps == 2 ? 0.5f : taps == 3 ? 0.33333334f : 0.25f;
 }
 
-// The four texels around a place of a level, as x y of the first and x y of the last, and in `part` where between them.
+// The four texels around a position in a mip level: xy of the first texel, xy of the last texel, and `part`, the
+// position between them.
 struct Around {
   ivec4 texels;
   vec2 part;
@@ -82,7 +84,7 @@ FUNCTION Around texelsAround(vec2 uv, int level, TextureShape shape) {
   return around;
 }
 
-// TYPE NAME(uv, footprint, shape) of a texture whose texels are TYPE TEXEL(x, y, level).
+// Defines TYPE NAME(uv, footprint, shape), the filtered read of a texture whose texels are TYPE TEXEL(x, y, level).
 #define FILTERED(TYPE, NAME, TEXEL)                                                          \
   FUNCTION TYPE NAME##Between(vec2 uv, int level, TextureShape shape) {                      \
     Around around = texelsAround(uv, level, shape);                                          \

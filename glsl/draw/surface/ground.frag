@@ -1,4 +1,5 @@
-// Colour times alpha, so that the tone map can lay it over the sky. Variants: SHADOWED, GROUND_REFLECTIVE, LAMPS.
+// Shades the ground. The colour is premultiplied by alpha, so that the tone mapping pass can composite it over the sky.
+// Variants: SHADOWED, GROUND_REFLECTIVE, LAMPS.
 #include "draw/fragment_frame.glsl"
 #include "draw/surface/ground_light.glsl"
 #ifdef SHADOWED

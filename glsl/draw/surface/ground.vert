@@ -1,5 +1,5 @@
-// The ground: a square around the camera's target. SHADOWED draws the rectangle that shadows can reach; otherwise
-// the four strips around it, which need no look at the shadow map.
+// Draws the ground, a square around the camera's target. SHADOWED: draws the rectangle that shadows can reach;
+// otherwise the four strips around that rectangle, which need no shadow map lookup.
 #include "draw/frame_block.glsl"
 #include "draw/passed_frame.glsl"
 #ifdef SHADOW
@@ -10,7 +10,7 @@ out vec3 worldPosition;
 out vec3 place;
 #endif
 
-// Corner 0 to 3 of a rectangle (low, high), counter-clockwise seen from above (x right, z down).
+// Returns corner 0 to 3 of a rectangle (low, high), counter-clockwise as seen from above (x right, z down).
 vec2 rectangleCorner(vec4 rectangle, int corner) {
   return vec2(corner == 0 || corner == 3 ? rectangle.x : rectangle.z, corner < 2 ? rectangle.w : rectangle.y);
 }
@@ -23,7 +23,7 @@ void main() {
 #ifdef SHADOW
   inner = clamp(texelFetch(light, 4), square.xyxy, square.zwzw);
 #endif
-  // Two triangles (0 1 2, 2 3 0) of: the rectangle itself, or strip k between inner and outer corners k and k + 1.
+  // Two triangles (0 1 2, 2 3 0) of the rectangle, or of strip k between the inner and outer corners k and k + 1.
   int corner = gl_VertexID % 6;
   corner = corner < 3 ? corner : corner == 5 ? 0 : corner - 1;
 #ifdef SHADOWED

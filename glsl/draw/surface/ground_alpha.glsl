@@ -1,4 +1,4 @@
-// How much of the ground there is at a place: it fades out far from what the camera looks at. Compiles as GLSL and as C++.
+// Opacity of the ground, which fades out far from the camera's target. Compiles as GLSL and as C++.
 #ifndef DRAW_GROUND_ALPHA
 #define DRAW_GROUND_ALPHA
 #include "draw/arithmetic.glsl"

@@ -1,5 +1,6 @@
-// Light of the ground. `fraction` of the sun reaches the place, and of what is around it `openness`. Variants: GROUND_REFLECTIVE, LAMPS,
-// REFLECTED as in lighting.glsl. Compiles as GLSL and as C++.
+// Light that the ground sends to the eye. `fraction`: fraction of sunlight that reaches the point; `openness`: fraction
+// of ambient light that reaches it. Variants: GROUND_REFLECTIVE, LAMPS, REFLECTED as in lighting.glsl. Compiles as GLSL
+// and as C++.
 #ifndef DRAW_GROUND_LIGHT
 #define DRAW_GROUND_LIGHT
 #include "draw/sky.glsl"
@@ -18,7 +19,8 @@ FUNCTION vec3 ambientOnGround() {
 }
 
 #ifdef GROUND_REFLECTIVE
-// Of the surroundings, towards `view`: times F0 x + y.
+// Returns the radiance of the surroundings that the ground reflects towards `view`; the caller multiplies it by the
+// weight F0 x + y of ambientLobe().
 FUNCTION vec3 aroundGround(vec3 view) {
 #ifdef ENVIRONMENT
   return environmentMirrored(vec3(-view.x, abs(view.y), -view.z), frame.groundRoughness);
@@ -28,7 +30,7 @@ FUNCTION vec3 aroundGround(vec3 view) {
 }
 #endif
 
-// Of the sun, and the surroundings' on what is matt.
+// Returns the sun's diffuse and specular light plus the diffuse ambient light.
 FUNCTION vec3 sunOnGround(vec3 view, float fraction, float openness) {
   vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight), color = vec3(frame.groundColor);
   ROUNDED float lit = max(sun.y, 0.0f) * fraction;
@@ -39,7 +41,7 @@ FUNCTION vec3 sunOnGround(vec3 view, float fraction, float openness) {
   return light;
 }
 
-// With the surroundings' light that is mirrored.
+// Adds the reflected light of the surroundings.
 FUNCTION vec3 withAround(vec3 light, vec3 view, float openness) {
 #ifdef GROUND_REFLECTIVE
   vec2 weight = ambientLobe(frame.groundRoughness, abs(view.y));
@@ -68,7 +70,7 @@ FUNCTION vec3 lightOnGround(vec3 p, vec3 view, float fraction, float openness) {
   return withAround(light, view, openness);
 }
 
-// Times alpha, and alpha.
+// Returns the light premultiplied by the ground's alpha, and the alpha.
 FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction, float openness) {
   vec3 light = lightOnGround(p, view, fraction, openness);
   float alpha = groundAlpha(p);
@@ -77,7 +79,8 @@ FUNCTION vec4 groundLight(vec3 p, vec3 view, float fraction, float openness) {
 }
 
 #if defined REFLECTED && defined GROUND_REFLECTIVE
-// What changes of it where the mirrored ray meets `met` of the picture.
+// Returns the change of the ground's light if the mirrored ray meets `met` (light times coverage, coverage) in the
+// picture instead of the surroundings.
 FUNCTION vec4 groundReflected(vec3 p, vec3 view, vec4 met, float openness) {
   vec2 weight = ambientLobe(frame.groundRoughness, abs(view.y));
   ROUNDED vec3 change = (0.04f * weight.x + weight.y) * (vec3(met) - met.w * openness * aroundGround(view));

@@ -1,7 +1,10 @@
-// Light that a metal/rough surface under sun, sky and lamps sends to the eye. Variants: TRANSLUCENT, REFLECTIVE, LAMPS.
-// SHEEN: fibres stand up from it, of the colour sheen_ and the roughness sheenRoughness_. JOINED: of surfaces of which some are such; `mirrors` says whether this one is REFLECTIVE.
-// SHOWN: instead of light the normal (1) or the base colour (2). REFLECTED: what changes of it where rays from the place bring light of
-// what the picture shows instead of the surroundings', and with GROUND_BELOW of the ground (draw/exact/reflections). Compiles as GLSL and as C++.
+// Light that a metal/rough surface under sun, sky and lamps sends to the eye. Compiles as GLSL and as C++. Variants:
+// TRANSLUCENT, REFLECTIVE, LAMPS.
+// SHEEN: fabric fibres on the surface, with the colour sheen_ and the roughness sheenRoughness_.
+// JOINED: one kernel shades several surfaces, only some of them REFLECTIVE; `mirrors` is true for such a surface.
+// SHOWN: outputs the normal (1) or the base colour (2) instead of light.
+// REFLECTED: outputs the change of the light if mirrored rays meet objects of the picture instead of the surroundings,
+// and with GROUND_BELOW the ground (draw/exact/reflections).
 #include "draw/sky.glsl"
 #include "draw/surface/shading.glsl"
 #ifdef SHEEN
@@ -14,13 +17,13 @@
 #include "draw/exact/reflections/mirrored_ground.glsl"
 #endif
 
-// What a place of a surface is made of.
+// Material properties at a point of a surface.
 struct Look {
-  vec3 base;           // linear RGB
-  float roughness;     // 0 to 1
-  float metallic;      // 0 to 1
-  float translucency;  // fraction of the light from behind
-  float openness;      // fraction of the surroundings' light that gets into a cavity
+  vec3 base;           // base colour, linear RGB
+  float roughness;     // roughness, 0 to 1
+  float metallic;      // metallic, 0 to 1
+  float translucency;  // fraction of light that comes through from behind
+  float openness;      // fraction of ambient light that reaches the point, below 1 in cavities
 };
 
 #ifdef REFLECTIVE
@@ -40,8 +43,8 @@ FUNCTION vec3 mirrorPart(Look look) {
 }
 #endif
 
-// `fraction` of the sun reaches the place; `normal` points to the viewer's side.
-// Where mirrors show the ground, too: GROUND_BELOW.
+// Returns the light of sun and sky. `fraction` of the sunlight reaches the point; `normal` points to the viewer's side.
+// GROUND_BELOW: reflections also show the ground.
 FUNCTION vec3 surfaceLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction) {
   vec3 sun = vec3(frame.sunDirection), sunLight = vec3(frame.sunLight);
   float nl = dotted(normal, sun);
@@ -69,7 +72,7 @@ FUNCTION vec3 surfaceLight(Look look, vec3 p, vec3 normal, vec3 view, float frac
   light = light + look.openness * (mirror * weight.x + weight.y) * around;
 #ifdef GROUND_BELOW
   GroundMirrored below = groundMirrored(p, direction, look.roughness, look.openness);
-  // In a loop, which ends at once where there is none: software drivers run both sides of a branch.
+  // A loop of at most one round instead of a branch, because software drivers execute both sides of a branch.
   for (int i = below.counts > 0.0f ? 0 : 1; i < 1; ++i)
     light = light + below.counts * (mirror * weight.x + weight.y) * (groundInSun(below, direction) - look.openness * around);
 #endif
@@ -78,7 +81,8 @@ FUNCTION vec3 surfaceLight(Look look, vec3 p, vec3 normal, vec3 view, float frac
 }
 
 #ifdef REFLECTED
-// (F0 x + y) (met - surroundings) of what the mirrored ray meets, by how much of it that is; and of the ground what lamps add.
+// Returns (F0 x + y) (met - surroundings) for the light `met` of the mirrored ray, weighted by its coverage, plus the
+// lamps' light on the reflected ground.
 FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
   vec3 light = vec3(0);
 #ifdef REFLECTIVE
@@ -121,7 +125,7 @@ FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
 }
 #endif
 
-// The same with the scene's lamps; p: where they are looked up from.
+// Returns the light of sun, sky and the scene's lamps; p: position for the lamps' light.
 FUNCTION vec3 allLight(Look look, vec3 p, vec3 normal, vec3 view, float fraction) {
 #ifdef SHOWN
   return SHOWN == 1 ? normal : look.base;

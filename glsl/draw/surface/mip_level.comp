@@ -1,6 +1,7 @@
-// One level of a texture of numbers from the level above: a texel is the mean of what it covers. Of 2n texels each of
-// n takes two; of 2n + 1 the i-th one covers (n - i) / n of the first of three, the whole of the second and (i + 1) / n
-// of the third, as in src/draw/surface/mip_levels.cpp. FORMAT: of both.
+// Computes one mip level of a number texture from the level above. Each texel is the mean of the area that it covers.
+// With 2n texels above, each of n texels covers two. With 2n + 1 above, texel i covers (n - i) / n of the first of
+// three, the whole second and (i + 1) / n of the third, as in src/draw/surface/mip_levels.cpp. FORMAT: image format of
+// both levels. One invocation writes one texel.
 #include "draw/bindings.glsl"
 #include "draw/half.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -8,7 +9,7 @@ layout(FORMAT, binding = fieldImage) uniform readonly restrict image2D above;
 layout(FORMAT, binding = reliefImage) uniform writeonly restrict image2D below;
 uniform ivec2 aboveSize;
 
-// Shares of the first, second and third texel.
+// Returns the weights of the first, second and third texel.
 vec3 sharesOf(int i, int count) {
   if (count == 1) return vec3(1, 0, 0);
   if (count % 2 == 0) return vec3(0.5, 0.5, 0);

@@ -1,16 +1,18 @@
-// Normals from a map in tangent space: x along u, y against v, z outwards. Compiles as GLSL and as C++.
+// Normals from a tangent-space normal map: x along u, y against v, z outwards. Compiles as GLSL and as C++.
 #include "draw/surface/rise.glsl"
 
-// Of texels 0 to 1; `strength`: a factor on the slopes. z at least a twentieth, so that none lies in the surface.
+// Decodes a normal from a texel (0 to 1); `strength`: factor on the slopes. z is at least 0.05, so that no normal lies
+// in the surface.
 FUNCTION vec3 tangentNormal(vec3 texel, float strength) {
   ROUNDED vec3 t = texel * 2.0f - 1.0f;
   ROUNDED vec2 slopes = vec2(t.x, t.y) * strength;
   return vec3(slopes.x, slopes.y, max(t.z, 0.05f));
 }
 
-// The frame is the surface's own as it is seen: y against the gradient of v, x across it towards where u grows, as from
-// tangents along u and their cross products with the normal (MikkTSpace), but of each place anew. Arguments as of riseByUv.
-// Holds for mirrored uvs. A surface without uvs keeps its normal.
+// Returns the mapped normal in world space. The tangent frame is computed for each pixel: y against the gradient of v,
+// x across it towards growing u. It equals a MikkTSpace frame with tangents along u and bitangents from the cross
+// product with the normal, but it is not interpolated from vertices. Parameters as in riseByUv(). Works for mirrored
+// uvs. A surface without uvs keeps its normal.
 FUNCTION vec3 mappedNormal(vec3 t, vec3 normal, vec3 across, vec3 up, vec2 right, vec2 above) {
   vec3 first = crossed(up, normal), second = crossed(normal, across);
   float turned = dotted(across, first) < 0.0f ? -1.0f : 1.0f;
@@ -23,9 +25,9 @@ FUNCTION vec3 mappedNormal(vec3 t, vec3 normal, vec3 across, vec3 up, vec2 right
   return unitOf(mapped);
 }
 
-// Roughness of what a pixel shows of a map whose normals differ there: their mean is shorter than each, and what they spread
-// widens the lobe, alpha^2 + 2 (1 - length) / length (after Toksvig, "Mipmapping normal maps", 2005). Rounding to bytes
-// shortens by less than a hundredth.
+// Returns the roughness of a pixel in which the map's normals vary. Their mean is shorter than 1, and the spread widens
+// the lobe: alpha^2 + 2 (1 - length) / length (after Toksvig, "Mipmapping normal maps", 2005). The first 0.01 of
+// shortening is ignored because it may come from rounding to bytes.
 FUNCTION float spreadRoughness(float roughness, vec3 texel) {
   ROUNDED vec3 t = texel * 2.0f - 1.0f;
   float length_ = root(min(dotted(t, t), 1.0f));

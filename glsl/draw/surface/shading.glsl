@@ -1,10 +1,10 @@
-// Metal/rough reflection. Light is irradiance / pi, so a white matt surface facing it has its radiance. Compiles as GLSL
-// and as C++.
+// Metal/rough reflection model. Light is irradiance / pi, so a white matt surface that faces the light has a radiance
+// of the same value. Compiles as GLSL and as C++.
 #ifndef DRAW_SHADING
 #define DRAW_SHADING
 #include "draw/arithmetic.glsl"
 
-// The fifth power of Schlick's term ("An Inexpensive BRDF Model for Physically-based Rendering", 1994).
+// Returns (1 - cosine)^5 of Schlick's Fresnel term ("An Inexpensive BRDF Model for Physically-based Rendering", 1994).
 FUNCTION float schlickPart(float cosine) {
   ROUNDED float rest = 1.0f - cosine;
   float left = clamp(rest, 0.0f, 1.0f);
@@ -13,8 +13,8 @@ FUNCTION float schlickPart(float cosine) {
   return fifth;
 }
 
-// 1 / (4 V) of Smith's shadowing, of heights that belong together: V = G2 / (4 nl nv) (Heitz, "Understanding the Masking-Shadowing
-// Function in Microfacet-Based BRDFs", JCGT 2014, of GGX).
+// Returns 1 / (4 V) for height-correlated Smith shadowing of GGX: V = G2 / (4 nl nv) (Heitz, "Understanding the
+// Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 2014).
 FUNCTION float smithUnder(float nl, float nv, float alpha2) {
   ROUNDED float rest = 1.0f - alpha2;
   ROUNDED float seen = nv * nv * rest + alpha2;
@@ -23,8 +23,9 @@ FUNCTION float smithUnder(float nl, float nv, float alpha2) {
   return under;
 }
 
-// pi D V of GGX (Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007) with Schlick's F: F0 x + y. What is
-// smoother than pixels show stays below 60. `nl`: cosine of normal and light; `lower`: a factor before the 60.
+// Returns x and y of the specular lobe F0 x + y: pi D V of GGX (Walter et al., "Microfacet Models for Refraction
+// through Rough Surfaces", EGSR 2007) with Schlick's Fresnel term. `nl`: cosine between normal and light; `lower`:
+// factor on the lobe. The value is limited to 60 because sharper highlights are smaller than pixels and would flicker.
 FUNCTION vec2 lowerLobe(vec3 normal, vec3 view, vec3 light, float nl, float alpha, float lower) {
   ROUNDED vec3 sum = view + light;
   vec3 halfway = unitOf(sum);
@@ -51,8 +52,9 @@ FUNCTION vec2 sunLobe(vec3 normal, vec3 view, vec3 sun, float roughness) {
   return lobe(normal, view, sun, roughAlpha(roughness));
 }
 
-// Fraction of ambient light that the lobe mirrors: F0 x + y. Fits to the integral of the lobe over the hemisphere, of which it loses
-// what its facets hide from each other: within 0.03, where nv is below 0.2 within 0.04, and below 0.1 0.06; y within 0.006 over 0.5.
+// Returns x and y of F0 x + y, the fraction of ambient light that the lobe reflects. The formulas fit the integral of
+// the GGX lobe over the hemisphere, including the loss by shadowing between facets. Error within 0.03 (0.04 for nv <
+// 0.2, 0.06 for nv < 0.1); y within 0.006 for nv > 0.5.
 FUNCTION vec2 ambientLobe(float roughness, float nv) {
   ROUNDED float alpha = roughness * roughness;
   ROUNDED float tilt = 1.0f - nv;

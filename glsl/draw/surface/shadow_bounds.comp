@@ -1,12 +1,12 @@
-// Grows the bounds by one surface, or by INSTANCES, or by a BOX. Each invocation reduces a strided share of the
-// vertices first.
+// Grows the bounds of the shadow casters by one surface, by INSTANCES or by a BOX. Each invocation first reduces a
+// strided share of the vertices, then updates the bounds with atomics.
 #include "draw/instances/bounds.glsl"
 layout(local_size_x = 64) in;
 uniform int vertexCount;
 uniform int invocations;
 #ifdef INSTANCES
 #include "draw/instances/instance.glsl"
-// xyz, w radius.
+// Returns the bounding ball of item i: xyz centre, w radius.
 vec4 ball(int i) {
   vec4 position = texelFetch(positions, i);
   bool shown = isShown(position, texelFetch(velocities, i));
@@ -30,16 +30,18 @@ void main() {
   vec3 low = vec3(3.4e38), high = vec3(-3.4e38);
   vec2 groundLow = vec2(3.4e38), groundHigh = vec2(-3.4e38);
   float perHeight = exactReciprocal(sunHeight());
-  precise vec2 away = frame.sunDirection.xz * perHeight;  // along the ground for each metre above it
+  precise vec2 away = frame.sunDirection.xz * perHeight;  // shift of the shadow along the ground for each metre of
+                                                          // height
   for (int i = first; i < vertexCount; i += invocations) {
     vec4 found = ball(i);
     vec3 p = found.xyz;
     precise float far = abs(p.x) + abs(p.y) + abs(p.z) + found.w;
-    if (!(isNumber(far) && far < 1e6)) continue;  // lost particles must not blow the map up
+    if (!(isNumber(far) && far < 1e6)) continue;  // ignores runaway particles, which would enlarge the map without
+                                                  // limit
     vec3 q = vec3(exactDot(p, frame.lightRight.xyz), exactDot(p, frame.lightUp.xyz),
                   exactDot(p, frame.sunDirection.xyz));
     precise vec2 g = p.xz - away * (p.y - frame.groundHeight);
-    // A ball's shadow reaches radius / sin(height of the sun) from its middle.
+    // A ball's shadow on the ground reaches radius / sin(height of the sun) from its centre.
     precise float reach = found.w * perHeight;
     precise vec3 nearer = q - found.w, farther = q + found.w;
     precise vec2 groundNearer = g - reach, groundFarther = g + reach;

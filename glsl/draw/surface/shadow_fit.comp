@@ -1,13 +1,14 @@
-// One invocation: turns the bounds into the light's map and empties them for the next frame.
-// The side of the map goes up in steps of 1/8 octave and its corner moves by whole texels, so edges of
-// shadows hold still while the caster moves.
+// Computes the transform of the sun's shadow map from the bounds of the casters, and resets the bounds for the next
+// frame. The side of the map grows in steps of 1/8 octave and its corner moves by whole texels, so shadow edges do not
+// crawl while the casters move. Runs as one invocation.
 #include "draw/instances/bounds.glsl"
 layout(local_size_x = 1) in;
 layout(std430, binding = lightBinding) restrict writeonly buffer LightBlock {
   vec4 light[5];
 };
 
-// The next multiple of an eighth of the power of two that is not above it. A power of two is its exponent's bits.
+// Rounds up to a multiple of 1/8 of the largest power of two that is not above `size`. The power of two is the
+// exponent's bits of the float.
 float stepped(float size) {
   int power = floatBitsToInt(size) & 0x7f800000;
   float unit = intBitsToFloat(power - (3 << 23)), perUnit = intBitsToFloat((257 << 23) - power);
@@ -24,7 +25,7 @@ void main() {
     high = vec3(fromOrderedKey(boundHigh[0]), fromOrderedKey(boundHigh[1]), fromOrderedKey(boundHigh[2]));
     ground = vec4(fromOrderedKey(boundLow[3]), fromOrderedKey(boundLow[4]), fromOrderedKey(boundHigh[3]), fromOrderedKey(boundHigh[4]));
   }
-  // No caster lies within `margin` texels of the border, so reading past the border finds no shadow.
+  // No caster is within `margin` texels of the border, so lookups beyond the border find no shadow.
   float texels = frame.shadowTexels;
   precise float softness = ceil(frame.shadowReach) + 2.0;
   precise float quarter = 0.25 * texels;

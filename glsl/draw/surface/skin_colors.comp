@@ -1,4 +1,5 @@
-// The field's own colours for skins of the look "map". COLORED: the field is a picture.
+// Writes the field's own colours for skins of the look "map". COLORED: the field is a picture. One invocation writes
+// one texel.
 #include "draw/bindings.glsl"
 #include "draw/half.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -11,8 +12,8 @@ uniform int stopCount;
 #endif
 layout(rgba16f, binding = skinColorImage) uniform writeonly restrict image2D colors;
 uniform ivec2 texels;
-uniform float rangeLow;     // value that counts as 0
-uniform float rangeFactor;  // on what is above it
+uniform float rangeLow;     // field value that maps to 0
+uniform float rangeFactor;  // 1 / width of the range of field values
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);

@@ -1,28 +1,29 @@
-// What a skin looks like where its field is what it is. LOOK_LEATHER, LOOK_SPOTS, LOOK_CRACKS, LOOK_MAP, or LOOK_ANY: that of the number
-// skinLook_, in this order. Compiles as GLSL and as C++. Whoever includes it has the skin's threshold, colours, roughness and depth.
+// Appearance of a skin from the local values of its field. LOOK_LEATHER, LOOK_SPOTS, LOOK_CRACKS and LOOK_MAP select
+// the look; LOOK_ANY: skinLook_ holds the index of the look in this order. The including file declares the skin's
+// threshold, colours, roughness and depth. Compiles as GLSL and as C++.
 #include "draw/arithmetic.glsl"
 #include "draw/surface/rise.glsl"
 
-// What a pixel covers of the field.
+// Field values over the footprint of a pixel.
 struct SkinArea {
-  float q;         // mean of what is above the threshold
-  float variance;  // of that
-  float around;    // mean of a ring around it
-  vec2 slope;      // of q along u and v, per cell
+  float q;         // mean of q = field value - threshold
+  float variance;  // variance of q over the pixel
+  float around;    // mean of q in a ring around the point
+  vec2 slope;      // slope of q along u and v, per cell
   vec3 color;
 };
 
 struct Skin {
   vec3 albedo;
-  vec3 emission;  // radiance
+  vec3 emission;  // emitted radiance
   float roughness;
-  float height;    // 0 to 1
-  float openness;  // fraction of the surroundings' light that gets in
+  float height;    // height of the relief, 0 to 1
+  float openness;  // fraction of ambient light that reaches the point
 };
 
-// A value spread evenly over a width w has variance w^2 / 12, and clamp(q / w + 1/2) of it lies above 0. So one
-// width serves for edges (the change of q over a pixel) and for patterns smaller than pixels (their variance).
-// `change2`: square of the change over a pixel.
+// Returns the skin's material. A value spread evenly over a width w has the variance w^2 / 12, and the fraction clamp(q
+// / w + 1/2) of it is above 0. One width therefore serves both for edges (change of q over a pixel) and for patterns
+// smaller than a pixel (variance). `change2`: squared change of q over a pixel.
 FUNCTION Skin skinOf(SkinArea area, float change2) {
   ROUNDED float width2 = change2 + 12.0f * area.variance + 1e-8f;
   ROUNDED float share = area.q * inverseRoot(width2) + 0.5f;

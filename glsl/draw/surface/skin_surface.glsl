@@ -1,7 +1,8 @@
-// Lays a skin over a surface. TRIPLANAR: from three sides (three_sides.glsl) in the object's own space, else by uv.
+// Applies a skin to a surface. TRIPLANAR: projects it along three axes (three_sides.glsl) in the object's own space;
+// else uses uv.
 #include "draw/surface/skin.glsl"
 #ifdef TRIPLANAR
-uniform vec2 skinRepeats;  // copies a metre
+uniform vec2 skinRepeats;  // repeats of the skin per metre
 uniform mat4 model;
 #else
 in vec2 uv;
@@ -33,7 +34,7 @@ SkinArea areaOnSurface(vec3 normal, out vec3 rise) {
 }
 #endif
 
-// The skin at this place; turns the normal.
+// Returns the skin at this point and tilts the normal by the skin's relief.
 Skin skinOnSurface(inout vec3 normal) {
   vec3 rise;
   SkinArea area = areaOnSurface(normal, rise);

@@ -1,6 +1,6 @@
-// A skin as its scene describes it (src/draw/surface/skin_textures.cpp).
-uniform float skinThreshold;  // as a fraction of the field's range
+// Parameters of a skin from the scene (src/draw/surface/skin_textures.cpp).
+uniform float skinThreshold;  // threshold as a fraction of the field's range
 uniform vec3 skinLow;
 uniform vec3 skinHigh;
 uniform float skinRoughness;
-uniform float skinDepth;  // height of the whole range in cells; negative: what is high lies low
+uniform float skinDepth;  // height of the whole range in cells; negative: high values are low places

@@ -1,9 +1,10 @@
-// A material's texture, by uv or from three sides (three_sides.glsl), and the relief that its brightness makes. TRIPLANAR, BUMPED.
+// Colour of a material's texture, by uv or projected along three axes (three_sides.glsl), and the bump relief from its
+// brightness. Variants: TRIPLANAR, BUMPED.
 #include "draw/surface/footprint.glsl"
 layout(binding = albedoUnit) uniform sampler2D albedo;
 
-// The texture where `shift` pixels to the right and up see it, by the taps of the exact rasterizer: where drivers filter
-// anisotropically at all, each does so in its own way.
+// Returns the texture's colour at the point that is `shift` pixels to the right and up. Uses the taps of the exact
+// rasterizer because drivers differ in their anisotropic filtering, or lack it.
 vec3 textureAt(vec2 place, vec2 shift) {
   Seen seen = Seen(place, dFdx(place), dFdy(place));
   TextureShape shape = TextureShape(textureSize(albedo, 0), textureQueryLevels(albedo), true);
@@ -17,7 +18,7 @@ vec3 textureAt(vec2 place, vec2 shift) {
   return sum * perTap(print.taps);
 }
 
-// Texels that a pixel covers of a place in uv.
+// Returns the texels that a pixel covers at a uv position.
 float texelsAcross(vec2 place) {
   vec2 size = vec2(textureSize(albedo, 0));
   vec2 across = dFdx(place) * size, down = dFdy(place) * size;
@@ -25,7 +26,7 @@ float texelsAcross(vec2 place) {
 }
 
 #ifdef TRIPLANAR
-uniform vec2 perMetre;  // repeats
+uniform vec2 perMetre;  // repeats of the texture per metre
 float texelsAPixel() {
   ThreeSides three = threeSides(objectPosition, objectNormal);
   return dot(three.weight, vec3(texelsAcross(three.x * perMetre), texelsAcross(three.y * perMetre), texelsAcross(three.z * perMetre)));
@@ -47,7 +48,7 @@ vec3 textureColor(vec2 shift) {
 
 #ifdef BUMPED
 #include "draw/surface/raised_normal.glsl"
-// `bump`: height of white, m.
+// `bump`: height of white in the texture, in metres.
 vec3 bumpedNormal(vec3 normal, vec3 p, float bump) {
   float aside = pixelsAside(texelsAPixel());
   vec2 rises = vec2(brightness(textureColor(vec2(aside, 0))) - brightness(textureColor(vec2(-aside, 0))),

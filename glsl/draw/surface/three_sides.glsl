@@ -1,15 +1,15 @@
-// A surface seen along the three axes of its own space: where a picture that is laid on from there lies, and how much of
-// each of the three shows. Compiles as GLSL and as C++.
+// Triplanar mapping: projects a texture onto a surface along the three axes of the object's own space and weights the
+// three projections by the normal. Compiles as GLSL and as C++.
 #include "draw/arithmetic.glsl"
 
-// Along x, y and z, m: to the right and down as it is seen from outside.
+// Texture positions (m) of the projections along x, y and z: to the right and down as seen from outside.
 struct ThreeSides {
-  vec3 side;  // 1 or -1: from where each is seen
+  vec3 side;  // 1 or -1: side of each axis from which the surface is seen
   vec2 x, y, z;
-  vec3 weight;  // of sum 1
+  vec3 weight;  // weights of the three projections, with sum 1
 };
 
-// p in the surface's own space (m), and the normal there.
+// p, normal: position (m) and normal in the object's own space.
 FUNCTION ThreeSides threeSides(vec3 p, vec3 normal) {
   ThreeSides three;
   three.side = vec3(normal.x > 0.0f ? 1.0f : -1.0f, normal.y > 0.0f ? 1.0f : -1.0f, normal.z > 0.0f ? 1.0f : -1.0f);
@@ -17,7 +17,7 @@ FUNCTION ThreeSides threeSides(vec3 p, vec3 normal) {
   three.x = vec2(-turned.x, -p.y);
   three.y = vec2(p.x, turned.y);
   three.z = vec2(turned.z, -p.y);
-  ROUNDED vec3 weight = normal * normal;  // to the 16th power: sharp borders, yet no edges
+  ROUNDED vec3 weight = normal * normal;  // raised to the 16th power for narrow transitions between projections
   weight = weight * weight;
   weight = weight * weight;
   weight = weight * weight;

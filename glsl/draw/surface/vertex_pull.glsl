@@ -1,4 +1,4 @@
-// Vertices of a sim::Surface by number, world space. GRID: neighbours give the normal.
+// Fetches the vertices of a sim::Surface by index, in world space. GRID: normals come from neighbouring vertices.
 #include "common/exact.glsl"
 #include "draw/bindings.glsl"
 #include "draw/surface/vertex_texel.glsl"

@@ -1,8 +1,9 @@
-// A vertex of a sim::Surface in its own space: as its positions hold it, or of a grid whose positions hold heights alone.
+// Vertex of a sim::Surface in the object's own space: a stored position, or a point of a height grid.
 layout(binding = positionUnit) uniform samplerBuffer positions;
-uniform ivec4 heightShape;  // vertices along x (0: positions) and z, component, bits of the sides where heightRim is the least
-uniform vec4 heightGrid;    // x and z of the first vertex, spacing, height of 0 (m)
-uniform float heightRim;    // m
+uniform ivec4 heightShape;  // xy vertices along x and z (x 0: no grid, positions are stored), z component that holds
+                            // the height, w bit mask of the sides on which the height is at least heightRim
+uniform vec4 heightGrid;    // grid: x and z of the first vertex, spacing, level of height 0 (m)
+uniform float heightRim;    // min height at the rim of the grid (m)
 
 vec3 vertexPlace(int i) {
   vec4 texel = texelFetch(positions, i);
@@ -21,9 +22,9 @@ vec3 vertexPlace(int i) {
 
 #ifdef PALETTE
 layout(binding = vertexColorUnit) uniform samplerBuffer vertexColors;
-uniform int colorComponent;  // x or w
+uniform int colorComponent;  // component of the texel that holds the colour index: 0 for x, else w
 
-// Its number in the palette.
+// Returns the index of the vertex's colour in the palette.
 int vertexColor(int i) {
   vec4 texel = texelFetch(vertexColors, i);
   return int(colorComponent == 0 ? texel.x : texel.w);

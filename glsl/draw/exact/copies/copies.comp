@@ -1,17 +1,19 @@
-// Triangles of listed copies, an invocation each; the numbers of the others go on a list: those of medium size from its end
-// on (medium_copies.comp), large ones from its beginning (large_copies.comp). Variants of raster_triangle.glsl, BALLOT.
+// Rasterizes the triangles of visible mesh copies, one per invocation. Larger triangles go on a list instead:
+// medium-sized ones from the list's end (medium_copies.comp), large ones from its start (large_copies.comp). Variants
+// of raster_triangle.glsl, BALLOT.
 #include "draw/exact/copies/raster_copy.glsl"
 #include "draw/exact/triangles/fill_box.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) writeonly restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
 layout(binding = counterUnit) uniform usamplerBuffer listedCounts;
-uniform int draw_;        // number of the copies among those drawn
-uniform int part;         // of the dispatches
-uniform int mostCopies;   // of one dispatch
+uniform int draw_;        // index of the current mesh copies among all drawn copies
+uniform int part;         // index of the current dispatch
+uniform int mostCopies;   // max number of copies in one dispatch
 uniform int parts;
-uniform int listRoom;      // numbers that the list holds
-uniform int mediumPixels;  // the longest side of a box of medium size; none is where that is less than smallPixels
+uniform int listRoom;      // capacity of the list of larger triangles
+uniform int mediumPixels;  // longest side in pixels of a medium-sized triangle's box; if less than smallPixels, no
+                           // triangle is medium-sized
 #include "draw/exact/list_place.glsl"
 
 void main() {
@@ -24,7 +26,7 @@ void main() {
   float nearest = view.near;
 #endif
 #ifdef PARALLEL
-  if (min(c.a.z, min(c.b.z, c.c.z)) < 0.0f) return;  // beyond the span
+  if (min(c.a.z, min(c.b.z, c.c.z)) < 0.0f) return;  // skips triangles behind the camera's depth range
 #endif
   if (beside(c.a, c.b, c.c, size, nearest)) return;
   bool whole = inside(c.a, size, nearest) && inside(c.b, size, nearest) && inside(c.c, size, nearest);

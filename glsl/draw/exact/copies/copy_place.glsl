@@ -1,3 +1,3 @@
-// Where a place of the scene lies on the picture.
+// Projection of scene points to the picture, for copies.
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/corner_place.glsl"

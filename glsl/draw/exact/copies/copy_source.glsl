@@ -1,10 +1,10 @@
-// Triangles of copies of a mesh, by the number of the instance and of the triangle.
+// Triangles of mesh copies, by index of the instance and of the triangle.
 #include "common/once.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/instances/instance_source.glsl"
 #include "draw/screen/copy_vertex.glsl"
 layout(binding = indexUnit) uniform usamplerBuffer indices;
-uniform uint triangles;  // of one copy
+uniform uint triangles;  // number of triangles of one mesh copy
 uint triangles_ = once(triangles);
 
 struct Copy {
@@ -34,7 +34,7 @@ vec3 pointOf(Copy copy, int vertex) {
   return p;
 }
 
-// Not of unit length.
+// Returns the vertex normal in world space, not of unit length.
 vec3 normalOf(Copy copy, int vertex) {
   return turnedBy(copy, texelFetch(shape, 2 * vertex + 1).xyz);
 }

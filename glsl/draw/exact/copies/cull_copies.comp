@@ -1,4 +1,5 @@
-// Lists the copies of a mesh that may be seen, in any order. SUN_MAP: that may reach the sun's map.
+// Lists the mesh copies that may be visible, in any order. SUN_MAP: lists the copies that may reach the sun's shadow
+// map. One invocation tests one copy.
 #define EXACT_PICTURE
 #include "draw/exact/instances/ball_source.glsl"
 #ifdef SUN_MAP
@@ -34,7 +35,8 @@ void main() {
   int slot = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
   if (slot >= capacity) return;
   vec4 position = texelFetch(positions, slot);
-  precise float radius = 1.001f * radiusOf(position, texelFetch(velocities, slot));  // corners are rounded
+  // Slightly enlarged as a margin for the rounding of vertices.
+  precise float radius = 1.001f * radiusOf(position, texelFetch(velocities, slot));
   if (!(radius > 0.0f) || radius > 1e9f || !isSeen(position, radius)) return;
   listedCopies[firstListed + int(nextPlace(draw_))] = uint(slot);
 }

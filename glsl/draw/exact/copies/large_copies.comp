@@ -1,5 +1,5 @@
-// Triangles of copies that are large, or reach beyond the picture's surroundings: those that copies.comp has listed. A group
-// takes every so manyth tile of one. Variants of raster_triangle.glsl.
+// Rasterizes the large triangles of mesh copies, and those that extend far beyond the picture, from the list of
+// copies.comp. Workgroups share the tiles of each triangle in turn. Variants of raster_triangle.glsl.
 #include "draw/exact/copies/raster_copy.glsl"
 #include "draw/exact/triangles/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;
@@ -9,7 +9,8 @@ uniform int part;
 void drawLarge(uint pair) {
   CopyTriangle c = copyTriangle(pair);
 #ifdef SUN_MAP
-  fillTiles(drawnTriangle(cornerAt(c.a, c.na), cornerAt(c.b, c.nb), cornerAt(c.c, c.nc)), c.id);  // never clipped
+  // Triangles in the sun's shadow map need no clipping.
+  fillTiles(drawnTriangle(cornerAt(c.a, c.na), cornerAt(c.b, c.nb), cornerAt(c.c, c.nc)), c.id);
 #else
   fillClipped(c.a, c.b, c.c, view.near, c.id);
 #endif

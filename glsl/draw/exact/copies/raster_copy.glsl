@@ -1,5 +1,5 @@
-// What the kernels that draw copies of a mesh have in common. Pairs of a listed copy and a triangle have numbers: those of one
-// dispatch count from 0. Variants of raster_triangle.glsl.
+// Shared code of the kernels that rasterize mesh copies. Each pair of a visible copy and a triangle has an index, which
+// starts at 0 in each dispatch. Variants of raster_triangle.glsl.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/triangles/raster_triangle.glsl"
@@ -13,12 +13,13 @@
 #include "draw/instances/instance_list.glsl"
 #endif
 layout(binding = listUnit) uniform usamplerBuffer listedCopies;
-uniform int firstListed;  // where their list begins
-uniform int skipped;      // of it
+uniform int firstListed;  // first entry of these copies in the list of visible copies
+uniform int skipped;      // number of list entries that earlier dispatches have drawn
 
 struct CopyTriangle {
-  vec3 a, b, c;        // pixels times depth to the right and down, and depth; of the sun's map texels, and 1
-  float na, nb, nc;    // of the sun's map: how near
+  vec3 a, b, c;        // projected corners: pixels times depth to the right and down, and depth; in the sun's shadow
+                       // map texels, and 1
+  float na, nb, nc;    // nearness of the corners to the sun, used in the sun's shadow map
   uint id;
 };
 

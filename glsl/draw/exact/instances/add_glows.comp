@@ -1,4 +1,4 @@
-// Adds the sums of glows to the light of the picture and empties them.
+// Adds the sums of glows to the light of the picture and clears the sums. One invocation handles one pixel.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
@@ -16,7 +16,7 @@ void main() {
   for (int i = 0; i < 3; ++i) {
     uint lower = glowSums[word + i], upper = glowSums[word + 3 + i];
     any_ |= lower | upper;
-    // Halves that floats hold exactly: how a driver rounds larger numbers is its own affair.
+    // Converts 16-bit halves, which floats hold exactly, because drivers round larger integers differently.
     precise float fine = float(lower & 0xffffu) * 5.9604645e-8f + float(lower >> 16) * 0.00390625f;
     precise float sum = light[i] + (float(min(upper, 0xffffffu)) * glowUpper + fine);
     light[i] = sum;

@@ -1,16 +1,16 @@
-// Balls seen from the eye: which pixels they may reach, and where a ray meets them. Compiles as GLSL and as C++.
+// Balls in perspective and parallel views: pixel bounds and intersection with rays. Compiles as GLSL and as C++.
 #include "common/exact.glsl"
 
 struct Ball {
-  vec3 middle;  // from the eye (m)
-  float depth;  // of the middle, along the direction of the view (m)
+  vec3 middle;  // vector from the eye to the ball's centre (m)
+  float depth;  // depth of the ball's centre along the view direction (m)
   float radius;
 };
 
 struct BallHit {
   bool found;
   float depth;
-  vec3 outwards;  // from the middle to the place (m)
+  vec3 outwards;  // vector from the ball's centre to the hit point (m)
 };
 
 FUNCTION Ball ballAt(vec3 p, float radius, vec3 eye, vec3 forward) {
@@ -22,7 +22,7 @@ FUNCTION Ball ballAt(vec3 p, float radius, vec3 eye, vec3 forward) {
   return ball;
 }
 
-// At `t` along a ray that is `a` from the middle where it is as deep as that.
+// Returns the hit at the parameter `t` of a ray. `a`: vector from the centre to the ray's point at the centre's depth.
 FUNCTION BallHit ballHitAfter(Ball ball, vec3 a, vec3 ray, float beyond, float t) {
   precise vec3 outwards = a + ray * t;
   precise float depth = ball.depth + t;
@@ -33,8 +33,8 @@ FUNCTION BallHit ballHitAfter(Ball ball, vec3 a, vec3 ray, float beyond, float t
   return hit;
 }
 
-// Where a ray of depth 1 from the eye first meets the ball. With a = ray depth - middle, |a + t ray| = radius: the numbers
-// are no larger than the ball, so little is lost in the differences of their squares.
+// Returns the first hit of a ray of depth 1 from the eye. With a = ray * depth - middle it solves |a + t ray| = radius.
+// The vector a is about as short as the ball's radius, so the difference of squares loses little precision.
 FUNCTION BallHit ballHit(Ball ball, vec3 ray) {
   precise vec3 a = ray * ball.depth - ball.middle;
   float rr = exactDot(ray, ray), b = exactDot(a, ray), aa = exactDot(a, a);
@@ -43,7 +43,8 @@ FUNCTION BallHit ballHit(Ball ball, vec3 ray) {
   return ballHitAfter(ball, a, ray, beyond, t);
 }
 
-// The same of a ray that begins at `aside` from the eye and goes along `forward` (unit): with a = aside + forward depth - middle.
+// Returns the hit of a parallel ray that starts at `aside` from the eye and goes along `forward` (unit), with a = aside
+// + forward * depth - middle.
 FUNCTION BallHit ballHitAlong(Ball ball, vec3 aside, vec3 forward) {
   precise vec3 a = aside + forward * ball.depth - ball.middle;
   float b = exactDot(a, forward), aa = exactDot(a, a);
@@ -52,8 +53,8 @@ FUNCTION BallHit ballHitAlong(Ball ball, vec3 aside, vec3 forward) {
   return ballHitAfter(ball, a, forward, beyond, t);
 }
 
-// From and to where such rays meet it along one axis of the picture (pixels): `along`, the pixels for each metre. From above to where it
-// does not.
+// Returns the range of pixels along one picture axis that a ball covers in a parallel view; first > second if none.
+// `along`: pixels per metre.
 FUNCTION vec2 ballSpanAlong(Ball ball, vec3 along, float size) {
   precise float middle = exactDot(ball.middle, along) + 0.5f * size;
   precise float half_ = ball.radius * exactSqrt(exactDot(along, along));
@@ -64,17 +65,18 @@ FUNCTION vec2 ballSpanAlong(Ball ball, vec3 along, float size) {
   return vec2(max(from, 0.0f), min(to, size));
 }
 
-// Where that ray meets the disc through the middle that faces the eye.
+// Returns the depth at which the ray meets the disc through the ball's centre that faces the eye.
 FUNCTION float discDepth(Ball ball, vec3 ray) {
   float along = exactDot(ray, ball.middle);
   precise float depth = exactDot(ball.middle, ball.middle) * exactReciprocal(max(along, 1e-6f));
   return depth;
 }
 
-// From and to where the ball may be seen along one axis of the picture (pixels); from above to where it is not.
-//
-// Its tangent planes through the eye: with `along` the pixels times depth for each metre, a place x where X - x D =
-// radius |along - x forward|. Close to the eye it may be anywhere that no side of the picture excludes.
+// Returns the range of pixels along one picture axis that a ball may cover in a perspective view; first > second if
+// none.
+// The range ends at the tangent planes through the eye: positions x with X - x D = radius |along - x forward|, where
+// `along` is pixels times depth per metre. A ball close to the eye may cover the whole axis unless it is beyond a side
+// of the picture.
 FUNCTION vec2 ballSpan(Ball ball, vec3 along, vec3 forward, float size) {
   float x = exactDot(ball.middle, along), aa = exactDot(along, along), af = exactDot(along, forward);
   precise vec3 last = along - forward * size;
@@ -90,7 +92,7 @@ FUNCTION vec2 ballSpan(Ball ball, vec3 along, vec3 forward, float size) {
   precise float beyond = exactDot(aside, aside) - rr * (aa - af * af);
   precise float middle = (x * ball.depth - rr * af) * perSquare;
   precise float half_ = ball.radius * exactSqrt(max(beyond, 0.0f)) * perSquare;
-  precise float more = half_ + 0.01f + 1e-5f * (abs(middle) + half_);  // for what is lost by rounding
+  precise float more = half_ + 0.01f + 1e-5f * (abs(middle) + half_);  // margin for rounding errors
   precise float from = middle - more;
   precise float to = middle + more;
   return vec2(max(from, 0.0f), min(to, size));

@@ -1,5 +1,5 @@
-// Discs of balls that face the sun, into its map: an invocation each; the numbers of large ones go on a list. LARGE: those,
-// a group taking every so manyth tile of one. SAMPLES 1, PASS 0.
+// Rasterizes balls as discs that face the sun into the sun's shadow map, one per invocation. Large discs go on a list.
+// LARGE: rasterizes the listed discs; workgroups share the tiles of each disc in turn. Requires SAMPLES 1 and PASS 0.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/visible_sample.glsl"
@@ -29,7 +29,8 @@ Disc discOf(int number, out uint key) {
   precise float radius = radiusOf(position, texelFetch(velocities, number)) * exactReciprocal(lightTexel());
   disc.middle = middle;
   disc.radius = radius;
-  precise float near = 1.0f - place.z - 4e-7f;  // as raster_triangle.glsl moves level triangles
+  precise float near = 1.0f - place.z - 4e-7f;  // depth offset, the same as for triangles without slope in
+                                                // raster_triangle.glsl
   key = nearKey(max(near, 0.0f));
   return disc;
 }

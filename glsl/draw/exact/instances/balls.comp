@@ -1,5 +1,5 @@
-// Small balls of instances, an invocation each; the numbers of the others go on a list (large_balls.comp): large ones from its
-// beginning, with MEDIUM those of medium size from its end on. SAMPLES, PASS.
+// Rasterizes the small balls of instances, one per invocation. The others go on a list (large_balls.comp): large balls
+// from its start and, with MEDIUM, medium-sized balls from its end. Variants: SAMPLES, PASS.
 #define EXACT_PICTURE
 #include "draw/exact/instances/raster_ball.glsl"
 #include "draw/exact/instances/box.glsl"
@@ -7,11 +7,11 @@ layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
 #include "draw/exact/list_place.glsl"
-uniform int draw_;        // number of the instances among those drawn
-uniform int firstLarge;   // where their list begins
-uniform int smallPixels;  // the longest side of a small one's box
+uniform int draw_;        // index of the current instances among all drawn instances
+uniform int firstLarge;   // first entry of the current instances in the list of larger balls
+uniform int smallPixels;  // longest side of a small ball's box in pixels
 #ifdef MEDIUM
-uniform int mediumPixels;  // of one of medium size
+uniform int mediumPixels;  // longest side of a medium-sized ball's box in pixels
 uniform int draws;
 #endif
 

@@ -1,4 +1,4 @@
-// Discs on a picture, in pixels. Compiles as GLSL and as C++.
+// Discs in the picture, in pixels. Compiles as GLSL and as C++.
 #include "common/exact.glsl"
 
 struct Disc {
@@ -6,7 +6,7 @@ struct Disc {
   float radius;
 };
 
-// From and to which pixel's middle lies on it; none where the end lies before the beginning.
+// Returns the box of the pixels whose centres may lie on the disc (first pixel, last pixel); last < first if none.
 FUNCTION ivec4 pixelsOfDisc(Disc disc, ivec2 size) {
   precise vec2 low = disc.middle - disc.radius + 0.5f;
   precise vec2 high = disc.middle + disc.radius - 0.5f;
@@ -16,7 +16,7 @@ FUNCTION ivec4 pixelsOfDisc(Disc disc, ivec2 size) {
   return ivec4(int(floor(from.x)), int(floor(from.y)), int(floor(to.x)), int(floor(to.y)));
 }
 
-// Square of the distance of the pixel's middle from the disc's, in pixels.
+// Returns the squared distance between the centres of the pixel and the disc, in pixels.
 FUNCTION float squareFromMiddle(Disc disc, ivec2 pixel) {
   precise vec2 aside = vec2(pixel) + 0.5f - disc.middle;
   precise float square = aside.x * aside.x + aside.y * aside.y;

@@ -1,11 +1,12 @@
-// Adding light to the sums of draw/instances/glow_block.glsl, before what is visible. SAMPLES.
+// Adds light to the sums of draw/instances/glow_block.glsl in front of the visible samples. Variant SAMPLES.
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #define GLOW_FIRST_ROW view.rows.x
 #include "draw/instances/glow_block.glsl"
 #include "draw/exact/sample_read.glsl"
 
-// Which samples of the pixel show nothing as near as that (nearest plane / depth).
+// Returns the number of the pixel's samples whose content is farther away than the nearness `near` (near plane /
+// depth).
 int samplesBefore(ivec2 pixel, float near) {
   uint key = nearKey(near);
   int at = firstSample(pixel), count = 0;
@@ -13,9 +14,9 @@ int samplesBefore(ivec2 pixel, float near) {
   return count;
 }
 
-// Light as whole units: three words each for the lower and the upper part.
+// Adds light to the integer sums: three words for the lower parts, three for the upper parts.
 void addUnits(ivec2 pixel, vec3 light) {
-  vec3 all_ = min(light, vec3(6e4f));  // more than half floats hold shows white in any case
+  vec3 all_ = min(light, vec3(6e4f));  // clamped because larger values show as white anyway
   precise vec3 uppers = all_ * 0.00390625f;
   vec3 upper = floor(uppers);
   precise vec3 lower = (all_ - upper * glowUpper) * glowUnits;
@@ -29,7 +30,7 @@ void addUnits(ivec2 pixel, vec3 light) {
   }
 }
 
-// Adds the part `inside` of the light, at as many of the pixel's samples.
+// Adds the fraction `inside` of the light, weighted by the fraction of visible samples.
 void addPart(ivec2 pixel, vec3 light, float inside, int samples) {
   if (samples == 0) return;
   precise float part = inside * float(samples) * perSamples();

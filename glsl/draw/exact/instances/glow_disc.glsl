@@ -1,26 +1,26 @@
-// Glows on the picture: round on it as long as they are small, discs in space that face the eye where they are large, so that
-// one may fly through them. BALL: additive spheres, of one light all over.
+// Glows in the picture. A small glow is a disc in the picture; a large glow is a disc in space that faces the eye, so
+// the camera can fly through it. BALL: an additive sphere of uniform light instead.
 #include "draw/exact/instances/ball_source.glsl"
 #include "draw/exact/instances/glow_add.glsl"
 #include "draw/exact/instances/disc.glsl"
 #include "draw/exact/instances/rays.glsl"
 #include "draw/instances/instance_list.glsl"
-uniform float roundPixels;  // larger ones are discs in space; 0: all
+uniform float roundPixels;  // radius in pixels above which a glow is a disc in space; 0: every glow is a disc in space
 
 struct GlowDisc {
   vec3 light;
   Ball ball;
-  Disc disc;   // of round ones (pixels)
-  float near;  // nearest plane / depth of round ones
+  Disc disc;   // the glow as a disc in the picture (pixels); valid if round_
+  float near;  // nearness of the disc (near plane / depth); valid if round_
   bool round_;
-  ivec4 box;   // from and to which pixel
+  ivec4 box;   // bounding box in pixels: first and last pixel
 };
 
 bool farEnough(float depth, float near) {
   return depth >= view.near && near >= view.nearOverFar;
 }
 
-// Pixels from and to which, less the rows that are not of the band.
+// Clips a box to the current band of picture rows.
 ivec4 inBand(ivec4 box) {
   return ivec4(box.x, max(box.y, view.rows.x), box.z, min(box.w, view.rows.y - 1));
 }
@@ -78,12 +78,12 @@ void addGlow(GlowDisc glow, Rays rays, ivec2 pixel) {
   addPart(pixel, glow.light, 1.0f, samples);
 }
 #else
-// (1 - (distance / radius)^2)^2 of the light.
+// Adds the light times (1 - (distance / radius)^2)^2.
 void addGlow(GlowDisc glow, Rays rays, ivec2 pixel) {
   float perRadius = exactReciprocal(glow.round_ ? glow.disc.radius : glow.ball.radius);
   precise vec2 place = vec2(pixel) + 0.5f;
   vec3 ray = rayAt(rays, place), middle = glow.ball.middle;
-  // The disc's plane through the middle m faces the eye: the ray meets it at the depth m.m / m.ray.
+  // The disc's plane through its centre m faces the eye; the ray meets it at the depth m.m / m.ray.
 #ifdef PARALLEL
   const float towards = 1.0f;
   float depth = glow.ball.depth;

@@ -1,13 +1,14 @@
-// Adds light of small instances to the sums, an invocation each; the numbers of the others go on a list: large ones from its
-// beginning, with MEDIUM those of medium size from its end on. LARGE: those, a group taking every so manyth tile of one, with MEDIUM
-// before them those of medium size, a group each. Variants: BALL. SAMPLES.
+// Adds the light of small glows to the sums, one glow per invocation. The others go on a list: large glows from its
+// start and, with MEDIUM, medium-sized glows from its end. LARGE: handles the listed glows; with MEDIUM first the
+// medium-sized ones, one per workgroup, then the large ones, whose tiles workgroups share in turn. Variants: BALL,
+// SAMPLES.
 #define EXACT_PICTURE
 #include "draw/exact/instances/glow_disc.glsl"
-uniform int draw_;        // number of the instances among those that add light
-uniform int firstLarge;   // where their list begins
-uniform int smallPixels;  // the longest side of a small one's box
+uniform int draw_;        // index of the current instances among all additive instances
+uniform int firstLarge;   // first entry of the current instances in the list of larger glows
+uniform int smallPixels;  // longest side of a small glow's box in pixels
 #ifdef MEDIUM
-uniform int mediumPixels;  // of one of medium size
+uniform int mediumPixels;  // longest side of a medium-sized glow's box in pixels
 uniform int draws;
 #endif
 #ifdef LARGE

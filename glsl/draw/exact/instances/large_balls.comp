@@ -1,5 +1,5 @@
-// Balls that are large on the picture: those that balls.comp has listed. A group takes every so manyth tile of one. MEDIUM:
-// before them those of medium size, a group each. SAMPLES, PASS.
+// Rasterizes the large balls that balls.comp has listed; workgroups share the tiles of each ball in turn. MEDIUM: first
+// rasterizes the medium-sized balls, one per workgroup. Variants: SAMPLES, PASS.
 #define EXACT_PICTURE
 #include "draw/exact/instances/raster_ball.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,10 +1,10 @@
-// Drawing balls by ray, sample by sample. Variants of visible_sample.glsl.
+// Rasterizes balls by a ray for each sample. Variants of visible_sample.glsl.
 #include "draw/exact/visible_sample.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/instances/ball_source.glsl"
 #include "draw/exact/instances/rays.glsl"
 
-// From and to which pixel; none where the end lies before the beginning.
+// Returns the box of the pixels that the ball may cover (first pixel, last pixel); last < first if none.
 ivec4 pixelsOfBall(Ball ball) {
   precise float farthest = ball.depth + ball.radius;
   if (!(ball.radius > 0.0f) || farthest < view.near) return ivec4(0, 0, -1, -1);
@@ -19,13 +19,14 @@ Rays raysOfView() {
   return Rays(view.ray.xyz, view.rayAcross.xyz, view.rayDown.xyz);
 }
 
-// The samples of one pixel that the ball covers.
+// Writes the samples of one pixel that the ball covers.
 void putBall(Ball ball, Rays rays, ivec2 pixel, uint id) {
   for (int s = 0; s < SAMPLES; ++s) {
     precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
     BallHit hit = hitOf(ball, rayAt(rays, place));
 #ifdef LAMP_MAP
-    // The disc through its middle, as the sun sees it: the lit half lies before it, and does not shade itself.
+    // Casters are discs through the ball's centre that face the lamp, so the lit half lies in front of them and does
+    // not shadow itself.
     hit.depth = discDepth(ball, rayAt(rays, place));
 #endif
     float near = nearOf(hit.depth);

@@ -1,8 +1,8 @@
-// Rays of depth 1 from the eye through places of the picture (pixels). Compiles as GLSL and as C++.
+// Rays of depth 1 from the eye through picture positions (pixels). Compiles as GLSL and as C++.
 struct Rays {
-  vec3 first;   // through the picture's top left corner
-  vec3 across;  // what a pixel to the right adds to it
-  vec3 down;    // what a pixel downwards adds to it
+  vec3 first;   // ray through the picture's top left corner
+  vec3 across;  // change of the ray per pixel to the right
+  vec3 down;    // change of the ray per pixel downwards
 };
 
 FUNCTION vec3 rayAt(Rays rays, vec2 place) {

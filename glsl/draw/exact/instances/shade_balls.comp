@@ -1,7 +1,8 @@
-// Light of balls on their tiles: each one of a pixel once, in the pixel's middle if that is on it, else at the first of its
-// samples. Those of few pixels are lit at four corners of a square of their outlines' area, as the driver's are
-// (draw/instances/small_sprites.comp): else they would twinkle. Variants: those of draw/surface/lighting.glsl, SHADOW (with
-// SHADOW_TAPS), OCCLUSION, REFLECTED (not of those of few pixels), RAYS. SAMPLES.
+// Shades balls tile by tile. Each ball in a pixel is shaded once: at the pixel's centre if the centre is on the ball,
+// else at the first sample that shows it. Balls of a few pixels are shaded at the four corners of a square with their
+// outline's area, like the driver's small sprites (draw/instances/small_sprites.comp), because they would twinkle
+// otherwise. Variants: SAMPLES, SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED (not for balls of a few pixels), RAYS,
+// and the variants of draw/surface/lighting.glsl.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "draw/exact/tiles/lit_tile.glsl"
@@ -18,14 +19,14 @@
 #ifdef RAYS
 #include "draw/exact/rays/spots.glsl"
 #endif
-uniform vec3 material;  // roughness, metallic, translucency
+uniform vec3 material;  // material: roughness, metallic, translucency
 vec3 material_ = once(material);
-uniform float squarePixels;  // radius of those of few pixels
+uniform float squarePixels;  // balls with at most this radius in pixels are shaded as squares
 float squarePixels_ = once(squarePixels);
 
-// The place of a pixel or sample on it that is lit.
+// The point of a ball that is shaded for a pixel or sample.
 struct Place {
-  vec3 outwards;  // from the ball's middle (m)
+  vec3 outwards;  // vector from the ball's centre to the shaded point (m)
   vec3 ray;
 };
 
@@ -40,7 +41,8 @@ Place placeOn(Ball ball, ivec2 pixel, int firstSample) {
   return Place(hit.outwards, ray);
 }
 
-// How much the corner (-1 or 1) counts on a square whose half side is the third number, at the pixel's middle.
+// Returns the bilinear weight of a corner (-1 or 1) of the square at the pixel's centre; `perHalf`: 1 / half the
+// square's side.
 float weightOf(Ball ball, Facing facing, vec2 corner, float perHalf, ivec2 pixel) {
   Rays rays = Rays(view.ray.xyz, view.rayAcross.xyz, view.rayDown.xyz);
   precise vec3 aside = alongRay(rayAt(rays, shadingPlace(pixel, -1)), ball.depth) - ball.middle;
@@ -66,10 +68,12 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   Place place = placeOn(ball, pixel, sampleAt);
   precise vec3 backwards = -directionOf(place.ray);
   vec3 towards = small ? facing.towards : unitOf(backwards);
-  precise vec3 middle = 0.6666667f * facing.towards;  // the part of a ball that is seen faces the eye by 2/3 in the mean
+  precise vec3 middle = 0.6666667f * facing.towards;  // the mean cosine between a ball's visible normals and the view
+                                                      // is 2/3
   precise vec3 lit = position.xyz + (small ? ball.radius * middle : place.outwards);
 #if defined SHADOW && !defined REFLECTED
-  float fraction = sunFractionOn(lit, frame.sunDirection.xyz);  // a ball shades itself by its normals
+  // The lookup normal is the sun's direction, because a ball's normals already darken its unlit half.
+  float fraction = sunFractionOn(lit, frame.sunDirection.xyz);
 #else
   const float fraction = 1.0f;
 #endif
@@ -79,7 +83,7 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   vec3 firstNormal = unitOf(place.outwards);
 #ifdef REFLECTED
   facing_ = firstNormal;
-  // A half pixel is so wide there (m), and farther on the ball the more that turns away.
+  // Width of a half pixel on the ball (m), larger where the surface turns away from the view.
   precise vec3 aside = lit - view.eye.xyz;
 #ifdef PARALLEL
   const float depth = 1.0f;

@@ -1,4 +1,4 @@
-// On the straight way from one frame to the next. `part`: 0 at the one before, 1 at this one.
+// Linear interpolation between two frames. `part`: 0 at the previous frame, 1 at the current frame.
 #include "common/exact.glsl"
 uniform float part;
 

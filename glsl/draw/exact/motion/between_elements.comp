@@ -1,5 +1,6 @@
-// Instances between two frames. One that was not there before, or is another now (it is younger, or farther away than
-// twice what both velocities lead to), comes along its velocity.
+// Interpolates instances between two frames. An instance that is new in its slot moves along its velocity instead. An
+// instance counts as new if the slot was empty, if it is younger than before, or if it moved more than twice as far as
+// both velocities allow. One invocation handles one instance.
 #include "draw/bindings.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/motion/between.glsl"
@@ -11,7 +12,7 @@ layout(binding = ownerUnit) uniform samplerBuffer velocitiesNow;
 layout(std430, binding = outVertexBinding) writeonly restrict buffer PlaceBlock { vec4 places[]; };
 layout(std430, binding = outNormalBinding) writeonly restrict buffer VelocityBlock { vec4 motions[]; };
 uniform int elementCount;
-uniform float seconds;  // between the frames
+uniform float seconds;  // time between the two frames in seconds
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
@@ -20,7 +21,8 @@ void main() {
   vec4 velocityBefore = texelFetch(velocitiesBefore, i), velocity = texelFetch(velocitiesNow, i);
   precise vec3 way = now.xyz - before.xyz;
   precise float swiftest = 2.0f * (exactDot(velocity.xyz, velocity.xyz) + exactDot(velocityBefore.xyz, velocityBefore.xyz));
-  precise float farthest = 4.0f * swiftest * seconds * seconds;  // (2 (|v| + |v before|) t)^2 at most
+  // Upper bound of the squared movement (2 (|v| + |v before|) t)^2.
+  precise float farthest = 4.0f * swiftest * seconds * seconds;
   bool same = velocityBefore.w >= 0.0f && velocity.w >= velocityBefore.w && exactDot(way, way) <= farthest;
   precise float rest = (1.0f - part) * seconds;
   precise vec3 along = now.xyz - rest * velocity.xyz;

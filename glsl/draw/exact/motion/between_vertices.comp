@@ -1,4 +1,4 @@
-// Vertices of a surface between two frames: places and normals.
+// Interpolates the positions and normals of a surface's vertices between two frames. One invocation handles one vertex.
 #include "draw/bindings.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/motion/between.glsl"

@@ -1,4 +1,5 @@
-// A copy of what instances are drawn from.
+// Copies the positions and velocities of instances, to keep them for the next frame. One invocation copies one
+// instance.
 #include "draw/bindings.glsl"
 #include "draw/exact/bindings.glsl"
 layout(local_size_x = 64) in;

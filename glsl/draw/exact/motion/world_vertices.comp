@@ -1,5 +1,5 @@
-// Vertices of a surface in world space, with their normals: what is between two frames is made of. Variants: GRID,
-// DEFORMED, PALETTE.
+// Writes a surface's vertices and normals in world space, as input of the interpolation between frames. One invocation
+// writes one vertex. Variants: GRID, DEFORMED, PALETTE.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
 layout(local_size_x = 64) in;

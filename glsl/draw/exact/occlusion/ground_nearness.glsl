@@ -1,5 +1,5 @@
-// How near the ground is in a half pixel's middle, as keys have it, 0 where there is none; and what of that is 1 / depth (1/m), or with
-// PARALLEL rays how many metres before what is never seen.
+// Nearness of the ground at the centre of a half pixel, 0 without ground. nearnessPerMetre() converts a nearness to 1 /
+// depth (1/m) or, for parallel rays, to metres before the far end of the depth range.
 #include "draw/exact/ground_plane.glsl"
 float perNear = exactReciprocal(view.near);
 

@@ -1,5 +1,6 @@
-// How near the nearest of each half pixel of the band is, with the ground (GROUND). SAMPLES, PAIRED. An invocation does ROWS half
-// pixels, one below the other.
+// Writes the nearness of the nearest sample in each half pixel (block of 2x2 pixels) of the current band of picture
+// rows. GROUND: including the ground. One invocation handles ROWS half pixels, one below the other. Variants: SAMPLES,
+// PAIRED.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"

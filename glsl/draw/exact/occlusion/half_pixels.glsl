@@ -1,11 +1,12 @@
-// Pictures of half the size: half pixel (i, j) is the four pixels from (2 i, 2 j) on. Nearness is 1 / depth (1/m), which is affine
-// on the picture of a plane; 0 where nothing is. Compiles as GLSL and as C++.
+// Pictures at half size. Half pixel (i, j) covers the four pixels from (2 i, 2 j) on. Nearness is 1 / depth (1/m),
+// which is affine on the picture of a plane; 0 without content. Compiles as GLSL and as C++.
 #ifndef EXACT_HALF_PIXELS
 #define EXACT_HALF_PIXELS
 #include "common/exact.glsl"
 
-// What of nearness is a part of the distance: with PARALLEL rays it is in metres, and what is seen as wide from that far away at 40 degrees
-// counts as the distance: 1.37 times the picture's height. Whoever includes it has `view`.
+// Returns the nearness difference that corresponds to the fraction `part` of the distance. PARALLEL: nearness is in
+// metres, and the distance is replaced by 1.37 times the picture's height, the distance from which a view of 40 degrees
+// would be as wide. The including file declares `view`.
 FUNCTION float partOf(float here, float part) {
 #ifdef PARALLEL
   precise float height = float(view.size.y) * exactSqrt(exactDot(vec3(view.rayDown), vec3(view.rayDown)));
@@ -16,9 +17,10 @@ FUNCTION float partOf(float here, float part) {
   return most;
 }
 
-// What a half pixel to the right, or downwards, adds to nearness, of that of one and of both its neighbours: the mean of the two
-// differences where the surface is smooth and bulges towards the eye, else the lesser, which leads over no edge. Of what is convex
-// nothing lies before the plane that this makes, nor of what is flat.
+// Returns the change of nearness per half pixel to the right or downwards, from a half pixel and its two neighbours. If
+// the surface is smooth and convex towards the eye, it is the mean of the two differences; else it is the smaller
+// difference, which does not cross an edge. The plane of this slope never lies behind a point of a convex or flat
+// surface, so such surfaces do not occlude themselves.
 FUNCTION float slopeBetween(float before, float here, float behind) {
   precise float to = here - before;
   precise float from = behind - here;

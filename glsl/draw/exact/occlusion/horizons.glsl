@@ -1,40 +1,39 @@
-// Light of the surroundings, weighed by cosines, that does not reach a place for what stands around it (J. Jimenez et al.,
-// "Practical realtime strategies for accurate indirect occlusion", SIGGRAPH 2016). Compiles as GLSL and as C++. Whoever includes
-// it has `view`, float nearnessAt(ivec2 half pixel), 0 outside the picture, SLICES, STEPS, and vec3 reach_: how far away what counts
-// may be (m), at most (half pixels), and half pixels a metre at depth 1.
-//
-// A slice is the plane through the eye that the picture shows as a line through the half pixel. With the ray r there and what a
-// half pixel along the line adds to rays, u, the place that is seen t half pixels on at depth e is e (r + t u), so from the place
-// here, d r, the direction is that of r (1 - d / e) + t u: of two numbers, along r and across it. The horizon on either side is
-// the highest such direction, as an angle h from that to the eye; with the normal's angle g in that plane, the light between is
-//     (cos g - cos(2 h - g) + 2 h sin g) / 4
-// for each side, and cos g + g sin g in all where nothing stands. Nearness is affine on planes, so what lies between two half
-// pixels is estimated along the plane of the place itself: on that, it is right.
-//
-// PARALLEL: rays go along f, and nearness is metres before what is never seen, so the direction is that of f times how much less near the
-// place there is, and t u across.
+// Cosine-weighted ambient light that objects around a point block (J. Jimenez et al., "Practical realtime strategies
+// for accurate indirect occlusion", SIGGRAPH 2016). Compiles as GLSL and as C++. The including file declares `view`,
+// SLICES, STEPS, float nearnessAt(ivec2 half pixel), which is 0 outside the picture, and vec3 reach_: max distance of
+// occluders (m), max distance (half pixels), half pixels per metre at depth 1.
+// A slice is a plane through the eye, visible as a line through the half pixel. Let r be the ray of the half pixel and
+// u its change per half pixel along the line. The point that is visible t half pixels further, at depth e, is e (r + t
+// u). Seen from the shaded point d r, its direction is r (1 - d / e) + t u, two numbers along r and across it. The
+// horizon on each side is the highest such direction, given as its angle h from the direction to the eye. With the
+// angle g of the normal in that plane, the light below the horizon is (cos g - cos(2 h - g) + 2 h sin g) / 4 for each
+// side, and cos g + g sin g in total without occluders. Nearness is affine on planes, so samples between two half
+// pixels are estimated along the plane of the shaded point; on that plane the estimate is exact.
+// PARALLEL: all rays go along f, and nearness is in metres before the far end of the depth range. The direction is f
+// times the nearness difference, plus t u across.
 #include "common/exact_acos.glsl"
 #include "draw/exact/ground_plane.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
 
 struct HalfPlace {
   ivec2 at;
-  float nearness;  // 1/m
-  float depth;     // m
-  vec2 slope;      // of nearness
-  float reach;     // half pixels
-  float perReach;  // of one (1/m)
+  float nearness;  // nearness of the shaded point in 1/m
+  float depth;     // depth of the shaded point in metres
+  vec2 slope;      // change of nearness per half pixel along x and y
+  float reach;     // max distance of occluders in half pixels
+  float perReach;  // 1 / max distance of occluders, in 1/m
 };
 
 struct Slice {
-  vec2 along;           // on the picture, unit
-  float ray;            // lengths: of the ray,
-  float forth, across;  // of what a half pixel adds to it, along it and across
-  float sine, cosine;   // of the normal's angle from the direction to the eye
-  float weight;         // of the slice among others: of the normal's part in it, and of how wide it is around that direction
+  vec2 along;           // unit direction of the slice in the picture
+  float ray;            // length of the half pixel's ray
+  float forth, across;  // change of the ray per half pixel along the slice: component along the ray, and across it
+  float sine, cosine;   // sine and cosine of the angle between normal and direction to the eye, in the slice's plane
+  float weight;         // weight of the slice: length of the normal's projection to the slice's plane times the slice's
+                        // angular width
 };
 
-// What keeps light out, and all the light there were.
+// Ambient light: occluded part, and total.
 struct Arcs {
   float lost;
   float all_;
@@ -64,7 +63,7 @@ FUNCTION HalfPlace halfPlaceOf(ivec2 at, float here) {
   return place;
 }
 
-// Of one side, of what the formula above says of both.
+// Returns the light of one side by the formula in the file's first comment.
 FUNCTION float arcTo(float cosine, float normalSine, float normalCosine) {
   precise float square = 1.0f - cosine * cosine;
   float sine = exactSqrt(max(square, 0.0f));
@@ -76,8 +75,9 @@ FUNCTION float arcTo(float cosine, float normalSine, float normalCosine) {
   return arc;
 }
 
-// The cosine of the horizon's angle on a side, 1 or -1. What is as far as the reach does not count, what is nearer than 4/9 of it
-// does in full. Steps are shorter the nearer they are; `shift` (0 to 1) of one.
+// Returns the cosine of the horizon angle on one side (1 or -1). Occluders beyond the max distance do not count; closer
+// than 4/9 of it they count fully. Steps get shorter towards the point; `shift` (0 to 1) offsets them by a fraction of
+// a step.
 FUNCTION float horizonOf(HalfPlace place, Slice slice, float side, float shift) {
   precise float low = -side * slice.sine;
   precise float horizon = low;
@@ -111,7 +111,7 @@ FUNCTION float horizonOf(HalfPlace place, Slice slice, float side, float shift) 
   return horizon;
 }
 
-// |N| of the plane's normal N that has N . r = -nearness and N . u = -slope . along.
+// Returns |N| of the plane's normal N with N . r = -nearness and N . u = -slope . along.
 FUNCTION float normalLength(HalfPlace place, vec3 ray, vec3 across, vec3 down) {
 #ifdef PARALLEL
   precise vec2 tilt = place.slope * vec2(exactInverseSqrt(exactDot(across, across)), exactInverseSqrt(exactDot(down, down)));
@@ -124,7 +124,7 @@ FUNCTION float normalLength(HalfPlace place, vec3 ray, vec3 across, vec3 down) {
   return length_;
 }
 
-// The slice of that turn, 0 to 1 being half of one. `perNormal`: 1 / |N|.
+// Returns the slice with the angle `turn`, 0 to 1 for half a turn. `perNormal`: 1 / |N|.
 FUNCTION Slice sliceOf(HalfPlace place, vec3 ray, vec3 right, vec3 down, float turn, float perNormal) {
   precise float angle = 3.14159265f * turn;
   vec2 along = vec2(exactCos(angle), exactSin(angle));
@@ -158,7 +158,8 @@ FUNCTION Slice sliceOf(HalfPlace place, vec3 ray, vec3 right, vec3 down, float t
   return slice;
 }
 
-// Of a place that shows something. Any 4x4 half pixels have 16 turns, and their steps are shifted evenly.
+// Returns the light of a half pixel that has content. Each 4x4 block of half pixels uses 16 different angles and evenly
+// shifted steps.
 FUNCTION Arcs arcsOf(HalfPlace place) {
   vec3 ray = directionOf(rayThrough(vec2(2 * place.at + 1)));
   precise vec3 right = 2.0f * vec3(view.rayAcross);

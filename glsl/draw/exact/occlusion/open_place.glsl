@@ -1,6 +1,6 @@
-// How open a place is to the surroundings' light: the mean of the four half pixels around its pixel, of those that show what is
-// about as far away. Compiles as GLSL and as C++. Whoever includes it has `view`, and vec2 opennessAt(ivec2 half pixel): openness
-// and nearness.
+// Returns the fraction of ambient light that reaches a point: the mean of the four half pixels around its pixel,
+// weighted towards half pixels at a similar depth. Compiles as GLSL and as C++. The including file declares `view` and
+// vec2 opennessAt(ivec2 half pixel), which returns openness and nearness.
 #include "common/exact.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
 

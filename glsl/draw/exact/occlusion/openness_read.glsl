@@ -1,4 +1,4 @@
-// How open shaded places are: OCCLUSION, else all are.
+// Ambient occlusion of shaded points. Without OCCLUSION the openness is 1 everywhere.
 #ifdef OCCLUSION
 #include "draw/exact/bindings.glsl"
 layout(rg32f, binding = opennessImage) readonly restrict uniform imageBuffer openness;

@@ -1,9 +1,10 @@
-// What is lost, and what there were, summed along a row or a column of half pixels, of places on the plane of the middle one. The
-// weights are those of a box of four and one more: a pattern of four half pixels leaves nothing behind, whether it grows or fades.
-// Compiles as GLSL and as C++.
+// Sums the occluded and total light along a row or column of half pixels, over neighbours on the plane of the middle
+// one. The weights are a box of four convolved with itself, so a pattern with a period of four half pixels vanishes,
+// even if it grows or fades. Compiles as GLSL and as C++.
 #include "draw/exact/occlusion/half_pixels.glsl"
 
-// Of seven half pixels side by side, the middle one being number 3: both, and nearness, 0 outside the picture.
+// Seven half pixels side by side, the middle one has index 3: occluded light, total light, nearness (0 outside the
+// picture).
 struct ArcsBeside {
   vec3 of[7];
 };
@@ -26,7 +27,7 @@ FUNCTION vec2 smoothArcs(ArcsBeside seen) {
   return vec2(lost, all_);
 }
 
-// The fraction of the surroundings' light that gets to a place.
+// Returns the fraction of ambient light that reaches a point.
 FUNCTION float opennessOf(vec2 arcs) {
   precise float open = 1.0f - arcs.x * exactReciprocal(max(arcs.y, 1e-12f));
   return clamp(open, 0.0f, 1.0f);

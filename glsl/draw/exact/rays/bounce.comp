@@ -1,6 +1,7 @@
-// What the rays onwards meet: the sky, whose light counts; or a place of the scene, from where a ray goes towards a light and another
-// onwards, which brings the sky's light if nothing is in its way. SAMPLES; LAMPS and so on; ENVIRONMENT; TRIANGLES, BALLS, GROUND; LAID and so on;
-// BALLOT.
+// Shades the hits of the paths' continuation rays. A ray that leaves the scene adds the sky's light. At a hit point,
+// the kernel starts a shadow ray towards one light and a second continuation ray that adds the sky's light if nothing
+// blocks it. One invocation handles one path. Variants: SAMPLES; LAMPS and the other light variants; ENVIRONMENT;
+// TRIANGLES, BALLS, GROUND; LAID and the other material variants; BALLOT.
 #define EXACT_PICTURE
 #define LISTS_RAYS
 #include "draw/frame_block.glsl"
@@ -21,26 +22,30 @@ layout(binding = rayUnit) uniform samplerBuffer rays;
 layout(binding = rayHitUnit) uniform usamplerBuffer rayHits;
 layout(binding = rayLightUnit) uniform samplerBuffer onwardLight;
 
-// How many of all rays go into a direction (1/sr).
+// Returns the number of rays per steradian that all samples of the pixel together send in a direction, from the
+// probability density of one sample.
 float allTowards(float density) {
   precise float all_ = density * float(sampleMask + 1u);
   return all_;
 }
 
-// Sky beyond, `share` of it: with the sun if the ray is the lobe's and meets it.
+// Returns the light of the sky behind the fraction `share` of a ray. Includes the sun if the ray comes from the
+// specular lobe and hits the sun's disc.
 vec3 beyond(vec3 direction, float roughness, float lobeShare, float density, float share) {
   precise vec3 light = skyLight(direction, skyFactor(roughness, lobeShare), roughness, lobeShare, allTowards(density));
   float angle = sunAngle();
   precise float likely = density * angle;
   bool sun = likely > 0.0f && isOnSun(direction);
-  // Radiance is irradiance / angle; the share of the lobe's own rays is density / (density + 1 / angle).
+  // The sun's radiance is irradiance / angle. The weight of the lobe's samples against the sun's own samples is density
+  // / (density + 1 / angle) (multiple importance sampling).
   precise float both = 1.0f + likely;
   precise vec3 ofSun = frame.sunLight.rgb * (3.14159265f * density * exactReciprocal(both));
   precise vec3 sum = (sun ? light + ofSun : light) * share;
   return sum;
 }
 
-// One light, the more often the more it gives, or every other time what shines by itself. What nothing can keep out.
+// Starts a shadow ray from a hit point towards one light: sun or lamp, chosen with a probability proportional to its
+// light, or in half of the samples an emitting triangle. Returns the light that needs no shadow ray (OPEN_SUN).
 vec3 towardsLight(int path, Facet f, vec3 weight, vec3 u) {
 #ifdef EMITTERS
   if (emitterCount > 0) {
@@ -127,7 +132,8 @@ void main() {
     rayLight[nextSure * paths + path] = vec4(there ? sure : vec3(0), 0.0f);
     return;
   }
-  // What rough surfaces gather from smooth ones would be rare and bright: there those are no smoother.
+  // Rough surfaces that gather light from smooth ones would give rare, very bright samples. The hit surface is
+  // therefore treated as rougher.
   precise float least = 0.7f + (roughness - 0.7f) * from.w;
   Facet f = foundFacet(at, p, towards.xyz, uintBitsToFloat(hit.x), uintBitsToFloat(hit.zw), least, rayWidth(from.xyz, uintBitsToFloat(hit.x), weight.w));
   precise vec3 through = weight.rgb * share;
@@ -144,7 +150,8 @@ void main() {
   sure = sure + certain + through * openLamps(f);
 #ifdef EMITTERS
   if (max(f.emission.x, max(f.emission.y, f.emission.z)) > 0.0f) {
-    // As likely as rays on purpose did not find it.
+    // Weight of multiple importance sampling: this ray found the emitter by chance, and emitter sampling could have
+    // found it as well.
     precise float square = uintBitsToFloat(hit.x) * uintBitsToFloat(hit.x);
     float found = emitterCount > 0 ? emitterDensity(f.sought, square, abs(exactDot(f.facing, towards.xyz))) : 0.0f;
     precise float both = weight.w + found;

@@ -1,8 +1,10 @@
-// The box around all triangles or (BALLS) balls, as ordered keys. An invocation reduces a strided share of them first.
+// Grows the bounding box of all triangles or (BALLS) balls, stored as ordered keys. Each invocation first reduces a
+// strided share, then updates the box with atomics.
 #include "draw/exact/rays/solids.glsl"
 #include "draw/ordered_key.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = rayBoundsBinding) restrict buffer BoundsBlock { uint bounds[]; };  // low xyz, high xyz
+// Bounding box as six keys: low xyz, high xyz.
+layout(std430, binding = rayBoundsBinding) restrict buffer BoundsBlock { uint bounds[]; };
 uniform int count;
 uniform int invocations;
 

@@ -1,4 +1,5 @@
-// How many of some rays go any way at all (trace.comp): for `simreel bench`.
+// Counts the rays of a range that trace.comp really traces (length above 0), for `simreel bench`. One invocation tests
+// one ray.
 #include "draw/exact/rays/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(binding = rayUnit) uniform samplerBuffer rays;

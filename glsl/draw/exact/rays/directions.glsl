@@ -1,9 +1,9 @@
-// Directions drawn for light: of discs, cosine hemispheres and GGX lobes. Compiles as GLSL and as C++.
+// Sampled directions: discs, cosine hemispheres and GGX lobes. Compiles as GLSL and as C++.
 #ifndef EXACT_RAY_DIRECTIONS
 #define EXACT_RAY_DIRECTIONS
 #include "draw/exact/rays/ray_shapes.glsl"
 
-// Of the unit disc, evenly.
+// Returns a uniformly distributed point of the unit disc.
 FUNCTION vec2 onDisc(float u, float v) {
   precise float turn = 6.2831853f * v;
   float radius = exactSqrt(u);
@@ -11,7 +11,7 @@ FUNCTION vec2 onDisc(float u, float v) {
   return at;
 }
 
-// Around a unit normal, as often as the cosine is large.
+// Returns a direction around the unit normal n with a probability proportional to the cosine.
 FUNCTION vec3 cosineDirection(vec3 n, float u, float v) {
   vec2 at = onDisc(u, v);
   precise float high = 1.0f - u;
@@ -19,8 +19,8 @@ FUNCTION vec3 cosineDirection(vec3 n, float u, float v) {
   return direction;
 }
 
-// A normal of the facets that a GGX surface shows to `view`, in coordinates along its axes, z being the normal (Dupuy and Benyoub, "Sampling
-// Visible GGX Normals with Spherical Caps", HPG 2023).
+// Returns a GGX microfacet normal sampled from the normals visible from `view`, in tangent coordinates with z along the
+// normal (Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical Caps", HPG 2023).
 FUNCTION vec3 visibleNormal(vec3 view, float alpha, float u, float v) {
   precise vec3 wide = vec3(view.x * alpha, view.y * alpha, view.z);
   precise vec3 w = wide * exactInverseSqrt(exactDot(wide, wide));
@@ -34,7 +34,7 @@ FUNCTION vec3 visibleNormal(vec3 view, float alpha, float u, float v) {
   return n;
 }
 
-// GGX' distribution of normals whose cosine that is (1/sr).
+// Returns the density of the GGX normal distribution (1/sr) at the given cosine.
 FUNCTION float ggxDensity(float cosine, float alpha) {
   precise float a2 = alpha * alpha;
   precise float under = cosine * cosine * (a2 - 1.0f) + 1.0f;
@@ -44,7 +44,7 @@ FUNCTION float ggxDensity(float cosine, float alpha) {
   return d;
 }
 
-// Smith's Lambda for a direction of that cosine, above 0.
+// Returns Smith's Lambda for GGX at the given cosine, which must be above 0.
 FUNCTION float ggxLambda(float cosine, float alpha) {
   precise float c2 = cosine * cosine;
   precise float tangent2 = (1.0f - min(c2, 1.0f)) * exactReciprocal(max(c2, 1e-8f));
@@ -53,7 +53,7 @@ FUNCTION float ggxLambda(float cosine, float alpha) {
   return lambda;
 }
 
-// Schlick's Fresnel term.
+// Returns Schlick's Fresnel term for the reflectance f0 at normal incidence.
 FUNCTION vec3 fresnel(vec3 f0, float cosine) {
   precise float left = 1.0f - min(cosine, 1.0f);
   precise float left2 = left * left;

@@ -1,16 +1,17 @@
-// Triangles that shine by themselves, found on purpose: one of them the more often the larger and brighter it is, a place of it evenly.
-// EMITTERS; LAID.
+// Emitting triangles as light sources for sampling. A triangle is chosen with a probability proportional to its area
+// times brightness, then a point of it uniformly. Variants: EMITTERS, LAID.
 #include "draw/exact/rays/looks.glsl"
-layout(binding = rayEmitterUnit) uniform usamplerBuffer emitters;  // where each ends of 2^24 parts, and its number; in their order
+// One entry per emitter: x end of its interval in a cumulative distribution over 0..2^24, y index of the triangle.
+layout(binding = rayEmitterUnit) uniform usamplerBuffer emitters;
 layout(binding = solidPlaceUnit) uniform samplerBuffer solidPlaces;
 #include "draw/exact/rays/solid_words.glsl"
 #ifdef LAID
 #include "draw/exact/rays/lays.glsl"
 #endif
 uniform int emitterCount;
-uniform float perEmission;  // 1 / all their area times brightness
+uniform float perEmission;  // 1 / sum of area times brightness over all emitters
 
-// The first that ends beyond u.
+// Returns the first emitter whose interval ends beyond u.
 int emitterAt(float u) {
   precise float part = u * 16777216.0f;
   uint wanted = uint(int(part));
@@ -24,7 +25,8 @@ int emitterAt(float u) {
   return low;
 }
 
-// How often that place is found, by the angle that it covers (1/sr).
+// Returns the density, per solid angle (1/sr), with which emitter sampling finds a point; `square`: squared distance,
+// `cosine`: cosine at the emitter.
 float emitterDensity(vec3 emission, float square, float cosine) {
   precise float density = brightnessOf(emission) * perEmission * square * exactReciprocal(max(cosine, 1e-4f));
   return density;
@@ -32,9 +34,9 @@ float emitterDensity(vec3 emission, float square, float cosine) {
 
 struct Emitting {
   vec3 direction;
-  float far;       // m
+  float far;       // distance to the emitter in metres, slightly shortened
   vec3 emission;
-  float density;   // 1/sr; 0: nothing
+  float density;   // density in 1/sr; 0 if there is no usable sample
 };
 Emitting emittingTowards(vec3 p, vec3 u) {
   int id = int(texelFetch(emitters, emitterAt(u.z)).y);
@@ -68,7 +70,8 @@ Emitting emittingTowards(vec3 p, vec3 u) {
   return found;
 }
 
-// Its light by way of a facet. `weighed`: rays onwards find it, too.
+// Returns the emitter's light that a facet sends to its view. `weighed`: applies the multiple importance sampling
+// weight because continuation rays can find the emitter as well.
 vec3 emittedLight(Facet f, Emitting e, bool weighed) {
   Lobed lobed = lobeTowards(f, e.direction);
   float nl = exactDot(f.normal, e.direction);

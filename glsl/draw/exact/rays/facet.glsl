@@ -1,6 +1,7 @@
-// A place of the scene as rays find it, and what it does with light: a GGX lobe, and beneath it a matt surface that gets what the lobe
-// leaves. Light is irradiance / pi, as in draw/surface/shading.glsl. EMITTERS: it may have light of its own. FINISHED: there may be a coat
-// and fibres over it, and light may go through (finished_facet.glsl). Compiles as GLSL and as C++.
+// Facet: a shading point of the ray tracer and its reflection model, a GGX lobe over a diffuse surface that receives
+// the light that the lobe does not reflect. Light is irradiance / pi, as in draw/surface/shading.glsl. EMITTERS: the
+// facet may emit light. FINISHED: it may have a coat and fibres on top and may transmit light (finished_facet.glsl).
+// Compiles as GLSL and as C++.
 #ifndef EXACT_RAY_FACET
 #define EXACT_RAY_FACET
 #include "draw/surface/shading.glsl"
@@ -12,38 +13,38 @@
 
 struct Facet {
   vec3 place;
-  vec3 facing;  // unit, on the side that is seen, as is
+  vec3 facing;  // unit geometric normal on the viewer's side
   vec3 normal;
-  vec3 view;    // to where it is seen from; unit
-  vec3 matt;    // colour
+  vec3 view;    // unit vector to the viewer
+  vec3 matt;    // diffuse colour
   vec3 f0;
   float roughness;
   float alpha;
   float translucency;
-  float off;    // how far from the place rays begin (m)
-  float lift;   // how far the place is above the flat triangle (rounded_place.glsl; m)
-  float nv;     // cosine of normal and view, above 0
-  float mirrors;  // probability with which a sample goes on by the lobe
+  float off;    // offset of ray origins from the surface (m)
+  float lift;   // height of the rounded position above the flat triangle (m; rounded_place.glsl)
+  float nv;     // cosine between normal and view, above 0
+  float mirrors;  // probability that a sample continues by the GGX lobe
 #ifdef EMITTERS
   vec3 emission;
-  vec3 sought;  // by which rays on purpose choose it: without its map; of skins none
+  vec3 sought;  // emission as emitter sampling estimates it: without the emission map; 0 for skins
 #endif
 #ifdef FINISHED
-  float kept;  // of lobe and matt surface, below what follows
-  float coat;  // strength
+  float kept;  // fraction of lobe and diffuse light that coat and fibres let through
+  float coat;  // strength of the coat
   vec3 coatNormal;
   float coatAlpha;
   float coatNv;
-  float coats;  // probability with which a sample goes on by it
+  float coats;  // probability that a sample continues by the coat's lobe
   vec3 fibres;
   float fibreRoughness;
-  float glass;   // what goes on by a clear surface instead of lobe and matt surface: a fraction,
-  float clear;   // as much as coat and fibres leave of it,
+  float glass;   // fraction of light for which the clear (transmissive) surface replaces lobe and diffuse surface
+  float clear;   // fraction of the clear surface after the losses in coat and fibres
   float clearF0;
   float ior;
   vec3 tint;
   bool thin;
-  bool inside;   // the solid is on the side of the view
+  bool inside;   // true if the viewer is inside the solid
 #endif
 };
 
@@ -52,13 +53,13 @@ FUNCTION float brightnessOf(vec3 c) {
   return b;
 }
 
-// `material`: roughness, metallic, translucency. `reach`: from where it is seen (m).
+// `material`: roughness, metallic, translucency. `reach`: distance from the viewer (m).
 FUNCTION Facet facetOf(vec3 place, vec3 facing, vec3 normal, vec3 view, vec3 base, vec3 material, float reach) {
   Facet f;
   f.place = place;
   f.view = view;
   f.facing = exactDot(facing, view) < 0.0f ? -facing : facing;
-  // A normal that shading turns away from who looks is turned back as far as needed.
+  // Bends a shading normal that faces away from the viewer back by the necessary amount.
   float seen = exactDot(normal, view);
   precise float missing = 0.02f - seen;
   precise vec3 bent = normal + view * max(missing, 0.0f);
@@ -76,7 +77,8 @@ FUNCTION Facet facetOf(vec3 place, vec3 facing, vec3 normal, vec3 view, vec3 bas
   precise vec3 mirrored = f.f0 * lobed.x + lobed.y;
   float lobeShare = max(brightnessOf(mirrored), 1e-4f), mattShare = max(brightnessOf(matt), 0.0f);
   precise float all_ = lobeShare + mattShare;
-  // At a grazing angle the lobe mirrors much more than in the mean: samples that take it do not get too rare.
+  // Min probability for the lobe: at grazing angles it reflects much more than its mean, and rare samples would be
+  // noisy.
   precise float likely = lobeShare * exactReciprocal(all_);
   f.mirrors = mattShare > 0.0f ? max(likely, 0.2f) : 1.0f;
   float largest = max(abs(place.x), max(abs(place.y), abs(place.z)));
@@ -101,14 +103,15 @@ FUNCTION Facet facetOf(vec3 place, vec3 facing, vec3 normal, vec3 view, vec3 bas
   return f;
 }
 
-// Of the matt surface: the cosine, some of the light coming through from behind.
+// Returns the cosine factor of the diffuse surface, including light that comes through from behind (translucency).
 FUNCTION float mattCosine(Facet f, float nl) {
   float lit = max(nl, 0.0f);
   precise float direct = lit + (max(-nl, 0.0f) - lit) * f.translucency;
   return direct;
 }
 
-// Where a ray into that direction begins: on the side that is seen, or, of what lets light through, below the flat triangle.
+// Returns the origin of a ray in the given direction: above the visible side or, for transmitted light, below the flat
+// triangle.
 FUNCTION vec3 beginning(Facet f, vec3 direction) {
   bool lets = f.translucency > 0.0f;
 #ifdef FINISHED
@@ -120,22 +123,23 @@ FUNCTION vec3 beginning(Facet f, vec3 direction) {
   return p;
 }
 
-// Of light from there: what the lobe sends to the view times the cosine, pi of it; and the density of the lobe's own directions.
+// Response to light from one direction: pi times the lobe's value times the cosine, and the density with which the lobe
+// samples that direction.
 struct Lobed {
   vec3 light;
   float density;
 #ifdef FINISHED
   float coatDensity;
-  float roughness;  // of lobe and coat, each as far as it counts
-  vec3 fibres;      // light by way of those, of the same kind
-  float clear;      // and by a clear surface
+  float roughness;  // roughness of lobe and coat, averaged by their light
+  vec3 fibres;      // light of the fibres, in the units of `light`
+  float clear;      // light of the clear surface, in the units of `light`
   float clearDensity;
 #endif
 };
 #ifdef FINISHED
 #include "draw/exact/rays/finished_facet.glsl"
 #else
-// Of lamps and of the sun, whose light no lobe meets.
+// Returns the specular light of lamps and sun, which the lobe's own samples cannot hit; `lobed`: x and y of F0 x + y.
 FUNCTION vec3 mirroredBy(Facet f, vec2 lobed) {
   precise vec3 mirrored = f.f0 * lobed.x + lobed.y;
   return mirrored;
@@ -171,7 +175,7 @@ FUNCTION Lobed lobeTowards(Facet f, vec3 direction) {
   return found;
 }
 
-// How often samples go on into a direction (1/sr).
+// Returns the density (1/sr) with which samples continue in a direction.
 FUNCTION float densityTowards(Facet f, Lobed lobed, float nl) {
   precise float matts = 1.0f - f.mirrors;
   precise float density = f.mirrors * lobed.density + matts * mattCosine(f, nl) * 0.31830989f;
@@ -182,18 +186,20 @@ FUNCTION float densityTowards(Facet f, Lobed lobed, float nl) {
   return density;
 }
 
-// Where a sample goes on, by the lobe or by the matt surface, and what of the light that comes from there counts: all that both do with
-// it, over how often either goes there (Veach and Guibas, "Optimally Combining Sampling Techniques", SIGGRAPH 1995).
+// Samples the direction in which a path continues, by the lobe or by the diffuse surface. The weight is the total
+// response of both divided by the total density of both (Veach and Guibas, "Optimally Combining Sampling Techniques",
+// SIGGRAPH 1995).
 struct Onward {
   vec3 direction;
   vec3 weight;
-  float density;  // how often (1/sr)
-  float share;    // of the lobe in what counts
+  float density;  // sample density of the direction (1/sr)
+  float share;    // fraction of the response that comes from the lobe
 #ifdef FINISHED
   float roughness;
 #endif
 };
-// A facet of a rough surface as it is seen, picked by two numbers; as long as a unit vector, as is. `cosine`: of `axis` and view.
+// Returns a microfacet normal, sampled with the numbers u and v from the normals visible from `view`; unit length.
+// `cosine`: cosine between `axis` and view.
 FUNCTION vec3 facetSeen(vec3 axis, float cosine, float alpha, vec3 view, float u, float v) {
   vec3 right = rightOf(axis), up = upOf(axis);
   vec3 own = vec3(exactDot(right, view), exactDot(up, view), cosine);
@@ -233,7 +239,7 @@ FUNCTION Onward onwardFrom(Facet f, vec3 u) {
   vec3 facet = facetSeen(axis, cosine, alpha, f.view, u.x, u.y);
   precise vec3 mirrored = facet * (2.0f * exactDot(f.view, facet)) - f.view;
   vec3 direction = mirror ? mirrored : cosineDirection(through ? -f.normal : f.normal, u.x, u.y);
-  // What shading alone turns into the surface comes back out of it.
+  // Mirrors a direction back out of the surface if it points inside only because of the shading normal.
   float side = exactDot(f.facing, direction), shaded = exactDot(f.normal, direction);
   bool turned = through ? side > 0.0f && shaded < 0.0f : side < 0.0f && shaded > 0.0f;
   float away = turned ? side : 0.0f;

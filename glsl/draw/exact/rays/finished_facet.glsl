@@ -1,7 +1,8 @@
-// What lies over a facet's lobe and matt surface, and what goes through: fibres (draw/surface/sheen.glsl), above them a coat (coat.glsl),
-// each getting what those above leave; and a clear surface, which takes a fraction of the place of both. Part of facet.glsl.
+// Additional layers of a facet: fibres (draw/surface/sheen.glsl) over lobe and diffuse surface, a coat (coat.glsl) over
+// the fibres, and a clear (transmissive) surface that replaces a fraction of lobe and diffuse surface. Each layer
+// receives the light that the layers above leave. Part of facet.glsl.
 
-// Probability with which a sample goes on by lobe or matt surface.
+// Returns the probability that a sample continues by the lobe or the diffuse surface.
 FUNCTION float restOf(Facet f) {
   precise float rest = (1.0f - f.coats) * (1.0f - f.glass);
   return rest;
@@ -13,11 +14,12 @@ FUNCTION Facet withFibres(Facet f, vec3 color, float roughness) {
   f.fibres = color;
   f.fibreRoughness = roughness;
   f.kept = max(kept, 0.0f);
-  f.mirrors = most > 0.0f ? min(f.mirrors, 0.5f) : f.mirrors;  // the matt surface's samples are theirs, too
+  // Fibres are sampled with the diffuse surface, so at least half of the samples are diffuse.
+  f.mirrors = most > 0.0f ? min(f.mirrors, 0.5f) : f.mirrors;
   return f;
 }
 
-// `normal` on the side that is seen, without relief.
+// Adds a coat. `normal`: normal on the viewer's side, without relief.
 FUNCTION Facet withCoat(Facet f, vec3 normal, float strength, float roughness) {
   precise float missing = 0.02f - exactDot(normal, f.view);
   precise vec3 bent = normal + f.view * max(missing, 0.0f);
@@ -36,7 +38,7 @@ FUNCTION Facet withCoat(Facet f, vec3 normal, float strength, float roughness) {
   return f;
 }
 
-// `share`: of what is not metal. `tint`: what of the light goes through is multiplied by.
+// Adds a clear surface. `share`: fraction of the non-metallic part; `tint`: factor on transmitted light.
 FUNCTION Facet withGlass(Facet f, float share, float metallic, float ior, bool thin, bool inside, vec3 tint) {
   precise float glass = share * (1.0f - metallic);
   precise float clear = f.kept * glass;
@@ -54,18 +56,19 @@ FUNCTION Facet withGlass(Facet f, float share, float metallic, float ior, bool t
   f.tint = tint;
   return f;
 }
-// After all of those.
+// Applies the accumulated losses to the diffuse colour. Call after all layers are added.
 FUNCTION Facet settled(Facet f) {
   precise vec3 matt = f.matt * f.kept;
   f.matt = matt;
   return f;
 }
 
-// Index on the side of the view over that beyond.
+// Returns the index of refraction on the viewer's side divided by the index on the other side.
 FUNCTION float etaOf(Facet f) {
   return f.inside ? f.ior : exactReciprocal(f.ior);
 }
-// What of light at that angle to a facet a clear surface mirrors: of a sheet both its sides, one after the other and back again.
+// Returns the fraction of light that a clear surface reflects at the given cosine. A thin sheet reflects at both of its
+// sides, including all inter-reflections.
 FUNCTION float clearFresnel(Facet f, float cosine) {
   float once_ = dielectricFresnel(cosine, etaOf(f));
   precise float all_ = 1.0f + once_;
@@ -73,14 +76,16 @@ FUNCTION float clearFresnel(Facet f, float cosine) {
   return f.thin ? both : once_;
 }
 
-// Of lamps and of the sun, whose light no lobe meets: by lobe and clear surface. Within a solid there is none.
+// Returns the specular light of lamps and sun by lobe and clear surface, because the lobes' own samples cannot hit
+// lamps and sun. Inside a solid the clear surface reflects none of their light.
 FUNCTION vec3 mirroredBy(Facet f, vec2 lobed) {
   float clear = f.inside ? 0.0f : f.clear;
   precise vec3 f0 = f.f0 * f.kept + clear * f.clearF0;
   precise vec3 mirrored = f0 * lobed.x + (f.kept + clear) * lobed.y;
   return mirrored;
 }
-// By coat and fibres, `spread` as widenedAlpha() has it of the coat's lobe.
+// Returns the light of coat and fibres for light from `towards`; `coatAlpha`: alpha of the coat's lobe, widened for the
+// size of the light (widenedAlpha()).
 FUNCTION vec3 overLight(Facet f, vec3 towards, float coatAlpha) {
   float nl = max(exactDot(f.normal, towards), 0.0f), coated_ = max(exactDot(f.coatNormal, towards), 0.0f);
   vec2 lobed = lobe(f.coatNormal, f.view, towards, coatAlpha);
@@ -90,8 +95,8 @@ FUNCTION vec3 overLight(Facet f, vec3 towards, float coatAlpha) {
   return over;
 }
 
-// All lobes of light from a direction that is above the surface. `lh`: cosine of that and what is halfway to the view; `shape`: the lobe's
-// light without Fresnel's term.
+// Returns the response of all layers to light from a direction above the surface. `lh`: cosine between the light and
+// the half vector; `shape`: value of the lobe without the Fresnel term.
 FUNCTION Lobed finishedLobes(Facet f, Lobed found, vec3 direction, float lh, float shape) {
   precise vec3 sum = f.view + direction;
   vec3 half_ = unitOf(sum);

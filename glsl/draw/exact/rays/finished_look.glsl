@@ -1,15 +1,15 @@
-// Facets with what the table of looks says that lies over them, and what goes through.
+// Adds the layers of the material table (coat, fibres, clear surface) to a facet.
 #ifndef EXACT_RAY_FINISHED_LOOK
 #define EXACT_RAY_FINISHED_LOOK
 #include "draw/exact/rays/looks.glsl"
 
-// `smooth_`: the normal on the side that is seen, without relief; `metallic`: of the place.
+// `smooth_`: normal on the viewer's side, without relief.
 Facet finishedFacet(Facet f, int owner, vec3 smooth_) {
   vec4 light = lookOf(owner, lightLook), layers = lookOf(owner, layerLook), sheen = lookOf(owner, sheenLook);
   f = withFibres(f, sheen.rgb, layers.y);
   return withCoat(f, smooth_, light.w, layers.x);
 }
-// A solid's two surfaces together tint light by its colour.
+// Adds the clear surface. A solid uses the square root of its colour as tint, because light passes two surfaces.
 Facet glassFacet(Facet f, int owner, vec3 base, float metallic, bool inside) {
   vec4 glass = lookOf(owner, glassLook);
   bool thin = glass.y > 0.0f;

@@ -1,5 +1,5 @@
-// What lies over a spot that pixels show, and what goes through (FINISHED); and how rays onwards say which share of what counts is a lobe's,
-// and how rough that is, in one number: the share and twice the roughness in 255 steps.
+// Layers of a visible spot (FINISHED). Also packs two values of a continuation ray into one number: the lobe's fraction
+// of the response, plus twice the roughness in steps of 1/255.
 #include "draw/exact/rays/finished_look.glsl"
 
 Facet finishedSpot(Facet f, int at, vec3 base, float metallic) {

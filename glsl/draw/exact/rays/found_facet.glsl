@@ -1,4 +1,5 @@
-// What a ray has met, as shading needs it. TRIANGLES, BALLS, GROUND; LAID, RAISED, SKINS, EMITTERS, FINISHED.
+// Computes the shading point (facet) where a ray hits the scene. Variants: TRIANGLES, BALLS, GROUND; LAID, RAISED,
+// SKINS, EMITTERS, FINISHED.
 #include "draw/exact/rays/rounded_place.glsl"
 #include "draw/exact/rays/looks.glsl"
 #ifdef TRIANGLES
@@ -125,7 +126,7 @@ Facet foundBall(int at, vec3 p, vec3 along, float t, float least) {
 }
 #endif
 
-// `least`: roughness that it has at least; `width` (m): over which the ray sees what is laid over it.
+// `least`: min roughness of the facet; `width` (m): width over which textures are filtered for the ray.
 Facet foundFacet(int at, vec3 p, vec3 along, float t, vec2 weight, float least, float width) {
 #ifdef BALLS
   if (at >= ballBit && at != groundHit) return foundBall(at - ballBit, p, along, t, least);

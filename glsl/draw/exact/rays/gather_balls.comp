@@ -1,4 +1,5 @@
-// Balls of instances behind those of others: middle and radius (m; 0: not shown), colour and whose they are.
+// Appends the balls of instances to the ray scene: centre and radius (m; 0 if not shown), colour and index in the
+// material table. One invocation handles one instance.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/rays/bindings.glsl"

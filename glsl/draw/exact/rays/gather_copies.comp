@@ -1,4 +1,5 @@
-// Triangles of copies of a mesh, behind those of surfaces: three vertices each. An invocation does one.
+// Appends the triangles of mesh copies to the ray scene, with three own vertices each. One invocation handles one
+// triangle.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/rays/bindings.glsl"

@@ -1,8 +1,9 @@
-// The grid of a hierarchy's boxes, from the bounds of all that it holds.
+// Quantization grid for the boxes of a hierarchy, from the bounds of the whole scene.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/rays/ray_box.glsl"
 #include "draw/ordered_key.glsl"
-layout(std430, binding = rayBoundsBinding) readonly restrict buffer BoundsBlock { uint bounds[]; };  // low xyz, high xyz
+// Bounding box of the scene as six keys: low xyz, high xyz.
+layout(std430, binding = rayBoundsBinding) readonly restrict buffer BoundsBlock { uint bounds[]; };
 vec3 lowBound() {
   return vec3(fromOrderedKey(bounds[0]), fromOrderedKey(bounds[1]), fromOrderedKey(bounds[2]));
 }

@@ -1,4 +1,4 @@
-// Where rays meet the ground.
+// Intersection of rays with the ground plane.
 #ifndef EXACT_GROUND_RAY
 #define EXACT_GROUND_RAY
 #include "draw/surface/ground_alpha.glsl"
@@ -8,7 +8,7 @@ vec3 placeAlong(vec3 origin, vec3 along, float t) {
   return p;
 }
 
-// m along the ray; -1: it does not.
+// Returns the distance along the ray (m), or -1 if the ray does not hit the ground.
 float groundAlong(vec3 origin, vec3 along) {
   precise float down = frame.groundHeight - origin.y;
   bool towards = down < 0.0f ? along.y < -1e-6f : along.y > 1e-6f;

@@ -1,4 +1,4 @@
-// What a ray has met, beside places in the order of triangles.
-const int ballBit = 0x40000000;      // of a ball's place in the order of balls
+// Special values of a hit index; other values are positions in the hierarchy's triangle order.
+const int ballBit = 0x40000000;      // flag of a ball; the other bits are its position in the hierarchy's ball order
 const int groundHit = 0x7ffffffe;
-const float farAway = 1e9f;          // m: how far rays go that meet nothing
+const float farAway = 1e9f;          // length of an unlimited ray in metres

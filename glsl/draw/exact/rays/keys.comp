@@ -1,5 +1,5 @@
-// The place of each triangle or (BALLS) ball along a space-filling curve, as a record to sort: middles of boxes. What is not there comes
-// last.
+// Writes the sort record of each triangle or (BALLS) ball: the index of its box's centre along a space-filling curve.
+// Missing or invalid items get the last key. One invocation handles one item.
 #include "draw/exact/rays/solids.glsl"
 #include "draw/exact/rays/grid_block.glsl"
 #include "common/words.glsl"

@@ -1,4 +1,5 @@
-// From which and to before which of `count` sorted ones leaf i of `leaves` holds: as many as others, or one more. Compiles as GLSL and as C++.
+// Returns the first item and the end (exclusive) of leaf i if `count` sorted items are spread evenly over `leaves`
+// leaves. Compiles as GLSL and as C++.
 FUNCTION ivec2 heldBy(int i, int count, int leaves) {
   int each = count / leaves, more = count - each * leaves;
   int first = i * each + min(i, more);

@@ -1,4 +1,5 @@
-// Sun, lamps and sky where rays find their light. LAMPS, SHADOWED_LAMPS, SPOTS, as in draw/lights/lamps.glsl; ENVIRONMENT.
+// Sun, lamps and sky as light sources for rays. Variants: LAMPS, SHADOWED_LAMPS, SPOTS as in draw/lights/lamps.glsl;
+// ENVIRONMENT.
 #include "draw/sky.glsl"
 #include "draw/exact/rays/facet.glsl"
 #ifdef LAMPS
@@ -15,7 +16,7 @@
 #endif
 #endif
 
-// Steradians of the sun; 0: a point.
+// Returns the solid angle of the sun in steradians; 0 for a point-like sun.
 float sunAngle() {
   precise float angle = 3.14159265f * frame.sunSpread * frame.sunSpread;
   return angle;
@@ -37,10 +38,12 @@ bool isOnSun(vec3 direction) {
   return along > 0.0f && square < edge2;
 }
 
-// The sky's light on a surface, from one direction: what falls onto matt ones has the factor `ambient`, mirrors show the sky as it is.
-// `share`: of the lobe in what counts. `all_`: how many rays go there (1/sr). A picture is blurred as far as each of them stands for much
-// of it (as Colbert and Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007): by a lobe as wide, whose solid angle is
-// 4 pi alpha^2; at most as roughness 0.5 mirrors it for matt surfaces. With more rays it is as sharp as it is.
+// Returns the sky's light from one direction. `factor`: factor on the light (skyFactor()), `ambient` for diffuse
+// surfaces and 1 for mirrors. `share`: the lobe's fraction of the response. `all_`: number of rays per steradian in
+// this direction. An environment picture is blurred in proportion to the solid angle of one ray (as Colbert and
+// Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007), with a lobe whose solid angle 4 pi alpha^2 is the
+// ray's; the blur is limited to the surface's roughness, and to 0.5 for diffuse surfaces. The more rays, the sharper
+// the picture.
 vec3 skyLight(vec3 direction, float factor, float roughness, float share, float all_) {
 #ifdef ENVIRONMENT
   precise float most = 0.5f * (1.0f + (roughness - 1.0f) * share);
@@ -64,7 +67,7 @@ float skyFactor(float roughness, float share) {
 
 #ifdef LAMPS
 #ifdef AREAS
-// The same of a rectangle of luminance 1 / pi.
+// Returns the light of rectangular lamp i with a luminance of 1 / pi.
 vec3 rectangleLightOn(Facet f, int i) {
   vec3 middle = lampPlace(i).xyz, across = lampAcross(i).xyz, up = lampUp(i).xyz;
   float lit = rectangleShare(f.place, f.normal, middle, across, up);
@@ -95,7 +98,8 @@ vec3 rectangleLightOn(Facet f, int i) {
 }
 #endif
 
-// Light of lamp i if nothing is in between; the lamp's lobe is widened by its size (draw/lights/point_light.glsl).
+// Returns the unshadowed light of lamp i that the facet sends to its view. The facet's lobe is widened by the lamp's
+// size (draw/lights/point_light.glsl).
 vec3 lampLightOn(Facet f, int i) {
   Arrival a = arrivalAt(f.place, lampPlace(i), lampPower(i).w);
   float nl = exactDot(f.normal, a.towards);
@@ -129,7 +133,7 @@ vec3 lampLightOn(Facet f, int i) {
   return light;
 }
 
-// A place of the lamp's ball, as a disc that faces p.
+// Returns a sampled point of lamp i: on a disc of the ball's radius that faces p, or on the rectangle.
 vec3 lampPlaceAt(vec3 p, int i, float u, float v) {
   vec4 ball = lampPlace(i);
 #ifdef AREAS
@@ -147,8 +151,8 @@ vec3 lampPlaceAt(vec3 p, int i, float u, float v) {
   return q;
 }
 
-// Distance over which things between p and a place of lamp i, `way` away in `direction`, keep out its light: to where the ray
-// enters the ball of the lamp's radius, within which nothing casts a shadow.
+// Returns the length of the shadow ray from p in `direction` to a point of lamp i at the distance `way`. The ray ends
+// where it enters the lamp's ball, because nothing inside the ball casts a shadow.
 float lampReach(vec3 p, int i, vec3 direction, float way) {
   vec4 ball = lampPlace(i);
   precise vec3 to = ball.xyz - p;
@@ -161,7 +165,7 @@ float lampReach(vec3 p, int i, vec3 direction, float way) {
 }
 #endif
 
-// Light of the lamps that cast no shadows.
+// Returns the light of all lamps without shadows.
 vec3 openLamps(Facet f) {
   precise vec3 sum = vec3(0);
 #if defined LAMPS
@@ -178,9 +182,9 @@ vec3 openLamps(Facet f) {
   return sum;
 }
 
-// One of the lamps that cast shadows, the more often the more light it gives: its light through the probability.
+// One lamp with shadows, chosen with a probability proportional to its light; the light is divided by that probability.
 struct Chosen {
-  int lamp;  // -1: none
+  int lamp;  // index of the lamp; -1 if no lamp gives light
   vec3 light;
 };
 Chosen chosenLamp(Facet f, float u) {

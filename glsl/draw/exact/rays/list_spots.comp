@@ -1,4 +1,5 @@
-// Lists the spots of a band: at which sample each is, and how many of its pixel's rays it gets. SAMPLES, PAIRED.
+// Lists the visible spots of a band of rows: for each spot, the index of its sample and its number of rays. Clears the
+// light of each spot. One invocation handles one pixel. Variants: SAMPLES, PAIRED.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/rays/pixel_spots.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

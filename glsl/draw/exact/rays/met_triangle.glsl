@@ -1,4 +1,4 @@
-// A triangle that a ray has met: its corners and whose it is.
+// Corners and material index (owner) of a triangle that a ray has hit.
 #include "draw/exact/rays/looks.glsl"
 layout(binding = solidUnit) uniform usamplerBuffer sortedSolids;
 layout(binding = solidIdUnit) uniform usamplerBuffer solidIds;

@@ -1,5 +1,6 @@
-// Boxes of a level of nodes: of leaves around what they hold (LEAVES), or of parents around two children. Node 1 is the root, the
-// children of n are 2n and 2n + 1, and leaf i, node leaves + i, holds what heldBy() says.
+// Computes the boxes of one level of a hierarchy: LEAVES: boxes of leaves around their items; else boxes of parents
+// around two children. Node 1 is the root, the children of node n are 2n and 2n + 1, and leaf i is node leaves + i and
+// holds the items heldBy(). One invocation computes one node.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/rays/ray_box.glsl"
 #include "draw/exact/rays/leaf.glsl"
@@ -9,7 +10,7 @@ layout(binding = solidNodeUnit) uniform usamplerBuffer children;
 layout(std430, binding = outNodeBinding) writeonly restrict buffer NodeBlock { uvec4 nodes[]; };
 uniform int count;
 uniform int leaves;
-uniform int width;  // of this level
+uniform int width;  // number of nodes in this level of the hierarchy
 
 uvec3 boxOf(int i) {
 #ifdef BALLS

@@ -1,6 +1,8 @@
-// Triangles or (BALLS) balls in their order, with their boxes:
-//   triangle: a, b and c, each with a word of the box; the first word's bit 31: it casts no shadow; bit 15: it may let rays through
-//   ball: middle and radius; the box and its number
+// Writes the triangles or (BALLS) balls in the order of the sorted records, with their boxes. One invocation writes one
+// item.
+// Triangle: a, b and c, each with one word of the box. Bit 31 of the first word: casts no shadow; bit 15: may let rays
+// through.
+// Ball: centre and radius; then the box and the ball's index. Bit 31 of the first box word: casts no shadow.
 #include "draw/exact/rays/solids.glsl"
 #include "draw/exact/rays/grid_block.glsl"
 #include "common/words.glsl"

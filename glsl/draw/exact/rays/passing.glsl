@@ -1,5 +1,5 @@
-// Triangles that let rays through: holes, what is blended, and, of light that is looked for straight on (ANY_HIT), clear surfaces. PASSAGES;
-// LAID.
+// Triangles that rays may pass: holes, blended surfaces and, for shadow rays (ANY_HIT), clear surfaces. Variants:
+// PASSAGES, LAID.
 #include "draw/exact/rays/met_triangle.glsl"
 #include "draw/exact/rays/dielectric.glsl"
 #include "draw/surface/shading.glsl"
@@ -9,7 +9,8 @@
 #include "draw/exact/rays/lays.glsl"
 #endif
 #ifdef ANY_HIT
-vec3 passed_ = vec3(1), depths_ = vec3(0);  // what has been let through, and the lengths within solids times what they absorb
+vec3 passed_ = vec3(1), depths_ = vec3(0);  // transmitted fraction of light, and path lengths inside solids times
+                                            // absorption
 
 vec3 lightPassed() {
   precise vec3 light = passed_ * vec3(exactExp(-max(depths_.x, 0.0f)), exactExp(-max(depths_.y, 0.0f)), exactExp(-max(depths_.z, 0.0f)));
@@ -33,8 +34,8 @@ vec4 colorPassed(ivec3 vertices, int owner, vec2 weight) {
 }
 
 #ifdef ANY_HIT
-// A ray exactly through an edge meets both its triangles, and is to be let through by one: that which goes up along it, seen along
-// the ray.
+// A shadow ray exactly through an edge hits both triangles but must be attenuated by one only: the triangle on whose
+// side the edge runs upwards as seen along the ray.
 bool ownsUp(float weight, vec3 from, vec3 to, bool turned) {
   bool up = to.y > from.y || (to.y == from.y && to.x > from.x), down = to.y < from.y || (to.y == from.y && to.x < from.x);
   return weight != 0.0f || (turned ? down : up);
@@ -49,7 +50,8 @@ bool ownsPlace(Ray ray, int at) {
   return ownsUp(wa, v, w, turned) && ownsUp(wb, w, u, turned) && ownsUp(wc, u, v, turned);
 }
 
-// Straight through a clear surface, as much as it mirrors seen from outside being lost: the ways of light are not bent.
+// Attenuates a shadow ray at a clear surface. The ray goes straight on without refraction; the fraction reflected as
+// seen from outside is lost.
 void passGlass(Ray ray, int at, ivec3 vertices, int owner, vec2 weight, float t, vec3 tint, float share) {
   vec3 a = metPlace(at, 0);
   precise vec3 first = metPlace(at, 1) - a;
@@ -65,7 +67,7 @@ void passGlass(Ray ray, int at, ivec3 vertices, int owner, vec2 weight, float t,
   precise float all_ = 1.0f + once_;
   precise float both = 2.0f * once_ * exactReciprocal(all_);
   vec3 own = thin ? tint : vec3(exactSqrt(tint.x), exactSqrt(tint.y), exactSqrt(tint.z));
-  // What a coat mirrors of it as a lobe (finished_facet.glsl).
+  // Fraction of light that the coat's lobe reflects (finished_facet.glsl).
   vec2 coated_ = ambientLobe(lookOf(owner, layerLook).x, clamp(unit_, 1e-3f, 1.0f));
   precise float taken = lookOf(owner, lightLook).w * (0.04f * coated_.x + coated_.y);
   precise float left = 1.0f - clamp(taken, 0.0f, 1.0f);
@@ -76,7 +78,7 @@ void passGlass(Ray ray, int at, ivec3 vertices, int owner, vec2 weight, float t,
 }
 #endif
 
-// `best`, if the hit lets the ray through.
+// Returns `best` if the ray passes through the hit, else `hit`.
 RayHit hitOrPassed(Ray ray, RayHit hit, RayHit best) {
   ivec3 vertices = metCorners(hit.at);
   int owner = ownerOf(vertices);
@@ -101,7 +103,7 @@ RayHit hitOrPassed(Ray ray, RayHit hit, RayHit best) {
   return best;
 #else
   if (layers.w >= 0.0f) return hit;
-  // As often as it is opaque.
+  // Blended surfaces are hit with the probability of their opacity.
   uvec3 mixed = hash3(floatBitsToUint(ray.along) ^ floatBitsToUint(ray.origin) ^ uvec3(uint(hit.at), 0u, 0u));
   precise float u = float(int(mixed.x >> 8)) * 5.9604645e-8f;
   return u < opacity ? hit : best;

@@ -1,9 +1,10 @@
-// Which of a pixel's samples are spots. SAMPLES, PAIRED.
+// Spots of a pixel: the samples of a pixel that show the same primitive share one spot. Variants: SAMPLES, PAIRED.
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/sample_read.glsl"
 #include "draw/exact/tiles/tile_lists.glsl"
 
-// Samples of the pixel that show what sample s is the first to show; 0 where it is not the first, or shows nothing.
+// Returns the number of samples that show the same primitive as sample s; 0 if an earlier sample shows it or the sample
+// is empty.
 int samplesShowing(int first, int s) {
   uint id = idAt(first + s);
   int same = 0;
@@ -15,7 +16,7 @@ int samplesShowing(int first, int s) {
   return id == emptyId ? 0 : same;
 }
 
-// Of the pixel's rays, those of a spot that so many samples show.
+// Returns the share of the pixel's rays for a spot that `same` samples show.
 int raysOf(int same, int rays) {
   return max((rays * same + SAMPLES - 1) / SAMPLES, 1);
 }

@@ -1,13 +1,13 @@
-// Boxes of a hierarchy, and rays through them. Compiles as GLSL and as C++.
-//
-// A box is on a grid of 32,768 cells along each axis of the whole; it is at least a cell larger on each side than what it holds. Where
-// a ray crosses the planes of the grid is q a + c, which never falls as q grows, or never rises: so what a box holds is never
-// entered before the box, to the bit, and no order in which boxes are visited can change what is found.
+// Boxes of a hierarchy, and their intersection with rays. Compiles as GLSL and as C++.
+// A box is quantized to a grid of 32,768 cells along each axis of the scene, at least one cell larger than its contents
+// on each side. A ray crosses the plane q of the grid at the distance q a + c, which is monotonic in q after rounding.
+// A ray therefore never enters the contents before the box, to the bit, and the order in which boxes are visited cannot
+// change the result.
 #ifndef EXACT_RAY_BOX
 #define EXACT_RAY_BOX
 #include "common/exact.glsl"
 
-// Of a grid: where its cell 0 begins, and the size of a cell (m).
+// Quantization grid: corner of cell 0, and size of a cell (m).
 struct RayGrid {
   vec3 low;
   vec3 cell;
@@ -17,7 +17,7 @@ FUNCTION RayGrid rayGrid(vec3 low, vec3 high) {
   precise vec3 size = high - low;
   float most = max(max(size.x, max(size.y, size.z)), 1e-6f);
   precise float least = most * 1e-4f;
-  precise vec3 cell = max(size, vec3(least)) * 3.0521e-5f;  // 1/32764
+  precise vec3 cell = max(size, vec3(least)) * 3.0521e-5f;  // 1 / 32764: the scene spans 32,764 of the 32,768 cells
   precise vec3 first = low - cell * 1.5f;
   RayGrid grid;
   grid.low = first;
@@ -34,7 +34,7 @@ FUNCTION uvec3 asCells(vec3 cells) {
   return uvec3(uint(int(held.x)), uint(int(held.y)), uint(int(held.z)));
 }
 
-// low and high in three words: x and y, z and x, y and z.
+// Returns the box in three words: low x and y, low z and high x, high y and z.
 FUNCTION uvec3 packedBox(RayGrid grid, vec3 low, vec3 high) {
   vec3 per = perCell(grid);
   precise vec3 lowCell = (low - grid.low) * per;
@@ -50,10 +50,11 @@ FUNCTION uvec3 joinedBox(uvec3 a, uvec3 b) {
   uint highY = max(a.z & 0x7fffu, b.z & 0x7fffu), highZ = max(a.z >> 16 & 0x7fffu, b.z >> 16 & 0x7fffu);
   return uvec3(lowX | lowY << 16, lowZ | highX << 16, highY | highZ << 16);
 }
-// Of nothing; no ray enters it, and it adds nothing to others.
+// An empty box: no ray enters it, and it does not enlarge a joined box.
 const uint emptyBoxX = 0x7fff7fffu, emptyBoxY = 0x00007fffu, emptyBoxZ = 0u;
 
-// A ray: where it crosses the planes of the grid, at q a + c (m along it), and which axes it goes down.
+// A ray in grid coordinates: distances q a + c (m) at which it crosses the grid's planes, and the axes along which it
+// goes down.
 struct RayPlanes {
   vec3 a;
   vec3 c;
@@ -79,20 +80,22 @@ FUNCTION RayPlanes rayPlanes(RayGrid grid, vec3 origin, vec3 direction) {
   return planes;
 }
 
-// The greatest of these and 0, and, if none is below 0, the least of these: the bits of positive floats are in the order of the values,
-// and drivers are quicker at whole numbers, which are never NaN.
+// Max of the components and 0; and min of the components, if none is negative. Both compare bits as integers, because
+// the bits of positive floats have the order of their values, integer comparisons are faster on some drivers, and NaN
+// cannot occur.
 FUNCTION float greatestFromZero(vec3 v) {
   return intBitsToFloat(max(max(floatBitsToInt(v.x), floatBitsToInt(v.y)), max(floatBitsToInt(v.z), 0)));
 }
 FUNCTION float leastAbove(vec3 v) {
   return intBitsToFloat(min(min(floatBitsToInt(v.x), floatBitsToInt(v.y)), floatBitsToInt(v.z)));
 }
-// Of numbers that are not below 0, or (the second) are.
+// True if from <= to, for from >= 0; `to` may be negative.
 FUNCTION bool isWithin(float from, float to) {
   return floatBitsToInt(from) <= floatBitsToInt(to);
 }
 
-// From where to where the ray is in a box (m along it); the second is less, or below 0, where it misses it.
+// Returns the distances (m) at which the ray enters and leaves a box. If the ray misses the box, the second distance is
+// smaller than the first or negative.
 FUNCTION vec2 spanIn(RayPlanes planes, uint x, uint y, uint z) {
   int lowX = int(x & 0x7fffu), lowY = int(x >> 16 & 0x7fffu), lowZ = int(y & 0x7fffu);
   int highX = int(y >> 16 & 0x7fffu), highY = int(z & 0x7fffu), highZ = int(z >> 16 & 0x7fffu);

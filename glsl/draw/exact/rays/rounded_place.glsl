@@ -1,7 +1,6 @@
-// Shading by corners' normals. Compiles as GLSL and as C++.
-//
-// Where a place of a flat triangle is if its corners' normals say how it is curved: so that what looks round is not shaded by its own
-// facets (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021). The normals are on the side that is seen.
+// Moves a point of a flat triangle to the curved surface that the corners' normals describe, so that shadow rays from a
+// smooth-shaded surface do not hit its own facets (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021).
+// The normals must be on the viewer's side. Compiles as GLSL and as C++.
 #ifndef EXACT_ROUNDED_PLACE
 #define EXACT_ROUNDED_PLACE
 #include "common/exact.glsl"

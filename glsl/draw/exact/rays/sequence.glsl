@@ -1,7 +1,7 @@
-// Points of a unit cube for the samples of a pixel's light: three dimensions of Sobol's sequence (direction numbers of Joe and Kuo, 2008),
-// the order of the points and each coordinate scrambled as Owen (1995) does, by a hash that lets a bit depend on those above it
-// alone (Laine and Karras, "Stratified Sampling for Stochastic Transparency", 2011). Whole numbers throughout. Compiles as GLSL
-// and as C++, after common/hash.glsl.
+// Sample points in the unit cube for the light of a pixel: three dimensions of Sobol's sequence (direction numbers of
+// Joe and Kuo, 2008). The order of the points and each coordinate are Owen-scrambled (1995) with a hash in which a bit
+// depends only on higher bits (Laine and Karras, "Stratified Sampling for Stochastic Transparency", 2011). Uses integer
+// arithmetic only. Compiles as GLSL and as C++, after common/hash.glsl.
 #ifndef EXACT_RAY_SEQUENCE
 #define EXACT_RAY_SEQUENCE
 
@@ -14,7 +14,7 @@ FUNCTION uint reversedBits(uint x) {
   return r;
 }
 
-// Each bit may change by those below it.
+// Changes each bit depending on the lower bits only.
 FUNCTION uint mixedUpwards(uint x, uint seed) {
   uint r = x + seed;
   r ^= r * 0x5a3e9c66u;
@@ -24,14 +24,14 @@ FUNCTION uint mixedUpwards(uint x, uint seed) {
   return r;
 }
 
-// Each bit changes by those above it.
+// Owen scrambling: changes each bit depending on the higher bits only.
 FUNCTION uint owenScrambled(uint x, uint seed) {
   return reversedBits(mixedUpwards(reversedBits(x), seed));
 }
 
-const int sequenceBits = 10;  // of a sample's number
+const int sequenceBits = 10;  // number of bits in a sample index
 
-// Bit b of the number chooses these: of the second and the third dimension.
+// Second and third dimension of the Sobol sequence: bit b of the index i selects direction number v.
 FUNCTION uint sobolSecond(uint i) {
   uint x = 0u, v = 0x80000000u;
   for (int b = 0; b < sequenceBits; ++b) {
@@ -56,7 +56,7 @@ FUNCTION float unitFraction(uint bits) {
   return u;
 }
 
-// Sample i of the set `which` of a pixel whose seed that is; `mask`: of the numbers that samples have, all bits.
+// Returns sample i of the set `which` of a pixel with the given seed; `mask`: bit mask of all sample indices.
 FUNCTION vec3 samplePoint(uint i, uint mask, uint seed, uint which) {
   uvec3 seeds = hash3(uvec3(seed, which, 0x9e3779b9u)), more = hash3(uvec3(which, seed, 0x85ebca6bu));
   uint at = owenScrambled(i, seeds.x) & mask;

@@ -1,4 +1,5 @@
-// Skins of all owners, as laid_on.glsl reads them: their texels one behind the other, and the values of the one that has been taken.
+// Skins at ray hits, for laid_on.glsl. The texels of all skins are in one buffer; takeSkin() loads the parameters of
+// one owner's skin into global variables.
 layout(binding = raySkinUnit) uniform usamplerBuffer skinTexels;
 int skinFirst_ = 0, reliefLevels_ = 1, skinLook_ = 0;
 ivec2 reliefSize_ = ivec2(1);

@@ -1,4 +1,4 @@
-// Corners of triangles that rays meet, and what their vertices are like (gather.comp).
+// Triangle corners and vertex words of the ray scene (written by gather.comp).
 #ifndef EXACT_RAY_SOLID_WORDS
 #define EXACT_RAY_SOLID_WORDS
 #include "draw/exact/rays/bindings.glsl"

@@ -1,8 +1,9 @@
-// Triangles of all surfaces in the world, by number, or (BALLS) balls: the boxes around them.
+// Triangles of the whole scene in world space or (BALLS) balls, by index, with their bounding boxes.
 #include "draw/exact/rays/bindings.glsl"
 #include "common/exact.glsl"
 #ifdef BALLS
-layout(binding = solidPlaceUnit) uniform samplerBuffer places;  // middle and radius (m); a radius of 0: none
+// Centre and radius of each ball (m); radius 0 if not shown.
+layout(binding = solidPlaceUnit) uniform samplerBuffer places;
 
 struct Solid {
   vec4 ball;
@@ -16,8 +17,8 @@ Solid solidOf(int i) {
   return Solid(ball, low, high, ball.w > 0.0f);
 }
 #else
-layout(binding = solidPlaceUnit) uniform samplerBuffer places;     // m; w 0: lost
-layout(binding = solidCornerUnit) uniform usamplerBuffer corners;  // 3 of each triangle
+layout(binding = solidPlaceUnit) uniform samplerBuffer places;     // position of each vertex (m); w 0 if invalid
+layout(binding = solidCornerUnit) uniform usamplerBuffer corners;  // three vertex indices per triangle
 
 struct Solid {
   vec4 a, b, c;

@@ -1,4 +1,5 @@
-// Spots and the paths that begin there: `spots` of a list, from `firstSpot` on, and of each a sample after the other from `firstRaySample` on.
+// Access to spots and their paths. The kernel handles the spots of a list from `firstSpot` on, and for each spot the
+// samples from `firstRaySample` on.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/unit_vector.glsl"
@@ -10,11 +11,11 @@ uniform int firstSpot;
 uniform int spotCount;
 uniform int firstRaySample;
 uniform uint sampleMask;
-uniform uint samplesBefore;  // of other points of the lens
+uniform uint samplesBefore;  // number of samples that other points of the lens have used
 
 struct PathStart {
-  int at;       // where its spot is kept
-  uint number;  // of the sample
+  int at;       // index of the spot where the path starts
+  uint number;  // index of the path's sample
   uint seed;
   bool there;
 };

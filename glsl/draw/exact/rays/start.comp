@@ -1,4 +1,5 @@
-// Paths begin at what pixels show: rays towards the sun, towards a lamp, and onwards. SAMPLES; LAMPS and so on; ENVIRONMENT; BALLOT.
+// Starts the paths at the visible spots: a shadow ray to the sun, one to a lamp, and a continuation ray. One invocation
+// handles one path. Variants: SAMPLES; LAMPS and the other light variants; ENVIRONMENT; BALLOT.
 #define EXACT_PICTURE
 #define LISTS_RAYS
 #include "draw/frame_block.glsl"
@@ -30,8 +31,8 @@ Facet facetAt(int at) {
   return f;
 }
 
-// The sun is found both by rays towards it and by those onwards; each counts as it is likely. What nothing can keep
-// out (OPEN_SUN).
+// Starts the shadow ray to the sun. Continuation rays find the sun too, so the light is weighted by the density of both
+// methods. Returns the light that needs no shadow ray (OPEN_SUN).
 vec3 towardsSun(int path, Facet f, vec3 u) {
   vec3 direction = sunDirectionAt(u.x, u.y);
   float nl = exactDot(f.normal, direction), angle = sunAngle();
@@ -52,7 +53,8 @@ vec3 towardsSun(int path, Facet f, vec3 u) {
   return vec3(0);
 }
 
-// What shines by itself, every other time where there are lamps.
+// Starts the shadow ray to a lamp, or to an emitting triangle: always if no lamp casts shadows, else in half of the
+// samples.
 void towardsLamp(int path, Facet f, vec3 u) {
   precise float times = 1.0f;
 #ifdef EMITTERS

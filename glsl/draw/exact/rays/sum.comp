@@ -1,5 +1,5 @@
-// Adds the light that paths bring to that of their spots, sample after sample in their order. Of each sample what comes by way of
-// something else is scaled down where a channel of it is above `most`: a picture has no fireflies.
+// Adds the light of paths to their spots, sample by sample in a fixed order. The indirect light of a sample is scaled
+// down if one of its channels is above `most`, which suppresses fireflies. One invocation handles one spot.
 #include "draw/exact/rays/bindings.glsl"
 #include "common/exact.glsl"
 layout(local_size_x = 64) in;
@@ -17,7 +17,7 @@ uniform float most;
 vec3 arriving(int kind, int path) {
   int i = kind * paths + path;
   vec3 brought = texelFetch(light, i).rgb;
-  if (max(brought.x, max(brought.y, brought.z)) <= 0.0f) return vec3(0);  // not traced
+  if (max(brought.x, max(brought.y, brought.z)) <= 0.0f) return vec3(0);  // rays without light are not traced
 #ifdef PASSAGES
   precise vec3 found = brought * uintBitsToFloat(texelFetch(rayHits, i).xyz);
 #else

@@ -1,8 +1,8 @@
-// A spot of a surface, kept for rays.
+// Stores a visible spot of a surface for the ray kernels.
 #include "draw/exact/rays/spots.glsl"
 #include "draw/exact/rays/rounded_place.glsl"
 
-// In the world, of a corner on the picture (draw/exact/corner_place.glsl).
+// Returns the world position of a triangle corner given in picture coordinates (draw/exact/corner_place.glsl).
 vec3 cornerPlace(vec3 corner) {
 #ifdef PARALLEL
   return placeOnRay(rayThrough(corner.xy), corner.z);
@@ -15,7 +15,8 @@ vec3 cornerNormal(int vertex, bool turned) {
   return turned ? -n : n;
 }
 
-// `owner`: as keepSpot has it. Where rays go through, they begin at the flat triangle.
+// Stores the spot. `owner`: as in keepSpot(). `clear`: transmissive; rays then start at the flat triangle instead of
+// the rounded position.
 void keepSurfaceSpot(Spot spot, Look look, vec3 normal, int sampleAt, uint owner, bool clear) {
   vec3 a = cornerPlace(spot.a), b = cornerPlace(spot.b), c = cornerPlace(spot.c);
   precise vec3 first = b - a;

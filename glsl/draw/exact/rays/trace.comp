@@ -1,7 +1,10 @@
-// What rays meet: an invocation each. A ray is its origin and a number that is not read here, its unit direction and how far it goes (m;
-// 0: it is none). Of each: how far, the place in the order of triangles (-1: nothing; from ballBit on: of balls; groundHit) and
-// weights of the triangle's second and third corner. ANY_HIT: instead, how much of the light gets through (x; PASSAGES: of each
-// colour), what casts no shadow being passed. GOES_ON: rays of a list; LISTED: of two, as many as counted. Variants: TRIANGLES, BALLS, GROUND; PASSAGES, LAID.
+// Traces rays, one per invocation.
+// A ray has two texels: origin and an unused number; unit direction and length (m; 0: no ray). The result has four
+// words: distance, index in the triangle order (-1: no hit; with ballBit: ball order; groundHit), and the weights of
+// the triangle's second and third corner. ANY_HIT: the result is the transmitted fraction of light (x; PASSAGES: rgb)
+// instead; objects that cast no shadow are ignored.
+// GOES_ON: the rays are listed; LISTED: the rays are in two lists whose lengths are in a buffer. Variants: TRIANGLES,
+// BALLS, GROUND; PASSAGES, LAID.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/rays/bindings.glsl"
@@ -24,7 +27,7 @@ layout(std430, binding = outCountBinding) readonly restrict buffer RayListCountB
 
 void main() {
   int i = int(gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x);
-#ifdef LISTED  // the second list begins at firstRay
+#ifdef LISTED  // rays come from two lists; the second starts at firstRay
   int first = int(counters[0]);
   if (i >= first + int(counters[1])) return;
   i = int(texelFetch(goingOn, i < first ? i : firstRay + i - first).x);

@@ -1,10 +1,11 @@
-// The way of a ray through a hierarchy, nearest children first, without a stack: the tree is complete, so the bits of `trail` say at
-// which levels above a node its sibling is still to be seen. A function NAME that reads NODES and tries what a leaf holds by TEST; it ends
-// early where WALK_OVER. Compiles as GLSL and as C++.
+// Stackless traversal of a hierarchy, nearest child first. The tree is complete, so the bits of `trail` can mark the
+// levels above a node at which the sibling is still to be visited. The macro defines a function NAME that reads NODES
+// and calls TEST for the items of a leaf; the traversal ends early if WALK_OVER is true. Compiles as GLSL and as C++.
 #include "draw/exact/rays/ray_shapes.glsl"
 #include "draw/exact/rays/leaf.glsl"
 
-// Its number; by a float's exponent, since drivers make many operations of findLSB.
+// Returns the index of the lowest set bit, from the exponent of a float, because drivers expand findLSB to many
+// operations.
 FUNCTION int lowestBit(uint bits) {
   uint lowest = bits & (~bits + 1u);
   return (floatBitsToInt(float(int(lowest))) >> 23) - 127;

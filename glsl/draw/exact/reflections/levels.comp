@@ -1,6 +1,7 @@
-// A level of what reflections read (levels.glsl), of the one before: light of half pixels and how much of them is covered, the mean of
-// four, and their nearness, the most of four; both 0 where nothing stands. FIRST: level 0, of the pixels' light and of what occlusion has
-// found, but for the ground (GROUND), which mirrored_ground.glsl finds. An invocation does ROWS cells, one below the other.
+// Computes one level of the mip pyramid that reflections read (levels.glsl) from the level before: light and coverage
+// are the mean of four cells, nearness is their max; both are 0 without content. FIRST: computes level 0 from the light
+// of the pixels and the nearness that the occlusion pass found. GROUND: removes the ground, which mirrored_ground.glsl
+// handles. One invocation writes ROWS cells, one below the other.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "common/exact.glsl"
@@ -20,11 +21,11 @@ layout(rgba32f, binding = litImage) readonly restrict uniform imageBuffer litBef
 #endif
 layout(std430, binding = litBinding) writeonly restrict buffer LitBlock { vec4 lit[]; };
 layout(std430, binding = halfPixelBinding) writeonly restrict buffer NearestBlock { float nearest[]; };
-uniform ivec2 size;  // pixels
+uniform ivec2 size;  // picture size in pixels
 uniform int level;
 ivec2 half_ = (size + 1) / 2, room = levelRoom(half_), end = levelSize(half_, level), last = levelSize(half_, level - 1) - 1;
 
-// Nothing beyond the border.
+// Returns the light of a cell of the level before; zero beyond the border.
 vec4 lightBefore(ivec2 at) {
 #ifdef FIRST
   return imageLoad(sums, min(at, size - 1));
@@ -56,7 +57,7 @@ void main() {
 #endif
     nearest[place] = near;
     precise vec4 mean = vec4(0.0f);
-    // In a loop, which ends at once where there is nothing: software drivers run both sides of a branch.
+    // A loop of at most one round instead of a branch, because software drivers execute both sides of a branch.
     for (int i = near > 0.0f ? 0 : 1; i < 1; ++i)
       mean = 0.25f * ((lightBefore(a) + lightBefore(b)) + (lightBefore(c) + lightBefore(d)));
     lit[place] = mean;

@@ -1,6 +1,6 @@
-// Where pictures of half the size of the one before lie in memory, level by level: level 0 to the left, the others beside it, one
-// below the other. Rows are once and a half as wide as level 0, whose sides are whole cells of the last level. Compiles as GLSL
-// and as C++.
+// Memory layout of a mip pyramid in one buffer: level 0 on the left, the other levels beside it, one below the other. A
+// row is one and a half times as wide as level 0, and the sides of level 0 are rounded up to whole cells of the last
+// level. Compiles as GLSL and as C++.
 #ifndef EXACT_LEVELS
 #define EXACT_LEVELS
 const int lastLevel = 5;
@@ -13,7 +13,7 @@ FUNCTION ivec2 levelSize(ivec2 size, int level) {
   return (size + ((1 << level) - 1)) >> level;
 }
 
-// `room`: levelRoom() of level 0.
+// Returns the buffer index of a cell. `room`: levelRoom() of level 0.
 FUNCTION int levelPlace(ivec2 room, int level, ivec2 at) {
   int down = level > 0 ? room.y - (room.y >> (level - 1)) : 0;
   int right = level > 0 ? room.x : 0;

@@ -1,6 +1,8 @@
-// What mirrors show of the ground, seen or not: a plane, so that rays meet it where it is. What keeps the surroundings' light out there
-// is not known: where the mirror stands on it as much as at the mirror, half a radius of occlusion away (twice the thickness of
-// things) nothing. Shading takes it in the sun; what lamps add comes with the reflections (REFLECTED), once for four pixels.
+// Reflections of the ground plane, whether the ground is visible in the picture or not, because rays can be intersected
+// with a plane exactly. The ambient occlusion at the reflected point is unknown. It is assumed to equal the mirror's
+// occlusion where the mirror touches the ground, and to fade to none at half the occlusion radius (twice the thickness
+// of objects). The sun's light on the ground is added with the shading; lamps' light on the ground comes with the
+// reflections (REFLECTED), once for four pixels.
 #include "draw/exact/rays/ground_ray.glsl"
 #include "draw/exact/reflections/mirror_reach.glsl"
 #include "draw/surface/ground_light.glsl"
@@ -9,8 +11,9 @@
 #endif
 
 struct GroundMirrored {
-  vec3 p;         // on the ground
-  float counts;   // alpha, and less with the roughness as what else is mirrored; 0: there is none
+  vec3 p;         // point where the reflected ray hits the ground
+  float counts;   // weight of the reflection: the ground's alpha times the weight for the mirror's roughness; 0 if the
+                  // ray misses the ground
   float open;
 };
 

@@ -1,20 +1,22 @@
-// What a ray that leaves a visible place meets of what the picture shows (M. McGuire and M. Mara, "Efficient GPU screen-space ray
-// tracing", Journal of Computer Graphics Techniques 3(4), 2014, for the way on the picture and the thickness; Y. Uludag, "Hi-Z
-// screen-space cone-traced reflections", GPU Pro 5, 2014, for the levels). Compiles as GLSL and as C++. Whoever includes it has
-// `view`, float nearestAt(level, cell) and vec4 litAt(level, cell) of half pixels, and vec2 mirrorReach_: how far rays go, and
-// how thick things are (m).
-//
-// On the picture a ray is a line, and its nearness is affine along it as that of planes is: n(t) = n0 + t n', t in half pixels. A
-// level's cell holds the nearest of all below it, so where that is farther away than the ray on its way through the cell, the ray
-// meets nothing there and goes on with larger cells; else it looks at smaller ones. In a half pixel it has met something where
-//     nearest(t1) > n(t1),            at the end t1 of the way through it: the ray is behind what is seen there,
-//     1 / nearest - 1 / n(t) < thickness,    by less than that at the nearer end,
-//     nearest > that of the mirror's own plane, by more than a half pixel changes it.
-// How much that counts, from 1 to 0: the less the deeper the ray is behind what is seen (more than that changes in a half pixel,
-// and the more so the more the mirror bends); over the last tenth of the picture's height before its border; over the farther half
-// of the reach; for rays that come towards the eye, whose backs of things nobody sees, until they do by half; where the mirror
-// bends so that neighbours show what is from 1/8 to 3/4 half pixels apart, which would be noise; and with the roughness from 0.1
-// to 0.3, beyond which the edges of what is met would have to be blurred, too. What does not count is as if nothing had been met.
+// Screen-space reflections: traces a ray from a visible point through the content of the picture (M. McGuire and M.
+// Mara, "Efficient GPU screen-space ray tracing", Journal of Computer Graphics Techniques 3(4), 2014, for the path on
+// the picture and the thickness; Y. Uludag, "Hi-Z screen-space cone-traced reflections", GPU Pro 5, 2014, for the
+// levels). Compiles as GLSL and as C++. The including file declares `view`, float nearestAt(level, cell) and vec4
+// litAt(level, cell) of half pixels (blocks of 2x2 pixels), and vec2 mirrorReach_: max length of rays and thickness of
+// objects (m).
+// On the picture a ray is a line, and its nearness is affine along the line, as for planes: n(t) = n0 + t n', t in half
+// pixels. A cell of a level holds the nearness of the nearest point below it. If that point is farther away than the
+// ray in the whole cell, the ray hits nothing there and continues with larger cells; otherwise it continues with
+// smaller cells. In a half pixel the ray has hit something if three conditions hold:
+//   nearest(t1) > n(t1): at the end t1 of its path through the half pixel the ray is behind the visible surface.
+//   1 / nearest - 1 / n(t) < thickness: at the nearer end the ray is behind it by less than the thickness.
+//   nearest > nearness of the mirror's own plane, by more than the plane's change over a half pixel.
+// The weight of a hit falls from 1 to 0 in these cases: the ray is far behind the visible surface (beyond the surface's
+// change over a half pixel, sooner for a curved mirror); the hit is in the last tenth of the picture's height before
+// its border; it is in the farther half of the max length; the ray comes towards the eye, because the back sides of
+// objects are not visible; the mirror is so curved that neighbours reflect points 1/8 to 3/4 half pixels apart, which
+// would be noise; the roughness goes from 0.1 to 0.3, because rougher mirrors would need blurred edges. The rest of the
+// weight counts as a miss.
 #include "common/exact.glsl"
 #include "draw/exact/depth.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
@@ -24,24 +26,25 @@
 const int mirrorSteps = 96;
 
 struct MirrorWay {
-  vec2 from;       // half pixels
-  vec2 along;      // unit
-  float nearness;  // there (1/m),
-  float rate;      // and what a half pixel on adds to it
-  float speed;     // half pixels a metre there
-  vec2 slope;      // of the mirror's own plane
-  float turns;     // of the mirror, from a half pixel to the next (radians)
-  float end;       // half pixels
-  float counts;    // 0: there is none
+  vec2 from;       // start of the path in half pixels
+  vec2 along;      // unit direction of the path on the picture
+  float nearness;  // nearness at the start of the path (1/m)
+  float rate;      // change of nearness per half pixel along the path
+  float speed;     // half pixels per metre at the start of the path
+  vec2 slope;      // change of nearness per half pixel on the mirror's own plane
+  float turns;     // angle between the mirror's normals at neighbouring half pixels (radians)
+  float end;       // length of the path in half pixels
+  float counts;    // weight of the reflection; 0 if there is no path
 };
 
 struct MirrorHit {
-  float at;      // half pixels along the way
+  float at;      // distance of the hit along the path in half pixels
   float counts;
-  float spread;  // half pixels, of what neighbours show
+  float spread;  // distance, in half pixels, between the points that neighbouring half pixels reflect
 };
 
-// m from p at t: t / speed on the picture of parallel rays, else as perspective has it.
+// Returns the distance (m) from the start to position t of the path. For parallel rays it is t / speed, else it follows
+// from perspective.
 FUNCTION float metresAlong(MirrorWay way, float t) {
 #ifdef PARALLEL
   precise float metres = t * exactReciprocal(way.speed);
@@ -53,8 +56,9 @@ FUNCTION float metresAlong(MirrorWay way, float t) {
   return metres;
 }
 
-// Of a ray from p in the unit direction, which meets the ground after so many metres, or never (-1); `facing`: of the surface there, unit, `towards`: the eye; `turns`: by how much the surface
-// turns from a half pixel to the next (radians).
+// Returns the path of a ray from p in the unit `direction`. `ground`: distance (m) at which the ray hits the ground, -1
+// if never; `facing`: unit normal of the surface; `towards`: unit vector to the eye; `turns`: angle between the normals
+// of neighbouring half pixels (radians).
 FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, float ground, vec3 facing, vec3 towards, float turns, float roughness) {
   precise vec3 aside = p - vec3(view.eye);
   precise float depth = exactDot(vec3(view.forward), aside);
@@ -89,7 +93,7 @@ FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, float ground, vec3 facing, 
   precise float reach = metres * speed;
 #else
   precise float rate = -recedes * nearness * nearness * perSpeed;
-  // t = speed l d / (d + l d') of the way l (m) where the depth d changes by d'.
+  // t = speed l d / (d + l d') for the distance l (m), with the depth d that changes by d' per metre.
   float metres = ground < 0.0f ? mirrorReach_.x : min(ground, mirrorReach_.x);
   precise float ahead = depth + metres * recedes;
   float held = max(ahead, view.near);
@@ -116,8 +120,8 @@ FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, float ground, vec3 facing, 
   return way;
 }
 
-// How far apart, in half pixels, what two neighbours of the mirror show t half pixels on is for how it bends: a mirror that turns by
-// an angle turns rays by twice as much.
+// Returns the distance, in half pixels, between the points that two neighbouring half pixels of a curved mirror reflect
+// at position t. A mirror turned by an angle turns reflected rays by twice that angle.
 FUNCTION float spreadAt(MirrorWay way, float t) {
   float perAcross = exactInverseSqrt(exactDot(vec3(view.rayAcross), vec3(view.rayAcross)));
 #ifdef PARALLEL
@@ -129,18 +133,19 @@ FUNCTION float spreadAt(MirrorWay way, float t) {
   return spread;
 }
 
-// What a half pixel to the right, and downwards, adds to nearness there.
+// Returns the change of nearness per half pixel to the right and downwards.
 FUNCTION vec2 slopesAt(ivec2 at, float here) {
   float left = nearestAt(0, at - ivec2(1, 0)), right = nearestAt(0, at + ivec2(1, 0));
   float above = nearestAt(0, at - ivec2(0, 1)), below = nearestAt(0, at + ivec2(0, 1));
   return vec2(slopeBetween(left, here, right), slopeBetween(above, here, below));
 }
 
-// Where the plane that the nearest of a half pixel makes with its neighbours meets the way, from `low` to `high` along it. Where
-// the ray is behind that before, it has come from beside the thing, whose edge the half pixel shows, and what shows the thing is farther on.
+// Returns the position between `low` and `high` at which the path meets the plane through a half pixel's nearest point,
+// with the slope from its neighbours. If the ray is behind that plane earlier, it came from beside the object, whose
+// edge the half pixel shows; the result is then beyond `low`.
 FUNCTION float meetingPlane(MirrorWay way, ivec2 at, float here, vec2 slope, float low, float high) {
   precise vec2 aside = way.from - (vec2(at) + 0.5f);
-  // What is nearest of a half pixel lies about a third of it off its middle.
+  // The nearest point of a half pixel lies about a third of a half pixel off its centre.
   precise float bias = 0.3f * (abs(slope.x) + abs(slope.y));
   precise float apart = here - bias + (slope.x * aside.x + slope.y * aside.y) - way.nearness;
   precise float closing = way.rate - (slope.x * way.along.x + slope.y * way.along.y);
@@ -151,7 +156,7 @@ FUNCTION float meetingPlane(MirrorWay way, ivec2 at, float here, vec2 slope, flo
   return closes && t > early ? clamp(t, low, high) : within;
 }
 
-// A cell that the way goes through from t to `next`; `here`, `there`: how near the ray is at both ends.
+// A cell that the path crosses between t and `next`. `here`, `there`: nearness of the ray at both ends.
 struct MirrorCell {
   ivec2 at;
   float nearest;
@@ -160,7 +165,7 @@ struct MirrorCell {
   float there;
 };
 
-// `beyond`: 1 where the way goes to larger numbers of cells, `perWay`: 1 / way.along.
+// `beyond`: 1 if the path goes towards larger cell coordinates; `perWay`: 1 / way.along.
 FUNCTION MirrorCell mirrorCell(MirrorWay way, ivec2 beyond, vec2 perWay, float t, int level) {
   precise vec2 q = way.from + way.along * t;
   ivec2 at = ivec2(floor(q)) >> level;
@@ -179,7 +184,7 @@ FUNCTION MirrorCell mirrorCell(MirrorWay way, ivec2 beyond, vec2 perWay, float t
   return cell;
 }
 
-// How thick what is seen of the cell is, of nearness.
+// Returns the assumed thickness of the object in the cell, as a difference of nearness.
 FUNCTION float thickAt(MirrorCell cell) {
 #ifdef PARALLEL
   return mirrorReach_.y;
@@ -228,7 +233,7 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
   return hit;
 }
 
-// The mean of four cells around a place (half pixels), of a level.
+// Returns the bilinear mean of four cells of a level around a position (half pixels).
 FUNCTION vec4 litAround(int level, vec2 place) {
   precise float perCell = intBitsToFloat((127 - level) << 23);
   precise vec2 at = place * perCell - 0.5f;
@@ -243,8 +248,9 @@ FUNCTION vec4 litAround(int level, vec2 place) {
   return mean;
 }
 
-// Light that the ray brings from what is seen, and in w how much of it that is: the rest comes from the surroundings. With a
-// rough mirror the mean of what half its lobe is as wide as there: 2 roughness^2 a metre of the way.
+// Returns the light of the reflected objects times its weight, and the weight in w; the rest of the reflection comes
+// from the surroundings. For a rough mirror the light is averaged over half the width of its lobe, 2 roughness^2 per
+// metre of distance.
 FUNCTION vec4 lightMirrored(MirrorWay way, MirrorHit hit, float roughness) {
   precise vec2 q = way.from + way.along * hit.at;
   precise vec2 size = 0.5f * vec2(view.size);
@@ -256,7 +262,7 @@ FUNCTION vec4 lightMirrored(MirrorWay way, MirrorHit hit, float roughness) {
   precise float counts = way.counts * hit.counts * easedBetween(inwards) * (1.0f - easedBetween(part));
   float perAcross = exactInverseSqrt(exactDot(vec3(view.rayAcross), vec3(view.rayAcross)));
 #ifdef PARALLEL
-  precise float wide = roughness * roughness * metres * perAcross;  // half pixels
+  precise float wide = roughness * roughness * metres * perAcross;  // width of the lobe in half pixels
 #else
   precise float wide = roughness * roughness * metres * perAcross * max(there, 0.0f);
 #endif

@@ -1,5 +1,5 @@
-// Light that rays from shaded places bring of what the picture shows: REFLECTED, in place of a part of what is mirrored of the
-// surroundings (draw/surface/lighting.glsl).
+// Screen-space reflections of shaded points (REFLECTED). They replace a part of the reflected surroundings
+// (draw/surface/lighting.glsl).
 #ifdef REFLECTED
 #include "common/once.glsl"
 #include "draw/exact/bindings.glsl"
@@ -7,8 +7,8 @@
 layout(r32f, binding = nearnessImage) readonly restrict uniform imageBuffer nearestLevels;
 layout(rgba32f, binding = litImage) readonly restrict uniform imageBuffer litLevels;
 ivec2 halfSize = (view.size + 1) / 2, room = levelRoom(halfSize);
-vec3 facing_ = vec3(0);  // of the surface that is shaded, without bumps,
-float turns_ = 0.0f;     // and by how much it turns from a half pixel to the next (radians)
+vec3 facing_ = vec3(0);  // normal of the shaded surface, without bump mapping
+float turns_ = 0.0f;     // angle between the normals of neighbouring half pixels (radians)
 
 float nearestAt(int level, ivec2 at) {
   ivec2 held = clamp(at, ivec2(0), levelSize(halfSize, level) - 1);
@@ -23,7 +23,8 @@ vec4 litAt(int level, ivec2 at) {
 }
 #include "draw/exact/reflections/mirrored_way.glsl"
 
-// `ground`: how far the ray goes until it meets that (m; -1: it does not). In loops, which end at once where there is nothing: software drivers run both sides of a branch.
+// Returns the reflected light and its weight. `ground`: distance (m) at which the ray hits the ground, -1 if never. The
+// loops of at most one round replace branches, because software drivers execute both sides of a branch.
 vec4 lightMet(vec3 p, vec3 direction, float ground, vec3 towards, float roughness) {
   vec4 light = vec4(0.0f);
   MirrorWay way = mirrorWay(p, direction, ground, facing_, towards, turns_, roughness);

@@ -1,12 +1,12 @@
-// Half the size: thirteen taps in five overlapping squares (J. Jimenez, "Next generation post processing in Call of
-// Duty: Advanced Warfare", SIGGRAPH 2014), so that small lights do not shimmer as they move. Each tap lies on a corner of
-// four texels.
+// Halves the size of a bloom level with thirteen taps in five overlapping squares, so that small lights do not shimmer
+// as they move (J. Jimenez, "Next generation post processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014). Each
+// tap is at a corner of four texels. One invocation writes one texel.
 #include "draw/exact/screen/light_read.glsl"
 #include "common/exact.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 LIGHT_PICTURE(sceneUnit, lightImage, fine);
 layout(rgba32f, binding = sumImage) writeonly restrict uniform image2D coarse;
-uniform ivec2 size;  // of the source
+uniform ivec2 size;  // size of the source level in texels
 
 vec3 texel(ivec2 at) {
   return LIGHT_AT(fine, clamp(at, ivec2(0), size - 1)).rgb;

@@ -1,10 +1,11 @@
-// Light above the threshold, at half the size. See draw/screen/bloom_first.glsl.
+// Writes the light above the bloom threshold at half the picture's size, like draw/screen/bloom_first.glsl. One
+// invocation writes one texel.
 #include "draw/exact/screen/light_read.glsl"
 #include "common/exact.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 LIGHT_PICTURE(sceneUnit, lightImage, scene);
 layout(rgba32f, binding = sumImage) writeonly restrict uniform image2D half_;
-uniform ivec2 size;  // of the scene
+uniform ivec2 size;  // size of the scene in pixels
 uniform float threshold;
 
 vec3 above(ivec2 at) {

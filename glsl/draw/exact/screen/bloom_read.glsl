@@ -1,4 +1,4 @@
-// The light that bloom scatters onto a pixel: level 0 has half the picture's size.
+// Returns the bloom light of a pixel, interpolated from bloom level 0, which has half the picture's size.
 #include "draw/exact/screen/twice_as_large.glsl"
 LIGHT_PICTURE(bloomUnit, scatteredImage, scattered);
 

@@ -1,4 +1,5 @@
-// Pictures of light, RGBA32F, read texel by texel. LIGHT_IMAGES: software drivers find those of an image in half the time.
+// Access to the texels of light pictures in RGBA32F. LIGHT_IMAGES: reads them as images, which takes half the time on
+// software drivers; else as textures.
 #include "draw/bindings.glsl"
 #include "draw/exact/bindings.glsl"
 #ifdef LIGHT_IMAGES

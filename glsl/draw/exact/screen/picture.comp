@@ -1,5 +1,6 @@
-// The finished picture: light over the sky, or over nothing (TRANSPARENT), through lens and film, as bytes. BLOOM: adds scattered
-// light. LINEAR: the light itself, of both, instead. DEEP: what the film shows of it, not rounded to bytes. An invocation does ROWS pixels, one below the other.
+// Writes the finished picture as bytes: light over the sky, or over nothing with TRANSPARENT, through lens and film.
+// BLOOM: adds the bloom light. LINEAR: writes the light before lens and film. DEEP: writes the film's values without
+// rounding to bytes. One invocation writes ROWS pixels, one below the other.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
@@ -16,7 +17,7 @@ layout(rgba32f, binding = pictureImage) writeonly restrict uniform image2D pictu
 #else
 layout(rgba8, binding = pictureImage) writeonly restrict uniform image2D picture;
 #endif
-uniform vec2 perSize;  // 2 / the picture's size
+uniform vec2 perSize;  // 2 / size of the picture in pixels
 vec2 perSize_ = once(perSize);
 #ifdef BLOOM
 #include "draw/exact/screen/bloom_read.glsl"
@@ -24,7 +25,7 @@ uniform float bloomStrength;
 float bloomStrength_ = once(bloomStrength);
 #endif
 
-// A fraction of white as a byte / 255, which every driver's rounding keeps.
+// Rounds a fraction of white to a byte / 255, a value that every driver stores as that byte.
 float asByte(float x) {
   precise float scaled = clamp(x, 0.0f, 1.0f) * 255.0f + 0.5f;
   precise float byte_ = floor(scaled) * 0.0039215687f;

@@ -1,9 +1,8 @@
-// Weights of the texels of a level around the middle of a texel of one twice as large. Compiles as GLSL and as C++.
-//
-// The middle of texel i lies at i / 2 - 1/4 between texels of half the size: a quarter of one before or behind texel
-// i / 2.
+// Interpolation weights for reading a level at twice its size. Compiles as GLSL and as C++.
+// The centre of texel i is at i / 2 - 1/4 in the half-size level: a quarter of a texel before or behind the centre of
+// texel i / 2.
 
-// The first of two texels, and the weight of the second.
+// Returns the first of the two texels; secondWeight() returns the weight of the second.
 FUNCTION int firstHalfTexel(int i) {
   return (i - 1) >> 1;
 }

@@ -1,4 +1,5 @@
-// A sunflower disc of 32: its point i is exactSqrt((i + 1/2) / 32) from the middle, at the angle 2.399963 i.
+// 32 points of a sunflower spiral on the unit disc: point i has the radius exactSqrt((i + 1/2) / 32) and the angle
+// 2.399963 i.
 const vec2 discPoints[32] = vec2[](
     vec2(0.125f, 0.0f), vec2(-0.159645006f, 0.146247968f), vec2(0.024436105f, -0.27843827f),
     vec2(0.20122242f, 0.262458652f), vec2(-0.369267613f, -0.0653178915f), vec2(0.349802196f, -0.222516105f),

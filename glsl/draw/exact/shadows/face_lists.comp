@@ -1,6 +1,6 @@
-// Which triangles of the merged mesh (merge_mesh.comp) some faces of the lamps' maps may show: a list of numbers for each face.
-// What lies beyond one of its sides, by more than rounding makes of it, is left out; what is listed may show nothing all the
-// same. Variants of lamp_list.glsl, BALLOT.
+// Lists, for several faces of the lamps' shadow maps, the triangles of the merged mesh (merge_mesh.comp) that the face
+// may show. A triangle completely beyond one side of the face, by more than rounding, is left out; a listed triangle
+// may still be invisible. One invocation tests one triangle. Variants of lamp_list.glsl, BALLOT.
 #include "draw/exact/bindings.glsl"
 #include "draw/lights/lamp_list.glsl"
 layout(local_size_x = 64) in;
@@ -9,7 +9,7 @@ layout(binding = indexUnit) uniform usamplerBuffer indices;
 layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgumentBlock { uint drawArguments[]; };
 layout(std430, binding = largeBinding) writeonly restrict buffer ListBlock { uint lists[]; };
 layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint counters[]; };
-uniform int room;  // of a list
+uniform int room;  // capacity of the triangle list of one face
 uniform int firstFace;
 uniform int faces;
 #include "draw/exact/list_place.glsl"
@@ -18,13 +18,13 @@ bool allBelow(vec3 v, float least) {
   return max(v.x, max(v.y, v.z)) < least;
 }
 
-// Of three corners at the distances x along a face's axis: whether all are beyond the side where y = x.
+// True if all three corners, at the distances x along the face's axis, are beyond the side y = x.
 bool allBeyond(vec3 x, vec3 y) {
   precise vec3 within = x - y + 1e-5f * (abs(x) + abs(y));
   return allBelow(within, 0.0f);
 }
 
-// Of a face that covers |y|, |z| <= x.
+// True if a face that covers |y|, |z| <= x may show the triangle.
 bool mayShow(vec3 x, vec3 y, vec3 z, float nearest) {
   return !(allBelow(x, nearest) || allBeyond(x, y) || allBeyond(x, -y) || allBeyond(x, z) || allBeyond(x, -z));
 }

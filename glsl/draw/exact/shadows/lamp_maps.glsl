@@ -1,6 +1,6 @@
-// Fraction of a lamp's light that reaches a place, filtered over a few texels of its maps, by reads of our own
-// (draw/lights/lamp_shadow.glsl). Of a lamp, `maps` has: x texels on a side of a map, y those of a row of all maps, z the row
-// where its own begin, w fraction of a map's side that 90 degrees span.
+// Returns the fraction of a lamp's light that reaches a point, filtered in shader code over a few texels of its shadow
+// maps (as draw/lights/lamp_shadow.glsl). `maps` of a lamp: x texels on a side of a map, y texels of an atlas row, z
+// first row of the lamp's maps, w fraction of a map's side that spans 90 degrees.
 #include "draw/lights/faces.glsl"
 #include "draw/exact/shadows/shadow_filter.glsl"
 #ifdef AREAS
@@ -8,13 +8,14 @@
 #endif
 layout(binding = lampMapUnit) uniform usamplerBuffer lampKeys;
 
-// `nl`: cosine between normal and lamp. Looked up a step to the lit side of the surface, it does not shade itself.
+// `nl`: cosine between the normal and the direction to the lamp. The lookup point is offset to the lit side of the
+// surface so that the surface does not shadow itself.
 float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
   vec4 maps = lampMaps(lamp), sampling = lampSampling(lamp);
   vec3 a = abs(from);
   precise float turned = 4.0f * nl;
 #ifdef AREAS
-  // A part of a rectangle may be above the horizon while its middle is below.
+  // A part of a rectangle may be above the horizon although its centre is below.
   turned = lampUp(lamp).w > 0.0f ? 1.0f : turned;
 #endif
   precise float lift = clamp(turned, -1.0f, 1.0f) * (sampling.y * max(a.x, max(a.y, a.z))) * (0.5f + 0.5f * sampling.z);
@@ -32,12 +33,13 @@ float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
 #ifdef AREAS
   vec4 up = lampUp(lamp);
   if (up.w > 0.0f) {
-    // Its area's disc, in texels of a map at a distance of 1 m; the surface's plane on the map.
+    // Disc with the rectangle's area, in texels of a map at the distance 1 m; and the surface's plane on the map.
     vec3 across = onFace(face, normal);
     float perTexel = exactReciprocal(sampling.y);
     precise float area = 0.318309886f * exactReciprocal(up.w);
     precise float spread = exactSqrt(area) * perTexel * exactReciprocal(sampling.x);
-    precise float least_ = -0.15f * exactSqrt(exactDot(q, q));  // flatter light would make of its plane a wall
+    // Limits the slope of the receiver's plane at grazing light.
+    precise float least_ = -0.15f * exactSqrt(exactDot(q, q));
     precise float perOff = sampling.x * sampling.y * exactReciprocal(min(exactDot(across, q), least_));
     precise vec2 rise = across.yz * perOff;
     precise float most = 0.125f * maps.x - 2.0f;

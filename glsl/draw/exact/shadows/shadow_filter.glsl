@@ -1,15 +1,15 @@
-// Fraction of a light that reaches a place of its shadow map, filtered over a few texels, by reads of our own.
+// Shadow map filter in shader code: returns the fraction of light that reaches a point, filtered over a few texels.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 
-// Where a map lies among keys.
+// Place of a map in the key buffer.
 struct ShadowMap {
-  int side;    // texels
-  int first;   // its first key,
-  int stride;  // and how many there are from a row to the next
+  int side;    // side of the map in texels
+  int first;   // index of the map's first key
+  int stride;  // number of keys from one row of the map to the next
 };
 
-// Lit texels around a place (texels), weighted linearly.
+// Returns the bilinearly weighted fraction of lit texels around a position (texels).
 float litAround(usamplerBuffer keys, ShadowMap map, vec2 place, uint key) {
   precise vec2 corner = place - 0.5f;
   precise vec2 whole = floor(corner);
@@ -27,7 +27,7 @@ float litAround(usamplerBuffer keys, ShadowMap map, vec2 place, uint key) {
   return lit;
 }
 
-// Four taps: a square turned by 27 degrees, whose steps overlap into a smooth ramp.
+// Four taps in a square turned by 27 degrees, whose steps overlap to a smooth ramp.
 float litByFour(usamplerBuffer keys, ShadowMap map, vec2 middle, uint key, float radius) {
   precise vec2 u = radius * vec2(0.667f, 0.333f);
   precise vec2 v = radius * vec2(-0.333f, 0.667f);
@@ -41,7 +41,8 @@ float litByFour(usamplerBuffer keys, ShadowMap map, vec2 middle, uint key, float
   return fraction;
 }
 
-// A sunflower disc: of its point i the distance from the middle, exactSqrt((i + 1/2) / 16), and cosine and sine of 2.399963 i.
+// 16 points of a sunflower spiral on the unit disc: x radius exactSqrt((i + 1/2) / 16), y and z cosine and sine of
+// 2.399963 i.
 const vec3 sunflower[16] = vec3[](
     vec3(0.176776692f, 0.999999881f, 0.0f), vec3(0.306186229f, -0.737368882f, 0.675490618f),
     vec3(0.395284712f, 0.0874252319f, -0.996171057f), vec3(0.467707157f, 0.608439505f, 0.793600142f),

@@ -1,23 +1,25 @@
-// Fraction of a sun of some angular size that reaches a place of its map: first how far away what shades the place is, on
-// the average, then the map filtered over the penumbra that this gives, which is as wide as that way times the sun's
-// angular size (Fernando 2005, "Percentage-closer soft shadows"). Whoever includes it has float casterNear(ivec2 texel):
-// 1 - depth of what is there, less than any where nothing is; and the points of disc_points.glsl. Compiles as GLSL and as C++.
+// Returns the fraction of a sun with an angular size that reaches a point. First it averages the distance of the
+// casters around the point, then it filters the map over the resulting penumbra, whose width is that distance times the
+// sun's angular size (Fernando 2005, "Percentage-closer soft shadows"). The including file declares float
+// casterNear(ivec2 texel), which returns 1 - depth of the caster or a value below all casters, and the points of
+// disc_points.glsl. Compiles as GLSL and as C++.
 #ifndef EXACT_SUN_DISC
 #define EXACT_SUN_DISC
 #include "common/exact.glsl"
 
-const int discTaps = 32;  // of discPoints, which come with casterNear
+const int discTaps = 32;  // number of points in discPoints
 
 struct SunReceiver {
-  vec2 middle;   // on the map (texels)
-  float near;    // 1 - depth; less than 0 behind every caster
-  vec2 rise;     // of `near` along the surface, for each texel across: what lies in its plane does not shade it
-  float spread;  // radius of the penumbra (texels) for each unit of depth between caster and receiver
-  float least;   // radius of the filter (texels) at least,
-  float most;    // and at most
+  vec2 middle;   // position of the receiver on the map in texels
+  float near;    // receiver's nearness: 1 - depth; negative behind every caster
+  vec2 rise;     // change of the receiver's nearness per texel along its surface, so that the surface's plane casts no
+                 // shadow on itself
+  float spread;  // radius of the penumbra (texels) per unit of depth between caster and receiver
+  float least;   // min radius of the filter in texels
+  float most;    // max radius of the filter in texels
 };
 
-// Nearness of the receiver's plane a way (texels) across.
+// Returns the nearness of the receiver's plane at the offset `way` (texels).
 FUNCTION float planeNear(SunReceiver r, vec2 way) {
   precise float near = r.near + r.rise.x * way.x + r.rise.y * way.y;
   return near;
@@ -28,7 +30,8 @@ FUNCTION bool isShaded(SunReceiver r, vec2 way) {
   return casterNear(ivec2(floor(place))) > planeNear(r, way);
 }
 
-// Of the four points of a square around a place a way across, those that are lit. `aside`: of the first from there.
+// Returns the number of lit points among the four corners of a square around the offset `way`. `aside`: offset of the
+// first corner from the square's centre.
 FUNCTION int litOfFour(SunReceiver r, vec2 way, vec2 aside) {
   precise vec2 turned = vec2(-aside.y, aside.x);
   precise vec2 one = way + aside;
@@ -40,7 +43,7 @@ FUNCTION int litOfFour(SunReceiver r, vec2 way, vec2 aside) {
 }
 
 FUNCTION float sunDiscFraction(SunReceiver r) {
-  // Casters have nearness 1 at most.
+  // The nearness of casters is at most 1.
   precise float widest = (1.0f - r.near) * r.spread;
   float search = clamp(widest, r.least, r.most);
   int casters = 0;
@@ -58,7 +61,7 @@ FUNCTION float sunDiscFraction(SunReceiver r) {
   precise float between = sum * exactReciprocal(float(casters)) - r.near;
   precise float wide = between * r.spread;
   float radius = clamp(wide, r.least, r.most);
-  // Squares of a side that the points are apart, so that all of theirs are evenly over the disc.
+  // The squares have the side of the points' spacing, so all their corners are spread evenly over the disc.
   precise vec2 aside = radius * vec2(0.033f, 0.1f);
   int lit = 0;
   for (int i = 0; i < discTaps; ++i) {

@@ -1,5 +1,5 @@
-// Fraction of the sun that reaches a place, filtered over frame.shadowSoftness texels of the sun's map: SHADOW_TAPS; or
-// over the penumbra of its disc: SUN_DISC.
+// Returns the fraction of sunlight that reaches a point: filtered over frame.shadowSoftness texels of the sun's shadow
+// map (SHADOW_TAPS), or over the penumbra of the sun's disc (SUN_DISC).
 #ifndef EXACT_SUN_MAP
 #define EXACT_SUN_MAP
 #include "draw/exact/light_place.glsl"
@@ -16,10 +16,10 @@ float casterNear(ivec2 texel) {
 #include "draw/exact/shadows/disc_points.glsl"
 #include "draw/exact/shadows/sun_disc.glsl"
 
-// `normal`: of a surface that does not shade itself as far as it is flat.
+// `normal`: normal of the receiving surface, which casts no shadow on itself if it is flat.
 float sunFraction(vec3 place, vec3 normal) {
   float perDepth = exactReciprocal(lightDepth());
-  precise float perTexel = lightTexel() * perDepth;  // depth that a texel is long
+  precise float perTexel = lightTexel() * perDepth;  // depth difference that equals the width of a texel
   float along = max(exactDot(normal, frame.sunDirection.xyz), 0.1f);
   precise vec2 across = vec2(exactDot(normal, frame.lightRight.xyz), exactDot(normal, frame.lightUp.xyz));
   precise vec2 rise = across * (-perTexel * exactReciprocal(along));
@@ -33,7 +33,7 @@ float sunFraction(vec3 place, vec3 normal) {
 float sunFraction(vec3 place, vec3 normal) {
   int side = int(frame.shadowTexels);
   precise float near = 1.0f - place.z;
-  uint key = nearKey(max(near, 0.0f));  // behind every caster still counts as inside the map
+  uint key = nearKey(max(near, 0.0f));  // clamped so that a point behind every caster counts as inside the map
   precise vec2 middle = place.xy * frame.shadowTexels;
   ShadowMap map = ShadowMap(side, 0, side);
 #if SHADOW_TAPS == 4
@@ -44,7 +44,7 @@ float sunFraction(vec3 place, vec3 normal) {
 }
 #endif
 
-// A step to the lit side of a surface: looked up there, it does not shade itself.
+// Offsets the lookup point to the lit side of the surface so that the surface does not shadow itself.
 float sunFractionOn(vec3 p, vec3 normal) {
   precise float turned = 4.0f * exactDot(normal, frame.sunDirection.xyz);
   precise float lift = clamp(turned, -1.0f, 1.0f) * lightTexel() * (0.5f + 0.5f * frame.shadowSoftness);

@@ -1,4 +1,5 @@
-// Maps of materials by reads of our own, from the list of all their texels (src/draw/exact/surface/map_texels.hpp).
+// Material maps with texture filtering in shader code, from a buffer with the texels of all maps
+// (src/draw/exact/surface/map_texels.hpp).
 #ifndef EXACT_MAP_READ
 #define EXACT_MAP_READ
 #include "common/once.glsl"
@@ -6,7 +7,8 @@
 #include "draw/surface/footprint.glsl"
 layout(binding = mapTexelUnit) uniform usamplerBuffer texelsOfMaps;
 
-// `map`: width, height, levels (less than 0: its border goes on), and where the list begins.
+// `map`: width, height, number of levels (negative: clamped at the border instead of repeated), index of the map's
+// level table.
 TextureShape mapShape(ivec4 map) {
   return TextureShape(map.xy, abs(map.z), map.z > 0);
 }
@@ -17,7 +19,7 @@ vec4 mapTexel(int at) {
   return value;
 }
 
-// As FILTERED of footprint.glsl has it; `first` is where the level's texels begin.
+// Bilinear read, as in FILTERED of footprint.glsl; `first`: index of the level's first texel.
 vec4 mapBetween(vec2 uv, int level, int first, TextureShape shape) {
   Around around = texelsAround(uv, level, shape);
   ivec4 t = around.texels;

@@ -1,14 +1,16 @@
-// Light of one surface on its tiles: each primitive of a pixel once, in the pixel's middle if that is on it, else at the
-// first of its samples. JOINED: of several surfaces that have nothing laid over them. Variants: those of draw/surface/lighting.glsl,
-// SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED, RAYS, PALETTE, VERTEX_COLORS, DOUBLE_SIDED, TEXTURED (BUMPED) or SKIN (LOOK_ one of draw/surface/skin_look.glsl), by uv, of
-// a GRID or a mesh, or TRIPLANAR; maps (surface_maps.glsl), EMISSION, COAT, SHEEN. BLENDED: of a layer. SAMPLES.
+// Shades one surface tile by tile. Each triangle in a pixel is shaded once: at the pixel's centre if the centre is on
+// the triangle, else at the first sample that shows it. JOINED: shades several surfaces without textures. Variants:
+// SAMPLES; SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED, RAYS, PALETTE, VERTEX_COLORS, DOUBLE_SIDED; TEXTURED
+// (BUMPED) or SKIN (with a LOOK_ variant of draw/surface/skin_look.glsl), by uv of a GRID or a mesh, or TRIPLANAR; maps
+// (surface_maps.glsl), EMISSION, COAT, SHEEN; BLENDED (a transparent layer); and the variants of
+// draw/surface/lighting.glsl.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #ifdef JOINED
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/owners.glsl"
 layout(binding = lookUnit) uniform samplerBuffer looks;
-bool mirrors = false, bothSides = false;  // of the surface that is being shaded, as are color_ and material_
+bool mirrors = false, bothSides = false;  // properties of the surface that is being shaded, like color_ and material_
 #endif
 #include "draw/exact/tiles/lit_tile.glsl"
 #include "draw/exact/triangles/surface_triangle.glsl"
@@ -43,7 +45,7 @@ vec3 emission_ = once(emission);
 #endif
 #ifdef COAT
 #include "draw/surface/coat.glsl"
-uniform vec2 coat;  // strength, roughness
+uniform vec2 coat;  // coat: x strength, y roughness
 vec2 coat_ = once(coat);
 #endif
 #ifdef BLENDED
@@ -81,7 +83,7 @@ void takeLook(uint number) {
 const bool bothSides = true;
 uniform vec3 color;
 vec3 color_ = once(color);
-uniform vec3 material;  // roughness, metallic, translucency
+uniform vec3 material;  // material: roughness, metallic, translucency
 vec3 material_ = once(material);
 #endif
 
@@ -160,7 +162,7 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   keepSurfaceSpot(spot, look, normal, firstSample(pixel) + sampleAt, owner_, clear_);
 #else
 #if defined SHOWN || defined REFLECTED
-  light = vec3(0);  // its own
+  light = vec3(0);  // the outputs SHOWN and REFLECTED contain no emission
 #endif
 #ifdef REFLECTED
   facing_ = spot.turned ? -spot.normal : spot.normal;
@@ -170,7 +172,7 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
 #if defined COAT && !defined SHOWN
 #ifdef SHEEN
   vec3 fibres = sheen_;
-  sheen_ = vec3(0);  // those are under it
+  sheen_ = vec3(0);  // the coat lies over the fibres, so it is shaded without fibres
 #endif
   vec3 smoothNormal = spot.normal;
 #ifdef DOUBLE_SIDED

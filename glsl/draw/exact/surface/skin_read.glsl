@@ -1,5 +1,5 @@
-// Materials grown from a field (draw/surface/skin.glsl), by reads of our own. SKIN_TAKEN: of one of several, whose values whoever includes it has,
-// and where its texels begin.
+// Materials generated from a simulation field (draw/surface/skin.glsl), with texture filtering in shader code.
+// SKIN_TAKEN: reads one of several skins; the including file declares its parameters and the index of its first texel.
 #include "common/once.glsl"
 #include "draw/bindings.glsl"
 #include "draw/surface/footprint.glsl"
@@ -18,18 +18,18 @@ vec3 skinLow_ = once(skinLow), skinHigh_ = once(skinHigh);
 #define skinHigh skinHigh_
 #include "draw/surface/skin_look.glsl"
 #ifndef SKIN_TAKEN
-layout(binding = reliefUnit) uniform usamplerBuffer skinTexels;  // skin_texels.comp
+layout(binding = reliefUnit) uniform usamplerBuffer skinTexels;  // texels of the skin, written by skin_texels.comp
 uniform ivec2 reliefSize;
 ivec2 reliefSize_ = once(reliefSize);
 uniform int reliefLevels;
 int reliefLevels_ = once(reliefLevels);
-uniform vec2 skinCells;  // of the field
+uniform vec2 skinCells;  // size of the skin's field in cells
 vec2 skinCells_ = once(skinCells);
 #endif
 
 struct SkinTexel {
   vec4 relief;
-  vec4 around;  // surroundings, then colour
+  vec4 around;  // x mean of q in a ring around the texel, yzw colour
 };
 
 SkinTexel skinTexel(int at) {
@@ -37,7 +37,7 @@ SkinTexel skinTexel(int at) {
   return SkinTexel(vec4(unpackHalf2x16(words.x), unpackHalf2x16(words.y)), vec4(unpackHalf2x16(words.z), unpackHalf2x16(words.w)));
 }
 
-// As FILTERED of footprint.glsl has it, of all that a texel holds; `first` is where the level's texels begin.
+// Bilinear read of all values of a texel, as in FILTERED of footprint.glsl; `first`: index of the level's first texel.
 SkinTexel skinBetween(vec2 uv, int level, int first, TextureShape shape) {
   Around around = texelsAround(uv, level, shape);
   ivec4 t = around.texels;
@@ -52,7 +52,7 @@ SkinTexel skinBetween(vec2 uv, int level, int first, TextureShape shape) {
   return SkinTexel(relief, rest);
 }
 
-// Where a level's texels begin.
+// Returns the index of a level's first texel.
 int firstOfLevel(int level, ivec2 size) {
   int first = 0;
   for (int i = 0; i < level; ++i) {
@@ -88,7 +88,7 @@ SkinArea skinArea(Seen seen) {
   vec4 mean = found.relief;
   precise float spread = mean.y - mean.x * mean.x;
   precise float beyond = print.longer - 1.0f;
-  // Between texels that a pixel does not even fill there is no variance, only interpolation.
+  // No variance for pixels smaller than a texel, because q is only interpolated there.
   precise float variance = max(spread, 0.0f) * clamp(beyond, 0.0f, 1.0f);
   SkinArea area;
   area.q = mean.x;
@@ -103,7 +103,7 @@ SkinArea skinArea(Seen seen) {
   return area;
 }
 
-// How much q changes over a pixel to the right and up.
+// Returns the change of q per pixel to the right and up.
 vec2 changeOver(SkinArea area, Seen seen) {
   precise vec2 across = seen.across * skinCells_;
   precise vec2 up = seen.up * skinCells_;

@@ -1,4 +1,5 @@
-// All levels of a skin's maps as one list of texels for draw/exact/surface/skin_read.glsl. Halves: relief, surroundings, colour.
+// Writes all mip levels of a skin's textures to one list of texels for draw/exact/surface/skin_read.glsl, as half
+// floats: relief, ring mean, colour. One invocation writes one texel.
 #include "draw/exact/bindings.glsl"
 #include "draw/bindings.glsl"
 layout(local_size_x = 64) in;
@@ -6,8 +7,8 @@ layout(binding = reliefUnit) uniform sampler2D relief;
 layout(binding = surroundingsUnit) uniform sampler2D surroundings;
 layout(binding = skinColorUnit) uniform sampler2D skinColors;
 layout(std430, binding = outVertexBinding) writeonly restrict buffer TexelBlock { uvec4 texels[]; };
-uniform ivec2 size;  // of the first level
-uniform int count;   // of texels
+uniform ivec2 size;  // size of the skin's mip level 0 in texels
+uniform int count;   // total number of texels of all mip levels
 uniform bool colored;
 
 void main() {

@@ -1,16 +1,17 @@
-// How a pixel sees what is laid over a spot of a surface: by uv, or TRIPLANAR from three sides in the surface's own space.
+// Texture coordinates of a surface's shading point and their changes per pixel: by uv, or with TRIPLANAR along three
+// axes of the surface's own space.
 #include "common/once.glsl"
 #include "draw/surface/footprint.glsl"
 #include "draw/surface/three_sides.glsl"
-uniform vec2 textureScale;  // repeats along u and v, or a metre
+uniform vec2 textureScale;  // repeats of the texture along u and v, or per metre
 vec2 textureScale_ = once(textureScale);
 #ifdef TRIPLANAR
 uniform mat4 model;
 mat4 model_ = once(model);
-uniform float modelScale;  // of lengths
+uniform float modelScale;  // scale of lengths in the model matrix
 float modelScale_ = once(modelScale);
 
-// In the surface's own space, in metres.
+// Returns the position in the surface's own space in metres, for the weights w of the corners.
 vec3 ownPlace(Spot spot, vec3 w) {
   precise vec3 mean = w.x * vertexPlace(spot.corners.x - firstVertex_) +
                       w.y * vertexPlace(spot.corners.y - firstVertex_) +
@@ -52,7 +53,7 @@ SurfaceSeen surfaceSeen(Spot spot) {
   return seen;
 }
 
-// A bit for each.
+// Returns a bit mask of the projections with a weight above 0.
 int sidesThatShow(vec3 weight) {
   return (weight.x > 0.0f ? 1 : 0) | (weight.y > 0.0f ? 2 : 0) | (weight.z > 0.0f ? 4 : 0);
 }
@@ -72,7 +73,7 @@ SurfaceSeen surfaceSeen(Spot spot) {
 }
 #endif
 
-// Where a neighbour of the pixel sees the triangle's plane.
+// Returns the point of the triangle's plane that the neighbouring pixel at the offset `aside` sees.
 vec3 planePlace(Spot spot, vec2 aside) {
   precise vec2 at = spot.at + aside;
   return placeUnder(weightsBeside(spot, aside), spot.a.z, spot.b.z, spot.c.z, rayThrough(at));

@@ -1,10 +1,11 @@
-// Lays a skin over a spot of a surface: TRIPLANAR from three sides (draw/surface/three_sides.glsl), else by uv.
+// Applies a skin at a shading point of a surface: TRIPLANAR along three axes (draw/surface/three_sides.glsl), else by
+// uv.
 #include "draw/exact/surface/skin_read.glsl"
 
-// What a pixel covers of the field.
+// Field values and gradient over the footprint of a pixel.
 struct SkinSeen {
   SkinArea area;
-  float change2;  // square of the change of q over a pixel
+  float change2;  // squared change of q per pixel
   vec3 rise;      // gradient of q along the surface, per cell
 };
 
@@ -25,7 +26,7 @@ SkinArea noArea() {
 SkinSeen skinSeen(Spot spot, vec3 normal) {
   SurfaceSeen seen = surfaceSeen(spot);
   vec3 w = seen.weight;
-  // As in surface_texture.glsl, a loop over the sides that show.
+  // Loops only over the projections with a weight above 0, as in surface_texture.glsl.
   SkinArea x = noArea(), y = noArea(), z = noArea();
   int left = sidesThatShow(w);
   while (left != 0) {

@@ -1,4 +1,4 @@
-// A place of a surface that a pixel shows.
+// A shading point of a surface that a pixel shows.
 #include "draw/arithmetic.glsl"
 #include "draw/exact/ground_plane.glsl"
 #include "draw/exact/weights.glsl"
@@ -16,17 +16,18 @@ layout(binding = paletteUnit) uniform samplerBuffer vertexTints;
 #endif
 
 struct Spot {
-  ivec3 corners;      // vertices of the triangle
-  vec3 a, b, c;       // those on the picture
-  vec3 weight;        // of them
-  vec2 at;            // pixels
-  vec3 place;         // world (m)
-  vec3 normal;        // unit, as are
-  vec3 view;          // to the eye
-  bool turned;        // seen from behind
+  ivec3 corners;      // vertex indices of the triangle's three corners
+  vec3 a, b, c;       // the triangle's corners projected to the picture
+  vec3 weight;        // barycentric weights of the corners
+  vec2 at;            // position on the picture in pixels
+  vec3 place;         // world position of the shading point (m)
+  vec3 normal;        // unit normal of the shading point
+  vec3 view;          // unit vector to the eye
+  bool turned;        // true if the triangle is seen from behind
 };
 
-// The world's place that the triangle has under a place of the picture.
+// Returns the world position of a point of the triangle. w: weights of the corners with the depths a, b, c; `ray`: ray
+// of the picture position.
 vec3 placeUnder(vec3 w, float a, float b, float c, vec3 ray) {
   precise float depth = w.x * a + w.y * b + w.z * c;
   return placeOnRay(ray, depth);
@@ -57,14 +58,14 @@ Spot spotOf(ivec3 corners, ivec2 pixel, int firstSample) {
   return spot;
 }
 
-// The weights where the pixel's neighbour `aside` sees the same triangle's plane.
+// Returns the barycentric weights at the neighbouring pixel at the offset `aside`, on the same triangle's plane.
 vec3 weightsBeside(Spot spot, vec2 aside) {
   precise vec2 at = spot.at + aside;
   return ofSumOne(weightsAround(spot.a, spot.b, spot.c, at));
 }
 
 #ifdef REFLECTED
-// By how much the normal turns from a half pixel to the next (radians), along rows or columns.
+// Returns the angle between the normals of neighbouring half pixels (radians), the larger of both axes.
 float turnsOn(Spot spot) {
   vec3 a = unpackedUnit(texelFetch(vertices, spot.corners.x).w), b = unpackedUnit(texelFetch(vertices, spot.corners.y).w);
   vec3 c = unpackedUnit(texelFetch(vertices, spot.corners.z).w);
@@ -80,7 +81,7 @@ float turnsOn(Spot spot) {
 #endif
 
 #ifdef VERTEX_COLORS
-// That the vertices have themselves.
+// Returns the interpolated vertex colour.
 vec3 tintOn(Spot spot) {
   vec3 w = spot.weight;
   precise vec3 mean = w.x * texelFetch(vertexTints, spot.corners.x - firstVertex_).rgb +

@@ -1,13 +1,14 @@
-// A material's texture on a spot of a surface (surface_seen.glsl); BUMPED by the relief of its brightness.
+// A material's texture at a shading point of a surface (surface_seen.glsl). BUMPED: adds the relief of the texture's
+// brightness.
 #include "common/once.glsl"
 #include "draw/exact/surface/texture_read.glsl"
 #include "draw/surface/raised_normal.glsl"
 #ifdef BUMPED
-uniform float bump;  // height of white, m
+uniform float bump;  // height of white in metres
 float bump_ = once(bump);
 #endif
 
-// The texture there, and where the pixel's neighbours `aside` to the right, left, above and below see it.
+// The texture's colour at the pixel, and at the offset `aside` (pixels) to the right, left, above and below.
 struct Patch {
   vec3 color;
 #ifdef BUMPED
@@ -26,7 +27,7 @@ Patch noPatch() {
   return patch_;
 }
 
-// Adds what one side shows, `weight` of it.
+// Adds the colours of one projection with the given weight.
 Patch withSide(Patch patch_, Seen seen, float weight) {
   precise vec3 color = patch_.color + weight * textureSeen(seen, vec2(0));
   patch_.color = color;
@@ -45,7 +46,8 @@ Patch withSide(Patch patch_, Seen seen, float weight) {
 }
 
 #ifdef TRIPLANAR
-// Software drivers run both sides of a branch: a loop takes from side to side that shows, and most walls and floors face one.
+// Loops only over the projections with a weight above 0, because software drivers execute both sides of a branch. Most
+// walls and floors need only one projection.
 Patch patchSeen(SurfaceSeen seen) {
   vec3 w = seen.weight;
   Patch sum = noPatch();

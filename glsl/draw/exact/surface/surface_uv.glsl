@@ -1,4 +1,4 @@
-// The uv of a spot of a surface, and how they change over a pixel. GRID: from the numbers of its vertices.
+// The uv of a surface's shading point and its changes per pixel. GRID: computed from the vertex indices.
 #include "draw/exact/surface/vertex_uv.glsl"
 
 Seen seenByUv(Spot spot, vec2 repeats) {

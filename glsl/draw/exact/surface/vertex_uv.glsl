@@ -1,16 +1,17 @@
-// The uv of a surface's vertex. GRID: from its number.
+// The uv of a surface's vertex. GRID: computed from the vertex index.
 #include "draw/bindings.glsl"
 #ifdef GRID
 #include "common/once.glsl"
 uniform ivec2 grid;
 ivec2 grid_ = once(grid);
-uniform vec2 perGrid;  // 1 / (grid - 1)
+uniform vec2 perGrid;  // 1 / (grid - 1): factor from grid coordinates to uv
 vec2 perGrid_ = once(perGrid);
-uniform float perRow;  // 1 / grid.x
+uniform float perRow;  // 1 / number of vertices in a row of the grid
 float perRow_ = once(perRow);
 
 vec2 uvOf(int vertex) {
-  // Software drivers divide integers lane by lane. In floats the quotient is off by one at most, of up to five million rows.
+  // Software drivers divide integers lane by lane. The float quotient is off by at most one for up to five million
+  // rows.
   int i = vertex - firstVertex_;
   precise float about = float(i) * perRow_;
   int row = int(about);

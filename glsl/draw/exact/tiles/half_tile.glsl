@@ -1,12 +1,12 @@
-// Half pixels of a tile: what is found once for four pixels.
+// Half pixels (blocks of 2x2 pixels) of a tile, for values that are computed once for four pixels.
 const int halfPixels = 16;
 
-// Pixel number k of half pixel number i.
+// Returns pixel k (0 to 3) of half pixel i.
 ivec2 pixelOfHalf(ivec2 corner, int i, int k) {
   return corner + 2 * ivec2(i & 3, i >> 2) + ivec2(k & 1, k >> 1);
 }
 
-// The first of them that has samples (a bit each).
+// Returns the index of the first pixel whose sample mask is not empty.
 int firstOf(ivec4 samples) {
   return samples.x != 0 ? 0 : samples.y != 0 ? 1 : samples.z != 0 ? 2 : 3;
 }

@@ -1,15 +1,15 @@
-// Light of a tile: each primitive of a pixel once. Whoever includes it has vec4 lightOf(pixel, number, first sample).
-//
-// Software drivers compute a vector of invocations for as long as one of them has something to do, and pixels show one to four
-// primitives. So there an invocation takes one primitive after the other of all its pixels, and is hardly ever idle.
-//
-// REFLECTED: what reflections change is found once for the four pixels of a half pixel, of each part of the thing at the first sample
-// that shows it: uint partOfThing(number) says which belong together.
+// Shades the pixels of a tile, each primitive of a pixel once. The including file declares vec4 lightOf(pixel, number,
+// first sample).
+// A software driver computes a vector of invocations as long as one of them has work, and pixels show one to four
+// primitives. Therefore an invocation handles one primitive after the other of all its pixels, so it is rarely idle.
+// REFLECTED: the change by reflections is computed once for the four pixels of a half pixel and each part of the
+// object, at the first sample that shows the part. uint partOfThing(number) returns the part of a primitive.
 #include "draw/exact/tiles/shaded_tile.glsl"
 
 vec4 lightOf(ivec2 pixel, uint number, int firstSample);
 
-// The sample of these whose primitive is next: light adds up surface by surface, and of each by samples.
+// Returns the sample in the mask `left` whose primitive is shaded next. The order is by surface, then by sample, so the
+// sums of light have a fixed order.
 int firstToLight(PixelIds shown, int left) {
 #ifdef JOINED
   uint least = emptyId;
@@ -27,7 +27,7 @@ int firstToLight(PixelIds shown, int left) {
 #include "draw/exact/tiles/half_tile.glsl"
 uint partOfThing(uint number);
 
-// A bit for each sample of these that shows that part.
+// Returns the mask of the samples in `left` that show the part.
 int samplesOfPart(PixelIds shown, int left, uint part) {
   int same = 0;
   for (int s = 0; s < SAMPLES; ++s) same |= (left >> s & 1) != 0 && partOfThing(shown.of[s]) == part ? 1 << s : 0;
@@ -35,7 +35,7 @@ int samplesOfPart(PixelIds shown, int left, uint part) {
 }
 #endif
 
-// Of what has `numbers` numbers from firstId on.
+// Shades the primitives with the ids firstId to firstId + numbers - 1.
 #ifdef REFLECTED
 void lightTile(uint firstId, uint numbers) {
   ivec2 corner = tileToShade();
@@ -79,7 +79,7 @@ void lightTile(uint firstId, uint numbers) {
 }
 #else
 void lightTile(uint firstId, uint numbers) {
-  const int together = min(ROWS, 32 / SAMPLES);  // pixels, a bit a sample
+  const int together = min(ROWS, 32 / SAMPLES);  // pixels per round, with one mask bit per sample
   ivec2 corner = tileToShade();
   if (corner.x < 0) return;
   for (int begin = 0; begin < ROWS; begin += together) {

@@ -1,5 +1,5 @@
-// A group's tile of a list of tiles.comp, and what the invocation's pixels show of the thing drawn. SAMPLES, PAIRED. An invocation has
-// ROWS pixels, 1 or 8.
+// The tile of a workgroup from a list of tiles.comp, and the content of the invocation's pixels. One invocation handles
+// ROWS pixels, 1 or 8. Variants: SAMPLES, PAIRED.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tiles/tile_lists.glsl"
@@ -12,7 +12,7 @@ layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
 uniform int draw_;
 uniform int tileCount;
 
-// The tile's first pixel; outside the picture where there is no tile.
+// Returns the first pixel of the workgroup's tile, or -1 if there is no tile left.
 ivec2 tileToShade() {
   uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
   if (entry >= texelFetch(tileCounts, draw_).x) return ivec2(-1);
@@ -20,8 +20,8 @@ ivec2 tileToShade() {
   return ivec2(tile & 0xffffu, tile >> 16) * tileSide + ivec2(0, view.rows.x);
 }
 
-// Pixel number i of the invocation's, of the tile whose first one that is. What the vectors of a software driver take at once
-// is a block of 4x2: fewer edges run through those than through rows.
+// Returns pixel i of the invocation in the tile that starts at `corner`. The invocations of one vector of a software
+// driver form a 4x2 block, because fewer primitive edges cross a block than a row.
 ivec2 pixelOf(ivec2 corner, int i) {
   int at = i * (64 / ROWS) + int(gl_LocalInvocationIndex);
   return corner + ivec2((at & 3) | (at >> 1 & 4), (at >> 2 & 1) | (at >> 3 & 6));
@@ -39,7 +39,7 @@ struct PixelIds {
   uint of[SAMPLES];
 };
 
-// Those of all the samples.
+// Returns the primitive ids of all samples of a pixel.
 PixelIds idsOf(ivec2 pixel) {
   PixelIds ids;
   int first = firstSample(pixel);
@@ -54,14 +54,14 @@ PixelIds idsOf(ivec2 pixel) {
   return ids;
 }
 
-// A bit for each sample that shows one of `numbers` numbers from `first` on.
+// Returns the mask of the samples that show one of the `numbers` ids from `first` on.
 int samplesOf(PixelIds shown, uint first, uint numbers) {
   int shows = 0;
   for (int s = 0; s < SAMPLES; ++s) shows |= shown.of[s] >= first && shown.of[s] - first < numbers ? 1 << s : 0;
   return shows;
 }
 
-// A bit for each sample that shows the same as sample `first`.
+// Returns the mask of the samples that show the same id as sample `first`.
 int samplesLike(PixelIds shown, int first) {
   uint id = shown.of[0];
   for (int s = 1; s < SAMPLES; ++s) id = s == first ? shown.of[s] : id;
@@ -70,8 +70,8 @@ int samplesLike(PixelIds shown, int first) {
   return same;
 }
 
-// What of the pixel the light of these samples (a bit each) has. BEHIND: behind layers that leave so much of it. BLENDED: of
-// the next layer, which leaves less of what lies behind it.
+// Returns the share of the pixel that the light of the given samples (mask) contributes. BEHIND: reduced by transparent
+// layers in front. BLENDED: reduced likewise, and the layer reduces the share of everything behind it.
 #ifdef BLENDED
 layout(std430, binding = throughBinding) restrict buffer ThroughBlock { float through[]; };
 
@@ -107,7 +107,7 @@ float shareOf(ivec2 pixel, int samples, float alpha) {
 }
 #endif
 
-// With RAYS, the spot's light comes later, and has then to be less, too.
+// RAYS: a spot is lit later, so its share is stored.
 #if defined RAYS && (defined BLENDED || defined BEHIND)
 void keepShare(int sampleAt, float share);
 
@@ -117,7 +117,7 @@ void keepShareOf(ivec2 pixel, int samples, float share, float alpha) {
 }
 #endif
 
-// A sum and light of these of the pixel's samples; alpha is the part of the pixel that something covers.
+// Adds the light of the given samples (mask) to a sum; alpha accumulates the covered fraction of the pixel.
 vec4 withLight(ivec2 pixel, vec4 before, vec4 light, int samples) {
   float share = shareOf(pixel, samples, light.a);
 #ifdef BLENDED
@@ -134,7 +134,7 @@ void addLight(ivec2 pixel, vec4 light, int samples) {
   imageStore(sums, pixel, withLight(pixel, imageLoad(sums, pixel), light, samples));
 }
 
-// Middle of the pixel (-1), or a sample, in pixels.
+// Returns the position of the pixel's centre (s = -1) or of sample s, in pixels.
 vec2 shadingPlace(ivec2 pixel, int s) {
   ivec2 sixteenth = pixel * 16 + (s < 0 ? ivec2(8) : samplePlace(s));
   precise vec2 place = vec2(sixteenth) * 0.0625f;

@@ -1,4 +1,4 @@
-// Which tiles show which of what is drawn: a list each. Numbers of samples say whose they are: surface k has those from
-// firstIds[k] to before firstIds[k + 1]; the ground has one, and none the last.
+// Lists of the tiles that show each drawn surface. Primitive ids identify the surface: surface k has the ids from
+// firstIds[k] to firstIds[k + 1] - 1; the ground has groundId, and an empty sample has emptyId.
 #include "draw/exact/bindings.glsl"
 const uint groundId = 0xfffffffeu, emptyId = 0xffffffffu;

@@ -1,8 +1,8 @@
-// Lays the ground under what is visible and lists, for each thing drawn, the tiles that show it: a group does one. With
-// GROUND two lists more, of tiles whose ground no shadow can reach, and of the others (SHADOW). GROUND_KEYS: what is nearest has the
-// ground, too. EMPTIES: the light of all pixels, too. FEW: lists for 32 at most, the
-// ground's included; FOURS: for 4 times as many at most, without the ground's. SAMPLES, PAIRED. An invocation does ROWS pixels, one
-// below the other.
+// Adds the ground to the visibility buffer and lists, for each drawn surface, the tiles that show it. One workgroup
+// handles one tile, one invocation ROWS pixels, one below the other. GROUND: two additional lists hold the tiles whose
+// ground no shadow can reach, and the other tiles with ground (SHADOW). GROUND_KEYS: also writes the ground's depth
+// keys. EMPTIES: also clears the light of all pixels. FEW: at most 32 lists including the ground's; FOURS: at most 4
+// times FOURS lists without the ground's. Variants: SAMPLES, PAIRED.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tiles/tile_lists.glsl"
@@ -25,7 +25,8 @@ layout(std430, binding = nearBinding) writeonly restrict buffer PairBlock { uint
 layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uint ids[]; };
 #define PUT_ID(at, id) ids[at] = id
 #else
-layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uvec4 ids[]; };  // software drivers store four at once
+// Ids of four samples, because software drivers store four values at once.
+layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uvec4 ids[]; };
 #define PUT_FOUR(at, four) ids[(at) / 4] = four
 #endif
 layout(std430, binding = nearBinding) writeonly restrict buffer NearBlock { uint nearKeys[]; };
@@ -40,15 +41,17 @@ uniform int draws;
 uniform int tileCount;
 uniform int firstTileRow;
 #ifdef FOURS
-uniform ivec4 firstFour, nextFour;  // as firstIds has them, then more than any
-uvec4 firsts = uvec4(firstFour), next = uvec4(nextFour);  // once, not in each turn of a loop
+uniform ivec4 firstFour, nextFour;  // first ids of the surfaces (firstIds), padded with values above all ids
+uvec4 firsts = uvec4(firstFour), next = uvec4(nextFour);  // first ids, read once per invocation instead of in each
+                                                          // round of a loop
 #endif
 #ifdef GROUND
-// How near the ground is in the middle of the picture's first pixel, what one to the right and one below add to it, and how much
-// nearer a pixel's samples may be.
+// Nearness of the ground: x at the centre of the picture's first pixel, y and z change per pixel to the right and
+// downwards, w max difference within a pixel.
 uniform vec4 groundNear;
 vec4 groundAffine = groundNear;
-// Near times: x the most that a ray of depth 1 goes along x or z, y and z how much either differs within a pixel.
+// Extents of rays, times the near plane's depth: x max extent of a ray of depth 1 along x or z, y and z max change of a
+// ray's x and z within a pixel.
 uniform vec3 groundRays;
 vec3 raysAround = groundRays;
 #ifdef SHADOW
@@ -56,12 +59,13 @@ vec4 shadowReach = texelFetch(light, 4);
 #endif
 #endif
 #ifdef FEW
-shared uint shown[1];  // a bit a thing
+shared uint shown[1];  // visibility flags: one bit per surface
 #else
 shared uint shown[64];
 #endif
 
-// What an invocation shows; with FEW all of it together, since software drivers do atomics lane by lane.
+// Surfaces that the invocation's pixels show. With FEW they are added with one atomic at the end, because software
+// drivers execute atomics lane by lane.
 uint mine = 0u;
 void show(int draw) {
 #ifdef FEW
@@ -74,7 +78,7 @@ bool isShown(int draw) {
   return (shown[draw >> 5] >> (draw & 31) & 1u) != 0u;
 }
 
-// Samples s to s + 3, or s alone, of what lies at `at`.
+// Number of samples that are read together: 4, or 1 with fewer than four samples per pixel.
 #if SAMPLES < 4
 const int together = 1;
 #define FETCHED(ALONE, FOURS, AT) uvec4(ALONE(AT))
@@ -109,8 +113,9 @@ void showId(uint id) {
 
 #ifdef GROUND
 #ifdef SHADOW
-// 2 where a shadow may reach the ground under all of a pixel, 1 where none may anywhere, 3 between. Of the place p at the depth d it
-// looks at p / d = eye / d + ray, which is affine on the picture, times the nearest depth; `middle` is near / d in the middle.
+// Returns 2 if a shadow may reach the ground in the whole pixel, 1 if none reaches it anywhere in the pixel, else 3.
+// The test for a point p at depth d uses p / d = eye / d + ray, which is affine on the picture, times the near plane's
+// depth; `middle`: near plane / d at the pixel's centre.
 int shadowAround(ivec2 pixel, float middle) {
   precise vec2 place = vec2(pixel) + 0.5f;
   vec3 ray = rayThrough(place);
@@ -128,7 +133,8 @@ int shadowAround(ivec2 pixel, float middle) {
 }
 #endif
 
-// What all samples of these keys show, as groundAt has it; 3 where that has to be found one by one.
+// Returns what all samples with these keys show: the values of groundAt(), or 3 if the samples must be tested one by
+// one.
 int groundOf(ivec2 pixel, uvec4 keys) {
   uint nearest = min(min(keys.x, keys.y), min(keys.z, keys.w)), farthest = max(max(keys.x, keys.y), max(keys.z, keys.w));
   precise float middle = groundAffine.x + groundAffine.y * float(pixel.x) + groundAffine.z * float(pixel.y);
@@ -147,17 +153,17 @@ int groundOf(ivec2 pixel, uvec4 keys) {
   precise float within = sure * farther;
   precise float down = frame.groundHeight - view.eye.y;
   precise float steep = abs(down) * farther;
-  precise float leastSteep = 3e-6f * view.near;  // groundDepth has a least, too
+  precise float leastSteep = 3e-6f * view.near;  // same min slope as in groundDepth()
   precise float leastNear = view.nearOverFar * 1.001f;
   bool seen = farther >= leastNear && steep >= leastSteep && nearer <= 0.999f && within >= raysAround.x;
 #ifdef PARALLEL
-  seen = false;  // the bounds above are of rays from a point: samples are looked at one by one
+  seen = false;  // the bounds above hold only for rays from a point, so all samples are tested one by one
 #endif
   bool all_ = seen && nearKey(max(farther, 0.0f)) < nearest;
   return none ? 0 : all_ ? kind : 3;
 }
 
-// 1 where the ground is what the sample shows, 2 where a shadow may reach it.
+// Returns 0 if the sample does not show the ground, 2 if a shadow may reach the ground there, else 1.
 int groundAt(ivec2 pixel, int s, int at, uint key) {
   precise vec2 place = vec2(pixel * 16 + samplePlace(s)) * 0.0625f;
   vec3 ray = rayThrough(place);
@@ -198,7 +204,8 @@ void look(ivec2 pixel) {
 #endif
     bool changed = all_;
     onGround = max(onGround, all_ ? kind : 0);
-    // One by one in a loop, which ends at once where that is clear: software drivers run both sides of a branch.
+    // Tests samples one by one in a loop that ends at once if no test is needed, because software drivers execute both
+    // sides of a branch.
     int left_ = kind == 3 ? (1 << together) - 1 : 0;
     while (left_ != 0) {
       int i = findLSB(left_);
@@ -225,7 +232,7 @@ void look(ivec2 pixel) {
 #ifdef FOURS
   for (int s = 0; s < SAMPLES; ++s) showId(seen[s]);
 #else
-  while (left != 0) {  // once for each thing of the pixel
+  while (left != 0) {  // one round for each surface that the pixel shows
     uint id = emptyId;
     for (int s = SAMPLES - 1; s >= 0; --s) id = (left >> s & 1) != 0 ? seen[s] : id;
     left &= left - 1;

@@ -1,6 +1,8 @@
-// What of the triangles that bins.glsl lists is nearest in a tile, and where they are as near the least number: beside what
-// is known there already. A group does a tile, an invocation a part of a column of it, whose samples stay in registers: in
-// fours, row by row, or of fewer than four samples of a pixel several rows in each. SAMPLES; SUN_MAP or LAMP_MAP: keys alone.
+// Rasterizes the triangles in the tile lists of bins.glsl: finds the nearest triangle at each sample, or the smallest
+// id among equally near ones, including the content that is already in the visibility buffer. One workgroup handles one
+// tile, one invocation a part of a column, whose samples stay in registers in groups of four. A group holds samples of
+// one pixel or, with fewer than four samples per pixel, of several rows. SUN_MAP or LAMP_MAP: keys only. Variant
+// SAMPLES.
 #include "draw/exact/sample_read.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/triangles/bins.glsl"
@@ -15,13 +17,13 @@ ivec2 mapSize = ivec2(mapTexels);
 #define PICTURE_ROWS view.rows
 #endif
 #ifdef LAMP_MAP
-uniform int firstKey;   // of this map among those of all lamps
-uniform int keyStride;  // from one row to the next
+uniform int firstKey;   // index of this map's first key in the atlas of all lamps
+uniform int keyStride;  // number of keys from one row of the map to the next
 #endif
 #if defined SUN_MAP || defined LAMP_MAP
 #define KEYS_ONLY
 #endif
-// Every four of an invocation.
+// Applies a macro to each group of four samples of an invocation.
 #if SAMPLES == 1
 #define ALL_FOURS(EACH) EACH(0) EACH(1)
 #elif SAMPLES == 2
@@ -48,9 +50,9 @@ layout(std430, binding = idBinding) writeonly restrict buffer IdBlock { uvec4 id
 uniform int binTiles;
 uniform int rounds;
 uniform int round_;
-const int noId = 0x7fffffff;  // beyond all that triangles have
+const int noId = 0x7fffffff;  // placeholder id, larger than all triangle ids
 
-// The pixel below the first one that sample i of four j is of, and which of its samples that is.
+// Row of the pixel, and sample index, of sample i in group j.
 int rowOf(int j, int i) {
   return (4 * j + i) / SAMPLES;
 }
@@ -58,7 +60,7 @@ int sampleOf(int j, int i) {
   return (4 * j + i) % SAMPLES;
 }
 
-// Sample i of the first four of its kind, from the corner of the first pixel in 1/16 pixel.
+// Returns the position of sample i in the first group of its kind, in 1/16 pixel from the corner of the first pixel.
 ivec2 placeOf(int f, int i) {
   return samplePlace(sampleOf(f, i)) + ivec2(0, SAMPLES < 4 ? 16 * rowOf(0, i) : 0);
 }
@@ -83,7 +85,7 @@ uvec4 keysAt(ivec2 pixel, int j) {
 #endif
 }
 
-// Those of nothing are noId, so that they compare as signed.
+// Returns the ids of a group; empty samples get noId, so that ids can be compared as signed integers.
 ivec4 idsAt(ivec2 pixel, int j) {
 #if SAMPLES < 4
   uvec4 found = uvec4(idAt(indexOf(pixel, j, 0)), idAt(indexOf(pixel, j, 1)), idAt(indexOf(pixel, j, 2)),
@@ -94,7 +96,7 @@ ivec4 idsAt(ivec2 pixel, int j) {
   return ivec4(min(found, uvec4(noId)));
 }
 
-// Keys as floats, which compare fastest; `none` where there is nothing.
+// Converts keys to floats, which compare fastest; `none`: value for empty samples.
 vec4 nearOf(uvec4 keys, float none) {
   vec4 near = uintBitsToFloat(0x7fffffffu - keys);
   return vec4(keys.x == ~0u ? none : near.x, keys.y == ~0u ? none : near.y, keys.z == ~0u ? none : near.z,
@@ -105,8 +107,8 @@ uint keyOf(float near) {
   return near < 0.0f ? ~0u : 0x7fffffffu - uint(floatBitsToInt(near));
 }
 
-// A four as a triangle has it: E / 16 of each edge, how far below the triangle's first corner, and how much nearer it is
-// across from there.
+// A group of four samples relative to a triangle: edge function E / 16 of each edge, distance below the triangle's
+// first corner, and change of nearness across from that corner.
 struct Four {
   ivec4 ab, bc, ca, down;
   vec4 across;
@@ -157,7 +159,7 @@ void main() {
     int id = int(second.z);
     float nearest = uintBitsToFloat(second.w);
     Edge ab = edgeOf(a, b), bc = edgeOf(b, c), ca = edgeOf(c, a);
-    // What edgeOverSixteen holds serves all of a column: edges have at most 8192 pixels.
+    // The limits of edgeOverSixteen() hold for the whole column, because edges are at most 8192 pixels long.
     int cornerAb = edgeOverSixteen(ab, corner), cornerBc = edgeOverSixteen(bc, corner), cornerCa = edgeOverSixteen(ca, corner);
     Four fours[foursOfPixel];
     for (int f = 0; f < foursOfPixel; ++f) {
@@ -170,7 +172,7 @@ void main() {
       fours[f].across = across;
       fours[f].down = corner.y + y - a.y;
     }
-    const int below = SAMPLES < 4 ? 4 / SAMPLES : 1;  // rows from a four to the next
+    const int below = SAMPLES < 4 ? 4 / SAMPLES : 1;  // number of rows from one group of four samples to the next
     int belowAb = ab.step_.x * (16 * below), belowBc = bc.step_.x * (16 * below), belowCa = ca.step_.x * (16 * below);
 #define BELOW(J)                                 \
     fours[J % foursOfPixel].ab -= belowAb;       \

@@ -1,30 +1,31 @@
-// Triangles listed by the tiles of the picture that they meet, for software drivers, whose atomics cost more than all
-// the rest: each tile is then one group's alone (binned.comp). A list has nodes of the next node and a triangle, numbers that
-// count from 1; triangles keep their corners, three texels each. Of very many, each `roundTriangles` have lists of their own,
-// so that no loop ends early; so have the faces of lamps' maps.
+// Lists of triangles by picture tile, for software drivers, on which atomics cost more than everything else. Each tile
+// is rasterized by one workgroup alone (binned.comp). A list consists of nodes (index of the next node, index of the
+// triangle), with node indices starting at 1. The corners of a triangle take three texels. Every `roundTriangles`
+// triangles start new lists (rounds), so that no loop gets too long; each shadow map face has its own lists.
 #include "draw/exact/bindings.glsl"
-// Words before the lists' heads: how many shared nodes are taken, how many triangles are listed, how many tiles have some, by
-// round, and how many triangles are listed of each face of maps.
+// Number of words before the heads of the lists: number of used shared nodes, number of listed triangles, number of
+// non-empty tiles by round, and number of listed triangles by shadow map face.
 const int binCounts = 512;
 const int firstTileCount = 2, firstFaceCount = 256;
 const int binTexels = 3;
-const uint ownNodes = 4u;  // of each triangle, before those that all share
+const uint ownNodes = 4u;  // nodes reserved for each triangle; further nodes come from a shared pool
 #ifdef MAKES_BINS
 layout(std430, binding = binBinding) restrict buffer BinBlock { uint bins[]; };
 layout(std430, binding = nodeBinding) writeonly restrict buffer NodeBlock { uvec2 nodes[]; };
 layout(std430, binding = cornerBinding) writeonly restrict buffer CornerBlock { uvec4 binned[]; };
-uniform int binTiles;  // of the picture
+uniform int binTiles;  // number of tiles in the picture
 uniform int roundTriangles;
 #ifdef LAMP_MAP
 uniform int face;
 #endif
-uniform int faceRounds;  // of the picture, or of each face,
-uniform int rounds;      // and of all
-uniform int cornerRoom;       // triangles
-uniform int sharedNodes;      // how many,
+uniform int faceRounds;  // number of rounds of the picture or of each shadow map face
+uniform int rounds;      // number of rounds of all faces together
+uniform int cornerRoom;       // capacity of the corner buffer in triangles
+uniform int sharedNodes;      // number of nodes in the shared pool
 uniform uint firstSharedNode;
 
-// False where there is no room for all of it, and of those too large for the arithmetic of binned.comp or for a loop.
+// Lists a triangle. Returns false if there is no room, or if the triangle is too large for binned.comp or for the loop
+// here.
 bool bin(Triangle t, uint id) {
   ivec2 first = max(t.low / subpixels, ivec2(0, PICTURE_ROWS.x)) / tileSide;
   ivec2 last = min(t.high / subpixels, ivec2(PICTURE_SIZE.x, PICTURE_ROWS.y) - 1) / tileSide;

@@ -1,10 +1,10 @@
-// What of a triangle lies before the nearest plane and around the picture. Compiles as GLSL and as C++.
-// Corners here are vec3: pixels times depth to the right and down, and depth (m).
+// Clips a triangle to the near plane and to the guard band around the picture. Corners are vec3: pixels times depth to
+// the right and down, and depth (m). Compiles as GLSL and as C++.
 #ifndef EXACT_CLIP
 #define EXACT_CLIP
 #include "draw/exact/fixed.glsl"
 
-// Not negative on the inner side of plane k: the nearest one, and four around the picture.
+// Returns a value that is not negative inside plane k: 0 is the near plane, 1 to 4 are the sides of the guard band.
 FUNCTION float insideOf(int k, vec3 v, vec2 size, float nearest) {
   precise float depth = v.z - nearest;
   precise float left = v.x + float(guardPixels) * v.z;
@@ -20,7 +20,7 @@ FUNCTION bool inside(vec3 v, vec2 size, float nearest) {
   return all_;
 }
 
-// Beyond one of the picture's sides, or nearer than the nearest plane.
+// True if the triangle is completely beyond one side of the picture or in front of the near plane.
 FUNCTION bool beside(vec3 a, vec3 b, vec3 c, vec2 size, float nearest) {
   precise vec3 x = size.x * vec3(a.z, b.z, c.z) - vec3(a.x, b.x, c.x);
   precise vec3 y = size.y * vec3(a.z, b.z, c.z) - vec3(a.y, b.y, c.y);
@@ -33,7 +33,8 @@ struct Polygon {
   int count;
 };
 
-// From the inner end to the outer one, so that both triangles of an edge get the same point.
+// Intersects an edge with a plane, always from the inner to the outer end, so that both triangles of an edge get the
+// same point.
 FUNCTION vec3 crossing(vec3 in_, vec3 out_, float here, float there) {
   precise float span = here - there;
   precise float t = here * exactReciprocal(max(span, 1e-30f));

@@ -1,5 +1,5 @@
-// Clips the large triangles of one surface that triangles.comp has listed, an invocation each. LAMP_MAP, COUNTED. BINS: what is left
-// of them is listed by tiles; the numbers of those for which that has no room go on a list like that.
+// Clips the large triangles of one surface that triangles.comp has listed, one per invocation. BINS: lists the clipped
+// triangles by tiles, and appends the triangles without room there to another list. Variants: LAMP_MAP, COUNTED.
 #ifdef BINS
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/crossing.glsl"

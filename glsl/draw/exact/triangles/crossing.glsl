@@ -1,5 +1,5 @@
-// Which pixels or tiles of a row a triangle's edges leave to it, in floats: never too few.
-// Where an edge crosses rows: x = at + slope (y - from), in 1/256 pixel; 1 where the inside is to its right, -1 to its left.
+// Conservative ranges of pixels or tiles in a row that a triangle's edges leave, in float arithmetic. An edge crosses
+// rows at x = at + slope (y - from), in 1/256 pixel; `side`: 1 if the inside is to its right, -1 if it is to its left.
 struct Crossing {
   float slope;
   int side;
@@ -11,7 +11,8 @@ Crossing crossingOf(Edge edge) {
   return Crossing(slope, sign(edge.step_.y));
 }
 
-// First and last pixel of a row whose upper side is at `top` (1/256 pixel) that may lie inside, no matter the rest.
+// Returns the first and last pixel of a row that may lie inside one edge, within `span`. `top`: upper side of the row
+// (1/256 pixel).
 ivec2 between(ivec2 span, Edge edge, Crossing crossing, int top) {
   precise float upper = crossing.slope * float(top - edge.from.y);
   precise float lower = upper + crossing.slope * 256.0f;
@@ -20,7 +21,8 @@ ivec2 between(ivec2 span, Edge edge, Crossing crossing, int top) {
   return ivec2(crossing.side > 0 ? max(span.x, first) : span.x, crossing.side < 0 ? min(span.y, last) : span.y);
 }
 
-// First and last tile of a row of them. Of triangles as large as may be: floats err by a few 1/256 of a pixel inside the picture.
+// Returns the first and last tile of a row of tiles that may lie inside one edge. The tolerance covers the float errors
+// of the largest triangles, a few 1/256 pixel inside the picture.
 ivec2 tilesBetween(ivec2 span, Edge edge, Crossing crossing, int row) {
   const int tile = tileSide * subpixels;
   precise float upper = crossing.slope * float(row * tile - edge.from.y);

@@ -1,5 +1,5 @@
-// Holes of the triangle that is being drawn: where its material's opacity is below a limit. CUTOUT. Opacity is looked up at each
-// sample, over what the pixel covers of the map. GRID.
+// Holes in the triangle that is being rasterized, at samples where the material's opacity is below a limit (CUTOUT).
+// The opacity is read at each sample, filtered over the footprint of the pixel. Variant GRID.
 #include "draw/exact/weights.glsl"
 #include "draw/exact/surface/vertex_uv.glsl"
 #include "draw/exact/surface/map_read.glsl"
@@ -7,9 +7,9 @@ uniform ivec4 colorMap;
 ivec4 colorMap_ = once(colorMap);
 uniform vec2 textureScale;
 vec2 textureScale_ = once(textureScale);
-uniform vec2 opacityLimit;  // opacity of the whole material, and what is there at least
+uniform vec2 opacityLimit;  // x opacity of the whole material, y min opacity of a visible sample
 vec2 opacityLimit_ = once(opacityLimit);
-vec3 cutA = vec3(0), cutB = vec3(0), cutC = vec3(0);  // on the picture
+vec3 cutA = vec3(0), cutB = vec3(0), cutC = vec3(0);  // the triangle's corners projected to the picture
 vec2 cutUvA = vec2(0), cutUvB = vec2(0), cutUvC = vec2(0);
 
 void cutTriangle(ivec3 corners, vec3 a, vec3 b, vec3 c) {
@@ -27,7 +27,7 @@ vec2 cutUv(vec2 place) {
   return uv;
 }
 
-// The samples of these (a bit each) that are there.
+// Returns the samples of the mask that are not in a hole.
 int uncut(ivec2 pixel, int mask) {
   precise vec2 middle = vec2(pixel) + 0.5f;
   precise vec2 right = middle + vec2(1, 0);

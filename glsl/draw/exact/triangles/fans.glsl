@@ -1,14 +1,14 @@
-// What of large triangles lies before the nearest plane and around the picture: fans of triangles, whose corners clip_large.comp
-// leaves for all that draw them. Those for which there is no room are clipped again by whoever draws them.
+// Clipped large triangles, stored as triangle fans. clip_large.comp writes their corners once for all workgroups that
+// rasterize them. A triangle without room here is clipped again by each workgroup.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/clip.glsl"
 #include "draw/exact/triangles/triangle.glsl"
-const int fanTexels = 8;  // of one: x, y, how near, and in the first how many
-uniform int fanRoom;   // how many have room,
+const int fanTexels = 8;  // texels of a fan; each holds x, y, nearness and the number of corners
+uniform int fanRoom;   // capacity of the buffer in fans
 #ifdef FACES
 int firstFan = face_ * fanRoom;
 #else
-uniform int firstFan;  // and the first of the surface
+uniform int firstFan;  // index of the surface's first fan
 #endif
 #ifdef MAKES_FANS
 layout(std430, binding = fanBinding) writeonly restrict buffer FanBlock { uvec4 fans[]; };

@@ -1,4 +1,5 @@
-// A triangle's pixels (a box of at most 64 a side), sixteen invocations taking them block by block of 4 by 4.
+// Rasterizes a triangle with a box of at most 64 pixels a side. Sixteen invocations handle it in blocks of 4 by 4
+// pixels.
 #include "draw/exact/triangles/raster_triangle.glsl"
 const uint teamSize = 16u;
 

@@ -1,9 +1,9 @@
-// Drawing large triangles, entry by entry of their list. Variants of raster_triangle.glsl.
+// Rasterizes large triangles from their list. Variants of raster_triangle.glsl.
 #include "draw/exact/triangles/fill_tiles.glsl"
 #ifndef SUN_MAP
 #include "draw/exact/triangles/fans.glsl"
 
-// A fan that was clipped already.
+// Rasterizes a fan that is already clipped.
 void fillFan(int entry, uint id) {
   int corners = cornersOfFan(entry);
   Corner first = cornerOfFan(entry, 0), before = cornerOfFan(entry, 1);

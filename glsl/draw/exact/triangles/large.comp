@@ -1,6 +1,7 @@
-// Triangles that are large, or reach beyond the picture's surroundings: those that triangles.comp has listed. A group takes every
-// so manyth tile of one. Variants: SAMPLES, PASS, SUN_MAP, COUNTED; CLIPS: those for which clip_large.comp had no room, apart,
-// because software drivers would run that for the others, too; BINS: those that clip_large.comp has left.
+// Rasterizes the large triangles, and those that extend far beyond the picture, from the list of triangles.comp.
+// Workgroups share the tiles of each triangle in turn. CLIPS: handles only the triangles without room in
+// clip_large.comp, as a separate program because software drivers would execute the clipping for the others too. BINS:
+// handles the triangles that clip_large.comp could not list by tiles. Variants: SAMPLES, PASS, SUN_MAP, COUNTED.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;
@@ -30,7 +31,8 @@ void drawLarge(int entry) {
   cutTriangle(corners, placeOf(a), placeOf(b), placeOf(c));
 #endif
 #ifdef SUN_MAP
-  fillTiles(drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c)), id);  // never clipped
+  // Triangles in the sun's shadow map need no clipping.
+  fillTiles(drawnTriangle(cornerOfVertex(a), cornerOfVertex(b), cornerOfVertex(c)), id);
 #else
   fillClipped(drawnPlace(a), drawnPlace(b), drawnPlace(c), view.near, id);
 #endif

@@ -1,5 +1,5 @@
-// What of blended surfaces the next layer may show: at each sample what lies behind that which the layer before shows there, of
-// equally near triangles the next number, and not behind what is opaque. LAYER.
+// Depth peeling of blended surfaces (LAYER): at each sample the next layer may only show triangles behind the previous
+// layer, or the next higher id among equally near triangles, and not behind opaque surfaces.
 #include "draw/exact/bindings.glsl"
 uniform bool firstLayer;
 #ifdef PAIRED

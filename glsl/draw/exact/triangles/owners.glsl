@@ -1,4 +1,4 @@
-// Whose the triangles of joined surfaces are (join.comp).
+// Owning surface of each triangle of joined surfaces (join.comp).
 layout(binding = ownerUnit) uniform usamplerBuffer owners;
 int ownerOf(uint number) {
   return int(texelFetch(owners, int(number)).x >> 1);

@@ -1,5 +1,5 @@
-// What the kernels that find the visible triangles of surfaces have in common. Variants of raster_triangle.glsl. JOINED: those
-// of draw::JoinedSurfaces, each with sides of its own, which are seen first.
+// Shared code of the kernels that rasterize the triangles of surfaces. JOINED: triangles of draw::JoinedSurfaces;
+// seeSides() first reads if both sides of a triangle are visible. Variants of raster_triangle.glsl.
 #include "draw/exact/triangles/surface_triangle.glsl"
 #include "draw/exact/triangles/raster_triangle.glsl"
 uniform uint firstId;

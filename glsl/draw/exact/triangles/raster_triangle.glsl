@@ -1,6 +1,6 @@
-// Drawing triangles that some kernel has made. Variants of visible_sample.glsl; into shadow maps they are moved away by
-// their slope. ADDS: they add light to the sums of glows. CUTOUT:
-// they have holes; LAYER: they are of a layer of blended ones.
+// Rasterizes triangles. In shadow maps triangles are moved away from the light by their slope. ADDS: adds light to the
+// sums of glows; CUTOUT: triangles have holes; LAYER: triangles of blended surfaces, one layer at a time. Variants of
+// visible_sample.glsl.
 #include "draw/exact/visible_sample.glsl"
 #include "draw/exact/triangles/triangle.glsl"
 #include "draw/exact/triangles/clip.glsl"
@@ -11,14 +11,14 @@
 #include "draw/exact/triangles/layer.glsl"
 #endif
 #ifdef SUN_MAP
-uniform float slopeOffset;  // texels whose slope the map is moved by
+uniform float slopeOffset;  // factor of the depth offset: number of texels times the triangle's slope
 const float nearest = 0.0f;
 #endif
 #ifdef LAMP_MAP
 uniform float slopeOffset;
 #endif
 #ifdef JOINED
-bool doubleSided = true;  // of the triangle that is being drawn
+bool doubleSided = true;  // true if both sides of the current triangle are visible
 #else
 uniform bool doubleSided;
 #endif
@@ -28,11 +28,11 @@ uniform bool doubleSided;
 vec3 addedLight = vec3(0.0f);
 #endif
 
-// Ready to be drawn: hidden ones are empty.
+// Prepares a triangle for rasterization; hidden triangles become empty.
 Triangle drawnTriangle(Corner a, Corner b, Corner c) {
   Triangle t = triangleOf(a, b, c);
 #if defined SUN_MAP || defined LAMP_MAP
-  // As a polygon offset: by so many texels' slope and, for the bits of the depth, a little more.
+  // A polygon offset: the slope times slopeOffset texels, plus a small constant for depth rounding.
   precise float offset = max(abs(t.acrossNear), abs(t.downNear)) * slopeOffset * float(subpixels) + 4e-7f;
   precise float near = t.near - offset;
   precise float least = t.least - offset;
@@ -57,7 +57,7 @@ void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
   addPart(pixel, addedLight, 1.0f, samples);
 }
 #else
-// Sample `s` of the pixel, which the triangle covers.
+// Writes sample `s` of the pixel. The triangle must cover the sample.
 void putSample(Triangle t, ivec2 pixel, int s, uint before, uint id) {
   float near = nearAt(t, pixel * subpixels + samplePlace(s) * (subpixels / 16));
 #ifndef SUN_MAP
@@ -69,7 +69,7 @@ void putSample(Triangle t, ivec2 pixel, int s, uint before, uint id) {
   keep(sampleIndex(pixel, s), nearKey(near), before, id);
 }
 
-// The samples that the mask has, of one pixel.
+// Writes the samples in the mask of one pixel. The triangle must cover the samples.
 void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
 #ifdef CUTOUT
   mask = uncut(pixel, mask);
@@ -79,7 +79,7 @@ void putPixel(Triangle t, ivec2 pixel, int mask, uint id) {
     if ((mask >> s & 1) != 0) putSample(t, pixel, s, keyAt(sampleIndex(pixel, s)), id);
 #else
   int at = firstSample(pixel);
-  for (int s = 0; s < SAMPLES; s += 4) {  // software drivers fetch four as dearly as one
+  for (int s = 0; s < SAMPLES; s += 4) {  // a software driver reads four keys as fast as one
     uvec4 before = fourKeysAt(at + s);
     for (int i = 0; i < 4; ++i)
       if ((mask >> (s + i) & 1) != 0) putSample(t, pixel, s + i, before[i], id);

@@ -1,5 +1,6 @@
-// Triangles of one surface, by number: its indices, and its vertices as vertices.comp left them. LAMP_MAP: of the merged mesh,
-// whose places each face sees for itself. FACES: all faces, as draw/exact/view_block.glsl has it.
+// Triangles of one surface, by index: indices, and the vertices that vertices.comp wrote. LAMP_MAP: triangles of the
+// merged mesh, whose vertices are projected here for each face. FACES: one dispatch handles several faces
+// (draw/exact/view_block.glsl).
 #include "common/once.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/vertex.glsl"
@@ -24,7 +25,7 @@ uvec4 vertexOf(int i) {
 layout(binding = indexUnit) uniform usamplerBuffer indices;
 uniform int firstVertex;
 int firstVertex_ = once(firstVertex);
-uniform int triangleCount;  // less than 0: as the GPU has written into the arguments of the surface's draw
+uniform int triangleCount;  // number of triangles; negative: the GPU wrote it to the arguments of the surface's draw
 #ifdef FACES
 int firstIndex = 3 * face_ * triangleCount, list = face_;
 #else
@@ -34,7 +35,7 @@ uniform int firstIndex;
 layout(std430, binding = drawArgumentBinding) readonly restrict buffer DrawArgumentBlock { uint listed[]; };
 layout(binding = tileListUnit) uniform usamplerBuffer lists;
 #ifndef FACES
-uniform int list;  // of the face
+uniform int list;  // index of the shadow map face's triangle list
 #endif
 int trianglesToDraw() {
   return int(listed[list]);
@@ -53,7 +54,8 @@ int trianglesToDraw() {
 }
 #endif
 
-uniform ivec2 rowOf;  // triangles for which there are indices, of a grid whose other rows are alike, and its width; 0: of all
+uniform ivec2 rowOf;  // x triangles in a row of a grid that stores the indices of one row only, y vertices per row; 0:
+                      // indices of all triangles are stored
 ivec2 rowOf_ = once(rowOf);
 
 ivec3 cornersOf(int triangle) {
@@ -68,7 +70,7 @@ vec3 placeOf(uvec4 vertex) {
 #ifdef PARALLEL
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/corner_place.glsl"
-// As it is drawn.
+// Returns the vertex position in the rasterizer's form (draw/exact/corner_place.glsl).
 vec3 drawnPlace(uvec4 vertex) {
   return rasterPlace(placeOf(vertex));
 }

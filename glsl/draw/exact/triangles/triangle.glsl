@@ -1,33 +1,33 @@
-// A triangle on the picture: which samples it covers, and how near it is there. Compiles as GLSL and as C++.
-//
-// Corners are rounded to 1/256 pixel; from there on coverage is in integers. With an edge from p to q, and the triangle's
-// inside on its left, E(s) = (q - p) x (s - p) is not negative inside; a sample on an edge belongs to the triangle
-// for which that is a top or left one, so of two that share it exactly one has it.
+// A triangle in the picture: covered samples and nearness. Compiles as GLSL and as C++.
+// Corners are rounded to 1/256 pixel; coverage is then computed in integers. For an edge from p to q with the
+// triangle's inside on its left, E(s) = (q - p) x (s - p) is not negative inside. A sample exactly on an edge belongs
+// to the triangle for which the edge is a top or left edge, so exactly one of two triangles that share the edge covers
+// it.
 #ifndef EXACT_TRIANGLE
 #define EXACT_TRIANGLE
 #include "draw/exact/fixed.glsl"
 
-// A corner as the vertex kernels leave it: pixels times depth to the right and down, and depth (m).
+// A corner of a triangle, from the vertex kernels' pixels times depth to the right and down, and depth (m).
 struct Corner {
-  ivec2 at;    // 1/256 pixel
-  float near;  // nearest plane / depth, 0 to 1: affine on the picture
+  ivec2 at;    // position of the corner in 1/256 pixel
+  float near;  // nearness: near plane / depth, 0 to 1, affine on the picture
 };
 
 struct Edge {
-  ivec2 from;  // 1/256 pixel
-  ivec2 step_;  // to the other end
-  int bias;    // 0 where the edge belongs to the triangle, else -1
+  ivec2 from;  // start of the edge in 1/256 pixel
+  ivec2 step_;  // vector from the edge's start to its end
+  int bias;    // 0 if samples on the edge belong to the triangle, else -1
 };
 
 struct Triangle {
   Edge edges[3];
-  ivec2 low, high;     // its box (1/256 pixel)
-  float near;          // at edges[0].from,
-  float acrossNear;    // what 1/256 pixel to the right adds to it,
-  float downNear;      // and downwards
-  float least, most;   // of its corners
-  bool turned;         // seen from behind
-  bool empty;          // of no area
+  ivec2 low, high;     // bounding box of the triangle in 1/256 pixel
+  float near;          // nearness of the triangle at edges[0].from
+  float acrossNear;    // change of nearness per 1/256 pixel to the right
+  float downNear;      // change of nearness per 1/256 pixel downwards
+  float least, most;   // min and max nearness of the corners
+  bool turned;         // true if the triangle is seen from behind
+  bool empty;          // true if the triangle's area is zero
 };
 
 FUNCTION Corner cornerOf(vec3 v, float nearest) {
@@ -45,12 +45,12 @@ FUNCTION Edge edgeOf(ivec2 from, ivec2 to) {
   Edge edge;
   edge.from = from;
   edge.step_ = to - from;
-  // Inside is to the left of the way seen with y up, so with y down: left edges go down, top edges to the left.
+  // The inside is to the left of an edge if y points up. With y down, left edges go down and top edges go to the left.
   edge.bias = edge.step_.y > 0 || (edge.step_.y == 0 && edge.step_.x < 0) ? 0 : -1;
   return edge;
 }
 
-// The sign of u x v, for whole numbers whose products do not fit in 32 bits.
+// Returns the sign of u x v for integers whose products exceed 32 bits.
 FUNCTION int crossSign(ivec2 u, ivec2 v) {
   int high1, low1, high2, low2;
   imulExtended(u.x, v.y, high1, low1);
@@ -59,7 +59,7 @@ FUNCTION int crossSign(ivec2 u, ivec2 v) {
   return uint(low1) > uint(low2) ? 1 : low1 == low2 ? 0 : -1;
 }
 
-// Whichever way round the corners come, the edges have the inside to their left.
+// Sets up the triangle with the inside to the left of its edges, for corners in either order.
 FUNCTION Triangle triangleOf(Corner a, Corner first, Corner second) {
   int sign_ = crossSign(first.at - a.at, second.at - a.at);
   Corner b = first, c = second;
@@ -77,13 +77,13 @@ FUNCTION Triangle triangleOf(Corner a, Corner first, Corner second) {
   t.high = max(a.at, max(b.at, c.at));
   t.least = min(a.near, min(b.near, c.near));
   t.most = max(a.near, max(b.near, c.near));
-  // The plane through the three: near = a + gradient . (place - a), by Cramer's rule.
+  // Plane through the three corners: near = a + gradient . (place - a), by Cramer's rule.
   precise vec2 ab = vec2(b.at - a.at);
   precise vec2 ac = vec2(c.at - a.at);
   precise float up = b.near - a.near;
   precise float side = c.near - a.near;
   precise float area = ab.x * ac.y - ab.y * ac.x;
-  float perArea = area < 0.0f ? exactReciprocal(area) : 0.0f;  // slivers of none are flat
+  float perArea = area < 0.0f ? exactReciprocal(area) : 0.0f;  // degenerate triangles get a constant nearness
   precise float acrossNear = (up * ac.y - side * ab.y) * perArea;
   precise float downNear = (side * ab.x - up * ac.x) * perArea;
   t.near = a.near;
@@ -92,27 +92,29 @@ FUNCTION Triangle triangleOf(Corner a, Corner first, Corner second) {
   return t;
 }
 
-// How near the triangle is at a place (1/256 pixel): between its corners, so that slivers do not stab.
+// Returns the nearness at a position (1/256 pixel), clamped to the range of the corners so that slivers do not produce
+// spikes.
 FUNCTION float nearAt(Triangle t, ivec2 at) {
   precise vec2 from = vec2(at - t.edges[0].from);
   precise float near = t.near + (t.acrossNear * from.x + t.downNear * from.y);
   return clamp(near, t.least, t.most);
 }
 
-// Keys of samples: nearer is less, empty is the most.
+// Returns the depth key of a sample: smaller keys are nearer, empty samples have the largest key.
 FUNCTION uint nearKey(float near) {
   return 0x7fffffffu - uint(floatBitsToInt(near));
 }
 
-// E of an edge at a place, for triangles of at most 64 pixels: below 2^30.
+// Returns the edge function E at a position, for triangles of at most 64 pixels; the result is below 2^30.
 FUNCTION int edgeAt(Edge edge, ivec2 at) {
   ivec2 to = at - edge.from;
   return edge.step_.y * to.x - edge.step_.x * to.y + edge.bias;
 }
 
-// E / 16, rounded down, at a place, held where no sample of a tile around it could change the sign. With a place
-// 16 h + l from the edge's beginning it is step x h + floor((step x l + bias) / 16): below 2^30 in 32 bits, whatever its parts
-// are, and floats say well enough whether it is.
+// Returns the edge function E / 16, rounded down, at a position; the result is clamped if no sample of a tile around
+// the position can change the sign. For a position 16 h + l from the edge's start it is step x h + floor((step x l +
+// bias) / 16). The result is exact in 32 bits if it is below 2^30, even if partial products wrap around; float
+// arithmetic decides well enough if that holds.
 FUNCTION int edgeOverSixteen(Edge edge, ivec2 at) {
   const int most = 0x3fffffff;
   ivec2 to = at - edge.from;
@@ -125,7 +127,7 @@ FUNCTION int edgeOverSixteen(Edge edge, ivec2 at) {
   return sixteenth;
 }
 
-// E / 16 of a sample `aside` (1/16 pixel) from there.
+// Returns the edge function E / 16 at a sample with the offset `aside` (1/16 pixel).
 FUNCTION int edgeAside(Edge edge, int middle, ivec2 aside) {
   return middle + edge.step_.y * aside.x - edge.step_.x * aside.y;
 }

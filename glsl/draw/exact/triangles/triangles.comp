@@ -1,6 +1,7 @@
-// Small triangles of one surface, an invocation each; the numbers of the others go on a list: those of medium size from its
-// end on (medium.comp), large ones from its beginning (large.comp). SAMPLES, PASS, SUN_MAP, LAMP_MAP, COUNTED, BALLOT. BINS:
-// those that are whole are listed by tiles (bins.glsl) instead of drawn, of maps those that are not very small.
+// Rasterizes the small triangles of one surface, one per invocation. Larger triangles go on a list: medium-sized ones
+// from its end (medium.comp), large ones from its start (large.comp). BINS: unclipped triangles are listed by tiles
+// (bins.glsl) instead of rasterized; in shadow maps only those that are not very small. Variants: SAMPLES, PASS,
+// SUN_MAP, LAMP_MAP, COUNTED, BALLOT.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_box.glsl"
 #ifdef BINS
@@ -13,13 +14,14 @@ layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint cou
 #ifdef FACES
 int draw_ = face_;
 #else
-uniform int draw_;         // number of the surface among those drawn
+uniform int draw_;         // index of the current surface among all drawn surfaces
 #endif
 uniform int draws;
-uniform int mediumPixels;  // the longest side of a box of medium size; none is where that is less than smallPixels
+uniform int mediumPixels;  // longest side in pixels of a medium-sized triangle's box; if less than smallPixels, no
+                           // triangle is medium-sized
 #include "draw/exact/list_place.glsl"
 #if defined BINS && (defined LAMP_MAP || defined SUN_MAP)
-// Maps have one sample a pixel and no numbers, so a few atomics are less work than a tile's samples.
+// Shadow maps have one sample per texel and no ids, so a few atomics cost less than all samples of a tile.
 const int smallerBy = 4;
 #else
 const int smallerBy = 1;
@@ -39,7 +41,7 @@ void drawOrList(int number) {
 #endif
   vec3 pa = drawnPlace(a), pb = drawnPlace(b), pc = drawnPlace(c);
 #ifdef PARALLEL
-  if (min(pa.z, min(pb.z, pc.z)) < 0.0f) return;  // beyond the span
+  if (min(pa.z, min(pb.z, pc.z)) < 0.0f) return;  // skips triangles behind the camera's depth range
 #endif
   if (beside(pa, pb, pc, size, nearest)) return;
   bool whole = inside(pa, size, nearest) && inside(pb, size, nearest) && inside(pc, size, nearest);

@@ -1,6 +1,6 @@
-// Vertices of one surface as the rasterizer reads them: pixels times depth to the right and down, depth (m), and the
-// normal; lost ones are marked. PARALLEL: as draw/exact/corner_place.glsl has it. SUN_MAP: texels of the sun's map, 1, and how near to the sun it is. Variants: GRID,
-// DEFORMED.
+// Projects the vertices of one surface for the rasterizer: pixels times depth to the right and down, depth (m), packed
+// normal; invalid vertices are marked (draw/exact/vertex.glsl). PARALLEL: as in draw/exact/corner_place.glsl. SUN_MAP:
+// texels of the sun's shadow map, 1, nearness to the sun. One invocation handles one vertex. Variants: GRID, DEFORMED.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
 #include "draw/exact/vertex.glsl"

@@ -1,4 +1,5 @@
-// Vertices of a sim::Surface in world space, by number, exactly. Variants: GRID, DEFORMED, as in draw/surface/surface.vert.
+// Vertices of a sim::Surface in world space, by index, in exact arithmetic. Variants: GRID, DEFORMED as in
+// draw/surface/surface.vert.
 #include "draw/bindings.glsl"
 #include "common/exact.glsl"
 #include "draw/surface/vertex_texel.glsl"
@@ -26,9 +27,9 @@ vec3 worldPlace(int i) {
   return q;
 }
 
-// Not of unit length.
+// worldNormal() returns the normal of vertex i, not of unit length.
 #ifdef GRID
-// Central differences, one-sided at the borders; agrees with the triangles (a, a + width, a + 1).
+// Central differences, one-sided at the borders. The direction agrees with the triangles (a, a + width, a + 1).
 vec3 worldNormal(int i) {
   int x = i % grid.x, y = i / grid.x;
   precise vec3 right = worldPlace(i + min(grid.x - 1 - x, 1)) - worldPlace(i - min(x, 1));
@@ -36,7 +37,8 @@ vec3 worldNormal(int i) {
   return exactCross(down, right);
 }
 #elif defined DEFORMED
-// From displaced neighbours half a step to both sides along tangent and bitangent.
+// From four displaced points at the distance w of the rest position (the shortest edge at the vertex) along tangent and
+// bitangent.
 vec3 worldNormal(int i) {
   vec4 rest = texelFetch(positions, i);
   vec3 normal = texelFetch(normals, i).xyz;
