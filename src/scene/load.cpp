@@ -43,7 +43,7 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
   bool unknown = false;
   for (const Node& member : node.children) {
     if (member.key == "material") {
-      object.hasMaterial = true;
+      for (const Node& key : member.children) object.materialKeys.insert(key.key);
       Reader::readObject(member, context, [&](Reader& fields) { object.material.describe(fields); });
       continue;
     }
@@ -67,7 +67,7 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
     }
   }
   const char* const drawnWith = object.parameters == nullptr ? nullptr : object.parameters->drawnWith();
-  if (object.hasMaterial && drawnWith != nullptr)
+  if (object.hasMaterial() && drawnWith != nullptr)
     context.diagnostics.remark(
         node.find("material")->headPlace(),
         fmt::format("\"{}\" is drawn with {}; here a material does nothing", node.key, drawnWith));
@@ -266,6 +266,16 @@ void checkFollowed(const Node& root, const Scene& scene, Diagnostics& diagnostic
                        diagnostics);
 }
 
+/// Notes what the scene gives itself of its surroundings.
+void noteSurroundings(const Node& root, Stage& stage) {
+  for (const char* name : {"sun", "sky", "ground", "lights"}) {
+    const Node* section = root.find(name);
+    if (section == nullptr) continue;
+    stage.given.emplace(name);
+    for (const Node& member : section->children) stage.given.insert(fmt::format("{}.{}", name, member.key));
+  }
+}
+
 /// `heldToLength`: whether frames of tests beyond the scene's end are mistakes.
 void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool heldToLength, Scene& scene) {
   if (!ValueReader("", context.diagnostics).expect(root, Node::Kind::object, "a scene in { }")) return;
@@ -285,10 +295,11 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   if (context.diagnostics.count() == 0) openCamera(root, context, kinds, scene.camera);
   if (context.diagnostics.count() == 0) {
     // Boxes may take reading files that the scene names, and making what they hold finer.
-    const bool needsStage = givesNoStage(root);
+    noteSurroundings(root, scene.stage);
+    const bool staged = scene.stage.preset != Stage::Preset::none;
     std::vector<Framed> framed;
-    if (needsStage || !scene.camera.placed) framed = framedObjects(scene);
-    if (needsStage) setStage(scene, framed);
+    if (staged || !scene.camera.placed) framed = framedObjects(scene);
+    if (staged) setStage(scene, framed);
     frameObjects(scene, framed);
   }
   fields.idleUnless(scene.render.quality == Quality::standard, "render.quality", {"render.occlusionRadius"},

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -215,8 +216,9 @@ struct Sky {
   void describe(Fields& fields);
 };
 
-/// The ground plane, drawn and collided with.
+/// Ground plane.
 struct Ground {
+  bool solid = false;              ///< True if the scene gives it: objects collide with it.
   float height = -5.0F;            ///< m
   std::optional<double> friction;  ///< Coulomb's coefficient; none: what slides loses speed at 25.3 1/s
   bool visible = true;
@@ -227,12 +229,38 @@ struct Ground {
   void describe(Fields& fields);
 };
 
+/// Surroundings of a scene of solids: whatever it leaves out of sun, sky, ground, lights and materials
+/// (stage.hpp).
+struct Stage {
+  /// `none` leaves everything at the plain defaults; `automatic` is studio, or night for objects that glow.
+  enum class Preset {
+    none,
+    automatic,
+    studio,
+    daylight,
+    overcast,
+    sunset,
+    night,
+    hollow,
+    paper,
+    blueprint
+  };
+  enum class Palette { preset, vivid, earth, pastel, grey, ocean, neon };
+  Preset preset = Preset::automatic;
+  Palette palette = Palette::preset;       ///< colours of objects without a colour
+  std::optional<glm::vec3> backdrop = {};  ///< linear RGB of floor and background; none: the preset's
+  std::set<std::string, std::less<>> given = {};  ///< "sun", "sun.color": what the scene gives itself
+  [[nodiscard]] bool leaves(std::string_view path) const { return !given.contains(path); }
+  void describe(Fields& fields);
+};
+
 struct Object {
   std::string name;
   std::string kind;  ///< a name from the list of simulations
   std::unique_ptr<Parameters> parameters;
   Material material;
-  bool hasMaterial = false;  ///< whether the scene gives it
+  std::set<std::string, std::less<>> materialKeys;  ///< keys of the material that the scene gives
+  [[nodiscard]] bool hasMaterial() const { return !materialKeys.empty(); }
 };
 
 /// Reports a mistake of an object at the place of the value that `path` leads to from it, or of the last on
@@ -259,7 +287,8 @@ struct Scene {
   Camera camera;
   Sun sun;
   Sky sky;
-  bool staged = false;  ///< whether sun, sky, ground, lights and plain materials are a stage's (stage.hpp)
+  Stage stage;
+  bool staged = false;    ///< True if the stage supplies what the scene leaves out.
   bool surveyed = false;  ///< whether camera and stage stand where a run has shown (sim/world/survey.hpp)
   std::optional<Ground> ground;
   std::vector<Light> lights;  ///< at most maxLights, maxShadowedLights of them with shadows

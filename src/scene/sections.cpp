@@ -12,20 +12,22 @@ namespace {
 constexpr const char* renderDoc = "Size and look of the pictures.";
 constexpr const char* timeDoc = "Frame rate, start and length.";
 constexpr const char* cameraDoc = "Camera that takes the pictures.";
+constexpr const char* stageDoc =
+    "Floor, background, light and colours of a scene of solids. The stage supplies every value of sun, "
+    "sky, "
+    "ground, lights and materials that the scene leaves out; false: the plain defaults.";
 constexpr const char* sunDoc =
-    "The one directional light and its shadow. A scene of solids that gives none of sun, sky, ground and "
-    "lights stands on a stage, which supplies them.";
+    "The one directional light and its shadow. The stage supplies the values that a scene leaves out.";
 constexpr const char* skyDoc =
-    "Ambient light and background gradient. If a scene of solids leaves out sun, sky, ground and lights, "
-    "a stage supplies them.";
+    "Ambient light and background gradient. The stage supplies the values that a scene leaves out.";
 constexpr const char* groundDoc =
-    "Ground plane, which is drawn and collided with. If a scene of solids leaves out sun, sky, ground and "
-    "lights, a stage supplies one below everything, and nothing collides with it.";
+    "Ground plane, which is drawn and collided with. Without it, the stage draws a floor below everything, "
+    "and nothing collides with that floor.";
 constexpr const char* lightsDoc =
-    "Lights at places of the scene, each {position, intensity, ...} by name. If a scene of solids "
-    "leaves out sun, sky, ground and lights, a stage supplies one.";
+    "Lights at places of the scene, each {position, intensity, ...} by name. The stage adds one named "
+    "\"rim\", which shines from behind.";
 constexpr const char* materialDoc =
-    "Surface of an object. If it is left out on a stage, the object gets a colour of the stage's palette.";
+    "Surface of an object. On a stage, an object without a \"color\" gets one of the stage's palette.";
 
 template <class T>
 Section section(const char* name, const char* doc) {
@@ -74,6 +76,7 @@ void remarkSun(Fields& fields, const Scene& scene) {
 
 void Material::describe(Fields& fields) {
   fields.vector("color", color, notNegative, "", "Base colour, linear RGB.");
+  fields.leftOut("color", "the stage's, else [0.8, 0.7, 0.6]");
   fields.asset("texture", texture, "sRGB image multiplied with the colour.");
   fields.vector("textureScale", textureScale, anyNumber, "",
                 "Repeats of the texture along u and v, or in a metre of surfaces without uv, which are "
@@ -81,9 +84,11 @@ void Material::describe(Fields& fields) {
   fields.number("bump", bump, {-100, 100}, "m",
                 "Height of the texture's white over its black, as the light shows it.");
   fields.number("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");
+  fields.leftOut("roughness", "the stage's, else 0.8");
   fields.number("metallic", metallic, fraction, "", "0 for plastic, cloth and wood; 1 for metal.");
   fields.number("translucency", translucency, fraction, "",
                 "Fraction of the light from behind that shines through.");
+  fields.leftOut("translucency", "the stage's, else 0");
   fields.boolean("castsShadow", castsShadow, "Casts shadows in the light of sun and lamps.");
   fields.optionalGroup("skin", skin, "A live material grown from a field of the scene.");
   finish.describe(fields);
@@ -260,6 +265,9 @@ void describeScene(Fields& fields, Scene& scene) {
   fields.group("render", renderDoc, [&](Fields& inner) { scene.render.describe(inner); });
   fields.group("time", timeDoc, [&](Fields& inner) { scene.time.describe(inner); });
   fields.group("camera", cameraDoc, [&](Fields& inner) { scene.camera.describe(inner); });
+  fields.switchable("stage");
+  fields.shorthand("stage", "preset");
+  fields.group("stage", stageDoc, [&](Fields& inner) { scene.stage.describe(inner); });
   fields.group("sun", sunDoc, [&](Fields& inner) { scene.sun.describe(inner); });
   fields.group("sky", skyDoc, [&](Fields& inner) { scene.sky.describe(inner); });
   if (!scene.sky.picture.empty() && !fields.given("sun")) {
@@ -267,18 +275,24 @@ void describeScene(Fields& fields, Scene& scene) {
     scene.sun.shadow = false;
   }
   fields.optionalGroup("ground", scene.ground, groundDoc);
+  if (scene.ground) scene.ground->solid = true;
   describeLights(fields, scene);
   remarkRays(fields, scene);
   remarkSun(fields, scene);
 }
 
 std::span<const Section> sections() {
-  static const Section all[] = {
-      section<Render>("render", renderDoc), section<Time>("time", timeDoc),
-      section<Camera>("camera", cameraDoc), section<Sun>("sun", sunDoc),
-      section<Sky>("sky", skyDoc),          section<Ground>("ground", groundDoc),
-      section<Light>("lights", lightsDoc),  section<Material>("material", materialDoc),
-      section<Test>("test", testDoc),       section<Check>("checks", checksDoc)};
+  static const Section all[] = {section<Render>("render", renderDoc),
+                                section<Time>("time", timeDoc),
+                                section<Camera>("camera", cameraDoc),
+                                section<Stage>("stage", stageDoc),
+                                section<Sun>("sun", sunDoc),
+                                section<Sky>("sky", skyDoc),
+                                section<Ground>("ground", groundDoc),
+                                section<Light>("lights", lightsDoc),
+                                section<Material>("material", materialDoc),
+                                section<Test>("test", testDoc),
+                                section<Check>("checks", checksDoc)};
   return all;
 }
 

@@ -27,7 +27,7 @@ struct Section {
   const char* doc;
   std::function<void(Fields&)> describe;
 };
-/// render, time, camera, sun, sky, ground, lights, material, test and checks, with their defaults.
+/// render, time, camera, stage, sun, sky, ground, lights, material, test and checks, with their defaults.
 [[nodiscard]] std::span<const Section> sections();
 
 }  // namespace simreel::scene

@@ -1,9 +1,9 @@
 #include "scene/stage.hpp"
 
+#include "scene/stage_presets.hpp"
 #include "scene/tinted.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include <glm/common.hpp>
@@ -13,129 +13,145 @@ namespace simreel::scene {
 
 namespace {
 
-/// Linear RGB, in the order of objects: neighbours differ in hue and in brightness.
-constexpr std::array<glm::vec3, 8> palette = {glm::vec3(0.70F, 0.105F, 0.045F),    // vermilion
-                                              glm::vec3(0.014F, 0.17F, 0.19F),     // petrol
-                                              glm::vec3(0.76F, 0.37F, 0.025F),     // saffron
-                                              glm::vec3(0.045F, 0.085F, 0.30F),    // ultramarine
-                                              glm::vec3(0.82F, 0.74F, 0.63F),      // ivory
-                                              glm::vec3(0.20F, 0.030F, 0.085F),    // plum
-                                              glm::vec3(0.20F, 0.36F, 0.17F),      // sage
-                                              glm::vec3(0.035F, 0.039F, 0.048F)};  // graphite
-
-constexpr glm::vec3 flame(1.0F, 0.52F, 0.22F);  // of what shines
-
-/// The light of a stage: what the ground looks like lit, what it fades into, and the lamps.
-struct Mood {
-  glm::vec3 floor, horizon, zenith;  ///< linear light
-  float ambient;
-  glm::vec3 keyColor;
-  float key;  ///< lx
-  glm::vec3 rimColor;
-  float rim;   ///< lx in the middle of the stage
-  float most;  ///< reflectance of the ground
-};
-constexpr Mood day{.floor = {0.62F, 0.55F, 0.47F},
-                   .horizon = {0.33F, 0.32F, 0.33F},
-                   .zenith = {0.28F, 0.32F, 0.40F},
-                   .ambient = 0.62F,
-                   .keyColor = {1.0F, 0.93F, 0.84F},
-                   .key = 3.3F,
-                   .rimColor = {1.0F, 0.96F, 0.92F},
-                   .rim = 2.2F,
-                   .most = 0.8F};
-constexpr Mood night{.floor = {0.012F, 0.013F, 0.018F},
-                     .horizon = {0.030F, 0.036F, 0.062F},
-                     .zenith = {0.010F, 0.012F, 0.022F},
-                     .ambient = 1.0F,
-                     .keyColor = {0.75F, 0.85F, 1.0F},
-                     .key = 0.8F,
-                     .rimColor = {0.6F, 0.75F, 1.0F},
-                     .rim = 0.4F,
-                     .most = 0.1F};
+constexpr glm::vec3 flame(1.0F, 0.52F, 0.22F);  ///< colour of objects that glow
+constexpr const char* rimName = "rim";
 
 bool anyIs(Parameters::Looks looks, const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(),
                      [&](const Object& object) { return object.parameters->looks() == looks; });
 }
 
-void dress(Object& object, std::size_t number) {
+/// Returns the look of the scene's stage, with its backdrop.
+StageLook lookOf(const Scene& scene) {
+  StageLook look = stageLook(scene.stage.preset, anyIs(Parameters::Looks::shining, scene));
+  if (scene.stage.backdrop) {
+    look.floor = look.horizon = look.zenith = *scene.stage.backdrop;
+    look.most = 1;
+  }
+  return look;
+}
+
+/// Returns the height of a floor that nothing touches.
+float floorBelow(const std::vector<Framed>& framed) {
+  const Box box = boxAround(framed);
+  const float radius = std::max(0.5F * glm::length(box.max - box.min), 1e-3F);
+  const bool flat = box.max.y - box.min.y < 0.02F * radius;
+  return box.min.y - (flat ? 0.1F : 1e-3F) * radius;
+}
+
+/// Gives an object the colour and finish that its material leaves out.
+void dress(Object& object, std::size_t number, const Stage& stage, const StageLook& look) {
+  Material& material = object.material;
+  const auto leaves = [&](const char* key) { return !object.materialKeys.contains(key); };
   const Parameters::Looks looks = object.parameters->looks();
   const bool cloth = looks == Parameters::Looks::cloth;
-  object.material.color = looks == Parameters::Looks::shining ? flame : palette.at(number % palette.size());
-  object.material.roughness = cloth ? 0.7F : 0.38F;
-  object.material.translucency = cloth ? 0.2F : 0.0F;
+  const bool clear = material.finish.transmission > 0;
+  const bool pictured =
+      material.skin.has_value() || !material.texture.empty() || !material.finish.color.empty();
   const auto* tinted = dynamic_cast<const Tinted*>(object.parameters.get());
   const std::optional<glm::vec3> tint = tinted != nullptr ? tinted->tint() : std::nullopt;
-  if (!tint) return;
-  object.material.color = *tint;
-  object.material.roughness = 0.7F;
-  object.material.translucency = 0.3F;
+  const auto colors = stageColors(stage.palette == Stage::Palette::preset ? look.palette : stage.palette);
+  if (leaves("color"))
+    material.color = clear || pictured                     ? glm::vec3(1)
+                     : tint                                ? *tint
+                     : looks == Parameters::Looks::shining ? flame
+                                                           : colors[number % colors.size()];
+  if (leaves("roughness")) material.roughness = clear ? 0.02F : cloth || tint ? 0.7F : 0.38F;
+  if (leaves("translucency")) material.translucency = tint ? 0.3F : cloth ? 0.2F : 0.0F;
 }
 
 }  // namespace
 
-bool givesNoStage(const Node& scene) {
-  return std::none_of(scene.children.begin(), scene.children.end(), [](const Node& member) {
-    return member.key == "sun" || member.key == "sky" || member.key == "ground" || member.key == "lights";
+void Stage::describe(Fields& fields) {
+  fields.choice(
+      "preset", preset,
+      {"false", "true", "studio", "daylight", "overcast", "sunset", "night", "void", "paper", "blueprint"},
+      "Light and background. true: studio, or night for objects that glow; false: no stage.");
+  fields.choice("palette", palette, {"preset", "vivid", "earth", "pastel", "grey", "ocean", "neon"},
+                "Colours of objects without a \"color\". preset: as the preset has it.");
+  fields.onlyGiven("backdrop", backdrop, glm::vec3(0.5F), [&](glm::vec3& color) {
+    fields.vector("backdrop", color, notNegative, "", "Colour of floor and background, linear RGB.");
   });
+  fields.leftOut("backdrop", "the preset's");
 }
 
 void setStage(Scene& scene, const std::vector<Framed>& framed) {
   using Looks = Parameters::Looks;
-  if (framed.empty() || anyIs(Looks::landscape, scene)) return;
+  const bool landscape = anyIs(Looks::landscape, scene);
+  if (framed.empty() || (landscape && scene.stage.preset == Stage::Preset::automatic)) return;
+  const Stage& stage = scene.stage;
+  const StageLook look = lookOf(scene);
   scene.staged = true;
   if (!scene.render.hasQuality && scene.render.rasterizer == Rasterizer::exact)
     scene.render.quality = Quality::standard;
-  scene.sun.diameter = 9.0F;
-  scene.sun.shadowSize = 2048;
-  scene.ground.emplace();
-  scene.ground->visible = !scene.render.transparent;  // it is background
-  scene.ground->roughness = 0.9F;
-  Light& rim = scene.lights.emplace_back();
-  rim.name = "rim";
-  rim.glow = 0.0F;
-  rim.shadow = false;
+  // A picture of the sky brings its own sun.
+  const bool hasSun = scene.sky.picture.empty() || !stage.leaves("sun");
+  if (hasSun && stage.leaves("sun.diameter")) scene.sun.diameter = look.keyDiameter;
+  if (hasSun && stage.leaves("sun.shadowSize")) scene.sun.shadowSize = 2048;
+  if (!scene.ground && look.hasFloor && !landscape) scene.ground.emplace();
+  if (scene.ground) {
+    // A transparent picture leaves the background out, and the floor is background.
+    if (stage.leaves("ground")) scene.ground->visible = !scene.render.transparent;
+    if (stage.leaves("ground.height")) scene.ground->height = floorBelow(framed);
+  }
+  if (stage.leaves("lights.rim") && scene.lights.size() < maxLights) {
+    Light& rim = scene.lights.emplace_back();
+    rim.name = rimName;
+    rim.glow = 0.0F;
+    rim.shadow = false;
+  }
   moveStage(scene, framed);
-  for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    if (!scene.objects[i].hasMaterial) dress(scene.objects[i], i);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) dress(scene.objects[i], i, stage, look);
 }
 
 void moveStage(Scene& scene, const std::vector<Framed>& framed) {
-  const Mood& mood = anyIs(Parameters::Looks::shining, scene) ? night : day;
+  const Stage& stage = scene.stage;
+  const StageLook look = lookOf(scene);
   const Box box = boxAround(framed);
   const float radius = std::max(0.5F * glm::length(box.max - box.min), 1e-3F);
   const glm::vec3 middle = 0.5F * (box.min + box.max);
   const glm::vec3 back = glm::normalize(glm::vec3(1, 0, 1) * stageBack(box));
   const glm::vec3 right(back.z, 0, -back.x);
+  const auto supply = [&](const char* path, auto& value, const auto& supplied) {
+    if (stage.leaves(path)) value = supplied;
+  };
 
-  // From the left of the camera, above it.
-  const glm::vec3 key = glm::normalize(0.7F * back - 0.65F * right + glm::vec3(0, 1, 0));
-  scene.sun.direction = key;
-  scene.sun.color = mood.keyColor;
-  scene.sun.intensity = mood.key;
-  scene.sky.zenith = mood.zenith;
-  scene.sky.horizon = mood.horizon;
-  scene.sky.ground = mood.floor;
-  scene.sky.ambient = mood.ambient;
+  const glm::vec3 key =
+      glm::normalize(look.keyFrom.x * back + look.keyFrom.y * right + glm::vec3(0, look.keyFrom.z, 0));
+  if (scene.sky.picture.empty() || !stage.leaves("sun")) {
+    supply("sun.direction", scene.sun.direction, key);
+    supply("sun.intensity", scene.sun.intensity, look.key);
+    if (!scene.sun.temperature) supply("sun.color", scene.sun.color, look.keyColor);
+  }
+  if (scene.sky.picture.empty()) {
+    supply("sky.zenith", scene.sky.zenith, look.zenith);
+    supply("sky.horizon", scene.sky.horizon, look.horizon);
+    supply("sky.ground", scene.sky.ground, look.floor);
+    supply("sky.ambient", scene.sky.ambient, look.ambient);
+  }
 
-  // What lies flat hovers a little.
-  const float thin = box.max.y - box.min.y < 0.02F * radius ? 0.1F * radius : 0.0F;
-  Ground& ground = *scene.ground;
-  ground.height = box.min.y - std::max(thin, 1e-3F * radius);
-  ground.fadeStart = 2.0F * radius;
-  ground.fadeEnd = 9.0F * radius;
-  // So that it has the background's light where nothing stands in its own: see groundLight in glsl/draw.
-  const glm::vec3 fill = mood.ambient * glm::mix(mood.zenith, mood.horizon, 0.3F);
-  const glm::vec3 direct = mood.keyColor * (mood.key * 0.31830989F * key.y);
-  ground.color = glm::min(mood.floor / (fill + direct), glm::vec3(mood.most));
+  if (scene.ground) {
+    Ground& ground = *scene.ground;
+    if (!ground.solid) ground.height = floorBelow(framed);
+    supply("ground.fadeStart", ground.fadeStart, 2.0F * radius);
+    supply("ground.fadeEnd", ground.fadeEnd, std::max(look.reach * radius, 1.01F * ground.fadeStart));
+    if (!stage.leaves("ground.fadeEnd"))
+      ground.fadeStart = std::min(ground.fadeStart, 0.5F * ground.fadeEnd);
+    // The lit floor shows the background's colour: see groundLight in glsl/draw.
+    const glm::vec3 fill = look.ambient * glm::mix(look.zenith, look.horizon, 0.3F);
+    const glm::vec3 direct = look.keyColor * (look.key * 0.31830989F * key.y);
+    supply("ground.color", ground.color, glm::min(look.floor / (fill + direct), glm::vec3(look.most)));
+  }
 
-  Light& rim = scene.lights.front();
-  const float far = 3.0F * radius;
-  rim.position = middle + far * glm::normalize(-0.8F * back + 0.75F * right + glm::vec3(0, 0.9F, 0));
-  rim.color = mood.rimColor;
-  rim.intensity = mood.rim * far * far;
-  rim.radius = 0.5F * radius;
+  if (!stage.leaves("lights.rim")) return;
+  for (Light& rim : scene.lights) {
+    if (rim.name != rimName) continue;
+    const float far = 3.0F * radius;
+    rim.position = middle + far * glm::normalize(-0.8F * back + 0.75F * right + glm::vec3(0, 0.9F, 0));
+    rim.color = look.rimColor;
+    rim.intensity = look.rim * far * far;
+    rim.radius = 0.5F * radius;
+  }
 }
 
 }  // namespace simreel::scene

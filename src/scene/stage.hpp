@@ -1,23 +1,20 @@
 #pragma once
 #include "scene/framing.hpp"
-#include "scene/json/json_node.hpp"
 #include "scene/scene.hpp"
 
 #include <vector>
 
 namespace simreel::scene {
 
-/// Whether a scene says nothing of its surroundings: none of "sun", "sky", "ground", "lights".
-[[nodiscard]] bool givesNoStage(const Node& scene);
-
-/// Puts a scene that says nothing of its surroundings on a stage, as products are photographed: a ground
-/// just below everything (to be seen, not touched) that fades into a background of its own brightness, a
-/// key light with soft shadows, the sky's light to fill them, a lamp behind for a rim, and of each object
-/// without a material a colour of a small palette by its number. What shines gets a dark one. `framed`:
-/// framedObjects(scene); where there are none (pictures of fields) nothing changes.
+/// Supplies what a scene leaves out of sun, sky, ground, lights and materials, as a product photograph has
+/// it: a floor just below everything that fades into a background of its own brightness, a key light with
+/// soft shadows, light of the sky to fill them, a lamp behind for a rim, and a colour of a small palette
+/// for each object. Objects do not collide with the floor unless the scene gives "ground". `framed`:
+/// framedObjects(scene); without any (pictures of fields), and for landscapes unless the scene gives a
+/// preset, nothing changes.
 void setStage(Scene& scene, const std::vector<Framed>& framed);
 
-/// Moves the stage of a scene that stands on one to where these are.
+/// Moves the stage of a staged scene to these objects. A ground that the scene gives stays.
 void moveStage(Scene& scene, const std::vector<Framed>& framed);
 
 }  // namespace simreel::scene

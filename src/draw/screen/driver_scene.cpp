@@ -68,7 +68,7 @@ DriverScene::DriverScene(const Shared& shared, int samples)
     : state_(std::make_unique<State>(
           shared, glm::ivec2(shared.picture.color.width(), shared.picture.color.height()), samples)) {
   const scene::Scene& scene = shared.scene;
-  if (scene.sun.diameter > 0 && scene.sun.shadow && !scene.staged)
+  if (scene.sun.diameter > 0 && scene.sun.shadow && !(scene.staged && scene.stage.leaves("sun.diameter")))
     warn(
         "sun.diameter: the driver's rasterizer has shadows of one softness (shadowSoftness); penumbras "
         "grow in pictures of \"rasterizer\": \"exact\" alone");

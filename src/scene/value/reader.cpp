@@ -338,11 +338,14 @@ void Reader::section(const char* name, bool* present, const char* /*doc*/,
   const Node* node = take(name);
   if (present != nullptr) *present = node != nullptr;
   if (node != nullptr && switchable_.contains(name)) {
+    if (const auto word = shorthands_.find(name);
+        node->kind == Node::Kind::boolean && word != shorthands_.end())
+      return readObject(spelledOut(*node, word->second), context_, describe);
     if (node->kind == Node::Kind::boolean) {
       *present = node->boolean;
       return node->boolean ? readObject(emptyGroup(*node), context_, describe) : void();
     }
-    if (node->kind != Node::Kind::object)
+    if (node->kind != Node::Kind::object && !shorthands_.contains(name))
       return context_.diagnostics.add(
           node->place(), fmt::format("expected an object or true, found {}", node->kindText()));
   }

@@ -113,21 +113,20 @@ std::optional<glm::ivec2> ValueReader::pair(const Node& node) const {
 }
 
 std::optional<int> ValueReader::oneOf(const Node& node, std::span<const char* const> names) const {
-  std::size_t first = 0;
-  if (Spec{.words = names}.isSwitch()) {
-    if (node.kind == Node::Kind::boolean) return node.boolean ? 1 : 0;
-    first = 2;
-    const std::string expected = fmt::format("true, false or \"{}\"", names[first]);
-    if (node.kind == Node::Kind::text && node.text != names[first]) {
-      diagnostics_.add(node.place(), fmt::format("expected {}, found {}", expected, inQuotes(node.text)));
-      return std::nullopt;
-    }
-    if (!expect(node, Node::Kind::text, expected.c_str())) return std::nullopt;
+  const bool isSwitch = Spec{.words = names}.isSwitch();
+  if (isSwitch && node.kind == Node::Kind::boolean) return node.boolean ? 1 : 0;
+  const auto words = names.subspan(isSwitch ? 2 : 0);
+  const std::string expected = !isSwitch           ? "a string"
+                               : words.size() == 1 ? fmt::format("true, false or \"{}\"", words[0])
+                                                   : "true, false or a word";
+  if (!expect(node, Node::Kind::text, expected.c_str())) return std::nullopt;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (node.text == words[i]) return static_cast<int>(names.size() - words.size() + i);
+  if (isSwitch && words.size() == 1) {
+    diagnostics_.add(node.place(), fmt::format("expected {}, found {}", expected, inQuotes(node.text)));
+    return std::nullopt;
   }
-  if (!expect(node, Node::Kind::text, "a string")) return std::nullopt;
-  for (std::size_t i = first; i < names.size(); ++i)
-    if (node.text == names[i]) return static_cast<int>(i);
-  const std::vector<std::string> known(names.begin(), names.end());
+  const std::vector<std::string> known(words.begin(), words.end());
   diagnostics_.add(node.place(), fmt::format("unknown {} {}; {}", name_, inQuotes(node.text),
                                              suggestion(node.text, known)));
   return std::nullopt;

@@ -123,12 +123,12 @@ std::vector<int> usedOf(const Mesh& mesh) {
 
 scene::Material plainLook(const scene::Object& object, const Mesh& mesh) {
   scene::Material material = object.material;
-  if (!mesh.colors.empty() && !object.hasMaterial) material.color = glm::vec3(1);
+  if (!mesh.colors.empty() && !object.materialKeys.contains("color")) material.color = glm::vec3(1);
   return material;
 }
 
 std::vector<MeshLook> looksOf(const scene::Object& object, const Mesh& mesh) {
-  if (object.hasMaterial || mesh.materials.empty()) return {};
+  if (object.hasMaterial() || mesh.materials.empty()) return {};
   const Images images = decoded(mesh);
   const std::vector<int> used = usedOf(mesh);
   std::vector<MeshLook> looks;
@@ -177,7 +177,7 @@ void MovingLooks::show(const Surface& surface, Drawables& drawables) const {
 
 std::string ignoredLooks(const scene::Object& object, const Mesh& mesh) {
   std::vector<std::string> all = mesh.undrawn;
-  if (!object.hasMaterial) all.insert(all.end(), mesh.ignored.begin(), mesh.ignored.end());
+  if (!object.hasMaterial()) all.insert(all.end(), mesh.ignored.begin(), mesh.ignored.end());
   if (all.empty()) return {};
   constexpr std::size_t most = 8;
   const std::size_t said = std::min(most, all.size());

@@ -43,7 +43,7 @@ FloatKernels::FloatKernels(const std::string& name, const WaterPlan& plan, bool 
     const scene::Object object = body.shownAs(its);
     Drawn& drawn = drawn_.emplace_back(its, floats.hulls()[i]);
     drawn.doubleSided = !body.drawn.empty();
-    const bool own = body.hasMaterial || body.drawnFile().empty();
+    const bool own = !body.materialKeys.empty() || body.drawnFile().empty();
     if (!own) drawn.looks = ofFiles[body.drawnFile()];
     if (drawn.looks) continue;
     drawn.looks = std::make_shared<const MovingLooks>(object, mesh);

@@ -75,14 +75,14 @@ void WaterFloat::describe(scene::Fields& f) {
            "Fraction of the light from behind that shines through.");
   f.number("metallic", material.metallic, scene::fraction, "", "1 for metal.");
   for (const char* name : {"color", "texture", "roughness", "translucency", "metallic"})
-    hasMaterial = hasMaterial || f.given(name);
+    if (f.given(name)) materialKeys.insert(name);
 }
 
 scene::Object WaterFloat::shownAs(const std::string& name) const {
   scene::Object object;
   object.name = name;
   object.material = material;
-  object.hasMaterial = hasMaterial;
+  object.materialKeys = materialKeys;
   return object;
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <glm/vec3.hpp>
@@ -44,7 +45,7 @@ struct WaterFloat {
   scene::Animated<float> steering = 0.0F;  ///< N m about its y
   std::optional<FloatTow> tow;
   scene::Material material;  ///< colour, roughness, metal and texture of it
-  bool hasMaterial = false;  ///< whether the scene gives any of that
+  std::set<std::string, std::less<>> materialKeys;  ///< keys of the material that the scene gives
 
   WaterFloat();
   void describe(scene::Fields& fields);

@@ -158,7 +158,7 @@ std::vector<std::string> portMistakes(const scene::Scene& scene) {
     if (light.follow)
       checkNamed<Way>(("lights." + light.name + ".follow").c_str(), light.follow->object, objects,
                       mistakes);
-  const bool ground = scene.ground && !scene.staged;
+  const bool ground = scene.ground && scene.ground->solid;
   for (const scene::Object& object : objects)
     for (const Ports::Want& want : portsOf(object).wants) {
       const bool found = std::any_of(objects.begin(), objects.end(), [&](const scene::Object& other) {

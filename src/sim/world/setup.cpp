@@ -58,7 +58,7 @@ std::vector<ColliderShape> collidersOf(const scene::Scene& scene, const Bones* b
   for (const scene::Object& object : scene.objects)
     if (const auto* shape = dynamic_cast<const ShapeParameters*>(object.parameters.get()))
       if (shape->collides) shapes.push_back(shape->shape);
-  if (scene.ground && !scene.staged) {  // light changes nothing of what moves
+  if (scene.ground && scene.ground->solid) {
     ColliderShape ground;
     ground.kind = ColliderShape::Kind::plane;
     ground.position = glm::vec3(0, scene.ground->height, 0);

@@ -123,12 +123,12 @@ TEST_CASE("survey: fast numerics, and whose run it is, change nothing") {
 TEST_CASE("survey: a stage stands under what moves, wherever the camera is") {
   scene::Scene free = sceneGoing(looseSheet(1)),
                placed = sceneGoing(looseSheet(1), R"("camera": {"position": [1, 2, 6]}, )");
-  const float before = free.ground.height;
+  const float before = free.ground->height;
   CHECK(sim::needsSurvey(placed));
   CHECK(sim::frameMotion(free).camera.size() >= 3);
   CHECK(sim::frameMotion(placed).remark.empty());
-  CHECK(free.ground.height < before - 0.05F);
-  CHECK(placed.ground.height == free.ground.height);
+  CHECK(free.ground->height < before - 0.05F);
+  CHECK(placed.ground->height == free.ground->height);
   CHECK(placed.camera.position.at(0) == glm::vec3(1, 2, 6));
   CHECK_FALSE(sim::needsSurvey(placed));
 }

@@ -71,7 +71,7 @@ TEST_CASE("an override adds no object and no item in passing") {
           "\"pins\" is not given, so it has no item 0; give all of it: -D objects.flag.cloth.pins=[...]"));
   CHECK(parse("{\"version\": 1}", {"objects.a={\"cloth\": {}}"}).objects.at(0).name == "a");
   CHECK(parse(text, {"objects.b={\"cloth\": {}}", "objects.b.cloth.wind=[7,8,9]"}).objects.size() == 2);
-  CHECK(parse(text, {"ground->height=-2"}).ground.height == -2.0F);
+  CHECK(parse(text, {"ground.height=-2"}).ground->height == -2.0F);
 }
 
 TEST_CASE("a scene keeps its overrides, which can be typed again") {

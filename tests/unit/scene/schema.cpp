@@ -45,8 +45,8 @@ TEST_CASE("the schema says what the reader checks") {
   CHECK(cloth["pins"]["maxItems"] == 4);
   CHECK(cloth["pins"]["items"]["properties"]["row"]["maximum"] == 9);
   CHECK(schema["properties"]["objects"]["additionalProperties"]["oneOf"].size() == 2);
-  CHECK(schema["$defs"]["material"]["properties"]["roughness"]["default"].dump() == "0.8");
-  for (const char* name : {"title", "seed", "numerics", "render", "time", "camera", "sun", "sky", "ground",
+  CHECK(schema["$defs"]["material"]["properties"]["metallic"]["default"].dump() == "0");
+  for (const char* name : {"title", "seed", "numerics", "render", "time", "camera", "stage", "sun", "sky", "ground",
                            "lights", "objects", "test", "checks"})
     CHECK_MESSAGE(schema["properties"][name].contains("description"), name);
 }
@@ -88,7 +88,7 @@ TEST_CASE("help keeps to the width of the terminal, and loses no word by it") {
 }
 
 TEST_CASE("every section has help, and a wrong name gets a suggestion") {
-  for (const char* name : {"scene", "render", "time", "camera", "sun", "sky", "ground", "lights",
+  for (const char* name : {"scene", "render", "time", "camera", "stage", "sun", "sky", "ground", "lights",
                            "material", "test", "checks", "capsule"})
     CHECK_MESSAGE(has(helpText(name, toyKinds().list, 100), std::string(name) + ": "), name);
   try {

@@ -1,4 +1,4 @@
-// A scene that says nothing of its surroundings stands on a stage.
+// The stage supplies what a scene leaves out of its surroundings.
 #include "draw/camera.hpp"
 #include "draw/frame_values.hpp"
 #include "scene/framing.hpp"
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -45,18 +46,81 @@ TEST_CASE("stage: a scene of one line has ground, light from three sides, and a 
   CHECK(sun.x * eye.x + sun.z * eye.z > 0);
 }
 
-TEST_CASE("stage: any of sun, sky, ground and lights says that there is none") {
+TEST_CASE("stage: naming sun, sky, ground or lights changes nothing that the scene does not name") {
+  const scene::Scene plain = parsed(ball);
   for (const char* given : {"sun", "sky", "ground", "lights"}) {
+    CAPTURE(given);
     const scene::Scene scene = parsed(ball, fmt::format(R"("{}": {{}}, )", given));
-    CHECK_FALSE(scene.staged);
-    CHECK(scene.ground.has_value() == (std::string(given) == "ground"));
-    CHECK(scene.lights.empty());
-    CHECK(scene.sun.diameter == 0);
-    CHECK(scene.sun.intensity.at(0) == scene::Sun().intensity.at(0));
-    CHECK(scene.sky.zenith.at(0) == scene::Sky().zenith.at(0));
-    CHECK(scene.objects[0].material.color == scene::Material().color);
-    CHECK(scene.camera.fieldOfView.at(0) == scene::Camera().fieldOfView.at(0));
+    CHECK(scene.staged);
+    CHECK(scene.render.quality == plain.render.quality);
+    CHECK(scene.ground->height == plain.ground->height);
+    CHECK(scene.ground->color == plain.ground->color);
+    CHECK(scene.ground->solid == (std::string(given) == "ground"));
+    CHECK(scene.lights.size() == 1);
+    CHECK(scene.sun.diameter == plain.sun.diameter);
+    CHECK(scene.sun.direction.at(0) == plain.sun.direction.at(0));
+    CHECK(scene.sky.zenith.at(0) == plain.sky.zenith.at(0));
+    CHECK(scene.objects[0].material.color == plain.objects[0].material.color);
+    CHECK(scene.camera.position.at(0) == plain.camera.position.at(0));
+    CHECK(scene.camera.fieldOfView.at(0) == plain.camera.fieldOfView.at(0));
   }
+}
+
+TEST_CASE("stage: values that a scene gives replace those of the stage one by one") {
+  const scene::Scene plain = parsed(ball);
+  const scene::Scene scene =
+      parsed(ball, R"("sun": {"intensity": 1}, "sky": {"zenith": [1, 0, 0]}, "ground": {"color": [0, 1, 0]},
+               "lights": {"lamp": {"position": [0, 3, 0]}}, )");
+  CHECK(scene.sun.intensity.at(0) == 1);
+  CHECK(scene.sun.direction.at(0) == plain.sun.direction.at(0));
+  CHECK(scene.sky.zenith.at(0) == glm::vec3(1, 0, 0));
+  CHECK(scene.sky.horizon.at(0) == plain.sky.horizon.at(0));
+  CHECK(scene.ground->color == glm::vec3(0, 1, 0));
+  CHECK(scene.ground->fadeEnd == plain.ground->fadeEnd);
+  REQUIRE(scene.lights.size() == 2);
+  CHECK(scene.lights[0].name == "lamp");
+  CHECK(scene.lights[1].position.at(0) == plain.lights[0].position.at(0));
+  // A lamp named "rim" takes the place of the stage's.
+  CHECK(parsed(ball, R"("lights": {"rim": {"position": [0, 3, 0]}}, )").lights.size() == 1);
+}
+
+TEST_CASE("stage: a picture of the sky brings its own light, and the floor stays") {
+  const scene::Scene scene = parsed(ball, R"("sky": {"picture": "textures/studio.hdr"}, )");
+  CHECK(scene.staged);
+  CHECK(scene.sun.intensity.at(0) == 0);
+  CHECK(scene.ground.has_value());
+}
+
+TEST_CASE("stage: false leaves the plain defaults") {
+  const scene::Scene scene = parsed(ball, R"("stage": false, )");
+  CHECK_FALSE(scene.staged);
+  CHECK_FALSE(scene.ground.has_value());
+  CHECK(scene.lights.empty());
+  CHECK(scene.sun.diameter == 0);
+  CHECK(scene.sun.intensity.at(0) == scene::Sun().intensity.at(0));
+  CHECK(scene.sky.zenith.at(0) == scene::Sky().zenith.at(0));
+  CHECK(scene.objects[0].material.color == scene::Material().color);
+  CHECK(scene.camera.fieldOfView.at(0) == scene::Camera().fieldOfView.at(0));
+}
+
+TEST_CASE("stage: each preset has light of its own, and a backdrop colours floor and background") {
+  std::set<float> heights;
+  for (const char* preset :
+       {"studio", "daylight", "overcast", "sunset", "night", "void", "paper", "blueprint"}) {
+    CAPTURE(preset);
+    const scene::Scene scene = parsed(ball, fmt::format(R"("stage": "{}", )", preset));
+    CHECK(scene.staged);
+    CHECK(scene.ground.has_value() == (std::string(preset) != "void"));
+    heights.insert(scene.sky.horizon.at(0).z + 0.001F * scene.sun.intensity.at(0));
+  }
+  CHECK(heights.size() == 8);
+  const scene::Scene same = parsed(ball, R"("stage": true, )");
+  CHECK(same.sun.intensity.at(0) == parsed(ball, R"("stage": {"preset": "studio"}, )").sun.intensity.at(0));
+  const scene::Scene red = parsed(ball, R"("stage": {"backdrop": [0.4, 0, 0], "palette": "grey"}, )");
+  CHECK(red.sky.ground.at(0) == glm::vec3(0.4F, 0, 0));
+  CHECK(red.ground->color.y == 0);
+  const glm::vec3 color = red.objects[0].material.color;
+  CHECK(color.x == color.z);
 }
 
 TEST_CASE("stage: cameras and materials that a scene gives stay") {
@@ -66,15 +130,22 @@ TEST_CASE("stage: cameras and materials that a scene gives stay") {
   CHECK(placed.camera.fieldOfView.at(0) == scene::Camera().fieldOfView.at(0));
   const scene::Scene wide = parsed(ball, R"("camera": {"fieldOfView": 70}, )");
   CHECK(wide.camera.fieldOfView.at(0) == 70);
-  const scene::Scene painted =
-      parsed(R"({"m": {"sphere": {}, "material": {"metallic": 1}}, "n": {"sphere": {}}})");
-  CHECK(painted.objects[0].material.color == scene::Material().color);
+  const scene::Scene painted = parsed(
+      R"({"m": {"sphere": {}, "material": {"color": [0, 0, 1]}}, "n": {"sphere": {}, "material": {"roughness": 1}},
+          "glass": {"sphere": {}, "material": {"transmission": 1}}})");
+  CHECK(painted.objects[0].material.color == glm::vec3(0, 0, 1));
+  CHECK(painted.objects[0].material.roughness < 0.5F);
   CHECK(painted.objects[1].material.color != scene::Material().color);
+  CHECK(painted.objects[1].material.roughness == 1);
+  CHECK(painted.objects[2].material.color == glm::vec3(1));
 }
 
 TEST_CASE("stage: pictures of fields and landscapes have none") {
   CHECK_FALSE(parsed(R"({"m": {"life": {}}})").staged);
   CHECK_FALSE(parsed(R"({"m": {"water": {}}})").staged);
+  const scene::Scene asked = parsed(R"({"m": {"water": {}}})", R"("stage": "sunset", )");
+  CHECK(asked.staged);
+  CHECK_FALSE(asked.ground.has_value());  // the terrain is its floor
 }
 
 TEST_CASE("stage: neighbours differ in colour, and what shines stands in the dark") {

@@ -15,8 +15,7 @@ std::shared_ptr<Script> scriptOf(const std::string& objects, const std::string& 
                     R"({"version": 1, )" + more + R"("objects": {)" + objects + "}}", {});
 }
 
-const std::string lit =
-    R"("sun": {"intensity": 3}, "camera": {"position": [0, 1, 3], "target": [0, 0, 0]}, )";
+const std::string lit = R"("stage": false, "camera": {"position": [0, 1, 3], "target": [0, 0, 0]}, )";
 
 }  // namespace
 
@@ -27,8 +26,7 @@ TEST_CASE("a renderer draws another script's objects only where camera, stage an
   const std::string ball = R"("a": {"sphere": {"radius": 0.5}})",
                     larger = R"("a": {"sphere": {"radius": 0.8}})";
   CHECK_FALSE(alike(ball, larger, ""));
-  CHECK_FALSE(
-      alike(ball, larger, R"("sun": {"intensity": 3}, )"));  // the camera stands where the ball is seen
+  CHECK_FALSE(alike(ball, larger, R"("stage": false, )"));  // the camera stands where the ball is seen
   CHECK_FALSE(
       alike(ball, larger, R"("camera": {"position": [0, 1, 3], "target": [0, 0, 0]}, )"));  // the ground
   CHECK(alike(ball, larger, lit));
