@@ -13,7 +13,6 @@ void main() {
   vec4 wanted = pointAt(wantedSection, v);
   STORE_STATE(partNext, i, wanted);
   // Only living balls: a cloth derives its velocity from its new positions (settledAgain of cloth/motion.glsl).
-
   if (!isBall(v) || pointAt(nowSection, v).w == 0.0f) return;
   vec4 velocity = LOAD_ONCE(partVelocities, i);
   vec3 speed = speedBy(velocity.xyz, pointAt(nextSection, v).xyz, wanted.xyz);
