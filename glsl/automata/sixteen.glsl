@@ -28,7 +28,7 @@ void storeSixteen(uvec4 bytes, int left, int place, bool inside) {
 }
 
 #ifdef BITS
-const int LANES = 8;  // Invocations per element
+const int LANES = 8;  // Number of invocations that fill one element
 #else
 const int LANES = 1;
 #endif

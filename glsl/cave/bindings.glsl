@@ -2,7 +2,7 @@
 #ifndef CAVE_BINDINGS
 #define CAVE_BINDINGS
 
-const int cellsBinding = 0;      // Words of cells.glsl
+const int cellsBinding = 0;      // Words of cells (see cells.glsl)
 const int nextCellsBinding = 1;
 const int labelsBinding = 1;     // Per run: lowest cell of its region
 const int tallyBinding = 2;      // Per region: number of cells. Per room: the tree it belongs to

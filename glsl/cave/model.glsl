@@ -30,7 +30,8 @@ FUNCTION BitSum rowSum(uint before, uint here, uint after) {
 FUNCTION uint mostlyRock(BitSum above, BitSum here, BitSum below) {
   BitSum ones = sumOf(above.one, here.one, below.one);
   BitSum twos = sumOf(above.two, here.two, below.two);
-  uint three = twos.two & (twos.one | ones.two);                                          // At least three twos
+  // Set where at least three of the four twos are set
+  uint three = twos.two & (twos.one | ones.two);
   uint exactlyTwo = (twos.two & ~twos.one & ~ones.two) | (~twos.two & twos.one & ones.two);
   return three | (exactlyTwo & ones.one);
 }

@@ -1,7 +1,7 @@
 // One pass of a search for the nearest open cell (L1 distance; of equally near ones, the lowest). Each cell takes the
 // best of its own candidate and the candidates of the cells `reach` away. Passes use the reaches 1, 2, 4, ... along
-// rows, then along columns. No nearer cell is missed: if a cell at that distance has a different candidate, this
-// candidate lies between the two cells and is nearer.
+// rows, then along columns. The result is the nearest cell: if an intermediate cell has
+// kept another candidate, that candidate is at least as near.
 #include "cave/cells.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = sourcesBinding) restrict readonly buffer SourceBlock { uint sources[]; };

@@ -9,5 +9,5 @@ layout(std430, binding = flagsBinding) coherent restrict buffer WaveBlock {
   uint steps;       // Distance of its cells from the start
   uint farthest;    // Lowest cell of the last wave
   uint tail;        // End of the queue
-  uint over;        // Not 0 after the last wave
+  uint over;        // Not 0 if the last wave is finished
 } wave;

@@ -4,7 +4,7 @@
 // cell + 1 downwards.
 #include "cave/cells.glsl"
 layout(std430, binding = labelsBinding) restrict readonly buffer LabelBlock { uint labels[]; };
-layout(std430, binding = tallyBinding) restrict buffer TreeBlock { uint trees[]; };  // Per room
+layout(std430, binding = tallyBinding) restrict buffer TreeBlock { uint trees[]; };  // The tree of each room
 layout(std430, binding = flagsBinding) restrict buffer FlagBlock { uint joined; };
 layout(std430, binding = sourcesBinding) restrict readonly buffer SourceBlock { uint sources[]; };
 layout(std430, binding = weightsBinding) restrict buffer WeightBlock { uint weights[]; };

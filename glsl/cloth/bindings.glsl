@@ -5,10 +5,10 @@
 const int positionsBinding = 0;
 const int nextPositionsBinding = 1;
 const int velocitiesBinding = 2;
-const int shiftsBinding = 3;  // thin.comp and shift.comp
-const int aimsBinding = 3;    // relax.comp and constrain_lines.comp: velocities before constraints
+const int shiftsBinding = 3;  // Used by thin.comp and shift.comp
+const int aimsBinding = 3;    // Used by relax.comp and constrain_lines.comp: velocities before constraints
 const int trendsBinding = 5;
-const int leftBinding = 5;    // settle.comp
-const int waysBinding = 5;    // hold.comp
+const int leftBinding = 5;    // Used by settle.comp
+const int waysBinding = 5;    // Used by hold.comp
 
 #endif

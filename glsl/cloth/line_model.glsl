@@ -14,7 +14,7 @@
 
 struct Link {
   vec3 along;     // Unit vector, or zero if the link does not exist
-  float stretch;  // Metres
+  float stretch;  // in metres
 };
 
 // Row of the tridiagonal system: lower l_k-1 + diagonal l_k + upper l_k+1 = right.

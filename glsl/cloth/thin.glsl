@@ -18,8 +18,8 @@ struct Corner {
 };
 
 struct Fended {
-  vec3 shift;    // Metres
-  vec3 change;   // Metres per second
+  vec3 shift;    // in metres
+  vec3 change;   // in m/s
   float squared; // Squared length of `shift`
 };
 

@@ -11,23 +11,23 @@ const int maxPinFrames = 8;
 struct STD140 ClothConstants {
   float spacing DEFAULT(0.1f);           // Rest distance between neighbours, in metres
   float stiffness DEFAULT(500.0f);       // Spring constant in N/m
-  float shear DEFAULT(1.0f);             // Ratio to stiffness
-  float bend DEFAULT(0.3f);              // Ratio to stiffness
-  float compliance DEFAULT(0.0f);        // m/N
-  float shearCompliance DEFAULT(0.0f);   // m/N
-  float bendCompliance DEFAULT(0.01f);   // m/N
+  float shear DEFAULT(1.0f);             // Shear and bending stiffness as a ratio to `stiffness`
+  float bend DEFAULT(0.3f);              // Shear and bending stiffness as a ratio to `stiffness`
+  float compliance DEFAULT(0.0f);        // in m/N
+  float shearCompliance DEFAULT(0.0f);   // in m/N
+  float bendCompliance DEFAULT(0.01f);   // in m/N
   float margin DEFAULT(0.01f);           // Distance kept from colliders, in metres
 };
 
 // Woven fabric, described per length and area, independent of the grid spacing.
 struct STD140 FabricConstants {
-  float density DEFAULT(0.115f);    // kg/m^2
+  float density DEFAULT(0.115f);    // in kg/m^2
   float weft DEFAULT(10000.0f);     // Stretch stiffness along rows, N/m
   float warp DEFAULT(15000.0f);     // Stretch stiffness along columns, N/m
   // Shear stiffness, N/m: force along a side of unit length for a shear angle of 1 rad
   float shear DEFAULT(50.0f);
   float bending DEFAULT(6e-6f);     // Bending stiffness, N m: moment on a side of unit length for a curvature of 1/m
-  float thickness DEFAULT(2.5e-4f); // m
+  float thickness DEFAULT(2.5e-4f); // in metres
 };
 
 struct STD140 AirConstants {
@@ -44,19 +44,19 @@ struct STD140 PinFrame {
 };
 
 struct STD140 ClothStep {
-  vec4 gravity;        // xyz: m/s^2
+  vec4 gravity;        // xyz: acceleration, m/s^2
   vec4 wind;           // xyz: force on each particle, N
-  vec4 airVelocity;    // xyz: m/s
+  vec4 airVelocity;    // xyz: velocity of the air, m/s
   vec4 gustDrift;      // xyz: distance that the gusts have travelled, m
   vec4 origin;         // xyz: rest position of particle (0, 0), m
   vec4 alongX;         // xyz: rest offset to the next particle of a row, m
   vec4 alongY;         // xyz: rest offset to the next row, m
   // Per border (left, right, top, bottom): xyz rest offset to the inner neighbour (m); w is 1 if clamped
   vec4 clamped[4];
-  float dt;            // Substep, s
-  float perDt;         // 1/s
+  float dt;            // Duration of a substep, s
+  float perDt;         // in 1/s
   float perReach;      // 1 / h in 1/s, h = 2/3 dt, the time step of constraints (cloth/motion.glsl)
-  float trendDt;       // dt / 18, s
+  float trendDt;       // dt / 18, s: factor of the trend (cloth/motion.glsl)
   float complianceScale; // Factor of compliances in 1/s^2: 1 / h^2, or (1 - dampedPart) / h^2 with damping
   float kept;          // Fraction of velocity left after damping, per substep
   float gustSpeed;     // Amplitude of the gusts, m/s

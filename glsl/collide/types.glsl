@@ -10,10 +10,10 @@ struct STD140 Collider {
   vec4 b;                 // xyz end of the segment, m
   vec4 velocityA;         // xyz velocity of the start, m/s
   vec4 velocityB;         // xyz velocity of the end, m/s
-  float reach;            // Radius, or d, m
+  float reach;            // Radius of the sphere or capsule, or d of the plane, m
   float perLengthSquared; // 1/|b-a|^2, or 0 for a sphere
   float grip;             // Fraction of tangential velocity kept per substep
-  int plane;              // 1 for a plane
+  int plane;              // 1 if the collider is a plane
   float friction;         // Coulomb coefficient; if negative, `grip` applies instead
 };
 

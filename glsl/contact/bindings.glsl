@@ -24,7 +24,7 @@ const int downSection = 3;      // xyz displacement along the negative axes
 const int tallySections = 4;
 const int toldBinding = 2;      // The tallies as a texel buffer
 const int controlBinding = 5;   // Counts, and arguments of indirect dispatches
-const int boxesBinding = 1;     // Two vec4 per node of a tree
+const int boxesBinding = 1;     // Boxes of a tree: two vec4 per node
 const int leavesBinding = 2;    // uvec4: corners of a face, or ends of an edge; w is 1 for an empty leaf
 const int pairsBinding = 3;     // ivec4: first the vertex-face pairs, then the edge-edge pairs
 const int candidatesBinding = 6;  // Candidate pairs, in the format of the pairs
@@ -35,13 +35,13 @@ const int partNextBinding = 2;
 const int partVelocitiesBinding = 3;
 
 const int beginBinding = 1;     // Solid's vertices in object space at the frame's begin
-const int endBinding = 2;       // and at the frame's end
+const int endBinding = 2;       // Solid's vertices in object space at the frame's end
 const int placesBinding = 3;
 
 // Indices of indirect dispatches. Each takes four words of the control buffer, after countWords.
 const int vertexDispatch = 0;
-const int faceDispatch = 1;     // Leaves of the face tree
-const int edgeDispatch = 5;     // Leaves of the edge tree
+const int faceDispatch = 1;     // Dispatch over the leaves of the face tree
+const int edgeDispatch = 5;     // Dispatch over the leaves of the edge tree
 const int vertexPairDispatch = 2;
 const int edgePairDispatch = 3;
 const int nearDispatch = 4;

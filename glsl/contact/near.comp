@@ -35,7 +35,7 @@ void main() {
   for (int k = 0; k < 4 && hasStir(); ++k)
     roams[k] = roamOf(now[k], pointAt(nextSection, c[k]).xyz, stirOf(), pointAt(highSection, c[k]).w);
   bool ball = isBall(c.x);
-  if (ball && pointAt(nowSection, c.x).w == 0.0f) return;  // A dead ball
+  if (ball && pointAt(nowSection, c.x).w == 0.0f) return;  // Skips a ball that is not alive
   if (!isNear(near, heights, rises, thick, roams)) return;
   if (meetsSolid(near)) {
     bool first = isSolid(c.x);

@@ -4,12 +4,12 @@
 #define CONTACT_TYPES
 
 struct STD140 ContactStep {
-  float perDt;        // 1/s
+  float perDt;        // in 1/s
   float recovery;     // Fraction of missing distance that a substep restores
   float mostRecovery; // Maximum restored distance per substep, m
   float horizon;      // Number of substeps that a pair search looks ahead
   float quanta;       // Integer units per kg m, for the sums of impulses
-  float perQuanta;    // Inverse of `quanta`, kg m
+  float perQuanta;    // kg m per integer unit: 1 / `quanta`
   float bounceFrom;   // Slowest approach to a ball that bounces, m per substep
   int vertices;
   int movable;        // Number of vertices of cloths and balls; solids' vertices follow
@@ -30,7 +30,7 @@ struct Near {
 };
 
 struct Hull {
-  vec3 low, high;  // Metres
+  vec3 low, high;  // in metres
 };
 
 #endif

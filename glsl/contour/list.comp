@@ -13,7 +13,7 @@ INPUT_WORDS(talliesBinding, TallyBlock, tallies)
 STATE_WORDS(listedBinding, SquareBlock, squares)
 layout(std430, binding = drawBinding) restrict readonly buffer DrawBlock { ContourDraw draw; };
 uniform uint fixedIndices;
-uniform uint sheetIndices;  // Indices per uniform square
+uniform uint sheetIndices;  // Number of indices per uniform square (four corners of one class)
 uniform uint pointRoom;
 
 void main() {
@@ -22,7 +22,7 @@ void main() {
   int y = i / rowElements, x = 16 * (i - y * rowElements);
   if (y == samples.y - 1) return;
   uvec4 here = LOAD_INPUT_WORDS(classes, i), below = LOAD_INPUT_WORDS(classes, i + rowElements);
-  uvec4 last = uvec4(outside);  // Two rows below
+  uvec4 last = uvec4(outside);  // Classes two rows below
   if (y + 2 < samples.y) last = LOAD_INPUT_WORDS(classes, i + 2 * rowElements);
   ivec2 after = ivec2(outside);
   int afterBelow = outside;

@@ -14,7 +14,7 @@ layout(std430, binding = nextPointsBinding) restrict writeonly buffer NextBlock 
 uniform float levels[LEVELS];
 uniform uint firstPoint;    // First vertex of the first point
 uniform uint pointRoom;
-uniform uint sheetIndices;  // Indices per uniform square
+uniform uint sheetIndices;  // Number of indices per uniform square (four corners of one class)
 #include "contour/points.glsl"
 #include "contour/faces.glsl"
 

@@ -7,9 +7,9 @@ layout(local_size_x = 256) in;
 STATE_WORDS(tileSumsBinding, TileBlock, tileSums)
 layout(std430, binding = drawBinding) restrict writeonly buffer DrawBlock { ContourDraw draw; };
 uniform int tiles;
-uniform uint fixedIndices;   // Indices that do not change
-uniform uint sheetIndices;   // Indices per uniform square
-uniform uint pointIndices;   // Indices per contour point, besides triangles
+uniform uint fixedIndices;   // Number of indices that do not change
+uniform uint sheetIndices;   // Number of indices per uniform square
+uniform uint pointIndices;   // Number of indices per contour point, besides triangles
 uniform uint pointRoom;      // Capacity for points; `indexRoom`: capacity for indices
 uniform uint indexRoom;
 shared uvec4 sums[256];

@@ -4,8 +4,8 @@ struct ContourDraw {
   uint count, instances, firstIndex, baseVertex;
   uint baseInstance;
   uint indices;    // Number of indices of the solid; `count` is 0 if they do not fit
-  uint points;     // Points of contours
-  uint sheets;     // Uniform squares
-  uint triangles;  // Triangles of squares or cubes that contours cross
+  uint points;     // Number of contour points
+  uint sheets;     // Number of uniform squares (four corners of one class)
+  uint triangles;  // Number of triangles in squares or cubes that contours cross
   uint spare1, spare2, spare3;
 };

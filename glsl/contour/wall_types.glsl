@@ -11,8 +11,8 @@ const int maxWallLevels = 16;
 struct WallGrid {
   vec2 corner;       // x and z of sample (0, 0), m
   float spacing;     // Distance between samples, m
-  float perSpacing;  // 1/m
-  float bottom;      // m
+  float perSpacing;  // in 1/m
+  float bottom;      // in metres
   float roof;        // Top of the rock above a ceiling, m
   float reach;       // Distance kept from the solid, m
   float kept;        // Fraction of the tangential velocity kept

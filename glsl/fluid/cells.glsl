@@ -15,7 +15,7 @@ ivec2 ringCell(int i) {
 
 #ifdef TEXEL_PATH
 const int cellsEach = 4;
-// Returns cell k (less than cellsEach) of this invocation, or a cell outside the ring if there is none.
+// Returns cell k (less than cellsEach) of this invocation, or a cell outside the ring if the list has no more cells.
 ivec2 cellHere(int k) {
   ivec2 inTile = 2 * blockHere(tilesStart) + ivec2(k & 1, k >> 1);
   if (inTile.x >= size.x || inTile.y >= size.y) inTile = size + 2;

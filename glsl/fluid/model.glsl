@@ -1,19 +1,19 @@
 // Uniform data of the fluid kernels, and arithmetic that depends on values only. Compiles as GLSL and as C++
 // (src/sim/fluid/plan.hpp). Lengths are in cells, h = 1.
-const int wallSide = 0;      // No slip; may move along itself
+const int wallSide = 0;      // Wall without slip; may move along itself
 const int slipSide = 1;
-const int inflowSide = 2;    // Prescribed velocity
-const int openSide = 3;      // Pressure 0
+const int inflowSide = 2;    // Side with a prescribed velocity
+const int openSide = 3;      // Open side: pressure 0
 const int periodicSide = 4;
 
 // Data of one step.
 struct STD140 FluidStep {
   vec4 leftRight;      // Velocity of the left side (xy) and of the right side (zw), cells/s
   vec4 topBottom;      // Velocity of the top side (xy) and of the bottom side (zw), cells/s
-  float dt;            // s
-  float perDt;         // 1/s
-  float viscosity;     // dt nu, in cells^2
-  float confinement;   // dt epsilon
+  float dt;            // in seconds
+  float perDt;         // in 1/s
+  float viscosity;     // dt times the kinematic viscosity, cells^2
+  float confinement;   // dt times the strength epsilon of vorticity confinement
   float lift;          // dt times the acceleration at a temperature of 1
   float keptHeat;      // Fraction of temperature left after dt
   float dyeDt;         // Time step of each dye pass, s
@@ -25,14 +25,14 @@ struct STD140 FluidStep {
 // One level of the pressure solver's multigrid, and the element indices of its data.
 struct STD140 FluidLevelPlace {
   ivec2 cells;
-  int weights;       // Face openings
-  int rhs;           // Right-hand side, in `pool`
-  int way;           // Correction on the way down, in `raisedPool`
-  int up;            // Correction on the way up
-  int coarseRhs;     // Right-hand side of the coarser level
+  int weights;       // Start of the level's face openings
+  int rhs;           // Start of its right-hand side, in `pool`
+  int way;           // Start of its correction on the way down, in `raisedPool`
+  int up;            // Start of its correction on the way up
+  int coarseRhs;     // Start of the coarser level's right-hand side
   int coarseUp;
-  int openTiles;     // List of open tiles
-  int otherTiles;    // List of the other tiles
+  int openTiles;     // Start of the list of open tiles
+  int otherTiles;    // Start of the list of the other tiles
   int otherRows;     // Rows of workgroups for the other tiles, if one dispatch processes both lists
   int spare0;
 };
@@ -53,7 +53,8 @@ struct STD140 FluidSolidSet {
 // lie in the fluid.
 const float wallReach = 1.5f;
 const float perWallReach = 0.6666667f;
-// Faces deeper than this inside obstacles are never read by the fluid's kernels.
+// Distance from an obstacle's surface (negative inside, in cells) below which the velocity of a face does not affect the
+// fluid.
 const float deepWall = -2.5f;
 
 // Effect of a brush. At most maxBrushes act at once.
@@ -63,8 +64,9 @@ struct STD140 FluidBrush {
   // x radius2; y perLength2; z fraction by which values approach the target; w 1 / (radius2 - squared inner radius of
   // the soft rim), 0 for a hard brush
   vec4 reach;
-  ivec4 stamp;    // seed, picked, imageWord, bit mask of what it sets (1 velocity, 2 temperature, 4 dye)
-  ivec4 image;    // imageFrom, imageSize
+  // xyz seed, picked and imageWord of Stroke; w bit mask of what the brush sets (1 velocity, 2 temperature, 4 dye)
+  ivec4 stamp;
+  ivec4 image;    // imageFrom and imageSize of Stroke
   ivec4 box;      // Cells that it may paint: first column, first row, number of columns, number of rows
   vec4 flow;      // xy velocity to set; z temperature to set; w 0
   vec4 force;     // xy velocity to add; zw 0

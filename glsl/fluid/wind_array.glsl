@@ -7,7 +7,8 @@ uniform WindGrid windGrid;
 #ifdef TEXEL_PATH
 INPUT_ARRAY(windBinding, WindBlock, windCells)
 #else
-layout(std430, binding = windBinding) readonly restrict buffer WindBlock { float windCells[]; };  // All u, then all v
+// Storage path: all u, then all v
+layout(std430, binding = windBinding) readonly restrict buffer WindBlock { float windCells[]; };
 #endif
 
 vec4 loadWindCell(int x, int y) {

@@ -6,20 +6,20 @@
 const int positionsBinding = 0;
 const int nextPositionsBinding = 1;
 const int velocitiesBinding = 2;
-const int trendsBinding = 3;         // predict.comp and attach.comp
-const int shiftsBinding = 3;         // Kernels of thin colliders
+const int trendsBinding = 3;         // Used by predict.comp and attach.comp
+const int shiftsBinding = 3;         // Used by the kernels of thin colliders
 const int faceForcesBinding = 4;
-const int elementsBinding = 4;       // stretch.comp
+const int elementsBinding = 4;       // Used by stretch.comp
 const int cornersBinding = 5;
 const int settledTrendsBinding = 5;
-const int leftBinding = 5;           // settle.comp with AGAIN
+const int leftBinding = 5;           // Used by settle.comp with AGAIN
 const int stitchesBinding = 5;
 const int attachmentsBinding = 5;
-const int entriesBinding = 5;        // Kernels that gather by vertex
+const int entriesBinding = 5;        // Used by kernels that gather by vertex
 const int fansBinding = 6;
-const int drawnPositionsBinding = 1; // show.comp
+const int drawnPositionsBinding = 1; // Used by show.comp
 const int drawnNormalsBinding = 2;
 const int copiesBinding = 3;
-const int ringsBinding = 7;          // Kernels that do not write the status block
+const int ringsBinding = 7;          // Used only by kernels that do not write the status block
 
 #endif

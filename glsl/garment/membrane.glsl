@@ -95,7 +95,7 @@ FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance
 // Returns the force on one corner for cloth that conserves energy (cloth/keeping.glsl): the negative gradient of 1/2
 // (k_u eu^2 + k_v ev^2 + k_g g^2). `stiffness` k (N m) is the inverse of the compliances 1 / (k A) + softening dt^2 S,
 // with S the sum of inverse masses times squared rest gradients. `left` and `right` are the edges to the other two
-// corners; `shape` holds the gradients of these two corners.
+// corners; `shape` holds the gradients for both corners.
 FUNCTION vec3 membraneForce(vec3 left, vec3 right, vec4 shape, vec3 stiffness) {
   precise vec3 fu = left * shape.x + right * shape.y;
   precise vec3 fv = left * shape.z + right * shape.w;

@@ -7,7 +7,7 @@
 #include "gray_scott/model.glsl"
 
 INPUT_ARRAY(cellsBinding, CellBlock, cells)
-uniform ivec2 size;      // cells
+uniform ivec2 size;      // in cells
 uniform int columns;     // Elements per row
 uniform ivec2 rowRange;  // First row and number of rows of this pass; rows may lie beyond the border
 layout(std140, binding = stepBinding) uniform RatesBlock { GrayScottRates rates; };

@@ -1,7 +1,7 @@
 // Computes STEPS generations in one pass. An invocation processes BLOCKS * 128 cells of a row and walks down ROWS rows.
 // For each generation it keeps the sums of the two rows above in registers, so every cell is read once; only the rows
 // at both ends of its strip, and a word to the left and right, are also read by neighbours. Generation t + 1 is correct
-// except for t + 1 bits at the far ends of these two words, so STEPS can be up to 32.
+// except for t + 1 bits at the far ends of both words, so STEPS can be up to 32.
 //
 // Defines: BORN and SURVIVE, or FORMULA; TORUS for a torus; WHOLE if rows are multiples of BLOCKS * 128 cells (required
 // for STEPS > 1, with at least STEPS rows); GROUP_X, GROUP_Y.

@@ -5,10 +5,10 @@
 
 // Surface at (x, z) at one moment.
 struct SurfacePoint {
-  vec3 normal;   // Unit vector with y > 0
-  float height;  // m
+  vec3 normal;   // Unit normal with y > 0
+  float height;  // in metres
   float speed;   // Vertical velocity, m/s
-  bool there;    // False outside the mesh
+  bool there;    // False if the point is outside the mesh
 };
 
 FUNCTION vec2 mixedHeights(vec2 a, vec2 b, float t) {

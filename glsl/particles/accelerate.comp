@@ -11,8 +11,8 @@ INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(accelerationsBinding, AccelerationBlock, accelerations)
 uniform ivec2 targets;  // Index range: first, one past the last
 uniform ivec2 bodies;   // Index range: first (a multiple of chunkBodies), one past the last
-uniform float softeningSquared;  // m^2
-uniform float gravity;           // G, m^3/(kg s^2)
+uniform float softeningSquared;  // in m^2
+uniform float gravity;           // Gravitational constant G, m^3/(kg s^2)
 uniform bool continued;  // True if `accelerations` holds the partial sums of earlier dispatches
 uniform bool last;       // True in the last dispatch: the sum is multiplied by G
 

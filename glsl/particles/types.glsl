@@ -13,19 +13,19 @@ const int chunkBodies = 1024;
 // Scene parameters that the kernels use unchanged.
 struct STD140 EmitterConstants {
   float radius DEFAULT(0.0f);             // Radius of the ball in which particles appear, m
-  float speedVariation DEFAULT(0.3f);     // Relative variation
-  float lifetime DEFAULT(2.0f);           // s
-  float lifetimeVariation DEFAULT(0.3f);  // Relative variation
-  float mass DEFAULT(1.0f);               // kg
+  float speedVariation DEFAULT(0.3f);     // Random variation, as a fraction of the mean
+  float lifetime DEFAULT(2.0f);           // in seconds
+  float lifetimeVariation DEFAULT(0.3f);  // Random variation, as a fraction of the mean
+  float mass DEFAULT(1.0f);               // in kg
 };
 
 struct STD140 TurbulenceConstants {
-  float strength DEFAULT(0.0f);  // m/s^2
+  float strength DEFAULT(0.0f);  // in m/s^2
 };
 
 struct STD140 ParticleConstants {
   float damping DEFAULT(0.0f);             // Damping of velocity, 1/s; 0.06 keeps a fraction 0.999 per step at 60 Hz
-  float attractorSoftening DEFAULT(0.1f);  // m
+  float attractorSoftening DEFAULT(0.1f);  // in metres
   float bounce DEFAULT(0.3f);              // Fraction of the impact speed that is returned
   float margin DEFAULT(0.0f);              // Distance kept from colliders, m
 };
@@ -57,18 +57,18 @@ struct STD140 ParticleFields {
 
 // Coefficients of a damped leapfrog step: see paceOf() of pace.glsl.
 struct STD140 Pace {
-  float firstKick;   // s
-  float drift;       // s
-  float kept;        // Fraction of velocity
-  float secondKick;  // s
+  float firstKick;   // in seconds
+  float drift;       // in seconds
+  float kept;        // Fraction of velocity that damping leaves
+  float secondKick;  // in seconds
 };
 
 struct STD140 ParticleStep {
-  ParticleFields fields;        // At the substep's end
-  ParticleFields fieldsBefore;  // At the substep's start
+  ParticleFields fields;        // Fields at the substep's end
+  ParticleFields fieldsBefore;  // Fields at the substep's start
   Pace pace;                    // Coefficients for a whole substep
-  float dt;                     // s
-  float perTurbulenceSize;      // 1/m
+  float dt;                     // in seconds
+  float perTurbulenceSize;      // in 1/m
   int count;
   int substep;                  // Number of substeps since the start
   int seed;

@@ -63,7 +63,7 @@ struct Column {
   ivec2 size;               // Number of cells of the grid per axis
   int rowElements;
   bool torus;
-  int here, left, right;    // Element indices
+  int here, left, right;    // Index of this element and of its left and right neighbour in a row
   uint lastCell;            // Index of the last cell in the element to the left
   uint hasLeft, hasRight;   // 0 if there are no cells beyond the border
   // 1 in the byte after the row's end, if the row ends within this element: the row's first cell follows there

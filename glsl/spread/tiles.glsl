@@ -5,7 +5,8 @@
 //
 // The including kernel provides
 //   uvec4 restlessCells(uvec4 state)              not 0 for cells that change without an active cell near them
-//   bool changesAlone(Rates rates, uvec4 counts)  true if cells of these class counts can change by chance in this step
+//   bool changesAlone(Rates rates, uvec4 counts)  true if cells with such class counts can change by chance in this
+//   step
 #ifdef TEXEL_PATH
 // Per tile: its class counts, with flags in the upper half of the first word.
 INPUT_WORDS(tilesBinding, TileBlock, tiles)
@@ -25,7 +26,7 @@ uvec4 tileBefore(Column column, int row) {
   return fresh ? uvec4(0u) : LOAD_INPUT_WORDS(tiles, row * column.rowElements + column.here);
 }
 
-// True if the tile has active cells at all of these edges.
+// True if the tile has active cells at all edges in `edges`.
 bool touches(Column column, int x, int row, uint edges) {
   return (LOAD_INPUT_WORDS(tiles, row * column.rowElements + x).x & edges) == edges;
 }

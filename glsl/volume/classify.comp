@@ -14,7 +14,7 @@ void main() {
   int first = row ? cellWord(ivec3(place.x, cell.yz), valueLayout) >> 2 : 0;
   int begin = ringWidth() == 0 ? 0 : -1;
   for (int j = begin; j < 8; ++j) {
-    int x = place.x + 4 * j;  // Index in the field
+    int x = place.x + 4 * j;  // Column in the field
     if (!row || x < 0 || x >= volume.x) continue;
     uvec4 four = texelFetch(valueWords, first + j);
     uint inside = 0u;

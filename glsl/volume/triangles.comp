@@ -8,8 +8,8 @@ INPUT_WORDS(masksBinding, MaskBlock, masks)
 layout(std430, binding = indicesBinding) restrict writeonly buffer IndexBlock { uint indices[]; };
 uniform uint indexRoom;
 
-// A row's word: the number of points before it and its crossed edges; and the same of the word to its right, which the
-// last sample's cube needs.
+// A row's word: the number of points before it and its crossed edges; and both values of the word to its right, which
+// the last sample's cube needs.
 struct Row {
   uint first;
   uvec4 mask;

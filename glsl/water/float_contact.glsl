@@ -163,7 +163,7 @@ FUNCTION vec3 floatPushed(FloatMeet meet, FloatBody first, FloatTold a, FloatBod
   float deep = meet.way.w;
   precise vec3 speed = floatSpeedAt(first, a, arm) - floatSpeedAt(second, b, otherArm);
   float into = exactDot(speed, normal);
-  precise float perStep = floats.damp * 2.5f;  // 1 / dt
+  precise float perStep = floats.damp * 2.5f;  // The damping rate is 0.4 / dt, so perStep is 1 / dt
   precise float slowly = floatOut * min(deep, floats.deepest);
   float goes = deep > 0.0f ? slowly : deep;
   precise float apart = goes * perStep - into;

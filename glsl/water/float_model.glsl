@@ -23,8 +23,8 @@
 struct FloatBody {
   vec3 at;        // Centre of mass, m
   float level;    // Reference level, m
-  vec4 turn;      // quaternion
-  vec3 velocity;  // m/s
+  vec4 turn;      // Rotation, a quaternion
+  vec3 velocity;  // in m/s
   float under;    // Volume below the reference level, m^3
   vec3 spin;      // Angular momentum, kg m^2/s
   vec2 stages;    // First two stages of the reference level, m
@@ -109,12 +109,12 @@ FUNCTION int floatRow(int y) {
 
 // Water at a point, interpolated between four cells. Dry cells are excluded.
 struct FloatWater {
-  float share;   // Weight of the wet cells
+  float share;   // Sum of the interpolation weights of wet cells
   float level;   // Water level, m
   float slopeX;  // Slope of the level
   float slopeZ;
-  float depth;   // m
-  float u;       // m/s
+  float depth;   // in metres
+  float u;       // in m/s
   float v;
   float bed;     // Ground height, m
   float bedX;    // Slope of the ground

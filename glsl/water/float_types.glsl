@@ -2,8 +2,8 @@
 // from the grid's centre, with y above level 0.
 
 struct STD140 FloatStep {
-  float dt;             // s
-  float gravity;        // m/s^2
+  float dt;             // in seconds
+  float gravity;        // in m/s^2
   float density;        // Density of the water, kg/m^3
   float perCell;        // 1 / cell size, 1/m
   float columns;        // Half the grid, in cells: number of columns / 2, number of rows / 2
@@ -20,7 +20,7 @@ struct STD140 FloatStep {
   float thin;           // Depth of thin water, m, as in WaterStep
   float dry;            // Depth below which a cell is dry, m
   float most;           // Highest horizontal speed, m/s
-  int west;             // Boundary kinds of the sides
+  int west;             // Boundary kind of each side
   int east;
   int north;
   int south;

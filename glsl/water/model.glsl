@@ -18,15 +18,15 @@ struct WaterCell {
 
 // State on one side of a face.
 struct WaterSide {
-  float level;   // m
-  float bed;     // m
+  float level;   // in metres
+  float bed;     // in metres
   float along;   // Velocity normal to the face, m/s
   float across;  // Velocity tangential to the face, m/s
 };
 
 // Flux through a face, per metre of its length.
 struct WaterFlux {
-  float mass;    // Mass, m^2/s
+  float mass;    // Volume flux, m^2/s
   float before;  // Normal momentum minus the hydrostatic pressure of the first side, m^3/s^2
   float behind;  // Normal momentum minus the hydrostatic pressure of the second side, m^3/s^2
   float across;  // Tangential momentum, m^3/s^2
@@ -210,7 +210,7 @@ FUNCTION float waterFlush(float x) {
 // `moved` holds level and discharges before friction.
 FUNCTION vec4 waterSettled(vec3 moved, float bed, WaterStep s) {
   precise float depth = moved.x - bed;
-  float level = depth <= 1e-12f ? bed : waterFlush(moved.x);  // A NaN remains
+  float level = depth <= 1e-12f ? bed : waterFlush(moved.x);  // A NaN level is kept, so that later checks find it
   precise float qx = moved.y * s.kept;
   precise float qy = moved.z * s.kept;
   if (s.manning > 0.0f) {

@@ -1,16 +1,16 @@
 // Uniform data of the shallow water kernels, and drops. Compiles as GLSL and as C++ (src/sim/water/plan.hpp).
 
 // Boundary kinds of a side of the grid.
-const int wallEdge = 0;      // Mirror image: no flow through the side
-const int openEdge = 1;      // Copy of the border cell: waves leave
-const int periodicEdge = 2;  // The opposite side
+const int wallEdge = 0;      // Wall: the mirror image of the border cells; no flow through the side
+const int openEdge = 1;      // Open side: a copy of the border cell; waves leave the grid
+const int periodicEdge = 2;  // Periodic side: continues at the opposite side
 const int seaEdge = 3;       // Open sea: its waves enter, and outgoing waves leave
 
 // Parameters of a step. A cell is a texel: x level (m), y and z discharge along x and y (m^2/s), w bed (m).
 struct STD140 WaterStep {
-  float ratio;      // dt / cell size, s/m
+  float ratio;      // Time step divided by cell size, s/m
   float halfRatio;  // Half of `ratio`
-  float gravity;    // m/s^2
+  float gravity;    // in m/s^2
   float rain;       // Rainfall in the step, m
   float kept;       // Fraction of the discharge left by linear drag
   float manning;    // dt g n^2, m^(1/3), n Manning's coefficient
@@ -18,7 +18,7 @@ struct STD140 WaterStep {
   float dry;        // Depth below which water does not move, m
   float share;      // 1 / (4 ratio), m/s: limits the water that a cell gives away through a side
   float courant;    // Courant number above which the kernel reports a remark
-  int west;         // Boundary kinds of the sides
+  int west;         // Boundary kind of each side
   int east;
   int north;
   int south;
@@ -31,8 +31,8 @@ struct STD140 WaterStep {
 
 // Drop: adds `height` (1 - r^2 / R^2)^2 to the level within the radius R, where there is water.
 struct WaterDrop {
-  vec2 center;       // Position in cells
-  float perRadius2;  // 1 / R^2 (1/cells^2)
-  float height;      // m
+  vec2 center;       // Position of the centre in cells
+  float perRadius2;  // 1 / squared radius, 1/cells^2
+  float height;      // in metres
   float shallow;     // Depth below which the drop has no effect, m
 };

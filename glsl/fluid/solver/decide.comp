@@ -7,7 +7,7 @@
 const int lanes = 64;
 layout(local_size_x = lanes) in;
 uniform int dispatches;    // Number of indirect dispatches in control.groups
-uniform int first;         // 1 before the first cycle
+uniform int first;         // 1 for the dispatch before the first cycle
 uniform float tolerance;   // Largest allowed ratio of flow to speed
 uniform float mostSpeed;   // Highest expected speed, from the scene
 

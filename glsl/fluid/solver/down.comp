@@ -19,8 +19,8 @@ layout(std430, binding = raisedOutBinding) writeonly restrict buffer RaisedOutBl
 INPUT_WORDS(weightsBinding, WeightBlock, weights)
 // Per level, the finest first, followed by the next coarser one: xy cells; z element index of the openings
 uniform ivec4 levels[4];
-// Element indices of the right-hand sides in `pool` and of the corrections on the way down; a level's offset from there
-// equals that of its openings
+// Element indices of the right-hand sides in `pool` and of the corrections on the way down; each level's offset equals
+// the offset of its openings
 uniform int rhsStart, wayStart;
 
 const int windowStride = most + 2;
@@ -31,7 +31,7 @@ shared float missing[(most / 2 - 2) * (most / 2 - 2)];  // Right-hand sides of t
 
 void descend(int number, ivec2 group, ivec2 lane) {
   ivec4 grid = levels[number];
-  int margin = marginOf(number), across = (tile >> number) / 2 + margin;  // Blocks
+  int margin = marginOf(number), across = (tile >> number) / 2 + margin;  // Width of the window in blocks
   ivec2 block = (group * (tile >> number) - margin) / 2 + lane, place = blockWithin(block, grid.xy);
   bool used = lane.x < across && lane.y < across;
   int at = cornerOf(lane), element = place.y * (grid.x / 2 + 1) + place.x;

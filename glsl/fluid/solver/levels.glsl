@@ -35,7 +35,7 @@ ivec2 within(ivec2 c) {
   return c;
 }
 
-// True if the cell has weights: there are none beyond the blocks.
+// True if the cell lies in a block, so that it has weights.
 bool isThere(ivec2 c) {
   return c.x >= 0 && c.y >= 0 && (c.x >> 1) <= level.cells.x / 2 && (c.y >> 1) <= level.cells.y / 2;
 }
@@ -96,7 +96,8 @@ ivec2 blockHere() {
 }
 #endif
 
-// Returns the tile of a workgroup that processes one tile by itself, or a tile beyond the grid if there is none.
+// Returns the tile of a workgroup that processes one tile by itself, or a tile beyond the grid if the list has no more
+// tiles.
 #ifdef TILE_A_GROUP
 ivec2 tileHere() {
   int number = groupNumber();

@@ -57,7 +57,7 @@ vec3 coarseRow(int number, ivec2 c, ivec2 group) {
 
 void ascend(int number, ivec2 group, ivec2 lane) {
   ivec4 grid = levels[number];
-  int margin = marginOf(number), across = (tile >> number) / 2 + margin;  // Blocks
+  int margin = marginOf(number), across = (tile >> number) / 2 + margin;  // Width of the window in blocks
   ivec2 block = (group * (tile >> number) - margin) / 2 + lane, place = blockWithin(block, grid.xy);
   bool used = lane.x < across && lane.y < across;
   int at = cornerOf(lane), element = place.y * (grid.x / 2 + 1) + place.x;

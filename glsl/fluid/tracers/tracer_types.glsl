@@ -7,7 +7,7 @@ const int trailBinding = 2;  // One word per cell; a storage buffer where writte
 const int shownBinding = 3;
 
 struct TracerStep {
-  float dt;       // s
+  float dt;       // in seconds
   float seconds;  // Mean lifetime, s
   int seed;
   int wrapsX;     // 1 if the grid is periodic along x

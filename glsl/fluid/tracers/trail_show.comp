@@ -8,7 +8,7 @@ STATE_ARRAY(shownBinding, ShownBlock, shown)
 INPUT_WORDS(trailBinding, TrailBlock, trail)
 uniform ivec2 size;
 uniform vec3 color;
-uniform float perUnit;  // Light or ink per unit
+uniform float perUnit;  // Light or ink per unit of a trail
 
 void main() {
   int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);

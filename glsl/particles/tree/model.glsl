@@ -21,7 +21,7 @@ FUNCTION bool takesPart(vec4 body) {
 // Moments of a node's bodies. The spread is 3 sum_j (m_j/M) s_j s_j^T with s_j = x_j - center, in m^2. It does not
 // contain the mass, so that it stays in the range of floats for a galaxy and for a marble.
 struct Node {
-  vec3 low;     // Bounding box, m
+  vec3 low;     // Corners of the bounding box, m
   vec3 high;
   vec3 center;  // Centre of mass, m
   float mass;   // Total mass, kg; 0 if the node has no bodies

@@ -51,8 +51,8 @@ FUNCTION ivec2 galeFlight(uint gale) {
 // Returns the displacement of an ember that falls onto a cell, along the wind and sideways, both random. `longest` is
 // in units of 1/256 cell.
 FUNCTION ivec2 emberFlight(uvec3 random, ivec2 longest) {
-  int along = int(random.y >> 20u);            // 0 to 4095
-  int side = int(random.z >> 20u) - 2048;      // -2048 to 2047
+  int along = int(random.y >> 20u);            // Position along the flight, 0 to 4095
+  int side = int(random.z >> 20u) - 2048;      // Sideways position, -2048 to 2047
   int aside = (stepData.emberSpread * side) >> 11;  // In units of 1/256 of the flight
   int dx = (longest.x * along) >> 12;
   int dy = (longest.y * along) >> 12;

@@ -18,7 +18,7 @@ float climbFactor(int i) { return 1.0f; }
 #include "spread/wildfire/gale.glsl"
 #include "spread/wildfire/model.glsl"
 #ifdef GALES
-INPUT_WORDS(galesBinding, GaleBlock, gales)  // One word per cell
+INPUT_WORDS(galesBinding, GaleBlock, gales)  // Gales, one word per cell
 uint galeOn(int place, int k) {
   return LOAD_INPUT_WORDS(gales, 4 * place + (k >> 2))[k & 3];
 }

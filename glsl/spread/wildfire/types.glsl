@@ -3,7 +3,7 @@
 #ifndef WILDFIRE_TYPES
 #define WILDFIRE_TYPES
 
-const uint evenGround = 0x8080u;  // Incline without a rise
+const uint evenGround = 0x8080u;  // Incline of level ground
 const int maxRise = 127;         // Greatest rise of an incline, in units of 1/16 cell per cell: 82.8 degrees
 
 // Scene parameters that the kernels use unchanged.
