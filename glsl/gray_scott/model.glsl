@@ -14,10 +14,10 @@
 
 // Parameters of a step.
 struct STD140 GrayScottRates {
-  float diffuseU;  // dt Du / 20
-  float diffuseV;  // dt Dv / 20
-  float feed;      // dt F
-  float kill;      // dt k
+  float diffuseU;  // dt times the diffusion rate of u, divided by 20
+  float diffuseV;  // dt times the diffusion rate of v, divided by 20
+  float feed;      // dt times the feed rate F
+  float kill;      // dt times the kill rate k
   float dt;
   float feedSpan;  // Increase of the feed for a weight of 1
   float killSpan;

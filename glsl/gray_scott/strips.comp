@@ -1,7 +1,7 @@
 // Computes STEPS steps in one pass. An invocation walks down STRIP_ROWS rows of a strip with ELEMENTS elements per row.
 // Each loaded row completes the row above it one step later, which in turn completes the row above that one another
 // step later, and so on. So a pass keeps two rows per step in registers. It recomputes only the strip's sides and its
-// first and last 2 * STEPS rows. The order of operations equals that of step.comp, so the bits are the same.
+// first and last 2 * STEPS rows. The operations have the same order as in step.comp, so the bits are the same.
 //
 // On GPUs a strip consists of the 32 invocations of a workgroup, which exchange values. On the texel path each
 // invocation has its own strip, which includes the strip's sides.
