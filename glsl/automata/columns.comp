@@ -6,7 +6,7 @@
 layout(local_size_x = 8, local_size_y = 4) in;
 INPUT_WORDS(paddedBinding, PaddedBlock, padded)
 STATE_WORDS(sumsBinding, SumBlock, sums)
-uniform int height;  // in cells
+uniform int height;  // Height of the grid in cells
 uniform int paddedItems;
 #include "automata/next.glsl"
 

@@ -5,7 +5,7 @@
 layout(local_size_x = 8, local_size_y = 4) in;
 INPUT_WORDS(rowSumsBinding, RowSumBlock, rowSums)
 STATE_WORDS(sumsBinding, SumBlock, sums)
-uniform int height;  // in cells
+uniform int height;  // Height of the grid in cells
 uniform int paddedItems;
 
 void main() {

@@ -1,5 +1,6 @@
 // Motion of a particle of any cloth through pins, colliders, ground and walls. Compiles as GLSL and as C++. Needs
-// `stepData` (ClothStep), the includes of collide/field_model.glsl, mesh/height_model.glsl and contour/wall_model.glsl.
+// `stepData` (ClothStep), everything that collide/field_model.glsl needs, mesh/height_model.glsl and
+// contour/wall_model.glsl.
 FUNCTION float applyRow(vec4 row, vec3 p) {
   precise float value = exactDot(vec3(row), p) + row.w;
   return value;

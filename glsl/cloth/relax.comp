@@ -52,7 +52,7 @@ bool isInside(ivec2 within) {
   return inTile && at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
 }
 
-// True if the workgroup writes this position: inside the halo.
+// True if the workgroup writes this position: it lies in the tile without its halo, and in the sheet.
 bool isOwn(ivec2 within) {
   ivec2 end = ivec2(relaxTileX, relaxTileY) - halo;
   return within.x >= halo && within.y >= halo && within.x < end.x && within.y < end.y && isInside(within);

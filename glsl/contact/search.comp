@@ -9,7 +9,7 @@ INPUT_ARRAY(boxesBinding, BoxBlock, boxes)
 layout(std430, binding = candidatesBinding) restrict writeonly buffer CandidateBlock { ivec4 candidates[]; };
 uniform int levels;
 
-const int maxVisited = 60000;  // llvmpipe ends a loop without error after 65,535 iterations
+const int maxVisited = 60000;  // Software drivers end loops without error after 65,535 iterations per invocation
 
 void main() {
   int i = int(gl_GlobalInvocationID.x), count = 1 << levels;
@@ -28,7 +28,7 @@ void main() {
 #ifdef EDGES
   int node = 1, end = 0;
 #else
-  bool half_ = isSolid(i) || (isBall(i) && hasSolids());  // Search only the cloths' half
+  bool half_ = isSolid(i) || (isBall(i) && hasSolids());  // Searches only the cloths' half of the tree
   int node = half_ ? 2 : 1, end = half_ ? 3 : 0;
 #endif
   int visited = 0;

@@ -200,7 +200,8 @@ void main() {
     memoryBarrier();
     barrier();
   }
-  // Detects a loop that the driver cut off: this loop has at least as many iterations, so it is cut off too.
+  // Detects a loop that the driver cut off: the limit of 65,535 iterations applies to all loops of an invocation
+  // together, so this loop then ends early too.
   int reached = 0;
   for (int i = 0; i <= passes; ++i) ++reached;
   if (reached <= passes) noteLost(firstPass, lane);

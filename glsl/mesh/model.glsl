@@ -67,7 +67,7 @@ FUNCTION vec2 trailAt(vec3 rest) {
 }
 
 // Moves a point down by the print's depth, and up by the rim beside it. The rim vanishes where the depth reaches half
-// of its height.
+// of the rim's height.
 FUNCTION vec3 pressed(vec3 rest, vec3 p) {
   vec2 print_ = trailAt(rest);
   precise float rim = print_.y - print_.x * 2.0f;

@@ -66,8 +66,8 @@ bool isClear(int lane, vec3 first, vec3 second) {
 }
 
 // State of a pass in one column: the row in work (`here`), the row above, half the slope of the row above along y, the
-// flux from the row above its own upper face, the loss of the row above to both sides, and the difference `up` between
-// the two rows.
+// flux through the upper face of the row above, the loss of the row above to both sides, and the difference `up`
+// between the two rows.
 struct Pass {
   vec3 here, above, slopeAbove, fromAbove, sidesAbove, up;
 };
