@@ -1,5 +1,6 @@
-// A generation of a cyclic automaton: a cell takes the next state where at least THRESHOLD of its neighbours have it.
-// Defines: STATES, RANGE, THRESHOLD; DIAMOND: neighbours |dx| + |dy| <= RANGE, else all within RANGE.
+// One generation of a cyclic automaton: a cell takes the next state if at least THRESHOLD of its neighbours have this
+// state. Defines: STATES, RANGE, THRESHOLD; DIAMOND for the neighbourhood |dx| + |dy| <= RANGE, otherwise the square of
+// radius RANGE.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;

@@ -1,11 +1,11 @@
-// What becomes of a cell of `state` that is born, or survives, where `holds`: the living that do not survive age through
-// the states above 1. Compiles as GLSL and as C++.
+// Returns the next state of a cell, given that the birth or survival condition `holds`. A living cell that does not
+// survive ages through the states above 1. Compiles as GLSL and as C++.
 FUNCTION uint agedState(uint state, bool holds, uint states) {
   uint older = state + 1u < states ? state + 1u : 0u;
   return state == 0u ? (holds ? 1u : 0u) : (state == 1u && holds ? 1u : older);
 }
 
-// 1 in each byte that is 1.
+// Returns 1 in each byte that equals 1.
 FUNCTION uint bytesOfOne(uint bytes) {
   uint other = bytes ^ 0x01010101u;
   return (((((other & 0x7f7f7f7fu) + 0x7f7f7f7fu) | other) & 0x80808080u) >> 7u) ^ 0x01010101u;

@@ -1,5 +1,5 @@
-// Cells as bytes in rows with a margin, filled by how the grid's edges are joined: whoever reads neighbours needs to know
-// nothing of edges. An invocation writes 16 cells. Defines: BITS where the cells come as bits.
+// Expands cells to bytes in rows with a margin, filled according to the topology of the grid, so that later kernels
+// need no edge cases. An invocation writes 16 cells. Define BITS if the cells are stored as bits.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 #include "automata/shape.glsl"
@@ -7,10 +7,10 @@ layout(local_size_x = 8, local_size_y = 4) in;
 INPUT_WORDS(cellsBinding, CellBlock, cells)
 STATE_WORDS(paddedBinding, PaddedBlock, padded)
 uniform GridJoin grid;
-uniform int rowItems;  // elements of 16 bytes in a row of the cells,
-uniform int paddedItems;  // and in a padded one
-uniform int marginX;  // cells, a multiple of 16
-uniform int range;  // rows above and below
+uniform int rowItems;  // Elements of 16 bytes per row of cells
+uniform int paddedItems;  // Elements per padded row
+uniform int marginX;  // Margin in cells, a multiple of 16
+uniform int range;  // Number of padded rows above and below
 
 #ifdef BITS
 const int CELLS = 128;
@@ -27,7 +27,7 @@ uint cellNumbered(int number) {
 #endif
 }
 
-// 16 cells that lie within one element.
+// Returns 16 cells that lie in one element.
 uvec4 cellsFrom(int number) {
   uvec4 item = LOAD_INPUT_WORDS(cells, number / CELLS);
 #ifdef BITS

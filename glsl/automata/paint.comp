@@ -1,4 +1,5 @@
-// One brush stroke on cells of several states; an invocation owns 16 cells, of which it paints those within the brush.
+// Applies one brush stroke to cells with several states. An invocation processes 16 cells and paints the cells inside
+// the brush.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -6,7 +7,7 @@ INPUT_WORDS(stampsBinding, StampBlock, stamps)
 STATE_WORDS(cellsBinding, CellBlock, cells)
 #include "grid/stroke_paint.glsl"
 uniform int rowItems;
-uniform int highest;  // state
+uniform int highest;  // Highest state
 
 void main() {
   int left = strokeBox.x >> 4;

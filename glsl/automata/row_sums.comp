@@ -1,5 +1,5 @@
-// Larger than Life of far ranges, first pass: how many cells of state 1 a padded row has from its beginning to each cell,
-// that one with them. An invocation goes along a row, four cells at a time.
+// Larger than Life with wide ranges, first pass: computes inclusive prefix sums of the cells of state 1 along each
+// padded row. An invocation processes a row, four cells at a time.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 32) in;

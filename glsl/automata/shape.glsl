@@ -1,16 +1,16 @@
-// How the edges of a grid are joined. Compiles as GLSL and as C++ (src/sim/automata/engine/grid_shape.hpp).
+// Topology of a grid: how its edges are joined. Compiles as GLSL and as C++ (src/sim/automata/engine/grid_shape.hpp).
 
 struct GridJoin {
   int width, height;
-  int across, down;    // left and right, top and bottom edges: 0 apart, 1 joined, 2 joined reversed, 3 a sphere's
-  int shiftX, shiftY;  // along the lower, the right edge
+  int across, down;    // Left-right and top-bottom edges: 0 not joined, 1 joined, 2 joined with reversal, 3 sphere
+  int shiftX, shiftY;  // Shift along the lower edge and along the right edge, in cells
 };
 
-// The number of the cell that lies at (x, y), which may be outside by up to a width and a height, in rows of `rowCells`;
-// -1: nothing lies there.
+// Returns the index of the cell at (x, y), which may lie outside by up to a width and a height, in rows of `rowCells`.
+// Returns -1 if there is no cell.
 FUNCTION int joinedCell(GridJoin grid, int x, int y, int rowCells) {
   if (grid.down == 3) {
-    // Top to left, right to bottom; corners are met by themselves.
+    // Sphere: the top edge is joined to the left edge, the bottom edge to the right edge. A corner neighbours itself.
     bool beyondX = x < 0 || x >= grid.width;
     bool beyondY = y < 0 || y >= grid.height;
     int nearX = x < 0 ? 0 : (x >= grid.width ? grid.width - 1 : x);
@@ -18,8 +18,8 @@ FUNCTION int joinedCell(GridJoin grid, int x, int y, int rowCells) {
     if (beyondX != beyondY) {
       int along = beyondY ? nearX : nearY;
       bool low = beyondY ? y < 0 : x < 0;
-      // Above the top lies the left column, beyond the left edge the top row; beyond the right one the bottom
-      // row, below that the right column.
+      // The left column lies above the top row, and the top row beyond the left column. The bottom row lies beyond the
+      // right column, and the right column below the bottom row.
       nearX = beyondY ? (low ? 0 : grid.width - 1) : along;
       nearY = beyondY ? along : (low ? 0 : grid.height - 1);
     }
@@ -37,7 +37,7 @@ FUNCTION int joinedCell(GridJoin grid, int x, int y, int rowCells) {
     x = right ? x - grid.width : x + grid.width;
     y = grid.across == 2 ? grid.height - 1 - y + grid.shiftY : (right ? y + grid.shiftY : y - grid.shiftY);
   }
-  // The shift of a column may have led beyond a row once more, where nothing is shifted along rows.
+  // The column shift can lead beyond a row once more, if there is no shift along rows.
   y = y < 0 ? y + grid.height : (y >= grid.height ? y - grid.height : y);
   return y * rowCells + x;
 }

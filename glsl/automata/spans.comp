@@ -1,7 +1,7 @@
-// Larger than Life on circles and diamonds: from a cell to the next one comes the right end of each row around it and goes
-// the left one. An invocation goes along a row, those beside it along the rows below, for a row has few elements and a
-// software driver runs eight invocations of a group's x at once. Defines: as rows.comp; LEFTS, RIGHTS: columns from a
-// cell's own to the first and the last cell of each row, from the top.
+// Larger than Life with circles and diamonds: running sums, which add the right end and subtract the left end of each
+// row of the neighbourhood. An invocation walks along a row; adjacent invocations process the rows below, because a row
+// has few elements and a software driver runs eight invocations along x at once. Defines: as rows.comp; LEFTS and
+// RIGHTS, the column offsets of each row's first and last cell, from the top.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 32) in;

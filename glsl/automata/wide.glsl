@@ -1,5 +1,5 @@
-// What a count means in Larger than Life. Defines: STATES, MIDDLE (1: a cell counts itself), SURVIVES and BORN, which say
-// of `count` whether a cell of state 1 stays so and one of state 0 becomes 1.
+// Rule of Larger than Life, applied to a count. Defines: STATES; MIDDLE, 1 if a cell counts itself; SURVIVES and BORN,
+// conditions on `count` for cells of state 1 and 0.
 #include "automata/next.glsl"
 
 uint wideNext(uint state, int total) {

@@ -1,11 +1,11 @@
-// Larger than Life on far squares, second pass: sums of row_sums.comp over the 2 RANGE + 1 rows around a row, running
-// down ROWS rows of four columns. Defines: RANGE, ROWS.
+// Larger than Life with wide squares, second pass: sums the prefix sums of row_sums.comp over the 2 RANGE + 1 rows
+// around each row, as running sums down ROWS rows of four columns. Defines: RANGE, ROWS.
 #include "common/words.glsl"
 #include "automata/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
 INPUT_WORDS(rowSumsBinding, RowSumBlock, rowSums)
 STATE_WORDS(sumsBinding, SumBlock, sums)
-uniform int height;  // cells
+uniform int height;  // Height of the grid in cells
 uniform int paddedItems;
 
 void main() {

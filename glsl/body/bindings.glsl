@@ -1,4 +1,4 @@
-// Where the arrays of skinning are bound. Compiles as GLSL and as C++ (src/sim/body/skinned_surface.cpp).
+// Binding points of the skinning kernel. Compiles as GLSL and as C++ (src/sim/body/skinned_surface.cpp).
 #ifndef BODY_BINDINGS
 #define BODY_BINDINGS
 

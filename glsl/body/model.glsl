@@ -1,13 +1,13 @@
-// Linear blend skinning: p' = sum w_i M_i p over the joints i that a vertex follows, and the normal by the cofactors of
-// sum w_i M_i, which is what a surface's normal turns by. Compiles as GLSL and as C++ (tests/reference/body_twin.hpp);
-// needs loadPose(i), a row of a joint's matrix, three a joint, those at the frame's beginning before those at its end.
+// Linear blend skinning: p' = sum w_i M_i p over the joints i of a vertex. The normal is transformed by the cofactor
+// matrix of sum w_i M_i. Compiles as GLSL and as C++ (tests/reference/body_twin.hpp). Needs loadPose(i), a row of a
+// joint's matrix: three rows per joint, first all joints at the frame's begin, then all at its end.
 struct Moment {
   int joints;
-  float before;  // share of the frame's beginning, 1 - now
-  float now;     // share of its end
+  float before;  // Weight of the frame's begin, 1 - now
+  float now;     // Weight of the frame's end
 };
 
-// Tiny numbers become zero, on which drivers disagree.
+// Sets tiny numbers to zero, because drivers disagree on subnormal numbers.
 FUNCTION vec3 flushed(vec3 v) {
   return vec3(exactFlush(v.x), exactFlush(v.y), exactFlush(v.z));
 }
@@ -29,7 +29,7 @@ FUNCTION vec4 blendedRow(uvec4 follow, vec4 weights, int row, Moment moment) {
   return vec4(flushed(vec3(sum)), exactFlush(sum.w));
 }
 
-// A vertex' matrix.
+// Blended matrix of a vertex.
 struct Blend {
   vec4 row0;
   vec4 row1;

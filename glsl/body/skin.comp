@@ -1,4 +1,4 @@
-// Skinned vertices at a moment of the frame, one an invocation. Define NORMALS for their normals, too.
+// Skins the vertices at a moment of the frame, one per invocation. NORMALS: also their normals.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
@@ -15,7 +15,7 @@ STATE_ARRAY(normalsBinding, NormalBlock, normals)
 #endif
 uniform int count;
 uniform int joints;
-uniform float before;  // share of the frame's beginning
+uniform float before;  // Weight of the frame's begin
 uniform float now;
 
 vec4 loadPose(int i) {

@@ -1,13 +1,13 @@
-// Cells of the cave, 32 a word, rows of whole groups of four words whose spare bits are rock. A cell's number is its
-// bit's: (x, y) is 32 rowWords y + x, so numbers grow along rows and from row to row.
+// Cells of the cave, 32 per word. A row is a multiple of four words; its unused bits are rock. A cell's index is its
+// bit's index: 32 rowWords y + x for cell (x, y), so indices increase along rows and from row to row.
 #include "cave/bindings.glsl"
 #include "common/hash.glsl"
 #include "cave/model.glsl"
 layout(std430, binding = cellsBinding) restrict buffer CellBlock { uint cells[]; };
-uniform ivec2 size;    // cells
-uniform int rowWords;  // of a row
+uniform ivec2 size;    // Number of cells per axis
+uniform int rowWords;  // Words per row
 
-// Outside is rock.
+// Returns a word of cells; outside the grid all cells are rock.
 uint rockAt(int column, int y) {
   if (column < 0 || column >= rowWords || y < 0 || y >= size.y) return ~0u;
   return cells[y * rowWords + column];

@@ -1,13 +1,14 @@
-// A corridor is a straight line of cells from one to another, `width` across, without corners that only touch: for each
-// step along its longer axis some cells of the shorter one. Compiles as GLSL and as C++; common/exact.glsl comes before it.
+// Cells of a corridor, a straight line between two cells with the width `width`, connected over edges, not only over
+// corners. For each step along the longer axis, it covers a range of cells of the shorter axis. Compiles as GLSL and as
+// C++, after common/exact.glsl.
 
-// Of the shorter axis in a step: cells from `first` to `last`, relative to where the corridor begins.
+// Range of cells of the shorter axis in one step, relative to the corridor's start.
 struct CorridorCells {
   int first, last;
 };
 
-// `along` steps of `longer`, in which the shorter axis advances by `shorter`, 0 to `longer`. A line of slope
-// s = shorter/longer is cut by `width` sqrt(1 + s^2) cells of a column.
+// Returns the range in step `along` of `longer`, while the shorter axis advances by `shorter`, 0 to `longer`. A line of
+// slope s = shorter/longer cuts `width` sqrt(1 + s^2) cells of a column.
 FUNCTION CorridorCells corridorCells(int along, int longer, int shorter, int width) {
   precise float slope = float(shorter) * exactReciprocal(float(max(longer, 1)));
   precise float stretched = slope * slope + 1.0f;
@@ -17,7 +18,7 @@ FUNCTION CorridorCells corridorCells(int along, int longer, int shorter, int wid
   int here = (2 * min(along, longer) * shorter + longer) / doubled;
   int before = along == 0 ? here : (2 * (along - 1) * shorter + longer) / doubled;
   CorridorCells c;
-  // With the row of the step before, a corridor of one cell turns no corner without touching an edge.
+  // Includes the row of the previous step, so that a corridor of one cell stays connected over edges at a bend.
   c.first = min(before, here - (thick - 1) / 2);
   c.last = here + thick / 2;
   return c;

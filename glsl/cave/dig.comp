@@ -1,11 +1,12 @@
-// Digs the corridors that this round's trees have chosen, into a copy of the cells. The border stays.
-#define NO_LINKS  // their place is taken by what is dug
+// Digs the corridors that the trees of this round have chosen, into a copy of the cells. The border remains rock. One
+// word of cells per invocation.
+#define NO_LINKS  // dugBinding takes the binding point of the links
 #include "common/exact.glsl"
 #include "cave/trees.glsl"
 #include "cave/corridor.glsl"
 layout(std430, binding = dugBinding) restrict buffer DugBlock { uint dug[]; };
 uniform int width;
-uniform int firstStep;  // this dispatch digs so many steps at most: software drivers end long loops
+uniform int firstStep;  // First step of this dispatch; `steps` is limited because software drivers end long loops
 uniform int steps;
 
 void digCell(ivec2 at) {

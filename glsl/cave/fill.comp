@@ -1,4 +1,4 @@
-// The first cells: a hash of place and seed.
+// Fills the cells randomly: a hash of position and seed. One word of cells per invocation.
 #include "common/hash.glsl"
 #include "cave/cells.glsl"
 layout(local_size_x = 64) in;

@@ -1,4 +1,4 @@
-// Halves the way to the tree that stays.
+// Pointer jumping: replaces each room's link by its link's link, which halves the distance to the tree that remains.
 #include "cave/trees.glsl"
 
 void main() {

@@ -1,4 +1,4 @@
-// When nothing changes any more: each run's label becomes its region, which counts its cells.
+// Finishes the labelling after it has converged: each run's label becomes its region, and each region counts its cells.
 #include "cave/runs.glsl"
 layout(local_size_x = 64) in;
 

@@ -1,4 +1,4 @@
-// Every run is a region of its own.
+// Starts the labelling: every run is a region of its own.
 #include "cave/runs.glsl"
 layout(local_size_x = 64) in;
 

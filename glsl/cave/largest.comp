@@ -1,4 +1,5 @@
-// The region with the most cells; of several the one with the lowest cell, which a second pass finds.
+// Finds the region with the most cells. Pass 0 finds the count; pass 1 finds, among the regions with this count, the
+// one with the lowest first cell.
 #include "cave/runs.glsl"
 layout(local_size_x = 64) in;
 uniform int pass;

@@ -1,4 +1,5 @@
-// Each tree joins the one at the other end of its shortest way; of two that choose the same way the lower one stays.
+// Links each tree to the tree at the other end of its shortest connection. If two trees choose the same connection, the
+// lower one remains.
 #include "cave/trees.glsl"
 
 uint treeAt(uint cell) {

@@ -1,4 +1,4 @@
-// Every room now belongs to the tree that its own has joined, and the trees forget their ways.
+// Assigns every room to the tree that its tree has joined, and clears the trees' connections for the next round.
 #include "cave/trees.glsl"
 
 void main() {

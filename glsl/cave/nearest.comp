@@ -1,6 +1,7 @@
-// One step towards the nearest open cell (L1; of equally near ones the lowest): the better of one's own and those that
-// the cells `reach` away know. With reaches of 1, 2, 4, ... along rows, then along columns, none nearer is left out: what
-// such a cell knows instead of the best beyond it lies between the two and is nearer still.
+// One pass of a search for the nearest open cell (L1 distance; of equally near ones, the lowest). Each cell takes the
+// best of its own candidate and the candidates of the cells `reach` away. Passes use the reaches 1, 2, 4, ... along
+// rows, then along columns. The result is the nearest cell: if an intermediate cell has
+// kept another candidate, that candidate is at least as near.
 #include "cave/cells.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = sourcesBinding) restrict readonly buffer SourceBlock { uint sources[]; };

@@ -1,4 +1,4 @@
-// Regions of fewer cells than `fewest` become the other kind, but for the one that begins at the cell `kept`.
+// Converts regions of fewer than `fewest` cells to the other kind, except the region whose lowest cell is `kept`.
 #include "cave/runs.glsl"
 layout(local_size_x = 64) in;
 uniform uint fewest;

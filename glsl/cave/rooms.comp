@@ -1,5 +1,5 @@
-// Of every cell: the nearest open cell so far, itself or none; of each room, the tree it belongs to, which is itself,
-// and nothing known of others yet.
+// Initializes the search for connections. Each cell: the nearest open cell so far, itself or none. Each room: its tree,
+// initially itself, and no connection.
 #include "cave/runs.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = sourcesBinding) restrict writeonly buffer SourceBlock { uint sources[]; };

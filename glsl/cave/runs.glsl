@@ -1,17 +1,17 @@
-// Regions by runs: neighbouring cells of one kind within a word are one run, named by its first cell, and a region is
-// named by its lowest cell, which begins a run. ROCK: regions of rock, joined over corners too; else of open cells,
-// joined over edges.
+// Regions as sets of runs. A run is a sequence of adjacent cells of one kind within a word, identified by its first
+// cell. A region is identified by its lowest cell, which begins a run. ROCK: regions of rock, connected over edges and
+// corners; otherwise regions of open cells, connected over edges.
 #include "cave/cells.glsl"
 layout(std430, binding = labelsBinding) restrict buffer LabelBlock { uint labels[]; };
 layout(std430, binding = tallyBinding) restrict buffer TallyBlock { uint tally[]; };
 layout(std430, binding = flagsBinding) restrict buffer FlagBlock {
   uint changed;
-  uint greatest;  // cells of a region
-  uint first;     // the lowest of those that have so many
+  uint greatest;  // Number of cells of the largest region
+  uint first;     // Lowest cell among the regions of this size
   uint spareFlag;
 };
 
-// Of the kind that is looked at; nothing lies outside.
+// Returns a word whose set bits are cells of the kind in question; 0 outside the grid.
 uint kindAt(int column, int y) {
   if (column < 0 || column >= rowWords || y < 0 || y >= size.y) return 0u;
 #ifdef ROCK
@@ -24,12 +24,12 @@ uint kindAt(int column, int y) {
 uint startsOf(uint word) {
   return word & ~(word << 1u);
 }
-// Where the run ends that begins at `bit`: one after its last.
+// Returns the end of the run that begins at `bit`: one past its last bit.
 int endOf(uint word, int bit) {
   uint gaps = ~word & (~0u << uint(bit));
   return gaps == 0u ? 32 : findLSB(gaps);
 }
-// Where the run begins that `bit` lies in.
+// Returns the first bit of the run that contains `bit`.
 int startOf(uint word, int bit) {
   return findMSB(~word & ((1u << uint(bit)) - 1u)) + 1;
 }

@@ -1,4 +1,4 @@
-// Distances as a field of floats: -1 where no wave came.
+// Converts distances to a field of floats; -1 for cells that no wave has reached.
 #include "cave/wave.glsl"
 layout(std430, binding = labelsBinding) restrict writeonly buffer ShownBlock { float shown[]; };
 

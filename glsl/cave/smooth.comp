@@ -1,4 +1,4 @@
-// One step of the automaton: 32 cells an invocation.
+// One smoothing step of the automaton, 32 cells per invocation.
 #include "cave/cells.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = nextCellsBinding) restrict writeonly buffer NextBlock { uint nextCells[]; };

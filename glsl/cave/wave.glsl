@@ -1,12 +1,13 @@
-// Breadth-first waves over the open cells, over edges. The cells of a wave stand together in the queue, in any order.
+// Breadth-first waves over the open cells, connected over edges. The cells of a wave are contiguous in the queue, in
+// any order.
 #include "cave/cells.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = distancesBinding) coherent restrict buffer DistanceBlock { uint distances[]; };
 layout(std430, binding = queueBinding) coherent restrict buffer QueueBlock { uint queue[]; };
 layout(std430, binding = flagsBinding) coherent restrict buffer WaveBlock {
-  uint begin, end;  // of the present wave in the queue
-  uint steps;       // of its cells from the start
-  uint farthest;    // the lowest cell of the last wave, when there are no more
-  uint tail;        // of the queue
-  uint over;        // not 0: the last wave was there
+  uint begin, end;  // Range of the current wave in the queue
+  uint steps;       // Distance of its cells from the start
+  uint farthest;    // Lowest cell of the last wave
+  uint tail;        // End of the queue
+  uint over;        // Not 0 if the last wave is finished
 } wave;

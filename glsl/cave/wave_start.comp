@@ -1,4 +1,4 @@
-// No cell is reached yet; the first is written after this.
+// Marks all cells as not reached. The start cell is written afterwards.
 #include "cave/wave.glsl"
 
 void main() {

@@ -1,4 +1,4 @@
-// Some waves after each other by one work group: a wave of a cave has few cells, and a dispatch costs more than it.
+// Runs several waves in one workgroup, because a wave has few cells and a dispatch of its own would cost more.
 #include "cave/wave.glsl"
 uniform int waves;
 shared uint first, last, step_;

@@ -1,4 +1,5 @@
-// Of each tree the shortest way to another; of several the one over the lowest edge, which a second pass finds.
+// Finds each tree's shortest connection to another tree. Pass 0 finds the length; pass 1 finds, among the connections
+// of this length, the one with the lowest edge index.
 #include "cave/ways.glsl"
 layout(local_size_x = 64) in;
 uniform int pass;

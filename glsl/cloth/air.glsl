@@ -1,7 +1,8 @@
-// What moving air does to the corner of a face. Compiles as GLSL and as C++; needs `stepData` (ClothStep), and blown and
+// Air force on one corner of a cloth face. Compiles as GLSL and as C++. Needs `stepData` (ClothStep), and `blown` and
 // windAt() of fluid/wind_array.glsl.
-// Value noise with three components in [-1, 1): a random vector at each lattice point, blended by
-// 3u^2 - 2u^3.
+
+// Gusts are value noise with three components in [-1, 1). latticeVector() returns the random vector of a lattice point;
+// noise() interpolates the vectors with weights 3u^2 - 2u^3.
 FUNCTION vec3 latticeVector(int x, int y, int z) {
   return signedUnits(hash3(uvec3(uint(x), uint(y), uint(z) ^ (uint(stepData.seed) * 0x9e3779b9u))));
 }
@@ -27,10 +28,11 @@ FUNCTION vec3 noise(vec3 p) {
   return exactMix(low, high, smoothCurve(u.z));
 }
 
-// Air force on a corner of a face: c = a x b has twice the area of the triangle (here, a, b), and half of
-// that triangle belongs to this particle, so A n = c/4. With v the air's velocity relative to the cloth:
-//   drag = 1/2 rho Cd A |v.n| v,   lift = 1/2 rho Cl A (v.n) (|v|^2 n - (v.n) v) / |v|,
-// the lift being perpendicular to v and zero both edge-on and face-on.
+// Returns the air force on a corner of a face. c = a x b is twice the area vector of the triangle (here, a, b). Half of
+// the triangle belongs to this particle, so its area vector is A n = c / 4. With v the air velocity relative to the
+// cloth:
+//   drag = 1/2 rho Cd A |v.n| v,   lift = 1/2 rho Cl A (v.n) (|v|^2 n - (v.n) v) / |v|.
+// The lift is perpendicular to v. It is zero if the face is edge-on or face-on to v.
 FUNCTION vec3 airForceOnFace(vec3 a, vec3 b, vec3 v, float speedSquared, float inverseSpeed) {
   vec3 c = exactCross(a, b);
   float through = exactDot(v, c);

@@ -1,7 +1,8 @@
-// One family of XPBD constraints, both colours, for devices whose stores are dear. Particles that a family ties together
-// form lines, each an invocation's own: it goes along its line, and each pair of the second colour follows as soon as
-// the pairs of the first colour on both sides of it are done. So every particle is loaded and stored once. The first
-// family starts from where step.comp would leave the particles (FIRST), so the bits are those of both kernels.
+// Solves one family of XPBD constraints, both colours, for devices with slow stores (software drivers). The pairs of a
+// family link the particles into lines; one invocation processes one line. It walks along the line and solves each pair
+// of the second colour as soon as both adjacent pairs of the first colour are solved. So each particle is loaded and
+// stored once. FIRST: this is the first family; it starts from the prediction of step.comp, computed here with the same
+// bits.
 #include "cloth/kernel.glsl"
 layout(local_size_x = 8) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
@@ -11,8 +12,8 @@ INPUT_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 INPUT_ARRAY(trendsBinding, TrendBlock, trends)
 STATE_ARRAY(aimsBinding, AimBlock, aims)
 #endif
-uniform ivec2 reach;  // from one end to the other, in particles
-uniform int kind;     // 0 structural, 1 shear, 2 bend
+uniform ivec2 reach;  // Offset from one end of a pair to the other, in particles
+uniform int kind;     // Link type: 0 structural, 1 shear, 2 bending
 uniform int lines;
 
 vec4 loadPosition(int i) {
@@ -49,7 +50,7 @@ void relax(inout vec4 a, inout vec4 b, int i, int j, float restLength, float com
   b.xyz = newB;
 }
 
-// The particle at which a line begins: nothing lies one reach before it.
+// Returns the first particle of a line: no particle of the grid lies one `reach` before it.
 ivec2 beginning(int line) {
   if (reach.y == 0) return ivec2(line % reach.x, line / reach.x);
   if (reach.x == 0) return ivec2(line % size.x, line / size.x);
@@ -71,7 +72,8 @@ void main() {
   int pace = reach.y * size.x + reach.x;
   float restLength = springLength(kind);
   float compliance = scaledCompliance(kind);
-  // Where the first pair is of the second colour, its left particle waits for its right one.
+  // If the first pair is of the second colour, its left particle must wait until its right particle has been solved in
+  // a pair of the first colour.
   bool second = ((reach.x > 0 ? at.x / reach.x : at.y / reach.y) & 1) == 1;
   vec4 waiting = vec4(0);
   int k = 0;

@@ -1,5 +1,6 @@
-// Leaves in the velocities of pinned particles that follow a skin where they go in this substep; the kernels that predict take
-// it from there (cloth/motion.glsl), and velocities of what is pinned are zero after each substep.
+// Writes the target positions of this substep into the velocities of pinned particles that follow a skinned body. The
+// velocities are free for this use, because a pinned particle's velocity is zero after each substep. The predicting
+// kernels read the positions there (cloth/motion.glsl).
 #include "common/bindings.glsl"
 #include "common/memory.glsl"
 #include "cloth/bindings.glsl"
@@ -7,7 +8,7 @@ layout(local_size_x = 64) in;
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 INPUT_ARRAY(waysBinding, WayBlock, ways)
 uniform int count;
-uniform float before;  // share of the frame's beginning
+uniform float before;  // Weight of the position at the frame's begin
 uniform float now;
 #include "cloth/held.glsl"
 

@@ -1,12 +1,14 @@
-// Constraints of cloth that nothing damps, as forces of a potential, so that what a swing loses to flutter stays in the sheet.
-// Compiles as GLSL and as C++, after springForce of cloth/model.glsl.
+// Constraints of undamped cloth, as conservative forces. The aim: energy that a swing loses to flutter stays in the
+// sheet instead of vanishing. Compiles as GLSL and as C++, after springForce of cloth/model.glsl.
 //
-// With the stretch C = |d| - L0 of each link, its direction n, and W the inverse masses, a family of constraints has the energy
-//   V(x) = 1/2 C^T B^-1 C,   B = compliance + softening dt^2 A(x),   A = G W G^T of the links' gradients G,
-// and the forces are all of its gradient at the substep's beginning: semi-implicit Euler then is symplectic, so there is an
-// energy near this one that it keeps. What is stretched evenly has its compliance, however long the line is; what would vibrate
-// faster than substeps follow is softer, by w dt < 1 / sqrt(softening). Lines have the whole of A and are solved as
-// line_model.glsl has it, of where they are; pairs its diagonal, at least four times, since many of them meet at a particle.
+// C = |d| - L0 is the stretch of each link, n the link's direction, W the inverse masses. A family of constraints has
+// the energy
+//   V(x) = 1/2 C^T B^-1 C,   B = compliance + softening dt^2 A(x),   A = G W G^T, G the gradients of the links.
+// The forces are the full negative gradient of V at the start of the substep. So semi-implicit Euler is symplectic and
+// conserves an energy close to V plus the kinetic energy. Even stretch sees the plain compliance, however long the line
+// is. Vibrations too fast for the substep become softer, so that w dt < 1 / sqrt(softening). Structural lines use the
+// full matrix A and are solved as in line_model.glsl at the current positions. Shear and bending pairs use the diagonal
+// of A with softening of at least 4, because many pairs share a particle.
 FUNCTION vec3 pairTo(ivec2 at, vec4 here, int dx, int dy, int kind) {
   vec4 there = loadPosition(neighbour(at, dx, dy));
   precise vec3 d = vec3(there) - vec3(here);

@@ -1,4 +1,4 @@
-// What every cloth kernel includes.
+// Common includes and uniforms of all cloth kernels.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/hash.glsl"
@@ -16,4 +16,4 @@ uniform ivec2 size;
 #ifndef KEEPS
 #define KEEPS 0
 #endif
-const bool keeps = KEEPS == 1;  // energy: cloth/keeping.glsl
+const bool keeps = KEEPS == 1;  // True if the cloth conserves energy (cloth/keeping.glsl).

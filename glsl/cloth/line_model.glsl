@@ -1,26 +1,28 @@
-// Constraints along a line of particles, solved together. Compiles as GLSL and as C++. Whoever includes it provides
-// lineLinks, the number of links between particles, lineRest (m), lineCompliance (compliance / h^2) and lineGive, beside
-// common/exact.glsl; lineKept, what damping keeps of a link's stretch over the substep (glsl/cloth/model.glsl).
+// Solves the constraints along a line of particles together. Compiles as GLSL and as C++. The including file provides
+// common/exact.glsl and these variables: lineLinks (number of links between particles), lineRest (rest length in
+// metres), lineCompliance (compliance / h^2), lineGive (minimum compliance, see giveOf), lineKept (fraction of a link's
+// stretch that damping preserves over the substep, see keptStretch in cloth/model.glsl).
 //
-// XPBD's constraint k ties particles k and k + 1. With its direction n_k, its stretch C_k and its multiplier l_k, particle k
-// moves by w_k (n_k-1 l_k-1 - n_k l_k); every C_k vanishes at once, to first order, where
+// The XPBD constraint k links particles k and k + 1. It has the direction n_k, the stretch C_k and the multiplier l_k.
+// Particle k moves by w_k (n_k-1 l_k-1 - n_k l_k). To first order, all C_k vanish at once if
 //   -w_k (n_k-1.n_k) l_k-1 + (w_k + w_k+1 + compliance / h^2) l_k - w_k+1 (n_k.n_k+1) l_k+1 = -C_k.
-// So what pulls at one end is felt at the other in the same step, however long the line is, where constraints one after
-// the other carry it a link a step. Lines are cut into segments of segmentLinks: the last link of each, its separator, is
-// found first, from a system of separators alone; then all segments at once are solved between theirs.
+// So a pull at one end reaches the other end in the same step, however long the line is. Constraints solved one after
+// another would move it by one link per step. A line is cut into segments of segmentLinks links. The last link of a
+// segment is its separator. A small system of separators is solved first; then all segments are solved in parallel
+// between their separators.
 #include "cloth/segment_links.glsl"
 
 struct Link {
-  vec3 along;     // unit; none: 0
-  float stretch;  // m
+  vec3 along;     // Unit vector, or zero if the link does not exist
+  float stretch;  // in metres
 };
 
-// lower l_k-1 + diagonal l_k + upper l_k+1 = right
+// Row of the tridiagonal system: lower l_k-1 + diagonal l_k + upper l_k+1 = right.
 struct LineRow {
   float lower, diagonal, upper, right;
 };
 
-// l = fixed_ - left l_left - right l_right, of links far apart.
+// A multiplier expressed by two multipliers further away: l = fixed_ - left l_left - right l_right.
 struct Reach {
   float fixed_, left, right;
 };
@@ -37,11 +39,14 @@ FUNCTION Link linkBetween(vec4 a, vec4 b, bool there) {
   return link;
 }
 
-// The least compliance of each link, as a ratio to its weights. A line that is taut between two pins has a
-// multiplier too many, which 2^-15 decides. One that is held further apart than it is long, by s of its length, cannot
-// be satisfied at all: where both its ends are pinned, with 1.7 s it pulls evenly, by 0.29 m L / h^2, so that it does not begin to
-// swing sideways (w dt = 1.63, cloth/motion.glsl). Other lines get what they lack sooner with 0.6 s, by 5/6 m L / h^2 at most,
-// which they do not keep up. Softer lines are as soft as they are. Those that keep energy have keptGive (cloth/segment.glsl) instead.
+// Returns the minimum compliance of every link of a line, as a ratio to the link's inverse masses. `stretch` is the
+// summed stretch of the line in metres.
+// A line that is taut between two pins has one undetermined multiplier; the minimum ratio 2^-15 regularizes the system.
+// A line between two pins that are further apart than the line's length, by a fraction s of the length, has no
+// solution. The ratio 1.7 s makes it pull evenly by 0.29 m L / h^2, which keeps sideways swinging stable (w dt = 1.63,
+// cloth/motion.glsl). Lines without two pins use 0.6 s and pull by at most 5/6 m L / h^2. They contract faster, and the
+// pull does not last. A link whose own compliance is larger keeps its own compliance. Lines that conserve energy use
+// keptGive (cloth/segment.glsl) instead.
 FUNCTION float giveOf(float stretch, bool pinned) {
   float part = pinned ? 1.7f : 0.6f;
   precise float rest = float(lineLinks) * lineRest;
@@ -49,7 +54,8 @@ FUNCTION float giveOf(float stretch, bool pinned) {
   return max(give, 3.0517578125e-5f);
 }
 
-// Of a link by what its row has beside the diagonal and on the right, and the inverse masses of its ends.
+// Builds the row of a link from its off-diagonal entries `lower` and `upper`, its right side, and the inverse masses of
+// its two ends.
 FUNCTION LineRow lineRow(float lower, float right, float upper, float massA, float massB) {
   precise float weight = massA + massB;
   precise float give = weight * lineGive;
@@ -62,12 +68,12 @@ FUNCTION LineRow lineRow(float lower, float right, float upper, float massA, flo
   return row;
 }
 
-// 1 / pivot of the link whose row this is; `before` is of the link before it.
+// Returns 1 / pivot of the link with this row. `before` is the elimination result of the previous link.
 FUNCTION float pivotInverse(LineRow row, Reach before) {
   precise float pivot = row.diagonal - row.lower * before.right;
   return exactReciprocal(pivot);
 }
-// Of that link by what is left of the segment and the next link.
+// Expresses the link's multiplier by the last multiplier left of the segment and by the next link's multiplier.
 FUNCTION Reach reachAhead(LineRow row, Reach before, float inverse) {
   precise float fixed_ = (row.right - row.lower * before.fixed_) * inverse;
   precise float left = row.lower * before.left * -inverse;
@@ -78,7 +84,8 @@ FUNCTION Reach reachAhead(LineRow row, Reach before, float inverse) {
   reach.right = right;
   return reach;
 }
-// By the link before it and the segment's last; `after` is of the link after it.
+// Expresses the link's multiplier by the previous link's multiplier and by the segment's last multiplier. `after` is
+// the result of the next link.
 FUNCTION Reach reachBack(LineRow row, Reach after) {
   precise float pivot = row.diagonal - row.upper * after.left;
   float inverse = exactReciprocal(pivot);
@@ -91,7 +98,7 @@ FUNCTION Reach reachBack(LineRow row, Reach after) {
   reach.right = right;
   return reach;
 }
-// Before the first link, and after the last.
+// Boundary values of the elimination: before the segment's first link, and after its last link.
 FUNCTION Reach reachAtStart() {
   Reach reach;
   reach.fixed_ = 0.0f;
@@ -107,7 +114,8 @@ FUNCTION Reach reachAtEnd() {
   return reach;
 }
 
-// Of a separator between those of its neighbours: `mine` is the last link of its segment, `next` the first one of the next.
+// Builds the row of a separator in the system of separators. `mine` is the last link of its segment; `next` is the
+// first link of the next segment.
 FUNCTION LineRow separatorRow(Reach mine, Reach next) {
   precise float diagonal = 1.0f - mine.right * next.left;
   precise float upper = mine.right * -next.right;
@@ -120,7 +128,7 @@ FUNCTION LineRow separatorRow(Reach mine, Reach next) {
   return row;
 }
 
-// l_k = onto - from l_k+1
+// Result of forward elimination: l_k = onto - from l_k+1.
 struct Eliminated {
   float onto, from;
 };

@@ -1,24 +1,25 @@
-// One particle of a sheet, a grid of particles, over one substep. Compiles as GLSL and as C++, where it is the
-// CPU twin. Whoever includes it provides `size` (ivec2), `keeps` (bool), `stepData` (ClothStep), loadPosition(int),
-// and the files types.glsl, common/exact.glsl, common/hash.glsl, mesh/height_model.glsl, contour/wall_model.glsl before it.
+// One particle of a sheet (a grid of particles) over one substep. Compiles as GLSL and as C++ (the CPU twin of the
+// tests). The including file provides `size` (ivec2), `keeps` (bool), `stepData` (ClothStep), loadPosition(int), and
+// includes before this file: types.glsl, common/exact.glsl, common/hash.glsl, mesh/height_model.glsl,
+// contour/wall_model.glsl.
 #include "cloth/air.glsl"
 #include "cloth/motion.glsl"
 
 FUNCTION int neighbour(ivec2 at, int dx, int dy) {
-  // A neighbour beyond the border becomes the particle itself: its springs then have no length and no force.
+  // A neighbour beyond the border becomes the particle itself, so that its spring has length zero and no force.
   int x = at.x + dx;
   int y = at.y + dy;
   bool inside = x >= 0 && y >= 0 && x < size.x && y < size.y;
   return inside ? y * size.x + x : at.y * size.x + at.x;
 }
 
-// Of the springs of a kind: 0 structural, 1 shear, 2 bend.
+// Returns the rest length of a link type in metres: 0 structural, 1 shear, 2 bending.
 FUNCTION float springLength(int kind) {
   float ratio = kind == 0 ? 1.0f : kind == 1 ? 1.41421356f : 2.0f;
   precise float restLength = stepData.constants.spacing * ratio;
   return restLength;
 }
-// compliance / dt^2, or less of what is damped
+// Returns compliance / dt^2 of a link type. Damping reduces the value (complianceScale).
 FUNCTION float scaledCompliance(int kind) {
   float compliance = kind == 0   ? stepData.constants.compliance
                      : kind == 1 ? stepData.constants.shearCompliance
@@ -26,7 +27,9 @@ FUNCTION float scaledCompliance(int kind) {
   precise float scaled = compliance * stepData.complianceScale;
   return scaled;
 }
-// Of a fabric's row, or column. A link stands for a strip as wide as it is long, so 1 / (N/m); one along a border for half.
+// Returns the scaled compliance of the links of a fabric's row or column. A link represents a strip as wide as the link
+// is long, so its compliance is 1 / stiffness, with the stiffness in N/m. A link along a border represents half a
+// strip, so its compliance is twice that.
 FUNCTION float fabricCompliance(bool row, int line) {
   int count = row ? size.y : size.x;
   float half_ = line == 0 || line == count - 1 ? 2.0f : 1.0f;
@@ -34,7 +37,7 @@ FUNCTION float fabricCompliance(bool row, int line) {
   return scaled;
 }
 
-// F = k (|d| - L0) d / |d| = k (1 - L0 / |d|) d, none where |d| < 1e-4 m.
+// Returns F = k (|d| - L0) d / |d| = k (1 - L0 / |d|) d, or zero if |d| < 1e-4 m.
 FUNCTION vec3 springForce(vec3 d, float restLength, float stiffness) {
   float squared = exactDot(d, d);
   precise float scale = (1.0f - restLength * exactInverseSqrt(squared)) * stiffness;
@@ -49,7 +52,7 @@ FUNCTION vec3 springTo(int there, vec3 here, float restLength, float stiffness) 
 }
 
 FUNCTION vec3 springForces(ivec2 at, vec3 here) {
-  // As neighbour() has them, each border looked for once.
+  // Same neighbours as neighbour() returns, but with one border test per direction.
   int w = size.x, i = at.y * w + at.x;
   bool left = at.x > 0, right = at.x + 1 < w, above = at.y > 0, below = at.y + 1 < size.y;
   int up = above ? i - w : i, down = below ? i + w : i;
@@ -91,7 +94,7 @@ FUNCTION vec3 airForces(ivec2 at, vec3 here, vec3 velocity) {
   return sum;
 }
 
-// v' = (v + (F w + g) dt) keep. `springs`, `air` and `fabric` switch terms off that a variant does not have.
+// Returns v' = (v + (F w + g) dt) kept. `springs`, `air` and `fabric` disable the terms that a kernel variant lacks.
 FUNCTION vec3 newVelocity(ivec2 at, vec4 here, vec3 velocity, bool springs, bool air, bool fabric) {
   precise vec3 force = vec3(stepData.wind);
   if (fabric) force = force + bendingForce(at, vec3(here));
@@ -103,7 +106,7 @@ FUNCTION vec3 newVelocity(ivec2 at, vec4 here, vec3 velocity, bool springs, bool
   return v;
 }
 
-// Where the pin's frame carries the particle's rest position.
+// Returns the target of a pinned particle: its rest position transformed by the frame of its pin group.
 FUNCTION vec3 pinnedPosition(ivec2 at, int group) {
   int frame = max(group, 0);
   precise vec3 rest =
@@ -112,7 +115,9 @@ FUNCTION vec3 pinnedPosition(ivec2 at, int group) {
               applyRow(stepData.frames[frame].row2, rest));
 }
 
-// Semi-implicit Euler: x' = x + v' dt, then contact unless constraints still have to act, towards which the `trend` leads.
+// Semi-implicit Euler step, x' = x + v' dt. Without `springs`, constraints follow, and the `trend` of the earlier
+// constraints is added (ledTo). `touch` applies contact; `lands` and `walled` extend it to the colliding mesh and to
+// solids.
 FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, vec3 trend, bool springs, bool air, bool fabric, bool touch,
                         bool lands, bool walled) {
   Motion m;
@@ -121,20 +126,22 @@ FUNCTION Motion advance(ivec2 at, vec4 here, vec4 velocity, vec3 trend, bool spr
   m.position = moved;
   if (!springs) m.position = ledTo(vec3(here), m.velocity, trend);
   if (touch) m = contact(m, vec3(here), lands, walled);
-  if (here.w == 0.0f) {  // last, so that a card need not wait for the weight before it asks for the neighbours
-    m.position = velocity.w < 0.0f ? vec3(velocity) : pinnedPosition(at, int(velocity.w));  // cloth/hold.comp
+  if (here.w == 0.0f) {  // Tested last, so that the GPU can load the neighbours without waiting for the inverse mass
+    // Target written by cloth/hold.comp
+    m.position = velocity.w < 0.0f ? vec3(velocity) : pinnedPosition(at, int(velocity.w));
     m.velocity = vec3(0.0f);
   }
   return m;
 }
 
-// How far XPBD (Macklin et al. 2016; one iteration per substep, 2019) moves each end of a constraint
-// C = |d| - L0 along d = b - a: lambda = -C / (wa + wb + compliance/h^2), a -= wa lambda d/|d|, b += ...
-// Returns lambda d/|d|. Of the stretch `kept` is not undone.
+// Position correction of an XPBD constraint C = |d| - L0 between a and b, d = b - a (Macklin et al. 2016; one iteration
+// per substep, 2019): lambda = -C / (wa + wb + compliance/h^2), a -= wa lambda d/|d|, b += wb lambda d/|d|.
+// constraintShift returns lambda d/|d|. It leaves `kept` metres of the stretch uncorrected.
 //
-// Damping along edges: a fabric resists with k (C + T dC/dt). With g = T / dt XPBD solves C' + compliance/dt^2 lambda +
-// g (C' - C_before) = 0 (compliance/h^2 here), that is the same constraint with C - g/(1+g) C_before and compliance / (1+g). It is made of lengths
-// alone, so that what turns and travels without stretching is not damped.
+// keptStretch returns `kept`, the damping along the edge. A fabric resists with k (C + T dC/dt). With g = T / dt, XPBD
+// solves C' + compliance/dt^2 lambda + g (C' - C_before) = 0 (compliance/h^2 here). This is the undamped constraint
+// with C - g/(1+g) C_before and compliance / (1+g). It depends on lengths only, so rotation and translation without
+// stretch are not damped.
 FUNCTION float keptStretch(vec4 a, vec4 b, float restLength) {
   precise vec3 d = vec3(b) - vec3(a);
   float squared = max(exactDot(d, d), 1e-12f);

@@ -1,5 +1,6 @@
-// A particle of any cloth and what it meets: pins, colliders, ground, walls. Compiles as GLSL and as C++; needs `stepData`
-// (ClothStep), what collide/field_model.glsl does, mesh/height_model.glsl and contour/wall_model.glsl.
+// Motion of a particle of any cloth through pins, colliders, ground and walls. Compiles as GLSL and as C++. Needs
+// `stepData` (ClothStep), everything that collide/field_model.glsl needs, mesh/height_model.glsl and
+// contour/wall_model.glsl.
 FUNCTION float applyRow(vec4 row, vec3 p) {
   precise float value = exactDot(vec3(row), p) + row.w;
   return value;
@@ -7,8 +8,8 @@ FUNCTION float applyRow(vec4 row, vec3 p) {
 
 #include "collide/model.glsl"
 
-// Out of every collider, with `lands` onto the mesh that collides, and with `walled` at last out of the solid that it
-// meets, on the way from `before`.
+// Moves the particle out of all colliders. `lands` also tests the colliding mesh. `walled` also tests the solid's
+// walls, last, along the path from `before`.
 FUNCTION Motion contact(Motion m, vec3 before, bool lands, bool walled) {
   m = outOfShapes(m, before, stepData.constants.margin, 0.0f);
   m = outOfMeshes(m, before, stepData.constants.margin, 0.0f);
@@ -25,15 +26,15 @@ FUNCTION Motion contact(Motion m, vec3 before, bool lands, bool walled) {
   return m;
 }
 
-// What constraints do to a velocity from substep to substep is a difference formula of second order (BDF2) for them alone: with
-// the trend p = v_n - v_n-1 - dt a_n-1 of the substep before, the velocity u = v_n + dt a_n that forces alone would lead to
-// (semi-implicit Euler, as without constraints), and h = 2/3 dt,
+// The velocity change by constraints follows a second-order difference formula (BDF2); forces do not use it.
+// Definitions: trend p = v_n - v_n-1 - dt a_n-1 of the previous substep; u = v_n + dt a_n, the velocity after forces
+// alone (semi-implicit Euler, as without constraints); h = 2/3 dt. Then
 //   x_led = x_n + dt u + dt p / 18,   x' = x_led + s,   p' = p / 3 + s / h,   v' = u + p',
-// where s is what constraints of compliance / h^2 shift. A swing of w rad/s loses (w dt)^4 / 3 of its energy a substep; of first
-// order, p = 0 and h = dt, it would be (w dt)^2. Pulling along where the links are at x_led, a straight line under tension
-// swings sideways without growing while w dt < 1.65 (1.15 of first order; w^2 = 4 T / (m L) at most). What pushes one way
-// only, contact or what pulls things taut, is no part of the trend, which would make it bounce.
-// s / h is added to a velocity: (x' - x_n) / dt would lose accelerations below the rounding of x / dt^2.
+// with s the shift by constraints of compliance / h^2. A swing of w rad/s loses a fraction (w dt)^4 / 3 of its energy
+// per substep. The first-order formula (p = 0, h = dt) would lose (w dt)^2. A straight line under tension, with the
+// constraints linearized at x_led, swings sideways without growth if w dt < 1.65 (first order: 1.15), with w^2 <= 4 T /
+// (m L). One-sided corrections (contact, attachments) are not part of the trend, because the trend would make them
+// bounce. The code adds s / h to a velocity; (x' - x_n) / dt would lose accelerations below the rounding of x / dt^2.
 FUNCTION vec3 ledTo(vec3 before, vec3 aim, vec3 trend) {
   precise vec3 place = before + aim * stepData.dt + trend * stepData.trendDt;
   return place;
@@ -44,7 +45,8 @@ struct Settled {
   vec3 trend;
 };
 
-// After the constraints, then contact. `aim`: u.
+// Finishes a particle after the constraints: computes its velocity and trend, then applies contact. `aim` is the
+// velocity u after forces alone.
 FUNCTION Settled settled(vec4 before, vec4 here, vec3 aim, vec3 trend, bool lands, bool walled) {
   Settled s;
   s.motion.position = vec3(here);
@@ -53,7 +55,8 @@ FUNCTION Settled settled(vec4 before, vec4 here, vec3 aim, vec3 trend, bool land
   if (here.w == 0.0f) return s;
   vec3 led = ledTo(vec3(before), aim, trend);
   precise vec3 next = trend * 0.33333333f + (vec3(here) - led) * stepData.perReach;
-  // It falls to a third a substep where nothing pulls, which some GPUs would follow below the smallest normal number.
+  // Flushed to zero, because the trend falls to a third per substep if no constraint acts, and some GPUs would compute
+  // with subnormal numbers.
   s.trend = vec3(exactFlush(next.x), exactFlush(next.y), exactFlush(next.z));
   precise vec3 velocity = aim + s.trend;
   s.motion.velocity = velocity;
@@ -61,8 +64,8 @@ FUNCTION Settled settled(vec4 before, vec4 here, vec3 aim, vec3 trend, bool land
   return s;
 }
 
-// After forces alone, of cloth that keeps energy: from `before`, unless it is pinned `here`. What a constraint changed a velocity
-// by is added to it, for roundings of positions by a substep would heat the cloth.
+// Moves a particle of energy-conserving cloth by its velocity, starting at `before`, then applies contact. A pinned
+// particle moves to `here`. The velocity is used as is: a velocity from rounded positions would heat the cloth.
 FUNCTION Motion forced(vec4 before, vec4 here, vec3 velocity, bool lands, bool walled) {
   Motion m;
   precise vec3 moved = vec3(before) + velocity * stepData.dt;
@@ -73,7 +76,8 @@ FUNCTION Motion forced(vec4 before, vec4 here, vec3 velocity, bool lands, bool w
   return m;
 }
 
-// After cloths in contact pushed a particle from where it was left, if they did.
+// Corrects the velocity after cloth contact pushed the particle from `left` to `here`, then applies collider contact.
+// Does nothing if the particle was not pushed.
 FUNCTION Motion settledAgain(vec4 before, vec4 left, vec4 here, vec3 velocity, bool lands, bool walled) {
   Motion m;
   m.position = vec3(here);
@@ -86,7 +90,7 @@ FUNCTION Motion settledAgain(vec4 before, vec4 left, vec4 here, vec3 velocity, b
   return contact(m, vec3(before), lands, walled);
 }
 
-// A position or speed no cloth should have: its square beyond 1e10, or not a number, which as bits is beyond that, too.
+// True if the squared position or the squared speed exceeds 1e10 or is NaN. As an integer, NaN also exceeds the limit.
 FUNCTION bool isLost(Motion m) {
   int distance = floatBitsToInt(exactDot(m.position, m.position)) & 0x7fffffff;
   int speed = floatBitsToInt(exactDot(m.velocity, m.velocity)) & 0x7fffffff;

@@ -1,12 +1,14 @@
-// Constraints that are relaxed pair by pair, a family after the other, each in two colours that keep pairs apart: the
-// diagonal ones, from where the particles would go, or those of BENDS along both axes, from what is left by these. A group has a
-// tile of the sheet in shared memory and leaves the middle of it (relax_tile.glsl), so none waits for another between colours.
-// Pairs of bending are loaded by the invocations that relax them by their first colour and stored by those of the last one. Diagonal
-// ones, which lie in every second column there, would come and go more slowly than particles side by side.
+// Solves XPBD constraints pair by pair, one family after another, each in two colours without shared particles. Without
+// BENDS: both diagonal families, from the predicted positions. With BENDS: the bending families along both axes, from
+// the result of the diagonal families. A workgroup loads a tile of the sheet into shared memory and writes only the
+// tile's interior (relax_tile.glsl). So no dispatch boundary is needed between colours. Bending pairs are loaded by the
+// invocations that solve their first colour, and stored by the invocations that solve the last colour. Diagonal pairs
+// are loaded and stored as adjacent particles instead, because the particles of such pairs lie in every second column
+// and would give slower memory access.
 #include "cloth/kernel.glsl"
 #include "cloth/relax_tile.glsl"
 layout(local_size_x = relaxTileX / 2, local_size_y = relaxTileY) in;
-INPUT_ARRAY(positionsBinding, PositionBlock, positions)  // BENDS: what the diagonal ones left
+INPUT_ARRAY(positionsBinding, PositionBlock, positions)  // BENDS: the result of the diagonal families
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 #ifndef BENDS
 INPUT_ARRAY(velocitiesBinding, VelocityBlock, velocities)
@@ -20,7 +22,9 @@ vec4 loadPosition(int i) {
 #include "cloth/model.glsl"
 
 shared vec4 tile[relaxTileX * relaxTileY];
-ivec2 corner = ivec2(0);  // of the tile in the sheet: both even, and multiples of four along which pairs reach two
+// Position of the tile's corner in the sheet. Both coordinates are even, and multiples of four for families with reach
+// 2.
+ivec2 corner = ivec2(0);
 const int half_ = relaxTileX / 2;
 #ifdef BENDS
 const int pace = 2, kind = 2, halo = relaxBendHalo;
@@ -30,24 +34,25 @@ const int pace = 1, kind = 1, halo = relaxDiagonalHalo;
 const ivec2 first = ivec2(1, 1), second = ivec2(-1, 1);
 #endif
 
-// Even columns, then odd ones: a colour's pairs then are neighbours in memory, too.
+// Returns the index of a particle in the shared tile. Even columns come first, then odd columns, so that the pairs of a
+// colour are adjacent in memory.
 int place(ivec2 within) {
   return within.y * relaxTileX + (within.x & 1) * half_ + within.x / 2;
 }
 
-// Of the sheet.
+// Returns the index of a tile position in the sheet's arrays.
 int indexOf(ivec2 within) {
   return (corner.y + within.y) * size.x + corner.x + within.x;
 }
 
-// In the tile and in the sheet.
+// True if the position lies in both the tile and the sheet.
 bool isInside(ivec2 within) {
   ivec2 at = corner + within;
   bool inTile = within.x >= 0 && within.y >= 0 && within.x < relaxTileX && within.y < relaxTileY;
   return inTile && at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
 }
 
-// What the group leaves.
+// True if the workgroup writes this position: it lies in the tile without its halo, and in the sheet.
 bool isOwn(ivec2 within) {
   ivec2 end = ivec2(relaxTileX, relaxTileY) - halo;
   return within.x >= halo && within.y >= halo && within.x < end.x && within.y < end.y && isInside(within);
@@ -57,11 +62,11 @@ ivec2 nearestInside(ivec2 within) {
   return clamp(corner + within, ivec2(0), size - 1) - corner;
 }
 
-// Both ends of a pair are inside.
+// Solves one pair. Both ends must be inside (isInside).
 void relax(inout vec4 a, inout vec4 b, ivec2 from, ivec2 to) {
   float kept = 0.0f;
 #if DAMPED
-  // At the substep's beginning. Only fabrics are damped, and have no constraints of bending.
+  // Stretch at the start of the substep. Only fabrics are damped, and fabrics have no bending constraints.
   kept = keptStretch(loadPosition(indexOf(from)), loadPosition(indexOf(to)), springLength(kind));
 #endif
   vec3 shift = constraintShift(a, b, springLength(kind), scaledCompliance(kind), kept);
@@ -81,23 +86,25 @@ void relaxInTile(ivec2 from, ivec2 reach) {
   tile[j] = b;
 }
 
-// The i-th number of those whose multiple of `pace` is even (color 0) or odd.
+// Returns the i-th number n with n / pace even (color 0) or odd (color 1).
 int numbered(int i, int color) {
   return (i / pace * 2 + color) * pace + i % pace;
 }
 
-// Where the invocation's pair of a colour begins, of the first family and of the second one.
+// Returns the first particle of this invocation's pair of a colour: firstPair in the first family, secondPair in the
+// second family.
 ivec2 firstPair(int color) {
   ivec2 me = ivec2(gl_LocalInvocationID.xy);
   return ivec2(numbered(me.x, color), me.y);
 }
 ivec2 secondPair(int color) {
   ivec2 me = ivec2(gl_LocalInvocationID.xy);
-  return ivec2(me.x + me.y % 2 * half_, numbered(me.y / 2, color));  // a row of pairs by halves
+  // The two halves of a row of invocations process two different rows of pairs.
+  return ivec2(me.x + me.y % 2 * half_, numbered(me.y / 2, color));
 }
 
 #ifdef BENDS
-// With the first colour done.
+// Loads the tile and solves the first colour.
 void fill() {
   ivec2 from = firstPair(0), to = from + first;
   vec4 a = loadPosition(indexOf(nearestInside(from))), b = loadPosition(indexOf(nearestInside(to)));
@@ -106,7 +113,7 @@ void fill() {
   tile[place(to)] = b;
 }
 
-// With the last colour done.
+// Solves the last colour and stores the results.
 void leave() {
   ivec2 from = secondPair(1), to = from + second;
   bool there = isInside(from), beyond = isInside(to);
@@ -118,7 +125,7 @@ void leave() {
   if (isOwn(to)) STORE_STATE(nextPositions, indexOf(to), b);
 }
 #else
-// All loads first, so that none waits for another.
+// Issues all loads first, so that they overlap.
 void fill() {
   ivec2 within = ivec2(gl_LocalInvocationID.xy), other = within + ivec2(half_, 0);
   ivec2 a = nearestInside(within), b = nearestInside(other);

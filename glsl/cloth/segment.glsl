@@ -1,9 +1,12 @@
-// A segment of a line, of links `first` to `last`. Compiles as GLSL and as C++, after line_model.glsl. Whoever includes it
-// provides lineParticle(int), xyz and inverse mass of the k-th particle of the line, lineBefore(int), the same at the substep's
-// beginning, lineSoftening, which weighs the masses of lines that keep energy (cloth/keeping.glsl; 1 of others), and, of the invocation, which arrays a
-// compiler keeps where it is cheap: lineLower[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks].
+// Solution of one segment of a line, links `first` to `last`. Compiles as GLSL and as C++, after line_model.glsl. The
+// including file provides:
+// - lineParticle(k): position (xyz) and inverse mass (w) of the line's k-th particle; lineBefore(k): the same at the
+// start of the substep;
+// - lineSoftening: factor on the inverse masses of lines that conserve energy (cloth/keeping.glsl), otherwise 1;
+// - lineLower[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks]: private arrays of the
+// invocation.
 
-// How much of the stretch of link k is to be undone.
+// Returns the part of link k's stretch that the constraint removes: all of it, less the part that damping preserves.
 FUNCTION float undone(int k, float stretch) {
   float all = stretch;
   if (lineKept > 0.0f) {
@@ -14,8 +17,9 @@ FUNCTION float undone(int k, float stretch) {
   return all;
 }
 
-// Makes the row of every link of the segment: into lineLower what it has before the diagonal, which the row before has after it,
-// into lineStretch the right side, and lineMass. How much longer than at rest all of them are together (m).
+// Builds the rows of the segment's links. lineLower receives the off-diagonal entries (the matrix is symmetric: a row's
+// upper entry is the next row's lower entry), lineStretch the right sides, lineMass the inverse masses. Returns the
+// summed stretch of the links in metres.
 FUNCTION float readSegment(int first, int last) {
   precise float sum = 0.0f;
   vec4 a = lineParticle(first);
@@ -45,16 +49,18 @@ FUNCTION float readSegment(int first, int last) {
   return sum;
 }
 
-// How many particles of a segment that was read are pinned; its first one is the last of the segment before.
+// Returns the number of pinned particles of a segment after readSegment. The segment's first particle counts for the
+// previous segment.
 FUNCTION float pinsOf(int first, int links) {
   int pins = first == 0 && lineMass[0] == 0.0f ? 1 : 0;
   for (int i = 1; i <= links; ++i) pins = lineMass[i] == 0.0f ? pins + 1 : pins;
   return float(pins);
 }
 
-// giveOf of a line that keeps energy, of nothing that a substep changes, so that it still is a potential. A line between pins has a
-// multiplier too many where it is straight, and what swings through there would meet a wall: it stretches by dt^2 / 4m a link and
-// newton, at least. Held s of its length too far apart it pulls by m L / (6 softening dt^2) (w dt = 0.82 / sqrt(softening)).
+// Replaces giveOf for lines that conserve energy. It depends only on quantities that a substep does not change, so that
+// the forces keep a potential. A straight line between pins has one undetermined multiplier, and a swing through the
+// straight position would hit a hard wall. So each link gives at least dt^2 / 4m metres per newton. A line held a
+// fraction s of its length too far apart pulls by m L / (6 softening dt^2) (w dt = 0.82 / sqrt(softening)).
 FUNCTION float keptGive(float pins) {
   vec4 a = lineParticle(0), b = lineParticle(lineLinks);
   Link ends = linkBetween(a, b, true);
@@ -66,20 +72,20 @@ FUNCTION float keptGive(float pins) {
   return pins < 2.0f ? 3.0517578125e-5f : ended ? max(held, least) : least;
 }
 
-// Of the i-th link of the segment.
+// Returns the row of the segment's i-th link.
 FUNCTION LineRow segmentRow(int i) {
   return lineRow(lineLower[i], lineStretch[i], lineLower[i + 1], lineMass[i], lineMass[i + 1]);
 }
 
-// The first link of a segment by what is to the left of the segment and its last link.
+// Expresses the segment's first multiplier by the multiplier left of the segment and by the segment's last multiplier.
 FUNCTION Reach firstOfSegment(int links) {
   Reach reach = reachAtEnd();
   for (int i = links - 2; i >= 0; --i) reach = reachBack(segmentRow(i), reach);
   return reach;
 }
 
-// The last link of a segment by what is to the left of the segment and the link to its right. Leaves the pivots' reciprocals in
-// lineMass, which is no longer needed: solveSegment has the same pivots.
+// Expresses the segment's last multiplier by the multiplier left of the segment and by the multiplier right of it.
+// Overwrites lineMass with the reciprocal pivots, because solveSegment needs the same pivots and not the masses.
 FUNCTION Reach lastOfSegment(int links) {
   Reach reach = reachAtStart();
   for (int i = 0; i < links; ++i) {
@@ -91,7 +97,8 @@ FUNCTION Reach lastOfSegment(int links) {
   return reach;
 }
 
-// The multipliers of a segment between its separators, after lastOfSegment: into lineStretch, which is no longer needed.
+// Computes the multipliers of a segment between its separators, after lastOfSegment. Overwrites the right sides in
+// lineStretch with the multipliers.
 FUNCTION void solveSegment(int links, float leftOne, float lastOne) {
   float before = leftOne;
   for (int i = 0; i < links - 1; ++i) {
@@ -108,8 +115,9 @@ FUNCTION void solveSegment(int links, float leftOne, float lastOne) {
   }
 }
 
-// What the link from a to b does to a's position for each of its inverse mass, less; to b's, more. At most what is stable
-// (giveOf), should a part of a line be held too far apart, or substeps be too few.
+// Returns the pull of the link from a to b: subtract it, times the inverse mass, from a's position, and add it to b's
+// position. The magnitude is limited to the stable value (see giveOf), in case part of a line is held too far apart or
+// the substeps are too long.
 FUNCTION vec3 pullBetween(vec4 a, vec4 b, bool there, float multiplier) {
   Link link = linkBetween(a, b, there);
   precise float weight = a.w + b.w;
@@ -119,8 +127,8 @@ FUNCTION vec3 pullBetween(vec4 a, vec4 b, bool there, float multiplier) {
   return pull;
 }
 
-// The same of a line that keeps energy, of its link k between two others: B turns with the links, so that of the gradient of
-// 1/2 C^T B^-1 C there is -1/2 l^T dB l, too.
+// Returns the pull of link k of a line that conserves energy. The matrix B turns with the links, so the gradient of 1/2
+// C^T B^-1 C has the additional term -1/2 l^T dB l.
 FUNCTION vec3 keptPull(int k, float multiplierBefore, float multiplier, float multiplierAfter) {
   vec4 a = lineParticle(k), b = lineParticle(k + 1);
   Link before = linkBetween(lineParticle(max(k - 1, 0)), a, k > 0);

@@ -1,4 +1,4 @@
-// Links of a segment of a line (line_model.glsl). Compiles as GLSL and as C++.
+// Number of links per segment of a line (line_model.glsl). Compiles as GLSL and as C++.
 #ifndef CLOTH_SEGMENT_LINKS
 #define CLOTH_SEGMENT_LINKS
 const int segmentLinks = 16;

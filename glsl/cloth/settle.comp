@@ -1,4 +1,4 @@
-// Velocities of what cloths in contact have pushed since it was left, and colliders.
+// Corrects velocities after cloth contact pushed particles, then applies colliders.
 #include "cloth/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)

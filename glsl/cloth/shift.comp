@@ -1,4 +1,4 @@
-// Moves the vertices of any cloth by what they got of thin colliders.
+// Adds the position and velocity changes by thin colliders to the vertices of any cloth.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"

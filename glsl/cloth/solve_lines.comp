@@ -1,13 +1,13 @@
-// Structural constraints of every row (ROWS) or column at once, line_model.glsl: a group has some lines, an invocation a
-// segment of one. LAST: leaves the particles as they are after the substep, with their velocities. LINES of a group,
-// SEGMENTS of a line. KEEPS: by where the particles are at the substep's beginning, so rows and columns do not see each other.
+// Solves the structural constraints of all rows (ROWS) or columns at once (line_model.glsl). A workgroup has LINES
+// lines of SEGMENTS segments; one invocation solves one segment. LAST: also computes the final positions and velocities
+// of the substep. KEEPS: uses the positions at the start of the substep, so that rows and columns are independent.
 #include "cloth/kernel.glsl"
 layout(local_size_x = LINES, local_size_y = SEGMENTS) in;
 #if defined(LAST) || DAMPED || KEEPS
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 #endif
 #if defined(LAST) || KEEPS
-STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)  // before: where forces alone would lead
+STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)  // On input: velocities after forces alone
 #endif
 #if defined(LAST) && !KEEPS
 STATE_ARRAY(trendsBinding, TrendBlock, trends)
@@ -44,7 +44,8 @@ vec4 lineBefore(int k) {
 float lineLower[segmentLinks + 1], lineMass[segmentLinks + 1], lineStretch[segmentLinks];
 #include "cloth/segment.glsl"
 
-// Of each segment: how long it is, then the row of its separator, which becomes the multiplier; what its first link is made of.
+// Per segment, `separators` first holds the summed length, then the separator's row, then its multiplier in x. The
+// arrays first* hold the segment's first link (Reach).
 shared vec4 separators[SEGMENTS * LINES];
 shared float firstFixed[SEGMENTS * LINES], firstLeft[SEGMENTS * LINES], firstRight[SEGMENTS * LINES];
 
@@ -63,8 +64,9 @@ void leaveKept(int k, vec3 pullBefore, vec3 pull) {
   STORE_STATE(velocities, i, vec4(v, velocity.w));
 }
 
-// What the segment's links pull, and what pulls its first particle. The segments on both sides left their multipliers in
-// firstFixed, of the first link, and firstLeft, of the last but one.
+// Applies the pulls of the segment's links, and of the link before, to the segment's particles. The adjacent segments
+// have left their multipliers in shared memory: firstFixed holds a segment's first multiplier, firstLeft its last but
+// one.
 void leaveSegment(int segment, int segments, int first, int last, int me, float leftOne) {
   float beyond = segment + 1 < segments ? firstFixed[me + LINES] : 0.0f;
   float before = leftOne;
@@ -97,7 +99,8 @@ void leave(int k, vec4 here) {
 }
 #endif
 
-// Leaves the multipliers of a line of the group in x. What the next step reads is loaded before this one's chain of operations.
+// Solves the system of separators of one line of the workgroup. Writes the multipliers to separators[].x. The values of
+// the next iteration are loaded early, to hide the load latency.
 void solveSeparators(int slot, int segments) {
   Eliminated eliminated = Eliminated(0.0f, 0.0f);
   vec4 row = separators[slot];
@@ -187,7 +190,7 @@ void main() {
   if (mine) {
     if (segment > 0) leftOne = separators[me - LINES].x;
     solveSegment(links, leftOne, separators[me].x);
-    // Loads that stay before the barrier.
+    // Particles of adjacent segments, loaded before the barrier, because the neighbours move them after it.
     before = LOAD_STATE(nextPositions, lineStart + max(first - 1, 0) * linePace);
     beyond = LOAD_STATE(nextPositions, lineStart + (last + 1) * linePace);
   }
@@ -197,7 +200,7 @@ void main() {
     firstLeft[me] = links > 1 ? lineStretch[links - 2] : leftOne;
   }
 #endif
-  barrier();  // others move what is on either side
+  barrier();  // After this barrier the adjacent segments move their particles.
   if (!mine) return;
 #if KEEPS
   leaveSegment(segment, segments, first, last, me, leftOne);

@@ -1,5 +1,5 @@
-// Forces and semi-implicit Euler in one pass: reads every position of the last substep, writes the next
-// ones elsewhere, so no order of work groups changes the result.
+// Applies forces with semi-implicit Euler, one particle per invocation. Reads the positions of the last substep and
+// writes the next positions to another array, so the order of workgroups does not matter.
 #include "cloth/kernel.glsl"
 #ifdef TEXEL_PATH
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -16,7 +16,7 @@ vec4 loadPosition(int i) {
 #include "cloth/model.glsl"
 
 void main() {
-  // Every other substep from the last row back, so that it begins with what the one before has left in the card's cache.
+  // Every second substep processes the rows in reverse order, to begin with rows that are still in the GPU's cache.
   uvec2 group = gl_WorkGroupID.xy;
   if ((stepData.substep & 1) == 1) group.y = gl_NumWorkGroups.y - 1u - group.y;
   ivec2 at = ivec2(group * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy);

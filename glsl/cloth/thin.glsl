@@ -1,11 +1,13 @@
-// Spheres and capsules thinner than a cloth's mesh is wide, which would pass between its vertices: what its edges and faces
-// feel of them. Compiles as GLSL and as C++; needs `stepData` (ClothStep), cloth/motion.glsl and collide/closest.glsl.
+// Contact of cloth edges and faces with thin spheres and capsules: those thinner than the cloth's spacing, which would
+// pass between vertices. Compiles as GLSL and as C++. Needs `stepData` (ClothStep), cloth/motion.glsl and
+// collide/closest.glsl.
 //
-// Of each edge and face around a vertex, and the collider, the closest points at the beginning of the substep give a normal
-// that has not been passed yet. Along it the two points have to be apart by radius and margin at the end, however far they went;
-// where they are not, they are pushed out as a vertex is. A point of shares w is moved so by w_j W_j / sum w^2 W of each corner,
-// W its inverse mass. A vertex takes the greatest of these for each collider, all at once, so no order matters; and again for
-// what is left, thinRounds in all.
+// For each edge and face around a vertex, the closest points to the collider at the start of the substep define a
+// normal. The collider cannot have passed through yet, so the normal has the right sign. At the end of the substep the
+// two points must be apart by radius + margin along the normal, however far they moved. If not, the cloth point is
+// pushed out like a vertex. A cloth point with barycentric weights w is moved by displacing corner j by w_j W_j / sum
+// w^2 W, with W the corner's inverse mass. For each collider, a vertex takes its largest displacement. All vertices
+// move at once, so order does not matter. The test runs thinRounds times, to resolve the remaining overlap.
 #include "cloth/thin_rounds.glsl"
 
 struct Corner {
@@ -16,9 +18,9 @@ struct Corner {
 };
 
 struct Fended {
-  vec3 shift;    // m
-  vec3 change;   // m/s
-  float squared; // of the shift
+  vec3 shift;    // in metres
+  vec3 change;   // in m/s
+  float squared; // Squared length of `shift`
 };
 
 FUNCTION Corner cornerOf(vec4 before, vec4 now, vec4 velocity) {
@@ -35,7 +37,8 @@ FUNCTION vec3 sharedBy(vec3 shares, vec3 a, vec3 b, vec3 c) {
   return sum;
 }
 
-// Collider i, t of the way along it, against the point of these shares of the corners; what the first of them gets.
+// Tests collider i, at parameter t along its axis, against the cloth point with weights `shares` of the corners a, b,
+// c. Returns the larger of `most` and the displacement of corner a.
 FUNCTION Fended fendedAt(Fended most, int i, float t, vec3 shares, Corner a, Corner b, Corner c) {
   vec3 velocityA = vec3(stepData.colliders[i].velocityA);
   vec3 velocityB = vec3(stepData.colliders[i].velocityB);
@@ -81,7 +84,7 @@ FUNCTION Fended fendedByEdge(Fended most, int i, Corner a, Corner b) {
   return fendedAt(most, i, crossing.onSecond, vec3(rest, crossing.onFirst, 0.0f), a, b, b);
 }
 
-// By the ends of a capsule, or the middle of a sphere.
+// Tests a face against both ends of a capsule, or against the centre of a sphere.
 FUNCTION Fended fendedByFace(Fended most, int i, Corner a, Corner b, Corner c) {
   precise vec3 start = vec3(stepData.colliders[i].a) - vec3(stepData.colliders[i].velocityA) * stepData.dt;
   precise vec3 end = vec3(stepData.colliders[i].b) - vec3(stepData.colliders[i].velocityB) * stepData.dt;
@@ -96,7 +99,8 @@ FUNCTION Fended fendedByFace(Fended most, int i, Corner a, Corner b, Corner c) {
   return most;
 }
 
-// Whether collider i may be near: within its reach, what both go in the substep and the sides of the faces around.
+// True if collider i may touch the faces around the vertex. The test distance is the collider's reach plus the motion
+// of both in the substep plus the side length of the faces.
 FUNCTION bool mayMeet(int i, Corner a) {
   vec3 from = vec3(stepData.colliders[i].a);
   precise vec3 axis = vec3(stepData.colliders[i].b) - from;

@@ -1,4 +1,5 @@
-// What the kernels of thin colliders have, for grids and meshes: where each vertex was, is and goes, and what it gets.
+// Common part of the thin-collider kernels for grids and meshes: loads a vertex's previous position, present position
+// and velocity, and stores its displacement.
 #include "cloth/motion.glsl"
 #include "collide/closest.glsl"
 #include "cloth/thin.glsl"

@@ -1,4 +1,4 @@
-// Compiles as GLSL and as C++ (src/sim/cloth/thin.cpp).
+// Number of passes against thin colliders per substep. Compiles as GLSL and as C++ (src/sim/cloth/thin.cpp).
 #ifndef CLOTH_THIN_ROUNDS
 #define CLOTH_THIN_ROUNDS
 

@@ -1,5 +1,5 @@
-// What the cloth kernels read once per substep. Compiles as GLSL and as C++ (src/sim/cloth). A struct's vec4 come
-// first, so that std140 and C++ agree.
+// Uniform block that the cloth kernels read once per substep. Compiles as GLSL and as C++ (src/sim/cloth). The vec4
+// members of a struct come first, so that std140 and C++ have the same layout.
 #ifndef CLOTH_TYPES
 #define CLOTH_TYPES
 
@@ -7,35 +7,36 @@
 
 const int maxPinFrames = 8;
 
-// What a scene says and the kernels read as it is.
+// Scene parameters that the kernels use unchanged.
 struct STD140 ClothConstants {
-  float spacing DEFAULT(0.1f);           // m between neighbours at rest
-  float stiffness DEFAULT(500.0f);       // N/m
-  float shear DEFAULT(1.0f);             // ratio to stiffness
-  float bend DEFAULT(0.3f);              // ratio to stiffness
-  float compliance DEFAULT(0.0f);        // m/N
-  float shearCompliance DEFAULT(0.0f);   // m/N
-  float bendCompliance DEFAULT(0.01f);   // m/N
-  float margin DEFAULT(0.01f);           // m kept from colliders
+  float spacing DEFAULT(0.1f);           // Rest distance between neighbours, in metres
+  float stiffness DEFAULT(500.0f);       // Spring constant in N/m
+  float shear DEFAULT(1.0f);             // Shear and bending stiffness as a ratio to `stiffness`
+  float bend DEFAULT(0.3f);              // Shear and bending stiffness as a ratio to `stiffness`
+  float compliance DEFAULT(0.0f);        // in m/N
+  float shearCompliance DEFAULT(0.0f);   // in m/N
+  float bendCompliance DEFAULT(0.01f);   // in m/N
+  float margin DEFAULT(0.01f);           // Distance kept from colliders, in metres
 };
 
-// A woven sheet by what it is per length and area, whatever the spacing.
+// Woven fabric, described per length and area, independent of the grid spacing.
 struct STD140 FabricConstants {
-  float density DEFAULT(0.115f);    // kg/m^2
-  float weft DEFAULT(10000.0f);     // N/m, stretch along rows
-  float warp DEFAULT(15000.0f);     // N/m, along columns
-  float shear DEFAULT(50.0f);       // N/m, force along a side of unit length for an angle of 1
-  float bending DEFAULT(6e-6f);     // N m, moment on a side of unit length for a curvature of 1/m
-  float thickness DEFAULT(2.5e-4f); // m
+  float density DEFAULT(0.115f);    // in kg/m^2
+  float weft DEFAULT(10000.0f);     // Stretch stiffness along rows, N/m
+  float warp DEFAULT(15000.0f);     // Stretch stiffness along columns, N/m
+  // Shear stiffness, N/m: force along a side of unit length for a shear angle of 1 rad
+  float shear DEFAULT(50.0f);
+  float bending DEFAULT(6e-6f);     // Bending stiffness, N m: moment on a side of unit length for a curvature of 1/m
+  float thickness DEFAULT(2.5e-4f); // in metres
 };
 
 struct STD140 AirConstants {
-  float density DEFAULT(1.2f);  // kg/m^3
-  float drag DEFAULT(1.0f);     // coefficient
-  float lift DEFAULT(0.6f);     // coefficient
+  float density DEFAULT(1.2f);  // Air density, kg/m^3
+  float drag DEFAULT(1.0f);     // Drag coefficient
+  float lift DEFAULT(0.6f);     // Lift coefficient
 };
 
-// Affine map of a pinned particle's rest position: row i gives component i.
+// Affine map applied to a pinned particle's rest position. Row i gives component i.
 struct STD140 PinFrame {
   vec4 row0;
   vec4 row1;
@@ -43,30 +44,34 @@ struct STD140 PinFrame {
 };
 
 struct STD140 ClothStep {
-  vec4 gravity;        // xyz m/s^2
-  vec4 wind;           // xyz N on each particle
-  vec4 airVelocity;    // xyz m/s
-  vec4 gustDrift;      // xyz how far the gusts have travelled (m)
-  vec4 origin;         // xyz rest position of particle (0, 0) (m)
-  vec4 alongX;         // xyz from a particle to its right neighbour at rest (m)
-  vec4 alongY;         // xyz to the next row
-  vec4 clamped[4];     // of the borders left, right, top, bottom: xyz from one to its neighbour within (m); w 1: it is held so
-  float dt;            // s
-  float perDt;         // 1/s
-  float perReach;      // 1/s, 1 / h of constraints, h = 2/3 dt (cloth/motion.glsl)
-  float trendDt;       // s, dt / 18
-  float complianceScale; // 1/s^2, compliances' factor: 1 / h^2, with damping (1 - dampedPart) / h^2
-  float kept;          // fraction of velocity kept per substep
-  float gustSpeed;     // m/s, size of the gusts' variation
-  float perGustSize;   // 1/m
+  vec4 gravity;        // xyz: acceleration, m/s^2
+  vec4 wind;           // xyz: force on each particle, N
+  vec4 airVelocity;    // xyz: velocity of the air, m/s
+  vec4 gustDrift;      // xyz: distance that the gusts have travelled, m
+  vec4 origin;         // xyz: rest position of particle (0, 0), m
+  vec4 alongX;         // xyz: rest offset to the next particle of a row, m
+  vec4 alongY;         // xyz: rest offset to the next row, m
+  // Per border (left, right, top, bottom): xyz rest offset to the inner neighbour (m); w is 1 if clamped
+  vec4 clamped[4];
+  float dt;            // Duration of a substep, s
+  float perDt;         // in 1/s
+  float perReach;      // 1 / h in 1/s, h = 2/3 dt, the time step of constraints (cloth/motion.glsl)
+  float trendDt;       // dt / 18, s: factor of the trend (cloth/motion.glsl)
+  float complianceScale; // Factor of compliances in 1/s^2: 1 / h^2, or (1 - dampedPart) / h^2 with damping
+  float kept;          // Fraction of velocity left after damping, per substep
+  float gustSpeed;     // Amplitude of the gusts, m/s
+  float perGustSize;   // 1 / gust size, 1/m
   int colliderCount;
-  int thinCount;       // of those after them, which edges and faces feel instead of vertices
-  float thinRoom;      // m around a vertex within which its faces lie
-  int substep;         // since the start
+  // Number of thin colliders: they follow the colliderCount others and are tested against edges and faces, not vertices
+  int thinCount;
+  float thinRoom;      // Distance from a vertex within which its faces lie, m
+  int substep;         // Number of substeps since the start
   int seed;
-  float perBend;       // N/m, bending / spacing^2 of a fabric
-  float dampedPart;    // T / (T + dt), of a fabric's stretchDamping T: how much of a stretch damping keeps over a substep
-  float softening;     // of lines that keep energy, ratio to what a substep needs (cloth/keeping.glsl); 1 of others
+  float perBend;       // bending / spacing^2 of a fabric, N/m
+  // T / (T + dt), the fraction of stretch that damping preserves per substep; T is the fabric's stretchDamping
+  float dampedPart;
+  // Softening of lines that conserve energy, as a ratio to the substep's minimum (cloth/keeping.glsl); otherwise 1
+  float softening;
   ClothConstants constants;
   FabricConstants fabric;
   AirConstants air;

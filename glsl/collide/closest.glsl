@@ -1,10 +1,11 @@
-// Compiles as GLSL and as C++; common/exact.glsl comes before it.
-// Closest point of a triangle (Ericson 2005, 5.1.5).
+// Closest points of triangles and segments. Compiles as GLSL and as C++, after common/exact.glsl.
+
+// Closest point of a triangle to a point p (Ericson 2005, 5.1.5).
 struct Closest {
-  vec3 offset;   // from there to the point, m
+  vec3 offset;   // Vector from the closest point to p, m
   float squared;
-  float v, w;    // shares of b and c in it
-  int feature;   // 0 within, 1 2 3 on the edges ab, bc, ca, 4 5 6 at a corner
+  float v, w;    // Barycentric weights of b and c
+  int feature;   // 0 inside, 1 2 3 on the edges ab, bc, ca, 4 5 6 at the corners a, b, c
 };
 
 FUNCTION Closest closestOf(vec3 p, vec3 a, vec3 b, vec3 c) {
@@ -50,8 +51,8 @@ FUNCTION Closest closestOf(vec3 p, vec3 a, vec3 b, vec3 c) {
   return closest;
 }
 
-// Closest points of the segments a-b and c-d (Ericson 2005, 5.1.9): the share of b in the one, of d in the other. `perSquared`:
-// 1/|d-c|^2, 0 where c-d is a point. Where they lie alike, the middle of a-b.
+// Parameters of the closest points of the segments a-b and c-d (Ericson 2005, 5.1.9). `perSquared` is 1/|d-c|^2, or 0
+// if c-d is a point. For parallel segments the search starts at the middle of a-b.
 struct Crossing {
   float onFirst, onSecond;
 };

@@ -1,11 +1,12 @@
-// Out of rigid meshes, by their distance fields. Compiles as GLSL and as C++; whoever includes it provides `meshData`
-// (MeshColliders) and loadFieldCell(int): the distances at a cell's corners, sixteen bits each, x fastest.
+// Contact with rigid meshes by their signed distance fields. Compiles as GLSL and as C++. The including file provides
+// `meshData` (MeshColliders) and loadFieldCell(int), which returns the distances at a cell's eight corners, 16 bits
+// each, x fastest.
 
-// A field at a place of the mesh's own space.
+// Value of a distance field at a point in the mesh's object space.
 struct FieldPoint {
-  bool there;       // within the field
-  float distance_;  // m, below 0 within the mesh; beside the field at least that
-  vec3 slope;       // its gradient
+  bool there;       // True if the point is inside the field's grid
+  float distance_;  // Metres, negative inside the mesh; outside the grid a lower bound
+  vec3 slope;       // Gradient of the distance
 };
 
 FUNCTION float lowHalf(uint word) {
@@ -20,7 +21,7 @@ FUNCTION float mixed(float a, float b, float t) {
   return value;
 }
 
-// Trilinear between the corners of the cell around q; its gradient is exact for that.
+// Interpolates the field trilinearly at q. The gradient is the exact derivative of the interpolation.
 FUNCTION FieldPoint fieldAt(int k, vec3 q) {
   ivec4 cells = meshData.meshes[k].cells;
   vec4 corner = meshData.meshes[k].corner;
@@ -70,8 +71,9 @@ FUNCTION vec3 mapped(vec4 x, vec4 y, vec4 z, vec3 p) {
   return vec3(first, second, third);
 }
 
-// Out of mesh k with `margin` over it. What went further than half a cell since `before`, as the mesh sees it, is followed in
-// steps of the distance, half a cell at least, and ends where it is a quarter of one within.
+// Moves a particle out of mesh k, to the distance `margin`. If the particle moved more than half a cell relative to the
+// mesh since `before`, its path is traced in steps of the distance (at least half a cell), and ends where the point is
+// a quarter cell inside.
 FUNCTION Motion outOfMesh(int k, Motion m, vec3 before, float margin, float bounce) {
   vec4 x = meshData.meshes[k].into[0], y = meshData.meshes[k].into[1], z = meshData.meshes[k].into[2];
   float cell = meshData.meshes[k].cell;
@@ -86,7 +88,7 @@ FUNCTION Motion outOfMesh(int k, Motion m, vec3 before, float margin, float boun
   precise float within = -0.5f * half_;
   precise float far = float(meshData.meshes[k].cells.x + meshData.meshes[k].cells.y + meshData.meshes[k].cells.z) * cell;
   precise float farther = p.distance_ * p.distance_;
-  bool near = p.there || farther < squared;  // else the end is farther off than the way is long
+  bool near = p.there || farther < squared;  // Otherwise the end point is farther from the grid than the path is long
   precise float farSquared = 1e4f * far * far;
   if (squared > short_ && squared < farSquared && near) {
     float inverse = exactInverseSqrt(squared);

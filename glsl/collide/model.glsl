@@ -1,30 +1,32 @@
-// What moves and the shapes that it meets. Compiles as GLSL and as C++; needs `stepData`, a step with `colliders`,
-// `colliderCount` and `dt`, and common/exact.glsl.
+// Motion of a particle and its contact with shapes. Compiles as GLSL and as C++. Needs common/exact.glsl and
+// `stepData`, a struct with `colliders`, `colliderCount` and `dt`.
 struct Motion {
   vec3 position;
   vec3 velocity;
 };
 
-// What friction of at most `most` leaves of a sliding: 1 - most / |slide|, and none where that is less.
+// Returns the fraction of the sliding vector that remains if friction removes at most the length `most`: max(0, 1 -
+// most / |slide|).
 FUNCTION float leftByFriction(vec3 slide, float most) {
   precise float part = most * exactInverseSqrt(max(exactDot(slide, slide), 1e-24f));
   precise float left = 1.0f - min(part, 1.0f);
   return left;
 }
 
-// How something solid takes what touches it.
+// Contact with a surface.
 struct Touch {
-  float depth;     // m to its surface and the margin over it; none below 0
-  vec3 normal;     // outwards, unit
-  vec3 surface;    // m/s
-  float grip;      // fraction of tangential velocity kept
-  float friction;  // Coulomb's coefficient; below 0: grip
-  float bounce;    // fraction of the speed of impact that is given back
+  float depth;     // Depth below the surface plus margin, m; no contact if not positive
+  vec3 normal;     // Outward unit normal
+  vec3 surface;    // Velocity of the surface, m/s
+  float grip;      // Fraction of tangential velocity kept
+  float friction;  // Coulomb coefficient; if negative, `grip` applies instead
+  float bounce;    // Fraction of the impact speed that is returned
 };
 
-// Out along the normal; relative to the surface the inward velocity goes, or turns round by the share that is given back.
-// Of the tangential one a fraction stays; or Coulomb's law takes at most the coefficient times the change along the normal,
-// mu (1 + e) |v_n| of an impact, of the way since `before` too, so that what is held does not creep.
+// Moves the particle out along the normal. Relative to the surface, the inward velocity vanishes, or is reversed by the
+// fraction `bounce`. The tangential velocity is multiplied by `grip`, or reduced by Coulomb's law: by at most mu (1 +
+// e) |v_n|, mu times the change along the normal. Coulomb friction also acts on the displacement since `before`, so
+// that a particle at rest does not creep.
 FUNCTION Motion pushedOut(Motion m, vec3 before, Touch touch) {
   bool touching = touch.depth > 0.0f;
   vec3 normal = touch.normal, surface = touch.surface;
@@ -50,7 +52,7 @@ FUNCTION Motion pushedOut(Motion m, vec3 before, Touch touch) {
   return m;
 }
 
-// Out of collider i, with `margin` over it.
+// Moves the particle out of collider i, to the distance `margin`.
 FUNCTION Motion outOf(int i, Motion m, vec3 before, float margin, float bounce) {
   vec3 a = vec3(stepData.colliders[i].a);
   vec3 b = vec3(stepData.colliders[i].b);
@@ -78,7 +80,7 @@ FUNCTION Motion outOf(int i, Motion m, vec3 before, float margin, float bounce) 
   return pushedOut(m, before, touch);
 }
 
-// Out of every shape in turn. Kernels of software drivers know how many there are (COLLIDERS).
+// Moves the particle out of all shapes in turn. Kernels for software drivers have the number as a constant (COLLIDERS).
 FUNCTION Motion outOfShapes(Motion m, vec3 before, float margin, float bounce) {
 #ifdef COLLIDERS
 #define TIMES COLLIDERS
@@ -97,7 +99,8 @@ FUNCTION Motion outOfMeshes(Motion m, vec3 before, float margin, float bounce) {
 #else
 #include "collide/field_model.glsl"
 
-// Out of every rigid mesh in turn; for software drivers the place in the uniform block is a constant (common/repeat.glsl).
+// Moves the particle out of all rigid meshes in turn. For software drivers the index into the uniform block is a
+// constant (common/repeat.glsl).
 FUNCTION Motion outOfMeshes(Motion m, vec3 before, float margin, float bounce) {
 #ifdef COLLIDERS
 #define AND_MESH(k) m = outOfMesh(k, m, before, margin, bounce);

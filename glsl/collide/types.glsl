@@ -1,21 +1,20 @@
-// What cloth and particles are told of the shapes that they touch, each substep. Compiles as GLSL and as C++
-// (src/sim/collide).
+// Shapes that cloth and particles touch, updated each substep. Compiles as GLSL and as C++ (src/sim/collide).
 #ifndef COLLIDE_TYPES
 #define COLLIDE_TYPES
 
 const int maxColliders = 32;
 
-// A sphere or capsule around the segment a-b, or the plane n.x = d.
+// Sphere or capsule around the segment a-b, or the plane n.x = d.
 struct STD140 Collider {
-  vec4 a;                 // xyz start of the segment (m), or n
-  vec4 b;                 // xyz end of the segment
-  vec4 velocityA;         // xyz m/s of the start
-  vec4 velocityB;         // xyz m/s of the end
-  float reach;            // radius or d, m
-  float perLengthSquared; // 1/|b-a|^2, 0 for a sphere
-  float grip;             // fraction of tangential velocity kept per substep
-  int plane;              // 1: it is one
-  float friction;         // Coulomb's coefficient; below 0: grip
+  vec4 a;                 // xyz start of the segment, m; or n
+  vec4 b;                 // xyz end of the segment, m
+  vec4 velocityA;         // xyz velocity of the start, m/s
+  vec4 velocityB;         // xyz velocity of the end, m/s
+  float reach;            // Radius of the sphere or capsule, or d of the plane, m
+  float perLengthSquared; // 1/|b-a|^2, or 0 for a sphere
+  float grip;             // Fraction of tangential velocity kept per substep
+  int plane;              // 1 if the collider is a plane
+  float friction;         // Coulomb coefficient; if negative, `grip` applies instead
 };
 
 #endif

@@ -1,4 +1,4 @@
-// Where the impulses of a round take each vertex.
+// Moves each vertex by the sum of its contact impulses of one round, and clears the sum. One vertex per invocation.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };

@@ -1,4 +1,5 @@
-// Decides whether pairs are found anew in this substep.
+// Decides whether this substep searches for pairs again, and sets the sizes of the search dispatches. Runs as a single
+// invocation.
 #include "contact/kernel.glsl"
 layout(local_size_x = 1) in;
 

@@ -1,6 +1,7 @@
-// How far solids carry vertices. Needs the tallies.
+// Accumulates the displacements by which solids carry vertices. Needs the `tallies` array.
 
-// As far as the one asks that goes furthest, along each axis by itself, so that it does not matter in which order they are met.
+// Records a displacement of vertex v. Each axis and sign keeps its own maximum, so the order of invocations does not
+// matter.
 void carry(int v, vec3 by) {
   int up = upSection * contactStep.vertices + v, down = downSection * contactStep.vertices + v;
   for (int axis = 0; axis < 3; ++axis) {

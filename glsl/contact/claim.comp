@@ -1,4 +1,4 @@
-// How far each contact is to move its sides, and what it claims of its corners.
+// Computes the correction of each near pair, and adds the pair's claims to its corners. One near pair per invocation.
 #include "contact/kernel.glsl"
 #include "contact/near_list.glsl"
 

@@ -1,4 +1,5 @@
-// Takes over a simulation's vertices, and sees whether they are still where pairs were looked for.
+// Copies a simulation's vertices into the contact arrays and resets their tallies. If a vertex has left its box, marks
+// the pairs as stale. One vertex per invocation.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(partNowBinding, PartNowBlock, partNow)
@@ -30,5 +31,6 @@ void main() {
   if (gone || !(solid || ball)) return;
   float way = lengthOf(now.xyz, next.xyz);
   if (ball) way = ballStir(way, skin.z);
-  if (way > 0.0f) atomicMax(control.fastest, floatBitsToUint(way));  // bits are in the floats' order, as these are not negative
+  // Float bits of non-negative numbers have the order of the floats.
+  if (way > 0.0f) atomicMax(control.fastest, floatBitsToUint(way));
 }

@@ -1,4 +1,4 @@
-// Shows a simulation where the impulses take its vertices, and balls how fast that makes them.
+// Copies the positions after the impulses back to a simulation; also updates the velocities of balls.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 STATE_ARRAY(partNextBinding, PartNextBlock, partNext)
@@ -12,7 +12,8 @@ void main() {
   int v = first + i;
   vec4 wanted = pointAt(wantedSection, v);
   STORE_STATE(partNext, i, wanted);
-  if (!isBall(v) || pointAt(nowSection, v).w == 0.0f) return;  // cloths see from it how fast they are
+  // Only living balls: a cloth derives its velocity from its new positions (settledAgain of cloth/motion.glsl).
+  if (!isBall(v) || pointAt(nowSection, v).w == 0.0f) return;
   vec4 velocity = LOAD_ONCE(partVelocities, i);
   vec3 speed = speedBy(velocity.xyz, pointAt(nextSection, v).xyz, wanted.xyz);
   STORE_STATE(partVelocities, i, vec4(speed, velocity.w));

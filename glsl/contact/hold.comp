@@ -1,5 +1,6 @@
-// Holds back what would pass through: in the rounds 0 to 2 corners of pairs that do so even with a moving plane between them,
-// as those rounds have left the others; the last round only sees whether any still do, and if so, planes at rest hold all.
+// Limits the paths of vertices that would pass through each other. Rounds 0 to 2 limit the corners of pairs that even a
+// moving plane does not separate, with the limits of the earlier rounds applied. Round 3 only tests: if any pair still
+// fails, it selects the limits for planes at rest for all vertices.
 #include "contact/kernel.glsl"
 #include "contact/near_list.glsl"
 uniform int round;
@@ -15,7 +16,7 @@ void main() {
     let[k] = intBitsToFloat(min(lets.x, round > 1 ? lets.y : lets.x));
     if (round > 2) let[k] = min(let[k], intBitsToFloat(lets.z));
   }
-  if (round > 0 && let == vec4(1.0f)) return;  // as before
+  if (round > 0 && let == vec4(1.0f)) return;  // No corner has been limited, so the result of round 0 still holds.
   vec4 heights = heightsOf(near, pointAt(nowSection, c.x).xyz, pointAt(nowSection, c.y).xyz, pointAt(nowSection, c.z).xyz,
                            pointAt(nowSection, c.w).xyz);
   vec4 starts = heightsOf(near, startOf(c.x), startOf(c.y), startOf(c.z), startOf(c.w));
@@ -23,13 +24,14 @@ void main() {
   float thick = thicknessOf(c);
   bool through = passes(near, heights, starts, rises, let, thick);
   if (round == 3) {
-    if (through && !meetsSolid(near)) control.stopped = 1u;  // a cloth that is off a solid stays so whatever others do
+    // Pairs with a solid are excluded: their planes do not depend on other cloth, so they stay separated.
+    if (through && !meetsSolid(near)) control.stopped = 1u;
     return;
   }
   if (!through && round > 0) return;
   vec4 own = letOf(near, heights, starts, rises, thick);
   for (int k = 0; k < 4; ++k) {
-    int bits = floatBitsToInt(own[k]);  // which are in the floats' order, as these are not negative
+    int bits = floatBitsToInt(own[k]);  // Float bits of non-negative numbers have the order of the floats.
     if (own[k] == 1.0f) continue;
     if (round == 0) atomicMin(tallies[letTally(c[k])].w, bits);
     if (!through) continue;

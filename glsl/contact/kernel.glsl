@@ -1,4 +1,4 @@
-// What every kernel of contact includes.
+// Common includes, buffers and helper functions of the contact kernels.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -9,15 +9,16 @@
 layout(std140, binding = stepBinding) uniform StepBlock { ContactStep contactStep; };
 STATE_ARRAY(pointsBinding, PointBlock, points)
 layout(std430, binding = controlBinding) restrict buffer ControlBlock {
-  uint pairCounts[2];  // of vertices with faces, of edges with edges
+  uint pairCounts[2];  // Vertex-face pairs, edge-edge pairs
   uint nearCount;
-  uint stale;          // 1: something has left its box, so that pairs are to be found anew
-  uint stopped;        // 1: planes at rest are to hold everything
-  uint mostPairs;      // of either kind, since the start
+  uint stale;          // 1 if a vertex has left its box, so that pairs must be found again
+  uint stopped;        // 1 if all vertices must use the limits for planes at rest
+  uint mostPairs;      // Largest number of pairs of one kind since the start
   uint candidateCounts[2];
-  uint fastest;        // m, the longest way of a ball or a vertex of a solid in this substep as a float's bits, while it is summed up,
-  uint stir;           // when it is,
-  uint searched;       // and for which pairs were found
+  // Longest path of a ball or solid vertex in this substep, in metres as float bits, while gather.comp accumulates it
+  uint fastest;
+  uint stir;           // Final value of `fastest` for this substep
+  uint searched;       // The `stir` that the pair search allowed for
   uint spare;
   uvec4 dispatches[levelDispatch + maxLevels];
 } control;
@@ -30,7 +31,7 @@ vec4 pointAt(int section, int i) {
 void keepPoint(int section, int i, vec4 value) {
   STORE_STATE(points, section * contactStep.vertices + i, value);
 }
-// Where a vertex may be, and half a thickness around.
+// Returns the box of a vertex's possible positions, enlarged by half the thickness.
 Hull hullOf(uint vertex) {
   int v = int(vertex);
   precise vec3 low = pointAt(lowSection, v).xyz - pointAt(nextSection, v).w;
@@ -46,7 +47,7 @@ float thicknessOf(ivec4 corners) {
 int nearestTally(int ball) {
   return upSection * contactStep.vertices + ball;
 }
-// Whether nothing is carried, so that all begin where they are.
+// True if no vertex is carried by a solid, so that every vertex starts at its own position.
 bool nothingCarried() {
   return !hasSolids() || control.stir == 0u;
 }

@@ -1,4 +1,4 @@
-// Gives a simulation its vertices back: where they go, and how fast that makes them.
+// Writes the final positions and velocities back to a simulation, with the limits of hold.comp applied.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 STATE_ARRAY(partNextBinding, PartNextBlock, partNext)

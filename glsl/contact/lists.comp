@@ -1,4 +1,4 @@
-// Sizes of dispatches from what was counted: CANDIDATES, of a search; NEAR, what is near; else pairs.
+// Computes dispatch sizes from counters. CANDIDATES: candidates of a search. NEAR: near pairs. Otherwise: pairs.
 #include "contact/kernel.glsl"
 layout(local_size_x = 1) in;
 

@@ -1,12 +1,12 @@
-// Contact of triangles: faces and edges keep a distance, and never pass through each other. Compiles as GLSL and as C++, where
-// it is the CPU twin. Needs common/exact.glsl, types.glsl and `contactStep`.
+// Contact of triangles. Faces and edges keep a distance and never pass through each other. Compiles as GLSL and as C++
+// (the CPU twin of the tests). Needs common/exact.glsl, types.glsl and `contactStep`.
 //
-// Positions of a substep's start are x, where it would lead x'; no face crosses another at x. Two convex features that are
-// apart at x have a slab between them, normal to the way between their closest points. As long as some plane parallel to
-// it, at rest or moving evenly, keeps them apart, neither passes through the other.
+// x is a position at the substep's start, x' the predicted position. No face crosses another at x. Two convex features
+// that are apart at x have a slab between them, normal to the segment between their closest points. While a plane
+// parallel to the slab, at rest or in uniform motion, separates them, neither passes through the other.
 
-// Solids go where they go and are never held back: cloths give way. Their vertices come last. A kernel that has NO_SOLIDS or
-// NO_BALLS is for scenes without.
+// True if the vertex belongs to a solid. Solids follow their prescribed motion and are never held back; cloth yields.
+// Their vertices have the highest indices. NO_SOLIDS and NO_BALLS mark kernels for scenes without solids or balls.
 FUNCTION bool isSolid(int vertex) {
 #ifdef NO_SOLIDS
   return false;
@@ -14,7 +14,8 @@ FUNCTION bool isSolid(int vertex) {
   return vertex >= contactStep.movable;
 #endif
 }
-// Particles that meet cloths: vertices without faces, which come after those of cloths.
+// True if the vertex is a ball, a particle that touches cloth. Balls have no faces. Their indices follow the cloths'
+// vertices.
 FUNCTION bool isBall(int vertex) {
 #ifdef NO_BALLS
   return false;
@@ -22,7 +23,7 @@ FUNCTION bool isBall(int vertex) {
   return vertex >= contactStep.balls && vertex < contactStep.movable;
 #endif
 }
-// Whether anything moves cloth by more than thicknesses: balls, solids.
+// True if the scene has balls or solids, which can move cloth by more than a thickness per substep.
 FUNCTION bool hasStir() {
 #if defined NO_SOLIDS && defined NO_BALLS
   return false;
@@ -30,30 +31,33 @@ FUNCTION bool hasStir() {
   return contactStep.balls < contactStep.vertices;
 #endif
 }
-// Of a ball: inverse mass; 0 unless it lives at the substep's start and at its end. A newborn is met from its next substep on.
+// Returns a ball's inverse mass, or 0 unless the ball is alive at both ends of the substep. So a new ball takes part
+// from its second substep on.
 FUNCTION float ballWeight(float mass, float nextMass) {
   return mass > 0.0f && nextMass > 0.0f ? exactReciprocal(mass) : 0.0f;
 }
-// Its share in what `stir` counts: as far as it goes, and what it throws goes; one corner of a face goes up to 1.4 times as far as a point in it.
+// Returns a ball's contribution to `stir`: its path, plus the path that a bounce gives to cloth. The factor 1.5 covers
+// a face corner, which can move up to 1.4 times as far as a point in the face.
 FUNCTION float ballStir(float way, float bounce) {
   precise float stir = way * 1.5f * (1.0f + bounce);
   return stir;
 }
-// The distance kept between the first corner's feature and the last one's, of half their thicknesses: off a solid a cloth keeps
-// its own.
+// Returns the distance kept between the features of the first and the last corner: the sum of half their thicknesses.
+// Against a solid, a cloth keeps its own full thickness.
 FUNCTION float thicknessBetween(ivec4 corners, float half_, float lastHalf) {
   precise float thick = (isSolid(corners.x) ? lastHalf : half_) + (isSolid(corners.w) ? half_ : lastHalf);
   return thick;
 }
-// Coulomb's coefficient of two: the mean, or the other's where one, a solid, has none (-1).
+// Returns the Coulomb friction coefficient of two features: their mean. A negative value (a solid without its own
+// coefficient) selects the other feature's value.
 FUNCTION float frictionBetween(float a, float b) {
   precise float mean = 0.5f * (a + b);
   return a < 0.0f ? b : b < 0.0f ? a : mean;
 }
 
-// Where a vertex may be for as long as pairs are used that are found now: the way of `horizon` substeps, but of no more than
-// lead through two thicknesses, and an eighth of a thickness and a fifth of the way around it. What is fast has its pairs found often,
-// rather than with all that is far.
+// Returns the box that a vertex may occupy while the pairs found now remain in use. It covers the path of `horizon`
+// substeps, but at most two thicknesses, and a border of 1/8 thickness plus 1/5 of the path. Pairs of fast vertices are
+// searched more often instead of over longer distances.
 FUNCTION Hull reachOf(vec3 now, vec3 next, float half_) {
   precise vec3 one = next - now;
   float fastest = max(max(abs(one.x), abs(one.y)), abs(one.z));
@@ -81,14 +85,14 @@ FUNCTION bool hasSolids() {
   return contactStep.movable < contactStep.vertices;
 #endif
 }
-// How much further than by thicknesses contact may move a vertex away from `next`, where there are solids (m): as far as the fastest
-// of them goes, and back by all of its own way, which a taut cloth may lead far through a solid. `beside`: 1 where a pair with a
-// solid was found, elsewhere 0.
+// Returns the distance (metres) that contact may move a vertex from its predicted position beyond the thickness limits,
+// in scenes with solids or balls: the fastest solid's path, plus the vertex's own path, because a taut cloth's
+// prediction can lie deep in a solid. `beside` is 1 if a pair with a solid or ball exists; otherwise the result is 0.
 FUNCTION float roamOf(vec3 now, vec3 next, float stir, float beside) {
   precise float roam = stir + lengthOf(now, next);
   return beside == 1.0f ? roam : 0.0f;
 }
-// For what `stir` (m) of solids pairs are looked for.
+// Returns the `stir` (metres) that a pair search allows for, with a reserve of 1/8.
 FUNCTION float foreseen(float stir) {
   precise float more = 1.125f * stir;
   return more;
@@ -104,8 +108,8 @@ FUNCTION Hull widened(Hull a, float by) {
 FUNCTION bool isWithin(vec3 p, vec3 low, vec3 high) {
   return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
 }
-// Whether pairs are still good for a vertex; `stir`: of the substep before, which one beside a ball is to have room for: what would end
-// at its box would take less of a push than the ball feels.
+// True if the found pairs are still complete for a vertex. Near a ball, the box must also leave room for `stir` of the
+// previous substep; otherwise the box would limit the vertex's push and the ball would feel too little resistance.
 FUNCTION bool isGood(vec3 next, vec3 low, vec3 high, float stir, float beside) {
 #ifdef NO_BALLS
   return isWithin(next, low, high);
@@ -116,7 +120,7 @@ FUNCTION bool isGood(vec3 next, vec3 low, vec3 high, float stir, float beside) {
   return isWithin(least, low, high) && isWithin(most, low, high);
 #endif
 }
-// How far a vertex may get from where it is now.
+// Returns the greatest distance that a vertex can move from its present position within its box.
 FUNCTION float radiusOf(vec3 now, vec3 low, vec3 high) {
   precise vec3 down = now - low;
   precise vec3 up = high - now;
@@ -132,19 +136,19 @@ FUNCTION bool overlap(vec3 low, vec3 high, vec3 otherLow, vec3 otherHigh) {
 
 #include "contact/near.glsl"
 
-// Whether they may come within a thickness of each other while no corner gets further than its radius.
+// True if the two features can come within a thickness of each other while each corner stays within its radius.
 FUNCTION bool mayMeet(Near near, vec4 radii, float thick) {
   float two = max(radii.z, radii.w);
   precise float most = isOfEdges(near) ? max(radii.x, radii.y) + two + thick : radii.x + max(radii.y, two) + thick;
   return near.normal.w <= most;
 }
 
-// Heights of four corners along the normal.
+// Returns the heights of the four corners along the normal.
 FUNCTION vec4 heightsOf(Near near, vec3 a, vec3 b, vec3 c, vec3 d) {
   vec3 normal = vec3(near.normal);
   return vec4(exactDot(normal, a), exactDot(normal, b), exactDot(normal, c), exactDot(normal, d));
 }
-// The lowest of the first side and the highest of the other.
+// Returns the lowest height of the first side. highestOf returns the highest height of the other side.
 FUNCTION float lowestOf(Near near, vec4 heights) {
   return isOfEdges(near) ? min(heights.x, heights.y) : heights.x;
 }
@@ -156,14 +160,14 @@ FUNCTION float gapOf(Near near, vec4 heights) {
   precise float gap = lowestOf(near, heights) - highestOf(near, heights);
   return gap;
 }
-// The way of a side at its closest point. `ways`: of the corners.
+// Returns the displacement of one side at its closest point. The arguments a to d are the displacements of the corners.
 FUNCTION vec3 wayOfSide(Near near, bool first, vec3 a, vec3 b, vec3 c, vec3 d) {
   bool edges = isOfEdges(near);
   vec4 shares = first ? vec4(near.shares.x, edges ? near.shares.y : 0.0f, 0.0f, 0.0f)
                       : vec4(0.0f, edges ? 0.0f : -near.shares.y, -near.shares.z, -near.shares.w);
   return weighted(shares, a, b, c, d);
 }
-// What the gap comes to at worst if every corner goes no further than by its rise.
+// Returns a lower bound of the gap if each corner moves by at most its rise.
 FUNCTION float worstGap(Near near, vec4 heights, vec4 rises) {
   precise vec4 after = heights + rises;
   vec4 low = min(heights, after), high = max(heights, after);
@@ -171,22 +175,22 @@ FUNCTION float worstGap(Near near, vec4 heights, vec4 rises) {
   return gap;
 }
 
-// Whether it has to be looked at in this substep: impulses move either side by no more than a quarter of the thickness, and
-// colliders that it is then pushed out of again leave it within 5/8. `roams`: of the corners, roamOf().
+// True if the pair must be processed in this substep. Impulses move each side by at most 1/4 of the thickness, and
+// colliders that push it back afterwards leave it within 5/8. `roams` holds roamOf() of the corners.
 FUNCTION bool isNear(Near near, vec4 heights, vec4 rises, float thick, vec4 roams) {
   float roam = max(max(roams.x, roams.y), max(roams.z, roams.w));
   precise float most = 1.5f * thick + 2.0f * roam;
   return near.normal.w > 0.0f && worstGap(near, heights, rises) < most;
 }
 
-// How much of a gap may be left at least after a substep. Where it is below a twentieth of the thickness, nothing goes:
-// normals between points still closer would be those of rounding.
+// Returns the minimum gap that must remain after a substep: gap / 5, but at least thickness / 20. A gap below thickness
+// / 20 must not shrink at all, because normals between closer points would consist of rounding errors.
 FUNCTION float leftOf(float gap, float thick) {
   precise float fifth = 0.2f * gap;
   precise float least = 0.05f * thick;
   return gap > least ? max(fifth, least) : gap;
 }
-// Whether one side is a solid's.
+// True if one side of the pair belongs to a solid.
 FUNCTION bool meetsSolid(Near near) {
   ivec4 corners = cornersOf(near);
   return isSolid(corners.x) || isSolid(corners.w);
@@ -194,17 +198,19 @@ FUNCTION bool meetsSolid(Near near) {
 FUNCTION bool isOfFirst(Near near, int corner) {
   return corner == 0 || (corner == 1 && isOfEdges(near));
 }
-// Where the sides end: heights that the first one has to stay above (x) if it is the other that decides, and the other one below (y).
+// Returns height limits at the end of the substep: x is the minimum for the first side, given the other side's final
+// heights; y is the maximum for the other side, given the first side's final heights.
 FUNCTION vec2 limitsOf(Near near, vec4 heights, vec4 after, float thick) {
   float left = leftOf(gapOf(near, heights), thick);
   precise float floor_ = highestOf(near, after) + left;
   precise float ceiling = lowestOf(near, after) - left;
   return vec2(floor_, ceiling);
 }
-// How much of the way `way` of the side that leads (the first, or the other one), at its closest point, each corner across from it has
-// to go at least so that it leaves them room: a solid, or a cloth that solids carry. Who goes all of the way stays as it is to what does not
-// turn, so the ways that several features of one ask for do not contradict each other. `after`: heights of the leading side's
-// corners at its end.
+// Returns for each corner the fraction of `way` that it must follow to keep the minimum gap. `way` is the displacement,
+// at the closest point, of the leading side: a solid, or cloth carried by a solid. Only corners of the opposite side
+// get a fraction. A corner that follows the entire `way` of a solid without rotation keeps its relative position, so
+// the demands of several features of one solid do not conflict. `after` holds the final heights of the leading side's
+// corners.
 FUNCTION vec4 carriesOf(Near near, bool firstLeads, vec4 heights, vec4 after, vec3 way, float thick) {
   vec2 limits = limitsOf(near, heights, after, thick);
   float rise = exactDot(vec3(near.normal), way);
@@ -219,22 +225,24 @@ FUNCTION vec4 carriesOf(Near near, bool firstLeads, vec4 heights, vec4 after, ve
   }
   return carries;
 }
-// Of two cloths, or layers of one, that come too near when solids carry them so far: whether the first is carried further towards the other.
+// For two cloth layers that come too near because solids carry them: true if the first layer is the leading one, which
+// is carried further towards the other.
 FUNCTION bool firstGoesFurther(Near near, vec3 way, vec3 otherWay) {
   vec3 normal = vec3(near.normal);
   precise float both = exactDot(normal, way) + exactDot(normal, otherWay);
   return both < 0.0f;
 }
-// Whether the corners on their ways, as far as they are let, do not keep a moving plane between them. `starts`: heights where
-// those ways begin, which is where the corners are, or as far as solids carry them.
+// True if the corners, moving by the fractions `let` of their paths, are not separated by a moving plane at the end.
+// `starts` holds the heights at which the paths begin: the corners' own positions, or the positions to which solids
+// carry them.
 FUNCTION bool passes(Near near, vec4 heights, vec4 starts, vec4 rises, vec4 let, float thick) {
   precise vec4 after = starts + rises * let;
   float left = leftOf(gapOf(near, heights), thick);
   precise float rounded = 0.875f * left;
   return gapOf(near, after) < (meetsSolid(near) ? rounded : left);
 }
-// How much of its way each corner may go so that a plane at rest keeps them apart: at most half of the gap for either side. A
-// solid goes all of its way, and the plane with it.
+// Returns for each corner the fraction of its path that keeps the sides separated by a plane at rest. Each side may use
+// half of the spare gap. A solid takes its whole path and the plane moves with it.
 FUNCTION vec4 letOf(Near near, vec4 heights, vec4 starts, vec4 rises, float thick) {
   ivec4 corners = cornersOf(near);
   bool firstSolid = isSolid(corners.x), otherSolid = isSolid(corners.w);
@@ -258,17 +266,20 @@ FUNCTION vec4 letOf(Near near, vec4 heights, vec4 starts, vec4 rises, float thic
   return let;
 }
 
-// Whether both closest points are inside their features. Others belong to a neighbour as well, which decides where they push:
-// in the plane of a cloth that another slides over there are edges, but nothing to run against.
+// True if both closest points are inside their features. A closest point on a border also belongs to a neighbouring
+// feature, and the neighbour determines the push. Otherwise a cloth that slides over another would catch on the
+// interior edges.
 FUNCTION bool isInside(Near near) {
   return near.shares.x != 0.0f && near.shares.y != 0.0f && near.shares.z != 0.0f && near.shares.w != 0.0f;
 }
 
-// A ball has no edges that would meet a cloth's, so it is pushed by borders, too, where nothing is nearer to it. `nearest` (m): of all.
+// True if the pair pushes a ball. A ball has no edges that could touch a cloth's border, so a border also pushes it, if
+// no other feature is nearer. `nearest` is the distance of the nearest feature in metres.
 FUNCTION bool pushesBall(Near near, float nearest) {
   return isInside(near) || near.normal.w <= nearest;
 }
-// How far a ball is to go back (m) of the way along each other that the two would have gone: the share `bounce` of what is fast.
+// Returns the distance in metres that a ball bounces back: the fraction `bounce` of its relative path along the normal.
+// Returns -1e30 if the impact is slow or does not reach the thickness.
 FUNCTION float givenBack(Near near, vec3 slide, float thick, float bounce) {
   float through = exactDot(slide, vec3(near.normal));
   precise float after = near.normal.w + through;
@@ -277,9 +288,10 @@ FUNCTION float givenBack(Near near, vec3 slide, float thick, float bounce) {
   return through < least && after < thick ? back : -1e30f;
 }
 
-// The way that the first side's closest point has to go away from the other's (m): as much as keeps them `thick` apart at the
-// substep's end; where they are nearer already, slowly; and of a ball at least `back`. Of the way along each other, friction takes
-// at most its coefficient times that.
+// Returns the displacement (metres) of the first side's closest point relative to the other's. It restores the distance
+// `thick` at the substep's end. If the points are already nearer at the start, it restores the distance slowly. For a
+// ball it is at least `back`. Friction removes at most the coefficient times the normal displacement from the
+// tangential displacement.
 FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction, float back, bool pushes) {
   vec3 normal = vec3(near.normal);
   float through = exactDot(slide, normal);
@@ -296,14 +308,15 @@ FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction, f
   return there ? way : vec3(0.0f);
 }
 
-// How much a contact claims of a corner, as an integer.
+// Returns a contact's claim on a corner: its barycentric weight in units of 1/4096.
 FUNCTION int claimOf(float share) {
   precise float scaled = abs(share) * 4096.0f + 0.5f;
   return int(floor(scaled));
 }
-// The impulse (kg m) that makes that way good. So that all contacts may be solved at once, each corner's mass is split among
-// its contacts by their shares (Tonge et al. 2012, Mass Splitting for Jitter-Free Parallel Rigid Body Simulation): of
-// inverse masses w and sums of shares s, w s / |share| each. `weights`: w s of the corners.
+// Returns the impulse (kg m) that produces the displacement `way`. All contacts are solved at once, so each corner's
+// mass is split among its contacts in proportion to their claims (Tonge et al. 2012, Mass Splitting for Jitter-Free
+// Parallel Rigid Body Simulation). With inverse mass w and the sum s of claims, a contact sees the inverse mass w s /
+// |share|. `weights` holds w s of the corners.
 FUNCTION vec3 impulseOf(vec4 shares, vec4 weights, vec3 way) {
   vec4 sizes = abs(shares);
   float weight = exactDot(sizes, weights);
@@ -315,14 +328,15 @@ FUNCTION float weightOf(float inverseMass, int claims) {
   return weight;
 }
 
-// As integers, which add up to the same whatever their order. The last corner's is what the others leave.
+// Converts an impulse to integers, so that the sum is independent of the order. The caller gives the last corner the
+// negated sum of the others, so that the total is zero.
 FUNCTION ivec3 quantaOf(vec3 impulse, float share) {
   precise vec3 scaled = impulse * (share * contactStep.quanta) + 0.5f;
   vec3 held = clamp(floor(scaled), vec3(-1e8f), vec3(1e8f));
   return ivec3(int(held.x), int(held.y), int(held.z));
 }
 
-// A place, but no further from `next` than `most`, and not out of a box.
+// Returns `place`, limited to the distance `most` from `next` and to the box.
 FUNCTION vec3 keptWithin(vec3 next, vec3 place, float most, vec3 low, vec3 high) {
   precise vec3 way = place - next;
   precise float part = most * exactInverseSqrt(max(exactDot(way, way), 1e-24f));
@@ -331,23 +345,24 @@ FUNCTION vec3 keptWithin(vec3 next, vec3 place, float most, vec3 low, vec3 high)
   return clamp(kept, low, high);
 }
 
-// Where the impulses take a vertex: from where it was to go no further than `most`, and not out of where it may be.
+// Returns a vertex's position after its impulses, limited to the distance `most` from its prediction and to its box.
 FUNCTION vec3 pushedTo(vec3 next, vec3 wanted, float weight, ivec3 sum, float most, vec3 low, vec3 high) {
   precise vec3 way = wanted + vec3(float(sum.x), float(sum.y), float(sum.z)) * (contactStep.perQuanta * weight);
   return keptWithin(next, way, most, low, high);
 }
 
-// Where a vertex is held back to at worst: where it was, or where solids carry it. What is held by pins is not.
+// Returns the position to which a vertex can be held back: its start, plus the displacement by solids. A pinned vertex
+// stays at its start.
 FUNCTION vec3 carriedTo(vec4 now, vec3 up, vec3 down) {
   precise vec3 carried = vec3(now) + up - down;
   return now.w == 0.0f ? vec3(now) : carried;
 }
-// What it makes of a velocity that a vertex goes to `end` instead of `next`.
+// Returns the velocity after contact moved a vertex from `next` to `end`.
 FUNCTION vec3 speedBy(vec3 velocity, vec3 next, vec3 end) {
   precise vec3 speed = velocity + (end - next) * contactStep.perDt;
   return speed;
 }
-// `start`: where it is held back to.
+// Returns the held-back position: the fraction `let` of the path from `start` to `wanted`.
 FUNCTION vec3 heldAt(vec3 start, vec3 wanted, float let) {
   precise vec3 part = start + (wanted - start) * let;
   return let == 1.0f ? wanted : part;

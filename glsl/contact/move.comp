@@ -1,4 +1,5 @@
-// Vertices of a solid at a moment of the frame, one an invocation: of meshes that are moved, deformed or both.
+// Computes the vertices of a solid at a moment of the frame, one per invocation. The mesh may be moved, deformed or
+// both.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "contact/bindings.glsl"
@@ -8,7 +9,7 @@ INPUT_ARRAY(beginBinding, BeginBlock, begins)
 INPUT_ARRAY(endBinding, EndBlock, ends)
 STATE_ARRAY(placesBinding, PlaceBlock, places)
 uniform int count;
-uniform float now;  // share of the frame
+uniform float now;  // Position in the frame, 0 to 1
 uniform Placement begin;
 uniform Placement end;
 

@@ -1,4 +1,4 @@
-// What of the pairs (of edges with EDGES) may touch in this substep.
+// Collects the pairs (edge-edge with EDGES) that may touch in this substep. One pair per invocation.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(pairsBinding, PairBlock, pairs)
@@ -35,7 +35,7 @@ void main() {
   for (int k = 0; k < 4 && hasStir(); ++k)
     roams[k] = roamOf(now[k], pointAt(nextSection, c[k]).xyz, stirOf(), pointAt(highSection, c[k]).w);
   bool ball = isBall(c.x);
-  if (ball && pointAt(nowSection, c.x).w == 0.0f) return;  // it is no more
+  if (ball && pointAt(nowSection, c.x).w == 0.0f) return;  // Skips a ball that is not alive
   if (!isNear(near, heights, rises, thick, roams)) return;
   if (meetsSolid(near)) {
     bool first = isSolid(c.x);
@@ -43,7 +43,8 @@ void main() {
     precise vec4 after = heights + rises;
     carryAll(c, carriesOf(near, first, heights, after, way, thick), way);
   }
-  if (ball) atomicMin(tallies[nearestTally(c.x)].w, floatBitsToInt(near.normal.w));  // not negative: bits in the floats' order
+  // A distance is non-negative, so its bits have the order of the floats.
+  if (ball) atomicMin(tallies[nearestTally(c.x)].w, floatBitsToInt(near.normal.w));
   int place = int(atomicAdd(control.nearCount, 1u));
   if (place >= contactStep.maxPairs) return;
   corners[place] = near.corners;

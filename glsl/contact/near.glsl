@@ -1,7 +1,8 @@
-// How near a vertex is to a face, and an edge to an edge: shares of corners, normal, distance. Compiles as GLSL and as C++,
-// within model.glsl.
-// Shares of the corners in the point of a triangle that is closest to p (Ericson, Real-Time Collision Detection, 5.1.5).
-// The first of the regions that p belongs to decides: here they come last to first.
+// Distance of a vertex to a face, and of an edge to an edge: barycentric weights, normal, distance. Compiles as GLSL
+// and as C++ as part of model.glsl.
+
+// Returns the barycentric weights of the triangle's closest point to p (Ericson, Real-Time Collision Detection, 5.1.5).
+// Ericson's first matching region wins; here the tests run in reverse order, so that the last assignment wins.
 FUNCTION vec3 closestOnTriangle(vec3 p, vec3 a, vec3 b, vec3 c) {
   precise vec3 ab = b - a;
   precise vec3 ac = c - a;
@@ -35,7 +36,7 @@ FUNCTION vec3 closestOnTriangle(vec3 p, vec3 a, vec3 b, vec3 c) {
   return shares;
 }
 
-// How far along a-b and c-d, from 0 to 1, the segments are closest (Ericson, 5.1.9).
+// Returns the parameters (0 to 1) of the closest points of the segments a-b and c-d (Ericson, 5.1.9).
 FUNCTION vec2 closestOfEdges(vec3 a, vec3 b, vec3 c, vec3 d) {
   precise vec3 along = b - a;
   precise vec3 other = d - c;
@@ -58,8 +59,8 @@ FUNCTION vec3 weighted(vec4 shares, vec3 a, vec3 b, vec3 c, vec3 d) {
   return sum;
 }
 
-// `across`: normal to the face or to both edges; none, 0, where a closest point is at a border. It is exact however close
-// they are, where the way between the points would be made of rounding.
+// Builds a Near. `across` is the normal of the face, or of both edges; zero if a closest point is on a border. `across`
+// is accurate at any distance, whereas the vector between very close points would consist of rounding errors.
 FUNCTION Near nearOf(ivec4 corners, vec4 shares, vec3 apart, vec3 across) {
   float squared = exactDot(apart, apart), size = exactDot(across, across);
   float inverse = exactInverseSqrt(max(squared, 1e-24f));

@@ -1,9 +1,9 @@
-// What is near, one an invocation.
+// Access to the list of near pairs, one pair per invocation.
 layout(local_size_x = 64) in;
 INPUT_WORDS(cornersBinding, CornerBlock, corners)
 STATE_ARRAY(nearsBinding, NearBlock, nears)
 layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };
-// What an earlier dispatch left of a tally: of words that this one does not write.
+// Loads a tally word that an earlier dispatch wrote and this one does not change.
 #ifdef TEXEL_PATH
 layout(binding = toldBinding) uniform usamplerBuffer told;
 #define LOAD_TALLY(i) ivec4(texelFetch(told, i))
@@ -28,12 +28,12 @@ vec3 wayOf(int vertex) {
   precise vec3 way = pointAt(wantedSection, vertex).xyz - pointAt(nowSection, vertex).xyz;
   return way;
 }
-// Where it would go without contact.
+// Returns the displacement that the vertex would make without contact.
 vec3 ledOf(int vertex) {
   precise vec3 way = pointAt(nextSection, vertex).xyz - pointAt(nowSection, vertex).xyz;
   return way;
 }
-// From where it may be held back, and how far from there it is to go.
+// startOf returns the position to which a vertex can be held back; wayFromStart returns its displacement from there.
 vec3 startOf(int vertex) {
   return pointAt(isSolid(vertex) || nothingCarried() ? nowSection : startSection, vertex).xyz;
 }

@@ -1,4 +1,4 @@
-// The contacts' impulses on their corners.
+// Adds the impulses of each near pair to the tallies of its corners. One near pair per invocation.
 #include "contact/kernel.glsl"
 #include "contact/near_list.glsl"
 

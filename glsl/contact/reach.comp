@@ -1,4 +1,5 @@
-// Where each vertex may be for as long as the pairs are used that are found next.
+// Computes the box of each vertex for the next pair search. The pairs remain complete while the vertices stay in their
+// boxes.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 
@@ -8,7 +9,8 @@ void main() {
   vec4 next = pointAt(nextSection, v);
   float foreseenStir = isSolid(v) ? 0.0f : uintBitsToFloat(control.searched);
   Hull hull = widened(reachOf(pointAt(nowSection, v).xyz, next.xyz, next.w), foreseenStir);
-  bool nowhere = isBall(v) && pointAt(nowSection, v).w == 0.0f;  // it overlaps nothing
+  // A dead ball gets an inverted box, which overlaps nothing.
+  bool nowhere = isBall(v) && pointAt(nowSection, v).w == 0.0f;
   hull.low = nowhere ? vec3(1e30f) : hull.low;
   hull.high = nowhere ? vec3(-1e30f) : hull.high;
   keepPoint(lowSection, v, vec4(hull.low, 0.0f));

@@ -1,4 +1,4 @@
-// Boxes of AT_ONCE levels of the tree, of which `level` is the highest, from those of the level below them.
+// Computes the boxes of AT_ONCE levels of a tree from the level below; `level` is the topmost of them.
 #include "contact/kernel.glsl"
 #include "contact/search.glsl"
 layout(local_size_x = 64) in;

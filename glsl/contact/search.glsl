@@ -1,5 +1,5 @@
-// Trees of boxes: binary and complete, node i over nodes 2 i and 2 i + 1, the root 1. Compiles as GLSL and as C++, after
-// model.glsl.
+// Trees of boxes: complete binary trees; node i has the children 2 i and 2 i + 1; the root is 1. Compiles as GLSL and
+// as C++, after model.glsl.
 
 FUNCTION Hull together(Hull a, Hull b) {
   Hull hull;
@@ -7,20 +7,20 @@ FUNCTION Hull together(Hull a, Hull b) {
   hull.high = max(a.high, b.high);
   return hull;
 }
-// Of a face, or an edge, whose third corner is its second.
+// True if the vertex is a corner of the leaf. An edge repeats its second vertex as the third.
 FUNCTION bool isCornerOf(uvec4 leaf, uint vertex) {
   return leaf.x == vertex || leaf.y == vertex || leaf.z == vertex;
 }
-// The node after `node` and all that is below it, in the order in which parents come first; 0: it was the last.
+// Returns the node that follows the subtree of `node` in preorder, or 0 if none follows.
 FUNCTION int nodeAfter(int node) {
   int next = node + 1;
-  for (int k = 0; k < 5; ++k) {  // up from second children, by powers of two
+  for (int k = 0; k < 5; ++k) {  // Goes up from right children, by powers of two
     int steps = 16 >> k;
     next = (next & ((1 << steps) - 1)) == 0 ? next >> steps : next;
   }
   return next == 1 ? 0 : next;
 }
-// The last leaf below a node, as a node.
+// Returns the node index of the last leaf below a node.
 FUNCTION int lastLeaf(int node, int levels) {
   int depth = 0, at = node;
   for (int k = 0; k < 5; ++k) {

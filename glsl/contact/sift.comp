@@ -1,5 +1,5 @@
-// Pairs, of candidates (edges with EDGES) whose boxes overlap: those that are near enough, too, to come within a thickness of
-// each other while their corners stay in theirs.
+// Keeps the candidate pairs (edge-edge with EDGES) that can come within a thickness of each other while their corners
+// stay in their boxes. One candidate per invocation.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(candidatesBinding, CandidateBlock, candidates)

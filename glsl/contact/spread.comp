@@ -1,4 +1,5 @@
-// Cloth that solids carry carries what lies in its way.
+// Propagates displacements by solids: cloth carried by a solid carries the cloth in its way. One near pair per
+// invocation.
 #include "contact/kernel.glsl"
 #include "contact/near_list.glsl"
 #include "contact/carry.glsl"

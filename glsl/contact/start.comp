@@ -1,4 +1,4 @@
-// From where each vertex may be held back: where it was, or as far as solids carry it.
+// Computes the position to which each vertex can be held back: its start, plus its displacement by solids.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = talliesBinding) restrict readonly buffer TallyBlock { ivec4 tallies[]; };

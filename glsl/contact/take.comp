@@ -1,4 +1,5 @@
-// Takes back where a simulation's colliders leave its vertices.
+// Reads a simulation's positions back after its own colliders moved them. Limits the change so that contact stays
+// valid.
 #include "contact/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(partNextBinding, PartNextBlock, partNext)

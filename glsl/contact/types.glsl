@@ -1,34 +1,36 @@
-// What the kernels of contact read. Compiles as GLSL and as C++ (src/sim/contact). Floats first, so that std140 and C++ agree.
+// Uniform data of the contact kernels. Compiles as GLSL and as C++ (src/sim/contact). Floats come first, so that std140
+// and C++ have the same layout.
 #ifndef CONTACT_TYPES
 #define CONTACT_TYPES
 
 struct STD140 ContactStep {
-  float perDt;        // 1/s
-  float recovery;     // fraction of what is too near that is made good in a substep,
-  float mostRecovery; // m, at most
-  float horizon;      // substeps ahead for which pairs are looked for
-  float quanta;       // impulses are summed up as integers: so many a kg m
-  float perQuanta;    // kg m
-  float bounceFrom;   // m a substep: what meets a ball more slowly is not given back
+  float perDt;        // in 1/s
+  float recovery;     // Fraction of missing distance that a substep restores
+  float mostRecovery; // Maximum restored distance per substep, m
+  float horizon;      // Number of substeps that a pair search looks ahead
+  float quanta;       // Integer units per kg m, for the sums of impulses
+  float perQuanta;    // kg m per integer unit: 1 / `quanta`
+  float bounceFrom;   // Slowest approach to a ball that bounces, m per substep
   int vertices;
-  int movable;        // of them the first are of cloths and balls, the others of solids, which go where they go
-  int balls;          // the first of the balls
-  int faceLevels;     // of the tree over faces: it has 2^faceLevels leaves
-  int edgeLevels;     // of the tree over edges
-  int forced;         // 1: pairs are to be found anew in any case
-  int maxPairs;       // of each kind
+  int movable;        // Number of vertices of cloths and balls; solids' vertices follow
+  int balls;          // Index of the first ball
+  int faceLevels;     // The face tree has 2^faceLevels leaves
+  int edgeLevels;     // The edge tree has 2^edgeLevels leaves
+  int forced;         // 1 to force a pair search in this substep
+  int maxPairs;       // Capacity of the list of each kind
 };
 
-// Two features that are close: a vertex and a face, or two edges. Of the four vertices the first is on one side, the last two
-// are on the other, the second with the first (edges) or with the others.
+// Two close features: a vertex and a face, or two edges. The first of the four corners is on the first side, the last
+// two on the other side. The second corner is on the first side for edges, otherwise on the other side.
 struct Near {
-  ivec4 corners;  // the second one's complement: edges
-  vec4 shares;    // of the corners at the two closest points: positive on the first side, negative on the other
-  vec4 normal;    // xyz from the other side to the first, w m between the closest points; 0: none
+  ivec4 corners;  // The second index is complemented for two edges
+  vec4 shares;    // Weights of the corners at the closest points: positive on the first side, negative on the other
+  // xyz unit vector from the other side to the first, w distance of the closest points in metres; zero if undefined
+  vec4 normal;
 };
 
 struct Hull {
-  vec3 low, high;  // m
+  vec3 low, high;  // in metres
 };
 
 #endif

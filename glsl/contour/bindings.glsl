@@ -1,16 +1,16 @@
-// What the kernels of this folder bind. Compiles as GLSL and as C++.
+// Binding points of the contour kernels. Compiles as GLSL and as C++.
 #ifndef CONTOUR_BINDINGS
 #define CONTOUR_BINDINGS
 
-// Textures: the field's words.
+// Texture units: words of the field.
 const int fieldUnit = 0;
-// Storage blocks, and textures where memory.glsl has it so.
+// Storage buffers, or texel buffers where memory.glsl uses them.
 const int classesBinding = 1;
 const int talliesBinding = 2;
 const int tileSumsBinding = 3;
-const int squaresBinding = 2;    // of points: the square that each goes on in
-const int listedBinding = 5;     // where they are written
-const int drawBinding = 4;       // what is drawn: ContourDraw of types.glsl
+const int squaresBinding = 2;    // Per point: the square in which its contour continues
+const int listedBinding = 5;     // The array of squaresBinding as output
+const int drawBinding = 4;       // Draw arguments: ContourDraw of types.glsl
 const int positionsBinding = 5;
 const int normalsBinding = 6;
 const int indicesBinding = 7;

@@ -1,6 +1,6 @@
-// What sixteen samples and the squares that begin at them contribute: x crossings of the edges to the right and down, y
-// squares of one class, z triangles of the other squares; w which squares are which, a bit each: of one class in the
-// lower half, crossed by contours in the upper.
+// Counts what sixteen samples and the squares that begin at them contribute. x: crossings of the edges to the right and
+// down. y: uniform squares (four corners of the same class). z: triangles of the other squares. w: a bit per square,
+// uniform squares in the lower half, squares crossed by contours in the upper half.
 #include "common/words.glsl"
 #include "contour/samples.glsl"
 layout(local_size_x = 64) in;

@@ -1,8 +1,8 @@
-// The squares that contours cross, found again from the points of their contours: for each point, in the square where
-// its contour goes on from it, x the square's first sample, y the number of that sample's first point, z of that below;
-// w where the square's triangles begin, for one of its points, and nowhere for the others. Sixteen samples an invocation,
-// with running numbers of the points on their edges. A point is a contour's crossing of an edge; the edges to the right
-// come before those down, levels ascend.
+// Lists the squares that contours cross, one entry per contour point: the square in which the contour continues from
+// the point. x: the square's first sample. y: index of that sample's first point. z: index of the first point of the
+// sample below. w: start of the square's triangles for one of its points, otherwise `nowhere`. An invocation processes
+// sixteen samples and counts the points on their edges. A point is a crossing of a contour and an edge; a sample's
+// points are ordered: the edge to the right before the edge down, levels ascending.
 #include "common/words.glsl"
 #include "contour/samples.glsl"
 #include "contour/types.glsl"
@@ -13,7 +13,7 @@ INPUT_WORDS(talliesBinding, TallyBlock, tallies)
 STATE_WORDS(listedBinding, SquareBlock, squares)
 layout(std430, binding = drawBinding) restrict readonly buffer DrawBlock { ContourDraw draw; };
 uniform uint fixedIndices;
-uniform uint sheetIndices;  // of a square of one class
+uniform uint sheetIndices;  // Number of indices per uniform square (four corners of one class)
 uniform uint pointRoom;
 
 void main() {
@@ -22,7 +22,7 @@ void main() {
   int y = i / rowElements, x = 16 * (i - y * rowElements);
   if (y == samples.y - 1) return;
   uvec4 here = LOAD_INPUT_WORDS(classes, i), below = LOAD_INPUT_WORDS(classes, i + rowElements);
-  uvec4 last = uvec4(outside);  // two rows below
+  uvec4 last = uvec4(outside);  // Classes two rows below
   if (y + 2 < samples.y) last = LOAD_INPUT_WORDS(classes, i + 2 * rowElements);
   ivec2 after = ivec2(outside);
   int afterBelow = outside;
@@ -34,7 +34,7 @@ void main() {
   uvec4 tally = LOAD_INPUT_WORDS(tallies, i), tallyBelow = LOAD_INPUT_WORDS(tallies, i + rowElements);
   uint rank = tally.x, rankBelow = tallyBelow.x;
   uint facePlace = fixedIndices + sheetIndices * draw.sheets + 6u * draw.points + 3u * tally.z;
-  // Where no contour crosses a square, its first sample has no points: only the others are gone through.
+  // The first sample of a square without a contour has no points, so only the other squares are visited.
   uint crossed = tally.w >> 16u;
   for (uint left = crossed | tallyBelow.w >> 16u; left != 0u; left &= left - 1u) {
     int k = findLSB(left);

@@ -1,10 +1,10 @@
-// Marching squares on samples that are classes: how many levels a value reaches. A square's corners are walked from the
-// first sample to the next one in its row, the one below that, and the one below the first; seen from above that is
-// clockwise. High corners of a saddle are joined, low ones are not: so what is low is connected over edges only, what is
-// high over corners too. Compiles as GLSL and as C++.
+// Marching squares on classes: a sample's class is the number of levels that its value reaches. The walk around a
+// square visits the corners a, b, c, d: first sample, next sample in its row, sample below that, sample below the first
+// (clockwise, seen from above). At a saddle the high corners are connected and the low ones are not. So low regions are
+// connected over edges only, high regions also over corners. Compiles as GLSL and as C++.
 
 struct Corners {
-  int a, b, c, d;  // classes: at (x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)
+  int a, b, c, d;  // Classes at (x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)
 };
 
 FUNCTION int crossingsBetween(int a, int b) {
@@ -16,7 +16,8 @@ FUNCTION int leastOf(Corners q) {
 FUNCTION int greatestOf(Corners q) {
   return max(max(q.a, q.b), max(q.c, q.d));
 }
-// Levels of which opposite corners are above and the other two below.
+// Returns the number of levels for which the square is a saddle: two opposite corners are above the level, the other
+// two below.
 FUNCTION int saddlesOf(Corners q) {
   return max(min(q.a, q.c) - max(q.b, q.d), 0) + max(min(q.b, q.d) - max(q.a, q.c), 0);
 }
@@ -27,19 +28,19 @@ FUNCTION int edgeCrossingsOf(Corners q) {
   return crossingsBetween(q.a, q.b) + crossingsBetween(q.b, q.c) + crossingsBetween(q.c, q.d) + crossingsBetween(q.d, q.a);
 }
 
-// Triangles of the faces into which contours cut a square: a face of n corners has n - 2. A crossing is a corner of the
-// faces on both its sides, each level adds a face, and a saddle another.
+// Returns the number of triangles of the faces into which contours cut a square. A face with n corners has n - 2
+// triangles. A crossing is a corner of both adjacent faces; each level adds a face, and each saddle adds another.
 FUNCTION int trianglesOf(Corners q) {
   int faces = greatestOf(q) - leastOf(q) + 1 + saddlesOf(q);
   return 4 + 2 * edgeCrossingsOf(q) - 2 * faces;
 }
-// Of the faces of class 0 alone, where there is one level.
+// Returns the number of triangles of the faces of class 0 only, for a single level.
 FUNCTION int lowTrianglesOf(Corners q) {
   int low = int(q.a == 0) + int(q.b == 0) + int(q.c == 0) + int(q.d == 0);
   return low == 0 ? 0 : low + edgeCrossingsOf(q) - 2 * (1 + saddlesOf(q));
 }
 
-// Where the level lies on the way from one sample to the next, 0 to 1.
+// Returns the position of the level between two samples, 0 to 1.
 FUNCTION float crossingPlace(float from, float to, float level) {
   precise float rise = to - from;
   precise float place = (level - from) * exactReciprocal(rise);

@@ -1,7 +1,7 @@
-// The points of an edge between two samples.
+// Contour points on an edge between two samples.
 
-// Change of the field across an edge (x) and along it, from the six cells around: differences weighted 1, 2, 1 across,
-// so that walls of cells that are only there or not turn smoothly, too.
+// Returns the change of the field along the edge (x) and perpendicular to it (y), from the six cells around. The
+// differences are weighted 1, 2, 1 across, so that walls of binary fields also have smooth normals.
 vec2 slopeAt(ivec2 cell, ivec2 along, float from, float to) {
   ivec2 side = along.yx;
   float fromBefore = valueAt(cell - side), fromAfter = valueAt(cell + side);
@@ -11,10 +11,10 @@ vec2 slopeAt(ivec2 cell, ivec2 along, float from, float to) {
   return vec2(rise, turn);
 }
 
-// From high to low, of length 1, x and z.
+// Returns the outward unit vector (x, z), from high to low.
 vec2 outward(ivec2 along, vec2 slope, bool rises) {
   precise float square = slope.x * slope.x + slope.y * slope.y;
-  // As large as it takes to be squared, or straight along the edge.
+  // If the slope is too small or too large to be squared, uses the direction of the edge.
   bool flat_ = square < 1e-20 || square > 1e30;
   float straight = rises ? -1.0 : 1.0;
   precise vec2 unit = slope * -exactInverseSqrt(flat_ ? 1.0 : square);
@@ -27,9 +27,10 @@ void putVertex(uint vertex, vec2 place, float height, int color, vec3 normal) {
   normals[vertex] = vec4(normal, 0.0);
 }
 
-// The four vertices of a point on the edge that begins at sample `at`; `rises` to the end of that edge.
+// Writes the four vertices of a point on the edge that begins at sample `at`. `rises` is true if the field rises
+// towards the edge's end.
 void putPoint(uint point, ivec2 at, ivec2 along, int level, bool rises) {
-  ivec2 cell = at - 1, next = cell + along;  // of the field
+  ivec2 cell = at - 1, next = cell + along;  // Cells of the field
   bool within = cell.x >= 0 && cell.y >= 0 && next.x < fieldSize.x && next.y < fieldSize.y;
   within = within && cell.x < fieldSize.x && cell.y < fieldSize.y && next.x >= 0 && next.y >= 0;
   float part = 0.5;

@@ -1,11 +1,12 @@
-// The samples: the field with a ring of one around it, so that every contour is closed; rows from left to right, sixteen
-// classes an element, each row filled up to whole elements by the class outside.
+// Samples of a contour's field: the field with a ring of one sample around it, so that every contour is closed. Rows
+// run from left to right, with sixteen classes per element; each row is padded to whole elements with the class
+// `outside`.
 #include "contour/bindings.glsl"
 #include "common/exact.glsl"
 #include "contour/model.glsl"
-uniform ivec2 samples;     // the field's size + 2
+uniform ivec2 samples;     // Size of the field + 2
 uniform int rowElements;
-uniform int outside;       // class of the ring
+uniform int outside;       // Class of the ring
 
 int elementCount() {
   return rowElements * samples.y;

@@ -1,5 +1,5 @@
-// The vertices of the samples, and two triangles for each square of one class. FRESH: with the samples' normals, which
-// stay.
+// Writes the vertices of the samples, and two triangles for each uniform square (all corners of one class). FRESH: also
+// writes the samples' normals, which do not change afterwards. One sample per invocation.
 #include "common/words.glsl"
 #include "contour/samples.glsl"
 #include "contour/squares.glsl"

@@ -1,11 +1,12 @@
-// Third: every tally's x, y and z become the sums of those before it; w stays.
+// Prefix sum, step 3 of 3: replaces x, y and z of every tally by the sums of the tallies before it; w does not change.
+// One tile per invocation.
 #include "common/words.glsl"
 #include "contour/bindings.glsl"
 layout(local_size_x = 64) in;
 STATE_WORDS(talliesBinding, TallyBlock, tallies)
 INPUT_WORDS(tileSumsBinding, TileBlock, tileSums)
 uniform int count;
-uniform int tile;  // tallies
+uniform int tile;  // Tallies per tile
 
 void main() {
   int t = int(gl_GlobalInvocationID.x), begin = t * tile;

@@ -1,7 +1,7 @@
-// A square that contours cross, and the points on its edges.
+// Helpers for a square that contours cross and for the points on its edges.
 const uint nowhere = 0xffffffffu;
 
-// The first points of its edges.
+// Index of the first point on each edge of a square.
 struct Ranks {
   uint top, right, bottom, left;
 };

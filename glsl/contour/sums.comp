@@ -1,11 +1,11 @@
-// First of three kernels that turn tallies into the sums of those before each: the sum of every tile.
+// Prefix sum of the tallies, step 1 of 3: the sum of each tile. One tile per invocation.
 #include "common/words.glsl"
 #include "contour/bindings.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(talliesBinding, TallyBlock, tallies)
 STATE_WORDS(tileSumsBinding, TileBlock, tileSums)
 uniform int count;
-uniform int tile;  // tallies
+uniform int tile;  // Tallies per tile
 
 void main() {
   int t = int(gl_GlobalInvocationID.x), begin = t * tile;

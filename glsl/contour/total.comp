@@ -1,5 +1,5 @@
-// Second: what comes before each tile; and of everything together, what is to be drawn. One work group, whose
-// invocations each take a share of the tiles.
+// Prefix sum, step 2 of 3: replaces each tile sum by the sum of the tiles before it, and writes the draw arguments from
+// the total. A single workgroup, whose invocations share the tiles.
 #include "common/words.glsl"
 #include "contour/bindings.glsl"
 #include "contour/types.glsl"
@@ -7,10 +7,10 @@ layout(local_size_x = 256) in;
 STATE_WORDS(tileSumsBinding, TileBlock, tileSums)
 layout(std430, binding = drawBinding) restrict writeonly buffer DrawBlock { ContourDraw draw; };
 uniform int tiles;
-uniform uint fixedIndices;   // of what does not change
-uniform uint sheetIndices;   // of a square of one class
-uniform uint pointIndices;   // of a point, besides triangles
-uniform uint pointRoom;      // points and indices that there is room for
+uniform uint fixedIndices;   // Number of indices that do not change
+uniform uint sheetIndices;   // Number of indices per uniform square
+uniform uint pointIndices;   // Number of indices per contour point, besides triangles
+uniform uint pointRoom;      // Capacity for points; `indexRoom`: capacity for indices
 uniform uint indexRoom;
 shared uvec4 sums[256];
 

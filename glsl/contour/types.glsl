@@ -1,10 +1,11 @@
-// What the kernels leave for drawing and for the CPU: the arguments of an indirect draw, then what there is of all.
+// Output of the contour and volume kernels for drawing and for the CPU: the arguments of an indirect draw, then the
+// counts.
 struct ContourDraw {
   uint count, instances, firstIndex, baseVertex;
   uint baseInstance;
-  uint indices;    // that the solid has; count is 0 where they do not fit
-  uint points;     // of contours
-  uint sheets;     // squares of one class
-  uint triangles;  // of squares or cubes that contours cross
+  uint indices;    // Number of indices of the solid; `count` is 0 if they do not fit
+  uint points;     // Number of contour points
+  uint sheets;     // Number of uniform squares (four corners of one class)
+  uint triangles;  // Number of triangles in squares or cubes that contours cross
   uint spare1, spare2, spare3;
 };

@@ -1,4 +1,4 @@
-// The solid that cloth and particles collide with, where WALLS is 1; without, nothing is bound or read.
+// Data of the solid that cloth and particles collide with, if WALLS is 1. Otherwise nothing is bound or read.
 #ifndef WALLS
 #define WALLS 0
 #endif
@@ -8,7 +8,7 @@
 const int fieldUnit = wallFieldUnit;
 #include "grid/field.glsl"
 uniform WallGrid wallGrid;
-uniform int rowElements;  // of classes, sixteen each
+uniform int rowElements;  // Elements of sixteen classes per row
 INPUT_WORDS(wallClassesBinding, WallClassBlock, wallClasses)
 
 int loadWallClass(int x, int y) {

@@ -1,27 +1,27 @@
-// A solid that others collide with (wall_model.glsl). Compiles as GLSL and as C++ (src/sim/contour/wall_plan.hpp). Set as
-// plain uniforms, one member at a time.
+// A solid that cloth and particles collide with (wall_model.glsl). Compiles as GLSL and as C++
+// (src/sim/contour/wall_plan.hpp). Set as plain uniforms, one member at a time.
 #ifndef WALL_TYPES
 #define WALL_TYPES
 
-// Of the kernels that read them: beside what cloth and particles have.
+// Binding points in the kernels of cloth and particles.
 const int wallClassesBinding = 4;
 const int wallFieldUnit = 8;
 const int maxWallLevels = 16;
 
 struct WallGrid {
-  vec2 corner;       // x and z of sample (0, 0) (m)
-  float spacing;     // between samples (m)
-  float perSpacing;  // 1/m
-  float bottom;      // m
-  float roof;        // top of the rock above a ceiling (m)
-  float reach;       // kept from the solid (m)
-  float kept;        // fraction of the tangential velocity
-  float bounce;      // fraction of the speed of impact that is given back
+  vec2 corner;       // x and z of sample (0, 0), m
+  float spacing;     // Distance between samples, m
+  float perSpacing;  // in 1/m
+  float bottom;      // in metres
+  float roof;        // Top of the rock above a ceiling, m
+  float reach;       // Distance kept from the solid, m
+  float kept;        // Fraction of the tangential velocity kept
+  float bounce;      // Fraction of the impact speed that is returned
   int levelCount;
-  int ceiling;       // 1: there is one
-  int squares;       // around a point's own within which walls are at most `reach` away
-  ivec2 samples;     // the field's size + 2
-  float heights[maxWallLevels + 1];  // of the classes (m)
+  int ceiling;       // 1 if the solid has a ceiling
+  int squares;       // Number of squares on each side of a point's own square that `reach` can extend over
+  ivec2 samples;     // Size of the field + 2
+  float heights[maxWallLevels + 1];  // Height of each class, m
   float levels[maxWallLevels];
 };
 

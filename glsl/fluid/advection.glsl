@@ -1,12 +1,13 @@
-// How a flow carries itself along. Compiles as GLSL and as C++, within transport.glsl.
-// Where what is at p now will be after dt. The flow has been pushed for half of it, so it is the mean velocity of what is
-// here on its way.
+// Advection of the flow by itself. Compiles as GLSL and as C++ as part of transport.glsl.
+
+// Returns the position at the end of the step of the fluid that is at p now. `own` is the velocity at p. The flow has
+// already received half of the step's forces, so it is the mean velocity along the path.
 FUNCTION vec2 wentTo(vec2 p, vec2 own) {
   precise vec2 end = p + own * stepData.dt;
   return heldPoint(end);
 }
 
-// Where what is at p then was before: the same way back, p - dt u(where it was).
+// Returns the position at the start of the step of the fluid that arrives at p: p - dt u(p - dt own).
 FUNCTION vec2 cameFrom(vec2 p, vec2 own) {
   precise vec2 about = p - own * stepData.dt;
   vec2 velocity = velocityAt(heldPoint(about));
@@ -14,12 +15,13 @@ FUNCTION vec2 cameFrom(vec2 p, vec2 own) {
   return heldPoint(start);
 }
 
-// The first of four nodes around a place between node `node` and the next one; they begin at `first`, and end at `count`.
+// Returns the first of the four interpolation nodes around a position between `node` and the next node. Valid nodes run
+// from `first` to `count`; with `wraps` the axis is periodic.
 FUNCTION int firstOfFour(int node, int first, int count, bool wraps) {
   return wraps ? node - 1 : clamp(node - 1, first, count - 3);
 }
 
-// On a torus a cell of the ring or beyond it.
+// Returns the flow in a cell of a periodic grid, also for cells up to one grid size outside the ring.
 FUNCTION vec4 flowBeyond(int x, int y) {
   int i = x < -1 ? x + size.x : x > size.x ? x - size.x : x;
   int j = y < -1 ? y + size.y : y > size.y ? y - size.y : y;
@@ -32,7 +34,7 @@ FUNCTION float cubicRow(int which, int x, int y, vec4 w) {
   return value;
 }
 
-// By cubic polynomials along x and y, within the four values nearest.
+// Interpolates with cubic polynomials along x and y, clamped to the range of the four nearest values.
 FUNCTION float cubicAt(int which, vec2 p) {
   vec2 node = nodeOf(which, p);
   int x = firstOfFour(int(floor(node.x)), which == 0 ? 0 : -1, size.x, leftKind == periodicSide);
@@ -46,13 +48,14 @@ FUNCTION float cubicAt(int which, vec2 p) {
   return clamp(value, min(min(near.a, near.b), min(near.c, near.d)), max(max(near.a, near.b), max(near.c, near.d)));
 }
 
-// Semi-Lagrangian: what was where this place's fluid comes from.
+// Semi-Lagrangian advection: returns the value at the position that this cell's fluid comes from.
 FUNCTION float carriedPart(int which, int x, int y) {
   vec2 from = cameFrom(placeOf(which, x, y), ownVelocity(which, x, y));
   return exactFlush(cubic ? cubicAt(which, from) : valueIn(around(false, which, from)));
 }
 
-// MacCormack: less half of what carrying it back again would miss; within the values that it came from.
+// MacCormack advection: subtracts half of the error of advecting forwards and back again. The result is clamped to the
+// range of the four values around the origin.
 FUNCTION float correctedPart(int which, int x, int y) {
   vec2 place = placeOf(which, x, y);
   vec2 own = ownVelocity(which, x, y);

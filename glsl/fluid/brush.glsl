@@ -1,5 +1,6 @@
-// What brushes do to a cell. Compiles as GLSL (paint.comp) and as C++, after transport.glsl; brushPaints(i, cell) says whether
-// brush i paints a cell, brushes[i] is what it does; those from firstBrush to before endBrush are asked.
+// Effect of brushes on a cell. Compiles as GLSL (paint.comp) and as C++, after transport.glsl. Needs brushPaints(i,
+// cell), true if brush i paints a cell; brushes[i], the brush's parameters; firstBrush and endBrush, the index range of
+// brushes to apply.
 
 FUNCTION float towards(float value, float aim, float part) {
   precise float next = value + (aim - value) * part;
@@ -11,7 +12,7 @@ FUNCTION float pushed(float value, float force) {
   return next;
 }
 
-// A cell of the grid; others are not painted.
+// True if brush i paints the cell (x, y). Cells outside the grid are not painted.
 FUNCTION bool paintsCell(int i, int x, int y) {
   ivec2 cell = ivec2(insideX(x), insideY(y));
   bool there = leftKind == periodicSide || (x >= 0 && x < size.x);
@@ -19,7 +20,7 @@ FUNCTION bool paintsCell(int i, int x, int y) {
   return there && brushPaints(i, cell);
 }
 
-// How much of what brush i does reaches a place: all within, less towards the rim of a soft one, none on it.
+// Returns the weight of brush i at a position: 1 inside, falling to 0 at the rim of a soft brush.
 FUNCTION float brushPart(int i, vec2 place) {
   FluidBrush b = brushes[i];
   if (b.reach.w == 0.0f) return 1.0f;
@@ -39,7 +40,8 @@ FUNCTION float scaled(float value, float part) {
   return product;
 }
 
-// Faces of a cell that is painted, but for those that do not let anything through.
+// Paints the left face of a cell (paintedV: the top face) if the cells on both sides include a painted one. A closed
+// face is not changed.
 FUNCTION float paintedU(int x, int y) {
   float u = flowAt(x, y).x;
   if (faceAt(x, y).x == 0.0f) return u;

@@ -1,4 +1,4 @@
-// Carries the flow along itself, once.
+// Advects the flow by itself once.
 #define NEXT_FLOW
 #include "fluid/grid.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;

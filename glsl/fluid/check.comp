@@ -1,6 +1,6 @@
-// Looks at what project_open.comp, project.comp and settle.comp have made of the flow: what is still missing, how fast it is,
-// whether it is lost. And (WAYS) for dye/strips.comp: how far through its left and its top face dye goes in a pass, of every
-// cell of the grid and of the ring; 0 where there is no face.
+// Measures the flow that project_open.comp, project.comp and settle.comp have produced: remaining divergence, highest
+// speed, lost values. With WAYS, also computes for dye/strips.comp how far dye moves through the left and the top face
+// of each cell in a pass; 0 if the face does not exist.
 #include "fluid/grid.glsl"
 #include "common/status.glsl"
 #include "fluid/solver/solve_control.glsl"
@@ -8,11 +8,11 @@ layout(local_size_x = 32, local_size_y = 2) in;
 #ifdef WAYS
 layout(std430, binding = nextFlowBinding) writeonly restrict buffer WayBlock { vec2 ways[]; };
 #endif
-const int rowsEach = 4;   // of a column, an invocation
-uniform uint number;      // of the step, for the status
-uniform float lostSpeed;  // cells/s that no flow should have
+const int rowsEach = 4;   // Rows of a column per invocation
+uniform uint number;      // Step number, for the status
+uniform float lostSpeed;  // Speed above which the flow counts as lost, cells/s
 
-// stillMissing of the flow as it is.
+// Returns stillMissing() of the flow that is already projected.
 float missingNow(int x, int y) {
   precise float out_ = (throughU(faceX(x + 1), y) - throughU(x, y)) + (throughV(x, faceY(y + 1)) - throughV(x, y));
   precise float missing = growthAt(x, y) - out_;

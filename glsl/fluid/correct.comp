@@ -1,4 +1,4 @@
-// The flow after a step but for the pressure's correction: carried along itself, and pushed.
+// Computes the flow after a step except the pressure correction: advection (second pass) and forces.
 #define NEXT_FLOW
 #define PRESSURE_APART
 #define READS_KEPT

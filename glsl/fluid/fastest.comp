@@ -1,4 +1,4 @@
-// The speed of the flow's fastest, for a step that none went before: of a run that is resumed.
+// Computes the highest speed of the flow, for the first step of a resumed run, which has no previous step.
 #include "fluid/grid.glsl"
 #include "fluid/solver/solve_control.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;

@@ -1,9 +1,9 @@
-// The planes of a state (grid.glsl) as elements of four floats for files, or (SCATTER) back from there.
+// Packs the planes of a state (grid.glsl) into elements of four floats for files. SCATTER: the reverse.
 #include "fluid/bindings.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = flowBinding) restrict buffer PlaneBlock { uint apart[]; };
 layout(std430, binding = carriedBinding) restrict buffer ElementBlock { uint together[]; };
-uniform int planes;    // what an element has beyond them is 0
+uniform int planes;    // Number of planes; the rest of an element is 0
 uniform int elements;
 
 void main() {

@@ -1,5 +1,6 @@
-// What a fluid's kernels read, and how its cells lie in memory: rows of size.x + 2 elements, the ring's first. Before
-// including: READS_CARRIED, READS_DYE and NEXT_DYE where those are bound. The sides' kinds are LEFT, RIGHT, TOP, BOTTOM.
+// Common inputs of the fluid kernels, and the memory layout of cells: rows of size.x + 2 elements, starting with the
+// ring's first row. READS_CARRIED, READS_DYE and NEXT_DYE declare that a kernel binds these arrays. LEFT, RIGHT, TOP
+// and BOTTOM are the kinds of the sides.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -8,22 +9,24 @@
 #include "fluid/model.glsl"
 
 layout(std140, binding = stepBinding) uniform FluidBlock { FluidStep stepData; };
-uniform ivec2 size;  // cells
+uniform ivec2 size;  // Number of cells per axis
 const int leftKind = LEFT, rightKind = RIGHT, topKind = TOP, bottomKind = BOTTOM;
 const bool heats = HEATS == 1, viscous = VISCOUS == 1, confines = CONFINES == 1, sinks = SINKS == 1;
 const bool secondOrder = ADVECTION == 0, cubic = ADVECTION == 2, obstacles = OBSTACLES == 1, obstaclesSlip = OBSTACLES_SLIP == 1;
 const bool obstaclesMove = OBSTACLES_MOVE == 1, pocketsGrow = POCKETS_GROW == 1;
 layout(std140, binding = solidsBinding) uniform SolidBlock { FluidSolidSet solidSet; };
-uniform int solidsStart;  // elements: where in `weights` the words of solidWord are, in blocks as faces
+// Element index in `weights` at which the words of solidWord() start, stored in blocks like the faces
+uniform int solidsStart;
 
 int elementOf(int x, int y) {
   return (y + 1) * (size.x + 2) + x + 1;
 }
 
-// Arrays of texels hold an element of four floats a cell. Those of storage blocks hold all u, then all v and so on, so that
-// neighbouring invocations load neighbouring words, and no more of these planes than there is something in
-// (src/sim/fluid/arrays.hpp): the flow u, v, temperature and pressure; what a step makes of it before it is projected the first
-// three, and the pressure stays where it is, of which `kept` (kept.glsl) is left until then; dye its three colours.
+// Memory layout. On the texel path, a cell is one element of four floats. On the storage path, each quantity is a plane
+// of its own (all u, then all v, and so on), so that neighbouring invocations load neighbouring words. Planes that hold
+// nothing are omitted (src/sim/fluid/arrays.hpp): the flow has u, v, temperature and pressure; the unprojected flow of
+// a step has the first three; dye has three colours. The pressure plane stays in place during a step, and kept.glsl
+// stores the fraction of it that remains.
 int planeSize() {
   return (size.x + 2) * (size.y + 2);
 }
@@ -36,8 +39,8 @@ int planeSize() {
 #define LOAD_CELL(name, element) vec4(name[element], name[planeSize() + (element)], name[2 * planeSize() + (element)], 0.0)
 #endif
 
-// Before including: NEXT_FLOW where a kernel makes flow, PRESSURE_APART where what it reads has no pressure with it, that being
-// where the next flow will be; FLOW_IN_PLACE where it changes what it reads.
+// NEXT_FLOW: the kernel writes the next flow. PRESSURE_APART: the flow that is read has no pressure plane; the pressure
+// is in the buffer of the next flow. FLOW_IN_PLACE: the kernel modifies the flow it reads.
 #if defined TEXEL_PATH || !defined FLOW_IN_PLACE
 CELL_INPUT(flowBinding, FlowBlock, flow)
 #else
@@ -98,7 +101,7 @@ vec4 carriedAt(int x, int y) {
 }
 #endif
 
-// Two cells beyond the border, too: there what follows on a torus, else the ring.
+// dyeAt accepts cells up to two beyond the border: on a torus the wrapped cell, otherwise the ring.
 #ifdef READS_DYE
 CELL_INPUT(dyeBinding, DyeBlock, dye)
 vec4 dyeAt(int x, int y) {
@@ -127,8 +130,8 @@ void storeDye(int element, vec4 value) {
 #endif
 #endif
 
-// Blocks of 2x2 cells an element, their openings (model.glsl: faceWeights); of the finest level those of size.x + 1
-// columns, for there are faces at the far border, too.
+// Face openings (model.glsl: faceWeights), in blocks of 2x2 cells per element. The finest level has blocks for size.x +
+// 1 columns, because the far border also has faces.
 INPUT_WORDS(weightsBinding, WeightBlock, weights)
 uint wordOf(uvec4 four, int x, int y) {
   return (y & 1) == 0 ? ((x & 1) == 0 ? four.x : four.y) : ((x & 1) == 0 ? four.z : four.w);
@@ -146,7 +149,8 @@ vec2 faceAt(int x, int y) {
   return faceWeights(wordOf(LOAD_INPUT_WORDS(weights, (y >> 1) * (size.x / 2 + 1) + (x >> 1)), x, y));
 }
 
-// The sum of corrections lies in `pool` in such blocks, too, then what rounding took from it.
+// Sum of pressure corrections, in the same blocks of 2x2 cells in `pool`, followed by the rounding error of the sum.
+// sumAt returns both.
 #ifdef READS_SUM
 INPUT_ARRAY(carriedBinding, PoolBlock, pool)
 vec2 sumAt(int x, int y) {
@@ -164,5 +168,5 @@ vec2 sumAt(int x, int y) {
 }
 #endif
 #include "fluid/transport.glsl"
-// What transport.glsl has comes first.
+// Needs transport.glsl.
 #include "fluid/projected.glsl"

@@ -1,4 +1,5 @@
-// Brushes, all that are due at once. firstBrush and endBrush are uniform, so loops are as long as there are brushes.
+// Applies all active brushes to the cells of a box. firstBrush and endBrush are uniform, so all invocations loop over
+// the same brushes.
 #define NEXT_FLOW
 #define NEXT_DYE
 #define READS_DYE
@@ -8,8 +9,9 @@
 layout(local_size_x = 32, local_size_y = 2) in;
 INPUT_WORDS(stampsBinding, StampBlock, stamps)
 layout(std140, binding = brushesBinding) uniform BrushBlock { FluidBrush brushes[maxBrushes]; };
-uniform int firstBrush, endBrush;  // others reach none of these cells
-uniform ivec4 box;  // cells that may change: first column and row, how many of each; the ring counts
+uniform int firstBrush, endBrush;  // Index range of the brushes that reach cells of the box
+// Cells that may change: first column, first row, number of columns, number of rows; the ring counts as cells
+uniform ivec4 box;
 
 bool brushPaints(int i, ivec2 cell) {
   ivec2 inBox = cell - brushes[i].box.xy;

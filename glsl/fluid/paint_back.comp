@@ -1,10 +1,10 @@
-// What paint.comp has painted, to where the rest of the cells are.
+// Copies the cells that paint.comp has painted back to the main arrays.
 #define NEXT_FLOW
 #define NEXT_DYE
 #define READS_DYE
 #include "fluid/grid.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;
-uniform ivec4 box;  // cells: first column and row, how many of each; the ring counts
+uniform ivec4 box;  // First column, first row, number of columns, number of rows, in cells; the ring counts as cells
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);

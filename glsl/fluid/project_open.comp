@@ -1,11 +1,12 @@
-// project.comp of tiles in the open, in place: nobody else reads these cells. The temperature stays.
+// Variant of project.comp for open tiles, in place: no other invocation reads these cells. The temperature does not
+// change.
 #define FLOW_IN_PLACE
 #define READS_SUM
 #define READS_KEPT
 #include "fluid/grid.glsl"
 #include "fluid/tiles.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
-uniform int tilesStart;  // elements: where the list is
+uniform int tilesStart;  // Element index of the tile list
 
 void slow(int i, vec2 from, vec2 to) {
   precise float value = flow[i] - rise(from, to, false);

@@ -1,5 +1,8 @@
-// What the corrections of the pressure make of the flow. Compiles as GLSL and as C++, after transport.glsl.
-// sumAt: the sum of all corrections phi of the pressure, and what rounding took from it; u' = u - grad phi.
+// Effect of the pressure corrections on the flow, u' = u - grad phi. Compiles as GLSL and as C++, after transport.glsl.
+// sumAt() returns the sum of all corrections phi and the rounding error of the sum.
+
+// Returns the difference of phi between two cells. At a border the distance is half a cell, so the slope is twice the
+// difference.
 FUNCTION float rise(vec2 from, vec2 to, bool border) {
   precise float difference = (to.x - from.x) + (to.y - from.y);
   precise float twice = difference + difference;
@@ -25,7 +28,7 @@ FUNCTION bool isSolid(int x, int y) {
   return here.x == 0.0f && here.y == 0.0f && faceAt(x + 1, y).x == 0.0f && faceAt(x, y + 1).y == 0.0f;
 }
 
-// How much of a cell is fluid.
+// Returns the fraction of a cell's area that is fluid.
 FUNCTION float openPart(int x, int y) {
   precise float part = 0.5f + offWall(x, y);
   return isSolid(x, y) ? 0.0f : obstacles ? clamp(part, 0.0f, 1.0f) : 1.0f;
@@ -38,7 +41,7 @@ FUNCTION float pressureThen(int x, int y) {
   return pressure;
 }
 
-// Component `which` of what is at a node, the ring's too: 0 u, 1 v, 2 pressure.
+// Returns component `which` of the projected flow at a node, including the ring: 0 u, 1 v, 2 pressure.
 FUNCTION float partThen(int which, int x, int y) {
   if (which == 0) return beyondTopBottom(projectedU(faceX(x), insideY(y)), y);
   if (which == 1) return beyondLeftRight(projectedV(insideX(x), faceY(y)), x);
@@ -56,7 +59,8 @@ FUNCTION float seenThen(int which, vec2 p) {
   return between(upper, lower, fy);
 }
 
-// Closed faces of obstacles have what makes the fluid beside them stick to the wall, or slip along it.
+// Closed faces inside obstacles get the value that makes the fluid beside them stick to the wall (no slip) or slide
+// along it (slip).
 FUNCTION float finishedU(int x, int y) {
   if (!obstacles || faceAt(x, y).x > 0.0f || borderU(x)) return projectedU(x, y);
   if (offWallU(x, y) < deepWall) return solidU(x, y);
@@ -71,7 +75,8 @@ FUNCTION float finishedV(int x, int y) {
   return exactFlush(wallV(x, y, from, seenThen(1, from)));
 }
 
-// Within obstacles temperature and pressure are what they are off them: nothing crosses, and what comes free fits in.
+// Returns the final values of a cell. Inside obstacles, temperature and pressure are copied from the fluid outside the
+// wall: so nothing crosses the wall, and a cell that becomes free has fitting values.
 FUNCTION vec4 finishedCell(int x, int y) {
   int ix = insideX(x), iy = insideY(y);
   float u = finishedU(faceX(x), iy);
@@ -96,7 +101,7 @@ FUNCTION float throughThenV(int x, int y) {
   return through(weight, borderV(y), projectedV(x, y), weight < 1.0f ? solidV(x, y) : 0.0f);
 }
 
-// The net flow out of a cell that there has to be: 0, but in a pocket whose walls squeeze it or give way.
+// Returns the required net outflow of a cell: 0, except in a closed pocket whose walls move.
 FUNCTION float growthAt(int x, int y) {
   if (!pocketsGrow) return 0.0f;
   int pocket = int(solidWord(x, y) >> 24u);
@@ -107,14 +112,14 @@ FUNCTION float growthAt(int x, int y) {
   return growth;
 }
 
-// Minus the net flow out of a cell that is too much: what the corrections have to take away.
+// Returns the excess inflow of a cell, which the pressure corrections must remove (the negative divergence).
 FUNCTION float missingFlow(int x, int y) {
   precise float out_ = (throughU(x + 1, y) - throughU(x, y)) + (throughV(x, y + 1) - throughV(x, y));
   precise float missing = growthAt(x, y) - out_;
   return isSolid(x, y) ? 0.0f : missing;
 }
 
-// The same of the corrected flow.
+// Returns the excess inflow of a cell after the correction.
 FUNCTION float stillMissing(int x, int y) {
   precise float out_ = (throughThenU(faceX(x + 1), y) - throughThenU(x, y)) +
                        (throughThenV(x, faceY(y + 1)) - throughThenV(x, y));

@@ -1,4 +1,5 @@
-// Half of what pressure, friction and lift do, and vorticity confinement.
+// First half of the step's forces: pressure gradient, viscosity and buoyancy by half, and the full vorticity
+// confinement.
 #define NEXT_FLOW
 #include "fluid/grid.glsl"
 #include "fluid/solver/solve_control.glsl"

@@ -1,4 +1,4 @@
-// What project.comp has made of tiles that do not lie in the open and of the ring, to where the flow is.
+// Copies the results of project.comp (tiles that are not open, and the ring) into the flow.
 #define FLOW_IN_PLACE
 #include "fluid/grid.glsl"
 #include "fluid/cells.glsl"

@@ -1,9 +1,9 @@
-// Cells that project.comp has made while others still read what they were: u, v and pressure where the solver's corrections have
-// been, temperature beside its sums. After grid.glsl.
+// Buffer for cells that project.comp has finished while other invocations still read the old values. u, v and pressure
+// use the memory of the solver's corrections, temperature the memory beside the solver's sums. Include after grid.glsl.
 layout(std430, binding = nextFlowBinding) restrict buffer SettlingBlock { float settling[]; };
 layout(std430, binding = nextDyeBinding) restrict buffer HeatBlock { float settlingHeat[]; };
-uniform int heatStart;  // in settlingHeat
-// Elsewhere no projection changes it.
+uniform int heatStart;  // Offset in settlingHeat
+// True if the projection changes temperatures.
 const bool settlesHeat = heats && obstacles;
 
 void settleLater(int element, vec4 cell) {

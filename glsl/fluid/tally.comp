@@ -1,5 +1,6 @@
-// What is measured of a fluid in each frame (src/sim/fluid/quantities.cpp): sums of u^2 / 2, of half the curl's square, of dye and
-// of temperature; the most of |u| and |v|, that in a substep, divergence and cycles.
+// Measures a fluid once per frame (src/sim/fluid/quantities.cpp). Sums: u^2 / 2, half the squared curl, dye,
+// temperature. Maxima: max(|u|, |v|) (for the speed and for the distance per substep), divergence, cycles per
+// projection.
 #define READS_DYE
 #include "fluid/grid.glsl"
 layout(local_size_x = 64) in;

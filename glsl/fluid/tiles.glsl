@@ -1,12 +1,14 @@
-// Work groups of 8x8 that take four tiles each of 4x4 blocks of 2x2 cells, from lists in `weights` (FluidLevels::tileLists): those in the
-// open (IN_THE_OPEN), where up to four cells away all faces are open and a distance of 1 apart, or the others.
-const int groupRow = 64;  // groups along x where there are as many
+// Tiles of 4x4 blocks of 2x2 cells. A workgroup of 8x8 processes four tiles from a list in `weights`
+// (FluidLevels::tileLists): either open tiles (IN_THE_OPEN) or the others. In an open tile, all faces up to four cells
+// away are fully open and all cell distances are 1, so that kernels need no weights.
+const int groupRow = 64;  // Workgroups in a full row of the dispatch
 
 int groupNumber() {
   return int(gl_WorkGroupID.y) * groupRow + int(gl_WorkGroupID.x);
 }
 
-// The block of this invocation, in one of its group's four tiles of the list at `tilesStart`; beyond all of them where there is no tile.
+// Returns the block of this invocation in the workgroup's four tiles of the list at `tilesStart`. If there is no tile,
+// returns a block beyond the grid.
 ivec2 blockHere(int tilesStart) {
   ivec2 lane = ivec2(gl_LocalInvocationID.xy);
   uvec4 four = LOAD_INPUT_WORDS(weights, tilesStart + groupNumber());

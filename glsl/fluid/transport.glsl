@@ -1,10 +1,10 @@
-// How a fluid's cells change in a step, but for the pressure's solution. Compiles as GLSL (grid.glsl) and as C++, in a
-// struct that has what is read: flowAt, carriedAt, dyeAt, faceAt, solidWord, sumAt, size, stepData, solidSet and the kinds
-// of the sides.
+// Update of a fluid's cells in a step, without the pressure solver. Compiles as GLSL (grid.glsl) and as C++, there
+// inside a struct that provides the inputs: flowAt, carriedAt, dyeAt, faceAt, solidWord, sumAt, size, stepData,
+// solidSet and the kinds of the sides.
 //
-// Cell (x, y) holds u in the middle of its left face, v in that of its top face, temperature and pressure in its own. Around
-// the grid lies a ring of cells, so x is from -1 to size.x: beyond walls u and v are mirrored, so that the mean is the
-// wall's. u at size.x and v at size.y are faces of the border.
+// Staggered grid: cell (x, y) stores u at the centre of its left face, v at the centre of its top face, temperature and
+// pressure at its own centre. A ring of cells surrounds the grid, so x runs from -1 to size.x. Beyond a wall, u and v
+// are mirrored so that their mean equals the wall's velocity. u at size.x and v at size.y are faces of the border.
 
 FUNCTION int insideX(int x) {
   if (leftKind == periodicSide) return x < 0 ? x + size.x : x >= size.x ? x - size.x : x;
@@ -16,7 +16,7 @@ FUNCTION int insideY(int y) {
   return clamp(y, 0, size.y - 1);
 }
 
-// Of faces across x: there is one more of them.
+// Clamps or wraps a face index across x. There is one more face than cells.
 FUNCTION int faceX(int x) {
   return leftKind == periodicSide ? insideX(x) : clamp(x, 0, size.x);
 }
@@ -34,7 +34,7 @@ FUNCTION float mirrored(float inside, float wall) {
   return value;
 }
 
-// u of a row beyond top or bottom, given that of the row within.
+// Returns u in a row beyond the top or bottom side, given the u of the adjacent row inside.
 FUNCTION float beyondTopBottom(float u, int y) {
   float value = u;
   if (y < 0 && mirrors(topKind)) value = mirrored(u, stepData.topBottom.x);
@@ -49,13 +49,14 @@ FUNCTION float beyondLeftRight(float v, int x) {
   return value;
 }
 
-// Whether a cell of the ring lies beyond an open side: there is no pressure and no dye.
+// True if a cell of the ring lies beyond an open side, where pressure and dye are 0.
 FUNCTION bool beyondOpen(int x, int y) {
   return (x < 0 && leftKind == openSide) || (x >= size.x && rightKind == openSide) || (y < 0 && topKind == openSide) ||
          (y >= size.y && bottomKind == openSide);
 }
 
-// Faces of the border, where the middle beyond lies half a cell away if it lets anything through.
+// True for faces of the border. The centre of the ring cell beyond such a face counts as half a cell away if the face
+// is open.
 FUNCTION bool borderU(int x) {
   return leftKind != periodicSide && (x == 0 || x == size.x);
 }
@@ -64,7 +65,7 @@ FUNCTION bool borderV(int y) {
   return topKind != periodicSide && (y == 0 || y == size.y);
 }
 
-// What u of the left and right sides is, v of top and bottom.
+// Prescribed normal speed of the sides: u for left and right, v for top and bottom.
 FUNCTION float sideU(int x, int y) {
   float speed = x == 0 ? stepData.leftRight.x : stepData.leftRight.z;
   return sideSpeed(y, size.y, speed, x == 0 ? stepData.parabolas.x : stepData.parabolas.y);
@@ -86,7 +87,7 @@ FUNCTION vec2 heldPoint(vec2 p) {
   return vec2(heldAlong(p.x, float(size.x), leftKind == periodicSide), heldAlong(p.y, float(size.y), topKind == periodicSide));
 }
 
-// The values around a point, and how far it lies between them.
+// Four values around a point, and the point's fractional position between them.
 struct Around {
   float a, b, c, d;
   float x, y;
@@ -96,7 +97,7 @@ FUNCTION float valueIn(Around s) {
   return between(between(s.a, s.b, s.x), between(s.c, s.d, s.x), s.y);
 }
 
-// Component `which` of a cell: 0 u, 1 v, 2 temperature.
+// Returns component `which` of a cell: 0 u, 1 v, 2 temperature.
 FUNCTION float partOf(vec4 cell, int which) {
   return which == 0 ? cell.x : which == 1 ? cell.y : cell.z;
 }
@@ -127,7 +128,7 @@ FUNCTION vec2 velocityAt(vec2 p) {
   return vec2(valueIn(around(false, 0, p)), valueIn(around(false, 1, p)));
 }
 
-// Of a component's own place in a cell.
+// Returns the velocity at the position where component `which` of the cell is stored.
 FUNCTION vec2 ownVelocity(int which, int x, int y) {
   vec4 here = flowAt(x, y);
   if (which == 0) {
@@ -160,7 +161,7 @@ FUNCTION vec2 placeOf(int which, int x, int y) {
 
 #include "fluid/advection.glsl"
 
-// dv/dx - du/dy at the upper left corner of a cell.
+// Returns dv/dx - du/dy at the upper left corner of a cell.
 FUNCTION float curlAt(int x, int y) {
   int i = leftKind == periodicSide ? insideX(x) : clamp(x, 0, size.x);
   int j = topKind == periodicSide ? insideY(y) : clamp(y, 0, size.y);
@@ -174,8 +175,8 @@ FUNCTION float meanCurl(float a, float b) {
   return mean;
 }
 
-// What there is of confinement's force: all up to half the speed that is expected, nothing from that speed on. The force grows
-// with the flow that it drives, so nothing else would end it.
+// Returns the fraction of the confinement force that is applied: 1 up to half of the expected speed, falling to 0 at
+// the expected speed. The force grows with the flow that it drives, so it needs this limit.
 FUNCTION float confinedShare(int x, int y) {
   vec4 here = flowAt(x, y);
   float speed = max(abs(here.x), abs(here.y));
@@ -183,8 +184,8 @@ FUNCTION float confinedShare(int x, int y) {
   return clamp(share, 0.0f, 1.0f);
 }
 
-// Vorticity confinement, dt epsilon N x omega with N the unit vector up the slope of |omega|: along x at the middle of a
-// left face, along y at that of a top face.
+// Vorticity confinement, dt epsilon N x omega, with N the normalized gradient of |omega|: the x component at the centre
+// of a left face, the y component at the centre of a top face.
 FUNCTION float confinementX(int x, int y) {
   float share = confinedShare(x, y);
   float top = curlAt(x, y);
@@ -218,8 +219,9 @@ FUNCTION float partThere(bool ofCarried, int which, int x, int y) {
   return partOf(ofCarried ? carriedAt(x, y) : flowAt(x, y), which);
 }
 
-// What is missing of the second difference beside a wall, which is half a cell away and not a whole one, as the mirrored
-// value `beyond` has it: 8/3 wall - 4 here + 4/3 after instead of 2 wall - 3 here + after.
+// Returns a correction of the second difference beside a wall. The mirrored value `beyond` stands for a point a whole
+// cell away, but the wall is half a cell away: the correct difference is 8/3 wall - 4 here + 4/3 after, instead of 2
+// wall - 3 here + after.
 FUNCTION float besideWall(float beyond, float here, float after) {
   precise float more = 0.333333333f * ((beyond + here) + after) - here;
   return more;
@@ -241,24 +243,24 @@ FUNCTION float pullOn(bool ofCarried, int which, int x, int y) {
   return pull;
 }
 
-// Half of what friction does in a step.
+// Returns half of the viscosity's effect in a step.
 FUNCTION float frictionOn(bool ofCarried, int which, int x, int y) {
   if (!viscous) return 0.0f;
   precise float pull = 0.5f * stepData.viscosity * pullOn(ofCarried, which, x, y);
   return pull;
 }
 
-// How much of the pressure of the step before is taken for what this one's will be, where the fastest of the flow goes at
-// `fastest` cells/s: all while it goes two cells in a step, nothing from three on. There vortices have turned on, what was carried
-// off by the pressure's slope is elsewhere, and the flow would gain energy from it. With nothing it is Chorin's
-// projection, which is of first order and stable however fast the flow is.
+// Returns the fraction of the last step's pressure that predicts the pressure of this step. It is 1 if the fastest
+// fluid (`fastest`, cells/s) moves up to two cells per step, and 0 from three cells on: there vortices have moved on,
+// so the old pressure gradient is in the wrong place and would add energy to the flow. With 0 the method is Chorin's
+// projection: first order, stable at any speed.
 FUNCTION float keptPressure(float fastest) {
   precise float kept = 3.0f - fastest * stepData.dt;
   return clamp(kept, 0.0f, 1.0f);
 }
 
-// Half of what the forces do comes before the flow carries itself along, half after it: the trapezoid rule along the ways
-// of the fluid, second-order in time. Confinement, which has no order, comes before.
+// Half of the forces act before the advection and half after it: the trapezoidal rule along the fluid's paths, second
+// order in time. The confinement force, which has no order, acts before.
 FUNCTION float pushOnU(float kept, int x, int y) {
   precise float slope = kept * flowAt(x, y).w - kept * flowAt(x - 1, y).w;
   precise float push = (borderU(x) ? stepData.dt : 0.5f * stepData.dt) * slope;
@@ -292,7 +294,7 @@ FUNCTION float pushedV(float kept, int x, int y) {
   return exactFlush(value);
 }
 
-// u of a left face before the pressure makes the flow free of divergence.
+// Returns u at a left face after advection and forces, before the projection.
 FUNCTION float steppedU(int x, int y) {
   if (faceAt(x, y).x == 0.0f) return borderU(x) ? sideU(x, y) : flowAt(x, y).x;
   if (heldU(x, y)) {
@@ -327,7 +329,7 @@ FUNCTION float steppedHeat(int x, int y) {
   return exactFlush(value);
 }
 
-// What a kernel writes for a cell of the grid or of the ring around it.
+// Returns the values that a kernel writes for a cell of the grid or of the ring: carriedCell after the first advection.
 FUNCTION vec4 carriedCell(int x, int y) {
   int fx = faceX(x), fy = faceY(y), ix = insideX(x), iy = insideY(y);
   float u = faceAt(fx, iy).x == 0.0f || heldU(fx, iy) ? flowAt(fx, iy).x : carriedPart(0, fx, iy);
@@ -336,7 +338,7 @@ FUNCTION vec4 carriedCell(int x, int y) {
   return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), heat, 0.0f);
 }
 
-// And of the pressure what is kept.
+// pushedCell: after the first half of the forces, with the kept fraction of the pressure.
 FUNCTION vec4 pushedCell(float kept, int x, int y) {
   int ix = insideX(x), iy = insideY(y);
   float u = pushedU(kept, faceX(x), iy);

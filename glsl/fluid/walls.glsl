@@ -1,5 +1,7 @@
-// Obstacles in a fluid: how far faces are off them, and what goes through. Compiles as GLSL and as C++, within transport.glsl.
-// solidWord: how far a cell's middle is off them, which one it is that is nearest (model.glsl).
+// Obstacles in a fluid: distances of faces and flow through partly closed faces. Compiles as GLSL and as C++ as part of
+// transport.glsl.
+
+// Returns the distance of a cell's centre from the nearest obstacle (solidWord, see model.glsl).
 FUNCTION float offWall(int x, int y) {
   return wallDistance(solidWord(insideX(x), insideY(y)));
 }
@@ -14,8 +16,8 @@ FUNCTION float offWallV(int x, int y) {
   return mean;
 }
 
-// A face that lets something through though its middle lies in a wall to which fluid sticks: it has no equation of its own
-// before the pressure's, but goes as the wall and the fluid off it.
+// True for a partly open face whose centre lies inside a no-slip wall. Before the projection its velocity follows from
+// the wall and the fluid beside it, not from the momentum equation.
 FUNCTION bool heldU(int x, int y) {
   if (!obstacles || obstaclesSlip || borderU(x)) return false;
   float open = faceAt(x, y).x;
@@ -28,7 +30,7 @@ FUNCTION bool heldV(int x, int y) {
   return open > 0.0f && open < 1.0f && offWallV(x, y) <= 0.0f;
 }
 
-// The speed of an obstacle at p, along x or y.
+// Returns an obstacle's velocity component at p: 0 along x, 1 along y.
 FUNCTION float solidSpeed(int which, uint word, vec2 p) {
   FluidSolid solid = solidSet.solids[int((word >> 16u) & 255u)];
   precise float u = solid.velocity.x - solid.place.z * (p.y - solid.place.y);
@@ -40,7 +42,7 @@ FUNCTION uint nearerWall(uint a, uint b) {
   return (b & 0xffffu) < (a & 0xffffu) ? b : a;
 }
 
-// Of the obstacle that is nearest to a face: as fast as it would be at p.
+// Returns the velocity of the obstacle nearest to a face, evaluated at p.
 FUNCTION float solidUAt(int x, int y, vec2 p) {
   if (!obstaclesMove) return 0.0f;
   return solidSpeed(0, nearerWall(solidWord(insideX(x - 1), insideY(y)), solidWord(insideX(x), insideY(y))), p);
@@ -59,7 +61,8 @@ FUNCTION float solidV(int x, int y) {
   return solidVAt(x, y, placeOf(1, x, y));
 }
 
-// wallReach off the wall, from p, which is `off` away from it along the slope of distances.
+// Returns a position at the distance wallReach from the wall, reached from p along the distance gradient. `off` is the
+// distance of p.
 FUNCTION vec2 seenFrom(vec2 p, float off, float slopeX, float slopeY) {
   precise float length2 = slopeX * slopeX + slopeY * slopeY;
   precise float way = (wallReach - off) * exactInverseSqrt(max(length2, 0.01f));
@@ -86,8 +89,9 @@ FUNCTION vec2 seenFromCell(int x, int y) {
   return seenFrom(placeOf(2, x, y), offWall(x, y), across, along);
 }
 
-// Given the speed of the fluid at the place that is seen and what the obstacle's would be there and here: their difference is
-// linear across the wall, none on it. What slips goes on.
+// Extrapolates the fluid's velocity into a wall. With no slip, the difference to the obstacle's velocity is linear in
+// the distance and 0 on the wall. With slip, the fluid's velocity continues unchanged. `seen` and `solidThere` are the
+// fluid's and the obstacle's velocity at the sampled position; `solid` is the obstacle's velocity here.
 FUNCTION float beyondWall(float seen, float solidThere, float solid, float off) {
   float held = max(off, -wallReach);
   precise float value = solid + (seen - solidThere) * (held * perWallReach);
@@ -102,8 +106,8 @@ FUNCTION float wallV(int x, int y, vec2 from, float seen) {
   return beyondWall(seen, solidVAt(x, y, from), solidV(x, y), offWallV(x, y));
 }
 
-// What goes through a face: fluid through its opening, an obstacle through the rest. Sides that are closed have the speed of
-// what they let in.
+// Returns the flow through a face: the fluid through the open part, a moving obstacle through the rest. A closed face
+// of a side has the side's prescribed speed.
 FUNCTION float through(float weight, bool border, float speed, float solid) {
   precise float open = border ? 0.5f * weight : weight;
   precise float flow = open * speed + (border ? 0.0f : 1.0f - open) * solid;

@@ -1,4 +1,5 @@
-// The fluid that a kernel's wind is, where WIND is defined; without, nothing is bound or read. `blown`: whether there is one.
+// Access to a fluid that acts as wind on other simulations. Without WIND, nothing is bound or read, and `blown` is
+// false.
 #ifdef WIND
 #include "fluid/wind_types.glsl"
 const bool blown = true;
@@ -6,7 +7,8 @@ uniform WindGrid windGrid;
 #ifdef TEXEL_PATH
 INPUT_ARRAY(windBinding, WindBlock, windCells)
 #else
-layout(std430, binding = windBinding) readonly restrict buffer WindBlock { float windCells[]; };  // all u, then all v
+// Storage path: all u, then all v
+layout(std430, binding = windBinding) readonly restrict buffer WindBlock { float windCells[]; };
 #endif
 
 vec4 loadWindCell(int x, int y) {

@@ -1,15 +1,15 @@
-// The wind of a fluid at a place of the world. Compiles as GLSL and as C++; whoever includes it provides windGrid (WindGrid)
-// and loadWindCell(x, y), a cell of the flow, x from -1 to size.x: the ring is read, too.
+// Wind of a fluid at a point of the world. Compiles as GLSL and as C++. The including file provides windGrid (WindGrid)
+// and loadWindCell(x, y), a cell of the flow with x from -1 to size.x, because the ring is also read.
 //
-// Bilinear in each component between the places where it stands: u in the middles of cells' left faces, v of top faces. The
-// fluid is as deep as the world, so what lies before its plane or behind it feels what the plane does there; around its
-// rectangle the air is still.
+// Each component is interpolated bilinearly from its staggered positions: u at the centres of left faces, v at the
+// centres of top faces. The wind does not vary with the distance from the fluid's plane. Outside the fluid's rectangle
+// the air is at rest.
 FUNCTION float windBetween(float a, float b, float f) {
   precise float value = a + (b - a) * f;
   return value;
 }
 
-// Component 0 (u) or 1 (v), cells/s, at a point of the rectangle.
+// Returns component 0 (u) or 1 (v) at a point of the rectangle, in cells/s.
 FUNCTION float windPart(int which, float px, float py) {
   precise float nodeX = which == 0 ? px : px - 0.5f;
   precise float nodeY = which == 0 ? py - 0.5f : py;
@@ -26,7 +26,7 @@ FUNCTION float windPart(int which, float px, float py) {
   return windBetween(above, below, fy);
 }
 
-// m/s
+// Returns the wind in m/s at a world position in metres.
 FUNCTION vec3 windAt(vec3 here) {
   precise float x = (windGrid.across.x * here.x + windGrid.across.y * here.y) + (windGrid.across.z * here.z + windGrid.across.w);
   precise float y = (windGrid.down.x * here.x + windGrid.down.y * here.y) + (windGrid.down.z * here.z + windGrid.down.w);

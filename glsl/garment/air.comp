@@ -1,4 +1,5 @@
-// Forces of the air on each corner of a face, a face an invocation; predict.comp adds it up around vertices.
+// Computes the air force on each corner of a face, one face per invocation. predict.comp sums the forces around each
+// vertex.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)

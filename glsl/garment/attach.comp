@@ -1,4 +1,4 @@
-// Long-range attachments: vertices that are farther from a pin than the cloth between is long.
+// Long-range attachments: pulls back vertices that are farther from a pin than the cloth between them is long.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(attachmentsBinding, AttachmentBlock, attachments)
@@ -7,7 +7,7 @@ STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 #else
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
-STATE_ARRAY(trendsBinding, TrendBlock, trends)  // w 1: held
+STATE_ARRAY(trendsBinding, TrendBlock, trends)  // w is 1 if the vertex was held in the previous substep
 #endif
 #include "garment/membrane.glsl"
 

@@ -1,4 +1,5 @@
-// What every kernel of cloth made of triangles includes. HEIGHTS and WALLS are 1 in the one that meets others.
+// Common includes and uniforms of the garment kernels (cloth made of triangles). HEIGHTS and WALLS are 1 in the kernel
+// that tests contact with meshes and solids.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/hash.glsl"
@@ -12,8 +13,8 @@
 #include "cloth/types.glsl"
 
 layout(std140, binding = stepBinding) uniform StepBlock { ClothStep stepData; };
-uniform int count;  // of invocations
+uniform int count;  // Number of invocations
 #ifndef KEEPS
 #define KEEPS 0
 #endif
-const bool keeps = KEEPS == 1;  // energy: cloth/keeping.glsl
+const bool keeps = KEEPS == 1;  // True if the cloth conserves energy (cloth/keeping.glsl).

@@ -1,14 +1,16 @@
-// Stretch and shear of a face, and seams. Compiles as GLSL and as C++; needs `stepData` (ClothStep) and common/exact.glsl.
+// Stretch and shear of a face, and seams. Compiles as GLSL and as C++. Needs `stepData` (ClothStep) and
+// common/exact.glsl.
 //
-// With the corners a, b, c and the inverse ((p, r), (q, s)) of their places at rest along weft and warp, `shape` = (p, q, r, s),
-// the deformation gradient has the columns fu = (b - a) p + (c - a) q and fv = (b - a) r + (c - a) s. XPBD keeps
+// A face has the corners a, b, c. `shape` = (p, q, r, s) stores the inverse ((p, r), (q, s)) of its rest-shape edge
+// matrix along weft and warp. The deformation gradient has the columns fu = (b - a) p + (c - a) q and fv = (b - a) r +
+// (c - a) s. XPBD enforces
 //   |fu| = 1,  |fv| = 1,  fu.fv / (|fu| |fv|) = 0
-// with the compliances 1 / (k A), so the energy is A / 2 (weft eu^2 + warp ev^2 + shear g^2), the same for any mesh where the
-// strain is even. The three of a face are solved at once:
+// with compliances 1 / (k A). So the energy is A / 2 (weft eu^2 + warp ev^2 + shear g^2), independent of the mesh if
+// the strain is even. The three constraints of a face are solved together:
 //   (J W J^T + compliance / h^2) l = -C.
-// Of C what damping keeps is not undone (`kept`; keptStrain, as of links in glsl/cloth/model.glsl).
+// Damping preserves the part `kept` of C (keptStrain; compare keptStretch in cloth/model.glsl).
 struct FaceShift {
-  vec3 a, b, c;  // m for each of a corner's inverse mass
+  vec3 a, b, c;  // Displacement of each corner in metres, per unit of its inverse mass
 };
 
 FUNCTION vec3 keptStrain(vec3 a, vec3 b, vec3 c, vec4 shape) {
@@ -42,7 +44,7 @@ FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance
   precise float stretchV = squaredV * inverseV - 1.0f - kept.y;
   float sheared = exactDot(u, v);
   precise float shear = sheared - kept.z;
-  // The gradients of the third by fu and fv.
+  // Gradients of the shear constraint with respect to fu and fv.
   precise vec3 gu = (v - u * sheared) * inverseU;
   precise vec3 gv = (u - v * sheared) * inverseV;
   precise float ofA = -(shape.x + shape.y);
@@ -61,7 +63,7 @@ FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance
   precise float m22 = vv + compliance.y;
   precise float m23 = uv * vOnU;
   precise float m33 = uu * guu + 2.0f * uv * guv + vv * gvv + compliance.z;
-  // L D L^T, its pivots kept from the rounding of what cancels.
+  // Solves by L D L^T. The pivots have a lower bound, because cancellation could round them to zero.
   float inverse1 = exactReciprocal(max(m11, 1e-20f));
   precise float l21 = m12 * inverse1;
   precise float l31 = m13 * inverse1;
@@ -90,9 +92,10 @@ FUNCTION FaceShift faceShift(vec4 a, vec4 b, vec4 c, vec4 shape, vec3 compliance
   return shift;
 }
 
-// The same as a force on a corner, of cloth that keeps energy (cloth/keeping.glsl): minus the gradient of 1/2 (k_u eu^2 + k_v ev^2 +
-// k_g g^2) with `stiffness` k (N m), which are those of the compliances 1 / (k A) + softening dt^2 S, S the sum of inverse masses
-// times the squares of the gradients at rest. `left` and `right` lead to the two other corners, whose gradients `shape` has.
+// Returns the force on one corner for cloth that conserves energy (cloth/keeping.glsl): the negative gradient of 1/2
+// (k_u eu^2 + k_v ev^2 + k_g g^2). `stiffness` k (N m) is the inverse of the compliances 1 / (k A) + softening dt^2 S,
+// with S the sum of inverse masses times squared rest gradients. `left` and `right` are the edges to the other two
+// corners; `shape` holds the gradients for both corners.
 FUNCTION vec3 membraneForce(vec3 left, vec3 right, vec4 shape, vec3 stiffness) {
   precise vec3 fu = left * shape.x + right * shape.y;
   precise vec3 fv = left * shape.z + right * shape.w;
@@ -112,7 +115,8 @@ FUNCTION vec3 membraneForce(vec3 left, vec3 right, vec4 shape, vec3 stiffness) {
   precise vec3 force = alongU * (shape.x + shape.y) + alongV * (shape.z + shape.w);
   return force;
 }
-// Gradients of the corners after corner k, in turn; the three of a face add up to nothing.
+// Returns `shape` rotated so that it describes the two corners after corner k. The gradients of the three corners sum
+// to zero.
 FUNCTION vec4 shapeFrom(vec4 shape, uint k) {
   precise float ofU = -(shape.x + shape.y);
   precise float ofV = -(shape.z + shape.w);
@@ -121,8 +125,9 @@ FUNCTION vec4 shapeFrom(vec4 shape, uint k) {
   return k == 0u ? shape : k == 1u ? second : third;
 }
 
-// How far a stitch of a seam moves its ends, for each of their inverse masses: the first by this, the other back. It may be
-// `longest` long at the start and gets shorter evenly until it is shut; `perSecond`: 1 / the seconds until then.
+// Returns the displacement of a stitch's first end per unit of inverse mass; the second end moves by the opposite. The
+// stitch may be `longest` metres long at the start, and this limit shrinks linearly to zero. `perSecond` is 1 / closing
+// time.
 FUNCTION vec3 stitchShift(vec4 a, vec4 b, float longest, float perSecond) {
   precise float left = 1.0f - float(stepData.substep + 1) * stepData.dt * perSecond;
   precise float rest = longest * max(left, 0.0f);
@@ -136,8 +141,9 @@ FUNCTION vec3 stitchShift(vec4 a, vec4 b, float longest, float perSecond) {
   return beyond > 0.0f && weight > 0.0f ? shift : vec3(0.0f);
 }
 
-// A vertex that is farther from a pin than `longest` (m) is pulled towards it, by 1 / compliance (N/m). `held`: it was in the
-// substep before, and the trend has what pulls; else it is caught without a trend, so that it does not bounce.
+// Returns the displacement of a vertex towards a pin if the vertex is farther from it than `longest` metres. The
+// stiffness is 1 / compliance (N/m). `held`: the vertex was also held in the previous substep, so its trend contains
+// the pull. Otherwise the vertex is stopped without a trend, so that it does not bounce.
 FUNCTION vec3 attachedShift(vec4 here, vec3 pin, float longest, float compliance, bool held) {
   precise vec3 d = pin - vec3(here);
   float squared = max(exactDot(d, d), 1e-20f);
@@ -154,8 +160,8 @@ FUNCTION vec4 attached(vec4 here, vec3 pin, float longest, float compliance, boo
   return vec4(moved, here.w);
 }
 
-// The velocity before constraints of what attachments caught or seams moved: what pulls one way only is no part of the trend
-// (cloth/motion.glsl).
+// Adds the displacement by an attachment or a seam to the velocity before constraints. One-sided pulls must not enter
+// the trend (cloth/motion.glsl).
 FUNCTION vec4 pushed(vec4 aim, vec4 from, vec4 to) {
   precise vec3 velocity = vec3(aim) + (vec3(to) - vec3(from)) * stepData.perDt;
   return vec4(velocity, aim.w);

@@ -1,13 +1,15 @@
-// A vertex or a face of cloth made of triangles, over one substep. Compiles as GLSL and as C++, where it is the CPU twin.
-// Whoever includes it provides `stepData` (ClothStep), `keeps` (bool), loadPoint(int) -> vec3, loadEntry(int) -> uvec4,
-// loadRing(int) -> uvec4, loadElement(int) -> vec4, loadFaceForce(int) -> vec3 and the files types.glsl, common/exact.glsl, common/hash.glsl,
-// mesh/height_model.glsl, contour/wall_model.glsl before it. A fan (uvec4) says of a vertex: x first ring, y how many, one a face
-// around it, z first pair of entries, w how many.
+// One vertex or face of cloth made of triangles over one substep. Compiles as GLSL and as C++ (the CPU twin of the
+// tests). The including file provides `stepData` (ClothStep), `keeps` (bool), loadPoint(int) -> vec3, loadEntry(int) ->
+// uvec4, loadRing(int) -> uvec4, loadElement(int) -> vec4, loadFaceForce(int) -> vec3, and includes before this file:
+// types.glsl, common/exact.glsl, common/hash.glsl, mesh/height_model.glsl, contour/wall_model.glsl.
+// A fan (uvec4) describes a vertex: x is the index of its first ring, y the number of rings (one per adjacent face), z
+// the index of its first element of bending entries, w the number of such elements.
 #include "cloth/air.glsl"
 #include "cloth/motion.glsl"
 #include "garment/membrane.glsl"
 
-// F_i = -sum K_ij (x_j - x_i), the gradient of the plate's energy (src/sim/garment/plate.hpp); two entries (j, K_ij) an element.
+// Returns the bending force F_i = -sum K_ij (x_j - x_i), the negative gradient of the plate energy
+// (src/sim/garment/plate.hpp). Each element holds two entries (j, K_ij).
 FUNCTION vec3 bendingForce(uvec4 fan, vec3 here) {
   precise vec3 force = vec3(0.0f);
   for (uint k = 0u; k < fan.w; ++k) {
@@ -19,8 +21,9 @@ FUNCTION vec3 bendingForce(uvec4 fan, vec3 here) {
   return force;
 }
 
-// What the air does to each corner of a face: a third of the face's. airForceOnFace is of a corner of a grid, whose faces
-// leave it half of c / 2; here A n = c / 6. `velocity`: the mean of the corners'.
+// Returns the air force on each corner of a face, a third of the face's force. airForceOnFace computes a grid's corner,
+// with area vector c / 4; here the area vector is c / 6, so the result is scaled by 2/3. `velocity` is the mean of the
+// corners' velocities.
 FUNCTION vec3 airOnCorner(vec3 a, vec3 b, vec3 c, vec3 velocity) {
   precise vec3 middle = (a + b + c) * 0.33333333f;
   precise vec3 place = (middle - vec3(stepData.gustDrift)) * stepData.perGustSize;
@@ -40,7 +43,7 @@ FUNCTION vec3 airForces(uvec4 fan) {
   return force;
 }
 
-// Of the faces around a vertex; a ring's w is its corner of the face.
+// Sums the membrane forces of the faces around a vertex. The ring's w is the vertex's corner index in the face.
 FUNCTION vec3 membraneForces(uvec4 fan, vec3 here) {
   precise vec3 force = vec3(0.0f);
   for (uint k = 0u; k < fan.y; ++k) {
@@ -53,15 +56,15 @@ FUNCTION vec3 membraneForces(uvec4 fan, vec3 here) {
   return force;
 }
 
-// u = (v + (F w + g) dt) keep, and where that leads; what is pinned goes where its frame carries it from where
-// it is at rest, which it has in place of a trend.
+// Returns the velocity u = (v + (F w + g) dt) kept and the predicted position. A pinned vertex moves to its rest
+// position, transformed by its pin frame. For pinned vertices `trend` stores the rest position.
 FUNCTION Motion predicted(uvec4 fan, vec4 here, vec4 velocity, vec3 trend, bool air) {
   Motion m;
   if (here.w == 0.0f) {
     int frame = max(int(velocity.w), 0);
     vec3 carried = vec3(applyRow(stepData.frames[frame].row0, trend), applyRow(stepData.frames[frame].row1, trend),
                         applyRow(stepData.frames[frame].row2, trend));
-    m.position = velocity.w < 0.0f ? vec3(velocity) : carried;  // cloth/hold.comp
+    m.position = velocity.w < 0.0f ? vec3(velocity) : carried;  // Target written by cloth/hold.comp
     m.velocity = vec3(0.0f);
     return m;
   }
@@ -75,7 +78,8 @@ FUNCTION Motion predicted(uvec4 fan, vec4 here, vec4 velocity, vec3 trend, bool 
   return m;
 }
 
-// n = sum (b - a) x (c - a) over the faces around a, so weighted by area; straight up where nothing is left of them.
+// Returns the vertex normal, n = sum (b - a) x (c - a) over the faces around a, weighted by area. Returns +y if all
+// faces are degenerate.
 FUNCTION vec3 normalAt(uvec4 fan, vec3 here) {
   precise vec3 sum = vec3(0.0f);
   for (uint k = 0u; k < fan.y; ++k) {

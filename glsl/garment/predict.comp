@@ -1,4 +1,4 @@
-// Where forces take the vertices, before lengths are kept, and with which velocities.
+// Predicts the velocities and positions of the vertices from forces, before length constraints.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)

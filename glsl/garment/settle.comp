@@ -1,4 +1,5 @@
-// After the constraints: velocities, then what the vertices meet; AGAIN: of those that cloths in contact have pushed since.
+// Computes velocities after the constraints, then applies contact. AGAIN: only for vertices that cloth contact has
+// pushed afterwards.
 #include "garment/kernel.glsl"
 #include "common/status.glsl"
 layout(local_size_x = 64) in;

@@ -1,10 +1,10 @@
-// Stitches of the seams, of one colour: they share no vertex.
+// Solves the stitches of one colour of the seams. Stitches of a colour share no vertex.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(stitchesBinding, StitchBlock, stitches)
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
-uniform int first;  // stitch of the colour
+uniform int first;  // Index of the colour's first stitch
 #include "garment/membrane.glsl"
 
 void main() {

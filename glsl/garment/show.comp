@@ -1,4 +1,4 @@
-// Drawn surface of the cloth: the file's vertices, of which several may be one vertex of the cloth, and their normals.
+// Writes the positions and normals of the drawn mesh. Several vertices of the mesh file may map to one cloth vertex.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)

@@ -1,4 +1,5 @@
-// Stretch and shear of the faces of one colour, which share no vertex, so all of them may move their corners at once.
+// Solves stretch and shear of the faces of one colour. These faces share no vertex, so all of them can move their
+// corners at once.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(elementsBinding, ElementBlock, elements)
@@ -7,7 +8,7 @@ INPUT_WORDS(cornersBinding, CornerBlock, corners)
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 #endif
 STATE_ARRAY(nextPositionsBinding, NextBlock, nextPositions)
-uniform int first;  // face of the colour
+uniform int first;  // Index of the colour's first face
 #include "garment/membrane.glsl"
 
 void main() {

@@ -1,4 +1,5 @@
-// Shifts of a mesh's vertices by thin colliders: by the edges and faces around each.
+// Computes position and velocity changes of a mesh's vertices by thin colliders, from the edges and faces around each
+// vertex.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 #include "cloth/thin_kernel.glsl"

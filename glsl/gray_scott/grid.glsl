@@ -1,27 +1,27 @@
-// How the cells lie in memory: rows of `columns` elements, each two cells (u, v, u, v), x fastest. In rows of
-// odd width (ODD_WIDTH) the last element's second half is cell 0 of the row again, computed from the same
-// numbers, so the torus closes without a case of its own in the arithmetic.
+// Memory layout of the cells: rows of `columns` elements with two cells each (u, v, u, v), x fastest. If the width is
+// odd (ODD_WIDTH), the second half of a row's last element is a copy of cell 0, computed from the same numbers. So the
+// torus needs no special case in the arithmetic.
 #include "common/bindings.glsl"
 #include "common/memory.glsl"
 #include "gray_scott/bindings.glsl"
 #include "gray_scott/model.glsl"
 
 INPUT_ARRAY(cellsBinding, CellBlock, cells)
-uniform ivec2 size;      // cells
-uniform int columns;     // elements of a row
-uniform ivec2 rowRange;  // first row of this pass, and how many; they may go over the border
+uniform ivec2 size;      // in cells
+uniform int columns;     // Elements per row
+uniform ivec2 rowRange;  // First row and number of rows of this pass; rows may lie beyond the border
 layout(std140, binding = stepBinding) uniform RatesBlock { GrayScottRates rates; };
 
 #ifdef MAPPED
 INPUT_ARRAY(weightsBinding, WeightBlock, weights)
 #endif
 
-// Rows beyond the border come back on the other side, up to twice the size; further out any will do.
+// Wraps a row index up to twice the size. The result for larger indices is arbitrary.
 int wrappedRow(int y) {
   return y < 0 ? y + size.y : y >= size.y ? min(y - size.y, size.y - 1) : y;
 }
 
-// Element x of a row, -1 <= x <= columns; at and beyond the border what follows on the torus.
+// Returns element x of a row, -1 <= x <= columns. Beyond the border it returns the wrapped cells of the torus.
 vec4 cellPair(int x, int row) {
   int inside = x < 0 ? columns - 1 : x >= columns ? 0 : x;
   vec4 pair = LOAD_INPUT(cells, row * columns + inside);
@@ -32,13 +32,13 @@ vec4 cellPair(int x, int row) {
   return pair;
 }
 
-// Sums of left and right neighbour of the two cells of an element.
+// Returns the sums of the left and right neighbours for both cells of an element.
 vec4 sideSums(vec4 left, vec4 here, vec4 right) {
   precise vec4 sums = vec4(left.zw, here.xy) + vec4(here.zw, right.xy);
   return sums;
 }
 
-// The rates of the two cells of an element as (feed, kill, feed, kill).
+// Returns the rates of the two cells of an element: (feed, kill, feed, kill).
 vec4 ratesAt(int element) {
 #ifdef MAPPED
   vec4 w = LOAD_INPUT(weights, element);
@@ -56,7 +56,7 @@ GrayScottRates cellRates(vec2 feedKill) {
   return cell;
 }
 
-// The two cells of an element one step later: `edges` and `corners` are sums of four neighbours, componentwise.
+// Returns the two cells of an element one step later. `edges` and `corners` are sums of four neighbours, per component.
 vec4 steppedPair(vec4 here, vec4 edges, vec4 corners, vec4 local) {
   GrayScottRates a = cellRates(local.xy), b = cellRates(local.zw);
   float reactedA = reaction(here.x, here.y, rates.dt);

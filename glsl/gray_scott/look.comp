@@ -1,5 +1,5 @@
-// Notes whether the next step would hold a cell to [0, 1] that is out by more than rounding. Writes no cell: the
-// stepping kernels are bounded by their instructions, and looking in each of them costs a quarter more.
+// Notes if the next step would clamp a cell that is outside [0, 1] by more than rounding. It writes no cells. It is a
+// separate kernel, because the test would make the arithmetic-bound stepping kernels a quarter slower.
 #include "gray_scott/grid.glsl"
 #include "common/status.glsl"
 layout(local_size_x = 32, local_size_y = 4) in;
@@ -9,7 +9,7 @@ vec4 sidesAt(int x, int row) {
   return sideSums(cellPair(x - 1, row), cellPair(x, row), cellPair(x + 1, row));
 }
 
-// u and v of one of the two cells, one step later.
+// Returns u and v of one cell one step later, without the clamp to [0, 1].
 vec2 freeCell(vec2 cell, vec2 edges, vec2 corners, vec2 local) {
   GrayScottRates r = cellRates(local);
   float reacted = reaction(cell.x, cell.y, rates.dt);

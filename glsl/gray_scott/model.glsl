@@ -1,48 +1,49 @@
-// One step of Gray-Scott in one cell, only additions, multiplications and comparisons. Compiles as GLSL and
-// as C++ (src/sim/gray_scott/plan.hpp).
+// One Gray-Scott step in one cell, with additions, multiplications and comparisons only. Compiles as GLSL and as C++
+// (src/sim/gray_scott/plan.hpp).
 //
 //   u' = u + dt (Du lap(u) - u v^2 + F (1 - u)),   v' = v + dt (Dv lap(v) + u v^2 - (F + k) v)
 //
-// lap: edge neighbours 0.2, corners 0.05, centre -1, on a torus.
-// a b + c where the product is exact: the same bits in one instruction as in two.
+// The weights of lap are 0.2 for edge neighbours, 0.05 for corners, -1 for the centre, on a torus.
+
+// Computes a b + c if the product is exact: then fma and separate operations give the same bits.
 #ifdef __cplusplus
 #define PLUS_EXACT_PRODUCT(a, b, c) ((a) * (b) + (c))
 #else
 #define PLUS_EXACT_PRODUCT(a, b, c) fma(a, b, c)
 #endif
 
-// What each step is told.
+// Parameters of a step.
 struct STD140 GrayScottRates {
-  float diffuseU;  // dt Du / 20
-  float diffuseV;  // dt Dv / 20
-  float feed;      // dt F
-  float kill;      // dt k
+  float diffuseU;  // dt times the diffusion rate of u, divided by 20
+  float diffuseV;  // dt times the diffusion rate of v, divided by 20
+  float feed;      // dt times the feed rate F
+  float kill;      // dt times the kill rate k
   float dt;
-  float feedSpan;  // what a weight of 1 adds to the feed
+  float feedSpan;  // Increase of the feed for a weight of 1
   float killSpan;
 };
 
-// 20 lap = 4 edges + corners - 20 centre, from sums of the four neighbours each. Exactly zero where all nine
-// are equal.
+// Returns 20 lap = 4 edges + corners - 20 centre, from the sums of the four neighbours each. It is exactly zero if all
+// nine values are equal.
 FUNCTION float laplacian20(float centre, float edges, float corners) {
   precise float sum = PLUS_EXACT_PRODUCT(4.0f, edges, corners) - 20.0f * centre;
   return sum;
 }
 
-// dt u v^2
+// Returns dt u v^2.
 FUNCTION float reaction(float u, float v, float dt) {
   precise float reacted = u * v * v * dt;
   return reacted;
 }
 
-// Within [0, 1]; what is below 1e-20 becomes zero, so that no product here is a subnormal number that a sum
-// would show: drivers disagree on those.
+// Clamps to [0, 1] and sets values below 1e-20 to zero, so that no product becomes subnormal: drivers disagree on
+// subnormal numbers.
 FUNCTION float heldToUnit(float x) {
   float clamped = min(x, 1.0f);
   return clamped < 1e-20f ? 0.0f : clamped;
 }
 
-// Before it is held to [0, 1].
+// Return the next value without the clamp to [0, 1].
 FUNCTION float freeU(float u, float laplacian, float reacted, GrayScottRates rates) {
   precise float next = u + (rates.diffuseU * laplacian - reacted + rates.feed * (1.0f - u));
   return next;
@@ -61,7 +62,7 @@ FUNCTION float nextV(float v, float laplacian, float reacted, GrayScottRates rat
   return heldToUnit(freeV(v, laplacian, reacted, rates));
 }
 
-// A rate that varies over the grid: weight 0 is `base`, weight 1 is base + span.
+// Returns a rate that varies over the grid: `base` for weight 0, base + span for weight 1.
 FUNCTION float mappedRate(float base, float span, float weight) {
   precise float rate = base + span * weight;
   return rate;

@@ -1,5 +1,5 @@
-// A brush stroke: v becomes the stroke's value and u what is left of 1. An invocation takes an element of the
-// rows that the stroke's box covers, so that the copy of cell 0 in rows of odd width is painted with it.
+// Applies a brush stroke: v becomes the stroke's value, u becomes 1 - v. One element per invocation, over the full rows
+// of the stroke's box, so that the copy of cell 0 in rows of odd width is also painted.
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "gray_scott/bindings.glsl"

@@ -1,10 +1,10 @@
-// STEPS steps in one pass, without a tile: invocations go down STRIP_ROWS rows of a strip, each with ELEMENTS elements of a
-// row. A row that is loaded completes the row above it one step later, which completes the row above that another
-// step later, and so on, so a pass keeps two rows of each step in registers and repeats only the strip's sides and its
-// first and last 2 * STEPS rows. The order of operations is that of step.comp, so the bits are the same.
+// Computes STEPS steps in one pass. An invocation walks down STRIP_ROWS rows of a strip with ELEMENTS elements per row.
+// Each loaded row completes the row above it one step later, which in turn completes the row above that one another
+// step later, and so on. So a pass keeps two rows per step in registers. It recomputes only the strip's sides and its
+// first and last 2 * STEPS rows. The operations have the same order as in step.comp, so the bits are the same.
 //
-// Where neighbours can tell each other their values, a strip is the 32 invocations of a work group side by side; on the
-// texel path each invocation has a strip of its own, and its sides are part of its elements.
+// On GPUs a strip consists of the 32 invocations of a workgroup, which exchange values. On the texel path each
+// invocation has its own strip, which includes the strip's sides.
 #ifdef SUBGROUPS
 #extension GL_KHR_shader_subgroup_shuffle_relative : require
 #endif
@@ -20,20 +20,21 @@ layout(local_size_x = 32) in;
 const int neighbours = 32;
 int lane = int(gl_LocalInvocationID.x);
 #endif
-const int border = (STEPS + 1) / 2;                     // elements
-const int inside = neighbours * ELEMENTS - 2 * border;  // of a strip that are stored
+const int border = (STEPS + 1) / 2;                     // Border of a strip, in elements
+const int inside = neighbours * ELEMENTS - 2 * border;  // Number of elements of a strip that are stored
 
-// The elements of an invocation in a row.
+// Elements of an invocation in a row.
 struct Row {
   vec4 element[ELEMENTS];
 };
 
-// The last two rows of one step, with the sums of their side neighbours.
+// Last two rows of one step, with the sums of their side neighbours.
 struct Level {
   Row above, aboveSides, here, hereSides;
 };
 
-// The last cell of the invocation to the left and the first of the one to the right; at the strip's ends anything.
+// Returns the last cell of the invocation to the left and the first cell of the invocation to the right. At the ends of
+// the strip the results are arbitrary.
 #ifdef TEXEL_PATH
 void exchange(vec2 first, vec2 last, out vec2 left, out vec2 right) {
   left = first;
@@ -47,7 +48,7 @@ void exchange(vec2 first, vec2 last, out vec2 left, out vec2 right) {
 #else
 shared vec2 firsts[2][32];
 shared vec2 lasts[2][32];
-int turn = 0;  // two in turn, so that one barrier is enough
+int turn = 0;  // Double buffer index, so that one barrier is enough
 
 void exchange(vec2 first, vec2 last, out vec2 left, out vec2 right) {
   firsts[turn][lane] = first;
@@ -70,7 +71,7 @@ Row sidesOf(Row row) {
   return sides;
 }
 
-// Takes the row below and gives the row here one step later.
+// Takes the row below and returns the row `here` one step later.
 Row advanced(inout Level level, Row below) {
   Row belowSides = sidesOf(below);
   Row next;
@@ -86,15 +87,16 @@ Row advanced(inout Level level, Row below) {
   return next;
 }
 
-// For i >= -16 count: % of a negative number is undefined in GLSL.
+// Wraps i >= -16 count. The offset is needed because % of a negative number is undefined in GLSL.
 int wrapped(int i, int count) {
   return (i + 16 * count) % count;
 }
 
-// Where the two cells of an element lie, however far beyond the border: elements of a row, and which half.
+// Location of the two cells of an element that can lie far beyond the border: elements of a row, and the half within
+// each.
 struct Source {
   int first, second;
-  bool firstHalf, secondHalf;  // true: the element's second cell
+  bool firstHalf, secondHalf;  // True for the element's second cell
 };
 
 Source sourceOf(int x) {
@@ -107,7 +109,7 @@ Source sourceOf(int x) {
 vec4 loadPair(Source source, int start) {
   vec4 pair = LOAD_INPUT(cells, start + source.first);
 #ifdef ODD_WIDTH
-  // The halves of an element beyond the border lie in two.
+  // The two cells of an element beyond the border lie in two elements.
   vec4 other = pair;
   if (source.second != source.first) other = LOAD_INPUT(cells, start + source.second);
   pair = vec4(source.firstHalf ? pair.zw : pair.xy, source.secondHalf ? other.zw : other.xy);
@@ -159,7 +161,7 @@ void main() {
 #endif
 #define MAKE(s) Level level##s = empty;
 #define ADVANCE(s) next = advanced(level##s, next);
-// The row after is under way while this one is computed.
+// Loads the next row while the current row is computed.
 #define ROW(i)                                                        \
   {                                                                   \
     Row next = pending;                                               \
@@ -174,7 +176,7 @@ void main() {
   }
   EACH(MAKE)
   Row pending = loadRow(sources, row);
-  // Three rows a round: what is above comes to lie where it was, so nothing is copied.
+  // Three rows per iteration, so that the roles of the registers rotate without copies.
   for (int i = 0; i < count; i += 3) {
     ROW(i)
     ROW(i + 1)

@@ -1,17 +1,18 @@
-// The field's values, as its simulation keeps them (src/sim/core/drawable.hpp). CELLS: 0 bits, 1 bytes, 2 floats, 3 colours
-// with the value behind them.
+// Access to a field's values in the simulation's own format (src/sim/core/drawable.hpp). CELLS: 0 bits, 1 bytes, 2
+// floats, 3 colours followed by the value.
 layout(binding = fieldUnit) uniform usamplerBuffer fieldWords;
-uniform ivec2 fieldSize;  // cells
-uniform int rowWords;     // from one row to the next
-uniform int firstWord;    // of cell (0, 0)
-uniform int cellWords;    // of floats: from a cell to the next
+uniform ivec2 fieldSize;  // Number of cells per axis
+uniform int rowWords;     // Words per row
+uniform int firstWord;    // Index of the word of cell (0, 0)
+uniform int cellWords;    // Words per cell, for floats and colours
 
 uint fieldWord(int i) {
   uvec4 four = texelFetch(fieldWords, i >> 2);
   return (i & 2) == 0 ? ((i & 1) == 0 ? four.x : four.y) : ((i & 1) == 0 ? four.z : four.w);
 }
 
-// Of a cell of the field; of one outside the nearest inside. A lost number counts as the lowest.
+// Returns the value of a cell. A cell outside the field takes the nearest cell inside. NaN and infinity count as the
+// lowest value.
 float valueAt(ivec2 cell) {
   cell = clamp(cell, ivec2(0), fieldSize - 1);
   int row = firstWord + cell.y * rowWords;

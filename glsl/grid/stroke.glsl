@@ -1,20 +1,20 @@
 // Brush strokes on a grid of cells, in exact arithmetic. Compiles as GLSL and as C++ (src/sim/grid/strokes.hpp).
 
 struct Stroke {
-  vec2 from;         // cells: where the brush is at the step's beginning,
-  vec2 to;           // and at its end
-  float radius2;     // cells^2
-  float perLength2;  // 1 / length^2 of the segment, 0: a point
-  float value;       // painted
+  vec2 from;         // Brush position at the step's start, in cells
+  vec2 to;           // Brush position at the step's end, in cells
+  float radius2;     // Squared radius, cells^2
+  float perLength2;  // 1 / squared length of the segment, or 0 for a point
+  float value;       // Painted value
   int seed;
-  int picked;        // 2^24 times the fraction of cells painted
-  int imageWord;     // of an image stamp: the first of its bits,
-  ivec2 imageFrom;   // the cell of its top left,
-  ivec2 imageSize;   // pixels; 0, 0: no image
+  int picked;        // 2^24 times the fraction of cells that are painted
+  int imageWord;     // Image stamp: index of the word with its first bit
+  ivec2 imageFrom;   // Image stamp: cell of the top left pixel
+  ivec2 imageSize;   // Image stamp: size in pixels; (0, 0) if there is no image
 };
 
-// Whether the middle of `cell` lies within the brush's radius of its segment: distance to the point
-// from + clamp((p - from).d / d.d) d.
+// True if the centre of `cell` lies within the brush's radius of the segment: distance to the point from + clamp((p -
+// from).d / d.d) d.
 FUNCTION bool strokeReaches(Stroke s, ivec2 cell) {
   precise float px = float(cell.x) + 0.5f - s.from.x;
   precise float py = float(cell.y) + 0.5f - s.from.y;
@@ -28,13 +28,13 @@ FUNCTION bool strokeReaches(Stroke s, ivec2 cell) {
   return distance2 <= s.radius2;
 }
 
-// The value as a whole number.
+// Returns the painted value rounded to an integer.
 FUNCTION int strokeNumber(Stroke s) {
   precise float rounded = s.value + 0.5f;
   return int(rounded);
 }
 
-// Whether this cell is among the fraction that a sparse stroke paints.
+// True if the cell is in the fraction that a sparse stroke paints.
 FUNCTION bool strokePicks(Stroke s, ivec2 cell) {
   return int(hash3(uvec3(uint(cell.x), uint(cell.y), uint(s.seed))).x >> 8u) < s.picked;
 }

@@ -1,11 +1,11 @@
-// What a paint kernel asks of the stroke it is run for: one dispatch over the stroke's box. Bindings are the
-// kernel's own: declare `stamps` with INPUT_WORDS before including this.
+// Common part of the paint kernels: one dispatch over the bounding box of one stroke. The including kernel first
+// declares `stamps` with INPUT_WORDS, with a binding point of its own.
 #include "common/hash.glsl"
 #include "grid/stroke.glsl"
 uniform Stroke stroke;
-uniform ivec4 strokeBox;  // first column and row, and how many of each
+uniform ivec4 strokeBox;  // First column, first row, number of columns, number of rows
 
-// The cell of this invocation; outside the box: false.
+// Computes the cell of this invocation. Returns false outside the box.
 bool strokeCell(uvec2 invocation, out ivec2 cell) {
   cell = strokeBox.xy + ivec2(invocation);
   return all(lessThan(ivec2(invocation), strokeBox.zw));

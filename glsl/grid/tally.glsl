@@ -1,5 +1,6 @@
-// Sums over all cells of a field, in a fixed order: lane i has the cells i, i + tallyLanes and so on. Before including: cellCount()
-// and tallied(int cell), whose members are added up, or of which the most is kept.
+// Sums quantities over all cells of a field in a fixed order: lane i sums the cells i, i + tallyLanes, and so on. The
+// including file provides cellCount() and tallied(int cell); the members `sums` are added, the members `most` are
+// reduced by max.
 #include "grid/tally_types.glsl"
 STATE_ARRAY(sumsOutBinding, SumBlock, laneSums)
 

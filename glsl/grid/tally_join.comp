@@ -1,5 +1,5 @@
-// Joins sums of lanes: one of `lanes` here has those of lane, lane + lanes and so on, tallyJoined of them. The last round has one
-// lane and multiplies.
+// Joins the partial sums of a tally. Each of the `lanes` results joins the tallyJoined inputs lane, lane + lanes, and
+// so on. The last round has one lane and multiplies by the factors.
 #include "common/memory.glsl"
 #include "grid/tally_types.glsl"
 layout(local_size_x = 64) in;

@@ -1,5 +1,7 @@
-// What is summed up over a field, and the most of it. Compiles as GLSL and as C++ (src/sim/grid/tally.hpp).
-const int tallyLanes = 16384;  // sums of the first round; so many that none has more than 65,535 cells
-const int tallyJoined = 128;   // of those that one of the next round joins, and of that the last
-const int sumsOutBinding = 4;  // sums and most of a lane, an element each
+// Types and constants of tallies: sums and maxima over all cells of a field. Compiles as GLSL and as C++
+// (src/sim/grid/tally.hpp).
+const int tallyLanes = 16384;  // Partial sums in the first round: enough that none has more than 65,535 cells
+// Partial sums that one lane of the second round joins; also the number that the last round joins
+const int tallyJoined = 128;
+const int sumsOutBinding = 4;  // Two elements per lane: sums, maxima
 const int sumsInBinding = 3;

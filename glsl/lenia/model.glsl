@@ -1,16 +1,17 @@
-// Continuous automata: what a cell makes of the weighted sums around it. Compiles as GLSL and as C++
+// Lenia and SmoothLife: change of a cell from weighted sums over its neighbourhood. Compiles as GLSL and as C++
 // (tests/reference/lenia_twin.cpp).
 
-// A kernel's growth: 0 polynomial, 1 Gaussian, 2 a step; around mu, as wide as sigma; weight is its share.
+// Growth function of a kernel, centred at mu with width sigma. `kind` is 0 polynomial, 1 Gaussian, 2 step; `weight` is
+// the kernel's weight.
 struct LeniaGrowth {
   float mu;
-  float perSigma2;  // 1 / (9 sigma^2) of the polynomial, 1 / (2 sigma^2) of the Gaussian, sigma of the step
+  float perSigma2;  // 1 / (9 sigma^2) for the polynomial, 1 / (2 sigma^2) for the Gaussian, sigma for the step
   float weight;
   int kind;
 };
 
-// -1 to 1. Polynomial: 2 max(0, 1 - d^2 / (9 sigma^2))^4 - 1, d = u - mu; Gaussian: 2 exp(-d^2 / (2 sigma^2)) - 1; step: 1
-// where |d| <= sigma, else -1.
+// Returns the growth, -1 to 1, with d = u - mu. Polynomial: 2 max(0, 1 - d^2 / (9 sigma^2))^4 - 1. Gaussian: 2 exp(-d^2
+// / (2 sigma^2)) - 1. Step: 1 if |d| <= sigma, otherwise -1.
 FUNCTION float leniaGrowth(LeniaGrowth g, float u) {
   precise float d = u - g.mu;
   precise float part = d * d * g.perSigma2;
@@ -26,15 +27,15 @@ FUNCTION float leniaGrowth(LeniaGrowth g, float u) {
   return growth;
 }
 
-// 1 / (1 + exp(-(x - a) slope)).
+// Returns 1 / (1 + exp(-(x - a) slope)).
 FUNCTION float smoothStepAt(float x, float a, float slope) {
   precise float power = (a - x) * slope;
   precise float under = 1.0f + exactExp(power);
   return exactReciprocal(under);
 }
 
-// SmoothLife's transition: born between b.x and b.y, survives between b.z and b.w (of the ring's filling n), between both by
-// the disc's filling m; slopes 4 / alpha of n and of m.
+// Returns SmoothLife's transition. A cell is born for a ring filling n between b.x and b.y, and survives between b.z
+// and b.w; the disc filling m interpolates between the two intervals. The slopes are 4 / alpha of n and of m.
 FUNCTION float smoothLifeNext(float n, float m, vec4 b, float slopeN, float slopeM) {
   float alive = smoothStepAt(m, 0.5f, slopeM);
   precise float low = b.x + (b.z - b.x) * alive;

@@ -1,13 +1,14 @@
-// Cells in rows with a margin, four an element, filled from the other side of the torus.
+// Copies the cells into rows with a margin, filled with the opposite side of the torus. One element of four cells per
+// invocation.
 #include "common/memory.glsl"
 #include "lenia/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
 INPUT_ARRAY(cellsBinding, CellBlock, cells)
 STATE_ARRAY(paddedBinding, PaddedBlock, padded)
-uniform ivec2 size;  // cells
-uniform int rowItems;  // elements in a row of cells,
-uniform int paddedItems;  // and in a padded one
-uniform int margin;  // cells, a multiple of 4
+uniform ivec2 size;  // Number of cells per axis
+uniform int rowItems;  // Elements per row of cells
+uniform int paddedItems;  // Elements per padded row
+uniform int margin;  // Margin in cells, a multiple of 4
 uniform int range;
 
 float cellAt(int x, int y) {
@@ -17,7 +18,7 @@ float cellAt(int x, int y) {
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
   if (at.x >= paddedItems || at.y >= size.y + 2 * range) return;
-  // Margins may be wider than the grid.
+  // The margin may be wider than the grid.
   int y = (at.y - range + 128 * size.y) % size.y;
   int x = at.x * 4 - margin;
   vec4 four;

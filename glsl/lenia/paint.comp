@@ -1,4 +1,4 @@
-// One brush stroke; an invocation has four cells side by side.
+// Applies one brush stroke. An invocation processes four adjacent cells.
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "lenia/bindings.glsl"

@@ -1,25 +1,26 @@
-// Many generations in one dispatch by one work group, of tiles only where something moves. A pass is STEPS
-// generations; a tile is TILE_WORDS * 32 cells wide and TILE_ROWS high. Every cell of a pass depends on cells at
-// most STEPS <= 16 away, so a tile whose neighbourhood (the tiles around it) stood still in the last pass stands
-// still in this one: what it holds is its own next state already, in both halves of `cells`. Tiles that change
-// mark those near them for the next pass.
+// Computes many generations in one dispatch of one workgroup, only in active tiles. A pass is STEPS generations; a tile
+// is TILE_WORDS * 32 cells wide and TILE_ROWS high. A cell depends on cells at most STEPS <= 16 away in a pass. So a
+// tile whose neighbouring tiles did not change in the last pass does not change in this pass: both halves of `cells`
+// already hold its state. A tile that changes marks the tiles near it for the next pass.
 //
-// For drivers on the CPU: there a dispatch costs 60 to 90 us, a work group of 8 is one vector, and its loops end
-// silently after 65,535 iterations: LifeActive in src/sim/life counts them, and the kernel's end notes it where that
-// was not enough.
-// Defines: BORN and SURVIVE, or FORMULA; TORUS or not; STEPS, TILE_WORDS, TILE_ROWS, TILES; OVERLAP where the height is no
-// multiple of TILE_ROWS.
+// For software drivers, where a dispatch is expensive (60 to 90 us), a workgroup of 8 is one SIMD vector, and loops end
+// without error after 65,535 iterations. LifeActive in src/sim/life counts the iterations, and the end of the kernel
+// reports a loop that was cut off.
+//
+// Defines: BORN and SURVIVE, or FORMULA; TORUS for a torus; STEPS, TILE_WORDS, TILE_ROWS, TILES; OVERLAP if the height
+// is not a multiple of TILE_ROWS.
 #include "life/bindings.glsl"
 layout(local_size_x = 8) in;
 layout(r32ui, binding = cellsBinding) uniform coherent readonly uimageBuffer cellTexels;
 layout(std430, binding = cellsBinding) coherent writeonly buffer CellBlock { uint cells[]; };
-// The pass that a tile is to be computed in.
+// Pass in which each tile must be computed.
 layout(std430, binding = marksBinding) coherent buffer MarkBlock { uint marks[]; };
-uniform ivec2 size;  // cells; width a multiple of TILE_WORDS * 32, height at least TILE_ROWS and STEPS
-uniform int rowWords;  // from row to row
-uniform uint firstPass;  // reads the half firstPass & 1, writes the other
+// Cells per axis; the width is a multiple of TILE_WORDS * 32, the height at least TILE_ROWS and STEPS
+uniform ivec2 size;
+uniform int rowWords;  // Words per row
+uniform uint firstPass;  // Reads half (firstPass & 1) of `cells`, writes the other half
 uniform int passes;
-uniform bool all;  // in the first pass, every tile
+uniform bool all;  // True if the first pass computes every tile
 
 #include "common/status.glsl"
 #define WORD uint
@@ -32,7 +33,7 @@ uniform bool all;  // in the first pass, every tile
 shared uint list[TILES];
 shared uint listed;
 
-// A row of a tile with 16 cells beside it on either side.
+// A row of a tile with 16 more cells on each side.
 const int WORDS = TILE_WORDS + 1;
 struct Row {
   uint word[WORDS];
@@ -41,12 +42,12 @@ struct RowSums {
   RowSum word[WORDS];
 };
 struct Strip {
-  RowSums above[STEPS];  // of generation t: two rows back,
-  RowSums here[STEPS];   // one row back,
-  Row alive[STEPS];      // and that row itself
+  RowSums above[STEPS];  // For generation t: sums of the row two rows back
+  RowSums here[STEPS];   // Sums of the row one row back
+  Row alive[STEPS];      // Cells of the row one row back
 };
-// What a tile is: its first word in a row, its top row, which cells beside it exist, and which of its cells
-// changed: in any row, in the first STEPS and in the last STEPS.
+// A tile: its first word in a row, its top row, masks of existing cells beside it, and masks of its changed cells: in
+// all rows, in the first STEPS rows, in the last STEPS rows.
 struct Tile {
   int first, top;
   uint leftCells, rightCells;
@@ -103,11 +104,11 @@ RowSums sumsOf(Row row) {
   return sums;
 }
 
-// Takes in row `y` of generation 0 and stores, once there is one, row y - STEPS of generation STEPS.
+// Reads row `y` of generation 0 and, once available, stores row y - STEPS of generation STEPS.
 void advance(inout Strip strip, inout Tile tile, int y, int from, int to) {
   Row row = loadRow(tile, y, from);
   for (int t = 0; t < STEPS; ++t) {
-    // `row` is row y - t of generation t; it completes the neighbours of the row above it.
+    // `row` is row y - t of generation t. It completes the neighbourhood of the row above it.
     RowSums below = sumsOf(row);
     Row next;
     for (int k = 0; k < WORDS; ++k)
@@ -135,7 +136,8 @@ Tile computed(uint index, int from, int to) {
   int across = tilesAcross();
   int column = int(index) % across;
   tile.first = column * TILE_WORDS;
-  tile.top = min(int(index) / across * TILE_ROWS, size.y - TILE_ROWS);  // the last ones may overlap
+  // The last row of tiles may overlap the row before
+  tile.top = min(int(index) / across * TILE_ROWS, size.y - TILE_ROWS);
   tile.leftCells = column == 0 ? 0xffff0000u : 0xffffffffu;
   tile.rightCells = column == across - 1 ? 0xffffu : 0xffffffffu;
   for (int k = 0; k < TILE_WORDS; ++k) tile.changed[k] = tile.changedTop[k] = tile.changedBottom[k] = 0u;
@@ -146,7 +148,7 @@ Tile computed(uint index, int from, int to) {
       strip.here[t].word[k] = rowSum(0u, 0u, 0u);
       strip.alive[t].word[k] = 0u;
     }
-  // Two rows an iteration: what is carried from one to the next costs, too.
+  // Two rows per iteration, to reduce the cost of loop-carried values.
   for (int y = tile.top - STEPS; y < tile.top + TILE_ROWS + STEPS; y += 2) {
     advance(strip, tile, y, from, to);
     advance(strip, tile, y + 1, from, to);
@@ -154,7 +156,7 @@ Tile computed(uint index, int from, int to) {
   return tile;
 }
 
-// Marks for the next pass the tiles of one row of them, beside and at `place`, that read cells changed here.
+// Marks for the next pass the tiles of one tile row, at and beside `place`, that read cells changed here.
 void markRow(ivec2 place, uint changed[TILE_WORDS], uint pass) {
   ivec2 count = ivec2(tilesAcross(), tilesDown());
   uint some = 0u;
@@ -170,7 +172,7 @@ void markAround(Tile tile, uint index, uint pass) {
   ivec2 place = ivec2(int(index) % tilesAcross(), int(index) / tilesAcross());
   markRow(place, tile.changed, pass);
 #ifdef OVERLAP
-  // The last two rows of tiles share cells, so one reads what the second next to it has.
+  // The last two rows of tiles share cells, so a tile also reads cells of the tile two rows away.
   for (int dy = -2; dy <= 2; ++dy)
     if (dy != 0) markRow(place + ivec2(0, dy), tile.changed, pass);
 #else
@@ -198,7 +200,8 @@ void main() {
     memoryBarrier();
     barrier();
   }
-  // Where the driver has ended a loop above, this one ends early, too.
+  // Detects a loop that the driver cut off: the limit of 65,535 iterations applies to all loops of an invocation
+  // together, so this loop then ends early too.
   int reached = 0;
   for (int i = 0; i <= passes; ++i) ++reached;
   if (reached <= passes) noteLost(firstPass, lane);

@@ -1,5 +1,5 @@
-// The random start: a cell is alive when the hash of (x, y, seed) is below the fraction. An invocation writes a whole
-// block of 128 cells, so none shares a word with another.
+// Fills the grid randomly: a cell is alive if the hash of (x, y, seed) is below the fraction. An invocation writes a
+// whole block of 128 cells, so that no two invocations share a word.
 #include "common/hash.glsl"
 #include "common/words.glsl"
 #include "life/bindings.glsl"
@@ -8,7 +8,7 @@ STATE_WORDS(cellsBinding, CellBlock, cells)
 uniform ivec2 size;
 uniform int rowBlocks;
 uniform int seed;
-uniform int fraction;  // 2^24 times the fraction alive
+uniform int fraction;  // 2^24 times the fraction of living cells
 uniform int firstBlock;
 
 #include "life/fill.glsl"

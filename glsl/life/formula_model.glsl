@@ -1,7 +1,7 @@
-// Any rule of nine cells on bits, as model.glsl has those that count. FORMULA is the body of nextCells for the rule: choices
-// between words, generated (src/sim/automata/engine/bit_formula.hpp).
+// Any rule of nine cells, computed on bits like the counting rules of model.glsl. FORMULA is the generated body of
+// nextCells, built from bitwise selections (src/sim/automata/engine/bit_formula.hpp).
 
-// A row's cells as each of its cells sees them.
+// A row's cells, shifted so that each bit position sees its west neighbour, itself and its east neighbour.
 struct RowSum {
   WORD west;
   WORD here;

@@ -1,14 +1,14 @@
-// Outer-totalistic automata on bits: a WORD holds as many cells as it has bits, and logic counts the
-// neighbours of all of them at once. Compiles as GLSL and as C++ (tests/reference/life_twin.cpp). The rule is
-// BORN and SURVIVE: bit n of them for n living neighbours.
+// Outer-totalistic automata on bits: a WORD holds one cell per bit, and bitwise logic counts the neighbours of all
+// cells at once. Compiles as GLSL and as C++ (tests/reference/life_twin.cpp). The rule is BORN and SURVIVE: bit n for n
+// living neighbours.
 
-// West + here + east of every cell, as two bits: low + 2 high.
+// Sum west + here + east of every cell, as two bits: low + 2 high.
 struct RowSum {
   WORD low;
   WORD high;
 };
 
-// A full adder: low = a xor b xor c, high = majority.
+// Full adder: low = a xor b xor c, high = majority.
 FUNCTION RowSum rowSum(WORD west, WORD here, WORD east) {
   WORD either = west ^ here;
   RowSum sum;
@@ -21,9 +21,9 @@ FUNCTION WORD choose(WORD bit, WORD ifZero, WORD ifOne) {
   return (ifZero & ~bit) | (ifOne & bit);
 }
 
-// What becomes of a cell when it and its neighbours are `total` alive: a living one has total - 1 living
-// neighbours. A total of 0 with a living cell, and of 9 with a dead one, do not occur: the answer is the one
-// that depends on less.
+// Returns the next state of cells for which the cell and its neighbours together have `total` living cells; a living
+// cell then has total - 1 living neighbours. Total 0 with a living cell, and total 9 with a dead cell, cannot occur;
+// for them the simpler result is returned.
 FUNCTION WORD outcome(int total, WORD alive) {
   int born = BORN >> (total < 9 ? total : 8) & 1;
   int survives = SURVIVE >> (total > 0 ? total - 1 : 0) & 1;
@@ -33,7 +33,7 @@ FUNCTION WORD outcome(int total, WORD alive) {
   return survives == 1 ? alive : ~alive;
 }
 
-// Whether totals 8 and 9 end as 0 and 1 do, for the living and the dead.
+// True if totals 8 and 9 have the same outcome as 0 and 1, for living and dead cells.
 FUNCTION bool lastAsFirst() {
   int born0 = BORN & 1;
   int born1 = BORN >> 1 & 1;
@@ -41,7 +41,7 @@ FUNCTION bool lastAsFirst() {
   return (BORN >> 8 & 1) == born0 && (SURVIVE >> 7 & 1) == born0 && survives8 == born1 && survives8 == (SURVIVE & 1);
 }
 
-// The next generation from the sums of three rows. Sum of nine cells = n0 + 2 n1 + 4 n2 + 8 n3:
+// Returns the next generation from the sums of three rows. The sum of nine cells is n0 + 2 n1 + 4 n2 + 8 n3:
 //   l + l' + l''       = n0 + 2 carry
 //   h + h' + h'' + carry = n1 + 2 n2 + 4 n3
 FUNCTION WORD nextCells(RowSum above, RowSum here, RowSum below, WORD alive) {
@@ -57,6 +57,6 @@ FUNCTION WORD nextCells(RowSum above, RowSum here, RowSum below, WORD alive) {
   WORD upTo7 = choose(n1, choose(n0, outcome(4, alive), outcome(5, alive)),
                       choose(n0, outcome(6, alive), outcome(7, alive)));
   WORD next = choose(n2, upTo3, upTo7);
-  if (lastAsFirst()) return next;  // totals 8 and 9 have n1 = n2 = 0, as 0 and 1 have
+  if (lastAsFirst()) return next;  // Totals 8 and 9 have n1 = n2 = 0, like 0 and 1
   return choose(n3, next, choose(n0, outcome(8, alive), outcome(9, alive)));
 }

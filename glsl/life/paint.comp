@@ -1,4 +1,4 @@
-// One brush stroke; an invocation owns a block of 128 cells, of which it paints those within the brush.
+// Applies one brush stroke. An invocation processes a block of 128 cells and paints the cells inside the brush.
 #include "common/words.glsl"
 #include "life/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,16 +1,17 @@
-// STEPS generations in one pass over the cells. An invocation owns BLOCKS * 128 cells of a row and goes down
-// ROWS rows, keeping the sums of the two rows above in registers for each generation, so every cell is read
-// once (and the rows at both ends of its strip, and a word to the left and right, by the neighbours too).
-// Generation t + 1 is right in all but t + 1 bits at the far ends of those two words: up to 32 steps.
-// Defines: BORN and SURVIVE, or FORMULA; TORUS or not; WHOLE where rows are whole multiples of BLOCKS * 128 cells (needed for
-// STEPS > 1, and so are at least STEPS rows); GROUP_X, GROUP_Y.
+// Computes STEPS generations in one pass. An invocation processes BLOCKS * 128 cells of a row and walks down ROWS rows.
+// For each generation it keeps the sums of the two rows above in registers, so every cell is read once; only the rows
+// at both ends of its strip, and a word to the left and right, are also read by neighbours. Generation t + 1 is correct
+// except for t + 1 bits at the far ends of both words, so STEPS can be up to 32.
+//
+// Defines: BORN and SURVIVE, or FORMULA; TORUS for a torus; WHOLE if rows are multiples of BLOCKS * 128 cells (required
+// for STEPS > 1, with at least STEPS rows); GROUP_X, GROUP_Y.
 #include "common/words.glsl"
 #include "life/bindings.glsl"
 layout(local_size_x = GROUP_X, local_size_y = GROUP_Y) in;
 INPUT_WORDS(cellsBinding, CellBlock, cells)
 STATE_WORDS(nextCellsBinding, NextBlock, newCells)
-uniform ivec2 size;  // cells
-uniform int rowBlocks;  // of 128 cells in a row
+uniform ivec2 size;  // Number of cells per axis
+uniform int rowBlocks;  // Blocks of 128 cells per row
 
 #define WORD uint
 #ifdef FORMULA
@@ -19,7 +20,7 @@ uniform int rowBlocks;  // of 128 cells in a row
 #include "life/model.glsl"
 #endif
 
-const int WORDS = BLOCKS * 4 + 2;  // with the one on the left and the one on the right
+const int WORDS = BLOCKS * 4 + 2;  // Including one word on each side
 
 struct Row {
   uint word[WORDS];
@@ -30,10 +31,10 @@ struct RowSums {
 
 int wrappedRow(int y) {
   y = y < 0 ? y + size.y : (y >= size.y ? y - size.y : y);
-  return min(y, size.y - 1);  // far below the last row: read, never used
+  return min(y, size.y - 1);  // Rows far below the last row are loaded but not used
 }
 
-// Row y of the strip with what lies beside it; y may lie STEPS rows outside the grid.
+// Loads row y of the strip with the words beside it; y may lie STEPS rows outside the grid.
 Row loadRow(int y, int first) {
   Row row;
   int start = wrappedRow(y) * rowBlocks;
@@ -56,7 +57,7 @@ Row loadRow(int y, int first) {
   row.word[0] = left.w;
   row.word[WORDS - 1] = right;
 #else
-  // The last cell of the row, moved to the place left of the first one.
+  // Moves the last cell of the row to the position left of the first cell.
   int last = size.x - 1;
   row.word[0] = leftmost ? left[last >> 5 & 3] << uint(31 - (last & 31)) : left.w;
   row.word[WORDS - 1] = right;
@@ -67,7 +68,7 @@ Row loadRow(int y, int first) {
   if (y < 0 || y >= size.y)
     for (int k = 0; k < WORDS; ++k) row.word[k] = 0u;
 #elif !defined(WHOLE)
-  // The first cell of the row, moved to the place right of the last one, where that is within the strip.
+  // Copies the first cell of the row to the position right of the last cell, if that position is in the strip.
   int end = size.x - first * 128;
   if (rightmost)
     for (int k = 1; k < WORDS; ++k) row.word[k] |= end >> 5 == k - 1 ? (right & 1u) << uint(end & 31) : 0u;
@@ -85,7 +86,7 @@ RowSums sumsOf(Row row) {
   return sums;
 }
 
-// Cells beyond a dead border stay dead in the generations between, whatever the rule.
+// Cells beyond a dead border stay dead in the intermediate generations, whatever the rule.
 void killOutside(inout Row row, int y, int first) {
 #ifndef TORUS
   if (first == 0) row.word[0] = 0u;
@@ -99,7 +100,7 @@ void storeRow(Row row, int y, int first) {
   for (int k = 0; k < BLOCKS; ++k) {
     uvec4 block = uvec4(row.word[4 * k + 1], row.word[4 * k + 2], row.word[4 * k + 3], row.word[4 * k + 4]);
 #ifndef WHOLE
-    // Bits beyond the row's end are zero.
+    // Clears bits beyond the row's end.
     ivec4 left = size.x - (first + k) * 128 - ivec4(0, 32, 64, 96);
     uvec4 some = (uvec4(1u) << uvec4(clamp(left, ivec4(0), ivec4(31)))) - 1u;
     block &= mix(some, uvec4(0xffffffffu), greaterThan(left, ivec4(31)));
@@ -121,9 +122,9 @@ void main() {
 #endif
   if (first >= rowBlocks || top >= size.y) return;
   int rows = min(ROWS, size.y - top);
-  RowSums above[STEPS];  // of generation t: two rows back,
-  RowSums here[STEPS];   // one row back,
-  Row alive[STEPS];      // and that row itself
+  RowSums above[STEPS];  // For generation t: sums of the row two rows back
+  RowSums here[STEPS];   // Sums of the row one row back
+  Row alive[STEPS];      // Cells of the row one row back
   for (int t = 0; t < STEPS; ++t)
     for (int k = 0; k < WORDS; ++k) {
       above[t].word[k] = rowSum(0u, 0u, 0u);
@@ -133,7 +134,7 @@ void main() {
   for (int i = -STEPS; i < rows + STEPS; ++i) {
     Row row = loadRow(top + i, first);
     for (int t = 0; t < STEPS; ++t) {
-      // `row` is row top + i - t of generation t; it completes the neighbours of the row above it.
+      // `row` is row top + i - t of generation t. It completes the neighbourhood of the row above it.
       RowSums below = sumsOf(row);
       Row next;
       for (int k = 0; k < WORDS; ++k)

@@ -1,4 +1,4 @@
-// After each generation: the trail of 16 cells an invocation.
+// Updates the trails after each generation. An invocation processes 16 cells.
 #include "common/words.glsl"
 #include "life/bindings.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -6,7 +6,7 @@ INPUT_WORDS(cellsBinding, CellBlock, cells)
 STATE_WORDS(trailsBinding, TrailBlock, trails)
 uniform ivec2 size;
 uniform int rowBlocks;
-uniform int rowQuads;  // elements of 16 bytes in a row of trails
+uniform int rowQuads;  // Elements of 16 bytes per row of trails
 uniform uint bright;
 uniform uint drop;
 

@@ -1,4 +1,4 @@
-// Beside heightsBinding (height_types.glsl).
+// Binding points of the mesh kernels. heightsBinding of height_types.glsl is also in use.
 #ifndef MESH_BINDINGS
 #define MESH_BINDINGS
 

@@ -1,4 +1,4 @@
-// Deformed positions from positions at rest, which are only read.
+// Computes the deformed positions from the rest positions. One vertex per invocation.
 #include "mesh/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(restPositionsBinding, RestBlock, restPositions)

@@ -1,13 +1,14 @@
-// What falls onto a deformed plane. Its vertices count where they are at rest, only lifted: what waves move sideways
-// is left out. Compiles as GLSL and as C++. Whoever includes it provides `heightGrid` (HeightGrid), loadHeights(int)
-// (x height at the frame's beginning, y at its end, m), and before it height_types.glsl and common/exact.glsl.
+// Contact with a deformed plane as a height field. A vertex counts at its rest position, displaced vertically only;
+// horizontal displacement by waves is ignored. Compiles as GLSL and as C++. The including file provides `heightGrid`
+// (HeightGrid), loadHeights(int) (x height at the frame's begin, y at its end, m), and includes before this file:
+// height_types.glsl, common/exact.glsl.
 
-// The surface over (x, z) at one moment.
+// Surface at (x, z) at one moment.
 struct SurfacePoint {
-  vec3 normal;   // unit; y > 0
-  float height;  // m
-  float speed;   // m/s, upwards
-  bool there;    // false beside the mesh
+  vec3 normal;   // Unit normal with y > 0
+  float height;  // in metres
+  float speed;   // Vertical velocity, m/s
+  bool there;    // False if the point is outside the mesh
 };
 
 FUNCTION vec2 mixedHeights(vec2 a, vec2 b, float t) {
@@ -15,14 +16,14 @@ FUNCTION vec2 mixedHeights(vec2 a, vec2 b, float t) {
   return mixed;
 }
 
-// From the beginning's value to the end's: at t of the frame.
+// Interpolates between the values at the frame's begin and end, at the current progress.
 FUNCTION float heightWithin(vec2 values) {
   precise float value = (values.y - values.x) * heightGrid.progress + values.x;
   return value;
 }
 
-// Bilinear between the four vertices around: h = mix(mix(a, b, u), mix(c, d, u), v), its slopes
-// dh/dx = mix(b - a, d - c, v) / cell and dh/dz = (lower - upper) / cell, n = (-dh/dx, 1, -dh/dz) / |...|.
+// Interpolates bilinearly between the four vertices around: h = mix(mix(a, b, u), mix(c, d, u), v), with the slopes
+// dh/dx = mix(b - a, d - c, v) / cell and dh/dz = (lower - upper) / cell, and n = (-dh/dx, 1, -dh/dz) / |...|.
 FUNCTION SurfacePoint surfaceUnder(float px, float pz) {
   precise float x = (px - heightGrid.corner.x) * heightGrid.perCell.x;
   precise float z = (pz - heightGrid.corner.y) * heightGrid.perCell.y;
@@ -30,7 +31,7 @@ FUNCTION SurfacePoint surfaceUnder(float px, float pz) {
   float maxZ = float(heightGrid.size.y - 1);
   SurfacePoint s;
   s.there = x >= 0.0f && z >= 0.0f && x <= maxX && z <= maxZ;
-  x = s.there ? x : 0.0f;  // a lost particle's place is no number
+  x = s.there ? x : 0.0f;  // The position of a lost particle can be NaN
   z = s.there ? z : 0.0f;
   int column = min(int(floor(x)), heightGrid.size.x - 2);
   int row = min(int(floor(z)), heightGrid.size.y - 2);
@@ -63,8 +64,8 @@ struct Landing {
   vec3 velocity;
 };
 
-// Straight up to the margin over the surface. Relative to the surface's own rise the speed of impact turns round by
-// the share that is given back, and a fraction of the tangential velocity stays.
+// Moves a point vertically up to the margin above the surface. Relative to the surface's vertical velocity, the impact
+// velocity is reversed by the bounce fraction, and a fraction of the tangential velocity remains.
 FUNCTION Landing landed(vec3 position, vec3 velocity) {
   SurfacePoint s = surfaceUnder(position.x, position.z);
   precise float lowest = s.height + heightGrid.margin;

@@ -1,4 +1,5 @@
-// Keeps the heights of the last frame beside those of the present one, one vertex an invocation.
+// Shifts the heights by a frame: the present heights become the last ones, and the new heights are stored beside them.
+// One vertex per invocation.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "mesh/bindings.glsl"
@@ -7,7 +8,7 @@ layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(heightsBinding, HeightBlock, heights)
 uniform int count;
-uniform float lift;  // height of the mesh's origin (m)
+uniform float lift;  // Height of the mesh's origin, m
 uniform int component;
 
 void main() {

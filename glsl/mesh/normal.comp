@@ -1,4 +1,4 @@
-// Normals of the deformed mesh, one vertex an invocation.
+// Computes the normals of the deformed mesh. One vertex per invocation.
 #include "mesh/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)

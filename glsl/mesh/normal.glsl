@@ -1,5 +1,5 @@
-// The normal of a vertex from the faces around it. Compiles as GLSL and as C++ (src/sim/mesh/deform_cpu.cpp). Whoever
-// includes it provides loadDisplaced(int), loadFan(int) -> uvec4 and loadFaces(int) -> uvec4.
+// Normal of a vertex from the adjacent faces. Compiles as GLSL and as C++ (src/sim/mesh/deform_cpu.cpp). The including
+// file provides loadDisplaced(int), loadFan(int) -> uvec4 and loadFaces(int) -> uvec4.
 
 FUNCTION vec3 faceNormal(vec3 here, uint b, uint c) {
   precise vec3 left = loadDisplaced(int(b)) - here;
@@ -7,9 +7,9 @@ FUNCTION vec3 faceNormal(vec3 here, uint b, uint c) {
   return exactCross(left, right);
 }
 
-// n = sum (b - a) x (c - a) over the faces (a, b, c) around a: weighted by area, in the order of the faces. Two
-// faces an element; a missing one is (a, a, a) and adds nothing. Where nothing is left of the faces, the normal at
-// rest stays.
+// Returns n = sum (b - a) x (c - a) over the faces (a, b, c) around a, weighted by area, in the order of the faces. An
+// element holds two faces; an unused one is (a, a, a) and adds nothing. If all faces are degenerate, returns the rest
+// normal.
 FUNCTION vec3 gatheredNormal(int vertex, vec3 atRest) {
   uvec4 fan = loadFan(vertex);
   vec3 here = loadDisplaced(vertex);

@@ -1,4 +1,4 @@
-// Presses what touches the surface into its trail, one cell an invocation.
+// Adds the prints of pressers to the trail. One cell per invocation.
 #include "mesh/kernel.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 STATE_ARRAY(trailBinding, TrailBlock, trail)

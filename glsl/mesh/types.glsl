@@ -1,5 +1,5 @@
-// What the deformation of a mesh is told of one moment, in the mesh's own space. Compiles as GLSL and as C++
-// (src/sim/mesh/deform_parameters.hpp), where members with a default are what a scene says. std140.
+// Parameters of a mesh's deformation at one moment, in the mesh's object space. Compiles as GLSL and as C++
+// (src/sim/mesh/deform_parameters.hpp), where members with a default are scene parameters. std140.
 #ifndef DEFORM_TYPES
 #define DEFORM_TYPES
 
@@ -12,39 +12,39 @@ const int footprintsKind = 3;
 const int pushKind = 4;
 
 struct STD140 RippleStep {
-  vec4 centre DEFAULT(vec4(0.0f));  // xyz (m)
-  float amplitude DEFAULT(0.25f);   // m
-  float decay DEFAULT(0.0f);        // 1/m
-  float wavenumber;                 // 1/m
+  vec4 centre DEFAULT(vec4(0.0f));  // xyz position, m
+  float amplitude DEFAULT(0.25f);   // in metres
+  float decay DEFAULT(0.0f);        // in 1/m
+  float wavenumber;                 // in 1/m
   float phase;
 };
 
 struct STD140 WaveStep {
-  vec2 heading;                    // x and z, unit
-  float amplitude DEFAULT(0.05f);  // m
-  float surge;                     // forwards and backwards (m)
-  float wavenumber;                // 1/m
+  vec2 heading;                    // Horizontal direction (x, z), unit vector
+  float amplitude DEFAULT(0.05f);  // in metres
+  float surge;                     // Amplitude of the horizontal motion, m
+  float wavenumber;                // in 1/m
   float phase;
 };
 
 struct STD140 SwayStep {
-  vec2 heading;                   // x and z, unit
-  float amplitude DEFAULT(0.2f);  // m
-  float base DEFAULT(0.0f);       // m
-  float perHeight;                // 1/m
-  float lean DEFAULT(0.4f);       // constant fraction of the amplitude
-  float gusts DEFAULT(0.6f);      // changing fraction of it
-  float wavenumber;               // of the gusts (1/m)
-  vec4 phases;                    // three of them
+  vec2 heading;                   // Horizontal direction (x, z), unit vector
+  float amplitude DEFAULT(0.2f);  // in metres
+  float base DEFAULT(0.0f);       // in metres
+  float perHeight;                // in 1/m
+  float lean DEFAULT(0.4f);       // Constant part, as a fraction of the amplitude
+  float gusts DEFAULT(0.6f);      // Varying part, as a fraction of the amplitude
+  float wavenumber;               // Wave number of the gusts, 1/m
+  vec4 phases;                    // Phases of the three gust waves
 };
 
 struct STD140 PushStep {
-  float softness DEFAULT(0.2f);  // m
-  float base DEFAULT(0.0f);      // m
-  float perHeight;               // 1/m; 0: all of it gives way
+  float softness DEFAULT(0.2f);  // in metres
+  float base DEFAULT(0.0f);      // in metres
+  float perHeight;               // 1 / height, 1/m; 0: the effect does not depend on the height
 };
 
-// Only the member of its kind counts; footprints have none.
+// A displacement of one kind. Only the member of this kind is used; footprints use none.
 struct STD140 Displacement {
   RippleStep ripple;
   WaveStep wave;
@@ -53,25 +53,25 @@ struct STD140 Displacement {
   int kind;
 };
 
-// Prints of what moves, kept on a grid of cells.
+// Grid of cells that stores the prints of pressers.
 struct STD140 TrailStep {
-  ivec2 cells DEFAULT(ivec2(512, 512));  // along x and z
-  vec2 corner;                           // x and z of the middle of cell (0, 0) (m)
-  vec2 cellSize;                         // m
-  vec2 perCell;                          // 1/m
-  float height DEFAULT(0.0f);            // of the surface that is pressed (m)
-  float depth DEFAULT(0.2f);             // of the deepest print (m)
-  float rim DEFAULT(0.25f);              // height beside a print as a fraction of its depth
-  float perRimWidth;                     // 1/m
+  ivec2 cells DEFAULT(ivec2(512, 512));  // Number of cells along x and z
+  vec2 corner;                           // x and z of the centre of cell (0, 0), m
+  vec2 cellSize;                         // in metres
+  vec2 perCell;                          // in 1/m
+  float height DEFAULT(0.0f);            // Height of the surface before it is pressed, m
+  float depth DEFAULT(0.2f);             // Greatest depth of a print, m
+  float rim DEFAULT(0.25f);              // Height of the rim as a fraction of the print's depth
+  float perRimWidth;                     // 1 / width of the rim, 1/m
 };
 
-// A solid sphere or capsule: the points around a segment.
+// A presser: a sphere, or a capsule around a segment.
 struct STD140 Presser {
-  vec4 start;        // xyz (m)
-  vec4 end;          // xyz (m)
-  float radius;      // m
-  float perLength2;  // 1/|end - start|^2, 0 for a sphere
-  float perFlat2;    // the same seen from above, 0 where it is a point
+  vec4 start;        // xyz position, m
+  vec4 end;          // xyz position, m
+  float radius;      // in metres
+  float perLength2;  // 1/|end - start|^2, or 0 for a sphere
+  float perFlat2;    // 1 / squared horizontal length, or 0 if the segment is vertical or a point
 };
 
 struct STD140 DeformStep {

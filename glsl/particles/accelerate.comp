@@ -1,6 +1,6 @@
-// All-pairs gravity on a range of targets by a range of bodies, O(N^2). Bodies are taken in order, each
-// chunk of chunkBodies in a sum of its own, so both memory paths, every split over dispatches and the
-// CPU twin give the same bits.
+// All-pairs gravity of a range of bodies on a range of targets, O(N^2). Bodies are summed in order, and each chunk of
+// chunkBodies has a sum of its own. So both memory paths, every split into dispatches, and the CPU twin give the same
+// bits.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "particles/bindings.glsl"
@@ -9,12 +9,12 @@
 
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(accelerationsBinding, AccelerationBlock, accelerations)
-uniform ivec2 targets;  // first and one past the last
-uniform ivec2 bodies;   // the same; the first a multiple of chunkBodies
-uniform float softeningSquared;  // m^2
-uniform float gravity;           // G, m^3/(kg s^2)
-uniform bool continued;  // earlier dispatches left their sum in accelerations
-uniform bool last;       // multiplies with G
+uniform ivec2 targets;  // Index range: first, one past the last
+uniform ivec2 bodies;   // Index range: first (a multiple of chunkBodies), one past the last
+uniform float softeningSquared;  // in m^2
+uniform float gravity;           // Gravitational constant G, m^3/(kg s^2)
+uniform bool continued;  // True if `accelerations` holds the partial sums of earlier dispatches
+uniform bool last;       // True in the last dispatch: the sum is multiplied by G
 
 void finish(int i, vec3 sum) {
   precise vec3 scaled = sum * gravity;
@@ -25,7 +25,8 @@ vec3 begin(int i) {
   return continued ? LOAD_STATE(accelerations, i).xyz : vec3(0.0f);
 }
 
-// Four bodies a round of the loops, which costs too; eight where an invocation has registers for them.
+// Each round of the loop processes four bodies, to reduce the loop overhead. The storage path, which has more
+// registers, processes eight.
 #define PULL(k)                                        \
   sum##k = addPull(sum##k, here##k, body0, softeningSquared); \
   sum##k = addPull(sum##k, here##k, body1, softeningSquared); \
@@ -33,7 +34,8 @@ vec3 begin(int i) {
   sum##k = addPull(sum##k, here##k, body3, softeningSquared);
 
 #ifdef TEXEL_PATH
-// A texel load is dear beside the arithmetic, so eight targets share each. A SIMD lane is an invocation.
+// On software drivers a texel load is expensive compared with the arithmetic, so one load serves eight targets of an
+// invocation. An invocation is one SIMD lane.
 layout(local_size_x = 16) in;
 #define EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 
@@ -69,8 +71,8 @@ void main() {
   EACH(FINISH)
 }
 #else
-// Each load from shared memory serves as many targets as an invocation has; few bodies would leave most of the
-// GPU without work then.
+// One load from shared memory serves all targets of an invocation. With few targets in total, TARGETS is 1, because
+// otherwise most of the GPU would be idle.
 layout(local_size_x = 256) in;
 #if TARGETS == 4
 #define EACH(DO) DO(0) DO(1) DO(2) DO(3)
@@ -92,7 +94,7 @@ void main() {
     EACH(ZERO)
     int end = min(chunk + chunkBodies, bodies.y);
     for (int start = chunk; start < end; start += 256) {
-      // Beyond the end stand bodies without mass: adding their zero changes no bit of the sum.
+      // Positions beyond the end are filled with massless bodies: adding their zero pull changes no bit of the sum.
       tile[lane] = start + lane < end ? LOAD_INPUT(positions, start + lane) : vec4(0.0f);
       barrier();
       for (int j = 0; j < 256; j += 8) {
@@ -112,7 +114,7 @@ void main() {
 #define JOIN(k) total##k = total##k + sum##k;
     EACH(JOIN)
   }
-  // A target beyond the end is the last one once more: only the one in its own place stores.
+  // A target index beyond the end repeats the last target. Only the invocation at the target's own place stores it.
 #define FINISH(k) \
   if (first + k * 256 < targets.y) finish(i##k, total##k);
   EACH(FINISH)

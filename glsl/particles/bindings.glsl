@@ -1,10 +1,10 @@
-// Bindings of the particle kernels' arrays.
+// Binding points of the arrays of the particle kernels.
 #ifndef PARTICLE_BINDINGS
 #define PARTICLE_BINDINGS
 
 const int positionsBinding = 0;
 const int velocitiesBinding = 1;
 const int accelerationsBinding = 2;
-const int startsBinding = 2;  // where a substep began, of kernels that read no accelerations
+const int startsBinding = 2;  // Positions at the start of a substep, in kernels that read no accelerations
 
 #endif

@@ -1,5 +1,6 @@
-// The newborns of a substep, from their birth to its end; after the other particles' drift. With ATTRACTS the kick is
-// left to kick.comp, which knows the others' pull.
+// Creates a substep's new particles and moves each from its birth to the substep's end. Runs after the drift of the
+// other particles. With ATTRACTS, kick.comp applies the second kick, because it needs the gravity of the other
+// particles.
 #include "particles/kernel.glsl"
 
 void main() {

@@ -1,4 +1,4 @@
-// First kick and drift of every particle; deaths.
+// First kick and drift of all particles; also ages particles and removes dead ones. One particle per invocation.
 #include "particles/kernel.glsl"
 
 void main() {

@@ -1,4 +1,5 @@
-// Keeps where a substep of particles in contact with cloth begins: the rest of it works on the copy.
+// Copies the positions at the start of a substep, for particles in contact with cloth. The rest of the substep changes
+// the copy.
 #include "common/memory.glsl"
 #include "particles/bindings.glsl"
 layout(local_size_x = 64) in;

@@ -1,4 +1,4 @@
-// What every kernel of particles includes but accelerate.comp.
+// Common includes and buffers of all particle kernels except accelerate.comp.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/hash.glsl"

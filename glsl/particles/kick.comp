@@ -1,4 +1,4 @@
-// Adds the fields to the particles' own gravity and makes the second kick.
+// Adds the field accelerations to the particles' gravity and applies the second kick. One particle per invocation.
 #include "particles/kernel.glsl"
 
 void main() {

@@ -1,15 +1,15 @@
-// One particle over one substep of a leapfrog (kick, drift, kick), apart from the particles' own gravity.
-// Compiles as GLSL and as C++, where it is the CPU twin. Whoever includes it provides `stepData`
-// (ParticleStep) and the files types.glsl, common/exact.glsl, common/hash.glsl, particles/pairs.glsl,
-// particles/pace.glsl, mesh/height_model.glsl, contour/wall_model.glsl, and blown and windAt (fluid/wind_array.glsl).
+// One particle over one substep of a leapfrog (kick, drift, kick), without the mutual gravity. Compiles as GLSL and as
+// C++ (the CPU twin of the tests). The including file provides `stepData` (ParticleStep), types.glsl,
+// common/exact.glsl, common/hash.glsl, particles/pairs.glsl, particles/pace.glsl, mesh/height_model.glsl,
+// contour/wall_model.glsl, and `blown` and windAt() (fluid/wind_array.glsl).
 #include "collide/model.glsl"
 
 struct ParticleMotion {
-  vec4 position;  // xyz m; w kg, 0 while not alive
-  vec4 velocity;  // xyz m/s; w age from 0 to 1, negative while not alive
+  vec4 position;  // xyz position, m; w mass, kg (0: not alive)
+  vec4 velocity;  // xyz velocity, m/s; w age from 0 to 1 (negative: not alive)
 };
 
-// The upper 24 bits of a word as a number in [0, 1), exactly.
+// Returns the upper 24 bits of a word as a number in [0, 1), without rounding.
 FUNCTION float unit(uint bits) {
   precise float u = float(int(bits >> 8u)) * 5.9604645e-8f;
   return u;
@@ -19,13 +19,13 @@ FUNCTION uvec3 randomWords(int item, int purpose, int draw) {
   return hash3(uvec3(uint(item), uint(purpose * 8 + draw), uint(stepData.seed) * 0x9e3779b9u));
 }
 
-// s = 6u^5 - 15u^4 + 10u^3: its first and second derivatives vanish at 0 and 1.
+// Returns 6u^5 - 15u^4 + 10u^3. Its first and second derivatives vanish at 0 and 1.
 FUNCTION float quintic(float u) {
   precise float s = ((u * 6.0f - 15.0f) * u + 10.0f) * u * u * u;
   return s;
 }
 
-// s' = 30 u^2 (u - 1)^2.
+// Returns the derivative of quintic(), 30 u^2 (u - 1)^2.
 FUNCTION float quinticSlope(float u) {
   precise float root = (u - 1.0f) * u;
   precise float s = root * root * 30.0f;
@@ -36,10 +36,10 @@ FUNCTION vec3 latticePotential(int x, int y, int z) {
   return signedUnits(hash3(uvec3(uint(x), uint(y), uint(z) ^ (uint(stepData.seed) * 0x85ebca6bu))));
 }
 
-// Curl of a vector potential of value noise at p (in units of its lattice): no sources, no sinks.
-//   curl psi = (dpsi_z/dy - dpsi_y/dz, dpsi_x/dz - dpsi_z/dx, dpsi_y/dx - dpsi_x/dy),
-// the derivatives taken exactly from the blend of the eight corners. Scaled to a root mean square of 1
-// (1.873 measured without).
+// Returns the curl of a value-noise vector potential at p, in lattice units; it is free of divergence:
+//   curl psi = (dpsi_z/dy - dpsi_y/dz, dpsi_x/dz - dpsi_z/dx, dpsi_y/dx - dpsi_x/dy).
+// The derivatives are the exact derivatives of the interpolation of the eight corners. The factor scales the root mean
+// square to 1 (1.873 measured without it).
 FUNCTION vec3 curlNoise(vec3 p) {
   precise vec3 base = clamp(floor(p), -1e6f, 1e6f);
   precise vec3 u = p - base;
@@ -68,13 +68,13 @@ FUNCTION vec3 curlNoise(vec3 p) {
   return curl;
 }
 
-// On a straight line from `end` (share 0) to `start` (share 1).
+// Interpolates linearly from `end` (fraction 0) to `start` (fraction 1).
 FUNCTION vec4 backTo(vec4 end, vec4 start, float fraction) {
   precise vec4 sum = (start - end) * fraction + end;
   return sum;
 }
 
-// The fields at a moment within the substep, that fraction of it before its end.
+// Returns the fields at a moment within the substep, `fraction` of the substep before its end.
 FUNCTION ParticleFields fieldsAt(float fraction) {
   ParticleFields f;
   f.acceleration = backTo(stepData.fields.acceleration, stepData.fieldsBefore.acceleration, fraction);
@@ -83,7 +83,7 @@ FUNCTION ParticleFields fieldsAt(float fraction) {
   return f;
 }
 
-// Acceleration by everything but the other particles. ATTRACTOR and TURBULENCE switch terms off.
+// Returns the acceleration without mutual gravity. `attractor` and `turbulence` enable these terms.
 FUNCTION vec3 fieldAcceleration(ParticleFields fields, vec3 here, bool attractor, bool turbulence) {
   precise vec3 sum = vec3(fields.acceleration);
   if (attractor) {
@@ -99,7 +99,8 @@ FUNCTION vec3 fieldAcceleration(ParticleFields fields, vec3 here, bool attractor
   return sum;
 }
 
-// A point of the unit sphere: height uniform in [-1, 1), then the angle.
+// Returns a point of the unit sphere, uniformly distributed for `height` uniform in [-1, 1) and `turn` uniform in [0,
+// 1).
 FUNCTION vec3 onSphere(float height, float turn) {
   precise float angle = turn * 6.2831853f;
   precise float squared = 1.0f - height * height;
@@ -109,7 +110,8 @@ FUNCTION vec3 onSphere(float height, float turn) {
   return vec3(x, height, z);
 }
 
-// Lifetime of a slot: the same for each particle that lives in it, so the ring never overtakes itself.
+// Returns the lifetime of the particles of a slot, in seconds. All particles of a slot have the same lifetime, so that
+// no slot is reused before its particle dies.
 FUNCTION float lifetimeOf(int slot, int e) {
   EmitterConstants emitter = stepData.emitters[e].constants;
   float variation = signedUnit(randomWords(slot, e, 0).x);
@@ -117,7 +119,8 @@ FUNCTION float lifetimeOf(int slot, int e) {
   return lifetime;
 }
 
-// A slot's place in this substep: its emitter, -1 for particles of groups, and which newborn it is, -1 for none.
+// Returns a slot's emitter (-1 for particles of groups) and the slot's index among the substep's new particles (-1 if
+// not new).
 FUNCTION ivec2 ringPlace(int slot) {
   for (int e = 0; e < stepData.emitterCount; ++e) {
     int slots = stepData.emitters[e].slots;
@@ -130,20 +133,20 @@ FUNCTION ivec2 ringPlace(int slot) {
   return ivec2(-1, -1);
 }
 
-// The inverse of ringPlace: the slot of newborn k.
+// Returns the slot of new particle k: the inverse of ringPlace.
 FUNCTION int newbornSlot(int e, int k) {
   int slots = stepData.emitters[e].slots;
   int place = stepData.emitters[e].firstPlace + k;
   return stepData.emitters[e].firstSlot + (place < slots ? place : place - slots);
 }
 
-// Seconds that newborn k has lived at the substep's end.
+// Returns the seconds that new particle k has lived at the substep's end.
 FUNCTION float livedSeconds(int e, int k) {
   precise float lived = stepData.emitters[e].firstLived - float(k) * stepData.emitters[e].birthInterval;
   return min(max(lived, 0.0f), stepData.dt);
 }
 
-// v' = v + a first kick, x' = x + v' drift.
+// First kick and drift: v' = v + a firstKick, x' = x + v' drift.
 FUNCTION ParticleMotion drifted(ParticleMotion m, vec3 acceleration, Pace pace) {
   precise vec3 v = vec3(m.velocity) + acceleration * pace.firstKick;
   precise vec3 x = vec3(m.position) + v * pace.drift;
@@ -162,7 +165,7 @@ FUNCTION ParticleMotion grownOlder(ParticleMotion m, float seconds, int slot, in
   return m;
 }
 
-// First kick and drift of a particle that lives since before the substep. Slots of emitters also age and die.
+// First kick and drift of a particle born before the substep. Particles of emitters also age and die.
 FUNCTION ParticleMotion moved(int i, vec4 position, vec4 velocity, vec3 acceleration) {
   ParticleMotion m;
   m.position = position;
@@ -174,7 +177,7 @@ FUNCTION ParticleMotion moved(int i, vec4 position, vec4 velocity, vec3 accelera
   return m;
 }
 
-// Newborn k at its birth; age 0. `fraction` of the substep is left to live.
+// Returns new particle k at its birth, with age 0. `fraction` of the substep remains after the birth.
 FUNCTION ParticleMotion newborn(int e, int k, float fraction) {
   EmitterStep emitter = stepData.emitters[e];
   vec4 mean = backTo(emitter.velocity, emitter.velocityBefore, fraction);
@@ -188,7 +191,7 @@ FUNCTION ParticleMotion newborn(int e, int k, float fraction) {
   uvec3 a = randomWords(serial, e, 1);
   uvec3 b = randomWords(serial, e, 2);
   uvec3 c = randomWords(serial, e, 3);
-  // Uniform in a cone: h = 1 - cos = u (1 - cos spread), sin^2 = h (2 - h), where nothing cancels.
+  // Uniform in a cone: h = 1 - cos = u (1 - cos spread), sin^2 = h (2 - h). This form avoids cancellation.
   precise float height = unit(a.x) * emitter.coneHeight;
   precise float cosine = 1.0f - height;
   precise float squared = (2.0f - height) * height;
@@ -198,7 +201,7 @@ FUNCTION ParticleMotion newborn(int e, int k, float fraction) {
   precise float upwards = sine * exactSin(angle);
   precise float speed = (signedUnit(a.z) * emitter.constants.speedVariation + 1.0f) * exactSqrt(meanSquared);
   precise vec3 velocity = (forward * cosine + side * sideways + up * upwards) * speed;
-  // The greatest of three uniform numbers is distributed like the radius in a ball.
+  // The max of three uniform numbers has the distribution of the radius in a ball.
   precise float radius = max(max(unit(c.x), unit(c.y)), unit(c.z)) * emitter.constants.radius;
   precise vec3 place = vec3(backTo(emitter.position, emitter.positionBefore, fraction)) +
                        onSphere(signedUnit(b.x), unit(b.y)) * radius;
@@ -208,7 +211,8 @@ FUNCTION ParticleMotion newborn(int e, int k, float fraction) {
   return m;
 }
 
-// Newborn k after the first kick and drift of the part of the substep that it lives, by the fields at its birth.
+// Returns new particle k after the first kick and drift over the remaining part of the substep, with the fields at its
+// birth.
 FUNCTION ParticleMotion newbornMoved(int e, int k, bool attractor, bool turbulence) {
   float lived = livedSeconds(e, k);
   precise float fraction = lived * exactReciprocal(stepData.dt);
@@ -219,7 +223,7 @@ FUNCTION ParticleMotion newbornMoved(int e, int k, bool attractor, bool turbulen
   return grownOlder(m, lived, newbornSlot(e, k), e);
 }
 
-// After the drift, with `from` where it began: out of shapes and rigid meshes.
+// Moves a particle out of shapes and rigid meshes, after the drift from `from`.
 FUNCTION ParticleMotion outOfSolids(ParticleMotion m, vec3 from) {
   bool alive = m.velocity.w >= 0.0f;
   Motion here;
@@ -232,7 +236,7 @@ FUNCTION ParticleMotion outOfSolids(ParticleMotion m, vec3 from) {
   return m;
 }
 
-// After that: out of the mesh that collides.
+// Moves a particle out of the colliding height mesh, after outOfSolids.
 FUNCTION ParticleMotion overHeights(ParticleMotion m) {
   Landing l = landed(vec3(m.position), vec3(m.velocity));
   bool alive = m.velocity.w >= 0.0f;
@@ -241,7 +245,7 @@ FUNCTION ParticleMotion overHeights(ParticleMotion m) {
   return m;
 }
 
-// After that, with `from` where the drift began: out of the solid that it meets.
+// Moves a particle out of the walls of a solid, after the drift from `from`. Runs after overHeights.
 FUNCTION ParticleMotion besideWalls(ParticleMotion m, vec3 from) {
   bool alive = m.velocity.w >= 0.0f;
   vec3 here = alive ? vec3(m.position) : from;
@@ -251,14 +255,14 @@ FUNCTION ParticleMotion besideWalls(ParticleMotion m, vec3 from) {
   return m;
 }
 
-// Damping and second kick: v' = v keep + a second kick.
+// Damping and second kick: v' = v kept + a secondKick.
 FUNCTION vec4 kicked(vec4 velocity, vec3 acceleration, Pace pace) {
   precise vec3 v = vec3(velocity) * pace.kept + acceleration * pace.secondKick;
   return velocity.w < 0.0f ? velocity : vec4(v, velocity.w);
 }
 
-// The others' pull at a newborn is known only where its drift ended. It stands for the one at the birth, too, and
-// makes up here for a first kick and a drift without it.
+// Applies the other particles' pull to a new particle. The pull is known only at the end of the drift. It also
+// approximates the pull at the birth, so this function adds the missing first kick and its drift.
 FUNCTION ParticleMotion pulledSinceBirth(ParticleMotion m, vec3 pull, Pace pace) {
   precise vec3 kick = pull * pace.firstKick;
   precise vec3 x = vec3(m.position) + kick * pace.drift;
@@ -268,7 +272,7 @@ FUNCTION ParticleMotion pulledSinceBirth(ParticleMotion m, vec3 pull, Pace pace)
   return m;
 }
 
-// A position or speed beyond 1e8: the arithmetic of exact.glsl ends there.
+// True if position or speed exceeds 1e8 or is not a number: the range of exact.glsl ends there.
 FUNCTION bool isLost(vec4 position, vec4 velocity) {
   float distanceSquared = exactDot(vec3(position), vec3(position));
   float speedSquared = exactDot(vec3(velocity), vec3(velocity));

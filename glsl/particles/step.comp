@@ -1,4 +1,4 @@
-// A whole substep of particles that do not attract each other: kick, drift, kick.
+// Whole substep (kick, drift, kick) of particles without mutual gravity. One particle per invocation.
 #include "particles/kernel.glsl"
 
 void main() {

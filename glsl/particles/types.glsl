@@ -1,79 +1,80 @@
-// What the particle kernels read once per substep. Compiles as GLSL and as C++ (src/sim/particles). A struct's
-// vec4 come first, so that std140 and C++ agree.
+// Uniform block that the particle kernels read once per substep. Compiles as GLSL and as C++ (src/sim/particles). The
+// vec4 members of a struct come first, so that std140 and C++ have the same layout.
 #ifndef PARTICLE_TYPES
 #define PARTICLE_TYPES
 
 #include "collide/types.glsl"
 
 const int maxEmitters = 16;
-// All-pairs gravity adds this many bodies into a sum of their own before they join the total. The size
-// decides how sums round, so both memory paths and the CPU twin share it.
+// Bodies per partial sum of all-pairs gravity. The size affects rounding, so both memory paths and the CPU twin share
+// it.
 const int chunkBodies = 1024;
 
-// What a scene says and the kernels read as it is.
+// Scene parameters that the kernels use unchanged.
 struct STD140 EmitterConstants {
-  float radius DEFAULT(0.0f);             // m, of the ball in which particles appear
-  float speedVariation DEFAULT(0.3f);     // fraction
-  float lifetime DEFAULT(2.0f);           // s
-  float lifetimeVariation DEFAULT(0.3f);  // fraction
-  float mass DEFAULT(1.0f);               // kg
+  float radius DEFAULT(0.0f);             // Radius of the ball in which particles appear, m
+  float speedVariation DEFAULT(0.3f);     // Random variation, as a fraction of the mean
+  float lifetime DEFAULT(2.0f);           // in seconds
+  float lifetimeVariation DEFAULT(0.3f);  // Random variation, as a fraction of the mean
+  float mass DEFAULT(1.0f);               // in kg
 };
 
 struct STD140 TurbulenceConstants {
-  float strength DEFAULT(0.0f);  // m/s^2
+  float strength DEFAULT(0.0f);  // in m/s^2
 };
 
 struct STD140 ParticleConstants {
-  float damping DEFAULT(0.0f);             // 1/s, towards rest; 0.06 keeps 0.999 at 60 Hz
-  float attractorSoftening DEFAULT(0.1f);  // m
-  float bounce DEFAULT(0.3f);              // fraction of the speed of impact that is given back
-  float margin DEFAULT(0.0f);              // m kept from what they touch
+  float damping DEFAULT(0.0f);             // Damping of velocity, 1/s; 0.06 keeps a fraction 0.999 per step at 60 Hz
+  float attractorSoftening DEFAULT(0.1f);  // in metres
+  float bounce DEFAULT(0.3f);              // Fraction of the impact speed that is returned
+  float margin DEFAULT(0.0f);              // Distance kept from colliders, m
 };
 
-// A ring of slots; newborns fill it in turn, each at its own moment of the substep.
+// Emitter: a ring buffer of slots. New particles take the slots in turn; each has its own moment of birth within the
+// substep.
 struct STD140 EmitterStep {
-  vec4 position;          // xyz m, at the substep's end
-  vec4 positionBefore;    // the same at its start
-  vec4 velocity;          // xyz m/s, the mean at the end
-  vec4 velocityBefore;    // the same at the start
-  float coneHeight;       // 1 - cos(spread)
-  float birthInterval;    // s between two births
-  float firstLived;       // s the first newborn has lived at the substep's end
+  vec4 position;          // xyz position at the substep's end, m
+  vec4 positionBefore;    // xyz position at the substep's start, m
+  vec4 velocity;          // xyz mean velocity of new particles at the substep's end, m/s
+  vec4 velocityBefore;    // xyz mean velocity at the substep's start, m/s
+  float coneHeight;       // 1 - cos(spread angle)
+  float birthInterval;    // Seconds between two births
+  float firstLived;       // Seconds that the first new particle has lived at the substep's end
   int firstSlot;
   int slots;
-  int firstPlace;         // in the ring, of the first newborn
+  int firstPlace;         // Index in the ring of the first new particle
   int newborns;
-  int firstSerial;        // number of the first newborn since the start
+  int firstSerial;        // Serial number of the first new particle, counted from the start
   EmitterConstants constants;
 };
 
-// What accelerates particles wherever they are, at one moment.
+// Fields that accelerate all particles, at one moment.
 struct STD140 ParticleFields {
-  vec4 acceleration;     // xyz m/s^2 everywhere
-  vec4 attractor;        // xyz m; w G M (m^3/s^2)
-  vec4 turbulenceDrift;  // xyz how far the field has drifted (m)
+  vec4 acceleration;     // xyz uniform acceleration, m/s^2
+  vec4 attractor;        // xyz position, m; w G M, m^3/s^2
+  vec4 turbulenceDrift;  // xyz displacement of the noise field, m
 };
 
-// How far one step of a damped leapfrog goes: see paceOf() of pace.glsl.
+// Coefficients of a damped leapfrog step: see paceOf() of pace.glsl.
 struct STD140 Pace {
-  float firstKick;   // s
-  float drift;       // s
-  float kept;        // fraction of velocity
-  float secondKick;  // s
+  float firstKick;   // in seconds
+  float drift;       // in seconds
+  float kept;        // Fraction of velocity that damping leaves
+  float secondKick;  // in seconds
 };
 
 struct STD140 ParticleStep {
-  ParticleFields fields;        // at the substep's end
-  ParticleFields fieldsBefore;  // at its start
-  Pace pace;                    // of a whole substep
-  float dt;                     // s
-  float perTurbulenceSize;      // 1/m
+  ParticleFields fields;        // Fields at the substep's end
+  ParticleFields fieldsBefore;  // Fields at the substep's start
+  Pace pace;                    // Coefficients for a whole substep
+  float dt;                     // in seconds
+  float perTurbulenceSize;      // in 1/m
   int count;
-  int substep;                  // since the start
+  int substep;                  // Number of substeps since the start
   int seed;
   int emitterCount;
   int colliderCount;
-  float windDrag;               // 1/s, at which velocity becomes the wind's; the constants' damping has it, too
+  float windDrag;               // Rate at which velocity approaches the wind's, 1/s; constants.damping includes it
   ParticleConstants constants;
   TurbulenceConstants turbulence;
   EmitterStep emitters[maxEmitters];

@@ -1,4 +1,5 @@
-// Averages the samples and encodes, as the last pass of a picture does.
+// Last pass of the probe picture: averages the samples and encodes the colour, as the final pass of a real picture
+// does.
 #include "draw/bindings.glsl"
 #include "draw/samples.glsl"
 layout(binding = sceneUnit) uniform SAMPLED light;

@@ -1,4 +1,4 @@
-// The bits of every sample: light and depth, 5 words each.
+// Copies the bits of every sample: light and depth, 5 words each. One sample per invocation.
 #include "draw/bindings.glsl"
 #include "draw/samples.glsl"
 layout(local_size_x = 64) in;

@@ -1,4 +1,4 @@
-// Every way in which the passes read textures: sRGB, half floats, comparison of depths.
+// Reads textures in all ways that the drawing passes use: sRGB, half floats, depth comparison.
 #include "draw/bindings.glsl"
 in vec3 place;
 in vec3 normal;

@@ -1,6 +1,6 @@
-// Triangles in perspective, pulled as surfaces are.
+// Triangles in perspective, with vertices pulled from a texel buffer like surfaces.
 #include "draw/bindings.glsl"
-layout(binding = positionUnit) uniform samplerBuffer vertices;  // position and u, normal and v
+layout(binding = positionUnit) uniform samplerBuffer vertices;  // Per vertex two texels: position and u; normal and v
 uniform mat4 projection;
 out vec3 place;
 out vec3 normal;

@@ -1,5 +1,5 @@
-// A brush stroke in a volume or on a mesh: a species becomes the stroke's value. An invocation takes an element, four cells, of
-// the rows of a volume that the stroke's box covers, or of a mesh's one row.
+// Applies a brush stroke in a volume or on a mesh: a species becomes the stroke's value. An invocation processes an
+// element of four cells, in the rows of a volume that the stroke's bounding box covers, or in a mesh's single row.
 #include "common/hash.glsl"
 #include "common/memory.glsl"
 #include "grid/stroke.glsl"
@@ -8,13 +8,13 @@
 layout(local_size_x = 64) in;
 STATE_ARRAY(nextBinding, CellBlock, cells)
 #ifdef MESH
-INPUT_ARRAY(weightsBinding, MapBlock, maps)  // the last three are the cells' places
-uniform int places;  // plane of the first of them
+INPUT_ARRAY(weightsBinding, MapBlock, maps)  // The last three planes are the cells' positions
+uniform int places;  // First plane of the positions
 #endif
 uniform Stroke stroke;
 uniform Brush brush;
-uniform ivec2 size;     // cells
-uniform ivec4 boxRows;  // of y and of z: first, and how many
+uniform ivec2 size;     // Number of cells per axis
+uniform ivec4 boxRows;  // First y and number of y, first z and number of z
 uniform int columns, depth, plane;
 
 void main() {

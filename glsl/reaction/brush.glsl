@@ -1,13 +1,13 @@
-// A brush stroke in space: a ball that goes from one place to another. Compiles as GLSL and as C++
+// Brush stroke in space: a sphere swept from one position to another. Compiles as GLSL and as C++
 // (src/sim/reaction/brushes.hpp).
 struct Brush {
-  vec3 from;         // cells of a volume; on a mesh as its places are told
+  vec3 from;         // In cells of a volume, or in the coordinates of a mesh's cell positions
   vec3 to;
   float radius2;
-  float perLength2;  // 1 / length^2 of the way, 0: a point
+  float perLength2;  // 1 / squared length of the path, or 0 for a point
 };
 
-// As strokeReaches of grid/stroke.glsl, with a third axis.
+// True if the position lies within the brush; as strokeReaches of grid/stroke.glsl, with a third axis.
 FUNCTION bool brushReaches(Brush b, vec3 place) {
   precise float px = place.x - b.from.x;
   precise float py = place.y - b.from.y;

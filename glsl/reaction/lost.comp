@@ -1,4 +1,4 @@
-// Which of the steps of passes of several was the first to lose a cell (strips.glsl).
+// Finds the first step with a lost cell among passes of several steps (strips.glsl). Runs as a single invocation.
 #include "common/status.glsl"
 #include "reaction/bindings.glsl"
 layout(local_size_x = 1) in;

@@ -1,7 +1,7 @@
-// Another object's field on the grid of a rule, as the map of a parameter: bilinear between the middles of its cells, in all
-// layers of a volume alike; of another volume (LAYERS) trilinear. An invocation takes an element, four cells, of one layer's
-// rows. On a mesh (MESH) its cells lie on
-// the field at places of their own, or are the field's own cells (`byCell`).
+// Samples another object's field on the grid of a rule, as the map of a parameter. Interpolates bilinearly between cell
+// centres, with the same values for all layers of a volume; with LAYERS, samples another volume trilinearly. An
+// invocation processes an element of four cells of one layer. With MESH, the cells have individual positions in the
+// field, or are the field's own cells (`byCell`).
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
@@ -15,11 +15,12 @@ const int fieldUnit = stageBinding;
 uniform ivec2 size;
 uniform int columns, depth, plane;
 #ifdef LAYERS
-uniform int fieldLayers;  // one after the other in the field's rows
+uniform int fieldLayers;  // Layers of the field, stored one after another in its rows
 #endif
 uniform float storedGrain;
 #ifdef MESH
-INPUT_WORDS(linksBinding, PlaceBlock, places)  // of four cells: from the left in the lower, from the top in the upper 16 bits
+// Per cell: position from the left in the lower 16 bits, from the top in the upper 16 bits
+INPUT_WORDS(linksBinding, PlaceBlock, places)
 uniform int byCell;
 #endif
 
@@ -27,7 +28,7 @@ float storedValueAt(int x, int y) {
   return grained(valueAt(ivec2(x, y)), storedGrain);
 }
 
-// Between the rows of one layer, which begins at row `top`.
+// Interpolates between the rows of the layer that begins at row `top`.
 float inLayer(Between across, Between down, int top) {
   float above = betweenOf(storedValueAt(across.before, top + down.before), storedValueAt(across.after, top + down.before), across.share);
   float below = betweenOf(storedValueAt(across.before, top + down.after), storedValueAt(across.after, top + down.after), across.share);

@@ -1,9 +1,11 @@
-// Several steps in one pass, as gray_scott/strips.comp has them: invocations go down the rows of a strip; a row that is
-// loaded completes the row above it one step later, and so on. Where neighbours can tell each other their values, a strip is
-// the 32 invocations of a work group side by side; on the texel path each invocation has a strip of its own.
-// The kernel says STEPS, ELEMENTS (of four cells, of an invocation) and STRIP_ROWS.
-// Beyond edges that nothing crosses the field is mirrored: column -1 is column 0, -2 is 1. Where stencils are even, as all
-// sums are, the cells there step as those that they mirror, bit for bit, so a strip goes on into them.
+// Computes several steps in one pass, like gray_scott/strips.comp. Invocations walk down the rows of a strip; each
+// loaded row completes the row above it one step later, and so on. On GPUs a strip consists of the 32 invocations of a
+// workgroup, which exchange values; on the texel path each invocation has its own strip. The kernel defines STEPS,
+// ELEMENTS (elements of four cells per invocation) and STRIP_ROWS.
+//
+// With the no-flux boundary, the field is mirrored beyond the edges: column -1 equals column 0, column -2 equals column
+// 1. All sums are symmetric stencils, so a mirrored cell steps with the same bits as its original, and a strip
+// continues into the mirrored cells.
 #ifdef TEXEL_PATH
 const int neighbours = 1;
 int lane = 0;
@@ -11,10 +13,11 @@ int lane = 0;
 const int neighbours = 32;
 int lane = int(gl_LocalInvocationID.x);
 #endif
-const int border = (STEPS + 3) / 4;                     // elements
-const int inside = neighbours * ELEMENTS - 2 * border;  // of a strip that are stored
+const int border = (STEPS + 3) / 4;                     // Border of a strip, in elements
+const int inside = neighbours * ELEMENTS - 2 * border;  // Number of elements of a strip that are stored
 
-// The last cell of the invocation to the left and the first of the one to the right; at the strip's ends anything.
+// Returns the last cell of the invocation to the left and the first cell of the invocation to the right. At the ends of
+// the strip the values are arbitrary.
 #ifdef TEXEL_PATH
 vec2 beside(float first, float last) {
   return vec2(first, last);
@@ -26,7 +29,7 @@ vec2 beside(float first, float last) {
 #else
 shared float firsts[2][32];
 shared float lasts[2][32];
-int turn = 0;  // two in turn, so that one barrier is enough
+int turn = 0;  // Double buffer index, so that one barrier is enough
 
 vec2 beside(float first, float last) {
   firsts[turn][lane] = first;
@@ -38,13 +41,13 @@ vec2 beside(float first, float last) {
 }
 #endif
 
-// For i >= -16 count: % of a negative number is undefined in GLSL.
+// Wraps i >= -16 count. The offset is needed because % of a negative number is undefined in GLSL.
 int wrapped(int i, int count) {
   return (i + 16 * count) % count;
 }
 
-// Of those beyond edges: which one stands there, and whether it faces the other way. `unfolded` counts through the grid and,
-// where it is mirrored, through it back.
+// Index mapping beyond the edges. `unfolded` counts through the grid and, for a mirrored boundary, back through it.
+// folded() returns the cell; facing() reverses the four cells of an element on the way back.
 #if BOUNDARY == 1
 const int folds = 2;
 #else
@@ -61,11 +64,11 @@ vec4 facing(vec4 cells, bool back) {
 #endif
 }
 
-// The lowest cell that is lost in each step of a frame; lost.comp tells which was first.
+// Lowest index of a lost cell in each step of a frame; lost.comp finds the first such step.
 layout(std430, binding = sumBinding) restrict buffer LostBlock { uint lostCells[]; };
-uniform int lostFirst;  // number of the first of these steps
+uniform int lostFirst;  // Number of the first of these steps
 
-// Of four cells' exponents (exponentOf), in `row` after step `level` of the pass.
+// Records lost cells, given the exponents of four cells (exponentOf) in `row` after step `level` of the pass.
 void noteStrip(int bits, int x, int row, int level) {
   if (bits < lostBits) return;
   int who = 31 - (bits & 31);

@@ -1,5 +1,5 @@
-// What is measured of a rule in each frame: sum i is of species i % n to the power i / n + 1, n species or the first four of
-// them, and the most of these.
+// Measures a rule's species once per frame. n is the number of species, at most four. Sum i is over species i % n to
+// the power i / n + 1; the maxima are of the species.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "reaction/bindings.glsl"

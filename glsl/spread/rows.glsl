@@ -1,5 +1,6 @@
-// Sixteen cells of a row are one element of four words; an invocation goes down a column of elements and keeps the
-// rows above and below in registers. Arithmetic on whole words: bytes hold small numbers that never overflow.
+// Steps cells in elements: sixteen cells of a row are one element of four words. An invocation walks down a column of
+// elements and keeps the rows above and below in registers. Word arithmetic processes four bytes at once; the bytes
+// hold small numbers that never overflow.
 #include "common/bindings.glsl"
 #include "common/hash.glsl"
 #include "common/words.glsl"
@@ -8,31 +9,31 @@
 
 INPUT_WORDS(cellsBinding, CellBlock, cells)
 STATE_WORDS(nextCellsBinding, NextBlock, nextCells)
-// Counts of each step since the start, four words a step: the first three classes with something in them, and the rest.
+// Counts per step since the start, four words per step: cells of the classes ready, active, spent; all other cells.
 layout(std430, binding = countsBinding) restrict buffer CountBlock { uint counts[]; };
-uniform ivec2 size;      // cells
-uniform bool torus;      // else nothing lies beyond the border
-uniform int countPlace;  // of this step in `counts`, in steps
+uniform ivec2 size;      // Number of cells per axis
+uniform bool torus;      // True for a torus; otherwise there are no cells beyond the border
+uniform int countPlace;  // Index of this step in `counts`
 
 const uint ones = 0x01010101u;
 
-// 1 in each byte whose cell is of the class.
+// Return 1 in each byte whose cell belongs to the class.
 uvec4 readyCells(uvec4 state) { return (state >> 6u) & ~(state >> 7u) & ones; }
 uvec4 activeCells(uvec4 state) { return (state >> 7u) & ~(state >> 6u) & ones; }
 uvec4 spentCells(uvec4 state) { return (state >> 7u) & (state >> 6u) & ones; }
 
-// 1 in each byte that is not zero, for bytes up to 127.
+// Returns 1 in each byte that is not zero, for bytes up to 127.
 uvec4 notZero(uvec4 bytes) { return ((bytes + 0x7f7f7f7fu) >> 7u) & ones; }
 
-// The age of active and spent cells plus one, up to 63.
+// Adds one to the age of active and spent cells, up to 63.
 uvec4 aged(uvec4 state) {
-  uvec4 old = (state & 0x3f3f3f3fu) + ones;  // bit 6: it was 63
+  uvec4 old = (state & 0x3f3f3f3fu) + ones;  // Bit 6 is set if the age was 63
   return state + ((state >> 7u) & ~(old >> 6u) & ones);
 }
 
-// A bit for each byte, which holds 0 or 1: cell k of the element is bit k.
+// Packs bytes that hold 0 or 1 into bits: cell k of the element becomes bit k.
 uint bitsOf(uvec4 bytes) {
-  uvec4 b = (bytes * 0x10204080u) >> 28u;  // bits 0, 8, 16, 24 to 28, 29, 30, 31; no two meet
+  uvec4 b = (bytes * 0x10204080u) >> 28u;  // Bits 0, 8, 16, 24 move to 28, 29, 30, 31 without collision
   return b.x | b.y << 4u | b.z << 8u | b.w << 12u;
 }
 
@@ -43,8 +44,8 @@ void setByte(inout uvec4 bytes, int k, uint value) {
   bytes[k >> 2] = (bytes[k >> 2] & ~(255u << place)) | value << place;
 }
 
-// A row of sixteen cells: their states, and in each byte the bits 1, 2 and 4 where the cell to the left, the cell itself
-// and the cell to the right is active.
+// A row of sixteen cells: their states, and in each byte a bit mask of active cells: 1 the left neighbour, 2 the cell,
+// 4 the right neighbour.
 struct Row {
   uvec4 state;
   uvec4 near;
@@ -56,16 +57,17 @@ uvec4 rightActive(Row row) { return row.near >> 2u & ones; }
 
 int rowElements() { return (size.x + 15) >> 4; }
 
-// A column of elements: the grid, and where it finds what lies beside it, the same in each row. Software drivers read
-// every uniform lane by lane, so nothing in the loop over rows reads one.
+// A column of elements with the location of its neighbours, the same for each row. The values are copied from uniforms,
+// because software drivers read uniforms lane by lane; so the loop over rows reads none.
 struct Column {
-  ivec2 size;               // of the grid, cells
+  ivec2 size;               // Number of cells of the grid per axis
   int rowElements;
   bool torus;
-  int here, left, right;    // elements
-  uint lastCell;            // of the element to the left
-  uint hasLeft, hasRight;   // 0 where nothing lies beyond the border
-  uvec4 follows;            // 1 in the byte where the row ends within this element: its first cell follows there
+  int here, left, right;    // Index of this element and of its left and right neighbour in a row
+  uint lastCell;            // Index of the last cell in the element to the left
+  uint hasLeft, hasRight;   // 0 if there are no cells beyond the border
+  // 1 in the byte after the row's end, if the row ends within this element: the row's first cell follows there
+  uvec4 follows;
 };
 
 Column columnOf(int c) {
@@ -78,15 +80,15 @@ Column columnOf(int c) {
   return column;
 }
 
-// The place of an element in row y.
+// Returns the index of an element in row y.
 int placeIn(Column column, int y) { return y * column.rowElements + column.here; }
 
-// The numbers of an element's first cells in its words.
+// Returns the indices of the first cells of an element's four words.
 uvec4 cellsOf(Column column, int y) {
   return uint(y) * uint(column.size.x) + uint(16 * column.here) + uvec4(0u, 4u, 8u, 12u);
 }
 
-// Row y of a column; beyond a border that is no torus, nothing.
+// Loads row y of a column. Beyond the border of a grid that is not a torus, the row is empty.
 Row loadRow(Column column, int y) {
   int rows = column.size.y;
   bool beyond = !column.torus && (y < 0 || y >= rows);
@@ -98,14 +100,14 @@ Row loadRow(Column column, int y) {
   uint previous = byteOf(before, int(column.lastCell)) & column.hasLeft;
   uint next = activeCells(LOAD_INPUT_WORDS(cells, row + column.right)).x & column.hasRight;
   uvec4 here = activeCells(r.state);
-  uvec4 followed = here | column.follows * next;  // cells further on hold nobody
+  uvec4 followed = here | column.follows * next;  // Cells after this byte are always empty
   uvec4 left = here << 8u | uvec4(previous, here.xyz >> 24u);
   uvec4 right = followed >> 8u | uvec4(followed.yzw << 24u, next << 24u);
   r.near = beyond ? uvec4(0u) : left | here << 1u | right << 2u;
   return r;
 }
 
-// What spreadRandom() has of step and seed, worked out once: hash3() before its words mix.
+// Precomputed part of spreadRandom() for a step and a seed: the state of hash3() before its words mix.
 struct Draw {
   uint y, z, product;
 };
@@ -116,7 +118,7 @@ Draw drawOf(uint step, uint seed) {
   return Draw(y, z, y * z);
 }
 
-// spreadRandom() of four cells.
+// Returns spreadRandom() for four cells.
 uvec4 spreadRandoms(uvec4 cells, Draw draw) {
   uvec4 x = cells * 1664525u + (1013904223u + draw.product);
   uvec4 y = draw.y + draw.z * x;
@@ -128,7 +130,7 @@ uvec4 spreadRandoms(uvec4 cells, Draw draw) {
 shared uint groupCounts[4];
 #endif
 
-// The words' sum, byte by byte.
+// Returns the sum of the four words, byte by byte.
 uint sumOfWords(uvec4 words) { return words.x + words.y + words.z + words.w; }
 
 uint sumOfBytes(uint bytes) {
@@ -136,14 +138,15 @@ uint sumOfBytes(uint bytes) {
   return (pairs & 0xffffu) + (pairs >> 16u);
 }
 
-// Cells of the four classes in some rows of a column, where the first three are summed byte by byte over at most 63 rows.
+// Returns the cell counts of the four classes in some rows of a column. The arguments `ready`, `spreading` and `spent`
+// are byte sums over at most 63 rows.
 uvec4 countsOf(Column column, uint ready, uint spreading, uint spent, int rows) {
   uvec4 sums = uvec4(sumOfBytes(ready), sumOfBytes(spreading), sumOfBytes(spent), 0u);
   sums.w = uint(rows * clamp(column.size.x - 16 * column.here, 0, 16)) - sums.x - sums.y - sums.z;
   return sums;
 }
 
-// Adds to the step's counts. Everyone calls it.
+// Adds to the step's counts. All invocations must call it, because it contains barriers.
 void count(uvec4 sums) {
 #ifdef TEXEL_PATH
   for (int i = 0; i < 4; ++i)

@@ -1,7 +1,7 @@
-// The main function of a step; the kernel that includes it gives
-//   Rates ratesNow()   what the step's cells have in common, read once
+// Main function of a step. The including kernel provides
+//   Rates ratesNow()   the step's parameters, read once
 //   uvec4 stepElement(Rates rates, Column column, int y, Row above, Row here, Row below)   the next sixteen cells
-// and on the texel path what tiles.glsl asks for
+// and on the texel path the functions that tiles.glsl needs.
 #ifdef TEXEL_PATH
 layout(local_size_x = 8, local_size_y = 1) in;
 const int rowsEach = 16;
@@ -51,7 +51,7 @@ void main() {
                  (alone != uvec4(0u) ? restless : 0u);
     if (first == end) counted = countsOf(before);
     leaveTile(column, row, counted, flags);
-    counted -= countsOf(before);  // as many more as in the last step
+    counted -= countsOf(before);  // The counts start from the last step's, so only the difference is added
 #endif
   }
   count(counted);

@@ -1,23 +1,23 @@
-// What the kernels of this folder bind. Compiles as GLSL and as C++.
+// Binding points of the volume kernels. Compiles as GLSL and as C++.
 #ifndef VOLUME_BINDINGS
 #define VOLUME_BINDINGS
 
-// Textures: words of the values whose surface it is, and of those that colour it.
+// Texture units: words of the values that define the surface, and words of the values that colour it.
 const int valuesUnit = 0;
 const int tintsUnit = 1;
-// Storage blocks, and textures where memory.glsl has it so.
-const int cubesBinding = 2;      // triangles of each kind of cube
-const int classesBinding = 3;    // x: of 32 samples, a bit each
+// Storage buffers, or texel buffers where memory.glsl uses them.
+const int cubesBinding = 2;      // Triangles of each kind of cube
+const int classesBinding = 3;    // x: a bit for each of 32 samples
 const int talliesBinding = 4;
-const int masksBinding = 5;      // of 32 samples: crossed edges along x, y and z; cubes with triangles
+const int masksBinding = 5;      // Per 32 samples: crossed edges along x, y and z; cubes with triangles
 const int positionsBinding = 6;
 const int normalsBinding = 7;
 const int indicesBinding = 6;
-const int boxIndicesBinding = 2;  // of cubes, which need no table
+const int boxIndicesBinding = 2;  // Used for cubes, which need no triangle table
 
-// Vertices before the points: the corners of the volume's box, for whoever asks how far the surface may reach.
+// Vertices before the points: the corners of the volume's box. They give bounds of the surface.
 const int boxCorners = 8;
-// Colours of a palette, from the lowest value to the highest.
+// Palette size, from the lowest value to the highest.
 const int volumeColors = 1024;
 
 #endif

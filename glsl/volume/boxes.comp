@@ -1,5 +1,6 @@
-// Cells as cubes: a square wherever a cell that is inside meets one that is not, facing the latter, with corners of its own.
-// Of each sample those towards the next one along x, y and z; they are as many as the crossed edges of points.comp.
+// Draws cells as cubes: a square wherever an inside cell meets an outside cell, facing the outside cell, with vertices
+// of its own. A sample handles its squares towards the next sample along x, y and z. Their number equals the number of
+// crossed edges in points.comp.
 #include "volume/samples.glsl"
 #include "volume/values.glsl"
 #include "volume/model.glsl"
@@ -11,14 +12,15 @@ layout(std430, binding = positionsBinding) restrict writeonly buffer PositionBlo
 layout(std430, binding = normalsBinding) restrict writeonly buffer NormalBlock { vec4 normals[]; };
 layout(std430, binding = boxIndicesBinding) restrict writeonly buffer IndexBlock { uint indices[]; };
 uniform uint pointRoom, indexRoom;
-uniform vec4 corner;  // m: where cell (0, 0, 0) is; w: m between cells
+uniform vec4 corner;  // Position of cell (0, 0, 0), m; w: cell spacing, m
 #include "volume/tint.glsl"
 
-// Square `point` / 4 of all, of a cell towards its neighbour along an axis, which is inside if it is not (`alive`).
+// Writes a square between a cell and its neighbour along an axis, with the first point `point`. `alive` is true if the
+// cell is inside, false if the neighbour is.
 void putSquare(uint point, uint index, ivec3 cell, int axis, bool alive) {
   if (point + 4u > pointRoom || index + 6u > indexRoom) return;
   ivec3 way = ivec3(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
-  // Along them the cell's corners go round the axis against the clock.
+  // In this order the corners run counterclockwise around the axis.
   ivec3 right = way.zxy, up = way.yzx;
   int color = 0;
 #ifdef TINTED

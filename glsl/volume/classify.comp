@@ -1,4 +1,4 @@
-// Which samples are inside: at the level or above.
+// Classifies the samples: inside if the value is at or above the level. 32 samples per invocation.
 #include "volume/samples.glsl"
 #include "volume/values.glsl"
 layout(local_size_x = 64) in;
@@ -10,11 +10,11 @@ void main() {
   ivec3 cell = place.xyz - ringWidth();
   bool row = cell.y >= 0 && cell.z >= 0 && cell.y < volume.y && cell.z < volume.z;
   uint bits = 0u;
-  // Four cells at a time; rows begin with whole elements.
+  // Loads four cells at a time; rows begin at whole elements.
   int first = row ? cellWord(ivec3(place.x, cell.yz), valueLayout) >> 2 : 0;
   int begin = ringWidth() == 0 ? 0 : -1;
   for (int j = begin; j < 8; ++j) {
-    int x = place.x + 4 * j;  // of the field
+    int x = place.x + 4 * j;  // Column in the field
     if (!row || x < 0 || x >= volume.x) continue;
     uvec4 four = texelFetch(valueWords, first + j);
     uint inside = 0u;

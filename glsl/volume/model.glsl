@@ -1,17 +1,17 @@
-// Marching cubes (Lorensen and Cline 1987) on samples that are inside, at or above the level, or not. A point of the surface
-// lies where the value, linear along the edge between two samples, is the level; its normal is the gradient there. Corners of
-// a cube are numbered x + 2 y + 4 z, edges 4 axis + the number of where they begin in the other two axes. Compiles as GLSL
+// Marching cubes (Lorensen and Cline 1987) on samples that are inside (at or above the level) or outside. A surface
+// point lies where the linear interpolation along an edge equals the level; its normal is the gradient there. Corners
+// of a cube are numbered x + 2 y + 4 z, edges 4 axis + the index of their start in the other two axes. Compiles as GLSL
 // and as C++.
 
-// Change of a value along an axis: over two cells, or one at a border.
+// Returns the change of a value along an axis over two cells. At a border the difference over one cell is doubled.
 FUNCTION float volumeSlope(float before, float after, bool atBorder) {
   precise float rise = after - before;
   precise float twice = rise + rise;
   return atBorder ? twice : rise;
 }
 
-// From inside outwards, of length 1: against the gradient, which is that between the two ends'. `along`: the way from
-// inside to outside along the edge, where there is no gradient.
+// Returns the outward unit normal, opposite to the gradient, which is interpolated between the edge's ends. If there is
+// no gradient, returns `along`, the direction along the edge from inside to outside.
 FUNCTION vec3 volumeNormal(vec3 first, vec3 second, float part, vec3 along) {
   precise vec3 slope = first + (second - first) * part;
   precise float square = slope.x * slope.x + slope.y * slope.y + slope.z * slope.z;
@@ -25,7 +25,7 @@ FUNCTION vec3 volumePlace(vec3 corner, float spacing, vec3 cell) {
   return place;
 }
 
-// The number of the colour for a value between two.
+// Returns the colour index for a value interpolated between two.
 FUNCTION int volumeColor(float first, float second, float part, float low, float perRange) {
   precise float value = first + (second - first) * part;
   precise float share = (value - low) * perRange;

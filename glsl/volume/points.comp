@@ -1,4 +1,5 @@
-// The points of the surface, with their normals: of each sample those along x, y and z.
+// Computes the surface points and their normals: for each sample, the points on its edges along x, y and z. 32 samples
+// per invocation.
 #include "volume/samples.glsl"
 #include "volume/values.glsl"
 #include "contour/model.glsl"
@@ -9,7 +10,7 @@ INPUT_WORDS(masksBinding, MaskBlock, masks)
 layout(std430, binding = positionsBinding) restrict writeonly buffer PositionBlock { vec4 positions[]; };
 layout(std430, binding = normalsBinding) restrict writeonly buffer NormalBlock { vec4 normals[]; };
 uniform uint pointRoom;
-uniform vec4 corner;  // m: where cell (0, 0, 0) is; w: m between cells
+uniform vec4 corner;  // Position of cell (0, 0, 0), m; w: cell spacing, m
 #include "volume/tint.glsl"
 
 float slopeAlong(ivec3 cell, ivec3 axis) {

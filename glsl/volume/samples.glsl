@@ -1,10 +1,11 @@
-// The samples of a volume: its cells, with `ring` 1 a layer around them that is outside, so that the surface is closed.
-// Words of 32 samples along x, a bit each: word = (z height + y) rowElements + x / 32. An invocation has a word.
+// Samples of a volume: its cells, with `ring` 1 surrounded by a layer of outside samples, so that the surface is
+// closed. A word holds a bit for each of 32 samples along x: word = (z height + y) rowElements + x / 32. One word per
+// invocation.
 #include "common/words.glsl"
 #include "common/exact.glsl"
 #include "volume/bindings.glsl"
-uniform ivec4 volume;      // cells along x, y and z; w: ring
-uniform int rowElements;   // words of a row of samples
+uniform ivec4 volume;      // Number of cells along x, y and z; w: ring
+uniform int rowElements;   // Words per row of samples
 
 int ringWidth() {
   return volume.w;
@@ -12,7 +13,7 @@ int ringWidth() {
 ivec3 samplesOf() {
   return volume.xyz + 2 * volume.w;
 }
-// x: number of the word's first sample along x, y and z; w: the word's number, -1: there is no such word.
+// Returns the position of the word's first sample (xyz) and the word's index (w), or -1 if there is no such word.
 ivec4 wordPlace(ivec2 invocation) {
   ivec3 samples = samplesOf();
   int y = invocation.x / rowElements, x = invocation.x - y * rowElements, z = invocation.y;

@@ -1,8 +1,8 @@
-// Values that colour a surface, TINTED.
+// Values that colour a surface, if TINTED is defined.
 #ifdef TINTED
 layout(binding = tintsUnit) uniform usamplerBuffer tintWords;
 uniform ivec2 tintLayout;
-uniform vec2 tintRange;  // the lowest value, and one through the range
+uniform vec2 tintRange;  // Lowest value, and 1 / (highest - lowest)
 
 float tintAt(ivec3 cell) {
   int word = cellWord(clamp(cell, ivec3(0), volume.xyz - 1), tintLayout);

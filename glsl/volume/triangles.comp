@@ -1,4 +1,4 @@
-// The triangles of the cubes that begin at 32 samples, whose corners are points by their numbers.
+// Writes the triangles of the cubes that begin at 32 samples. Their corners are point indices.
 #include "volume/samples.glsl"
 layout(local_size_x = 64) in;
 INPUT_WORDS(cubesBinding, CubeBlock, cubes)
@@ -8,8 +8,8 @@ INPUT_WORDS(masksBinding, MaskBlock, masks)
 layout(std430, binding = indicesBinding) restrict writeonly buffer IndexBlock { uint indices[]; };
 uniform uint indexRoom;
 
-// A row's word: how many points there are before it, its crossed edges; and of the word to its right what the last sample's
-// cube needs.
+// A row's word: the number of points before it and its crossed edges; and both values of the word to its right, which
+// the last sample's cube needs.
 struct Row {
   uint first;
   uvec4 mask;
@@ -30,7 +30,8 @@ Row rowAt(int word, bool last) {
   return row;
 }
 
-// Numbers of the points along x, y and z of sample k of a row's word; 32: the first of the next word.
+// Returns the indices of the points along x, y and z of sample k of a row's word; k = 32 is the first sample of the
+// next word.
 uvec3 pointsAt(Row row, int k) {
   uvec4 mask = k < 32 ? row.mask : row.nextMask;
   uint before = (1u << uint(k & 31)) - 1u;

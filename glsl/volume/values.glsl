@@ -1,9 +1,9 @@
-// Values of a volume's cells, as a simulation keeps them: floats, a row after the other, layers of rows.
+// Values of a volume's cells in the simulation's own format: floats, rows of cells, layers of rows.
 layout(binding = valuesUnit) uniform usamplerBuffer valueWords;
-uniform ivec2 valueLayout;  // words from one row to the next; of the first cell
+uniform ivec2 valueLayout;  // x: words per row; y: index of the first cell's word
 uniform float level;
 
-// What is no number lies below every level.
+// Returns the value of a word. NaN and infinity count as below every level.
 float numberOf(uint word) {
   float value = uintBitsToFloat(word);
   return isNumber(value) ? clamp(value, -1e20, 1e20) : -1e20;
@@ -14,7 +14,7 @@ uint wordOf(uvec4 four, int i) {
 int cellWord(ivec3 cell, ivec2 layout_) {
   return layout_.y + (cell.z * volume.y + cell.y) * layout_.x + cell.x;
 }
-// Of the nearest cell that there is.
+// Returns the value of the nearest cell inside the volume.
 float valueAt(ivec3 cell) {
   int word = cellWord(clamp(cell, ivec3(0), volume.xyz - 1), valueLayout);
   return numberOf(wordOf(texelFetch(valueWords, word >> 2), word & 3));

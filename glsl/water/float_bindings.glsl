@@ -1,7 +1,7 @@
 #ifndef FLOAT_BINDINGS
 #define FLOAT_BINDINGS
 
-// cellsBinding 0: water/bindings.glsl
+// Binding 0 holds the water's cells: cellsBinding of water/bindings.glsl.
 const int floatsBinding = 1;
 const int nextFloatsBinding = 2;
 const int floatToldBinding = 3;

@@ -1,17 +1,21 @@
-// Floats against floats. Compiles as GLSL and as C++, after water/float_model.glsl and with what that asks for.
+// Contact between floating bodies. Compiles as GLSL and as C++, after water/float_model.glsl, with the same
+// requirements.
 //
-// A body is a sphere, or the signed distances to its surface, and probes spread over that (src/sim/water/float_shape.hpp). What
-// of either's probes lies within the other makes one contact of the two: its place and its normal are the means of all,
-// by depth, its depth the greatest. Those that may come within in the step count, too, so that nothing has to go in
-// first. Both bodies find the same contact to the bit, so what pushes them is equal and opposite.
+// A body's shape is a sphere, or a lattice of signed distances, plus probes distributed over the surface
+// (src/sim/water/float_shape.hpp). All probes of either body that lie inside the other form a single contact: its
+// position and normal are the means weighted by depth, its depth is the maximum. Probes that can come inside within the
+// step also count, so that no penetration is needed. Both bodies compute the same contact with the same bits, so their
+// forces are equal and opposite.
 //
-//   J = max(0, (out - n.v) / (n.K n)),   K_n = sum of 1 / m + n.((I^-1 (r x n)) x r) of both,   |J_t| <= mu J
+//   J = max(0, (out - n.v) / (n.K n)),   K_n = sum of 1 / m + n.((I^-1 (r x n)) x r) over both bodies,   |J_t| <= mu J
 //
-// v of one against the other there: nothing bounces; `out` pushes apart what is deep, slowly, or is what closes a gap in a step.
+// v is the relative velocity at the contact; there is no bounce. `out` is the speed that separates a penetration
+// slowly, or that closes the gap in one step.
 
 struct FloatMeet {
-  vec4 place;  // from the first body's middle times weight (m^2), weight: depth and margin (m)
-  vec4 way;    // normal towards the first body times weight (m), depth of the deepest (m)
+  // xyz contact position relative to the first body's centre times weight (m^2); w weight: depth plus margin (m)
+  vec4 place;
+  vec4 way;    // xyz normal towards the first body times weight (m); w maximum depth (m)
 };
 
 FUNCTION FloatMeet floatApart() {
@@ -30,7 +34,7 @@ FUNCTION FloatMeet floatMet(FloatMeet a, FloatMeet b) {
   return meet;
 }
 
-// The second body as the first one has it nearest, beyond a side of a torus too.
+// Returns the second body at its periodic image nearest to the first body.
 FUNCTION FloatBody floatBeside(FloatBody first, FloatBody second) {
   precise vec3 apart = second.at - first.at;
   precise float wholeX = 2.0f * floats.halfX;
@@ -47,14 +51,14 @@ FUNCTION FloatBody floatBeside(FloatBody first, FloatBody second) {
   return beside;
 }
 
-// How far they may come nearer to each other in a step.
+// Returns the greatest distance by which the bodies can approach in a step, in metres.
 FUNCTION float floatMargin(FloatBody first, FloatBody second) {
   precise vec3 speed = first.velocity - second.velocity;
   precise float margin = floats.dt * exactSqrt(exactDot(speed, speed));
   return margin;
 }
 
-// Whether the spheres around them meet.
+// True if the bounding spheres of the bodies can touch in this step.
 FUNCTION bool floatNear(FloatBody first, FloatTold a, FloatBody second, FloatTold b) {
   precise vec3 apart = second.at - first.at;
   precise float reach = a.mass.z + b.mass.z + floatMargin(first, second);
@@ -73,7 +77,7 @@ FUNCTION vec4 floatNodes(int i, int row, float partX, float partY) {
   return floatBetween(upper, lower, partY);
 }
 
-// Normal and signed distance at a place of a body's own space.
+// Returns the normal (xyz) and the signed distance (w) of a body's shape at a point in object space.
 FUNCTION vec4 floatDistance(FloatTold t, vec3 q) {
   if (t.meet.w > 0.0f) {
     float square = exactDot(q, q);
@@ -94,7 +98,7 @@ FUNCTION vec4 floatDistance(FloatTold t, vec3 q) {
   vec4 found = floatBetween(floatNodes(i, across, part.x, part.y), floatNodes(i + layer, across, part.x, part.y), part.z);
   vec3 slope = vec3(found);
   precise vec3 normal = slope * exactInverseSqrt(max(exactDot(slope, slope), 1e-12f));
-  // Beyond the nodes: from the same place of the surface.
+  // Outside the lattice: distance from q to the surface point found from the nearest lattice point.
   precise vec3 beyond = (u - held) * t.nodes.w;
   precise vec3 from = beyond + found.w * normal;
   float square = exactDot(from, from);
@@ -104,7 +108,7 @@ FUNCTION vec4 floatDistance(FloatTold t, vec3 q) {
   return exactDot(beyond, beyond) > 0.0f ? vec4(farNormal, farOff) : vec4(normal, found.w);
 }
 
-// A probe of `owner` against the other: `sign` 1 where the owner is the first body.
+// Tests a probe of `owner` against the other body. `sign` is 1 if the owner is the first body, otherwise -1.
 FUNCTION FloatMeet floatProbe(vec4 probe, FloatBody owner, FloatBody other, FloatTold o, vec3 origin, float sign, float margin) {
   precise vec3 place = owner.at + floatTurned(owner.turn, vec3(probe));
   precise vec3 across = place - other.at;
@@ -123,7 +127,7 @@ FUNCTION FloatMeet floatProbe(vec4 probe, FloatBody owner, FloatBody other, Floa
   return meet;
 }
 
-// What one lane of two bodies adds up, in order: the first one's probes, then the second one's.
+// Sums the probes of one lane in a fixed order: first the first body's probes, then the second body's.
 FUNCTION FloatMeet floatMeetLane(int lane, FloatBody first, FloatTold a, FloatBody second, FloatTold b) {
   FloatMeet meet = floatApart();
   float margin = floatMargin(first, second);
@@ -134,7 +138,8 @@ FUNCTION FloatMeet floatMeetLane(int lane, FloatBody first, FloatTold a, FloatBo
   return meet;
 }
 
-// Speed (m/s) that an impulse of 1 kg m/s along n, at `arm` from its middle, gives a body there along n.
+// Returns the velocity (m/s) along n at the point `arm` from the centre that an impulse of 1 kg m/s along n at this
+// point causes.
 FUNCTION float floatGive(FloatBody body, FloatTold t, vec3 arm, vec3 n) {
   vec3 turned = floatTurning(t, body.turn, exactCross(arm, n));
   vec3 moved = exactCross(turned, arm);
@@ -148,7 +153,7 @@ FUNCTION vec3 floatSpeedAt(FloatBody body, FloatTold t, vec3 arm) {
   return speed;
 }
 
-// The force (N) on the first body.
+// Returns the force (N) on the first body.
 FUNCTION vec3 floatPushed(FloatMeet meet, FloatBody first, FloatTold a, FloatBody second, FloatTold b) {
   float perDepth = exactReciprocal(max(meet.place.w, 1e-12f));
   precise vec3 arm = vec3(meet.place) * perDepth;
@@ -158,7 +163,7 @@ FUNCTION vec3 floatPushed(FloatMeet meet, FloatBody first, FloatTold a, FloatBod
   float deep = meet.way.w;
   precise vec3 speed = floatSpeedAt(first, a, arm) - floatSpeedAt(second, b, otherArm);
   float into = exactDot(speed, normal);
-  precise float perStep = floats.damp * 2.5f;  // 1 / dt
+  precise float perStep = floats.damp * 2.5f;  // The damping rate is 0.4 / dt, so perStep is 1 / dt
   precise float slowly = floatOut * min(deep, floats.deepest);
   float goes = deep > 0.0f ? slowly : deep;
   precise float apart = goes * perStep - into;
@@ -178,7 +183,7 @@ FUNCTION vec3 floatPushed(FloatMeet meet, FloatBody first, FloatTold a, FloatBod
   return meet.place.w > 0.0f ? force : vec3(0.0f);
 }
 
-// A body's sum with what the contact with another does to it.
+// Adds the force and moment of a contact to a body's sums.
 FUNCTION FloatSum floatWithPush(FloatSum sum, FloatMeet meet, vec3 force, bool isFirst, FloatBody first, FloatBody second) {
   float perDepth = exactReciprocal(max(meet.place.w, 1e-12f));
   precise vec3 arm = vec3(meet.place) * perDepth;

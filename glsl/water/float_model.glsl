@@ -1,34 +1,35 @@
-// Bodies with six degrees of freedom on shallow water. Compiles as GLSL and as C++ (tests/reference/water_twin.cpp), after
-// common/exact.glsl, water/model.glsl and water/float_types.glsl. Whoever includes it provides `floats` (FloatStep), `size`
-// (ivec2, cells), loadWater(int i), loadFloat(int i), loadTold(int i), loadFloatPoint(int i), texels all, and
-// addToSum(int cell, int which, int value).
+// Rigid bodies with six degrees of freedom on shallow water. Compiles as GLSL and as C++
+// (tests/reference/water_twin.cpp), after common/exact.glsl, water/model.glsl and water/float_types.glsl. The including
+// file provides `floats` (FloatStep), `size` (ivec2, cells), loadWater(int i), loadFloat(int i), loadTold(int i),
+// loadFloatPoint(int i) (all return texels), and addToSum(int cell, int which, int value).
 //
 //   M dv/dt = sum over points of rho g V f (-w_x, 1, -w_z) - M k (v - u) + contact - M g,     dL/dt = sum r x F
 //
-// Each point stands for a cuboid of the body, f the share of it below the water's level w (Archimedes: the integral of the
-// pressure over the surface is that of its gradient over the volume). The water's level counts what a body displaces as
-// water: a body that goes down by some volume raises the level by as much where it does so, and takes it back when it leaves.
-// What pushes a body along is taken from the water's discharge, so their momentum stays.
+// Each point represents a cuboid of the body; f is its fraction below the water level w (Archimedes: the surface
+// integral of the pressure equals the volume integral of its gradient). The stored water level includes the displaced
+// volume: a body that sinks by some volume raises the level by this volume in its cells, and lowers it again when it
+// leaves. Forces that push a body horizontally are subtracted from the water's discharge, so momentum is conserved.
 //
-// A body displaces its volume under a reference level r, which follows the mean level w of the water over it:
+// A body displaces its volume below a reference level r. The reference level follows w, the mean level of the water
+// over the body, in three stages:
 //
 //   T m1' = w - m1,   T m2' = m1 - m2,   T r' = m2 - r
 //
-// A rising r adds water where the level is w, so r' does the work rho g A (w - r) r' on the water (A: area of its section). At
-// the frequency f = omega T that is proportional to Re(i f / (1 + i f)^3) = f^2 (3 - f^2) / (1 + f^2)^3, which is negative for
-// f > sqrt(3): T is so long that the slowest wave of the grid has f = 2, and following never feeds a wave. A single stage
-// always does.
+// A rising r adds water where the level is w, so r' does the work rho g A (w - r) r' on the water (A: area of the
+// body's section). At the frequency f = omega T this is proportional to Re(i f / (1 + i f)^3) = f^2 (3 - f^2) / (1 +
+// f^2)^3, which is negative for f > sqrt(3). T is so long that the slowest wave of the grid has f = 2, so the body
+// never feeds energy to a wave. A single stage would always feed energy.
 
 struct FloatBody {
-  vec3 at;        // m
-  float level;    // m: reference level
-  vec4 turn;      // quaternion
-  vec3 velocity;  // m/s
-  float under;    // m^3 under that level
-  vec3 spin;      // angular momentum (kg m^2/s)
-  vec2 stages;    // m: of the reference level
-  float around;   // m: mean level of the water over its points
-  float wet;      // m^3 under the water
+  vec3 at;        // Centre of mass, m
+  float level;    // Reference level, m
+  vec4 turn;      // Rotation, a quaternion
+  vec3 velocity;  // in m/s
+  float under;    // Volume below the reference level, m^3
+  vec3 spin;      // Angular momentum, kg m^2/s
+  vec2 stages;    // First two stages of the reference level, m
+  float around;   // Mean water level over the body's points, m
+  float wet;      // Volume below the water level, m^3
 };
 
 FUNCTION FloatBody floatBody(int i) {
@@ -65,7 +66,7 @@ FUNCTION FloatTold floatTold(int i) {
   return t;
 }
 
-// v turned by the quaternion q: v + 2 q x (q x v + w v).
+// Rotates v by the quaternion q: v + 2 q x (q x v + w v).
 FUNCTION vec3 floatTurned(vec4 q, vec3 v) {
   vec3 axis = vec3(q);
   precise vec3 inner = exactCross(axis, v) + q.w * v;
@@ -76,7 +77,7 @@ FUNCTION vec3 floatTurnedBack(vec4 q, vec3 v) {
   return floatTurned(vec4(-q.x, -q.y, -q.z, q.w), v);
 }
 
-// Angular velocity of an angular momentum: R I^-1 R^T L.
+// Returns the angular velocity for an angular momentum: R I^-1 R^T L.
 FUNCTION vec3 floatTurning(FloatTold t, vec4 q, vec3 spin) {
   vec3 own = floatTurnedBack(q, spin);
   precise float x = t.turnA.x * own.x + t.turnB.x * own.y + t.turnB.y * own.z;
@@ -85,7 +86,7 @@ FUNCTION vec3 floatTurning(FloatTold t, vec4 q, vec3 spin) {
   return floatTurned(q, vec3(x, y, z));
 }
 
-// How wide along x, y and z a turned cuboid of these sides is.
+// Returns the extent along x, y and z of a rotated cuboid with these side lengths.
 FUNCTION vec3 floatExtent(vec4 q, vec3 sides) {
   vec3 a = floatTurned(q, vec3(sides.x, 0.0f, 0.0f));
   vec3 b = floatTurned(q, vec3(0.0f, sides.y, 0.0f));
@@ -94,7 +95,7 @@ FUNCTION vec3 floatExtent(vec4 q, vec3 sides) {
   return extent;
 }
 
-// The cell that counts at a place beyond the grid, too: the nearest, or on the other side.
+// Return the column and the row to use for an index beyond the grid: the nearest one, or the wrapped one on a torus.
 FUNCTION int floatColumn(int x) {
   int count = size.x;
   if (floats.west == periodicEdge) return x < 0 ? x + count : x >= count ? x - count : x;
@@ -106,17 +107,17 @@ FUNCTION int floatRow(int y) {
   return clamp(y, 0, count - 1);
 }
 
-// The water at a place, between four cells; those that are dry do not count.
+// Water at a point, interpolated between four cells. Dry cells are excluded.
 struct FloatWater {
-  float share;   // of cells that are wet
-  float level;   // m
-  float slopeX;  // of the level
+  float share;   // Sum of the interpolation weights of wet cells
+  float level;   // Water level, m
+  float slopeX;  // Slope of the level
   float slopeZ;
-  float depth;   // m
-  float u;       // m/s
+  float depth;   // in metres
+  float u;       // in m/s
   float v;
-  float bed;     // m
-  float bedX;    // its slope
+  float bed;     // Ground height, m
+  float bedX;    // Slope of the ground
   float bedZ;
 };
 
@@ -156,7 +157,7 @@ FUNCTION FloatWater floatWater(float column, float row) {
   wd = dd > floats.dry ? wd : 0.0f;
   precise float share = (wa + wb) + (wc + wd);
   float inverse = exactReciprocal(max(share, 1e-3f));
-  // From the first of the cells, so that an even level stays what it is.
+  // Interpolates differences to the first cell, so that a constant level is reproduced exactly.
   precise float risen = (wb * (b.x - a.x) + wc * (c.x - a.x)) + wd * (d.x - a.x);
   precise float level = a.x + risen * inverse;
   precise float depth = ((wa * da + wb * db) + (wc * dc + wd * dd)) * inverse;
@@ -178,12 +179,15 @@ FUNCTION FloatWater floatWater(float column, float row) {
 
 // Sums over the points of a body.
 struct FloatSum {
-  vec4 push;  // force (N), volume under the reference level (m^3)
-  vec4 turn;  // moment (N m), volume over wet cells (m^3)
-  vec4 rest;  // that volume times its level over the reference level (m^4), volume under the water (m^3), unused
+  vec4 push;  // xyz force (N); w volume below the reference level (m^3)
+  vec4 turn;  // xyz moment (N m); w volume over wet cells (m^3)
+  // x volume over wet cells times (water level - reference level) (m^4); y volume below the water level (m^3); zw
+  // unused
+  vec4 rest;
 };
 
-// What touches pushes a point of mass 1 with unit normal n, `deep` m within, by this acceleration, Coulomb's friction along.
+// Returns the contact acceleration on a point with unit normal n at the depth `deep` (metres), with Coulomb friction
+// along the surface.
 FUNCTION vec3 floatTouch(vec3 n, float deep, vec3 velocity, float friction) {
   precise float into = exactDot(n, velocity);
   float held = min(deep, floats.deepest);
@@ -197,7 +201,8 @@ FUNCTION vec3 floatTouch(vec3 n, float deep, vec3 velocity, float friction) {
   return acceleration;
 }
 
-// Adds a point's displaced volume and its pull on the water to the cells below its cuboid, by the area that they share.
+// Adds a point's displaced volume and its horizontal force to the cells below its cuboid, in proportion to the overlap
+// area.
 FUNCTION void floatSpread(FloatBody body, float column, float row, vec2 wide, vec2 per, float volume, vec2 force) {
   precise float x0 = column - wide.x;
   precise float x1 = column + wide.x;
@@ -227,8 +232,9 @@ FUNCTION void floatSpread(FloatBody body, float column, float row, vec2 wide, ve
     }
 }
 
-// Point i of a body. `drive`: its own push for each m^3 under water (N/m^3); `steering`: the same of a push about its middle, for each m off it;
-// `turning`: its angular velocity; `extent`: floatExtent of a point's cuboid.
+// Returns the forces on point i of a body. `drive` is the body's own thrust per volume under water (N/m^3). `steering`
+// is the body's own moment, as a force density per metre from its axis. `turning` is the angular velocity; `extent` is
+// floatExtent of a point's cuboid.
 FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, vec3 drive, vec3 steering, vec3 extent, vec2 wide,
                              vec2 per) {
   vec4 point = loadFloatPoint(i);
@@ -242,7 +248,8 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   precise float under = (water.level - at.y) * perHeight + 0.5f;
   under = water.share > 0.0f ? clamp(under, 0.0f, 1.0f) : 0.0f;
   precise float lift = floats.density * floats.gravity * point.w * under;
-  // Drag as if the point moved by itself, implicit, so that it never turns round what it slows down.
+  // Drag on the point as if it moved independently, integrated implicitly so that it never reverses the relative
+  // motion.
   precise vec3 against = velocity - vec3(water.u, 0.0f, water.v);
   vec3 side = floatTurned(body.turn, vec3(1.0f, 0.0f, 0.0f));
   precise float sideways = exactDot(against, side) * t.drag.z;
@@ -265,7 +272,7 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   precise float pullX = pushX + (own.x + aside.x);
   precise float pullZ = pushZ + (own.z + aside.z);
   floatSpread(body, column, row, wide, per, volume, vec2(pullX, pullZ));
-  // The ground, and walls at the grid's sides.
+  // Contact with the ground, and with walls at the grid's sides.
   precise float steep = 1.0f + water.bedX * water.bedX + water.bedZ * water.bedZ;
   float upright = exactInverseSqrt(steep);
   precise vec3 normal = vec3(-water.bedX * upright, upright, -water.bedZ * upright);
@@ -286,7 +293,7 @@ FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, v
   if (front > 0.0f) touch = touch + floatTouch(vec3(0.0f, 0.0f, -1.0f), front, velocity, t.reach.z);
   precise vec3 force = (vec3(pushX, pushY, pushZ) + aside) + mass * touch;
   vec3 moment = exactCross(arm, force);
-  force = force + own;  // as if at the middle of mass
+  force = force + own;  // Thrust acts at the centre of mass, so it adds no moment
   precise float wet = water.share > 0.0f ? point.w : 0.0f;
   precise float risen = wet * (water.level - body.level);
   FloatSum sum;
@@ -307,7 +314,7 @@ FUNCTION FloatSum floatAdded(FloatSum a, FloatSum b) {
   return sum;
 }
 
-// What one lane of a body adds up, in order.
+// Sums the points of one lane of a body in a fixed order.
 FUNCTION FloatSum floatLane(int lane, FloatBody body, FloatTold t) {
   vec3 turning = floatTurning(t, body.turn, body.spin);
   vec3 extent = floatExtent(body.turn, vec3(t.grain));
@@ -317,7 +324,8 @@ FUNCTION FloatSum floatLane(int lane, FloatBody body, FloatTold t) {
   precise float wideY = 0.5f * max(cellsY, 1.0f);
   precise float perX = 0.5f * exactReciprocal(wideX);
   precise float perY = 0.5f * exactReciprocal(wideY);
-  // Its own push, shared out by what of it was under water a step ago: it works there only, and the water gets the opposite.
+  // Distributes the body's own thrust over the volume that was under water in the previous step. Thrust acts only
+  // there, and the water receives the opposite force.
   precise float least = 0.02f * t.grain.w;
   precise float thrust = t.reach.w * exactReciprocal(max(body.wet, least));
   precise vec3 drive = thrust * floatTurned(body.turn, vec3(0.0f, 0.0f, 1.0f));

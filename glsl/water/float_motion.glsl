@@ -1,14 +1,14 @@
-// Where bodies go, and what the water gets of them. Compiles as GLSL and as C++, after water/float_model.glsl and with
-// what that asks for.
+// Motion of bodies and their effect on the water. Compiles as GLSL and as C++, after water/float_model.glsl, with the
+// same requirements.
 
-// The body a step later.
+// Returns the body one step later.
 FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, FloatSum sum) {
   FloatBody next = body;
   precise vec3 force = vec3(sum.push);
   precise vec3 moment = vec3(sum.turn);
   vec3 ahead = floatTurned(body.turn, vec3(0.0f, 0.0f, 1.0f));
   vec3 turning = floatTurning(t, body.turn, body.spin);
-  // The tow: a damped spring to where it should be by now.
+  // Tow: a damped spring to the target position at this moment.
   precise float passed = float(stepNumber) * floats.dt;
   precise float towX = t.mass.x * (t.pull.x * (t.tow.x + passed * t.tow.z - body.at.x) + t.pull.y * (t.tow.z - body.velocity.x));
   precise float towZ = t.mass.x * (t.pull.x * (t.tow.y + passed * t.tow.w - body.at.z) + t.pull.y * (t.tow.w - body.velocity.z));
@@ -21,7 +21,7 @@ FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, Float
   precise vec3 velocity = body.velocity + floats.dt * t.mass.y * force;
   precise float falling = velocity.y - floats.dt * floats.gravity;
   velocity = vec3(clamp(velocity.x, -floats.most, floats.most), falling, clamp(velocity.z, -floats.most, floats.most));
-  // Air slows down what is not in the water, implicit.
+  // Air drag on the part above the water, integrated implicitly.
   precise float over = t.grain.w - sum.rest.y;
   precise float dry = max(over, 0.0f) * exactReciprocal(t.grain.w);
   precise float slower = 1.0f + floats.dt * t.head.w * dry;
@@ -62,7 +62,7 @@ FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, Float
   return next;
 }
 
-// Cells that a body may touch: from this one on, so many along x and y.
+// Returns the window of cells that a body may touch: first column, first row, number of columns, number of rows.
 FUNCTION ivec4 floatWindow(vec4 place, float half_) {
   precise float column = place.x * floats.perCell + floats.columns;
   precise float row = place.z * floats.perCell + floats.rows;
@@ -72,7 +72,8 @@ FUNCTION ivec4 floatWindow(vec4 place, float half_) {
   return ivec4(x, y, min(2 * reach + 1, size.x), min(2 * reach + 1, size.y));
 }
 
-// The cell's number where window `body` holds it and none of those before it does; -1 elsewhere.
+// Returns the index of a cell if it lies in the window of `body` and in no window of an earlier body; otherwise -1.
+// `within` is the position in the window.
 FUNCTION int floatOwned(int body, ivec2 within) {
   ivec4 window = floatWindow(loadFloat(body * floatTexels), loadTold(body * floatToldTexels + 5).x);
   if (within.x >= window.z || within.y >= window.w) return -1;
@@ -91,9 +92,9 @@ FUNCTION int floatOwned(int body, ivec2 within) {
   return y * size.x + x;
 }
 
-// A cell's texel when its bodies displace sums.x units of depth instead of sums.w, and have pulled by sums.y and z. Where a
-// body leaves little water behind, at a shore, its discharge would be that of a jet: half the Courant number that steps may
-// take is the most.
+// Returns a cell's texel when its bodies displace sums.x units of depth instead of sums.w, and have added sums.y and
+// sums.z units of discharge. At a shore, a body that leaves little water behind would create a jet; so the speed is
+// limited to half of the Courant number that steps allow.
 FUNCTION vec4 floatPressed(vec4 texel, ivec4 sums) {
   precise float change = float(sums.x - sums.w) * floats.depthUnit;
   precise float level = texel.x + change;
@@ -106,7 +107,8 @@ FUNCTION vec4 floatPressed(vec4 texel, ivec4 sums) {
   return vec4(sums.x == sums.w ? texel.x : max(waterFlush(level), texel.w), waterFlush(qx), waterFlush(qy), texel.w);
 }
 
-// What they displace then: what a cell could not give back, since less is there, stays owed.
+// Returns the displaced units of depth after floatPressed. If a cell cannot give back all displaced water because it
+// holds less, the rest remains as a debt.
 FUNCTION int floatDisplaced(vec4 texel, ivec4 sums) {
   precise float depth = texel.x - texel.w;
   precise float units = depth * exactReciprocal(floats.depthUnit);

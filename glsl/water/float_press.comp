@@ -1,4 +1,5 @@
-// What bodies have done to the water, in the cells around each; where windows meet the first one takes the cell.
+// Applies the displacement and the discharge of floating bodies to the water, in a window of cells around each body. A
+// cell in several windows is processed by the first of them.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -13,8 +14,8 @@ INPUT_ARRAY(floatToldBinding, FloatToldBlock, told)
 layout(std430, binding = floatSumsBinding) restrict buffer FloatSumBlock { ivec4 sums[]; };
 layout(std140, binding = stepBinding) uniform FloatBlock { FloatStep floats; };
 uniform ivec2 size;
-uniform int side;   // of the largest window
-uniform int first;  // not 0: of the first state, which bodies are part of already
+uniform int side;   // Side of the largest window, in cells
+uniform int first;  // Not 0 for the first state, which already includes the bodies
 
 vec4 loadWater(int i) { return LOAD_STATE(cells, i); }
 vec4 loadFloat(int i) { return LOAD_INPUT(bodies, i); }

@@ -1,53 +1,63 @@
-// What kernels are told of bodies that float. Compiles as GLSL and as C++ (src/sim/water/float_plan.hpp). Places are in
-// metres from the grid's middle, y over level 0.
+// Uniform data of floating bodies. Compiles as GLSL and as C++ (src/sim/water/float_plan.hpp). Positions are in metres
+// from the grid's centre, with y above level 0.
 
 struct STD140 FloatStep {
-  float dt;             // s
-  float gravity;        // m/s^2
-  float density;        // of the water (kg/m^3)
-  float perCell;        // 1 / side of a cell (1/m)
-  float columns;        // half the grid (cells)
+  float dt;             // in seconds
+  float gravity;        // in m/s^2
+  float density;        // Density of the water, kg/m^3
+  float perCell;        // 1 / cell size, 1/m
+  float columns;        // Half the grid, in cells: number of columns / 2, number of rows / 2
   float rows;
-  float halfX;          // m
+  float halfX;          // Half the grid along x and along z, m
   float halfZ;
-  float depthUnit;      // m: sums of depth are whole multiples of it
-  float perDepthUnit;   // of a volume: 1 / (unit area of a cell) (1/m^3)
-  float flowUnit;       // m^2/s: and sums of discharge of this
-  float perFlowUnit;    // of a force: dt / (density unit area of a cell) (1/N)
-  float stiff;          // acceleration of what touches for each m that it is too deep (1/s^2)
-  float damp;           // and for its speed into what it touches (1/s)
-  float deepest;        // m: what is deeper is pushed out no faster
-  float thin;           // m, as WaterStep has it
-  float dry;            // m
-  float most;           // m/s: greatest speed along the grid
-  int west;             // sides
+  float depthUnit;      // Unit of the integer sums of depth, m
+  float perDepthUnit;   // Units per volume: 1 / (depthUnit * cell area), 1/m^3
+  float flowUnit;       // Unit of the integer sums of discharge, m^2/s
+  float perFlowUnit;    // Units per force: dt / (density * flowUnit * cell area), 1/N
+  float stiff;          // Contact stiffness: acceleration per metre of depth, 1/s^2
+  float damp;           // Contact damping: acceleration per speed into the surface, 1/s
+  float deepest;        // Depth beyond which the contact acceleration does not increase, m
+  float thin;           // Depth of thin water, m, as in WaterStep
+  float dry;            // Depth below which a cell is dry, m
+  float most;           // Highest horizontal speed, m/s
+  int west;             // Boundary kind of each side
   int east;
   int north;
   int south;
-  int count;            // of bodies
+  int count;            // Number of bodies
 };
 
-// State of a body, in texels: place of the middle of mass, w the reference level (m); quaternion; velocity, w the volume under
-// the reference level (m^3); angular momentum (kg m^2/s); both stages before the reference level (m), mean level of the water
-// over its points (m), volume under the water (m^3).
+// Number of texels of a body's state: (1) centre of mass, w reference level (m); (2) rotation quaternion; (3) velocity,
+// w volume below the reference level (m^3); (4) angular momentum (kg m^2/s); (5) the first two stages of the reference
+// level (m), mean water level over its points (m), volume below the water level (m^3).
 const int floatTexels = 5;
 
-// What a frame is told of each body.
+// Parameters of a body for one frame.
 struct FloatTold {
-  vec4 mass;    // kg, 1 / mass, radius around all that others touch (m), moment of inertia about y (kg m^2)
-  vec4 turnA;   // inverse moments of inertia xx, yy, zz (1/(kg m^2)), number of its first point
-  vec4 turnB;   // xy, xz, yz, number behind its last point
-  vec4 grain;   // sides of the cuboids that its points stand for (m), its volume (m^3)
-  vec4 drag;    // linear (1/s), quadratic (1/m), more of it sideways (factor - 1), mass by area and density (m)
-  vec4 reach;   // half of its window (cells), share by which a stage of its reference level follows in a step, friction, push (N)
-  vec4 tow;     // target at the frame's beginning (x, z), its speed
-  vec4 head;    // direction there (x, z), turning moment over the mean square way of its volume off its y (N/m), drag of the air (1/s)
-  vec4 pull;    // stiffness and damping of the tow (1/s^2, 1/s) and of the direction
-  vec4 meet;    // numbers of its first probe, behind its last one, of its first distance; radius (m) of what is a sphere, else 0
-  vec4 field;   // where the distances begin (m from the middle of mass), 1 / their spacing (1/m)
-  vec4 nodes;   // how many there are along x, y, z, their spacing (m)
+  vec4 mass;    // x mass (kg); y 1 / mass; z bounding radius for contact (m); w moment of inertia about y (kg m^2)
+  vec4 turnA;   // xyz inverse inertia tensor xx, yy, zz (1/(kg m^2)); w index of its first point
+  vec4 turnB;   // xyz inverse inertia tensor xy, xz, yz; w index past its last point
+  vec4 grain;   // xyz size of the cuboids that its points represent (m); w its volume (m^3)
+  // x linear drag (1/s); y quadratic drag (1/m); z additional factor sideways (factor - 1); w mass per area and water
+  // density (m)
+  vec4 drag;
+  // x half the size of its window (cells); y fraction by which a stage of its reference level follows per step; z
+  // friction; w thrust (N)
+  vec4 reach;
+  vec4 tow;     // xy tow target (x, z) at the frame's begin; zw its velocity
+  // xy tow direction (x, z); z steering moment divided by the volume's mean squared distance from its y axis (N/m); w
+  // air drag (1/s)
+  vec4 head;
+  vec4 pull;    // x stiffness of the tow (1/s^2); y damping (1/s); zw the same for the direction
+  // x index of its first probe; y index past its last probe; z index of its first distance; w radius of a sphere (m),
+  // otherwise 0
+  vec4 meet;
+  // xyz position of the first lattice point relative to the centre of mass (m); w 1 / lattice spacing (1/m)
+  vec4 field;
+  vec4 nodes;   // xyz number of lattice points along each axis; w lattice spacing (m)
 };
 const int floatToldTexels = 12;
-const float floatOut = 0.02f;   // part of their depth by which floats that touch go apart in a step
-const float floatEase = 0.8f;   // part of the speed into each other that a step takes, for a float may touch several
-const int floatLanes = 64;  // that share a body's points
+const float floatOut = 0.02f;   // Fraction of the penetration depth that a step removes
+// Fraction of the approach speed that a step removes; below 1 because a body may touch several others
+const float floatEase = 0.8f;
+const int floatLanes = 64;  // Invocations that share the points of a body

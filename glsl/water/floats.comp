@@ -1,5 +1,5 @@
-// A step of all bodies that float: a group each, whose lanes share its points. Sums are added up in the same order everywhere;
-// what they do to the water goes into whole numbers, which any order adds up alike.
+// One step of all floating bodies. A workgroup processes one body; its invocations share the body's points. Sums have a
+// fixed order. The effects on the water are summed as integers, so their order does not matter.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -17,7 +17,7 @@ INPUT_ARRAY(floatPointsBinding, FloatPointBlock, points)
 layout(std430, binding = floatSumsBinding) restrict buffer FloatSumBlock { int sums[]; };
 layout(std140, binding = stepBinding) uniform FloatBlock { FloatStep floats; };
 uniform ivec2 size;
-uniform int stepNumber;  // of the frame, from 0; below: the first state, of which only the sums are wanted
+uniform int stepNumber;  // Step of the frame, from 0; negative: first state, computes only the sums
 uniform int cellCount;
 shared vec4 parts[192];
 
@@ -31,7 +31,7 @@ void addToSum(int cell, int which, int value) { atomicAdd(sums[cell * 4 + which]
 #include "water/float_contact.glsl"
 #include "water/float_motion.glsl"
 
-// Of all lanes, in the first one: added up in the same order everywhere.
+// Reduces the lanes' contact to the first lane, in a fixed order.
 FloatMeet meetOfAll(int lane, FloatMeet meet) {
   barrier();
   parts[lane * 3] = meet.place;

@@ -1,4 +1,4 @@
-// What drawing and files want of a state, one cell an invocation.
+// Computes the values of a state for drawing and for files. One cell per invocation.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"

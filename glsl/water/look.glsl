@@ -1,12 +1,12 @@
-// What is drawn and shown of a cell. Compiles as GLSL and as C++; after water/model.glsl. Whoever includes it provides
-// `look` (WaterLook), `size` and loadWaterAt(int x, int y).
+// Quantities of a water cell for drawing and display. Compiles as GLSL and as C++, after water/model.glsl. The
+// including file provides `look` (WaterLook), `size` and loadWaterAt(int x, int y).
 
 FUNCTION float waterDepth(vec4 texel) {
   precise float depth = texel.x - texel.w;
   return max(depth, 0.0f);
 }
 
-// Depth, level, speed and foam.
+// Returns depth, level, speed and foam of a cell.
 FUNCTION vec4 waterValues(int x, int y) {
   vec4 here = loadWaterAt(x, y);
   WaterCell c = waterCell(here, look.thin);
@@ -25,8 +25,9 @@ FUNCTION vec4 waterValues(int x, int y) {
   return vec4(c.depth, here.x, exactSqrt(squared), least > look.shallow && c.depth > look.shallow ? foam : 0.0f);
 }
 
-// Where the surface is drawn above the bed for a depth: thin water sinks below it, smoothly, so that films are not drawn and
-// shores run through cells, where the two surfaces meet.
+// Returns the height of the drawn surface above the bed for a depth. Thin water is drawn below the bed, with a smooth
+// transition, so that thin films are hidden and the shoreline, the intersection of the two surfaces, crosses cells
+// smoothly.
 FUNCTION float drawnAbove(float depth) {
   precise float ratio = max(depth, 0.0f) * exactReciprocal(look.shallow);
   precise float lacking = 1.0f - min(ratio, 1.0f);
@@ -34,8 +35,8 @@ FUNCTION float drawnAbove(float depth) {
   return above;
 }
 
-// The depth that thin water and dry ground have in the eyes of the lake beside them: the lake's level less the bed, where
-// there is a lake; what is dry has none above the bed.
+// Returns the depth used for drawing thin water and dry ground: the level of adjacent deeper water minus the bed, at
+// most 0 for a dry cell. Without adjacent water, a dry cell gets a constant below the bed.
 FUNCTION float seenDepth(int x, int y, vec4 here, float depth) {
   precise float sum = 0.0f;
   precise float weights = 0.0f;
@@ -56,7 +57,8 @@ FUNCTION float seenDepth(int x, int y, vec4 here, float depth) {
   return depth > look.shallow ? depth : seen;
 }
 
-// How deep the ground seems: crests throw more light on it, as if it were nearer, and troughs less.
+// Returns the apparent depth of the ground. Crests focus light on it, which makes it look nearer; troughs do the
+// reverse.
 FUNCTION float lookedThrough(int x, int y, vec4 here, float depth) {
   vec4 e = loadWaterAt(min(x + 1, size.x - 1), y);
   vec4 w = loadWaterAt(max(x - 1, 0), y);
@@ -70,7 +72,7 @@ FUNCTION float lookedThrough(int x, int y, vec4 here, float depth) {
   return seen;
 }
 
-// Depth, height of the vertex, speed, number of its colour: all that is drawn of a cell and shown of it, but its level.
+// Returns depth, vertex height, speed and palette index: all displayed values of a cell except its level.
 FUNCTION vec4 waterShown(int x, int y) {
   vec4 values = waterValues(x, y);
   vec4 here = loadWaterAt(x, y);

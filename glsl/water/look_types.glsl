@@ -1,14 +1,14 @@
-// What the kernel is told that makes what is drawn. Compiles as GLSL and as C++.
+// Uniform data of look.comp. Compiles as GLSL and as C++.
 
 struct STD140 WaterLook {
-  float cell;        // m
-  float left;        // of the middle of cell (0, 0) (m)
+  float cell;        // Cell size, m
+  float left;        // Position of the centre of cell (0, 0): x (left) and z (back), m
   float back;
-  float base;        // height of level 0
-  float shallow;     // m: what is thinner is not drawn
-  float thin;        // m
-  float perClarity;  // 1 / depth (1/m) for which the palette has depthColors / 4 colours
-  float foam;        // foam for each unit of slope beyond `calm`
+  float base;        // Height of level 0, m
+  float shallow;     // Depth below which water is not drawn, m
+  float thin;        // in metres
+  float perClarity;  // 1 / the depth that spans a quarter of the palette, 1/m
+  float foam;        // Foam per unit of slope beyond the slope `calm`
   float calm;
 };
 const int depthColors = 64;

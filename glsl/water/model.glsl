@@ -4,35 +4,36 @@
 //   h_t + (hu)_x + (hv)_y = rain
 //   (hu)_t + (hu^2 + g h^2 / 2)_x + (huv)_y = -g h b_x - friction,    the same for hv,    level w = h + b
 //
-// Finite volumes, MUSCL-Hancock: limited slopes of level, depth and velocity, half a step in each cell by
-// itself, then HLL fluxes between what hydrostatic reconstruction leaves of both sides of a face (Audusse, Bouchut,
-// Bristeau, Klein and Perthame 2004; Toro 2001 for wave speeds). The level is what is stored: where it is even and nothing
-// moves, every term below is exactly zero, whatever the bed does.
+// Finite volume method (MUSCL-Hancock): limited slopes of level, depth and velocity; half a step in each cell; then HLL
+// fluxes between the hydrostatically reconstructed states on both sides of a face (Audusse, Bouchut, Bristeau, Klein
+// and Perthame 2004; Toro 2001 for wave speeds). The stored quantity is the level, so for a constant level at rest
+// every term is exactly zero, whatever the bed is.
 
 struct WaterCell {
-  float level;  // m
-  float depth;  // m, not negative
-  float u;      // m/s, along x
-  float v;      // along y
+  float level;  // Water level, m
+  float depth;  // Depth, m, not negative
+  float u;      // Velocity along x, m/s
+  float v;      // Velocity along y, m/s
 };
 
-// One side of a face.
+// State on one side of a face.
 struct WaterSide {
-  float level;   // m
-  float bed;     // m
-  float along;   // m/s, through the face
-  float across;  // m/s, along it
+  float level;   // in metres
+  float bed;     // in metres
+  float along;   // Velocity normal to the face, m/s
+  float across;  // Velocity tangential to the face, m/s
 };
 
-// Through a face, for each m of it.
+// Flux through a face, per metre of its length.
 struct WaterFlux {
-  float mass;    // m^2/s
-  float before;  // momentum less the hydrostatic pressure of the first side (m^3/s^2)
-  float behind;  // and less that of the second
-  float across;  // momentum along the face
+  float mass;    // Volume flux, m^2/s
+  float before;  // Normal momentum minus the hydrostatic pressure of the first side, m^3/s^2
+  float behind;  // Normal momentum minus the hydrostatic pressure of the second side, m^3/s^2
+  float across;  // Tangential momentum, m^3/s^2
 };
 
-// u = 2 h hu / (h^2 + max(h^2, thin^2)): hu / h where it is not thin (Kurganov and Petrova 2007).
+// Returns a cell's state, with velocity u = 2 h hu / (h^2 + max(h^2, thin^2)), which is hu / h unless the water is thin
+// (Kurganov and Petrova 2007).
 FUNCTION WaterCell waterCell(vec4 texel, float thin) {
   WaterCell c;
   c.level = texel.x;
@@ -50,14 +51,15 @@ FUNCTION WaterCell waterCell(vec4 texel, float thin) {
   return c;
 }
 
-// As it looks in a wall along y, and in one along x.
+// Returns the mirror image of a cell: `alongX` reverses u, `alongY` reverses v.
 FUNCTION WaterCell waterMirrored(WaterCell c, bool alongX, bool alongY) {
   c.u = alongX ? -c.u : c.u;
   c.v = alongY ? -c.v : c.v;
   return c;
 }
 
-// The cell that stands for cell i of `count`, -2 <= i <= count + 1. Whether it is mirrored: waterIsMirrored.
+// Returns the cell index that represents index i of `count`, -2 <= i <= count + 1. waterIsMirrored tells if it is a
+// mirror image.
 FUNCTION int waterFolded(int i, int count, int low, int high) {
   if (i < 0) return low == periodicEdge ? i + count : low == wallEdge ? -1 - i : 0;
   if (i >= count) return high == periodicEdge ? i - count : high == wallEdge ? 2 * count - 1 - i : count - 1;
@@ -67,8 +69,8 @@ FUNCTION bool waterIsMirrored(int i, int count, int low, int high) {
   return (i < 0 && low == wallEdge) || (i >= count && high == wallEdge);
 }
 
-// What comes from the sea: a wave that goes one way over still water of the border cell's depth, so u = 2 (c - c0) (a simple
-// wave); whatever comes out meets no wall. The level is never below the bed.
+// Returns the state beyond a sea side: a wave that enters over still water with the border cell's depth, u = 2 (c - c0)
+// (simple wave). Outgoing waves are not reflected. The level is never below the bed.
 FUNCTION WaterCell waterSea(vec4 border, float swell, WaterStep told) {
   precise float top = told.sea + swell;
   precise float level = max(top, border.w);
@@ -85,8 +87,8 @@ FUNCTION WaterCell waterSea(vec4 border, float swell, WaterStep told) {
   return c;
 }
 
-// Of the differences to both neighbours and their mean: twice the smaller ones or the mean, whichever is
-// smallest; zero at extremes (van Leer 1977).
+// Returns the limited difference: of twice each one-sided difference and their mean, the one with the smallest
+// magnitude; 0 at an extremum (van Leer 1977).
 FUNCTION float waterLimited(float before, float here, float behind) {
   precise float a = here - before;
   precise float b = behind - here;
@@ -98,7 +100,7 @@ FUNCTION float waterLimited(float before, float here, float behind) {
   return a > 0.0f && b > 0.0f ? up : a < 0.0f && b < 0.0f ? down : 0.0f;
 }
 
-// Change across `here`; none beside what is dry, where levels are the bed's.
+// Returns the limited differences across a cell. They are 0 next to dry cells, where the level equals the bed.
 FUNCTION WaterCell waterSlope(WaterCell before, WaterCell here, WaterCell behind, float dry) {
   WaterCell s;
   s.level = waterLimited(before.level, here.level, behind.level);
@@ -113,7 +115,7 @@ FUNCTION WaterCell waterSlope(WaterCell before, WaterCell here, WaterCell behind
   return s;
 }
 
-// Half a step of w_t = -(hu)_x - (hv)_y, u_t = -u u_x - v u_y - g w_x and the same for v.
+// Advances a cell by half a step of w_t = -(hu)_x - (hv)_y, u_t = -u u_x - v u_y - g w_x, and the same for v.
 FUNCTION WaterCell waterHalf(WaterCell c, WaterCell sx, WaterCell sy, float halfRatio, float gravity) {
   precise float rise = (c.u * sx.depth + c.depth * sx.u) + (c.v * sy.depth + c.depth * sy.v);
   precise float slowU = (c.u * sx.u + gravity * sx.level) + c.v * sy.u;
@@ -130,7 +132,8 @@ FUNCTION WaterCell waterHalf(WaterCell c, WaterCell sx, WaterCell sy, float half
   return half_;
 }
 
-// The cell's side at half its slope times `sign`; half_ is the cell half a step later. The bed stays where it is.
+// Returns the cell's state at its side, offset by half the slope times `sign`. half_ is the cell half a step later. The
+// bed does not change.
 FUNCTION WaterSide waterSideX(WaterCell c, WaterCell half_, WaterCell slope, float sign) {
   WaterSide s;
   precise float bed = (c.level + sign * slope.level) - (c.depth + sign * slope.depth);
@@ -151,9 +154,9 @@ FUNCTION WaterSide waterSideY(WaterCell c, WaterCell half_, WaterCell slope, flo
   return s;
 }
 
-// HLL with the wave speeds of two rarefactions, between depths over the higher of the two beds. Written so that equal
-// levels at rest give zeros. A cell gives away no more than `mostA` or `mostB`, a quarter of what it has, so none
-// becomes negative.
+// Returns the HLL flux with wave speeds of the two-rarefaction approximation, between depths above the higher of the
+// two beds. It is exactly zero for equal levels at rest. A cell gives away at most `mostA` or `mostB`, a quarter of its
+// water, so no cell becomes negative.
 FUNCTION WaterFlux waterFlux(WaterSide a, WaterSide b, float gravity, float mostA, float mostB) {
   float bed = max(a.bed, b.bed);
   precise float depthA = a.level - bed;
@@ -198,16 +201,16 @@ FUNCTION WaterFlux waterFlux(WaterSide a, WaterSide b, float gravity, float most
   return f;
 }
 
-// What is thinner than a picometre is nothing: so no product here is a subnormal number that a sum would show.
+// Sets values below 1e-12 to 0, so that no product becomes a subnormal number.
 FUNCTION float waterFlush(float x) {
   return abs(x) < 1e-12f ? 0.0f : x;
 }
 
-// The state from what has come in: friction, which is implicit and so never turns anything round, and what is dry
-// stands still. `moved`: level and discharges before that.
+// Finishes a state: applies friction, integrated implicitly so that it never reverses the flow, and stops dry cells.
+// `moved` holds level and discharges before friction.
 FUNCTION vec4 waterSettled(vec3 moved, float bed, WaterStep s) {
   precise float depth = moved.x - bed;
-  float level = depth <= 1e-12f ? bed : waterFlush(moved.x);  // what is no number stays so
+  float level = depth <= 1e-12f ? bed : waterFlush(moved.x);  // A NaN level is kept, so that later checks find it
   precise float qx = moved.y * s.kept;
   precise float qy = moved.z * s.kept;
   if (s.manning > 0.0f) {
@@ -225,10 +228,11 @@ FUNCTION vec4 waterSettled(vec3 moved, float bed, WaterStep s) {
   return vec4(level, stands ? 0.0f : waterFlush(qx), stands ? 0.0f : waterFlush(qy), bed);
 }
 
-// A cell's texel from what goes through its sides. half_ is the cell half a step later, with its slopes.
+// Returns a cell's new texel from the fluxes through its sides. half_ is the cell half a step later; slopeX and slopeY
+// are its slopes.
 FUNCTION vec4 waterGathered(vec4 texel, WaterCell half_, WaterCell slopeX, WaterCell slopeY, WaterFlux east, WaterFlux west,
                             WaterFlux south, WaterFlux north, WaterStep told) {
-  // Within the cell the pressure changes by g h dw.
+  // Inside the cell the pressure changes by g h dw.
   precise float pressX = told.gravity * half_.depth * slopeX.level;
   precise float pressY = told.gravity * half_.depth * slopeY.level;
   precise float out_ = (east.mass - west.mass) + (south.mass - north.mass);
@@ -241,7 +245,7 @@ FUNCTION vec4 waterGathered(vec4 texel, WaterCell half_, WaterCell slopeX, Water
   return waterSettled(vec3(level, qx, qy), texel.w, told);
 }
 
-// (|u| + sqrt(g h)) dt / side along the faster of both axes; of what is thin 0.
+// Returns the Courant number (|u| + sqrt(g h)) dt / cell size along the faster axis; 0 for thin water.
 FUNCTION float waterCourant(WaterCell c, WaterStep s) {
   precise float weight = s.gravity * c.depth;
   precise float fastest = max(abs(c.u), abs(c.v)) + exactSqrt(weight);
@@ -249,7 +253,7 @@ FUNCTION float waterCourant(WaterCell c, WaterStep s) {
   return c.depth > s.thin ? number : 0.0f;
 }
 
-// What a drop adds to the level of a cell.
+// Returns the rise of a cell's level by a drop, in metres.
 FUNCTION float waterDropAt(WaterDrop d, ivec2 cell, vec4 texel) {
   precise float depth = texel.x - texel.w;
   precise float x = float(cell.x) + 0.5f - d.center.x;
@@ -260,7 +264,7 @@ FUNCTION float waterDropAt(WaterDrop d, ivec2 cell, vec4 texel) {
   return depth > d.shallow ? rise : 0.0f;
 }
 
-// A cell's texel with `rise` (m) more water; never below the bed. What is taken away takes its discharge along.
+// Returns a cell's texel with `rise` metres more water, never below the bed. Removed water takes its discharge with it.
 FUNCTION vec4 waterRaised(vec4 texel, float rise) {
   precise float level = texel.x + rise;
   precise float depth = texel.x - texel.w;

@@ -1,4 +1,4 @@
-// More water: within a brush's reach its value (m), or a drop.
+// Adds water: a brush stroke's value in metres within its reach, or a drop (DROP). One cell per invocation.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"

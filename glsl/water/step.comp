@@ -1,6 +1,6 @@
-// One step; an invocation takes a column of ROWS cells and goes down it. What a row has from the one above, its half
-// step and the flux between them, stays in registers: three fluxes a cell instead of the four of waterStepped, whose
-// arithmetic this is in the same order.
+// One step of the water. An invocation processes a column of ROWS cells from top to bottom. Half steps and fluxes of
+// the previous row stay in registers, so a cell needs three fluxes instead of the four of waterStepped. The arithmetic
+// has the same order.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -12,7 +12,7 @@ INPUT_ARRAY(cellsBinding, CellBlock, cells)
 STATE_ARRAY(nextCellsBinding, NextBlock, nextCells)
 layout(std140, binding = stepBinding) uniform WaterBlock { WaterStep water; };
 uniform ivec2 size;
-uniform int stepNumber;  // of the frame, from 1
+uniform int stepNumber;  // Step of the frame, from 1
 
 vec4 loadWater(int i) {
   return LOAD_INPUT(cells, i);
@@ -20,7 +20,7 @@ vec4 loadWater(int i) {
 #include "water/model.glsl"
 #include "water/step.glsl"
 
-// Three cells side by side.
+// Three adjacent cells of a row.
 struct WaterRow {
   WaterCell w;
   WaterCell c;
@@ -39,7 +39,7 @@ void main() {
   WaterStep told = water;
   float g = told.gravity, dry = told.dry, k = told.halfRatio;
   WaterRow above = rowAt(x, top - 1, told, grid), here = rowAt(x, top, told, grid), below = rowAt(x, top + 1, told, grid);
-  // The cell above, half a step later, and the flux from it.
+  // Cell above half a step later, and the flux from it.
   WaterCell before = waterAt(x, top - 2, told, grid);
   WaterCell ax = waterSlope(above.w, above.c, above.e, dry);
   WaterCell ay = waterSlope(before, above.c, here.c, dry);

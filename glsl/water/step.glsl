@@ -1,8 +1,9 @@
-// A whole step of one cell from the thirteen around it. Compiles as GLSL and as C++. Whoever includes it provides
-// `water` (WaterStep), `size` (ivec2, cells) and loadWater(int i), a texel of the state. Define SEA: 1 or 0, whether a side is
-// the sea.
+// One step of one cell, from the thirteen cells around it. Compiles as GLSL and as C++. The including file provides
+// `water` (WaterStep), `size` (ivec2, cells) and loadWater(int i), a texel of the state. Define SEA as 1 if a side is a
+// sea, otherwise 0.
 
-// `told` and `grid`: copies of them, which are read once.
+// Returns the cell (x, y), also beyond the grid's sides. `told` and `grid` are local copies of `water` and `size`, so
+// that uniforms are read once.
 FUNCTION WaterCell waterAt(int x, int y, WaterStep told, ivec2 grid) {
   int column = waterFolded(x, grid.x, told.west, told.east);
   int row = waterFolded(y, grid.y, told.north, told.south);

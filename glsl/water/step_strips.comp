@@ -1,7 +1,7 @@
-// step.comp for storage blocks, and so for graphics cards: the same arithmetic, and nothing computed twice but at the
-// borders of a strip. A work group of 32 columns goes down `rows` rows. Of each row an invocation makes its cell's slopes,
-// its half step, the flux to the east and the flux from above; what it needs of its neighbours passes through shared memory.
-// The outermost two columns on each side only serve the others, so strips are 28 columns apart.
+// Variant of step.comp for storage buffers, used on GPUs: the same arithmetic, computed once per cell except at the
+// borders of a strip. A workgroup of 32 columns walks down `rows` rows. For each row, an invocation computes its cell's
+// slopes, half step, the flux to the east and the flux from above; neighbours exchange values through shared memory.
+// The outermost two columns on each side serve only as neighbours, so strips are 28 columns apart.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -14,8 +14,8 @@ INPUT_ARRAY(cellsBinding, CellBlock, cells)
 STATE_ARRAY(nextCellsBinding, NextBlock, nextCells)
 layout(std140, binding = stepBinding) uniform WaterBlock { WaterStep water; };
 uniform ivec2 size;
-uniform int stepNumber;  // of the frame, from 1
-uniform int rows;        // of a strip
+uniform int stepNumber;  // Step of the frame, from 1
+uniform int rows;        // Number of rows of a strip
 
 vec4 loadWater(int i) {
   return LOAD_INPUT(cells, i);
@@ -23,9 +23,9 @@ vec4 loadWater(int i) {
 #include "water/model.glsl"
 #include "water/step.glsl"
 
-shared vec4 sharedCells[columns];  // of the row in work: level, depth, u, v
-shared vec4 westSides[columns];    // of its cells: level, bed, along, across
-shared vec4 eastFluxes[columns];   // mass, behind, across
+shared vec4 sharedCells[columns];  // Row in work: level, depth, u, v
+shared vec4 westSides[columns];    // West sides of the row's cells: level, bed, along, across
+shared vec4 eastFluxes[columns];   // East fluxes: mass, behind, across
 
 WaterCell cellOf(int column) {
   vec4 v = sharedCells[column];
@@ -43,7 +43,7 @@ void main() {
   int west = max(column - 1, 0), east = min(column + 1, columns - 1);
   WaterStep told = water;
   float g = told.gravity, dry = told.dry, k = told.halfRatio;
-  // Rows y - 1, y and y + 1, and of row y - 1: half a step later, slopes, fluxes.
+  // Rows y - 1, y and y + 1. For row y - 1 also its half step, slopes and fluxes.
   WaterCell above = waterAt(x, top - 2, told, grid), here = waterAt(x, top - 1, told, grid);
   WaterCell a2 = here, ax = here, ay = here;
   WaterFlux nothing = WaterFlux(0.0f, 0.0f, 0.0f, 0.0f);

@@ -1,5 +1,5 @@
-// What is measured of water in each frame (src/sim/water/quantities.cpp): sums of depth, of h |u|^2 / 2, of h (w + b) / 2 and of wet
-// cells; the most of the Courant number, the speed and the depth.
+// Measures the water once per frame (src/sim/water/quantities.cpp). Sums: depth, h |u|^2 / 2, h (w + b) / 2, number of
+// wet cells. Maxima: Courant number, speed, depth.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -9,7 +9,7 @@ layout(local_size_x = 64) in;
 INPUT_ARRAY(cellsBinding, CellBlock, cells)
 layout(std140, binding = stepBinding) uniform WaterBlock { WaterStep water; };
 uniform ivec2 size;
-uniform float shallow;  // m: what is thinner is not wet
+uniform float shallow;  // Depth below which a cell is not wet, m
 #include "water/model.glsl"
 
 struct Tallied {

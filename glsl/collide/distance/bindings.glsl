@@ -1,4 +1,4 @@
-// Where the kernels that make distance fields have their arrays. Compiles as GLSL and as C++ (src/sim/collide).
+// Binding points of the kernels that build distance fields. Compiles as GLSL and as C++ (src/sim/collide).
 #ifndef COLLIDE_DISTANCE_BINDINGS
 #define COLLIDE_DISTANCE_BINDINGS
 
@@ -6,8 +6,9 @@ const int boxesBinding = 0;
 const int facesBinding = 1;
 const int nodesBinding = 2;
 const int cellsBinding = 3;
-const int leftBinding = 4;  // of the count of nodes that are not done
-const int leafFaces = 4;    // of a leaf of the tree, some of them twice
-const int faceElements = 10;  // of a face: three corners; unit normals of the face, its edges, its corners
+const int leftBinding = 4;  // Counter of unfinished nodes
+const int leafFaces = 4;    // Faces per leaf of the tree; some faces may occur twice
+// Elements per face: three corners, then the unit normals of the face, its edges and its corners
+const int faceElements = 10;
 
 #endif

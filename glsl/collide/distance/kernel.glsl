@@ -1,12 +1,12 @@
-// What the kernels that make a distance field include.
+// Common includes, uniforms and buffers of the kernels that build a distance field.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "collide/distance/bindings.glsl"
 layout(local_size_x = 64) in;
-uniform ivec4 nodes;     // of the grid along x, y, z; w all of them
-uniform vec4 corner;     // xyz of the first (m); w between two (m)
-uniform float perUnit;   // 1/m
+uniform ivec4 nodes;     // xyz number of grid nodes per axis; w total number
+uniform vec4 corner;     // xyz position of the first node, m; w grid spacing, m
+uniform float perUnit;   // Integer units per metre
 uniform int firstLeaf;
 INPUT_ARRAY(boxesBinding, BoxBlock, boxes)
 INPUT_ARRAY(facesBinding, FaceBlock, faces)

@@ -1,5 +1,5 @@
-// The nearest face of each node of the grid: some rounds of the search, again until all are done, since software drivers end a
-// shader's loops without a word after 65,535.
+// Finds the nearest face of each grid node. Each dispatch runs `rounds` steps of the search and is repeated until
+// `left` is 0, because software drivers end loops without error after 65,535 iterations per invocation.
 #include "collide/distance/kernel.glsl"
 layout(std430, binding = leftBinding) restrict buffer LeftBlock { uint left; };
 uniform int rounds;

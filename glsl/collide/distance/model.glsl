@@ -1,8 +1,9 @@
-// The signed distance from a point to a closed mesh. Compiles as GLSL and as C++; whoever includes it provides loadBox(int),
+// Signed distance from a point to a closed mesh. Compiles as GLSL and as C++. The including file provides loadBox(int),
 // loadFace(int), `firstLeaf`, common/exact.glsl and bindings.glsl.
 //
-// The tree is complete: box n has the children 2n and 2n + 1, a box being two elements, least and greatest corner. The w of the
-// first is the box that comes after n and all below it, 0 where there is none; that of the second the first face of a leaf.
+// The tree of boxes is a complete binary tree: box n has the children 2n and 2n + 1. A box has two elements, its low
+// and high corner. The w of the low corner is the box that follows the subtree of n in preorder (0: none). The w of the
+// high corner is a leaf's first face.
 
 #include "collide/closest.glsl"
 
@@ -11,11 +12,11 @@ FUNCTION Closest closestOfFace(vec3 p, int face) {
   return closestOf(p, vec3(loadFace(i)), vec3(loadFace(i + 1)), vec3(loadFace(i + 2)));
 }
 
-// How far a search has come.
+// State of a nearest-face search.
 struct Search {
-  float squared;  // m^2 to the nearest face so far
+  float squared;  // Squared distance to the nearest face so far, m^2
   int face;
-  int box;        // to look at next; 0: done
+  int box;        // Next box to test; 0 if the search is finished
 };
 
 FUNCTION float boxSquared(vec3 p, vec4 low, vec4 high) {
@@ -34,7 +35,7 @@ FUNCTION Search inLeaf(vec3 p, Search s, int first) {
   return s;
 }
 
-// The faces of the leaf that lies nearest, going down: a bound to begin with.
+// Starts a search. Descends to a near leaf and tests its faces, to get a first upper bound.
 FUNCTION Search begun(vec3 p) {
   int box = 1;
   for (int k = 0; k < 30 && box < firstLeaf; ++k) {
@@ -50,7 +51,7 @@ FUNCTION Search begun(vec3 p) {
   return inLeaf(p, s, int(loadBox(2 * box + 1).w));
 }
 
-// One box further, in the tree's order; those that lie no nearer than what was found are left out.
+// Advances the search by one box in preorder. Skips a box that is no nearer than the nearest face so far.
 FUNCTION Search searched(vec3 p, Search s) {
   vec4 low = loadBox(2 * s.box);
   vec4 high = loadBox(2 * s.box + 1);
@@ -62,9 +63,10 @@ FUNCTION Search searched(vec3 p, Search s) {
   return s;
 }
 
-// By the nearest face: below 0 within. The normal of an edge is that of its two faces together, that of a corner of its faces
-// by their angles there, so the sign is right wherever the nearest point lies (Baerentzen and Aanaes 2005, "Signed distance
-// computation using the angle weighted pseudonormal").
+// Returns the signed distance to the nearest face, negative inside. The normal of an edge is the sum of its two faces'
+// normals. The normal of a corner is the sum of its faces' normals weighted by their angles. So the sign is right
+// wherever the closest point lies (Baerentzen and Aanaes 2005, "Signed distance computation using the angle weighted
+// pseudonormal").
 FUNCTION float signedDistance(vec3 p, int face) {
   Closest closest = closestOfFace(p, face);
   vec3 normal = vec3(loadFace(face * faceElements + 3 + closest.feature));
@@ -73,7 +75,7 @@ FUNCTION float signedDistance(vec3 p, int face) {
   return side < 0.0f ? -size : size;
 }
 
-// In whole units, sixteen bits.
+// Converts a distance to integer units, clamped to 16 bits.
 FUNCTION int wholeUnits(float distance_, float perUnit) {
   precise float units = distance_ * perUnit + 0.5f;
   return clamp(int(floor(clamp(units, -40000.0f, 40000.0f))), -32767, 32767);

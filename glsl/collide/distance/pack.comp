@@ -1,4 +1,4 @@
-// Each cell's eight corners in one element.
+// Packs the distances at each cell's eight corners into one element. One cell per invocation.
 #include "collide/distance/kernel.glsl"
 STATE_WORDS(cellsBinding, CellBlock, cells)
 uniform int firstCell;

@@ -1,4 +1,4 @@
-// The signed distance of each node, in whole units, where its nearest face was.
+// Replaces each node's nearest face by its signed distance in integer units. One node per invocation.
 #include "collide/distance/kernel.glsl"
 
 void main() {

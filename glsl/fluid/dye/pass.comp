@@ -1,4 +1,4 @@
-// A pass of dye: what leaves a cell through a face arrives in the next one.
+// One pass of dye transport in flux form: dye that leaves a cell through a face enters the neighbour.
 #define READS_DYE
 #define NEXT_DYE
 #include "fluid/grid.glsl"
@@ -15,7 +15,7 @@ vec4 dyedBetween(vec4 here, vec4 left, vec4 right, vec4 top, vec4 bottom) {
   return next;
 }
 
-// Of four cells through faces that are open, each flux once.
+// Processes a block of 2x2 cells with open faces. Each flux is computed once.
 void main() {
   ivec2 block = blockHere(tilesStart);
   if (2 * block.x >= size.x) return;

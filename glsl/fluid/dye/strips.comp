@@ -1,9 +1,10 @@
-// pass.comp for storage blocks, and so for graphics cards: each flux is made once, and PASSES passes are taken at once. A work
-// group of 32 goes down `rows` rows, an invocation with two columns. What it needs of its neighbours they tell it from their
-// registers (SUBGROUPS) or through shared memory, rows above and below are kept; a pass follows the one before it two rows later. The
-// outermost columns, two for each pass, only serve the others. Dye is counted in its units here (model.glsl), so that a flux is
-// a whole number. How far it goes through each face is the same in all passes of a step, so check.comp has found it. Where a strip
-// has been clear for some rows nothing moves.
+// Variant of pass.comp for storage buffers, used on GPUs: each flux is computed once, and PASSES passes run at once. A
+// workgroup of 32 invocations walks down `rows` rows; an invocation has two columns. Values of neighbouring columns
+// come from the neighbours' registers (SUBGROUPS) or through shared memory; values of rows above and below stay in
+// registers. Each pass follows two rows behind the previous one. The outermost columns, two per pass, serve only as
+// neighbours. Dye is counted in quanta (model.glsl), so a flux is an integer. The distance through each face is the
+// same in all passes of a step and comes from check.comp. Rows are skipped while the strip has been without dye for
+// several rows.
 #ifdef SUBGROUPS
 #extension GL_KHR_shader_subgroup_shuffle_relative : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -14,13 +15,13 @@
 const int lanes = 32, columns = 2 * lanes, margin = 2 * PASSES;
 layout(local_size_x = lanes) in;
 layout(std430, binding = carriedBinding) readonly restrict buffer WayBlock { vec2 ways[]; };
-uniform int rows;  // of a strip
+uniform int rows;  // Number of rows of a strip
 
 #if !defined SUBGROUPS || PASSES > 1
-shared vec3 firsts[lanes], seconds[lanes];  // of a row: values of both columns
+shared vec3 firsts[lanes], seconds[lanes];  // Values of both columns of a row
 #endif
 
-// Values of the invocation to the left and of the one to the right; at the strip's ends anything.
+// Return the value of the invocation to the left, or to the right. At the ends of the strip the result is undefined.
 #ifdef SUBGROUPS
 vec3 ofLeft(int lane, vec3 value) {
   return subgroupShuffleUp(value, 1u);
@@ -45,7 +46,7 @@ vec3 ofRight(int lane, vec3 value) {
 }
 #endif
 
-// Whether a row of the strip has no dye.
+// True if a row of the strip has no dye.
 #ifndef SUBGROUPS
 shared uint dyed;
 #endif
@@ -64,14 +65,15 @@ bool isClear(int lane, vec3 first, vec3 second) {
 #endif
 }
 
-// A pass on its way down, of a column: the row in work, the one above it, half its slope downwards, the flux between them,
-// and what the row above loses to the sides.
+// State of a pass in one column: the row in work (`here`), the row above, half the slope of the row above along y, the
+// flux through the upper face of the row above, the loss of the row above to both sides, and the difference `up`
+// between the two rows.
 struct Pass {
   vec3 here, above, slopeAbove, fromAbove, sidesAbove, up;
 };
 
-// limitedHalfSlope of whole numbers. A card takes minima at half the rate of products: 1 where both go the same way is their
-// product, cut at 1.
+// Same as limitedHalfSlope, for integers. On GPUs min has half the throughput of a product: the clamped product of the
+// differences is 1 if both have the same sign, otherwise 0.
 vec3 halfSlopes(vec3 before, vec3 after) {
   precise vec3 product = before * after;
   vec3 same = clamp(product, vec3(0.0), vec3(1.0));
@@ -80,7 +82,7 @@ vec3 halfSlopes(vec3 before, vec3 after) {
   return clamp(quarter, -most, most);
 }
 
-// What crosses a face, in units.
+// Returns the flux through a face, in dye quanta.
 vec3 unitsThrough(float way, vec3 before, vec3 after, vec3 step_, vec3 slopeBefore, vec3 slopeAfter) {
   bool on = way > 0.0;
   float back = on ? 0.0 : 1.0;
@@ -96,7 +98,7 @@ int turned(int i, int count) {
   return (i + 8 * count) % count;
 }
 
-// Of a column anywhere: where its dye lies, its velocities and faces.
+// Maps any column to the column that stores its dye, velocities and faces.
 int columnOf(int x) {
   return leftKind == periodicSide ? turned(x, size.x) : clamp(x, -1, size.x);
 }
@@ -110,12 +112,13 @@ vec3 loadUnits(int x, int y) {
   return units;
 }
 
-// Ways through the left and the top face of a cell; beyond the ring anything, for what comes of it is not used.
+// Returns the distances through the left and the top face of a cell. Beyond the ring the result is arbitrary and is not
+// used.
 vec2 waysAt(int x, int y) {
   return ways[elementOf(clamp(x, -1, size.x), clamp(y, -1, size.y))];
 }
 
-// A cell, and where it is at the border what of the ring is like it.
+// Stores a cell, and the copies of it in the ring if the cell is at the border.
 void storeUnits(int x, int y, vec3 units) {
   precise vec3 amounts = units * dyeUnit;
   vec4 value = vec4(amounts, 0.0);
@@ -130,7 +133,8 @@ void storeUnits(int x, int y, vec3 units) {
     }
 }
 
-// The row below comes in, the row above goes out as it is after the pass. `through_`: ways of both columns' faces, of the row in work.
+// Advances a pass by one row. On input, `first` and `second` hold the next row below; on output, the row above after
+// the pass. `through_` holds the distances through the faces of both columns in the row in work.
 void advance(int lane, inout Pass a, inout Pass b, vec4 through_, inout vec3 first, inout vec3 second) {
   vec3 left = ofLeft(lane, b.here), right = ofRight(lane, a.here);
   precise vec3 before_ = a.here - left;
@@ -158,9 +162,10 @@ void advance(int lane, inout Pass a, inout Pass b, vec4 through_, inout vec3 fir
 }
 
 #if PASSES > 1
-// Columns beyond sides that do not close on each other are as the ones within, or empty, after the first pass.
+// After the first pass, fills columns beyond a side that is not periodic: copies of the nearest column inside, or 0
+// beyond an open side.
 void spread(int lane, ivec2 x, inout vec3 first, inout vec3 second) {
-  int from = x.x - 2 * lane;  // the strip's first column
+  int from = x.x - 2 * lane;  // First column of the strip
   barrier();
   firsts[lane] = first;
   seconds[lane] = second;
@@ -185,13 +190,13 @@ void main() {
   ivec2 x = ivec2(from + 2 * lane, from + 2 * lane + 1);
   int top = int(gl_WorkGroupID.y) * rows;
   int end = min(top + rows, size.y);
-  ivec2 at = ivec2(columnOf(x.x), columnOf(x.y));  // of dye
+  ivec2 at = ivec2(columnOf(x.x), columnOf(x.y));  // Columns that store the dye
   bool closes = leftKind == periodicSide;
   ivec2 faces = closes ? at : x;
   bvec2 writes = bvec2(2 * lane >= margin && 2 * lane < columns - margin && x.x < size.x,
                        2 * lane >= margin && 2 * lane < columns - margin && x.y < size.x);
   Pass a[PASSES], b[PASSES];
-  vec4 through_[2 * PASSES - 1];  // ways, of the row in work and of those above it
+  vec4 through_[2 * PASSES - 1];  // Distances through faces, for the row in work and the rows above it
   Pass none = Pass(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
   for (int i = 0; i < PASSES; ++i) a[i] = b[i] = none;
   for (int i = 0; i < 2 * PASSES - 1; ++i) through_[i] = vec4(0.0);
@@ -204,9 +209,9 @@ void main() {
   precise vec3 stepB = b[0].here - b[0].above;
   a[0].up = stepA;
   b[0].up = stepB;
-  // What a pass knows of comes from four rows and the one that comes in: after so many clear ones nothing is in it.
+  // A pass depends on four rows and the incoming row: after five rows without dye it has nothing to move.
   const int pastRows = 5;
-  int clear = 0;  // rows, up to the one that comes in
+  int clear = 0;  // Number of consecutive rows without dye, up to the incoming row
   bool atSide = !closes && (from < 0 || from + columns > size.x);
   for (int y = start + 1; y < end + margin - 1; ++y) {
     int below = rowOf(y + 1);
@@ -223,7 +228,7 @@ void main() {
     }
 #if PASSES > 1
     if (clear < 2 * pastRows - 1) {
-      // Of row y - 1. Rows beyond the sides: as columns.
+      // Second pass, for row y - 1. Rows beyond the sides are filled like columns (spread).
       if (atSide) spread(lane, x, first, second);
       if (topKind != periodicSide && y - 1 <= 0) {
         bool empty = topKind == openSide;

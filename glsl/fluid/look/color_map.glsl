@@ -1,6 +1,6 @@
-// Colours of values; after STOPS are bound.
+// Colour map. Include after `stops` is declared.
 uniform int stopCount;
-uniform float low, perRange;  // value of the first colour, and 1 / what the last one is above it
+uniform float low, perRange;  // Value of the first colour, and 1 / (value of the last colour - value of the first)
 
 vec4 mappedColor(float value) {
   precise float share = (value - low) * perRange;

@@ -1,9 +1,10 @@
-// Line integral convolution (Cabral and Leedom, SIGGRAPH 1993): noise, averaged along the lines of flow through each place.
-// Compiles as GLSL and as C++, after transport.glsl and look.glsl. `lineDetail`: places a cell on a side; `linePerDetail` is
-// 1 / that. `linePhase`: where the ripples are that run along the lines with the flow, in turns.
-const int lineSteps = 26;  // each way
+// Line integral convolution (Cabral and Leedom, SIGGRAPH 1993): averages noise along the streamline through each pixel.
+// Compiles as GLSL and as C++, after transport.glsl and look.glsl. `lineDetail` is the number of pixels per cell and
+// axis; `linePerDetail` is its reciprocal. `linePhase` is the phase, in turns, of ripples that move along the lines
+// with the flow.
+const int lineSteps = 26;  // Steps in each direction
 
-// White noise of as many places as are drawn, 0 to 1.
+// Returns white noise, one value in [0, 1) per pixel.
 FUNCTION float grainAt(vec2 p) {
   precise float x = p.x * float(lineDetail);
   precise float y = p.y * float(lineDetail);
@@ -12,7 +13,7 @@ FUNCTION float grainAt(vec2 p) {
   return grain;
 }
 
-// How much the place counts that lies `along` (-1 to 1) on the line: a bell, and ripples of a third of it.
+// Returns the weight of the sample at `along` (-1 to 1) on the line: a bell curve, modulated by ripples.
 FUNCTION float lineWeight(float along) {
   precise float opening = 3.1415927f * along;
   precise float bell = 1.0f + exactCos(opening);
@@ -22,7 +23,7 @@ FUNCTION float lineWeight(float along) {
   return weight;
 }
 
-// One step of Euler's, three quarters of a place long, against the flow where `way` is negative. Still water: none.
+// Moves one Euler step of 3/4 pixel along the flow, or against it if `way` is negative. Does not move in fluid at rest.
 FUNCTION vec2 alongLine(vec2 p, float way) {
   vec2 velocity = velocityAt(p);
   precise float square = velocity.x * velocity.x + velocity.y * velocity.y;
@@ -32,7 +33,7 @@ FUNCTION vec2 alongLine(vec2 p, float way) {
   return square > 1e-10f ? heldPoint(next) : p;
 }
 
-// The mean of the noise along the line through p, spread out so that lines show: 0 to 1.
+// Returns the weighted mean of the noise along the line through p, with increased contrast: 0 to 1.
 FUNCTION float lineAt(vec2 p) {
   float middle = lineWeight(0.0f);
   precise float sum = middle * grainAt(p);
@@ -57,7 +58,7 @@ FUNCTION float speedAt(vec2 p) {
   return exactSqrt(square);
 }
 
-// What a place is drawn in, of the speed's colour.
+// Returns the colour of a pixel, from the colour of its speed and the line's brightness.
 FUNCTION vec4 lineColor(vec4 ofSpeed, float line) {
   precise float light = 0.10f + 1.15f * line * line;
   precise vec4 color = ofSpeed * light;

@@ -1,4 +1,4 @@
-// What of a fluid is shown. Compiles as GLSL and as C++, after transport.glsl.
+// Quantities and colours of a fluid for display. Compiles as GLSL and as C++, after transport.glsl.
 const int dyeShown = 0;
 const int speedShown = 1;
 const int vorticityShown = 2;
@@ -31,7 +31,7 @@ const int lightLook = 0;
 const int inkLook = 1;
 const int fireLook = 2;
 
-// What glows at a temperature: red first, then yellow, then white.
+// Returns the glow at a temperature: red, then yellow, then white.
 FUNCTION vec4 glowOf(float heat) {
   float held = clamp(heat, 0.0f, 3.0f);
   precise float square = held * held;
@@ -39,9 +39,10 @@ FUNCTION vec4 glowOf(float heat) {
   return glow;
 }
 
-// Linear RGB of dye that shines on dark paper: what is not its light, e^(-brightness dye), is the paper's; fire glows besides.
-// Of ink on paper: e^(-brightness a), where an ink absorbs of each primary what its colour lacks, and a little of all (Beer
-// and Lambert).
+// Returns a linear RGB colour. The looks "light" and "fire" blend dye light over dark paper with transmittance
+// e^(-brightness dye); fire adds a glow by temperature. The look "ink" is paper attenuated by e^(-brightness a), where
+// the absorption a of each channel is what the ink's colour lacks, plus a small part for all channels (Beer-Lambert
+// law).
 FUNCTION vec4 shownColor(int look, float brightness, vec4 dye, float heat, vec3 paper) {
   precise vec4 light = brightness * dye;
   if (look == inkLook) {

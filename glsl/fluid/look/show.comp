@@ -1,12 +1,12 @@
-// What is drawn of a fluid: colour in rgb, a value in a.
+// Computes the displayed field of a fluid: colour in rgb, value in a. One cell per invocation.
 #define READS_DYE
 #include "fluid/grid.glsl"
 #include "fluid/look/look.glsl"
 layout(local_size_x = 32, local_size_y = 2) in;
 STATE_ARRAY(nextFlowBinding, NextBlock, shown)
-INPUT_ARRAY(carriedBinding, StopBlock, stops)  // of the colour map
-uniform float brightness;     // of dye
-uniform vec3 paper;           // where there is none
+INPUT_ARRAY(carriedBinding, StopBlock, stops)  // Stops of the colour map
+uniform float brightness;     // Factor of dye
+uniform vec3 paper;           // Colour of the background without dye
 uniform vec3 obstacleColor;
 #include "fluid/look/color_map.glsl"
 

@@ -1,10 +1,11 @@
-// Adds the coarser level's correction, then a red-black sweep. As descend.comp, by blocks of 2x2 cells.
+// Multigrid, way up: adds the coarser level's correction, then applies a red-black sweep. Works in blocks of 2x2 cells
+// like descend.comp.
 #include "fluid/solver/levels.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { vec4 raisedOut[]; };
 
 #if IN_THE_OPEN != 0
-// Five coarse cells of a row, from two before a block's own one to two after it.
+// Five coarse cells in a row, from two before the block's own cell to two after it.
 struct Five {
   float a, b, c, d, e;
 };
@@ -78,7 +79,7 @@ const int windowStride = 14;
 shared float values[14 * 14];
 #include "fluid/solver/window.glsl"
 
-// As below.
+// Returns a coarse cell's correction, as the function of the same name below.
 float coarseAt(ivec2 c) {
   ivec2 count = level.cells / 2 + (level.cells & 1);
 #if LEFT == 4
@@ -127,7 +128,8 @@ void sweepTile(ivec2 tile) {
   raisedOut[level.up + element] = here;
 }
 #elif IN_THE_OPEN != 1
-// A coarse cell's correction; noCell beyond walls, and beyond open sides what makes it 0 there.
+// Returns a coarse cell's correction: noCell beyond walls; beyond open sides the negated border cell, so that the
+// correction is 0 on the side.
 float coarseAt(ivec2 c) {
   ivec2 count = (level.cells + 1) / 2;
 #if LEFT == 4
@@ -152,7 +154,7 @@ float raisedAt(ivec2 place) {
   return raised(inRaised(level.way, c), more);
 }
 
-// Of a cell of either colour, given its neighbours.
+// Relaxes a cell of either colour, given its neighbours.
 float sweptAt(ivec2 place, float left, float right, float top, float bottom) {
   ivec2 c = within(place);
   if (!isInside(c)) return 0.0;
@@ -160,7 +162,8 @@ float sweptAt(ivec2 place, float left, float right, float top, float bottom) {
   return relaxed(inPool(level.rhs, c), neighbours(w, left, right, top, bottom), diagonal(w));
 }
 
-// A red cell after its half of the sweep; where an odd torus closes it may be a black one, which is not swept yet.
+// Returns a red cell after its half of the sweep. On a torus with an odd number of cells, the cell at the seam can be
+// black; it is then returned without the sweep.
 float redAt(ivec2 place, float left, float right, float top, float bottom) {
   return isRed(within(place)) ? sweptAt(place, left, right, top, bottom) : raisedAt(place);
 }

@@ -1,13 +1,13 @@
-// A block of 2x2 cells with the openings around it, as an invocation keeps it, so that it is loaded once for all that is done with it. On
-// a torus there is an even number of cells around. After model.glsl and `weights`.
+// A block of 2x2 cells with the openings around it, held in an invocation's registers so that it is loaded once. On a
+// torus the number of cells per axis must be even. Include after model.glsl and `weights`.
 struct Block {
-  uvec4 faces;        // of its cells, left and top
-  uvec2 right, below; // of those right of it and below
+  uvec4 faces;        // Openings of the left and top faces of the block's cells
+  uvec2 right, below; // Openings of the cells to the right and below
   vec4 rhs;
-  int inside;         // a bit for each of its cells that the grid has
+  int inside;         // Bit mask of the block's cells that lie in the grid
 };
 
-// Which block of the grid that is.
+// Wraps a block index on a torus.
 ivec2 blockWithin(ivec2 block, ivec2 cells) {
 #if LEFT == 4
   block.x = (block.x + 8 * (cells.x / 2)) % (cells.x / 2);
@@ -18,14 +18,14 @@ ivec2 blockWithin(ivec2 block, ivec2 cells) {
   return block;
 }
 
-// Its cells, as bits; `block` is within.
+// Returns the bit mask of the block's cells that lie in the grid. `block` is already wrapped.
 int cellsInside(ivec2 block, ivec2 cells) {
   ivec2 room = cells - 2 * block;
   if (block.x < 0 || block.y < 0 || room.x <= 0 || room.y <= 0) return 0;
   return (room.x > 1 ? 3 : 1) * (room.y > 1 ? 5 : 1);
 }
 
-// All but what is missing, of a block within; `start`: where the level's openings are.
+// Loads a block except its right-hand side. `block` is already wrapped; `start` is the index of the level's openings.
 Block blockAt(ivec2 block, ivec2 cells, int start) {
   Block b = Block(uvec4(0u), uvec2(0u), uvec2(0u), vec4(0.0), cellsInside(block, cells));
   int row = cells.x / 2 + 1, element = start + block.y * row + block.x;
@@ -35,7 +35,8 @@ Block blockAt(ivec2 block, ivec2 cells, int start) {
   return b;
 }
 
-// Weights of the faces of its first cell and so on: left, right, top, bottom.
+// Return the face weights (left, right, top, bottom) of the block's cells: weights00 the first cell, weights10 the cell
+// to its right, and so on.
 vec4 weights00(Block b) {
   vec2 own = faceWeights(b.faces.x);
   return vec4(own.x, faceWeights(b.faces.y).x, own.y, faceWeights(b.faces.z).y);
@@ -53,7 +54,7 @@ vec4 weights11(Block b) {
   return vec4(own.x, faceWeights(b.right.y).x, own.y, faceWeights(b.below.y).y);
 }
 
-// Of x and w, the red cells; `beside`: left of the first, above it, right of the last and below it.
+// Relaxes x and w, the red cells. `beside` holds the outer neighbours: left of x, above x, right of w, below w.
 void sweepReds(Block b, inout vec4 here, vec4 beside) {
   vec4 w = weights00(b);
   here.x = (b.inside & 1) != 0 ? relaxed(b.rhs.x, neighbours(w, beside.x, here.y, beside.y, here.z), diagonal(w)) : 0.0;
@@ -61,13 +62,13 @@ void sweepReds(Block b, inout vec4 here, vec4 beside) {
   here.w = (b.inside & 8) != 0 ? relaxed(b.rhs.w, neighbours(w, here.z, beside.z, here.y, beside.w), diagonal(w)) : 0.0;
 }
 
-// On the way down, from nothing.
+// First relaxation of the red cells on the way down, starting from zero.
 void sweepFirstReds(Block b, inout vec4 here) {
   here.x = (b.inside & 1) != 0 ? begun(b.rhs.x, diagonal(weights00(b))) : 0.0;
   here.w = (b.inside & 8) != 0 ? begun(b.rhs.w, diagonal(weights11(b))) : 0.0;
 }
 
-// Of y and z, the black cells; `beside`: right of the upper one, above it, left of the lower one and below it.
+// Relaxes y and z, the black cells. `beside` holds the outer neighbours: right of y, above y, left of z, below z.
 void sweepBlacks(Block b, inout vec4 here, vec4 beside) {
   vec4 w = weights10(b);
   here.y = (b.inside & 2) != 0 ? relaxed(b.rhs.y, neighbours(w, here.x, beside.x, beside.y, here.w), diagonal(w)) : 0.0;
@@ -75,7 +76,7 @@ void sweepBlacks(Block b, inout vec4 here, vec4 beside) {
   here.z = (b.inside & 4) != 0 ? relaxed(b.rhs.z, neighbours(w, beside.z, here.w, here.x, beside.w), diagonal(w)) : 0.0;
 }
 
-// What is missing then in the red cells, for the coarser level; `beside` as in sweepReds.
+// Returns the coarse right-hand side from the residuals of the red cells; `beside` as in sweepReds.
 float leftInReds(Block b, vec4 here, vec4 beside) {
   float first = 0.0, last = 0.0;
   if ((b.inside & 1) != 0) first = residual(b.rhs.x, weights00(b), here.x, beside.x, here.y, beside.y, here.z);
@@ -83,7 +84,7 @@ float leftInReds(Block b, vec4 here, vec4 beside) {
   return restricted(first, last);
 }
 
-// Whether there is no coarse cell: beyond walls.
+// True if a coarse cell lies beyond a wall.
 bool walledOff(ivec2 c, ivec2 count) {
   bool walled = false;
 #if LEFT != 4
@@ -95,7 +96,8 @@ bool walledOff(ivec2 c, ivec2 count) {
   return walled;
 }
 
-// Adds to its cells what the coarse cells say: the one that is this block, and those around it row by row.
+// Adds the interpolated coarse correction to the block's cells. The coarse cell of this block is middle.y; `above`,
+// `middle` and `under` are the three coarse rows around it.
 void raiseBlock(Block b, inout vec4 here, vec3 above, vec3 middle, vec3 under) {
   here.x = (b.inside & 1) != 0 ? raised(here.x, prolonged(middle.y, middle.x, above.y, above.x)) : 0.0;
   here.y = (b.inside & 2) != 0 ? raised(here.y, prolonged(middle.y, middle.z, above.y, above.z)) : 0.0;

@@ -1,4 +1,4 @@
-// The coarsest level, at most 64 cells, by red-black sweeps that go farther than they should each time (SOR).
+// Solves the coarsest level, at most 64 cells, by overrelaxed red-black sweeps (SOR). A single workgroup.
 #include "fluid/solver/levels.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { float raisedOut[]; };

@@ -1,6 +1,7 @@
-// The coarsest levels, of at most 64x64 cells, by a single work group: down, the very coarsest by sweeps that go farther than they
-// should each time (SOR), and up again, as descend.comp, bottom.comp and ascend.comp. Corrections stay in shared memory, each in
-// its place; so on no level may a torus be an odd number of cells around, where cells of a colour would meet.
+// Solves the coarsest levels, at most 64x64 cells, in a single workgroup: down, overrelaxed sweeps (SOR) on the
+// coarsest level, and up again, with the same results as descend.comp, bottom.comp and ascend.comp. Corrections stay in
+// shared memory and are updated in place. So no level may be periodic with an odd number of cells, because two cells of
+// the same colour would meet at the seam.
 #ifdef SUBGROUPS
 #extension GL_KHR_shader_subgroup_basic : require
 #endif
@@ -15,13 +16,14 @@ layout(local_size_x = lanes) in;
 layout(std430, binding = poolBinding) readonly restrict buffer PoolBlock { vec4 pool[]; };
 layout(std430, binding = raisedOutBinding) writeonly restrict buffer RaisedOutBlock { vec4 raisedOut[]; };
 INPUT_WORDS(weightsBinding, WeightBlock, weights)
-uniform ivec4 levels[4];  // the finest first: cells; elements: where its openings start; its first cell in `values`
+// Per level, the finest first: xy cells; z element index of the openings; w index of the first cell in `values`
+uniform ivec4 levels[4];
 uniform int levelCount;
-uniform int rhsStart, upStart;  // of the finest: elements of `pool` and `raisedOut`
+uniform int rhsStart, upStart;  // Element indices in `pool` and `raisedOut`, for the finest level
 
-shared float values[5440];  // 64x64 cells, and a quarter of them on each coarser level
-shared float missing[1344];  // of all but the finest
-shared float others[bottomCells + 1];  // of the coarsest, and 0 for what is beyond it
+shared float values[5440];  // 64x64 cells, and a quarter as many on each coarser level
+shared float missing[1344];  // Right-hand sides of all levels except the finest
+shared float others[bottomCells + 1];  // Coarsest level, followed by a 0 for cells outside
 #include "fluid/solver/block.glsl"
 
 ivec2 within(ivec2 c, ivec2 cells) {
@@ -47,7 +49,8 @@ float missingAt(ivec4 grid, ivec2 c) {
   return isInside(c, grid.xy) ? missing[grid.w - levels[0].x * levels[0].y + c.y * grid.x + c.x] : 0.0;
 }
 
-// The block of this invocation on a level, of at most 32 in a row on the finest, half of that on the next.
+// Returns the block of this invocation on a level: up to 32 blocks per row on the finest level, half as many on each
+// coarser level.
 ivec2 blockHere(int number) {
   int i = int(gl_LocalInvocationIndex), bits = 5 - number;
   return ivec2(i & ((1 << bits) - 1), i >> bits);
@@ -61,13 +64,13 @@ void put(ivec4 grid, ivec2 block, int inside, vec4 here) {
   if ((inside & 8) != 0) values[at + grid.x + 1] = here.w;
 }
 
-// For sweepReds and leftInReds.
+// Returns the outer neighbours for sweepReds and leftInReds.
 vec4 besideReds(ivec4 grid, ivec2 c) {
   return vec4(valueAt(grid, c - ivec2(1, 0)), valueAt(grid, c - ivec2(0, 1)), valueAt(grid, c + ivec2(2, 1)),
               valueAt(grid, c + ivec2(1, 2)));
 }
 
-// For sweepBlacks.
+// Returns the outer neighbours for sweepBlacks.
 vec4 besideBlacks(ivec4 grid, ivec2 c) {
   return vec4(valueAt(grid, c + ivec2(2, 0)), valueAt(grid, c + ivec2(1, -1)), valueAt(grid, c + ivec2(-1, 1)),
               valueAt(grid, c + ivec2(0, 2)));
@@ -97,7 +100,7 @@ vec2 facesOf(ivec4 grid, ivec2 c) {
   return faceWeights((c.y & 1) == 0 ? ((c.x & 1) == 0 ? four.x : four.y) : ((c.x & 1) == 0 ? four.z : four.w));
 }
 
-// As ascend.comp has it.
+// Returns a coarse cell's correction, as in ascend.comp.
 float coarseAt(ivec4 coarse, ivec2 place) {
   ivec2 c = within(place, coarse.xy);
   if (walledOff(c, coarse.xy)) return noCell;
@@ -130,9 +133,10 @@ void ascend(int number, Block b, inout vec4 here) {
   barrier();
 }
 
-// A cell of the coarsest level: how its neighbours lie in `others`, the last place there for those that are none.
+// A cell of the coarsest level, with the indices of its neighbours in `others`. A missing neighbour has the last index,
+// which holds 0.
 struct Bottom {
-  int parity;  // -1: no cell
+  int parity;  // Colour of the cell, or -1 if there is no cell
   ivec4 beside;
   vec4 weights;
   float each, diag, rhs, here;
@@ -164,13 +168,15 @@ void sweepBottom(inout Bottom b, int i, int color) {
   others[i] = b.here;
 }
 
-// What is missing in a cell of the coarsest level; where there is no other it has been put into `values`.
+// Returns the right-hand side of a cell of the coarsest level. If the coarsest level is the only one (`alone`), it is
+// in `values`.
 float missingAtBottom(ivec4 grid, int i, bool alone) {
   ivec2 c = ivec2(i % grid.x, i / grid.x);
   return alone ? valueAt(grid, c) : missingAt(grid, c);
 }
 
-// A cell an invocation; two of each in a subgroup, which then waits for nobody.
+// Solves the coarsest level, one cell per invocation. With SUBGROUPS, one subgroup of 32 has two cells per invocation,
+// so that no workgroup barriers are needed.
 void solveCoarsest(ivec4 grid, Bottom a, Bottom b, bool alone) {
   int lane = int(gl_LocalInvocationIndex);
   a.rhs = missingAtBottom(grid, lane, alone);
@@ -207,7 +213,7 @@ Block loaded(int number, int last) {
 
 void main() {
   int last = levelCount - 1, lane = int(gl_LocalInvocationIndex);
-  // All that comes from afar at once.
+  // Issues all loads from memory at once.
   Block first = loaded(0, last), second = loaded(1, last), third = loaded(2, last);
   Bottom cell = bottomAt(levels[last], lane), other = cell;
 #ifdef SUBGROUPS

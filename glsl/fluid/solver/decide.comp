@@ -1,15 +1,15 @@
-// Whether another cycle is needed: if not, the dispatches of all that follow become empty. Before the first one, after each,
-// and (JUDGE) once more of what the projected flow is.
+// Decides whether another cycle is needed. If not, it sets the sizes of all following dispatches to 0. Runs before the
+// first cycle and after each cycle. JUDGE: evaluates the projected flow once at the end.
 #include "common/exact.glsl"
 #include "common/status.glsl"
 #include "fluid/bindings.glsl"
 #include "fluid/solver/solve_control.glsl"
 const int lanes = 64;
 layout(local_size_x = lanes) in;
-uniform int dispatches;    // whose groups stand in control.groups
-uniform int first;         // 1: before the first cycle
-uniform float tolerance;   // of flow / speed
-uniform float mostSpeed;   // what the scene says
+uniform int dispatches;    // Number of indirect dispatches in control.groups
+uniform int first;         // 1 for the dispatch before the first cycle
+uniform float tolerance;   // Largest allowed ratio of flow to speed
+uniform float mostSpeed;   // Highest expected speed, from the scene
 
 void main() {
   float flow = uintBitsToFloat(control.flow), speed = uintBitsToFloat(control.speed);
@@ -27,7 +27,8 @@ void main() {
   control.speed = 0u;
 #else
   precise float most = tolerance * speed;
-  bool met = flow <= most, over = first == 0 && control.groups[3 * dispatches - 1] == 0u;  // of the last, which a cycle always has
+  // The last dispatch is never empty in a cycle
+  bool met = flow <= most, over = first == 0 && control.groups[3 * dispatches - 1] == 0u;
   barrier();
   if (over) return;
   int lane = int(gl_LocalInvocationIndex);

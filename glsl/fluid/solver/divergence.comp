@@ -1,4 +1,5 @@
-// Minus the net flow out of each cell, in blocks of 2x2, and no correction yet.
+// Computes the negative net outflow of each cell as the right-hand side, in blocks of 2x2 cells, and clears the
+// correction.
 #include "fluid/grid.glsl"
 #include "fluid/solver/solve_control.glsl"
 layout(local_size_x = 16, local_size_y = 4) in;

@@ -1,34 +1,37 @@
-// descend.comp for LEVELS middle levels in a dispatch: a work group takes `tile` x `tile` cells of the finest and all below them, and
-// repeats of its neighbours' what it needs, so that nobody waits for anybody. Of storage blocks; on a torus all these levels are
-// an even number of cells around.
+// Variant of descend.comp that processes LEVELS middle levels in one dispatch. A workgroup takes `tile` x `tile` cells
+// of the finest level and everything below them, and recomputes its neighbours' cells instead of waiting for them. Only
+// on the storage path. On a torus all these levels must have an even number of cells per axis.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "fluid/bindings.glsl"
 #include "fluid/model.glsl"
 const int tile = 32;
-// How many cells beside its own a level's window has: twice those of the coarser one, and two for the sweep.
+// Returns the width of a level's margin in cells: twice the margin of the coarser level, plus two for the sweep.
 int marginOf(int number) {
   return (2 << (LEVELS - number)) - 2;
 }
 const int most = tile + 2 * ((2 << LEVELS) - 2);
-layout(local_size_x = most / 2, local_size_y = most / 2) in;  // a block each
+layout(local_size_x = most / 2, local_size_y = most / 2) in;  // One block per invocation
 layout(std430, binding = poolBinding) readonly buffer PoolBlock { vec4 pool[]; };
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { float poolOut[]; };
 layout(std430, binding = raisedOutBinding) writeonly restrict buffer RaisedOutBlock { vec4 raisedOut[]; };
 INPUT_WORDS(weightsBinding, WeightBlock, weights)
-uniform ivec4 levels[4];  // the finest first, and the one below them all: cells; elements: where its openings start
-uniform int rhsStart, wayStart;  // elements: what is missing, in `pool`, and corrections on the way down, from there as openings
+// Per level, the finest first, followed by the next coarser one: xy cells; z element index of the openings
+uniform ivec4 levels[4];
+// Element indices of the right-hand sides in `pool` and of the corrections on the way down; each level's offset equals
+// the offset of its openings
+uniform int rhsStart, wayStart;
 
 const int windowStride = most + 2;
 shared float values[windowStride * windowStride];
-shared float missing[(most / 2 - 2) * (most / 2 - 2)];  // of the coarser level, in its window
+shared float missing[(most / 2 - 2) * (most / 2 - 2)];  // Right-hand sides of the coarser level, in its window
 #include "fluid/solver/block.glsl"
 #include "fluid/solver/window.glsl"
 
 void descend(int number, ivec2 group, ivec2 lane) {
   ivec4 grid = levels[number];
-  int margin = marginOf(number), across = (tile >> number) / 2 + margin;  // blocks
+  int margin = marginOf(number), across = (tile >> number) / 2 + margin;  // Width of the window in blocks
   ivec2 block = (group * (tile >> number) - margin) / 2 + lane, place = blockWithin(block, grid.xy);
   bool used = lane.x < across && lane.y < across;
   int at = cornerOf(lane), element = place.y * (grid.x / 2 + 1) + place.x;

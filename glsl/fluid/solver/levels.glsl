@@ -1,13 +1,13 @@
-// A level of the grids that solve for the pressure: blocks of 2x2 cells an element, of values in `pool` and openings in
-// `weights`; columns and rows of blocks go one cell beyond the last one at least, where there is nothing. The levels and
-// their weights: src/sim/fluid/levels.hpp.
+// One level of the pressure solver's multigrid. Values in `pool` and openings in `weights` are stored in blocks of 2x2
+// cells per element. The blocks extend at least one cell beyond the last cell. Levels and weights:
+// src/sim/fluid/levels.hpp.
 #include "common/bindings.glsl"
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
 #include "fluid/bindings.glsl"
 #include "fluid/model.glsl"
-// Not `restrict`, as inputs are elsewhere: other parts of the same memory are written.
+// Declared without `restrict`, because the same kernel writes other parts of the same buffer.
 #ifdef TEXEL_PATH
 #define POOL_ARRAY(unit, block, name) layout(binding = unit) uniform samplerBuffer name;
 #else
@@ -25,7 +25,7 @@ ivec2 blocksOf(ivec2 count) {
 ivec2 within(ivec2 c) {
 #if LEFT == 4
   c.x = c.x < 0 ? c.x + level.cells.x : c.x >= level.cells.x ? c.x - level.cells.x : c.x;
-  // Levels of one or two cells go round more than once.
+  // Levels of one or two cells can need two wraps.
   c.x = c.x < 0 ? c.x + level.cells.x : c.x >= level.cells.x ? c.x - level.cells.x : c.x;
 #endif
 #if TOP == 4
@@ -35,7 +35,7 @@ ivec2 within(ivec2 c) {
   return c;
 }
 
-// Beyond the blocks there are no weights.
+// True if the cell lies in a block, so that it has weights.
 bool isThere(ivec2 c) {
   return c.x >= 0 && c.y >= 0 && (c.x >> 1) <= level.cells.x / 2 && (c.y >> 1) <= level.cells.y / 2;
 }
@@ -61,7 +61,7 @@ vec2 facesOf(ivec2 c) {
   return faceWeights(wordOf(LOAD_INPUT_WORDS(weights, level.weights + blockOf(c)), c));
 }
 
-// Left, right, top, bottom. `c` is within the grid.
+// Returns the face weights of a cell inside the grid: left, right, top, bottom.
 vec4 weightsOf(ivec2 c) {
   vec2 own = facesOf(c);
   return vec4(own.x, facesOf(c + ivec2(1, 0)).x, own.y, facesOf(c + ivec2(0, 1)).y);
@@ -72,7 +72,7 @@ float inPool(int start, ivec2 c) {
   return cellOf(LOAD_INPUT(pool, start + blockOf(c)), c);
 }
 
-// Beyond open sides the correction is 0.
+// Returns a cell's correction; 0 outside the grid, because the correction is 0 beyond open sides.
 float inRaised(int start, ivec2 c) {
   if (!isInside(c)) return 0.0;
   return cellOf(LOAD_INPUT(raisedPool, start + blockOf(c)), c);
@@ -80,7 +80,7 @@ float inRaised(int start, ivec2 c) {
 
 #include "fluid/tiles.glsl"
 #if IN_THE_OPEN == 2
-// Groups for both in a dispatch, the others first: they take longer.
+// One dispatch processes both tile lists. The workgroups of the other tiles come first, because they take longer.
 bool inTheOpen() {
   return int(gl_WorkGroupID.y) >= level.otherRows;
 }
@@ -96,7 +96,8 @@ ivec2 blockHere() {
 }
 #endif
 
-// Of a group that takes one of the others by itself; beyond all of them where there is no tile.
+// Returns the tile of a workgroup that processes one tile by itself, or a tile beyond the grid if the list has no more
+// tiles.
 #ifdef TILE_A_GROUP
 ivec2 tileHere() {
   int number = groupNumber();
@@ -106,7 +107,7 @@ ivec2 tileHere() {
 #endif
 
 #if IN_THE_OPEN != 0
-// neighbours(), relaxed(), begun() and residual() of a cell with weights of 1.
+// Versions of neighbours(), relaxed(), begun() and residual() for a cell whose weights are all 1.
 float aroundOpen(float left, float right, float top, float bottom) {
   precise float sum = (left + right) + (top + bottom);
   return sum;

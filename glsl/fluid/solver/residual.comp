@@ -1,4 +1,4 @@
-// Adds the finest level's correction to the sum, and says what is still missing.
+// Adds the finest level's correction to the sum and computes the remaining right-hand side.
 #include "fluid/solver/levels.glsl"
 #include "fluid/solver/solve_control.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -28,7 +28,7 @@ float leftOver(ivec2 c, float rhs) {
 #endif
 
 #ifdef TILE_A_GROUP
-// An invocation a cell.
+// Processes one cell per invocation.
 float takenInCell(ivec2 c, ivec2 blocks) {
   int element = blockOf(c), k = 2 * (c.y & 1) + (c.x & 1), ofLost = blocks.x * blocks.y + element;
   float left = leftOver(c, pool[level.rhs + element][k]);
@@ -57,7 +57,7 @@ vec4 lostInSums(vec4 a, vec4 b) {
   return vec4(lostInSum(a.x, b.x), lostInSum(a.y, b.y), lostInSum(a.z, b.z), lostInSum(a.w, b.w));
 }
 
-// What is still missing of a block.
+// Processes a block and returns its remaining right-hand side.
 vec4 takenIn(ivec2 block, ivec2 blocks) {
   int element = block.y * blocks.x + block.x, ofLost = blocks.x * blocks.y + element;
   vec4 rhs = LOAD_INPUT(pool, level.rhs + element);
@@ -71,7 +71,7 @@ vec4 takenIn(ivec2 block, ivec2 blocks) {
 #endif
   more = vec4(more.x >= noCell ? 0.0 : more.x, more.y >= noCell ? 0.0 : more.y, more.z >= noCell ? 0.0 : more.z,
               more.w >= noCell ? 0.0 : more.w);
-  // Nothing before the first cycle, which loses nothing.
+  // In the first cycle the sum is the correction itself, without rounding error.
   vec4 sum = vec4(0.0);
   if (control.begun > 1u) {
     sum = LOAD_INPUT(pool, element);

@@ -1,21 +1,21 @@
-// What the kernels that solve for the pressure tell each other. Speeds and flows are the bits of floats that are not
-// negative, which compare as integers do.
+// Buffer shared by the pressure solver's kernels. Speeds and flows are float bits; non-negative floats compare like
+// integers.
 layout(std430, binding = controlBinding) restrict buffer ControlBlock {
-  uint flow;        // the most that is missing in a cell
-  uint speed;       // the most of |u|, |v|, of the flow before its projection, too
-  uint cycles;      // of all projections so far
-  uint solved;      // projections so far
-  uint worstShare;  // flow / speed after a projection, the most so far,
-  uint worstSpeed;  // and of speeds
-  uint lastShare;   // of the latest projection
-  uint lastSpeed;   // the most of |u|, |v| of the projected flow, which is the state
-  uint begun;       // cycles of this projection
-  uint groups[];    // three for each indirect dispatch: as they are now, then as a cycle wants them
+  uint flow;        // Largest remaining divergence of a cell
+  uint speed;       // Largest |u| or |v|, including the flow before its projection
+  uint cycles;      // Total number of cycles
+  uint solved;      // Total number of projections
+  uint worstShare;  // Largest flow / speed after a projection so far
+  uint worstSpeed;  // Largest lastSpeed so far
+  uint lastShare;   // flow / speed after the latest projection
+  uint lastSpeed;   // Largest |u| or |v| of the latest projected flow
+  uint begun;       // Cycles of the current projection
+  uint groups[];    // Three words per indirect dispatch: first the current sizes, then the sizes for a cycle
 } control;
 
-// Of a whole work group, of 64: each of its invocations calls this once, with zeros where it has nothing to tell. What is
-// missing, the most of |u|, |v|, and that of the state. A group joins on a GPU, where a word that all invocations
-// change is what they wait for.
+// Records maxima: remaining divergence, |u| or |v|, and |u| or |v| of the final state. Every invocation of a workgroup
+// of 64 calls it once, with zeros if it has nothing to report. On GPUs a workgroup reduces in shared memory first,
+// because a word that all invocations change atomically is a bottleneck.
 #ifndef TEXEL_PATH
 shared uint flowsOfGroup[64], speedsOfGroup[64], fastestOfGroup[64];
 #endif
@@ -44,7 +44,7 @@ void noteMost(float flow, float speed, float fastest) {
   if (fastestBits > control.lastSpeed) atomicMax(control.lastSpeed, fastestBits);
 }
 
-// The same of what is missing alone.
+// Records the maximum of the remaining divergence alone.
 void noteMissing(float flow) {
   uint flowBits = floatBitsToUint(flow);
 #ifndef TEXEL_PATH

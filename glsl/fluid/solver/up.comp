@@ -1,4 +1,5 @@
-// ascend.comp for LEVELS middle levels in a dispatch, of which only the finest's corrections are kept. As down.comp.
+// Variant of ascend.comp that processes LEVELS middle levels in one dispatch, similar to down.comp. Only the
+// corrections of the finest level are stored.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
@@ -6,26 +7,28 @@
 #include "fluid/model.glsl"
 const int tile = 32;
 const int most = tile + 4;
-layout(local_size_x = most / 2, local_size_y = most / 2) in;  // a block each
+layout(local_size_x = most / 2, local_size_y = most / 2) in;  // One block per invocation
 layout(std430, binding = poolBinding) readonly restrict buffer PoolBlock { vec4 pool[]; };
 layout(std430, binding = raisedBinding) readonly buffer RaisedBlock { vec4 raisedPool[]; };
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { vec4 raisedOut[]; };
 INPUT_WORDS(weightsBinding, WeightBlock, weights)
-uniform ivec4 levels[5];  // the finest first, and the one below them all: cells; elements: where its openings start
-uniform int rhsStart, wayStart;  // elements, as in down.comp; corrections on the way up are from 0
+// Per level, the finest first, followed by the next coarser one: xy cells; z element index of the openings
+uniform ivec4 levels[5];
+uniform int rhsStart, wayStart;  // Element indices, as in down.comp; corrections on the way up start at 0
 
 const int windowStride = most + 2;
 shared float values[windowStride * windowStride];
-shared float coarseValues[(tile / 2 + 8) * (tile / 2 + 8)];  // of the coarser level, in its window
+shared float coarseValues[(tile / 2 + 8) * (tile / 2 + 8)];  // Values of the coarser level, in its window
 #include "fluid/solver/block.glsl"
 #include "fluid/solver/window.glsl"
 
-// How many cells beside its own a level's window has: two for the sweep, and what the finer one's blocks have around them.
+// Returns the width of a level's margin in cells: two for the sweep, plus the coarse cells around the finer level's
+// blocks.
 int marginOf(int number) {
   return number == 0 ? 2 : number == 1 ? 4 : 6;
 }
 
-// A coarse cell of the level after `number`.
+// Returns the correction of a cell of the level after `number`.
 float coarseAt(int number, ivec2 c, ivec2 group) {
   ivec4 grid = levels[number + 1];
   bool last = number == LEVELS - 1;
@@ -54,7 +57,7 @@ vec3 coarseRow(int number, ivec2 c, ivec2 group) {
 
 void ascend(int number, ivec2 group, ivec2 lane) {
   ivec4 grid = levels[number];
-  int margin = marginOf(number), across = (tile >> number) / 2 + margin;  // blocks
+  int margin = marginOf(number), across = (tile >> number) / 2 + margin;  // Width of the window in blocks
   ivec2 block = (group * (tile >> number) - margin) / 2 + lane, place = blockWithin(block, grid.xy);
   bool used = lane.x < across && lane.y < across;
   int at = cornerOf(lane), element = place.y * (grid.x / 2 + 1) + place.x;

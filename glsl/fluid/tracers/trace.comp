@@ -1,4 +1,4 @@
-// Carries tracers along for a substep and draws their ways; FIRST: puts them where they begin.
+// Moves tracers by one substep and draws their paths. FIRST: initializes the tracers. One tracer per invocation.
 #include "fluid/tracers/tracers.glsl"
 layout(std430, binding = trailBinding) restrict buffer TrailBlock { uint trail[]; };
 

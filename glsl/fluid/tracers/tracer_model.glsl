@@ -1,11 +1,12 @@
-// Specks that a fluid carries along, without mass, and the streaks that they draw. Compiles as GLSL and as C++, after common/exact.glsl,
-// common/hash.glsl and fluid/wind_model.glsl; whoever includes it provides tracerData (TracerStep) and tracerInSolid(x, y), of a
-// cell. A tracer is a vec4: place (cells), age (s), how often it began anew.
+// Tracers: massless particles that move with a fluid and draw streaks. Compiles as GLSL and as C++, after
+// common/exact.glsl, common/hash.glsl and fluid/wind_model.glsl. The including file provides tracerData (TracerStep)
+// and tracerInSolid(x, y), true for a cell inside an obstacle. A tracer is a vec4: xy position in cells, z age in
+// seconds, w number of restarts.
 
 struct TracerMove {
   vec4 next;
-  vec2 from;   // what it draws: from here
-  vec2 to;     // to here, before it is turned back on a torus
+  vec2 from;   // Start of the drawn segment
+  vec2 to;     // End of the drawn segment, before it is wrapped on a torus
   bool draws;
 };
 
@@ -20,7 +21,7 @@ FUNCTION float tracerLife(int i) {
   return life;
 }
 
-// Anywhere where there is fluid; of four tries.
+// Returns a tracer at a random position outside obstacles. Gives up after four tries.
 FUNCTION vec4 tracerBorn(int i, int generation, float age) {
   vec4 born = vec4(0.0f, 0.0f, age, float(generation));
   bool placed = false;
@@ -34,7 +35,7 @@ FUNCTION vec4 tracerBorn(int i, int generation, float age) {
   return born;
 }
 
-// Of different ages, so that they do not all begin at once.
+// Returns a tracer of the first frame. Ages are random, so that the tracers do not all restart at the same time.
 FUNCTION vec4 tracerFirst(int i) {
   uvec3 h = hash3(uvec3(uint(i), 0xa9e5u, uint(tracerData.seed)));
   precise float age = tracerUnit(h.y) * tracerLife(i);
@@ -53,7 +54,7 @@ FUNCTION vec2 tracerHeldIn(vec2 p) {
   return vec2(tracerHeld(p.x, windGrid.size.x, tracerData.wrapsX == 1), tracerHeld(p.y, windGrid.size.y, tracerData.wrapsY == 1));
 }
 
-// x' = x + dt u(x + dt/2 u(x)): the midpoint rule.
+// Moves a tracer by the midpoint rule, x' = x + dt u(x + dt/2 u(x)).
 FUNCTION TracerMove tracerMoved(int i, vec4 tracer) {
   vec2 p = vec2(tracer.x, tracer.y);
   vec2 first = vec2(windPart(0, p.x, p.y), windPart(1, p.x, p.y));
@@ -76,7 +77,8 @@ FUNCTION TracerMove tracerMoved(int i, vec4 tracer) {
   return m;
 }
 
-// A streak is of points, two a cell; 4096 units a cell of its length, shared among the four cells around each point.
+// Number of points of a streak: two per cell of length, at most 32. A streak adds 4096 units per cell of its length;
+// each point distributes its share bilinearly among the four cells around it.
 FUNCTION int tracerPoints(float length_) {
   precise float wanted = length_ * 2.0f + 1.0f;
   return clamp(int(wanted), 1, 32);
@@ -89,7 +91,7 @@ FUNCTION float tracerLength(vec2 from, vec2 to) {
   return exactSqrt(squared);
 }
 
-// Of point k of so many: the cell and the units of one of its four corners.
+// Returns the cell (xy) and the units (z) of one of the four corners of point k.
 FUNCTION ivec3 tracerMark(vec2 from, vec2 to, float length_, int points, int k, int corner) {
   float per = exactReciprocal(float(points));
   precise float along = (float(k) + 0.5f) * per;

@@ -1,16 +1,16 @@
-// What tracers are told; plain uniforms. Compiles as GLSL and as C++ (src/sim/fluid/tracers.hpp).
+// Uniforms and binding points of the tracer kernels. Compiles as GLSL and as C++ (src/sim/fluid/tracers.hpp).
 #ifndef TRACER_TYPES
 #define TRACER_TYPES
 const int tracersBinding = 0;
-const int solidBinding = 1;  // a bit a cell
-const int trailBinding = 2;  // a word a cell, as storage; as words to be read
+const int solidBinding = 1;  // One bit per cell
+const int trailBinding = 2;  // One word per cell; a storage buffer where written, otherwise a texel buffer
 const int shownBinding = 3;
 
 struct TracerStep {
-  float dt;       // s
-  float seconds;  // mean life
+  float dt;       // in seconds
+  float seconds;  // Mean lifetime, s
   int seed;
-  int wrapsX;     // 1: the grid is a torus that way
+  int wrapsX;     // 1 if the grid is periodic along x
   int wrapsY;
 };
 #endif

@@ -1,4 +1,4 @@
-// What kernels of tracers include.
+// Common includes and buffers of the tracer kernels.
 #define WIND 1
 #include "common/exact.glsl"
 #include "common/hash.glsl"

@@ -1,4 +1,4 @@
-// Streaks fade by a frame.
+// Fades the streaks once per frame. One cell per invocation.
 #include "common/exact.glsl"
 #include "common/hash.glsl"
 #include "common/memory.glsl"

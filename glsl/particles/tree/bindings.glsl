@@ -1,4 +1,4 @@
-// Bindings of the gravity tree's arrays.
+// Binding points of the arrays of the gravity tree.
 #ifndef TREE_BINDINGS
 #define TREE_BINDINGS
 

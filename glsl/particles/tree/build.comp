@@ -1,5 +1,6 @@
-// One level of nodes: leaves from their bodies (LEAVES), or parents from their two children, the left one
-// first. Level after level from the leaves up, so no node waits for another.
+// Builds one level of tree nodes: leaves from their bodies (LEAVES), or parents from their two children, the left child
+// first. The levels are built from the leaves upwards, one dispatch per level, so no node waits for another. One node
+// per invocation.
 #define REAL float
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -11,7 +12,7 @@ STATE_ARRAY(boxesBinding, BoxBlock, boxes)
 STATE_ARRAY(cellsBinding, CellBlock, cells)
 STATE_ARRAY(momentsBinding, MomentBlock, moments)
 uniform int roots;
-uniform int width;  // nodes of this level in each tree
+uniform int width;  // Number of nodes of this level in each tree
 uniform float perOpening;
 
 vec4 loadBody(int i) {

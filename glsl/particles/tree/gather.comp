@@ -1,4 +1,4 @@
-// The bodies in sorted order, zeros where one takes no part and beyond the last.
+// Writes the bodies in sorted order. Entries of excluded bodies and entries beyond the last body are zero.
 #define REAL float
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -10,7 +10,7 @@ INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(bodiesBinding, BodyBlock, bodies)
 INPUT_WORDS(recordsBinding, RecordBlock, records)
 uniform int count;
-uniform int padded;  // up to whole trees
+uniform int padded;  // Number of entries, rounded up to whole trees
 
 vec4 loadBody(int i) {
   return LOAD_INPUT(positions, i);

@@ -1,4 +1,4 @@
-// Each body's place along the curve, as a record to sort. Bodies that take no part come last.
+// Writes a sort record for each body: its position along the Hilbert curve. Excluded bodies sort last.
 #define REAL float
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -10,7 +10,7 @@ INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 INPUT_ARRAY(cornersBinding, CornerBlock, corners)
 STATE_WORDS(recordsBinding, RecordBlock, records)
 uniform int count;
-uniform int box;  // pair of corners of all bodies
+uniform int box;  // Index of the corner pair that bounds all bodies
 
 vec4 loadBody(int i) {
   return LOAD_INPUT(positions, i);

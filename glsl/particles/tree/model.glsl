@@ -1,9 +1,9 @@
-// The gravity tree's arithmetic: keys, nodes and forces. Compiles as GLSL and as C++, where it is the CPU twin.
-// Whoever includes it provides loadBody(int), the bodies in sorted order (xyz m, w kg, all zero where there is
-// none), and the files particles/tree/types.glsl and common/exact.glsl before it.
+// Arithmetic of the gravity tree: keys, nodes and forces. Compiles as GLSL and as C++ (the CPU twin of the tests). The
+// including file provides loadBody(int), the bodies in sorted order (xyz m, w kg; all zero for an excluded body), and
+// includes particles/tree/types.glsl and common/exact.glsl before this file.
 
-// Whether a body takes part: coordinates below 1e18 m, mass between 1e-30 and 1e30 kg. Compares bits, which
-// for positive floats are in the order of the values: what is not a number has larger ones.
+// True if a body takes part: coordinates below 1e18 m, mass between 1e-30 and 1e30 kg. The comparison uses bits,
+// because the bits of positive floats have the order of their values and NaN has larger bits.
 FUNCTION bool takesPart(vec4 body) {
   int x = floatBitsToInt(body.x) & 0x7fffffff;
   int y = floatBitsToInt(body.y) & 0x7fffffff;
@@ -18,15 +18,15 @@ FUNCTION bool takesPart(vec4 body) {
 
 // ---- Nodes
 
-// What is known of a node's bodies. Spread is 3 sum_j (m_j/M) s_j s_j^T with s_j = x_j - center, in m^2: free of
-// the mass, so that neither a galaxy nor a marble leaves the range of floats.
+// Moments of a node's bodies. The spread is 3 sum_j (m_j/M) s_j s_j^T with s_j = x_j - center, in m^2. It does not
+// contain the mass, so that it stays in the range of floats for a galaxy and for a marble.
 struct Node {
-  vec3 low;     // bounding box, m
+  vec3 low;     // Corners of the bounding box, m
   vec3 high;
-  vec3 center;  // of mass, m
-  float mass;   // kg; 0: no bodies
-  vec3 along;   // xx, yy, zz of the spread
-  vec3 across;  // xy, xz, yz
+  vec3 center;  // Centre of mass, m
+  float mass;   // Total mass, kg; 0 if the node has no bodies
+  vec3 along;   // xx, yy, zz components of the spread
+  vec3 across;  // xy, xz, yz components of the spread
 };
 
 FUNCTION Node emptyNode() {
@@ -44,7 +44,7 @@ FUNCTION vec3 flushed(vec3 v) {
   return vec3(exactFlush(v.x), exactFlush(v.y), exactFlush(v.z));
 }
 
-// Adds share * (spread + 3 s s^T) to the node's spread.
+// Adds fraction * (spread + 3 s s^T) to the node's spread, with the spread given by `along` and `across`.
 FUNCTION Node withSpread(Node node, float fraction, vec3 s, vec3 along, vec3 across) {
   Node result = node;
   precise vec3 weighted = s * 3.0f;
@@ -111,9 +111,9 @@ FUNCTION Node parentNode(Node left, Node right) {
   return node;
 }
 
-// The square of the distance from a node's centre of mass beyond which its moments stand for its bodies:
-// side/opening + |centre of mass - middle of the box| (Barnes 1994). Bodies at one point (or none at all) are
-// always taken together, which is no approximation: -1.
+// Returns the squared distance from a node's centre of mass beyond which its moments replace its bodies: the distance
+// is side/opening + |centre of mass - middle of the box| (Barnes 1994). Returns -1 if all bodies are at one point or
+// the node is empty, because its moments are then exact at any distance.
 FUNCTION float openingRadius2(Node node, float perOpening) {
   precise vec3 size = node.high - node.low;
   float side = max(size.x, max(size.y, size.z));
@@ -124,10 +124,11 @@ FUNCTION float openingRadius2(Node node, float perOpening) {
   return squared;
 }
 
-// A node as the walk reads it: centre of mass and opening radius; mass and spread.
+// Node data for the walk: nodeCell returns the centre of mass and the squared opening radius; nodeMoments0 and
+// nodeMoments1 return mass and spread.
 FUNCTION vec4 nodeCell(Node node, float perOpening) {
   float radius2 = openingRadius2(node, perOpening);
-  // Of bodies at one point the centre is that point, to the bit: their pull on each other is zero.
+  // For bodies at one point, the centre must equal the point exactly, so that their pull on each other is zero.
   vec3 center = radius2 < 0.0f && node.mass > 0.0f ? node.low : node.center;
   return vec4(center, radius2);
 }
@@ -157,7 +158,7 @@ struct Pull {
   REAL z;
 };
 
-// A node's mass, spread and half the spread's trace, as nodeMoments0 and nodeMoments1 pack them.
+// Mass, spread and half the trace of the spread of a node, as packed by nodeMoments0 and nodeMoments1.
 struct Moments {
   REAL mass;
   REAL xx;
@@ -188,7 +189,7 @@ FUNCTION Pull plusPull(Pull sum, Pull more) {
   return pullOf(x, y, z);
 }
 
-// m d / R^3 with R^2 = |d|^2 + eps^2, d towards the body.
+// Returns m d / R^3 with R^2 = |d|^2 + eps^2 and d towards the body.
 FUNCTION Pull bodyPull(REAL dx, REAL dy, REAL dz, REAL mass, float softening2) {
   REAL inverse = exactInverseSqrt(softenedSquare(dx, dy, dz, softening2));
   precise REAL k = mass * inverse * inverse * inverse;
@@ -204,9 +205,9 @@ FUNCTION Pull plusBody(Pull sum, REAL x, REAL y, REAL z, vec4 body, float soften
   return plusPull(sum, bodyPull(dx, dy, dz, REAL(body.w), softening2));
 }
 
-// The pull of a node to second order. The potential of its bodies about the centre of mass,
-// -M [1/R + (d.A d / R^5 - tr A / (3 R^3)) / 2] with the spread A, has the gradient
-// M/R^3 [(1 + (5/2 d.w - tr A / 2) / R^2) d - w] with w = A d / R^2: also with softening, since the trace stays.
+// Returns the pull of a node to second order. The potential of its bodies about the centre of mass with the spread A,
+// -M [1/R + (d.A d / R^5 - tr A / (3 R^3)) / 2], has the gradient M/R^3 [(1 + (5/2 d.w - tr A / 2) / R^2) d - w] with w
+// = A d / R^2. This also holds with softening, because the trace term is kept.
 FUNCTION Pull nodePull(REAL dx, REAL dy, REAL dz, Moments a, float softening2) {
   REAL inverse = exactInverseSqrt(softenedSquare(dx, dy, dz, softening2));
   precise REAL inverse2 = inverse * inverse;
@@ -236,7 +237,7 @@ FUNCTION Pull plusNode(Pull sum, REAL x, REAL y, REAL z, vec3 center, vec4 m0, v
   return plusPull(sum, nodePull(dx, dy, dz, a, softening2));
 }
 
-// Whether a node is far from a group's box, given by its middle and half its size.
+// True if a node is far from a group's box, given by its middle and half its size.
 FUNCTION bool isFar(vec4 cell, vec3 middle, vec3 halfSize) {
   precise vec3 offset = vec3(cell) - middle;
   precise vec3 away = abs(offset) - halfSize;
@@ -244,7 +245,7 @@ FUNCTION bool isFar(vec4 cell, vec3 middle, vec3 halfSize) {
   return exactDot(away, away) > cell.w;
 }
 
-// The next node of the walk once all below `node` is done; 1 at the end of the tree.
+// Returns the next node of the preorder walk after the subtree of `node`, or 1 at the end of the tree.
 FUNCTION int nodeAfter(int node) {
   int next = node + 1;
   return next >> findLSB(next);

@@ -1,5 +1,5 @@
-// The box around the bodies that take part, by reduction: each invocation makes one pair of corners of 64 bodies
-// (the first dispatch, FROM_BODIES) or of 64 pairs. Minima and maxima do not depend on order.
+// Computes the bounding box of all bodies that take part, by reduction. Each invocation reduces 64 bodies (first
+// dispatch, FROM_BODIES) or 64 corner pairs to one corner pair. Min and max do not depend on the order.
 #define REAL float
 #include "common/exact.glsl"
 #include "common/memory.glsl"
@@ -8,9 +8,9 @@
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(cornersBinding, CornerBlock, corners)
-uniform int count;   // of items to reduce
-uniform int first;   // pair of the first item, among corners
-uniform int result;  // pair of the first result; the results are strided over the items
+uniform int count;   // Number of items to reduce
+uniform int first;   // Index of the first item's corner pair
+uniform int result;  // Index of the first result's corner pair; result r reduces the items r, r + results, ...
 uniform int results;
 
 vec4 loadBody(int i) {

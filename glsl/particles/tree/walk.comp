@@ -1,11 +1,11 @@
-// Forces on all bodies. The bodies of a group walk the trees together, depth first: what is far from the group's
-// box pulls by its moments, what is near is opened. Every invocation of a group takes the same way, so loads
-// are shared and the order of a body's sum is the same on every device. Without shared memory, barriers or a
-// stack: the next node follows from the number of the last. A tree is walked in at most 8191 visits and
-// 32768 bodies, whatever the positions are.
+// Computes the forces on all bodies by walking the trees depth first. The bodies of a group walk together: a node far
+// from the group's box acts by its moments; a near node is opened. Every invocation of a group takes the same path, so
+// loads are shared and each body's sum has the same order on every device. The walk needs no shared memory, barriers or
+// stack: the next node follows from the index of the last. A tree takes at most 8191 node visits and 32768 bodies,
+// whatever the positions are.
 //
-// An invocation carries eight bodies: what is loaded and tested serves them all. Texels only; walk_list.comp is the
-// one for storage blocks.
+// An invocation processes eight bodies, which share loads and tests. This kernel is for the texel path; walk_list.comp
+// is for storage buffers.
 #define LANES 4
 #define REAL vec4
 #define LANE(v, k) v[k]
@@ -23,7 +23,7 @@ INPUT_ARRAY(momentsBinding, MomentBlock, moments)
 INPUT_WORDS(recordsBinding, RecordBlock, records)
 STATE_ARRAY(accelerationsBinding, AccelerationBlock, accelerations)
 uniform int count;
-uniform int firstRoot;  // the trees of this dispatch; sums pass from one to the next in memory
+uniform int firstRoot;  // First tree of this dispatch; partial sums are stored in memory between dispatches
 uniform int lastRoot;
 uniform bool finish;
 uniform float gravity;
@@ -34,7 +34,7 @@ vec4 loadBody(int i) {
 }
 #include "particles/tree/model.glsl"
 
-// As many bodies as a REAL has components, and the sums over what pulled them so far.
+// A vector of bodies, one per component of REAL, and the sums of their pulls so far.
 struct Bodies {
   REAL x;
   REAL y;
@@ -85,7 +85,7 @@ void main() {
   precise vec3 above = high - middle;
   precise vec3 below = middle - low;
   vec3 halfSize = max(above, below);
-  // The trees one after the other; a group without bodies walks none.
+  // All trees in order; a group without bodies skips them.
   int last = low.x <= high.x ? lastRoot : firstRoot;
   for (int root = firstRoot; root < last; ++root) {
     int node = 1;

@@ -1,10 +1,11 @@
-// walk.comp for storage blocks, and so for graphics cards: the same sums in the same order, without a long chain of
-// visits that wait for one another. A work group takes the bodies of a group, one an invocation. Together they look at up
-// to 64 nodes at a time: those that come next in a walk depth first. A near node is replaced by its two children, a far
-// node or a near leaf is settled, and what is settled before all that is not is ready to pull. What is ready is taken 64
-// entries at a time; REAL is of four sources, whose pulls on a body are made side by side and then added in their order.
+// Variant of walk.comp for storage buffers, used on GPUs. It computes the same sums in the same order, but without a
+// long chain of dependent node visits. A workgroup processes the bodies of a group, one per invocation. Together the
+// invocations test up to 64 nodes at once: those that come next in the depth-first walk. A near node is replaced by its
+// two children. A far node or a near leaf is settled. The settled nodes before the first unsettled one move to the list
+// `ready`. `ready` is processed 64 entries at a time. A REAL holds four sources, whose pulls on a body are computed in
+// parallel and added in order.
 //
-// Little shared memory: a driver may give a processor's work groups 48 KiB of it together, or less.
+// Shared memory is kept small: a driver may limit the workgroups of a multiprocessor to 48 KiB together, or less.
 #define REAL vec4
 #include "common/exact.glsl"
 EXACT_INVERSE_SQRT(REAL)
@@ -20,21 +21,21 @@ INPUT_ARRAY(momentsBinding, MomentBlock, moments)
 INPUT_WORDS(recordsBinding, RecordBlock, records)
 STATE_ARRAY(accelerationsBinding, AccelerationBlock, accelerations)
 uniform int count;
-uniform int firstRoot;  // the trees of this dispatch; sums pass from one to the next in memory
+uniform int firstRoot;  // First tree of this dispatch; partial sums are stored in memory between dispatches
 uniform int lastRoot;
 uniform bool finish;
 uniform float gravity;
 uniform float softening2;
 
-// An entry is root * rootNodes + node, and what has been found out of it.
+// An entry is root * rootNodes + node, plus flags for the result of its test.
 const uint settled = 0x80000000u;
-const uint opened = 0x40000000u;  // a leaf whose bodies pull one by one
+const uint opened = 0x40000000u;  // Near leaf: its bodies act one by one
 const uint placeBits = 0x3fffffffu;
 
 const int capacity = 512;
-shared uint waiting[capacity];     // a stack; its top comes next
+shared uint waiting[capacity];     // Stack; the top entry comes next in the walk
 shared uint ready[2 * groupBodies];
-shared uint divided[2];            // bits: which of the entries in work are replaced by their children
+shared uint divided[2];            // Bit mask of the entries in work that are replaced by their children
 shared vec4 staged[3][groupBodies];
 
 vec4 loadBody(int i) {
@@ -58,7 +59,7 @@ vec3 plusBodies(vec3 sum, vec3 at, int first) {
   return plusFour(sum, bodyPull(dx, dy, dz, vec4(a.w, b.w, c.w, d.w), softening2), 4);
 }
 
-// The nodes of the entries k to k + many - 1, four at most.
+// Adds the pulls of the nodes in entries k to k + many - 1; `many` is at most four.
 vec3 plusNodes(vec3 sum, vec3 at, int k, int many) {
   int k1 = k + min(1, many - 1), k2 = k + min(2, many - 1), k3 = k + many - 1;
   vec4 a = staged[0][k], b = staged[0][k1], c = staged[0][k2], d = staged[0][k3];
@@ -73,7 +74,7 @@ vec3 plusNodes(vec3 sum, vec3 at, int k, int many) {
   return plusFour(sum, nodePull(dx, dy, dz, m, softening2), many);
 }
 
-// The sum plus what the first `many` of `ready` pull.
+// Returns `sum` plus the pulls of the first `many` entries of `ready`.
 vec3 plusReady(vec3 sum, vec3 at, int thread, int many) {
   uint mine = ready[thread];
   if (thread < many && (mine & opened) == 0u) {
@@ -103,7 +104,7 @@ vec3 plusReady(vec3 sum, vec3 at, int thread, int many) {
   return sum;
 }
 
-// How many bits below `bit` are set.
+// Returns the number of bits set below `bit`.
 int dividedBelow(uvec2 bits, int bit) {
   uint low = bit < 32 ? bits.x & ((1u << uint(bit)) - 1u) : bits.x;
   uint high = bit < 32 ? 0u : bits.y & ((1u << uint(bit - 32)) - 1u);
@@ -127,7 +128,7 @@ void main() {
   precise vec3 above = high - middle;
   precise vec3 below = middle - low;
   vec3 halfSize = max(above, below);
-  // The trees in their order; a group without bodies walks none.
+  // All trees in order; a group without bodies skips them.
   int last = low.x <= high.x ? lastRoot : firstRoot;
   int readyCount = 0;
   if (thread < 2) divided[thread] = 0u;
@@ -139,7 +140,8 @@ void main() {
       int taken = min(size, groupBodies);
       uint entry = settled;
       if (thread < taken) entry = waiting[size - 1 - thread];
-      // Where there is no room for 64 more, one at a time is divided: a walk depth first needs 12 more at most.
+      // If the stack has no room for 64 more entries, only one entry is divided at a time: a depth-first walk needs at
+      // most 12 more entries.
       bool may = size + groupBodies + 12 <= capacity;
       if ((entry & settled) == 0u) {
         bool far = isFar(LOAD_INPUT(cells, int(entry)), middle, halfSize);

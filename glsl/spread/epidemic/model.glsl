@@ -1,9 +1,9 @@
-// Kermack and McKendrick's model as an automaton. Compiles as GLSL and, inside a struct that has `stepData`
-// (EpidemicStep), as C++.
+// Epidemic model of Kermack and McKendrick as a cellular automaton. Compiles as GLSL and, inside a struct with
+// `stepData` (EpidemicStep), as C++.
 
-// A susceptible cell meets eight others drawn from the whole grid, each infected with probability infected / people:
-// it stays well with (1 - x)^8, x = beta infected / people. With q = 1 - (1 - x)^k the next power has
-// 1 - (1 - q)^2 = q (2 - q), where nothing cancels.
+// Infection with global mixing: a susceptible cell meets eight random cells of the whole grid. It stays healthy with
+// probability (1 - x)^8, x = beta infected / people. With q = 1 - (1 - x)^k, doubling k gives 1 - (1 - q)^2 = q (2 -
+// q), a form without cancellation. Returns the threshold for a random number.
 FUNCTION uint mixedThreshold(uint infected) {
   precise float q = float(int(infected >> 12u)) * stepData.per4096 + float(int(infected & 4095u)) * stepData.perInfected;
   for (int i = 0; i < 3; ++i) q = q * (2.0f - q);
@@ -11,7 +11,7 @@ FUNCTION uint mixedThreshold(uint infected) {
   return uint(int(q)) << 1u;
 }
 
-// The next state of a cell; the threshold is that of a susceptible person's infection.
+// Returns the next state of a cell. `infectionThreshold` applies to susceptible cells.
 FUNCTION uint nextPerson(uint cell, uint infectionThreshold, uint random) {
   uint kind = cell & classMask;
   if (kind == classReady) return random < infectionThreshold ? classActive : cell;
@@ -19,7 +19,7 @@ FUNCTION uint nextPerson(uint cell, uint infectionThreshold, uint random) {
   return kind == classSpent && random < stepData.waning ? classReady : cell;
 }
 
-// Strokes: 1 infects the susceptible, 0 makes susceptible and infected immune.
+// Applies a stroke: value 1 infects susceptible cells; value 0 makes susceptible and infected cells immune.
 FUNCTION uint paintedPerson(uint cell, int value) {
   uint kind = cell & classMask;
   if (value == 1) return kind == classReady ? classActive : cell;

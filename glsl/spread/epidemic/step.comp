@@ -1,4 +1,4 @@
-// One step of the epidemic. MIXED: everyone meets everyone; else the eight neighbours.
+// One step of the epidemic. MIXED: infection from the whole grid; otherwise from the eight neighbours.
 #include "spread/rows.glsl"
 #include "spread/epidemic/types.glsl"
 layout(std140, binding = stepBinding) uniform StepBlock { EpidemicStep stepData; };
@@ -16,13 +16,13 @@ Rates ratesNow() {
                drawOf(stepData.step, stepData.seed));
 }
 
-// They age.
+// Spent cells change without an active neighbour, because they age.
 uvec4 restlessCells(uvec4 state) {
-  uvec4 old = (state & 0x3f3f3f3fu) + ones;  // bit 6: it was 63
+  uvec4 old = (state & 0x3f3f3f3fu) + ones;  // Bit 6 is set if the age was 63
   return spentCells(state) & ~(old >> 6u);
 }
 
-// They forget that they had it, or catch it from anywhere.
+// True if cells can lose their immunity, or be infected from anywhere (MIXED).
 bool changesAlone(Rates rates, uvec4 counts) {
 #ifdef MIXED
   if ((counts.x & 0xffffu) != 0u) return true;
@@ -30,7 +30,8 @@ bool changesAlone(Rates rates, uvec4 counts) {
   return rates.waning != 0u && counts.z != 0u;
 }
 
-// On the texel path chosen by the bits of n: lanes that read different places of a table do it one by one.
+// Looks up the thresholds for counts n. On the texel path the bits of n select the value, because a lookup with
+// different indices per lane would be serialized.
 uvec4 thresholdsFor(uvec4 n, uvec4 table[3]) {
 #ifdef TEXEL_PATH
   bvec4 one = notEqual(n & 1u, uvec4(0u)), two = notEqual(n & 2u, uvec4(0u)), four = notEqual(n & 4u, uvec4(0u));
@@ -45,7 +46,8 @@ uvec4 thresholdsFor(uvec4 n, uvec4 table[3]) {
 #endif
 }
 
-// nextPerson() of four cells: who draws less than the threshold goes on to the next class, after the last to the first.
+// Steps four cells like nextPerson(): a random number below the threshold moves a cell to the next class, from the last
+// class to the first.
 uvec4 nextPersons(uvec4 before, uvec4 infection, uint recovery, uint waning, uvec4 random) {
   uvec4 kind = before & classMask;
   uvec4 threshold = mix(infection, uvec4(recovery), equal(kind, uvec4(classActive)));
@@ -55,7 +57,7 @@ uvec4 nextPersons(uvec4 before, uvec4 infection, uint recovery, uint waning, uve
   return mix(before, onward, changes);
 }
 
-// A loop over the places in a word where something may happen to one of the four cells there: mostly few.
+// Loops over the byte positions at which one of the four words has a cell that can change; usually few.
 uvec4 stepElement(Rates rates, Column column, int y, Row above, Row here, Row below) {
   uvec4 ready = readyCells(here.state);
   uvec4 infected = leftActive(above) + isActive(above) + rightActive(above) + leftActive(here) + rightActive(here) +
@@ -80,7 +82,8 @@ uvec4 stepElement(Rates rates, Column column, int y, Row above, Row here, Row be
   uvec4 random = spreadRandoms(cells + (place >> 3u), rates.draw);                                          \
   next ^= (before ^ nextPersons(before, THRESHOLD(place), rates.recovery, rates.waning, random)) << place;
 #ifdef TEXEL_PATH
-  // Lanes go together, so all places, or none where nothing happens in any lane: the loop is taken once or not at all.
+  // Lanes of a software driver execute together. So the loop covers all byte positions, or is skipped if no lane has a
+  // cell that can change.
   for (; todo != 0u; todo = 0u)
     for (uint place = 0u; place < 32u; place += 8u) {
       STEP_PLACE(place)

@@ -1,16 +1,17 @@
-// What the epidemic's kernels read once per step. Compiles as GLSL and as C++ (src/sim/spread/epidemic_plan.hpp).
+// Uniform block that the epidemic's kernels read once per step. Compiles as GLSL and as C++
+// (src/sim/spread/epidemic_plan.hpp).
 #ifndef EPIDEMIC_TYPES
 #define EPIDEMIC_TYPES
 
 struct STD140 EpidemicStep {
-  uvec4 infection[3];   // thresholds of infection with 0 to 8 infected neighbours
-  uint recovery;        // thresholds
+  uvec4 infection[3];   // Thresholds of infection for 0 to 8 infected neighbours
+  uint recovery;        // Threshold of recovery; `waning`: threshold of losing immunity
   uint waning;
   uint step;
   uint seed;
-  uint ageing;          // 1 where ages go on in this step
-  float perInfected;    // everyone meets everyone: beta / people,
-  float per4096;        // and 4096 times that
+  uint ageing;          // 1 if ages advance in this step
+  float perInfected;    // beta / people, for global mixing
+  float per4096;        // 4096 times `perInfected`
 };
 
 #endif

@@ -1,4 +1,5 @@
-// What a fluid's wind is at each cell of a fire's map, over which its rectangle is stretched; four cells an element.
+// Computes a fluid's wind at each cell of a wildfire's map; the fluid's rectangle is stretched over the map. One
+// element of four cells per invocation.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "common/words.glsl"
@@ -7,10 +8,10 @@
 #include "spread/wildfire/gale.glsl"
 layout(local_size_x = 64) in;
 STATE_WORDS(nextCellsBinding, GaleBlock, gales)
-uniform ivec2 size;      // of the map, cells
-uniform vec2 perCell;    // cells of the fluid in one of the map
+uniform ivec2 size;      // Number of cells of the map per axis
+uniform vec2 perCell;    // Cells of the fluid per cell of the map
 uniform float scale;
-uniform int rowGales;    // elements of a row
+uniform int rowGales;    // Elements per row
 uniform int count;
 
 uint galeIn(int x, int y) {

@@ -1,13 +1,13 @@
-// One step of the fire. EMBERS: sparks that fly ahead. SLOPE: it climbs. GALES: a fluid blows.
+// One step of the fire. EMBERS: embers fly ahead. SLOPE: fire climbs faster uphill. GALES: a fluid is the wind.
 #include "common/exact.glsl"
 #include "common/memory.glsl"
 #include "spread/rows.glsl"
 #include "spread/wildfire/types.glsl"
 layout(std140, binding = stepBinding) uniform StepBlock { WildfireStep stepData; };
-INPUT_WORDS(fuelsBinding, FuelBlock, fuels)     // bytes: how readily a cell burns
-INPUT_WORDS(groundBinding, GroundBlock, ground)  // bytes: the ground's shade, 0 to 15, and 16 times its phase
+INPUT_WORDS(fuelsBinding, FuelBlock, fuels)     // Bytes: how readily a cell burns
+INPUT_WORDS(groundBinding, GroundBlock, ground)  // Bytes: the ground's shade, 0 to 15, plus 16 times its phase
 #ifdef SLOPE
-INPUT_WORDS(inclinesBinding, InclineBlock, inclines)  // two bytes a cell: climbed()
+INPUT_WORDS(inclinesBinding, InclineBlock, inclines)  // Two bytes per cell, see climbed()
 INPUT_ARRAY(climbsBinding, ClimbBlock, climbs)
 float climbFactor(int i) {
   return LOAD_INPUT(climbs, i >> 2)[i & 3];
@@ -18,7 +18,7 @@ float climbFactor(int i) { return 1.0f; }
 #include "spread/wildfire/gale.glsl"
 #include "spread/wildfire/model.glsl"
 #ifdef GALES
-INPUT_WORDS(galesBinding, GaleBlock, gales)  // a word a cell
+INPUT_WORDS(galesBinding, GaleBlock, gales)  // Gales, one word per cell
 uint galeOn(int place, int k) {
   return LOAD_INPUT_WORDS(gales, 4 * place + (k >> 2))[k & 3];
 }
@@ -37,7 +37,8 @@ Rates ratesNow() {
 }
 
 #ifdef EMBERS
-// In each step one cell of the sixteen may be hit by an ember, if its place of origin burns.
+// Returns the cell of the element that an ember hits in this step, or -1. At most one of the sixteen cells is tested,
+// and the ember's origin must burn.
 int emberTarget(Rates rates, Column column, int y) {
   uvec3 random = hash3(uvec3(uint(placeIn(column, y)), rates.step, rates.seed ^ 0x5bd1e995u));
   if (random.x >> 5u >= rates.emberThreshold) return -1;
@@ -55,9 +56,9 @@ int emberTarget(Rates rates, Column column, int y) {
 }
 #endif
 
-// nextBurning() and nextBurnt() for sixteen cells at once.
+// Steps sixteen cells at once like nextBurning() and nextBurnt().
 uvec4 grownOlder(Rates rates, Row here, uvec4 shade) {
-  uvec4 old = (here.state & 0x3f3f3f3fu) + ones * (129u - rates.burnSteps);  // bit 7: it burns out now
+  uvec4 old = (here.state & 0x3f3f3f3fu) + ones * (129u - rates.burnSteps);  // Bit 7 is set if the cell burns out now
   uvec4 burning = isActive(here);
   uvec4 done = burning & (old >> 7u);
   uvec4 isDone = done * 255u;
@@ -70,19 +71,19 @@ uvec4 grownOlder(Rates rates, Row here, uvec4 shade) {
   return next + ((spentCells(here.state) & turn & ~cold) << 3u);
 }
 
-// What has burnt cools.
+// Burnt cells change without an active neighbour, because they cool.
 uvec4 restlessCells(uvec4 state) {
   uvec4 cold = state >> 3u & state >> 4u & state >> 5u;
   return spentCells(state) & ~cold;
 }
 
-// An ember may light fuel anywhere.
+// True if an ember can ignite fuel anywhere.
 bool changesAlone(Rates rates, uvec4 counts) {
   return rates.emberThreshold != 0u && (counts.x & 0xffffu) != 0u;
 }
 
 #if !defined(SLOPE) && !defined(GALES)
-// catchChance() on even ground, in a wind that is the same everywhere.
+// catchChance() for even ground and uniform wind.
 uint evenChance(uint burning, uint fuel, uvec4 spread[2]) {
   uint p = 0u;
   for (uint d = 0u; d < 8u; ++d) {
@@ -94,7 +95,7 @@ uint evenChance(uint burning, uint fuel, uvec4 spread[2]) {
 }
 #endif
 
-// A loop over the cells that something may light: mostly few of the sixteen.
+// Loops over the cells that can ignite; usually few of the sixteen.
 uvec4 stepElement(Rates rates, Column column, int y, Row above, Row here, Row below) {
   uvec4 burning = above.near | leftActive(here) << 3u | rightActive(here) << 4u | below.near << 5u;
   uvec4 touched = burning | burning >> 1u | burning >> 2u | burning >> 3u;
