@@ -13,7 +13,7 @@ namespace simreel::scene {
 
 namespace {
 
-/// Linear RGB, in the order of objects: neighbours differ in hue and in brightness.
+/// Linear RGB, in the order of objects. Neighbouring colours differ in hue and in brightness.
 constexpr std::array<glm::vec3, 8> palette = {glm::vec3(0.70F, 0.105F, 0.045F),    // vermilion
                                               glm::vec3(0.014F, 0.17F, 0.19F),     // petrol
                                               glm::vec3(0.76F, 0.37F, 0.025F),     // saffron
@@ -23,17 +23,17 @@ constexpr std::array<glm::vec3, 8> palette = {glm::vec3(0.70F, 0.105F, 0.045F), 
                                               glm::vec3(0.20F, 0.36F, 0.17F),      // sage
                                               glm::vec3(0.035F, 0.039F, 0.048F)};  // graphite
 
-constexpr glm::vec3 flame(1.0F, 0.52F, 0.22F);  // of what shines
+constexpr glm::vec3 flame(1.0F, 0.52F, 0.22F);  // colour of objects that shine
 
-/// The light of a stage: what the ground looks like lit, what it fades into, and the lamps.
+/// Lighting of a stage: appearance of the lit ground, background, and lamps.
 struct Mood {
   glm::vec3 floor, horizon, zenith;  ///< linear light
   float ambient;
   glm::vec3 keyColor;
-  float key;  ///< lx
+  float key;  ///< illuminance in lx
   glm::vec3 rimColor;
-  float rim;   ///< lx in the middle of the stage
-  float most;  ///< reflectance of the ground
+  float rim;   ///< illuminance in lx in the middle of the stage
+  float most;  ///< maximum reflectance of the ground
 };
 constexpr Mood day{.floor = {0.62F, 0.55F, 0.47F},
                    .horizon = {0.33F, 0.32F, 0.33F},
@@ -90,7 +90,7 @@ void setStage(Scene& scene, const std::vector<Framed>& framed) {
   scene.sun.diameter = 9.0F;
   scene.sun.shadowSize = 2048;
   scene.hasGround = true;
-  scene.ground.visible = !scene.render.transparent;  // it is background
+  scene.ground.visible = !scene.render.transparent;  // the ground is part of the background
   scene.ground.roughness = 0.9F;
   Light& rim = scene.lights.emplace_back();
   rim.name = "rim";
@@ -109,7 +109,7 @@ void moveStage(Scene& scene, const std::vector<Framed>& framed) {
   const glm::vec3 back = glm::normalize(glm::vec3(1, 0, 1) * stageBack(box));
   const glm::vec3 right(back.z, 0, -back.x);
 
-  // From the left of the camera, above it.
+  // The key light is to the left of the camera and above it.
   const glm::vec3 key = glm::normalize(0.7F * back - 0.65F * right + glm::vec3(0, 1, 0));
   scene.sun.direction = key;
   scene.sun.color = mood.keyColor;
@@ -119,13 +119,14 @@ void moveStage(Scene& scene, const std::vector<Framed>& framed) {
   scene.sky.ground = mood.floor;
   scene.sky.ambient = mood.ambient;
 
-  // What lies flat hovers a little.
+  // The ground lies lower below a flat scene, so that it hovers a little.
   const float thin = box.max.y - box.min.y < 0.02F * radius ? 0.1F * radius : 0.0F;
   Ground& ground = scene.ground;
   ground.height = box.min.y - std::max(thin, 1e-3F * radius);
   ground.fadeStart = 2.0F * radius;
   ground.fadeEnd = 9.0F * radius;
-  // So that it has the background's light where nothing stands in its own: see groundLight in glsl/draw.
+  // With this colour, ground lit without shadow has the brightness of the background; see groundLight in
+  // glsl/draw.
   const glm::vec3 fill = mood.ambient * glm::mix(mood.zenith, mood.horizon, 0.3F);
   const glm::vec3 direct = mood.keyColor * (mood.key * 0.31830989F * key.y);
   ground.color = glm::min(mood.floor / (fill + direct), glm::vec3(mood.most));

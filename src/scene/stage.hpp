@@ -7,17 +7,17 @@
 
 namespace simreel::scene {
 
-/// Whether a scene says nothing of its surroundings: none of "sun", "sky", "ground", "lights".
+/// True if the scene has none of "sun", "sky", "ground" and "lights".
 [[nodiscard]] bool givesNoStage(const Node& scene);
 
-/// Puts a scene that says nothing of its surroundings on a stage, as products are photographed: a ground
-/// just below everything (to be seen, not touched) that fades into a background of its own brightness, a
-/// key light with soft shadows, the sky's light to fill them, a lamp behind for a rim, and of each object
-/// without a material a colour of a small palette by its number. What shines gets a dark one. `framed`:
-/// framedObjects(scene); where there are none (pictures of fields) nothing changes.
+/// Puts a scene without surroundings on a stage, as in product photography. The stage has a ground just
+/// below everything (drawn, without collisions) that fades into a background of the same brightness, a key
+/// light with soft shadows, fill light from the sky, and a rim light from behind. An object without a
+/// material gets a palette colour by its index. Objects that shine get a dark stage. `framed`:
+/// framedObjects(scene). If it is empty (a scene of 2D fields), the scene does not change.
 void setStage(Scene& scene, const std::vector<Framed>& framed);
 
-/// Moves the stage of a scene that stands on one to where these are.
+/// Moves and resizes the stage of a staged scene to fit the extents `framed`.
 void moveStage(Scene& scene, const std::vector<Framed>& framed);
 
 }  // namespace simreel::scene
