@@ -289,7 +289,7 @@ class Parser {
       std::copy(arguments.begin(), arguments.end(), node.arguments);
       return add(std::move(node));
     }
-    // Min and max take more than two arguments as a chain of two-argument nodes, from left to right.
+    // `min` and `max` take more than two arguments as a chain of two-argument nodes, from left to right.
     int left = arguments[0];
     for (std::size_t i = 1; i < arguments.size(); ++i) {
       node.arguments[0] = left;
