@@ -163,7 +163,7 @@ PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)) {
 }
 
 PartFile::~PartFile() {
-  if (open_) ::unlink(part_.c_str());  // before close() releases the lock
+  if (open_) ::unlink(part_.c_str());  // removes the file before close() releases its lock
   if (file_ >= 0) ::close(file_);
 }
 

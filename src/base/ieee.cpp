@@ -105,7 +105,7 @@ Pair logOf(double x) {
 /// Angle reduced modulo pi/2: x = quarters * pi/2 + r.
 struct Turned {
   Pair r;
-  unsigned quarters;  ///< modulo 4
+  unsigned quarters;  ///< number of quarter turns, modulo 4
 };
 
 /// Reduces an angle |x| <= 1e6 (Cody and Waite). pi/2 is a sum of three parts; products with the first two

@@ -8,7 +8,7 @@ namespace simreel {
 /// Resource limits of isolated work.
 struct Allotment {
   std::size_t bytes;  ///< address space in bytes beyond what the process already has
-  int seconds;        ///< seconds of processor time
+  int seconds;        ///< processor time in seconds
 };
 
 /// Runs `work`, which may crash, hang or exhaust the memory, in a child process and returns its result.

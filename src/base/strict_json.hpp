@@ -29,10 +29,11 @@ class JsonError : public std::runtime_error {
 
 /// Limits on a JSON text.
 struct JsonLimits {
-  /// Nesting levels; copying or writing much deeper values would overflow the stack.
+  /// Maximum nesting levels; copying or writing much deeper values would overflow the stack.
   std::size_t depth = 100;
-  std::size_t containers = std::numeric_limits<std::size_t>::max();  ///< number of objects and lists
-  bool comments = false;                                             ///< true: comments are allowed
+  /// Maximum number of objects and lists.
+  std::size_t containers = std::numeric_limits<std::size_t>::max();
+  bool comments = false;  ///< true: comments are allowed
 };
 
 /// Parses a JSON text. Throws JsonError if the text is not JSON, exceeds the limits, has a number too large
@@ -83,7 +84,7 @@ class JsonValue {
   void expect(bool kind, std::string_view what) const;
 
   const nlohmann::json* json_;
-  std::string path_;  ///< empty: the whole text
+  std::string path_;  ///< path of the value; empty for the whole text
 };
 
 /// Object of which every member must be read; finish() reports other members as errors.

@@ -66,7 +66,7 @@ struct Worker {
   bool ready = false;
   bool told = false;  ///< true: the worker has been told to end
   std::optional<std::size_t> item;
-  Clock::time_point begin;  ///< start time of the item
+  Clock::time_point begin;  ///< start time of the current item
   bool late = false;
   std::string failure;  ///< the worker's own message about its end
   std::optional<ExitCode> mistake;

@@ -14,7 +14,7 @@ namespace simreel::scene {
 
 /// Image that was embedded in another file. Rows from the top, RGBA, 8 bits per channel.
 struct Image {
-  std::string name;  ///< name for messages
+  std::string name;  ///< name of the image in messages
   glm::ivec2 size{0, 0};
   std::vector<std::uint8_t> rgba;
 };
@@ -55,7 +55,8 @@ struct Finish {
   float ior = 1.5F;           ///< index of refraction relative to air
   bool thin = false;          ///< true: thin sheet without refraction; false: surface of a solid
   glm::vec3 attenuation{1};   ///< linear RGB colour of white light after attenuationDistance
-  float attenuationDistance = 1.0F;  ///< metres travelled inside the solid
+  /// Distance in the solid, in metres, that belongs to the attenuation colour.
+  float attenuationDistance = 1.0F;
 
   [[nodiscard]] bool emits() const { return emission != glm::vec3(0) && emissionStrength > 0; }
   [[nodiscard]] bool hasMaps() const {

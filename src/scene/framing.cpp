@@ -201,7 +201,7 @@ void frameObjects(Scene& scene, const std::vector<Framed>& framed) {
   } else {
     addCorners(box, points);
   }
-  float nearest = 0;  // largest distance of a point from the target towards the camera
+  float nearest = 0;  // largest extent of the points from the target towards the camera, in metres
   for (const glm::vec3& point : points) nearest = std::max(nearest, glm::dot(point - target, look.back));
   const float distance = distanceOf(look, target, points);
   camera.target = target;

@@ -24,7 +24,7 @@ void describeTemperature(Fields& fields, std::optional<double>& temperature);
 struct Flicker {
   Animated<float> amount = 0.3F;  ///< fraction of the intensity that varies
   Animated<float> sway = 0.0F;    ///< metres by which the light moves around its position
-  float rate = 5.0F;              ///< changes per second
+  float rate = 5.0F;              ///< frequency of the flicker: changes per second
   void describe(Fields& fields);
 };
 
@@ -38,7 +38,7 @@ struct Spot {
 
 /// The rectangle of an area light.
 struct Area {
-  Animated<glm::vec3> target = glm::vec3(0, 0, 0);  ///< point that the front faces
+  Animated<glm::vec3> target = glm::vec3(0, 0, 0);  ///< point that the front of the rectangle faces
   Animated<float> width = 1.0F;                     ///< length of the horizontal sides in metres
   Animated<float> height = 1.0F;                    ///< length of the other sides in metres
   void describe(Fields& fields);
@@ -51,11 +51,11 @@ struct Light {
   enum class Unit { candela, lumen, watt };
   std::string name;
   Type type = Type::point;
-  Spot spot;  ///< used if `type` is spot
-  Area area;  ///< used if `type` is area
+  Spot spot;  ///< parameters of a spot light, used if `type` is spot
+  Area area;  ///< parameters of an area light, used if `type` is area
   Animated<glm::vec3> position = glm::vec3(0, 1, 0);
   std::optional<PathPlace> follow;  ///< replaces `position`; the light is off while the path does not exist
-  Animated<glm::vec3> color = glm::vec3(1, 0.72F, 0.42F);  ///< linear RGB
+  Animated<glm::vec3> color = glm::vec3(1, 0.72F, 0.42F);  ///< colour of the light, linear RGB
   std::optional<double> temperature;  ///< kelvin; sets the colour of a black body in place of `color`
   Unit unit = Unit::candela;
   Animated<float> intensity = 20.0F;  ///< in `unit`, for the colour (1, 1, 1)
@@ -65,7 +65,7 @@ struct Light {
   std::optional<Flicker> flicker;
   bool shadow = true;
   int shadowSize = 512;         ///< side of each of the six shadow maps in texels
-  float shadowSoftness = 1.5F;  ///< filter radius in texels
+  float shadowSoftness = 1.5F;  ///< radius of the shadow filter in texels
   void describe(Fields& fields);
 };
 

@@ -300,7 +300,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   fields.idleUnless(scene.render.quality == Quality::standard, "render.quality", {"render.occlusionRadius"},
                     "\"quality\": \"standard\"");
   describeTests(fields, scene, lengthKnown ? std::optional(scene.frameCount()) : std::nullopt);
-  std::string schemaAddress;  // used only by editors
+  std::string schemaAddress;  // address of the schema, used only by text editors
   fields.text("$schema", schemaAddress, "");
   fields.finish();
 }

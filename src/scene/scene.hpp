@@ -24,9 +24,9 @@ enum class Numerics { exact, fast };
 
 /// Material that is generated from a simulated field and applied to the object's surface.
 struct Skin {
-  enum class Look { leather, spots, cracks, map };  ///< map: the field's own colours
+  enum class Look { leather, spots, cracks, map };  ///< `map` shows the field in its own colours
   enum class Projection { uv, triplanar };
-  std::string field;  ///< name of the object that simulates the field
+  std::string field;  ///< name of the object whose field is used
   Look look = Look::leather;
   Projection projection = Projection::uv;
   float repeats = 1.0F;  ///< repeats of the field along u and v, or per metre (triplanar)
@@ -34,8 +34,8 @@ struct Skin {
   std::optional<double> threshold;
   glm::vec3 low{-1};                ///< linear RGB for low field values; negative: default of the look
   glm::vec3 high{-1};               ///< linear RGB for high field values; negative: default of the look
-  float bump = 1.0F;                ///< factor on the relief's height
-  std::optional<double> roughness;  ///< nullopt: default of the look
+  float bump = 1.0F;                ///< factor on the height of the relief
+  std::optional<double> roughness;  ///< surface roughness; nullopt: default of the look
   void describe(Fields& fields);
 };
 
@@ -50,7 +50,7 @@ struct Material {
   float translucency = 0.0F;  ///< fraction of light from behind that shines through
   float bump = 0.0F;          ///< height in metres of the texture's white above its black
   bool castsShadow = true;    ///< true: casts shadows in the light of the sun and the lights
-  std::optional<Skin> skin;   ///< replaces colour and roughness
+  std::optional<Skin> skin;   ///< live material that replaces colour and roughness
   Finish finish;
   void describe(Fields& fields);
 };
@@ -94,8 +94,8 @@ struct Render {
 
 struct Time {
   double fps = 60.0;
-  double start = 0.0;     ///< seconds simulated before frame 0
-  double duration = 2.0;  ///< seconds; frames = round(duration * fps), at least 1
+  double start = 0.0;     ///< simulated time before frame 0 in seconds
+  double duration = 2.0;  ///< length in seconds; frames = round(duration * fps), at least 1
   void describe(Fields& fields);
 };
 
@@ -126,12 +126,13 @@ class CameraShot {
   virtual ~CameraShot() = default;
   /// Returns the pose at `seconds` of the scene's time.
   [[nodiscard]] virtual CameraPose at(double seconds) const = 0;
-  /// Vertical angle in degrees; only for perspective cameras.
+  /// Vertical angle of view in degrees; only for perspective cameras.
   [[nodiscard]] virtual double fieldOfView() const = 0;
   /// Height of the view in metres; nullopt: perspective.
   [[nodiscard]] virtual std::optional<double> height() const = 0;
-  [[nodiscard]] virtual double near() const = 0;                ///< metres
-  [[nodiscard]] virtual std::optional<double> far() const = 0;  ///< metres; nullopt: unlimited
+  [[nodiscard]] virtual double near() const = 0;  ///< nearest drawn distance in metres
+  /// Farthest drawn distance in metres; nullopt: unlimited.
+  [[nodiscard]] virtual std::optional<double> far() const = 0;
 };
 
 /// Camera whose pose and motion come from a glTF file.
@@ -167,8 +168,8 @@ struct Shutter {
 /// Camera that orbits its target.
 struct Orbit {
   Animated<float> turn = 0.0F;        ///< degrees about the vertical, from +z towards +x
-  Animated<float> elevation = 20.0F;  ///< degrees above the horizon
-  Animated<float> distance = 6.0F;    ///< metres
+  Animated<float> elevation = 20.0F;  ///< camera angle above the horizon in degrees
+  Animated<float> distance = 6.0F;    ///< distance from the target in metres
   bool distanced = false;             ///< true if the scene gives the distance
   void describe(Fields& fields);
 };
@@ -179,21 +180,21 @@ enum class Projection { perspective, orthographic };
 struct Camera {
   Animated<glm::vec3> position = glm::vec3(0, 1.5F, 6);
   Animated<glm::vec3> target = glm::vec3(0, 0, 0);
-  Animated<float> fieldOfView = 40.0F;  ///< vertical angle in degrees
+  Animated<float> fieldOfView = 40.0F;  ///< vertical angle of view in degrees
   Projection projection = Projection::perspective;
   Animated<float> height = 4.0F;   ///< height of an orthographic view in metres
   bool hasHeight = false;          ///< true if the scene gives the height
-  Animated<float> roll = 0.0F;     ///< degrees
+  Animated<float> roll = 0.0F;     ///< rotation about the line of sight in degrees
   double damping = 0;              ///< lag in seconds behind a steadily moving `target`; 0: none
-  std::optional<Follow> follow;    ///< replaces position and target
-  std::optional<Track> track;      ///< replaces target
-  std::optional<Orbit> orbit;      ///< replaces position
-  std::optional<CameraFile> gltf;  ///< replaces position and target
+  std::optional<Follow> follow;    ///< camera on a path; replaces position and target
+  std::optional<Track> track;      ///< tracked object; replaces target
+  std::optional<Orbit> orbit;      ///< orbit around the target; replaces position
+  std::optional<CameraFile> gltf;  ///< camera of a glTF file; replaces position and target
   bool placed = false;             ///< true if the scene determines the camera's position or target
   bool hasAngle = false;           ///< true if the scene gives the field of view
-  bool hasLens = false;            ///< false: everything is sharp
+  bool hasLens = false;            ///< true: depth of field by `lens`; false: everything is sharp
   Lens lens;
-  bool hasShutter = false;  ///< false: no motion blur
+  bool hasShutter = false;  ///< true: motion blur by `shutter`; false: none
   Shutter shutter;
   float near = 0.05F;
   float far = 200.0F;
@@ -201,14 +202,14 @@ struct Camera {
 };
 
 struct Sun {
-  Animated<glm::vec3> direction = glm::vec3(0.4F, 0.8F, 0.45F);  ///< towards the sun
+  Animated<glm::vec3> direction = glm::vec3(0.4F, 0.8F, 0.45F);  ///< vector towards the sun
   Animated<glm::vec3> color = glm::vec3(1, 0.92F, 0.80F);
   std::optional<double> temperature;  ///< kelvin; sets the colour of a black body in place of `color`
   Animated<float> intensity = 4.0F;
   float diameter = 0.0F;  ///< angular diameter in degrees; penumbras grow with it; 0: they do not grow
   bool shadow = true;
   int shadowSize = 1024;        ///< side of the shadow map in texels
-  float shadowSoftness = 1.5F;  ///< filter radius in texels
+  float shadowSoftness = 1.5F;  ///< radius of the shadow filter in texels
   void describe(Fields& fields);
 };
 
@@ -226,7 +227,7 @@ struct Sky {
 
 /// Ground plane. It is drawn, and objects collide with it; the ground of a stage is only drawn.
 struct Ground {
-  float height = -5.0F;  ///< metres
+  float height = -5.0F;  ///< height of the plane in metres
   /// Coulomb's coefficient; nullopt: sliding objects lose speed at a rate of 25.3 1/s
   std::optional<double> friction;
   bool visible = true;

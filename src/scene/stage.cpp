@@ -27,12 +27,12 @@ constexpr glm::vec3 flame(1.0F, 0.52F, 0.22F);  // colour of objects that shine
 
 /// Lighting of a stage: appearance of the lit ground, background, and lamps.
 struct Mood {
-  glm::vec3 floor, horizon, zenith;  ///< linear light
+  glm::vec3 floor, horizon, zenith;  ///< linear radiance of the lit ground, the horizon and the zenith
   float ambient;
   glm::vec3 keyColor;
-  float key;  ///< illuminance in lx
+  float key;  ///< illuminance by the key light in lx
   glm::vec3 rimColor;
-  float rim;   ///< illuminance in lx in the middle of the stage
+  float rim;   ///< illuminance by the rim light in lx, in the middle of the stage
   float most;  ///< maximum reflectance of the ground
 };
 constexpr Mood day{.floor = {0.62F, 0.55F, 0.47F},

@@ -13,7 +13,7 @@ namespace simreel::scene {
 /// One field of a Tolerance.
 struct Bound {
   const char* name;
-  Member member;  ///< int* or std::optional<double>*
+  Member member;  ///< pointer to the field: int* or std::optional<double>*
   Spec spec;
   /// Returns the former name in scenes, baselines and reports, such as "max_diff_ratio".
   [[nodiscard]] std::string formerName() const;
@@ -37,7 +37,8 @@ struct Tolerance {
 
 /// Section "test" of a scene: frames that `simreel test` compares, and how.
 struct Test {
-  std::vector<int> frames;     ///< ascending, without repeats; empty: the first, middle and last frame
+  /// Frames to compare, ascending, without repeats; empty: the first, middle and last frame.
+  std::vector<int> frames;
   glm::ivec2 size{320, 180};   ///< width and height in pixels
   std::optional<int> samples;  ///< samples per pixel; nullopt: as in the scene
   Tolerance tolerance;
@@ -55,7 +56,7 @@ struct Check {
   std::string what;
   std::string object;  ///< name of the object; empty: the only object that has the quantity
   std::string of;  ///< state array and component, such as "positions.y" (x, y, z, w, or "length" of xyz)
-  std::vector<int> frames;  ///< empty: all tested frames
+  std::vector<int> frames;  ///< frames at which the check applies; empty: all tested frames
   std::optional<double> min, max;
   std::optional<double> drift;  ///< maximum relative change from the value at the check's first frame
   void describe(Fields& fields);

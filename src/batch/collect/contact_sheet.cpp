@@ -174,10 +174,10 @@ class Sheet {
   std::vector<frame::Image> small_;
   int grid_ = 0;  ///< columns of a grid, which have headings; 0: each job has a label
   int columns_ = 1, rows_ = 1;
-  int width_ = 24, height_ = 24;  ///< size of the largest picture
+  int width_ = 24, height_ = 24;  ///< size of the largest reduced picture in pixels
   int scale_ = 1, line_ = 13;     ///< scale of the letters; height of a line
   int above_ = 0;                 ///< height of the label above a picture
-  int left_ = 0, top_ = 0;        ///< position of the first cell
+  int left_ = 0, top_ = 0;        ///< position of the first cell in pixels
   frame::Image image_;
 };
 

@@ -185,7 +185,7 @@ class Join {
     static_cast<void>(claim->inherit(frame::Existing::overwrite));
     for (const Move& move : moves(true)) {
       frame::throwIfInterrupted();
-      if (!pathExists(move.from)) continue;  // moved by an earlier attempt
+      if (!pathExists(move.from)) continue;  // an earlier attempt has moved the file
       if (::rename(move.from.c_str(), move.to.c_str()) == 0) continue;
       if (errno != EXDEV)
         fail(ExitCode::inputOutput, "cannot rename {} into {}: {}", move.from.string(), move.to.string(),

@@ -24,7 +24,7 @@ namespace {
 
 /// Work item of a worker: the simulation, or one piece.
 struct Step {
-  std::optional<std::size_t> piece;  ///< nullopt: the simulation
+  std::optional<std::size_t> piece;  ///< index of the piece; nullopt: the simulation
   [[nodiscard]] std::string name() const { return piece ? fmt::format("piece {}", *piece) : "simulation"; }
 };
 

@@ -14,7 +14,7 @@ namespace simreel::batch {
 struct Vary {
   std::string path;
   std::vector<std::string> values;  ///< values as -D takes them; empty for a range
-  double low = 0, high = 0;         ///< bounds of a range
+  double low = 0, high = 0;         ///< bounds of the range, if the parameter is one
   [[nodiscard]] bool isRange() const { return values.empty(); }
 };
 
@@ -25,7 +25,7 @@ struct Vary {
 enum class Combination {
   grid,   ///< all combinations; the last parameter varies fastest
   zip,    ///< the first value of each parameter, then the second of each, ...
-  sample  ///< random combinations
+  sample  ///< random combinations of values
 };
 
 inline constexpr std::size_t maxJobs = 100'000;

@@ -19,9 +19,9 @@ namespace simreel::batch {
 
 /// Input of one run: of `simreel render`, of a sweep's job, or of a piece of a sequence.
 struct RenderRequest {
-  std::filesystem::path scene;  ///< path; "-": standard input
+  std::filesystem::path scene;  ///< path of the scene; "-": standard input
   std::vector<scene::Override> overrides;
-  std::vector<std::filesystem::path> assets;  ///< further asset folders
+  std::vector<std::filesystem::path> assets;  ///< additional folders for assets
   std::string output;
   /// Frames as --frames takes them. "none": draws nothing and simulates up to the last frame in
   /// checkpointAt.
@@ -36,7 +36,7 @@ struct RenderRequest {
   std::string streamFormat = "rgba";
   std::vector<draw::Layer> layers;  ///< layers of OpenEXR pictures in addition to colour
   std::optional<int> bits;          ///< bits per number: 8 or 16 in PNG, 16 or 32 in OpenEXR's colour
-  std::string command;              ///< command line for run.json
+  std::string command;              ///< command line to record in run.json
 };
 
 /// One run of one scene. Its construction needs no device and reports errors in the request.
@@ -69,7 +69,7 @@ class RenderJob {
   std::optional<frame::FieldFiles> fields_;
   std::map<int, std::filesystem::path> kept_;
   std::string asRun_;
-  std::vector<std::string> camera_;  ///< see frame::RunInfo::camera
+  std::vector<std::string> camera_;  ///< camera placement for frame::RunInfo::camera
   std::string summary_;
 };
 

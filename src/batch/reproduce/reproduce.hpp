@@ -11,7 +11,7 @@ namespace simreel::batch {
 struct ReproduceRequest {
   std::filesystem::path file;   ///< picture or manifest, or a folder or video with a manifest
   std::optional<int> frame;     ///< frame in the manifest; nullopt: its last one
-  std::filesystem::path scene;  ///< empty: as-run.json beside the picture
+  std::filesystem::path scene;  ///< path of the scene; empty: as-run.json beside the picture
   std::vector<std::filesystem::path> assets;
   std::filesystem::path output;  ///< folder for the new picture; empty: the picture is not kept
   gl::ContextOptions on;
@@ -20,7 +20,7 @@ struct ReproduceRequest {
 struct Reproduction {
   int frame = 0;
   bool same = false;
-  std::string state, pixels;  ///< hashes of the new frame
+  std::string state, pixels;  ///< hashes of the frame's new state and pixels
   /// Differences in the results, and their possible causes, in words.
   std::vector<std::string> differences;
 };

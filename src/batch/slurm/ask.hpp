@@ -7,7 +7,7 @@ namespace simreel::batch {
 /// Result of a Slurm command.
 struct Answer {
   int error = 0;   ///< errno if the command could not be started
-  int status = 0;  ///< as set by waitpid()
+  int status = 0;  ///< exit status as set by waitpid()
   std::string output, messages;
 
   [[nodiscard]] bool fine() const { return error == 0 && status == 0; }

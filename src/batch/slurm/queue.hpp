@@ -9,7 +9,7 @@ namespace simreel::batch {
 
 /// Job or job array that Slurm has accepted.
 struct Submitted {
-  std::string work;        ///< Slurm::Work::name
+  std::string work;        ///< name of the work (Slurm::Work::name)
   std::string id;          ///< Slurm's id of the job
   std::size_t offset = 0;  ///< number of an item = array index + offset
 };

@@ -54,7 +54,7 @@ std::vector<std::string> shellWords(const std::string& text) {
       quote = 0;
     } else if (quote == 0 && (c == '\'' || c == '"')) {
       quote = c;
-      if (!word) word.emplace();  // '' is an empty word
+      if (!word) word.emplace();  // a pair of quotes without content is an empty word
     } else if (quote == 0 && c == '\\' && i + 1 < text.size()) {
       add(text[++i]);
     } else if (quote != 0 || !blank) {

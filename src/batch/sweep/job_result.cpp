@@ -107,7 +107,7 @@ std::string resultText(const JobResult& result) {
   const Json head = {{"format", resultFormat}, {"version", resultVersion},  {"hash", result.hash},
                      {"code", result.code},    {"message", result.message}, {"frames", result.frames}};
   std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace);
-  text.resize(text.size() - 2);  // removes the closing "\n}"
+  text.resize(text.size() - 2);  // removes the closing "\n}", because more members follow
   text += ",\n  \"checks\": " + jsonLines(itemsOf(result.checks));
   text += ",\n  \"quantities\": " + jsonLines(quantities);
   text += ",\n  \"counts\": " + jsonLines(counts);

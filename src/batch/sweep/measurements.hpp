@@ -17,7 +17,7 @@ namespace simreel::batch {
 
 /// Quantity measured by one object at one frame.
 struct MeasuredQuantity {
-  std::string what;  ///< for example "energy of flag"
+  std::string what;  ///< name of quantity and object: "energy of flag"
   std::string unit;
   int frame = 0;
   std::optional<double> value;  ///< nullopt if the number is not finite

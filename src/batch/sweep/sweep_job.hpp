@@ -13,11 +13,11 @@ namespace simreel::batch {
 
 /// State of a job of a sweep.
 enum class JobState {
-  missing,  ///< not begun
-  queued,   ///< not running, but a cluster still has it
+  missing,  ///< the job has not begun
+  queued,   ///< the job does not run, but it is in a cluster's queue
   running,  ///< a process holds the lock of its folder
   aborted,  ///< begun, but no process runs it; it can continue from its checkpoint
-  failed,   ///< ended with an error
+  failed,   ///< the job has ended with an error
   done
 };
 [[nodiscard]] const char* stateName(JobState state);

@@ -65,7 +65,7 @@ struct ExpressionTree {
     Operation operation = Operation::number;
     double number = 0;
     std::string name;
-    int arguments[3] = {-1, -1, -1};  ///< node indices; -1: unused
+    int arguments[3] = {-1, -1, -1};  ///< indices of the argument nodes; -1: unused
     std::size_t begin = 0, end = 0;   ///< byte range [begin, end) in the expression's text
   };
   std::vector<Node> nodes;
@@ -85,7 +85,7 @@ struct ExpressionMistake {
 /// Limits that bound the memory an untrusted expression can use.
 inline constexpr std::size_t maxExpressionBytes = 16384;
 inline constexpr std::size_t maxExpressionNodes = 2000;
-inline constexpr int maxExpressionDepth = 64;  ///< nested parentheses, signs and powers
+inline constexpr int maxExpressionDepth = 64;  ///< maximum nesting depth of parentheses, signs and powers
 
 /// True if expressions may use `name` as a variable: letters, digits and '_', no leading digit, and neither
 /// a reserved word nor a function.

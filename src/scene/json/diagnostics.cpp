@@ -156,7 +156,7 @@ std::string Diagnostics::report() const {
   for (std::size_t i = 0; i < std::min(maxShown, ordered.size()); ++i)
     out += describe(*ordered[i], "error");
   if (count_ > maxShown) out += fmt::format("and {} more\n", count_ - maxShown);
-  if (!out.empty()) out.pop_back();  // callers add the final newline
+  if (!out.empty()) out.pop_back();  // removes the final newline, which callers add
   return out;
 }
 

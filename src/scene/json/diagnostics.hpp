@@ -25,7 +25,7 @@ class Diagnostics {
   /// Adds another file as a source. Returns its source number. `text` must outlive this object.
   int addFile(std::string file, std::string_view text);
   void add(Place place, std::string message);
-  /// Adds a warning.
+  /// Adds a warning at a place of a source.
   void remark(Place place, std::string message);
   [[nodiscard]] bool isOverride(int source) const;
 
@@ -50,7 +50,7 @@ class Diagnostics {
   static constexpr std::size_t maxKept = 1000;
   struct Source {
     std::string name;
-    std::string owned;      ///< text of an override
+    std::string owned;      ///< text of a -D override
     std::string_view text;  ///< text of a file; empty for an override
     bool isFile;
   };

@@ -30,7 +30,7 @@ class Explainer final : public Fields {
  public:
   struct Shared {
     const Diagnostics& diagnostics;
-    std::string file;  ///< file name without folders
+    std::string file;  ///< name of the scene file without folders
     std::vector<ExplainedValue>& values;
   };
   /// `node`: the scene's node for these fields; null if it gives none. `standard`: the default values; null
@@ -117,7 +117,7 @@ class Explainer final : public Fields {
 
   [[nodiscard]] std::string whereOf(const Node& node) const {
     if (shared_.diagnostics.isOverride(node.source)) return "command line";
-    const std::string where = shared_.diagnostics.where(node.place());  // file:line:column
+    const std::string where = shared_.diagnostics.where(node.place());  // has the form file:line:column
     const std::size_t column = where.rfind(':');
     const std::size_t line = where.rfind(':', column - 1);
     return shared_.file + where.substr(line, column - line);

@@ -20,7 +20,7 @@ template <class T>
 class Animated {
  public:
   struct Key {
-    double time;  ///< seconds
+    double time;  ///< time of the key in seconds
     T value;
   };
 

@@ -23,7 +23,7 @@ class AssetFolders {
   [[nodiscard]] const std::set<std::filesystem::path>& found() const { return found_; }
 
  private:
-  std::vector<std::filesystem::path> roots_;  ///< canonical paths
+  std::vector<std::filesystem::path> roots_;  ///< canonical paths of the folders that are searched
   mutable std::set<std::filesystem::path> found_;
 };
 

@@ -41,7 +41,7 @@ using Member =
 
 /// Properties of a field besides its name.
 struct Spec {
-  const char* doc = "";   ///< one sentence
+  const char* doc = "";   ///< description in one sentence
   const char* unit = "";  ///< unit of measurement; "" for numbers without a unit
   Range range = {};       ///< applies to each number of a vector
   std::span<const char* const> words = {};
@@ -249,7 +249,7 @@ struct Quantity {
 
 /// Axis-aligned box.
 struct Box {
-  glm::vec3 min{0}, max{0};  ///< metres
+  glm::vec3 min{0}, max{0};  ///< opposite corners in metres
   bool round = false;        ///< true if the content does not fill the corners, such as a ball
 };
 

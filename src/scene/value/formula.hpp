@@ -13,12 +13,12 @@ namespace simreel::scene {
 struct Formula {
   struct Part {
     double number = 0;
-    std::string text = {};  ///< expression; empty: use `number`
+    std::string text = {};  ///< expression; if it is empty, `number` is the value
 
     bool operator==(const Part&) const = default;
   };
   std::vector<Part> parts;                    ///< components; matrices are in row-major order
-  std::optional<Animated<glm::vec4>> moving;  ///< replaces `parts`
+  std::optional<Animated<glm::vec4>> moving;  ///< keyframes; they replace `parts`
   int width = 0;                              ///< number of components of `moving`
 
   [[nodiscard]] bool empty() const { return parts.empty() && !moving; }

@@ -9,9 +9,9 @@ namespace simreel::scene {
 /// Position relative to a path that an object finds during the simulation.
 struct PathPlace {
   std::string object;
-  Animated<float> progress = 0.0F;  ///< fraction of the path's length
-  float height = 1.5F;              ///< metres above the path
-  float side = 0;                   ///< metres to the right of the direction of travel
+  Animated<float> progress = 0.0F;  ///< position on the path as a fraction of its length
+  float height = 1.5F;              ///< height above the path in metres
+  float side = 0;                   ///< distance in metres to the right of the direction of travel
   void describe(Fields& fields);
 };
 

@@ -13,7 +13,7 @@ class RenderChild {
   struct Progress {
     enum class State { none, running, done, failed };
     State state = State::none;
-    int done = 0, total = 0;  ///< numbers of frames
+    int done = 0, total = 0;  ///< numbers of rendered frames and of all frames
     std::string output;       ///< path of the picture or folder
     std::string text;         ///< last error message of a failed render
     bool operator==(const Progress&) const = default;

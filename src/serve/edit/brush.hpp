@@ -11,8 +11,8 @@ namespace simreel::serve {
 /// Segment of a brush stroke over a field.
 struct BrushPiece {
   double time = 0;            ///< time of the painted frame in seconds
-  glm::dvec2 from{0}, to{0};  ///< end points in cells
-  double radius = 1;          ///< radius in cells
+  glm::dvec2 from{0}, to{0};  ///< end points of the segment in cells
+  double radius = 1;          ///< radius of the brush in cells
   double value = 1;           ///< value as in the "strokes" of this kind of object
 };
 

@@ -22,7 +22,7 @@ struct Picture {
 /// Request of a viewer.
 struct Request {
   std::uint64_t viewer = 0;
-  std::string text;  ///< JSON
+  std::string text;  ///< the request as JSON
 };
 
 /// Connects the thread that makes pictures with the thread that talks to viewers. Viewers that read slowly

@@ -32,14 +32,14 @@ constexpr int picturesUnderWay = 2;
 
 /// State of one connection. The library's callbacks create and delete it.
 struct Connection {
-  std::uint64_t viewer = 0;  ///< 0: plain HTTP connection
+  std::uint64_t viewer = 0;  ///< number of the viewer; 0 for a plain HTTP connection
   std::shared_ptr<const std::string> body;
   std::size_t sent = 0;
   // The members below are for viewers only.
   bool binary = false;
-  std::shared_ptr<const Picture> picture;    ///< picture that `body` belongs to
+  std::shared_ptr<const Picture> picture;    ///< picture whose message is in `body`
   std::uint64_t heard = 0;                   ///< version of the latest message that was sent
-  std::uint64_t shown = 0, sentPicture = 0;  ///< numbers of pictures
+  std::uint64_t shown = 0, sentPicture = 0;  ///< numbers of the latest shown and the latest sent picture
   std::deque<std::uint64_t> underWay;
   std::string asked;  ///< received parts of an incomplete message
   bool tooLong = false;

@@ -11,7 +11,7 @@ namespace simreel::serve {
 
 /// Response for a path below the token.
 struct Content {
-  std::string type;  ///< media type
+  std::string type;  ///< media type, such as "text/css"
   std::shared_ptr<const std::string> bytes;
 };
 
@@ -22,7 +22,7 @@ class Server {
  public:
   struct Options {
     std::string address = "127.0.0.1";
-    int port = 0;  ///< 0: any free port
+    int port = 0;  ///< TCP port; 0: any free port
     /// Returns the content for a name; null if the name is unknown. Called on the server's thread; must not
     /// throw.
     std::function<std::unique_ptr<Content>(std::string_view name)> find;

@@ -4,7 +4,7 @@ import { byId, element } from "./dom.js";
 
 const modes = { ours: "Ours", baseline: "Baseline", difference: "Difference", beside: "Side by side", swipe: "Swipe" };
 const captions = { ours: "ours", baseline: "baseline", difference: "difference" };
-const gap = 12; // pixels between pictures
+const gap = 12;  // gap between pictures in pixels
 const shownIn = { ours: ["ours"], baseline: ["baseline"], difference: ["difference"], beside: ["baseline", "ours", "difference"],
   swipe: ["baseline", "ours"] };
 
@@ -20,7 +20,8 @@ export class Compare {
     byId("modes").replaceChildren(...Object.entries(modes).map(([mode, name]) =>
       element("button", { "data-mode": mode, "aria-pressed": mode === this.mode, onclick: () => this.choose(mode) }, name)));
     byId("pairs").addEventListener("pointermove", (event) => this.swipe(event));
-    byId("golden").addEventListener("wheel", (event) => event.stopPropagation()); // the wheel would move the camera
+    // otherwise the wheel would move the camera
+    byId("golden").addEventListener("wheel", (event) => event.stopPropagation());
     addEventListener("resize", () => this.fit());
   }
 

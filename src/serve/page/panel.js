@@ -13,7 +13,7 @@ export class Panel {
     this.node = node;
     this.schema = schema;
     this.on = on;
-    this.rows = new Map(); // path -> {node, control}
+    this.rows = new Map();  // rows by parameter path: path -> {node, control}
     this.edits = new Map();
     this.filter = "";
     this.shape = "";

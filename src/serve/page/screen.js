@@ -1,7 +1,7 @@
 // Shows the pictures and handles mouse input on them.
 import { orbit, pan, zoom } from "./camera.js";
 
-const gap = 12; // pixels between pictures
+const gap = 12;  // gap between pictures in pixels
 
 export class Screen {
   constructor(element, on) {

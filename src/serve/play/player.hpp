@@ -28,7 +28,7 @@ namespace simreel::serve {
 struct PlayerOptions {
   SceneSource source;
   std::vector<std::string> arguments;  ///< scene and overrides as command-line arguments
-  std::size_t memory = 0;              ///< bytes for kept states
+  std::size_t memory = 0;              ///< memory for kept states in bytes
   bool edit = false;                   ///< true: the scene file may be written
   std::filesystem::path output;  ///< folder for renders started on the page; empty: renders are not allowed
   CounterpartOptions other;      ///< settings of the right side

@@ -24,7 +24,7 @@ struct SceneSource {
 
 /// Scene as it is shown: the file's text with the page's edits.
 struct Script {
-  std::string text;                    ///< text of the file
+  std::string text;                    ///< text of the scene file
   std::vector<scene::Override> edits;  ///< values that take precedence over the file and the command line
   scene::Scene scene;
   scene::Scene draft;      ///< the scene without lens, shutter and ray tracing, for quick pictures
@@ -63,7 +63,7 @@ enum class Change {
 /// Inputs that states were computed from. They are stored separately, because a shown script takes over
 /// changes of look.
 struct Simulated {
-  std::string asRun, simulation;  ///< as in Script
+  std::string asRun, simulation;  ///< the same values as in Script
   std::map<std::filesystem::path, FileStamp> files;
 };
 [[nodiscard]] inline Simulated simulatedOf(const Script& script) {

@@ -24,7 +24,7 @@ class KeptStates {
   /// Removes the states of `frame` and of later frames.
   void forgetFrom(int frame);
   void clear();
-  /// Changes the memory limit.
+  /// Changes the memory limit for kept states.
   void allow(std::size_t mostBytes);
 
   [[nodiscard]] std::vector<int> frames() const;

@@ -37,7 +37,7 @@ struct StageMilliseconds {
 /// Named series of numbers, one per frame.
 struct Series {
   std::string object, name, unit;
-  std::map<int, double> values;  ///< frame -> value
+  std::map<int, double> values;  ///< values by frame number
 };
 
 /// Scene on the device: its world, which can step forward and go back, and its renderers. All functions
@@ -139,7 +139,7 @@ class Stage {
   std::unique_ptr<frame::Summaries> summaries_;
   std::array<Drawer, detailLevels.size()> drawers_;
   std::unique_ptr<scene::Scene> testScene_;
-  Drawer tester_;  ///< draws testScene_
+  Drawer tester_;  ///< renderer for testScene_
   long stepped_ = 0;
   bool started_ = false;
   bool carried_ = false;
