@@ -10,8 +10,8 @@ namespace simreel {
 /// Exit codes of the program. After signal n, the exit code is 128 + n.
 enum class ExitCode {
   ok = 0,
-  different = 1,        ///< images differ, or an invariant does not hold
-  usage = 2,            ///< error in the command line or the scene
+  different = 1,        ///< the images of a comparison differ, or an invariant does not hold
+  usage = 2,            ///< the command line or the scene has an error
   baselineMissing = 3,  ///< there is no baseline to compare with
   device = 4,           ///< no device, a device limit, or NaN in the state
   nothingRan = 5,

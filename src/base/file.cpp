@@ -225,7 +225,7 @@ void renameDurably(const std::filesystem::path& part, const std::filesystem::pat
 void syncFolder(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder.empty() ? std::filesystem::path(".") : folder;
   const Descriptor opened(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (opened.get() < 0 && errno == EACCES) return;  // the folder may be writable but not readable
+  if (opened.get() < 0 && errno == EACCES) return;  // no error: the folder may be writable but not readable
   if (opened.get() >= 0 && synced(opened.get())) return;
   const int reason = errno;
   fail(ExitCode::inputOutput, "cannot sync folder {}: {}", path.string(), std::strerror(reason));

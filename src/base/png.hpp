@@ -15,7 +15,7 @@ struct PngChunk {
   static constexpr std::size_t frame = 12;  ///< total bytes of the fields length, type and checksum
 
   std::string_view type, data;
-  std::string_view whole;  ///< the chunk with length, type and checksum
+  std::string_view whole;  ///< all bytes of the chunk, with length, type and checksum
 
   [[nodiscard]] bool checksumHolds() const;
 };

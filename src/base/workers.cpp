@@ -99,7 +99,7 @@ class Employer {
       endLate();
     }
     if (force_.interrupted() != 0) {
-      while (!waiting_.empty()) handOn();  // results after a missing item are delivered, too
+      while (!waiting_.empty()) handOn();  // delivers the remaining results, although some items have none
       return;
     }
     if (!everReady_ && firstMistake_) throw UserError(*firstMistake_, firstFailure_);

@@ -16,7 +16,7 @@ struct Task {
 /// Reason why a worker ended while it worked on an item.
 struct Loss {
   std::string how;    ///< reason in words, such as "was ended by signal 9 (Killed)"
-  bool late = false;  ///< true: the item took longer than WorkForce::patience
+  bool late = false;  ///< true if the item took longer than WorkForce::patience
 };
 
 /// Worker's end of the connection to the program that started it.

@@ -23,7 +23,7 @@ struct Image {
 struct Map {
   std::filesystem::path file;
   std::shared_ptr<const Image> image;
-  bool repeats = true;  ///< true: repeats outside uv 0..1; false: clamps to the edge
+  bool repeats = true;  ///< true: texture repeats outside uv 0..1; false: clamps to the edge
   [[nodiscard]] bool empty() const { return file.empty() && image == nullptr; }
 };
 
@@ -34,13 +34,13 @@ enum class Alpha { opaque, cut, blend };
 /// Material properties beyond colour, roughness and metallic, as in glTF 2.0: maps, emission, opacity,
 /// clear coat, sheen and transmission. A material that uses none of them is drawn without their cost.
 struct Finish {
-  Map color;    ///< sRGB colour and opacity; replaces the material's texture
-  Map normals;  ///< tangent-space normals: x along u, y against v (up in the image)
+  Map color;    ///< sRGB colour and opacity map; replaces the material's texture
+  Map normals;  ///< normal map in tangent space: x along u, y against v (up in the image)
   float normalStrength = 1.0F;
-  Map metalRough;  ///< factors: green for roughness, blue for metallic
-  Map occlusion;   ///< red channel: fraction of ambient light that reaches the surface
+  Map metalRough;  ///< map of factors: green channel for roughness, blue for metallic
+  Map occlusion;   ///< occlusion map; red channel: fraction of ambient light that reaches the surface
   float occlusionStrength = 1.0F;
-  glm::vec3 emission{0};  ///< linear RGB radiance, multiplied by emissionStrength
+  glm::vec3 emission{0};  ///< emitted radiance, linear RGB, multiplied by emissionStrength
   float emissionStrength = 1.0F;
   Map emissionMap;  ///< sRGB factor on the emission
   Alpha alpha = Alpha::opaque;
@@ -53,8 +53,8 @@ struct Finish {
   float sheenRoughness = 0.3F;
   float transmission = 0.0F;  ///< fraction of the light not reflected that passes through, as in glass
   float ior = 1.5F;           ///< index of refraction relative to air
-  bool thin = false;          ///< true: thin sheet without refraction; false: surface of a solid
-  glm::vec3 attenuation{1};   ///< linear RGB colour of white light after attenuationDistance
+  bool thin = false;         ///< true: transparent thin sheet without refraction; false: surface of a solid
+  glm::vec3 attenuation{1};  ///< linear RGB colour of white light after attenuationDistance
   /// Distance in the solid, in metres, that belongs to the attenuation colour.
   float attenuationDistance = 1.0F;
 

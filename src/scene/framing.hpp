@@ -8,7 +8,7 @@ namespace simreel::scene {
 /// Extent of an object that an automatically placed camera must show.
 struct Framed {
   Box box;
-  std::vector<glm::vec3> points = {};  ///< outermost points in metres; empty: the box is used
+  std::vector<glm::vec3> points = {};  ///< outermost points in metres; empty: use the box
 };
 
 /// Returns the extent to show, or nullopt if the object's parameters give none (Parameters::framed).

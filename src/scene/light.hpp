@@ -22,9 +22,10 @@ void describeTemperature(Fields& fields, std::optional<double>& temperature);
 
 /// Flicker of a flame: smooth noise over time (draw/lights/flicker.hpp).
 struct Flicker {
-  Animated<float> amount = 0.3F;  ///< fraction of the intensity that varies
-  Animated<float> sway = 0.0F;    ///< metres by which the light moves around its position
-  float rate = 5.0F;              ///< frequency of the flicker: changes per second
+  Animated<float> amount = 0.3F;  ///< fraction of the intensity that flickers
+  /// Distance in metres by which a flickering light moves around its position.
+  Animated<float> sway = 0.0F;
+  float rate = 5.0F;  ///< frequency of the flicker: changes per second
   void describe(Fields& fields);
 };
 
@@ -39,8 +40,8 @@ struct Spot {
 /// The rectangle of an area light.
 struct Area {
   Animated<glm::vec3> target = glm::vec3(0, 0, 0);  ///< point that the front of the rectangle faces
-  Animated<float> width = 1.0F;                     ///< length of the horizontal sides in metres
-  Animated<float> height = 1.0F;                    ///< length of the other sides in metres
+  Animated<float> width = 1.0F;   ///< length of the rectangle's horizontal sides in metres
+  Animated<float> height = 1.0F;  ///< length of the rectangle's other sides in metres
   void describe(Fields& fields);
 };
 
@@ -56,9 +57,10 @@ struct Light {
   Animated<glm::vec3> position = glm::vec3(0, 1, 0);
   std::optional<PathPlace> follow;  ///< replaces `position`; the light is off while the path does not exist
   Animated<glm::vec3> color = glm::vec3(1, 0.72F, 0.42F);  ///< colour of the light, linear RGB
-  std::optional<double> temperature;  ///< kelvin; sets the colour of a black body in place of `color`
+  /// Black-body temperature in kelvin, which sets the colour in place of `color`.
+  std::optional<double> temperature;
   Unit unit = Unit::candela;
-  Animated<float> intensity = 20.0F;  ///< in `unit`, for the colour (1, 1, 1)
+  Animated<float> intensity = 20.0F;  ///< intensity in `unit`, for the colour (1, 1, 1)
   Animated<float> radius = 0.05F;     ///< radius of the luminous ball in metres
   float range = 0.0F;                 ///< metres beyond which the light has no effect; 0: unlimited
   Animated<float> glow = 1.0F;        ///< factor on the brightness of the ball as seen by the camera

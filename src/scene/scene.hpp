@@ -58,8 +58,8 @@ struct Material {
 /// Light that scatters around bright areas of the picture.
 struct Bloom {
   Animated<float> strength = 0.0F;  ///< fraction of the light above the threshold that scatters; 0: off
-  float threshold = 1.0F;           ///< linear light above which it scatters
-  float radius = 0.1F;              ///< radius as a fraction of the picture's height
+  float threshold = 1.0F;           ///< threshold of linear light; only light above it scatters
+  float radius = 0.1F;              ///< radius of the scattering as a fraction of the picture's height
   void describe(Fields& fields);
 };
 
@@ -77,16 +77,18 @@ enum class Tone { aces, agx, filmic, plain };
 struct Render {
   Rasterizer rasterizer = Rasterizer::exact;
   Quality quality = Quality::draft;
-  bool hasQuality = false;                ///< true if the scene gives "quality"
-  std::optional<double> occlusionRadius;  ///< metres; nullopt: a sixth of the distance to the target
-  int raySamples = 64;                    ///< light samples per pixel with quality high
-  glm::ivec2 size{1280, 720};             ///< width and height in pixels
+  bool hasQuality = false;  ///< true if the scene gives "quality"
+  /// Radius of ambient occlusion in metres; nullopt: a sixth of the distance to the target.
+  std::optional<double> occlusionRadius;
+  int raySamples = 64;         ///< light samples per pixel with quality high
+  glm::ivec2 size{1280, 720};  ///< width and height in pixels
   /// Samples per pixel: 1, 2, 4, 8 or 16; the driver's rasterizer may support only 1 and 4.
   int samples = 4;
   Animated<float> exposure = 0.0F;  ///< exposure value (EV); +1 doubles the brightness
   Tone tone = Tone::aces;
-  std::optional<Animated<float>> whiteBalance;  ///< kelvin; light of this colour is shown as white
-  bool transparent = false;                     ///< true: pictures have no background but an alpha channel
+  /// White balance in kelvin: light of this black-body colour is shown as white.
+  std::optional<Animated<float>> whiteBalance;
+  bool transparent = false;  ///< true: pictures have no background but an alpha channel
   float vignette = 0.0F;
   Bloom bloom;
   void describe(Fields& fields);
@@ -102,22 +104,23 @@ struct Time {
 /// Camera that moves along a path found by an object.
 struct Follow : PathPlace {
   float ahead = 4.0F;  ///< metres of path ahead; the camera looks at the mean of its points
-  double damping = 0;  ///< lag in seconds behind steady motion; 0: none
+  double damping = 0;  ///< lag of the camera in seconds behind steady motion; 0: none
   void describe(Fields& fields);
 };
 
 /// Camera that keeps looking at a moving object.
 struct Track {
   std::string object;
-  glm::vec3 offset{0};  ///< metres from the object's middle to the point looked at
-  double damping = 0;   ///< lag in seconds behind a steadily moving object; 0: none
+  glm::vec3 offset{0};  ///< offset in metres from the object's middle to the point that the camera looks at
+  double damping = 0;   ///< lag of the camera in seconds behind a steadily moving object; 0: none
   void describe(Fields& fields);
 };
 
 /// Position and orientation of a camera at one time.
 struct CameraPose {
   glm::dvec3 eye{0};
-  glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};  ///< unit vectors, orthogonal to each other
+  /// Axes of the camera: unit vectors, orthogonal to each other.
+  glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};
 };
 
 /// Camera of a file as a function of time. Several threads may use it at once.
@@ -142,8 +145,8 @@ struct CameraFile {
   std::string animation;  ///< name of the animation; empty: the first that moves the camera
   double speed = 1, start = 0;
   bool loop = false;
-  float distance = 6;                           ///< metres along the line of sight to the target
-  bool hasNear = false, hasFar = false;         ///< true if the scene itself gives near or far
+  float distance = 6;                    ///< distance of the target along the line of sight, in metres
+  bool hasNear = false, hasFar = false;  ///< true if the scene itself gives near or far
   std::shared_ptr<const CameraShot> shot = {};  ///< the file's camera; null until the file has been read
   void describe(Fields& fields);
 };
@@ -153,21 +156,21 @@ struct Lens {
   Animated<float> fNumber = 2.8F;  ///< focal length / aperture diameter, for a picture 24 mm high
   /// Focus distance in metres along the line of sight; nullopt: distance of the target.
   std::optional<Animated<float>> focus;
-  int blades = 0;    ///< sides of the aperture; 0: round
+  int blades = 0;    ///< number of sides of the aperture; 0: round
   int samples = 32;  ///< number of aperture points; each picture is drawn once for each
   void describe(Fields& fields);
 };
 
 /// Exposure time of a picture: objects that move during it are blurred.
 struct Shutter {
-  float angle = 180.0F;  ///< degrees; 360 is the whole time between two frames
+  float angle = 180.0F;  ///< exposure time in degrees; 360 is the whole time between two frames
   int samples = 16;      ///< number of times within the exposure at which each picture is drawn
   void describe(Fields& fields);
 };
 
 /// Camera that orbits its target.
 struct Orbit {
-  Animated<float> turn = 0.0F;        ///< degrees about the vertical, from +z towards +x
+  Animated<float> turn = 0.0F;        ///< angle about the vertical in degrees, from +z towards +x
   Animated<float> elevation = 20.0F;  ///< camera angle above the horizon in degrees
   Animated<float> distance = 6.0F;    ///< distance from the target in metres
   bool distanced = false;             ///< true if the scene gives the distance
@@ -182,10 +185,10 @@ struct Camera {
   Animated<glm::vec3> target = glm::vec3(0, 0, 0);
   Animated<float> fieldOfView = 40.0F;  ///< vertical angle of view in degrees
   Projection projection = Projection::perspective;
-  Animated<float> height = 4.0F;   ///< height of an orthographic view in metres
-  bool hasHeight = false;          ///< true if the scene gives the height
-  Animated<float> roll = 0.0F;     ///< rotation about the line of sight in degrees
-  double damping = 0;              ///< lag in seconds behind a steadily moving `target`; 0: none
+  Animated<float> height = 4.0F;  ///< height of an orthographic view in metres
+  bool hasHeight = false;         ///< true if the scene gives the height
+  Animated<float> roll = 0.0F;    ///< rotation about the line of sight in degrees
+  double damping = 0;  ///< lag of the line of sight in seconds behind a steadily moving `target`; 0: none
   std::optional<Follow> follow;    ///< camera on a path; replaces position and target
   std::optional<Track> track;      ///< tracked object; replaces target
   std::optional<Orbit> orbit;      ///< orbit around the target; replaces position
@@ -204,7 +207,8 @@ struct Camera {
 struct Sun {
   Animated<glm::vec3> direction = glm::vec3(0.4F, 0.8F, 0.45F);  ///< vector towards the sun
   Animated<glm::vec3> color = glm::vec3(1, 0.92F, 0.80F);
-  std::optional<double> temperature;  ///< kelvin; sets the colour of a black body in place of `color`
+  /// Black-body temperature in kelvin, which sets the colour in place of `color`.
+  std::optional<double> temperature;
   Animated<float> intensity = 4.0F;
   float diameter = 0.0F;  ///< angular diameter in degrees; penumbras grow with it; 0: they do not grow
   bool shadow = true;
@@ -217,7 +221,7 @@ struct Sun {
 struct Sky {
   std::filesystem::path picture;  ///< equirectangular HDR image whose middle lies towards -z; empty: none
   float strength = 1.0F;          ///< factor on the image's light
-  float turn = 0.0F;              ///< degrees by which the image is rotated about the vertical
+  float turn = 0.0F;              ///< rotation of the image about the vertical in degrees
   Animated<glm::vec3> zenith = glm::vec3(0.08F, 0.22F, 0.52F);
   Animated<glm::vec3> horizon = glm::vec3(0.68F, 0.80F, 0.93F);
   Animated<glm::vec3> ground = glm::vec3(0.26F, 0.23F, 0.20F);
@@ -276,7 +280,8 @@ struct Scene {
   bool surveyed = false;  ///< true if camera and stage were placed after a trial run (sim/world/survey.hpp)
   bool hasGround = false;
   Ground ground;
-  std::vector<Light> lights;  ///< at most maxLights, of which maxShadowedLights cast shadows
+  /// Local lights: at most maxLights, of which at most maxShadowedLights cast shadows.
+  std::vector<Light> lights;
   std::vector<Object> objects;
   Test test;
   std::vector<Check> checks;

@@ -22,7 +22,8 @@ void checkLength(Fields& fields, const std::vector<int>& frames, int frameCount)
 void checkQuantity(Fields& fields, const Check& check, const Scene& scene) {
   std::vector<std::string> known;
   for (const Object& object : scene.objects) {
-    if (object.parameters == nullptr) return;  // the object has an error of its own
+    // The object has an error of its own, so the check is skipped.
+    if (object.parameters == nullptr) return;
     if (object.parameters->measures() && (check.object.empty() || object.name == check.object))
       for (const Quantity& quantity : object.parameters->quantities())
         if (std::find(known.begin(), known.end(), quantity.name) == known.end())

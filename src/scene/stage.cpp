@@ -90,7 +90,8 @@ void setStage(Scene& scene, const std::vector<Framed>& framed) {
   scene.sun.diameter = 9.0F;
   scene.sun.shadowSize = 2048;
   scene.hasGround = true;
-  scene.ground.visible = !scene.render.transparent;  // the ground is part of the background
+  // A transparent picture has no ground, because it is part of the background.
+  scene.ground.visible = !scene.render.transparent;
   scene.ground.roughness = 0.9F;
   Light& rim = scene.lights.emplace_back();
   rim.name = "rim";

@@ -233,7 +233,7 @@ class Join {
   frame::OutputName whole_;
   std::vector<Drawn> drawn_;
   Manifest manifest_;
-  std::map<int, std::size_t> owner_;  ///< frame -> piece that provides it
+  std::map<int, std::size_t> owner_;  ///< frame number -> index of the piece that provides the frame
 };
 
 }  // namespace

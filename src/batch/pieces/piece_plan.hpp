@@ -23,8 +23,9 @@ struct Piece {
 struct PiecePlan {
   /// Folder of the plan, the checkpoints and the pieces; not stored in plan.json.
   std::filesystem::path folder;
-  std::string output;                         ///< output as given to -o, as an absolute path
-  std::vector<std::filesystem::path> assets;  ///< absolute paths; the scene's own folder first
+  std::string output;  ///< output as given to -o, as an absolute path
+  /// Asset folders as absolute paths; the scene's own folder first.
+  std::vector<std::filesystem::path> assets;
   std::vector<scene::Override> overrides;
   std::string fields;  ///< format of field files: "npy", "pfm", or empty for none
   bool counts = true;

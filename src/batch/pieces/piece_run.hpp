@@ -28,9 +28,9 @@ namespace simreel::batch {
 /// Settings for making pieces on this machine.
 struct LocalPieces {
   std::size_t workers = 1;
-  gl::ContextOptions on;          ///< may list several devices; each worker takes the next one
-  bool ndjson = false;            ///< true: events of all pieces go to standard error as JSON lines
-  std::filesystem::path scratch;  ///< local folder to draw in; empty: none
+  gl::ContextOptions on;  ///< GPU selection; if it lists several devices, each worker takes the next one
+  bool ndjson = false;    ///< true: events of all pieces go to standard error as JSON lines
+  std::filesystem::path scratch;  ///< scratch folder on a local disk to draw in; empty: none
   std::string command;
 };
 /// Runs the simulation, then draws all pieces in parallel. Returns the signal that interrupted it, or 0.

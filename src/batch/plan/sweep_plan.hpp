@@ -20,13 +20,15 @@ struct PlannedJob {
 
 /// Plan of a sweep, stored as plan.json in the sweep's folder with one line for each job.
 struct SweepPlan {
-  std::filesystem::path folder;               ///< folder of the plan; not stored in plan.json
-  std::string program;                        ///< version of the program that wrote the plan
-  std::vector<std::filesystem::path> assets;  ///< absolute paths; the scene's own folder first
-  std::vector<scene::Override> overrides;     ///< overrides of all jobs, applied before a job's values
-  std::string frames;                         ///< frames as --frames takes them; empty: all
-  std::string fields;                         ///< format of field files: "npy", "pfm", or empty for none
-  std::vector<std::string> varied;            ///< paths of the varied parameters
+  std::filesystem::path folder;  ///< folder that contains plan.json; not stored in the plan
+  std::string program;           ///< version of the program that wrote the plan
+  /// Asset folders as absolute paths; the scene's own folder first.
+  std::vector<std::filesystem::path> assets;
+  /// Overrides common to all jobs, applied before a job's own values.
+  std::vector<scene::Override> overrides;
+  std::string frames;               ///< frames as --frames takes them; empty: all
+  std::string fields;               ///< format of field files: "npy", "pfm", or empty for none
+  std::vector<std::string> varied;  ///< paths of the varied parameters
   /// First frame of all jobs, if they have the same state there and something must be simulated before it.
   /// This state is simulated once for all jobs. nullopt if a varied path affects the simulation.
   std::optional<int> sharedFrame;

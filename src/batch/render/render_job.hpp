@@ -64,7 +64,8 @@ class RenderJob {
   RenderRequest request_;
   scene::Scene scene_;
   std::vector<int> frames_;
-  std::optional<draw::LightRequest> layers_;  ///< set for pictures with more than 8 bits per channel
+  /// Layers and precision of pictures with more than 8 bits per channel.
+  std::optional<draw::LightRequest> layers_;
   frame::OutputName output_;
   std::optional<frame::FieldFiles> fields_;
   std::map<int, std::filesystem::path> kept_;

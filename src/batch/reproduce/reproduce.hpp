@@ -10,7 +10,7 @@ namespace simreel::batch {
 
 struct ReproduceRequest {
   std::filesystem::path file;   ///< picture or manifest, or a folder or video with a manifest
-  std::optional<int> frame;     ///< frame in the manifest; nullopt: its last one
+  std::optional<int> frame;     ///< frame number in the manifest; nullopt: the manifest's last frame
   std::filesystem::path scene;  ///< path of the scene; empty: as-run.json beside the picture
   std::vector<std::filesystem::path> assets;
   std::filesystem::path output;  ///< folder for the new picture; empty: the picture is not kept

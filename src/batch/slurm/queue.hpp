@@ -11,7 +11,7 @@ namespace simreel::batch {
 struct Submitted {
   std::string work;        ///< name of the work (Slurm::Work::name)
   std::string id;          ///< Slurm's id of the job
-  std::size_t offset = 0;  ///< number of an item = array index + offset
+  std::size_t offset = 0;  ///< difference between an item's number and its index in the Slurm array
 };
 
 /// Appends the job to the list of submitted jobs in `folder`, the folder of the scripts. Throws

@@ -20,7 +20,7 @@ class Slurm {
     std::vector<std::string> arguments;   ///< arguments for simreel; in an array the item's number follows
     std::vector<std::size_t> numbers;     ///< item numbers, ascending; empty: a single job
     std::vector<std::string> after = {};  ///< ids of jobs that must succeed first
-    bool however = false;                 ///< true: those jobs only have to end, with any result
+    bool however = false;                 ///< true: the jobs in `after` only have to end, with any result
   };
   /// Submits the work and returns the jobs' ids. Splits arrays that are too long for the cluster. Throws
   /// UserError(inputOutput) with sbatch's message.

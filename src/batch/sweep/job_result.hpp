@@ -14,7 +14,7 @@ namespace simreel::batch {
 /// writes. It has no times or data of the machine, so it is the same wherever the job ran.
 struct JobResult {
   std::string hash;  ///< hash of the job in its plan
-  int code = 0;      ///< exit code; 0: all frames exist
+  int code = 0;      ///< exit code of the job; 0: all frames exist
   std::string message;
   int frames = 0;
   std::vector<golden::CheckResult> checks;

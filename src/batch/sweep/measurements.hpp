@@ -20,14 +20,14 @@ struct MeasuredQuantity {
   std::string what;  ///< name of quantity and object: "energy of flag"
   std::string unit;
   int frame = 0;
-  std::optional<double> value;  ///< nullopt if the number is not finite
+  std::optional<double> value;  ///< measured number; nullopt if it is not finite
 };
 
 /// Files with results of checks; empty paths: no file.
 struct CheckFiles {
   std::filesystem::path
       earlier;  ///< results of an earlier run, from whose checkpoint this run continues; may be missing
-  std::filesystem::path kept;  ///< results so far, for a later run
+  std::filesystem::path kept;  ///< file for the results so far, which a later run reads
 };
 
 /// Evaluates a scene's checks while it is rendered, and measures all quantities at the last frame.

@@ -280,7 +280,7 @@ JobEnd runSweepJob(const SweepPlan& plan, std::size_t job, const gl::Context& co
   try {
     writeFileAtomically(resultFile(folder), resultText(end.result));
   } catch (const UserError& error) {
-    if (end.result.code != 0) return end;  // the first error is the cause
+    if (end.result.code != 0) return end;  // keeps the first error, because it is the cause
     end.result.code = static_cast<int>(error.code());
     end.result.message = error.what();
   }
@@ -303,7 +303,8 @@ int makeShared(const SweepPlan& plan, const gl::Context& context, frame::Progres
   if (!lacksShared(plan)) return 0;
   RenderRequest request;
   request.scene = plan.sceneFile();
-  request.overrides = plan.overridesOf(0);  // the varied values do not affect the simulation
+  // Values of any job: the varied values do not affect the simulation.
+  request.overrides = plan.overridesOf(0);
   request.assets = plan.assets;
   request.output = plan.sharedFolder().string() + "/";
   request.frames = "none";

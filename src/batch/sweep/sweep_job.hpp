@@ -15,7 +15,7 @@ namespace simreel::batch {
 enum class JobState {
   missing,  ///< the job has not begun
   queued,   ///< the job does not run, but it is in a cluster's queue
-  running,  ///< a process holds the lock of its folder
+  running,  ///< the job is running: a process holds the lock of its folder
   aborted,  ///< begun, but no process runs it; it can continue from its checkpoint
   failed,   ///< the job has ended with an error
   done

@@ -27,10 +27,11 @@ struct SweepTally {
 /// Settings for running a sweep on this machine.
 struct LocalRun {
   std::size_t workers = 1;
-  gl::ContextOptions on;  ///< may list several devices; each worker takes the next one
+  gl::ContextOptions on;  ///< GPU selection; if it lists several devices, each worker takes the next one
   /// True: writes an event to standard error for each check and at the end of each job.
   bool ndjson = false;
-  std::filesystem::path scratch;  ///< local folder to render in; empty: jobs render into their own folders
+  /// Scratch folder on a local disk to render in; empty: jobs render into their own folders.
+  std::filesystem::path scratch;
   std::string command;
 };
 

@@ -83,7 +83,8 @@ SyntaxError explainLiteral(std::string_view text, std::size_t last) {
 /// Explains a number that is incomplete (`-`, `5.`) or too large.
 SyntaxError explainNumber(std::string_view text, std::size_t consumed, bool overflow) {
   std::size_t end = consumed;
-  if (!isPartOfNumber(text[end - 1])) --end;  // the parser has read one character past the number
+  // The parser has read one character past the number, so that character is excluded.
+  if (!isPartOfNumber(text[end - 1])) --end;
   std::size_t begin = end;
   while (begin > 0 && isPartOfNumber(text[begin - 1])) --begin;
   while (!overflow && end < text.size() && isWord(text[end])) ++end;

@@ -10,9 +10,9 @@ namespace simreel::scene {
 
 /// One value of a scene as it is used, with its origin.
 struct ExplainedValue {
-  std::string path;       ///< path as option -D takes it: "objects.flag.cloth.size"
+  std::string path;       ///< path of the value as option -D takes it: "objects.flag.cloth.size"
   std::string value;      ///< JSON; "off" for an absent group
-  std::string origin;     ///< "flag.json:12", "command line", "default", "stage", ...
+  std::string origin;     ///< origin of the value: "flag.json:12", "command line", "default", "stage", ...
   bool standard = false;  ///< true if the value is its plain default
 };
 

@@ -43,9 +43,9 @@ using Member =
 struct Spec {
   const char* doc = "";   ///< description in one sentence
   const char* unit = "";  ///< unit of measurement; "" for numbers without a unit
-  Range range = {};       ///< applies to each number of a vector
+  Range range = {};       ///< allowed range; it applies to each number of a vector
   std::span<const char* const> words = {};
-  const char* none = nullptr;  ///< word for the empty value of a std::optional<int>
+  const char* none = nullptr;  ///< word in scenes for the empty value of a std::optional<int>
 
   /// True if the first two words are "false" and "true".
   [[nodiscard]] bool isSwitch() const {

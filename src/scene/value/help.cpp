@@ -88,7 +88,8 @@ void HelpWriter::listOf(const char* name, const char* doc, std::size_t maxItems,
                         const std::function<void(std::size_t)>& resize,
                         const std::function<void(Fields&, std::size_t)>& describe) {
   const nlohmann::ordered_json standard = standardItems(items, resize, describe);
-  constexpr std::size_t widest = 30;  // longer defaults appear only in the schema
+  // Maximum characters of a default; longer defaults appear only in the schema.
+  constexpr std::size_t widest = 30;
   const std::string text = standard.dump();
   const auto value = shorthands_.find(name);
   add(name, text.size() <= widest ? text : fmt::format("{} items", standard.size()),

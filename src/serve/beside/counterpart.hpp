@@ -19,7 +19,7 @@ struct CounterpartOptions {
   SceneSource source;
   bool ownFile = false;                ///< true: the right side has its own scene file
   bool on = false;                     ///< true: the right side is shown from the start
-  std::vector<scene::Override> edits;  ///< values that only the right side has
+  std::vector<scene::Override> edits;  ///< overrides that only the right side has
   std::vector<std::string> arguments;  ///< scene and options as command-line arguments
 };
 

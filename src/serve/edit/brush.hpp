@@ -13,7 +13,7 @@ struct BrushPiece {
   double time = 0;            ///< time of the painted frame in seconds
   glm::dvec2 from{0}, to{0};  ///< end points of the segment in cells
   double radius = 1;          ///< radius of the brush in cells
-  double value = 1;           ///< value as in the "strokes" of this kind of object
+  double value = 1;           ///< painted value, as in the "strokes" of this kind of object
 };
 
 /// Returns the "strokes" of an object. `given`: the object's parameters in the scene. If they have no

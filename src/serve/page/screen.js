@@ -159,7 +159,7 @@ export class Screen {
   roll(event) {
     event.preventDefault();
     if (!this.panes[0].view) return;
-    this.held = true; // until the wheel is at rest
+    this.held = true;  // counts as held until the wheel is at rest
     const factor = Math.exp(Math.max(-200, Math.min(200, event.deltaY)) * 0.0015);
     this.move((view) => zoom(view, factor), true);
     clearTimeout(this.rolling);

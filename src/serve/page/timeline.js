@@ -68,7 +68,7 @@ export class Timeline {
     let now = time;
     const move = (e) => {
       const frame = Math.round((this.last * (e.clientX - box.x - 6)) / (box.width - 12));
-      if (low > high) return; // no frame lies between the neighbouring keys
+      if (low > high) return;  // cannot move: no frame lies between the neighbouring keys
       const next = Number((Math.min(high, Math.max(low, frame)) / this.fps).toPrecision(6));
       if (next === now || Math.abs(e.clientX - event.clientX) < 3) return;
       now = next;

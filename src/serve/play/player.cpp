@@ -24,7 +24,7 @@ constexpr double leastToRest = 0.25;
 constexpr double mostToRest = 2;
 constexpr double secondsToReread = 1;  ///< seconds between retries if files are missing
 constexpr double sliceSeconds = 0.04;  ///< maximum seconds of simulation before requests are handled again
-constexpr double mostMilliseconds = 85;  ///< time limit of a picture during motion
+constexpr double mostMilliseconds = 85;  ///< time limit of a picture during motion, in milliseconds
 constexpr double mostToMeasure = 6;  ///< time limit in milliseconds for measuring quantities during motion
 constexpr int jpegQuality = 87;
 

@@ -115,7 +115,7 @@ nlohmann::json pointOf(const JsonValue& value) {
   nlohmann::json point = nlohmann::json::array();
   for (std::size_t i = 0; i < 3; ++i) {
     static_cast<void>(value.at(i).number());
-    point.push_back(value.at(i).json());  // keeps the notation of the number
+    point.push_back(value.at(i).json());  // keeps the request's notation of the number
   }
   return point;
 }

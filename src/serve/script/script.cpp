@@ -168,7 +168,8 @@ bool impliesAlike(const scene::Scene& before, const scene::Scene& after) {
 void takeLookOf(scene::Scene& shown, scene::Scene& from) {
   const scene::Camera before = shown.camera;
   shown.camera = from.camera;
-  shown.camera.hasLens = before.hasLens;  // the draft never has them, whatever the scene has
+  // Lens and shutter keep their own values, because a draft never has them.
+  shown.camera.hasLens = before.hasLens;
   shown.camera.hasShutter = before.hasShutter;
   shown.sun.direction = from.sun.direction;
   shown.sun.color = from.sun.color;

@@ -52,9 +52,9 @@ void placeCamera(Script& script, const Script* known, bool moving);
 /// Parts of what is shown that must be built again for another script.
 enum class Change {
   nothing,
-  look,     ///< values that are read from the scene for each picture
-  drawing,  ///< values that the renderer was built with
-  dress,    ///< values that objects were built with, but that affect no state
+  look,     ///< change of values that are read from the scene for each picture
+  drawing,  ///< change of values that the renderer was built with
+  dress,    ///< change of values that objects were built with, but that affect no state
   simulation,
 };
 [[nodiscard]] Change changeBetween(const Script& before, const Script& after);

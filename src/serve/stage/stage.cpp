@@ -228,7 +228,7 @@ frame::Image Stage::draw(std::size_t level) {
 }
 
 void Stage::setTestScene(std::unique_ptr<scene::Scene> scene) {
-  tester_ = {};  // its renderer reads the old scene
+  tester_ = {};  // destroys the renderer, because it reads the old scene
   testScene_ = std::move(scene);
 }
 

@@ -98,7 +98,7 @@ class Stage {
     std::unique_ptr<draw::Readback> readback;
     glm::ivec2 size{0};
     std::shared_ptr<Script> script;  ///< script that the renderer reads
-    std::optional<int> toldBefore;   ///< frame whose previous frame the renderer has
+    std::optional<int> toldBefore;   ///< frame whose previous frame the renderer has, for motion blur
   };
 
   /// States of an earlier simulation that may become current again.
@@ -131,7 +131,7 @@ class Stage {
 
   std::shared_ptr<Script> script_;
   std::shared_ptr<Script> made_;  ///< script that the world was built from
-  std::size_t memory_;            ///< bytes for kept_ and past_ together
+  std::size_t memory_;            ///< memory limit of kept_ and past_ together, in bytes
   KeptStates kept_;
   Simulated keptOf_;  ///< simulation that the states in kept_ belong to
   std::optional<Past> past_;
