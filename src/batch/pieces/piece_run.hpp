@@ -33,8 +33,8 @@ struct LocalPieces {
   std::filesystem::path scratch;  ///< scratch folder on a local disk to draw in; empty: none
   std::string command;
 };
-/// Runs the simulation, then draws all pieces in parallel. Returns the signal that interrupted it, or 0.
-/// Throws UserError with the message of the first piece that failed.
+/// Runs the simulation and draws all pieces, in parallel where possible. Returns the signal that
+/// interrupted it, or 0. Throws UserError with the message of the first piece that failed.
 [[nodiscard]] int makePieces(const PiecePlan& plan, const LocalPieces& how);
 
 }  // namespace simreel::batch
