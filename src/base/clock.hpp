@@ -6,12 +6,12 @@ namespace simreel {
 
 using Clock = std::chrono::steady_clock;
 
-/// Seconds from `begin` to now.
+/// Returns the seconds from `begin` to now.
 [[nodiscard]] inline double secondsSince(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Processor time of this process in seconds: user and system, all threads.
+/// Returns the processor time of this process in seconds: user and system time of all threads.
 [[nodiscard]] inline double processSeconds() {
   std::timespec now{};
   ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

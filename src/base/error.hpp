@@ -7,24 +7,25 @@
 
 namespace simreel {
 
-/// What the program returns to the shell. Signals return 128 + n.
+/// Exit codes of the program. After signal n, the exit code is 128 + n.
 enum class ExitCode {
   ok = 0,
-  different = 1,        ///< images or invariants differ
-  usage = 2,            ///< command line or scene
-  baselineMissing = 3,  ///< nothing to compare with
-  device = 4,           ///< no device, a limit, or NaN in the state
+  different = 1,        ///< the images of a comparison differ, or an invariant does not hold
+  usage = 2,            ///< the command line or the scene has an error
+  baselineMissing = 3,  ///< there is no baseline to compare with
+  device = 4,           ///< no device, a device limit, or NaN in the state
   nothingRan = 5,
   inputOutput = 6,
 };
 
-/// A mistake the user can mend. The message says what, where and what to do; main prints it.
+/// Error that the user can fix. The message says what is wrong, where, and what to do; main() prints it.
 class UserError : public std::runtime_error {
  public:
-  /// A sentence is printed after "simreel: error: "; a report's lines say "place: error: " themselves.
+  /// sentence: main() prints it after "simreel: error: ". report: main() prints it unchanged, because its
+  /// lines contain "place: error: ".
   enum class Form { sentence, report };
 
-  /// A zero byte, at which what() would end, is spelt out: \x00.
+  /// Writes zero bytes in `message` as \x00, because what() would end at a zero byte.
   UserError(ExitCode code, const std::string& message, Form form = Form::sentence);
   [[nodiscard]] ExitCode code() const { return code_; }
   [[nodiscard]] Form form() const { return form_; }
@@ -44,7 +45,7 @@ template <class... Args>
 
 }  // namespace simreel
 
-/// Stops the program when an invariant of ours is broken, printing both values.
+/// Aborts the program if an invariant of its own code does not hold, and prints both values.
 #define SIMREEL_CHECK_EQ(a, b)                                              \
   do {                                                                      \
     const auto& checkA = (a);                                               \

@@ -17,7 +17,8 @@ namespace simreel {
 
 namespace {
 
-/// Owns a POSIX descriptor: iostreams hide why a write failed.
+/// Owns a POSIX file descriptor. POSIX functions are used because iostreams do not report why a write
+/// failed.
 class Descriptor {
  public:
   explicit Descriptor(int value) : value_(value) {}
@@ -33,7 +34,8 @@ class Descriptor {
   int value_;
 };
 
-/// All that can be read, `promised` bytes as far as is known; `place` stands for it in messages.
+/// Reads until the end of a file. `promised`: expected size in bytes; `place`: name of the file in
+/// messages.
 std::string readAll(int descriptor, const char* what, const std::string& place, std::size_t maxBytes,
                     std::size_t promised = 0) {
   const auto tooLarge = [&] {
@@ -53,8 +55,8 @@ std::string readAll(int descriptor, const char* what, const std::string& place, 
   }
 }
 
-/// Waits until a file's data, or a folder's names, are on the disk. True also where there is nothing to
-/// wait for: pipes, and file systems that cannot.
+/// Waits until a file's data, or a folder's entries, are on the disk. Also returns true if syncing is not
+/// supported: pipes, some file systems.
 bool synced(int descriptor) {
   int result = 0;
   while ((result = ::fdatasync(descriptor)) != 0 && errno == EINTR) {
@@ -62,8 +64,8 @@ bool synced(int descriptor) {
   return result == 0 || errno == EINVAL || errno == EROFS || errno == EOPNOTSUPP;
 }
 
-/// Whether this is written into, as a device, a pipe or a socket is, and /dev/stdout or /dev/fd/3, links of
-/// the system's, whatever they lead to: another file must never take its name. /dev/shm is a disk.
+/// True if the path must be written in place rather than replaced: a device, FIFO or socket, or a link of
+/// the system such as /dev/stdout or /dev/fd/3, whatever its target. Files in /dev/shm are ordinary files.
 bool isDevice(const std::filesystem::path& path) {
   struct stat status {
   }, own{};
@@ -75,7 +77,7 @@ bool isDevice(const std::filesystem::path& path) {
   return ofSystem && ::lstat(path.c_str(), &own) == 0 && S_ISLNK(own.st_mode);
 }
 
-/// With errno set: removes the temporary file and throws.
+/// Removes the temporary file and throws. errno must hold the reason.
 [[noreturn]] void removeAndFail(const std::filesystem::path& part, const char* verb,
                                 const std::filesystem::path& path) {
   const int reason = errno;
@@ -86,7 +88,7 @@ bool isDevice(const std::filesystem::path& path) {
 }  // namespace
 
 std::string readFile(const std::filesystem::path& path, const char* what, std::size_t maxBytes) {
-  // Not blocking: opening a pipe that nobody writes into would wait for ever.
+  // Non-blocking, because opening a pipe without a writer would block forever.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0) {
     const int reason = errno;
@@ -112,7 +114,7 @@ const std::string& standardInput(const char* what, std::size_t maxBytes) {
 
 namespace {
 
-/// True if an open file still has this name.
+/// True if `name` still refers to the open file.
 bool hasName(int file, const std::filesystem::path& name) {
   struct stat opened {
   }, named{};
@@ -120,16 +122,16 @@ bool hasName(int file, const std::filesystem::path& name) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-/// Opens the first of "path.part", "path.part2" and so on that nobody else has in hand, empty and locked
-/// until it is closed; what a program left that was killed is taken over. -1 with errno set where none can
-/// be made.
+/// Opens the first of "path.part", "path.part2", ... that no other program holds. Empties it and locks it
+/// until it is closed. Takes over a file that a killed program has left. Returns -1 with errno set on
+/// failure.
 int openPart(const std::filesystem::path& path, std::filesystem::path& part) {
   constexpr int most = 1000;
   for (int attempt = 0, number = 1; attempt < most; ++attempt) {
     part = path.string() + (number == 1 ? ".part" : fmt::format(".part{}", number));
     const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0) return file;
-    // A file system without locks is used without them.
+    // If the file system has no locks, the file is used without a lock.
     const bool held = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     if (!held && hasName(file, part)) {
       if (::ftruncate(file, 0) == 0) return file;
@@ -139,7 +141,7 @@ int openPart(const std::filesystem::path& path, std::filesystem::path& part) {
       return -1;
     }
     ::close(file);
-    if (held) ++number;  // else it was whole and took its name meanwhile: once more
+    if (held) ++number;  // else another program renamed the file meanwhile: tries the same name again
   }
   errno = EBUSY;
   return -1;
@@ -161,7 +163,7 @@ PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)) {
 }
 
 PartFile::~PartFile() {
-  if (open_) ::unlink(part_.c_str());  // while it is locked
+  if (open_) ::unlink(part_.c_str());  // removes the file before close() releases its lock
   if (file_ >= 0) ::close(file_);
 }
 
@@ -192,11 +194,11 @@ void PartFile::put(std::uint64_t offset, std::span<const std::byte> bytes) {
 
 void PartFile::finish(NameSync name) {
   if (!synced(file_)) giveUp("write");
-  // Locked until it has its name, or another program would take it for one that was left.
+  // Keeps the lock until the file is renamed; otherwise another program would take it for an abandoned one.
   const Descriptor lock(open_ ? ::fcntl(file_, F_DUPFD_CLOEXEC, 0) : -1);
-  // Some file systems report a full disk only here.
+  // Some file systems report a full disk only at close().
   if (::close(std::exchange(file_, -1)) != 0) giveUp("write");
-  if (!open_) return;  // a device
+  if (!open_) return;  // devices are not renamed
   if (::rename(part_.c_str(), path_.c_str()) != 0) giveUp("rename into");
   open_ = false;
   if (name == NameSync::now) syncFolder(path_.parent_path());
@@ -223,7 +225,7 @@ void renameDurably(const std::filesystem::path& part, const std::filesystem::pat
 void syncFolder(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder.empty() ? std::filesystem::path(".") : folder;
   const Descriptor opened(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (opened.get() < 0 && errno == EACCES) return;  // files may be made in it, but it must not be listed
+  if (opened.get() < 0 && errno == EACCES) return;  // no error: the folder may be writable but not readable
   if (opened.get() >= 0 && synced(opened.get())) return;
   const int reason = errno;
   fail(ExitCode::inputOutput, "cannot sync folder {}: {}", path.string(), std::strerror(reason));
@@ -258,10 +260,10 @@ std::string lowerExtension(const std::filesystem::path& path) {
 void makeFolders(const std::filesystem::path& folder) {
   if (folder.empty()) return;
   std::error_code error;
-  // Again where another run has removed its folder, which nothing was rendered into, in between.
+  // Retries, because another run may remove an empty output folder at the same moment.
   for (int attempt = 0; attempt < 10; ++attempt) {
     std::filesystem::create_directories(folder, error);
-    // create_directories also reports an error for a link to a folder, which will do.
+    // create_directories() also reports an error for a symbolic link to a folder, which is fine here.
     std::error_code ignored;
     if (std::filesystem::is_directory(folder, ignored)) return;
     if (error || pathExists(folder)) break;
@@ -295,7 +297,7 @@ std::filesystem::path programFolder() {
 std::filesystem::path assetFolder() {
   // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
   if (const char* chosen = std::getenv("SIMREEL_ASSETS")) return chosen;
-  // The last is absolute, which takes the place of the program's folder.
+  // The last path is absolute, so operator/ ignores the program's folder.
   for (const char* place : {"../share/simreel/assets", "../assets", SIMREEL_SOURCE_ASSETS}) {
     std::error_code error;
     auto folder = std::filesystem::weakly_canonical(programFolder() / place, error);

@@ -8,85 +8,86 @@
 
 namespace simreel {
 
-/// Whole file as text. `what` names the file's role in the message ("scene", "texture"). Throws UserError:
-/// usage for a file that is not there, is larger than `maxBytes` or no plain file (pipes and devices may
-/// never end), inputOutput for one that cannot be read.
+/// Returns the contents of a file. `what`: role of the file in messages ("scene", "texture"). Throws
+/// UserError: `usage` if the file does not exist, is larger than `maxBytes` or is not a regular file (pipes
+/// and devices may never end); `inputOutput` if it cannot be read.
 [[nodiscard]] std::string readFile(const std::filesystem::path& path, const char* what,
                                    std::size_t maxBytes = std::size_t{1} << 30);
 
-/// The text on standard input, read when first asked for and kept: it comes once. Throws as readFile does.
+/// Returns the text on standard input. The first call reads and keeps it, because it can be read only once.
+/// Throws like readFile().
 [[nodiscard]] const std::string& standardInput(const char* what, std::size_t maxBytes);
 
-/// When a written file's name is made to last: with the file, or by the caller's syncFolder(), which does
-/// so for all files of a folder at once.
+/// Time at which the folder entry of a written file is synced to disk. now: with the file. later: by a call
+/// of syncFolder(), once for all files of a folder.
 enum class NameSync { now, later };
 
-/// Writes to `path` + ".part" in the same folder (".part2" and so on where another program is at it), syncs
-/// it and renames it, so that a reader sees the old file or the whole new one, after a power cut too.
-/// Throws UserError(inputOutput) naming the path and the system's reason; the temporary file is removed
-/// then.
+/// Writes a file so that readers see either the old file or the complete new one, also after a power cut.
+/// Writes to `path` + ".part" in the same folder (".part2" and so on if another program holds that file),
+/// syncs it and renames it. Throws UserError(inputOutput) with the path and the system's reason; then the
+/// temporary file is removed.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes,
                          NameSync name = NameSync::now);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text,
                          NameSync name = NameSync::now);
 
-/// A file that is written piece by piece, for what does not fit into memory: as `path` + ".part", locked,
-/// which takes the name once it is whole; into what is no file (a device, a pipe) it goes at once. All of
-/// it throws UserError(inputOutput) naming the path and the system's reason.
+/// File that is written piece by piece, for data that do not fit into memory. Writes to a locked file
+/// `path` + ".part" and renames it when it is complete. Devices and pipes are written directly. All
+/// functions throw UserError(inputOutput) with the path and the system's reason.
 class PartFile {
  public:
   explicit PartFile(std::filesystem::path path);
-  /// Removes what is not finished.
+  /// Removes the temporary file if finish() has not been called.
   ~PartFile();
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
 
   void append(std::span<const std::byte> bytes);
-  /// Over bytes that are there already.
+  /// Overwrites bytes that have been written before.
   void put(std::uint64_t offset, std::span<const std::byte> bytes);
-  /// Syncs and renames it. Nothing may be written afterwards.
+  /// Syncs and renames the file. Nothing may be written afterwards.
   void finish(NameSync name = NameSync::now);
 
  private:
-  /// With errno set.
+  /// Removes the temporary file and throws. errno must hold the reason.
   [[noreturn]] void giveUp(const char* verb);
 
   std::filesystem::path path_, part_;
   int file_ = -1;
-  bool open_ = true;  ///< whether there is a part to remove
+  bool open_ = true;  ///< true while there is a temporary file to remove
 };
 
-/// For a file that another program wrote as `part`: syncs it, renames it to `path`, syncs the
-/// folder. Throws UserError(inputOutput); `part` is removed then.
+/// Syncs the file `part`, which another program wrote, renames it to `path` and syncs the folder. On
+/// failure, removes `part` and throws UserError(inputOutput).
 void renameDurably(const std::filesystem::path& part, const std::filesystem::path& path);
 
-/// Makes the names in a folder last (empty: the current one). Where a file system cannot, nothing happens.
-/// Throws UserError(inputOutput).
+/// Syncs the entries of a folder (empty: the current one), so that new names survive a power cut. Does
+/// nothing if the file system cannot sync folders. Throws UserError(inputOutput).
 void syncFolder(const std::filesystem::path& folder);
 
-/// Throws UserError(inputOutput) where writeFileAtomically() could not make this file; leaves no trace.
+/// Throws UserError(inputOutput) if writeFileAtomically() could not write this file. Leaves no file behind.
 void checkWritable(const std::filesystem::path& path);
 
-/// Removes a file or an empty folder, where it is there. Throws UserError(inputOutput).
+/// Removes a file or an empty folder if it exists. Throws UserError(inputOutput).
 void removeFile(const std::filesystem::path& path);
 
-/// With its dot, in lower case.
+/// Returns the extension in lower case, with its dot.
 [[nodiscard]] std::string lowerExtension(const std::filesystem::path& path);
 
-/// Creates the folder and those above it. Throws UserError(inputOutput).
+/// Creates the folder and its parents. Throws UserError(inputOutput).
 void makeFolders(const std::filesystem::path& folder);
-/// Whether something is there; false where that cannot be found out.
+/// True if a file or folder exists at the path; false if the system cannot tell.
 [[nodiscard]] bool pathExists(const std::filesystem::path& path);
 
-/// True if a path lies in a folder (empty: the current one) or below it, or is the folder itself, symbolic
-/// links followed; neither has to be there.
+/// True if `path`, with symbolic links resolved, is `folder` (empty: the current one) or lies below it.
+/// Neither has to exist.
 [[nodiscard]] bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
 
-/// The folder of shipped assets: $SIMREEL_ASSETS, else share/simreel/assets or assets beside the
-/// program's folder, else those of the source tree that the program was built in. Empty when none exists.
+/// Returns the folder of shipped assets: $SIMREEL_ASSETS; else share/simreel/assets or assets beside the
+/// program's folder; else the assets of the source tree of this build. Empty if no such folder exists.
 [[nodiscard]] std::filesystem::path assetFolder();
 
-/// Folder of the running program.
+/// Returns the folder of the running program.
 [[nodiscard]] std::filesystem::path programFolder();
 
 }  // namespace simreel

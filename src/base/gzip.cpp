@@ -23,7 +23,7 @@ std::string unpackedGzip(std::string_view bytes, const std::string& name, std::s
   while (!bytes.empty()) {
     isal_inflate_init(state.get());
     state->crc_flag = ISAL_GZIP;
-    // The library reads without writing, but has no const.
+    // The library only reads the input, but its interface lacks const.
     state->next_in = reinterpret_cast<std::uint8_t*>(const_cast<char*>(bytes.data()));  // NOLINT
     state->avail_in = static_cast<std::uint32_t>(std::min(bytes.size(), std::size_t{1} << 31));
     while (state->block_state != ISAL_BLOCK_FINISH) {
@@ -40,7 +40,7 @@ std::string unpackedGzip(std::string_view bytes, const std::string& name, std::s
       all.append(reinterpret_cast<const char*>(buffer.data()), made);
     }
     bytes.remove_prefix(bytes.size() - state->avail_in);
-    if (!isGzip(bytes)) break;  // zeros that fill a block, for example
+    if (!isGzip(bytes)) break;  // for example zeros that pad the file to a whole block
   }
   return all;
 }

@@ -12,32 +12,33 @@ namespace simreel::ieee {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// In two parts: products of the first one with whole numbers up to 2^20 are exact.
+// ln 2 and log2 e, each as a sum of two doubles. Products of ln2High with whole numbers up to 2^20 are
+// exact.
 constexpr double ln2High = 0x1.62e42fee00000p-1;
 constexpr double ln2Low = 0x1.a39ef35793c76p-33;
 constexpr double log2eHigh = 0x1.71547652b82fep+0;
 constexpr double log2eLow = 0x1.777d0ffda0d24p-56;
 
-/// A number of about 106 bits: |low| is at most half a unit in the last place of high.
+/// Unevaluated sum of two doubles, about 106 bits: |low| is at most half a unit in the last place of high.
 struct Pair {
   double high, low;
 };
 
-/// a + b exactly (Knuth).
+/// Returns a + b exactly (Knuth).
 Pair sumOf(double a, double b) {
   const double high = a + b;
   const double part = high - a;
   return {high, (a - (high - part)) + (b - part)};
 }
 
-/// The upper and the lower 26 bits (Veltkamp).
+/// Splits a into its upper and lower 26 bits (Veltkamp).
 Pair halvesOf(double a) {
   const double scaled = 134217729.0 * a;  // 2^27 + 1
   const double high = scaled - (scaled - a);
   return {high, a - high};
 }
 
-/// a * b exactly (Dekker).
+/// Returns a * b exactly (Dekker).
 Pair productOf(double a, double b) {
   const double high = a * b;
   const Pair x = halvesOf(a);
@@ -45,7 +46,7 @@ Pair productOf(double a, double b) {
   return {high, ((x.high * y.high - high) + x.high * y.low + x.low * y.high) + x.low * y.low};
 }
 
-/// c[0] + c[1] z + c[2] z^2 + ...
+/// Returns c[0] + c[1] z + c[2] z^2 + ...
 template <int Count>
 double polynomial(const double (&c)[Count], double z) {
   double sum = c[Count - 1];
@@ -53,13 +54,13 @@ double polynomial(const double (&c)[Count], double z) {
   return sum;
 }
 
-/// 2^n, -1022 <= n <= 1023.
+/// Returns 2^n for -1022 <= n <= 1023.
 double powerOfTwo(double n) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + static_cast<std::int64_t>(n)) << 52U);
 }
 
-/// e^(r + low) for |r| <= 0.35 and a low of some units in r's last place: 1 + (r + (r^2 (1/2 + r/6 + ...) +
-/// low)).
+/// Returns e^(r + low) for |r| <= 0.35, with `low` at most a few units in the last place of r. Taylor
+/// series: 1 + (r + (r^2 (1/2 + r/6 + ...) + low (1 + r))).
 double expOfSmall(double r, double low) {
   constexpr double c[] = {1.0 / 2,          1.0 / 6,        1.0 / 24,        1.0 / 120,
                           1.0 / 720,        1.0 / 5040,     1.0 / 40320,     1.0 / 362880,
@@ -68,7 +69,7 @@ double expOfSmall(double r, double low) {
   return 1.0 + (r + (r * r * polynomial(c, r) + low * (1.0 + r)));
 }
 
-/// e^(x.high + x.low) = 2^n e^r, r = x - n ln 2.
+/// Returns e^(x.high + x.low) = 2^n e^r with r = x - n ln 2.
 double expOf(Pair x) {
   if (x.high > 709.0) return infinity;
   if (x.high < -708.0) return 0.0;
@@ -77,8 +78,8 @@ double expOf(Pair x) {
   return expOfSmall(r.high, r.low) * powerOfTwo(n);
 }
 
-/// Natural logarithm. x = 2^e m with m between sqrt(1/2) and sqrt(2), s = (m - 1) / (m + 1):
-/// log m = 2 (s + s^3 / 3 + s^5 / 5 + ...), of which the first term is taken in two parts.
+/// Returns the natural logarithm. With x = 2^e m, m between sqrt(1/2) and sqrt(2), and s = (m - 1) / (m +
+/// 1): log m = 2 (s + s^3 / 3 + s^5 / 5 + ...). The first term is computed as a Pair.
 Pair logOf(double x) {
   constexpr double c[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13,
                           1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21, 1.0 / 23};
@@ -101,13 +102,14 @@ Pair logOf(double x) {
   return all;
 }
 
-/// x = quarters * pi/2 + r.
+/// Angle reduced modulo pi/2: x = quarters * pi/2 + r.
 struct Turned {
   Pair r;
-  unsigned quarters;  ///< modulo 4
+  unsigned quarters;  ///< number of quarter turns, modulo 4
 };
 
-/// Cody and Waite: pi/2 in three parts, of which the products with two are exact.
+/// Reduces an angle |x| <= 1e6 (Cody and Waite). pi/2 is a sum of three parts; products with the first two
+/// are exact.
 Turned turned(double x) {
   SIMREEL_CHECK(std::abs(x) <= 1e6);
   const double n = std::floor(x * 0.63661977236758134 + 0.5);
@@ -116,7 +118,8 @@ Turned turned(double x) {
           static_cast<unsigned>(static_cast<std::int64_t>(n)) & 3U};
 }
 
-/// |r| <= pi/4, as is cosOf: Taylor's series, r.low in first order.
+/// Taylor series of the sine for |r| <= pi/4; uses r.low to first order. cosOf() does the same for the
+/// cosine.
 double sinOf(Pair r) {
   constexpr double c[] = {-1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
                           -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
@@ -149,7 +152,8 @@ double exp2(double x) {
   if (x >= 1023.5) return infinity;
   if (x < -1021.0) return 0.0;
   const double n = std::floor(x + 0.5);
-  const Pair r = productOf(x - n, 0x1.62e42fefa39efp-1);  // ln 2, and what is missing
+  // Ln 2 as a double; the next line adds its remainder.
+  const Pair r = productOf(x - n, 0x1.62e42fefa39efp-1);
   return expOfSmall(r.high, r.low + (x - n) * 0x1.abc9e3b39803fp-56) * powerOfTwo(n);
 }
 
@@ -184,8 +188,8 @@ double cos(double x) {
   return sinOf(of);
 }
 
-// With the quotient at most 1, halved twice by tan(a / 2) = t / (1 + sqrt(1 + t^2)) to below tan(pi / 16),
-// then Taylor's series up to t^27.
+// Reduces the quotient to at most 1, halves its angle twice with tan(a / 2) = t / (1 + sqrt(1 + t^2)), to
+// below tan(pi / 16), then sums Taylor's series up to t^27.
 double atan2(double y, double x) {
   constexpr double pi = 0x1.921fb54442d18p+1;
   const double high = std::fmax(std::fabs(x), std::fabs(y)), low = std::fmin(std::fabs(x), std::fabs(y));

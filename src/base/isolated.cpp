@@ -25,15 +25,17 @@ namespace simreel {
 namespace {
 
 #ifdef SIMREEL_SANITIZED
-constexpr bool sanitized = true;  // takes address space by the terabyte, is slow, and has something to say
+// Sanitizers reserve terabytes of address space, are slow, and print reports.
+constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
 #endif
 
-/// The first letter of what the child leaves behind.
+/// First byte of the child's result.
 enum Outcome : char { returned = 'r', mistake = 'u', outOfMemory = 'm', other = 'o' };
 
-/// A file without a name, in memory. A pipe would have to be emptied while the child runs.
+/// Anonymous file in memory for the child's result. Unlike a pipe, it need not be read while the child
+/// runs.
 class Parcel {
  public:
   Parcel() : file_(::memfd_create("simreel", MFD_CLOEXEC)) {}
@@ -90,7 +92,7 @@ void limit(__rlimit_resource what, rlim_t max) {
 
 void settleIn(const Allotment& allotment) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // An interrupt is for the parent to answer; a crash is for the parent to tell.
+  // Only the parent handles interrupts and reports crashes.
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_IGN);
   for (const int number : {SIGXCPU, SIGABRT, SIGPIPE}) std::signal(number, SIG_DFL);
   limit(RLIMIT_CORE, 0);
@@ -104,8 +106,8 @@ void settleIn(const Allotment& allotment) {
   }
 }
 
-/// Nothing of the parent's may be undone here, so no destructor of a static object runs and no buffer is
-/// written.
+/// Runs the work in the child and exits with _exit(), so that no destructor of a static object runs and no
+/// buffer inherited from the parent is written.
 [[noreturn]] void runChild(const Parcel& parcel, const Allotment& allotment,
                            const std::function<std::string()>& work) {
   settleIn(allotment);

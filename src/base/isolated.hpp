@@ -5,16 +5,17 @@
 
 namespace simreel {
 
-/// What isolated work may use up.
+/// Resource limits of isolated work.
 struct Allotment {
-  std::size_t bytes;  ///< of address space, beside what the process has already
-  int seconds;        ///< of processor time
+  std::size_t bytes;  ///< address space in bytes beyond what the process already has
+  int seconds;        ///< processor time in seconds
 };
 
-/// Runs `work`, which may crash, hang or take all memory, in a child process, and gives what it returns. A
-/// UserError crosses over. Throws std::runtime_error saying how it ended where it did not return ("crashed
-/// (Segmentation fault)"), to follow a name. `work` must neither use a GL context nor wait for another
-/// thread: those stay behind. Where the system gives no further process, the work is done in this one.
+/// Runs `work`, which may crash, hang or exhaust the memory, in a child process and returns its result.
+/// Rethrows a UserError of the child. If `work` does not return, throws std::runtime_error; its text says
+/// how the child ended and can follow a name ("crashed (Segmentation fault)"). `work` must neither use a GL
+/// context nor wait for another thread, because the child has neither. If the system cannot start a
+/// process, runs `work` in this one.
 [[nodiscard]] std::string runIsolated(const Allotment& allotment, const std::function<std::string()>& work);
 
 }  // namespace simreel

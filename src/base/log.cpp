@@ -21,12 +21,12 @@ std::atomic<bool> commandsAvoided = false;
 std::atomic<bool> json = false;
 
 void put(std::FILE* where, const std::string& text) {
-  // Not fmt::print, which throws when standard error is closed: a run does not end for want of a listener.
+  // Does not use fmt::print(), which throws if standard error is closed: that must not end a run.
   const std::string plain = commandsAvoided ? withoutCommands(text) : text;
   static_cast<void>(std::fwrite(plain.data(), 1, plain.size(), where));
 }
 
-/// On standard error: plain text, or an object that does without what the text begins with.
+/// Writes a message to standard error: as plain text, or as a JSON object without `prefix`.
 void say(const char* kind, std::string_view prefix, const std::string& text) {
   if (!json) return put(stderr, text + "\n");
   using Json = nlohmann::ordered_json;
@@ -84,7 +84,7 @@ void warnLine(const std::string& message) {
 
 namespace {
 
-/// True for the first call with this text.
+/// Returns true on the first call with this text.
 bool isNew(const std::string& text) {
   static std::mutex mutex;
   static std::set<std::string> said;
@@ -100,7 +100,7 @@ void warnLinesOnce(const std::string& report) {
 
 void infoLine(const std::string& message) {
   if (level == Verbosity::quiet) return;
-  // A bar of progress may stand in the terminal's line.
+  // Clears the terminal's current line, which may show a progress bar.
   if (!json && ::isatty(STDERR_FILENO) != 0) put(stderr, "\r\x1b[K");
   say("info", "simreel: ", oneLine(message));
 }

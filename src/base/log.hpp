@@ -11,7 +11,7 @@ enum class Verbosity { quiet, normal, verbose };
 void setVerbosity(Verbosity verbosity);
 [[nodiscard]] Verbosity verbosity();
 
-/// Only errors are shown while it lives.
+/// Shows only errors while this object exists.
 class Silence {
  public:
   Silence() : before_(verbosity()) { setVerbosity(Verbosity::quiet); }
@@ -25,33 +25,33 @@ class Silence {
   Verbosity before_;
 };
 
-/// From here on each line is a JSON object: {"event":"message","level":"error","text":"..."}.
+/// From this call on, each line is a JSON object: {"event":"message","level":"error","text":"..."}.
 void logAsJson();
-/// One line of plain ASCII on standard error, for signal handlers.
+/// Writes one line of plain ASCII to standard error. Safe in signal handlers.
 void rawErrorLine(const char* text) noexcept;
 
-// What comes from files, names and arguments never reaches the terminal raw: each of these spells out what
-// would steer it (base/text.hpp).
+// All functions below except printPainted() escape control characters (base/text.hpp), so that text from
+// files, names and arguments cannot control the terminal.
 
-/// One line on standard error, always; nothing happens where it cannot be written.
+/// Writes one line to standard error at any verbosity. Ignores write errors.
 void errorLine(const std::string& message);
-/// The same for a report of several lines, all of them ours.
+/// Writes a report of several lines to standard error at any verbosity. Keeps its newlines.
 void errorLines(const std::string& report);
-/// Text for standard output. Whether it could be written shows when the program flushes it.
+/// Writes text to standard output. A write error becomes visible when the program flushes the stream.
 void printText(const std::string& text);
-/// The same for text that is clean already and may be coloured.
+/// Writes text to standard output unchanged, for text that is already escaped and may contain colours.
 void printPainted(const std::string& text);
-/// From here on no line of the above is one that GitHub Actions reads as a command.
+/// From this call on, changes output lines that GitHub Actions would interpret as commands.
 void avoidWorkflowCommands();
-/// One line on standard error, "simreel: warning: ..."; shown unless quiet.
+/// Writes one line "simreel: warning: ..." to standard error unless quiet.
 void warnLine(const std::string& message);
-/// A report of several lines on standard error, all of them ours; shown unless quiet, and each once.
+/// Writes a report of several lines to standard error unless quiet; each report only once per process.
 void warnLinesOnce(const std::string& report);
-/// One line on standard error; shown unless quiet.
+/// Writes one line to standard error unless quiet.
 void infoLine(const std::string& message);
-/// The same, once a process for each message.
+/// Writes one line to standard error unless quiet; each message only once per process.
 void infoLineOnce(const std::string& message);
-/// One line on standard error; shown with -v only.
+/// Writes one line to standard error if verbose (-v).
 void detailLine(const std::string& message);
 
 template <class... Args>

@@ -9,8 +9,9 @@
 
 namespace simreel {
 
-/// Values as bytes for a process of the same program (runIsolated): lists and texts as their length, then
-/// their items. A struct names its members once, for both ways: `template <class A> void pack(A& a)`.
+/// Serializes values to bytes for another process of the same program (runIsolated). A list or text is its
+/// length, then its items. A struct declares its members once for both directions: `template <class A> void
+/// pack(A& a)`.
 class Packer {
  public:
   template <class T>
@@ -39,7 +40,7 @@ class Packer {
   std::string bytes_;
 };
 
-/// What a Packer made, in the same order.
+/// Restores values from the bytes of a Packer, in the same order.
 class Unpacker {
  public:
   explicit Unpacker(const std::string& bytes) : bytes_(bytes) {}
@@ -80,7 +81,7 @@ class Unpacker {
   std::size_t at_ = 0;
 };
 
-/// `value` as bytes, and back.
+/// Convert `value` to bytes and back.
 template <class T>
 [[nodiscard]] std::string packed(T value) {
   Packer packer;

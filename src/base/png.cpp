@@ -14,7 +14,7 @@ std::uint32_t numberAt(std::string_view bytes, std::size_t at) {
   return number;
 }
 
-/// The checksum of a chunk: of its type and data.
+/// Returns the CRC-32 of a chunk's type and data.
 std::uint32_t checksum(std::string_view bytes) {
   return crc32_gzip_refl(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
 }

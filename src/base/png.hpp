@@ -10,38 +10,40 @@ namespace simreel {
 
 inline constexpr std::string_view pngSignature("\x89PNG\r\n\x1a\n", 8);
 
-/// A chunk of a PNG file (ISO/IEC 15948, 5.3), in the file's bytes.
+/// Chunk of a PNG file (ISO/IEC 15948, 5.3). The members refer to the file's bytes.
 struct PngChunk {
-  static constexpr std::size_t frame = 12;  ///< bytes of length, type and checksum
+  static constexpr std::size_t frame = 12;  ///< total bytes of the fields length, type and checksum
 
   std::string_view type, data;
-  std::string_view whole;  ///< with length and checksum
+  std::string_view whole;  ///< all bytes of the chunk, with length, type and checksum
 
   [[nodiscard]] bool checksumHolds() const;
 };
 
-/// The chunk at the start of `rest`, which moves past it; nothing where it is cut off.
+/// Returns the chunk at the start of `rest` and moves `rest` past it. Returns nullopt if the chunk is
+/// truncated.
 [[nodiscard]] std::optional<PngChunk> takePngChunk(std::string_view& rest);
-/// The chunks' bytes of a file that begins as a PNG; nothing of another.
+/// Returns the bytes of all chunks, those after the signature; nullopt if the file is not a PNG.
 [[nodiscard]] std::optional<std::string_view> pngChunks(std::string_view file);
 
-/// Pixel format, from the first chunk.
+/// Size and pixel format of an image, from the first chunk of a PNG.
 struct PngHeader {
   static constexpr std::size_t size = 13;
 
   std::uint32_t width = 0, height = 0;
-  int depth = 0, colour = 0;  ///< bits a channel, colour type
-  bool plain = false;         ///< whether it is not interlaced, and of the one compression and filter
+  int depth = 0, colour = 0;  ///< bits per channel; colour type
+  bool plain = false;         ///< true: not interlaced, with the standard compression and filter methods
 };
 
-/// `data`: a header's, `PngHeader::size` bytes.
+/// Reads a header. `data`: data of the header chunk, `PngHeader::size` bytes.
 [[nodiscard]] PngHeader readPngHeader(std::string_view data);
-/// The header of a file that begins as a PNG, unchecked; nothing of another or of one that ends before.
+/// Returns the header of a PNG file without checking its checksum; nullopt if the file is not a PNG or is
+/// too short.
 [[nodiscard]] std::optional<PngHeader> pngHeaderOf(std::string_view file);
 
-/// Adds a chunk to a file.
+/// Appends a chunk to a file in memory.
 void appendPngChunk(std::vector<std::byte>& file, std::string_view type, std::string_view data);
-/// Adds numbers as PNG has them: 32 bits each, the highest first.
+/// Appends a 32-bit number in the byte order of PNG (big-endian).
 void appendPngNumber(std::string& bytes, std::uint32_t number);
 
 }  // namespace simreel

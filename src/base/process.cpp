@@ -15,7 +15,8 @@ namespace simreel {
 
 namespace {
 
-// Signal handlers read these. One too many is not watched.
+// Running children, as atomics because signal handlers read them. Children beyond this number are not
+// tracked.
 constexpr std::size_t maxWatched = 264;
 std::array<std::atomic<pid_t>, maxWatched> running{};
 std::atomic<bool> ended = false;
@@ -87,15 +88,16 @@ pid_t forkProcess() {
   const pid_t child = ::fork();
   if (child < 0) return child;
   if (child > 0) {
-    ::setpgid(child, child);  // both do: whoever comes first
+    ::setpgid(child, child);  // parent and child both call setpgid(), because either may run first
     watch(child);
     return child;
   }
   ::setpgid(0, 0);
   for (std::atomic<pid_t>& slot : running) slot = 0;
-  // What it has written is whole. Ending in its own time it would hold what the next run needs.
+  // The kernel kills this child when the parent ends. Its finished files are complete, and if it went on it
+  // would hold resources that the next run needs.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);  // it ended before that held
+  if (::getppid() != parent) ::_exit(1);  // the parent ended before prctl() took effect
   return 0;
 }
 

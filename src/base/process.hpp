@@ -5,40 +5,40 @@
 
 namespace simreel {
 
-/// The descriptors that a child gets as its 0, 1 and 2; -1: /dev/null.
+/// Descriptors that a child process gets as standard input, output and error; -1: /dev/null.
 struct ChildStreams {
   int input = -1;
   int output = -1;
   int messages = -1;
 };
 
-/// Starts a program found along PATH; `arguments` begin with its name. The child leads a process group of
-/// its own, so Ctrl-C reaches us alone, and has SIGPIPE's default back. `child` is set where it started.
-/// Returns 0, or errno.
+/// Starts a program found in PATH; arguments[0] is its name. The child leads its own process group, so that
+/// Ctrl-C only reaches this process, and it has the default action for SIGPIPE. Sets `child` and returns 0,
+/// or returns errno.
 [[nodiscard]] int startProcess(const std::vector<std::string>& arguments, const ChildStreams& streams,
                                pid_t& child);
 
-/// A copy of this process, in a process group of its own as well, which is killed when this one ends.
-/// Returns 0 in the copy, which knows nothing of the children of this one; -1 with errno set where there is
-/// none. Call it while no other thread runs.
+/// Forks this process. The copy has its own process group and is killed when this process ends. Returns 0
+/// in the copy, whose list of children is empty. Returns -1 with errno set on failure. Call it only while
+/// no other thread runs.
 [[nodiscard]] pid_t forkProcess();
 
-/// Call before a child is reaped, or right after.
+/// Removes a child from the list of running children. Call it before the child is reaped, or right after.
 void childEnded(pid_t child) noexcept;
-/// Kills every child that has not ended, with its group. For signal handlers, too.
+/// Kills all running children and their process groups. Safe in signal handlers.
 void endChildren() noexcept;
-/// Whether endChildren() found one.
+/// True if endChildren() has killed a child.
 [[nodiscard]] bool childrenWereEnded() noexcept;
-/// Processor time of the children that run, s. For signal handlers, too.
+/// Returns the processor time of all running children in seconds. Safe in signal handlers.
 [[nodiscard]] double childrenSeconds() noexcept;
 
-/// A file without a name, in memory: what a child says goes there, so it never waits for a reader. Returns
-/// a descriptor that children do not inherit, or -1 with errno set.
+/// Creates an anonymous file in memory for a child's messages; unlike a pipe, it never blocks the child.
+/// Returns a descriptor that children do not inherit, or -1 with errno set.
 [[nodiscard]] int makeMemoryFile(const char* label);
-/// The last 16 KiB of what a memory file holds.
+/// Returns the last 16 KiB of a memory file.
 [[nodiscard]] std::string endOfMemoryFile(int descriptor);
 
-/// The word as /bin/sh reads it back: quoted where needed.
+/// Returns the word quoted for /bin/sh, if quotes are needed.
 [[nodiscard]] std::string inShellQuotes(const std::string& word);
 
 }  // namespace simreel

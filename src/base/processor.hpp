@@ -5,16 +5,18 @@
 
 namespace simreel {
 
-/// "AMD EPYC 7B13, family 25 model 1 stepping 0, sse4_1 avx f16c fma avx2": the processor by name, since
-/// clouds give several kinds one name also by its numbers, and those of its instruction sets for which
-/// software drivers make other code (a virtual machine may hide some). "unknown x86_64" where nothing is
-/// known.
+/// Returns a description of the processor: "AMD EPYC 7B13, family 25 model 1 stepping 0, sse4_1 avx f16c
+/// fma avx2". The numbers tell processors apart that clouds give the same name. The instruction sets are
+/// those for which software drivers generate different code; a virtual machine may hide some. Returns
+/// "unknown x86_64" if nothing is known.
 [[nodiscard]] std::string processorName();
 
-/// The same as processorName() from the text of /proc/cpuinfo, of its first processor.
+/// Does the same as processorName() for a given text of /proc/cpuinfo, of which it uses the first
+/// processor.
 [[nodiscard]] std::string processorName(std::string_view cpuinfo, const std::string& architecture);
 
-/// How many processors this process may run on (taskset, containers' sets of processors), at least 1.
+/// Returns the number of processors that this process may run on (taskset, CPU sets of containers), at
+/// least 1.
 [[nodiscard]] std::size_t processorCount();
 
 }  // namespace simreel

@@ -15,14 +15,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t maxShown = 60;  ///< bytes of a key in a message
+constexpr std::size_t maxShown = 60;  ///< maximum bytes of a key in a message
 
 std::string shown(const std::string& key) {
   return fmt::format("\"{}{}\"", oneLine(key.substr(0, maxShown)), key.size() > maxShown ? "..." : "");
 }
 
-/// Grows the value from the parser's events. The library's own parser with a callback looks through a whole
-/// list at the end of each of its items.
+/// Builds the value from the parser's events. The library's own parser with a callback scans the whole list
+/// after each of its items.
 class Builder final : public nlohmann::json_sax<Json> {
  public:
   explicit Builder(const JsonLimits& limits) : limits_(limits) {}
@@ -35,7 +35,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   bool number_unsigned(number_unsigned_t value) override { return add(value); }
   bool number_float(number_float_t value, const string_t& /*written*/) override { return add(value); }
   bool string(string_t& value) override { return add(std::move(value)); }
-  bool binary(binary_t& /*value*/) override { return false; }  // JSON text has none
+  bool binary(binary_t& /*value*/) override { return false; }  // JSON text has no binary values
   bool start_object(std::size_t /*count*/) override { return open(Json::object()); }
   bool start_array(std::size_t /*count*/) override { return open(Json::array()); }
   bool end_object() override { return close(); }
@@ -68,7 +68,7 @@ class Builder final : public nlohmann::json_sax<Json> {
     if (++containers_ > limits_.containers)
       throw JsonError(fmt::format("it holds more than {} objects and lists", limits_.containers));
     add(std::move(container));
-    open_.push_back(place_);  // stays put: its parent grows after it is closed
+    open_.push_back(place_);  // stays valid: the parent adds no members before this container is closed
     return true;
   }
   bool close() {
@@ -79,14 +79,15 @@ class Builder final : public nlohmann::json_sax<Json> {
   const JsonLimits& limits_;
   Json root_;
   std::vector<Json*> open_;
-  Json* place_ = nullptr;  ///< of the last value, or of the next one behind its key
+  Json* place_ = nullptr;  ///< place of the last value, or of the value that follows the last key
   std::size_t containers_ = 0;
 };
 
 }  // namespace
 
 Json parseStrictJson(std::string_view text, const JsonLimits& limits) {
-  // The parser takes a zero byte for the end. Some programs fill up binary glTF with them.
+  // The parser takes a zero byte for the end of the text. Zero bytes at the end are allowed, because some
+  // programs pad binary glTF with them.
   if (text.find_first_not_of('\0', text.find('\0')) != std::string_view::npos)
     throw JsonError("not valid JSON: a zero byte stands in it");
   Builder builder(limits);
@@ -128,7 +129,7 @@ double JsonValue::number() const {
 
 std::int64_t JsonValue::integerBetween(std::int64_t min, std::int64_t max) const {
   expect(json_->is_number_integer(), "a whole number");
-  // An unsigned number beyond int64 would wrap.
+  // An unsigned number beyond int64 would wrap around.
   const bool fits =
       !json_->is_number_unsigned() || std::in_range<std::int64_t>(json_->get<std::uint64_t>());
   const auto value = json_->get<std::int64_t>();

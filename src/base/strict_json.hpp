@@ -17,28 +17,31 @@
 
 namespace simreel {
 
-// JSON other than scenes (those have their own reader, which knows lines and columns): our own files and
-// glTF. Objects are sorted by key, so that one with a million keys costs no more than its bytes.
+// Reader of JSON other than scenes: files of this program, and glTF. (Scenes have their own reader, which
+// tracks lines and columns.) Objects are sorted by key, so that an object with a million keys takes no
+// quadratic time.
 
-/// A mistake in a JSON text: "frames[2].pixels must be text".
+/// Error in a JSON text: "frames[2].pixels must be text".
 class JsonError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What a JSON text may hold.
+/// Limits on a JSON text.
 struct JsonLimits {
-  std::size_t depth = 100;  ///< levels; to copy or write what is deeper by far would use up the stack
-  std::size_t containers = std::numeric_limits<std::size_t>::max();  ///< objects and lists
-  bool comments = false;                                             ///< may stand in it
+  /// Maximum nesting levels; copying or writing much deeper values would overflow the stack.
+  std::size_t depth = 100;
+  /// Maximum number of objects and lists.
+  std::size_t containers = std::numeric_limits<std::size_t>::max();
+  bool comments = false;  ///< true: comments are allowed
 };
 
-/// Throws JsonError for text that is no JSON, that holds more than the limits, a number that no double
-/// holds, or a key twice in one object.
+/// Parses a JSON text. Throws JsonError if the text is not JSON, exceeds the limits, has a number too large
+/// for a double, or has the same key twice in an object.
 [[nodiscard]] nlohmann::json parseStrictJson(std::string_view text, const JsonLimits& limits = {});
 
-/// A value of a parsed text, which has to live longer, and the path by which mistakes name it. Throws
-/// JsonError where the value is not what it is asked for.
+/// Value in a parsed JSON text, with the path that names it in error messages. The parsed text must outlive
+/// it. Functions throw JsonError if the value has another type.
 class JsonValue {
  public:
   explicit JsonValue(const nlohmann::json& json, std::string path = {})
@@ -46,12 +49,13 @@ class JsonValue {
 
   [[nodiscard]] const nlohmann::json& json() const { return *json_; }
   [[nodiscard]] bool isNull() const;
-  /// Whether it is this text. (The library's own comparison takes memory and is noexcept.)
+  /// True if the value is this text. (The library's own comparison allocates memory although it is
+  /// noexcept.)
   [[nodiscard]] bool is(std::string_view text) const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] double number() const;
-  /// A whole number that Int holds, and from `min` to `max`.
+  /// Returns a whole number from `min` to `max`.
   template <std::integral Int = int>
   [[nodiscard]] Int integer(std::type_identity_t<Int> min = std::numeric_limits<Int>::min(),
                             std::type_identity_t<Int> max = std::numeric_limits<Int>::max()) const {
@@ -59,19 +63,19 @@ class JsonValue {
     return static_cast<Int>(integerBetween(min, max));
   }
 
-  /// Items of a list.
+  /// Functions for the items of a list.
   [[nodiscard]] std::size_t size() const;
   [[nodiscard]] JsonValue at(std::size_t index) const;
   void eachItem(const std::function<void(const JsonValue& item)>& visit) const;
   [[nodiscard]] std::vector<std::string> texts() const;
 
-  /// Members of an object.
+  /// Functions for the members of an object.
   [[nodiscard]] bool has(const std::string& key) const { return find(key).has_value(); }
   [[nodiscard]] JsonValue at(const std::string& key) const;
   [[nodiscard]] std::optional<JsonValue> find(const std::string& key) const;
   void eachMember(const std::function<void(const std::string& key, const JsonValue& member)>& visit) const;
 
-  /// Throws JsonError: the path, then `what`.
+  /// Throws JsonError with the path, then `what`.
   [[noreturn]] void wrong(std::string_view what) const;
 
  private:
@@ -80,16 +84,16 @@ class JsonValue {
   void expect(bool kind, std::string_view what) const;
 
   const nlohmann::json* json_;
-  std::string path_;  ///< empty: the whole text
+  std::string path_;  ///< path of the value; empty for the whole text
 };
 
-/// An object of which every member has to be asked for.
+/// Object of which every member must be read; finish() reports other members as errors.
 class JsonObject {
  public:
   explicit JsonObject(JsonValue value) : value_(std::move(value)) {}
   [[nodiscard]] JsonValue at(const std::string& key);
   [[nodiscard]] std::optional<JsonValue> find(const std::string& key);
-  /// Throws JsonError for a member that was not asked for. Call at the end.
+  /// Throws JsonError if a member has not been read. Call it at the end.
   void finish() const;
 
  private:
@@ -97,7 +101,7 @@ class JsonObject {
   std::set<std::string> asked_;
 };
 
-/// Of an object's member; empty where there is none.
+/// Returns the text of an object's member; empty if the object lacks the member.
 template <class Object>
 [[nodiscard]] std::string textIfThere(Object& object, const std::string& key) {
   const auto found = object.find(key);

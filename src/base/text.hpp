@@ -7,38 +7,41 @@
 
 namespace simreel {
 
-/// Whether the character is one of 0 to 9, whatever the locale.
+/// True if the character is 0 to 9, independent of the locale.
 [[nodiscard]] constexpr bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Takes a whole number that an int holds, which may be negative, off the front.
+/// Removes a whole number, possibly negative, from the front of the text and returns it. Returns nullopt if
+/// the text does not begin with an int.
 [[nodiscard]] std::optional<int> takeInteger(std::string_view& text);
-/// Two of them with a separator between, as in "1280x720", and nothing else.
+/// Parses two whole numbers with a separator between them, such as "1280x720". Returns nullopt for any
+/// other text.
 [[nodiscard]] std::optional<std::pair<int, int>> integerPair(std::string_view text, char separator);
 
-/// Bytes of the UTF-8 code point at `at`, 1 to 4; 0 when the bytes there are not valid UTF-8.
+/// Returns the length in bytes of the UTF-8 code point at index `at`, 1 to 4, or 0 if the bytes are not
+/// valid UTF-8.
 [[nodiscard]] std::size_t codePointLength(std::string_view text, std::size_t at);
 
-/// The code point of one valid character.
+/// Returns the code point of one valid UTF-8 character.
 [[nodiscard]] char32_t codePoint(std::string_view character);
 
-/// Whether all of `text` is valid UTF-8.
+/// True if all of `text` is valid UTF-8.
 [[nodiscard]] bool isUtf8(std::string_view text);
 
-/// Whether one character of valid UTF-8 could steer a terminal or change the order in which text reads:
-/// controls (U+0000 to U+001F, U+007F to U+009F), separators of lines, marks of writing direction.
+/// True if a valid UTF-8 character can control a terminal or change the reading order of text: control
+/// characters (U+0000 to U+001F, U+007F to U+009F), line separators, and marks of writing direction.
 [[nodiscard]] bool steersTerminal(std::string_view character);
 
-/// The text with those and bytes that are no UTF-8 spelt out, \n, \x1b, \u202e, \xff: it prints as one
-/// line, whatever file, name or argument it came from.
+/// Returns the text with control characters and invalid UTF-8 escaped as \n, \x1b, \u202e, \xff, so that
+/// text from any file, name or argument prints as one line.
 [[nodiscard]] std::string oneLine(std::string_view text);
 
-/// The same for text of several lines, whose newlines and tabs stay.
+/// Does the same as oneLine(), but keeps newlines and tabs.
 [[nodiscard]] std::string severalLines(std::string_view text);
 
-/// Lines that a service such as GitHub Actions would read as commands ("::" first, or "##[" anywhere) made
-/// plain text.
+/// Changes lines that a service such as GitHub Actions would read as commands ("::" at the start, "##["
+/// anywhere) to plain text.
 [[nodiscard]] std::string withoutCommands(std::string_view text);
 
 }  // namespace simreel

@@ -2,7 +2,7 @@
 
 namespace simreel {
 
-/// Version of the program, "major.minor.patch".
+/// Returns the version of the program, "major.minor.patch".
 [[nodiscard]] const char* version();
 
 }  // namespace simreel

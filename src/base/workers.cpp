@@ -26,14 +26,16 @@ namespace simreel {
 
 namespace {
 
-constexpr int glance = 50;  ///< ms between looks for a signal, which may arrive just before a wait
+/// Milliseconds between checks for a signal, which may arrive just before a wait.
+constexpr int glance = 50;
 
 enum class Word : std::uint32_t { ready, answer, mistake, failure };
 
-/// What goes before each text that a worker sends. Both ends are the same program.
+/// Header of each message from a worker. The layout is the same at both ends, because both run the same
+/// program.
 struct Head {
   Word word = Word::ready;
-  std::uint32_t code = 0;  ///< of a mistake
+  std::uint32_t code = 0;  ///< exit code, for Word::mistake
   std::uint64_t item = 0, bytes = 0;
 };
 
@@ -49,7 +51,7 @@ bool writeAll(int descriptor, const void* bytes, std::size_t count) {
   return true;
 }
 
-/// Where nobody listens any more there is nothing left to do.
+/// Sends a message. If the program no longer reads, the process exits, because no work is left.
 void send(int descriptor, Head head, std::string_view text) {
   head.bytes = text.size();
   if (!writeAll(descriptor, &head, sizeof head) || !writeAll(descriptor, text.data(), text.size()))
@@ -60,13 +62,13 @@ struct Worker {
   pid_t process = -1;
   std::size_t place = 0;
   int work = -1, answers = -1;
-  std::string heard;  ///< not yet a whole text
+  std::string heard;  ///< received bytes of an incomplete message
   bool ready = false;
-  bool told = false;  ///< that it shall end
+  bool told = false;  ///< true: the worker has been told to end
   std::optional<std::size_t> item;
-  Clock::time_point begin;  ///< of that item
+  Clock::time_point begin;  ///< start time of the current item
   bool late = false;
-  std::string failure;  ///< what it said of its end
+  std::string failure;  ///< the worker's own message about its end
   std::optional<ExitCode> mistake;
 };
 
@@ -75,7 +77,7 @@ class Employer {
   explicit Employer(const WorkForce& force)
       : force_(force), begun_(force.items, false), losses_(force.items, 0) {}
   ~Employer() {
-    // Left by an exception: nobody takes what they do.
+    // After an exception no results are used any more, so all workers are killed.
     for (Worker& worker : workers_) {
       ::kill(-worker.process, SIGKILL);
       closeLines(worker);
@@ -97,7 +99,7 @@ class Employer {
       endLate();
     }
     if (force_.interrupted() != 0) {
-      while (!waiting_.empty()) handOn();  // with gaps between them
+      while (!waiting_.empty()) handOn();  // delivers the remaining results, although some items have none
       return;
     }
     if (!everReady_ && firstMistake_) throw UserError(*firstMistake_, firstFailure_);
@@ -109,7 +111,7 @@ class Employer {
  private:
   using End = std::variant<std::string, Loss>;
 
-  /// The least number that no living worker has.
+  /// Returns the smallest slot number that no running worker has.
   [[nodiscard]] std::size_t freePlace() const {
     std::size_t place = 0;
     while (std::any_of(workers_.begin(), workers_.end(),
@@ -121,7 +123,8 @@ class Employer {
   bool start() {
     const std::size_t place = freePlace();
     int work[2] = {-1, -1}, answers[2] = {-1, -1};
-    // Of this thread's own making, closed by hand: a fork inherits what exec would close.
+    // The pipes close on exec, but a worker only forks and inherits them all. So it closes the other
+    // workers' pipes itself.
     const bool lines = ::pipe2(work, O_CLOEXEC) == 0 && ::pipe2(answers, O_CLOEXEC) == 0;
     std::fflush(nullptr);
     const pid_t process = lines ? forkProcess() : -1;
@@ -154,7 +157,8 @@ class Employer {
     return false;
   }
 
-  /// In the worker. No destructor of a static object runs and no buffer is written: they are the parent's.
+  /// Runs in the worker process. Exits with _exit(), so that no destructor of a static object runs and no
+  /// buffer inherited from the parent is written.
   [[noreturn]] void live(int in, int out, std::size_t place) const {
     WorkerLine line(in, out, place);
     try {
@@ -210,7 +214,7 @@ class Employer {
       if (all) closeWork(worker);
       if (!item) continue;
       const Task task{*item, losses_[*item]};
-      // One that is dead already is heard of below, and the item is still to be done.
+      // If the worker is dead, the item stays unassigned; listen() notices the worker's end.
       if (!writeAll(worker.work, &task, sizeof task)) {
         closeWork(worker);
         continue;
@@ -239,7 +243,7 @@ class Employer {
         ::kill(-worker.process, SIGKILL);
   }
 
-  /// False at the end of the line.
+  /// Reads messages of a worker. Returns false at the end of the connection.
   bool hear(Worker& worker) {
     char block[1 << 16];
     const ssize_t got = ::read(worker.answers, block, sizeof block);
@@ -310,7 +314,8 @@ class Employer {
     if (worker.ready && !wellDone && more) static_cast<void>(start());
   }
 
-  /// Of processes that could not begin, once another could: else that is the mistake of it all.
+  /// Warns about processes that ended before they were ready, once another one is ready. If none becomes
+  /// ready, the failure is the error of the whole call.
   void tellUnready() {
     if (!everReady_) return;
     for (const std::string& failure : unready_) warn("one process less to work in: it {}", failure);
@@ -325,7 +330,7 @@ class Employer {
       finish(item, std::move(loss));
   }
 
-  /// Answers come as they come, and are handed on in order.
+  /// Records the result of an item and delivers all results that are next in order.
   void finish(std::size_t item, End&& end) {
     begun_[item] = true;
     waiting_.emplace(item, std::move(end));
@@ -348,7 +353,7 @@ class Employer {
   std::map<std::size_t, End> waiting_;
   std::size_t handedOn_ = 0;
   bool everReady_ = false;
-  std::vector<std::string> unready_;  ///< what they said, not yet told
+  std::vector<std::string> unready_;  ///< failures that have not been reported yet
   std::string firstFailure_;
   std::optional<ExitCode> firstMistake_;
 };

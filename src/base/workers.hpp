@@ -7,28 +7,28 @@
 
 namespace simreel {
 
-/// A piece of work in a worker's hand.
+/// Item of work that is assigned to a worker.
 struct Task {
   std::size_t item = 0;
-  int losses = 0;  ///< workers that ended with it in hand before
+  int losses = 0;  ///< number of earlier workers that ended during this item
 };
 
-/// How a worker ended that had a piece of work in hand.
+/// Reason why a worker ended while it worked on an item.
 struct Loss {
-  std::string how;    ///< "was ended by signal 9 (Killed)"
-  bool late = false;  ///< it took longer than WorkForce::patience
+  std::string how;    ///< reason in words, such as "was ended by signal 9 (Killed)"
+  bool late = false;  ///< true if the item took longer than WorkForce::patience
 };
 
-/// A worker's end of its line to the program that started it.
+/// Worker's end of the connection to the program that started it.
 class WorkerLine {
  public:
   WorkerLine(int in, int out, std::size_t place) : in_(in), out_(out), place_(place) {}
-  /// Of the workers that there may be at once the how manieth this is, from 0; who takes the place of one
-  /// that ended has its number.
+  /// Returns the zero-based slot of this worker. A worker that replaces another one takes over its slot.
   [[nodiscard]] std::size_t place() const { return place_; }
-  /// Once, before the first item: that it can work, and what the others have to know of it.
+  /// Reports that the worker can start, with text for the program (WorkForce::ready). Call it once, before
+  /// the first item.
   void ready(std::string_view text);
-  /// The next piece of work; nothing at the end of all.
+  /// Returns the next item, or nullopt if no work is left.
   [[nodiscard]] std::optional<Task> next();
   void answer(std::size_t item, std::string_view text);
 
@@ -37,31 +37,34 @@ class WorkerLine {
   std::size_t place_;
 };
 
-/// Pieces of work, numbered from 0, that processes do beside each other. Only `work` runs in them.
+/// Items of work, numbered from 0, for several processes in parallel. Only `work` runs in these processes.
 struct WorkForce {
   std::size_t workers = 1;
   std::size_t items = 0;
-  /// A worker's whole life. A UserError before it is ready is thrown by employ() if no worker ever was.
+  /// Main function of a worker. If no worker ever becomes ready, employ() rethrows the first worker's
+  /// UserError.
   std::function<void(WorkerLine&)> work;
-  /// Called once, with what the first worker that is ready says.
+  /// Called once, with the text from the first worker that becomes ready.
   std::function<void(const std::string&)> ready;
-  /// Called in the order of the items.
+  /// Called with each answer, in the order of the items.
   std::function<void(std::size_t item, const std::string& answer)> done;
-  /// The same for an item whose worker ended before it answered.
+  /// Called in the same order for each item whose worker ended before it answered.
   std::function<void(std::size_t item, const Loss&)> lost;
-  /// Asked at once where a worker ends: whether another one shall do that item. If not, or where nobody is
-  /// asked, it is lost.
+  /// Called as soon as a worker ends during an item. Returns true to give the item to another worker. If it
+  /// returns false or is empty, the item is lost.
   std::function<bool(std::size_t item, const Loss&)> again;
-  /// Seconds that a worker may take for an item; it is killed then, with all that it has started. 0: any.
+  /// Maximum seconds for an item. Then its worker is killed, with all processes that it has started. 0:
+  /// unlimited.
   double patience = 0;
-  /// Items that may not be done beside each other, nor out of order.
+  /// Returns true for items that must not run in parallel with each other, nor out of order.
   std::function<bool(std::size_t item)> alone;
-  /// Not 0: no more work is begun, workers get SIGTERM, and what they have finished is taken.
+  /// Returns the number of a received signal, or 0. After a signal, no new work starts, workers get
+  /// SIGTERM, and their finished answers are still delivered.
   std::function<int()> interrupted;
 };
 
-/// Does all the work. A worker that ends in the middle of an item costs that item alone: another one takes
-/// its place. Throws UserError where no worker can be started or gets ready.
+/// Does all the work. A worker that ends during an item only affects this item, because another worker
+/// takes its slot. Throws UserError if no worker can be started or none becomes ready.
 void employ(const WorkForce& force);
 
 }  // namespace simreel

@@ -18,7 +18,7 @@ namespace simreel::scene {
 
 namespace {
 
-/// Members of a scene that no simulation hears of, but for a camera with damping.
+/// Top-level members of a scene that no simulation depends on. Exception: a camera with damping.
 constexpr std::array<std::string_view, 9> drawingMembers = {"$schema", "title",  "render", "camera", "sun",
                                                             "sky",     "lights", "test",   "checks"};
 
@@ -26,9 +26,10 @@ std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// As short as it is still itself.
+/// Returns the shortest text that reads back as the same number.
 std::string numberText(double value) {
-  constexpr double exact = 9007199254740992.0;  // 2^53: a whole number below is written as one
+  // 2^53: smaller whole numbers are written without a fraction
+  constexpr double exact = 9007199254740992.0;
   if (value == std::floor(value) && std::abs(value) < exact && !(value == 0 && std::signbit(value)))
     return fmt::format("{}", static_cast<long long>(value));
   return fmt::format("{}", value);
@@ -57,7 +58,7 @@ void write(const Node& node, const std::string& indent, std::string& text) {
       break;
   }
   const bool isList = node.kind == Node::Kind::list;
-  // A list of numbers or lists of them stays on its line.
+  // A list of simple values, or of lists of simple values, is written on one line.
   const bool oneLine = std::all_of(node.children.begin(), node.children.end(), [&](const Node& child) {
     return isSimple(child) || (isList && child.kind == Node::Kind::list &&
                                std::all_of(child.children.begin(), child.children.end(), isSimple));
@@ -83,8 +84,8 @@ bool isDamped(const Node& group) {
   return damping != nullptr && !(damping->kind == Node::Kind::number && damping->number == 0);
 }
 
-/// Leaves of a camera what a world carries from frame to frame: where it lags behind what it looks at, or
-/// behind the path that it follows. Nothing of one that does not.
+/// Reduces the scene's camera to the members that determine state carried from frame to frame: a damped
+/// "target", "track" or "follow". Removes a camera without damping.
 void leaveLag(Node& root) {
   Node* camera = root.find("camera");
   if (camera == nullptr) return;
@@ -143,7 +144,7 @@ std::string simulationHash(std::string_view asRun) {
 
 bool touchesSimulation(std::string_view path) {
   if (path == "time.duration") return false;
-  // Which may bring a lag, or end it, or lead it.
+  // These paths can add, remove or change the lag of a damped camera.
   for (const std::string_view whole : {"camera", "camera.track", "camera.track.object",
                                        "camera.track.damping", "camera.follow", "camera.damping"})
     if (path == whole) return true;

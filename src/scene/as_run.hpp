@@ -8,21 +8,22 @@
 
 namespace simreel::scene {
 
-/// The scene with its overrides applied, as plain JSON: without them it renders the same. Throws
-/// UserError(usage) where the text or an override cannot be read; what they mean is not looked at.
+/// Returns the scene with its overrides applied, as plain JSON. Rendering this text without overrides gives
+/// the same result. Throws UserError(usage) if the text or an override cannot be parsed. Does not validate
+/// the values.
 [[nodiscard]] std::string sceneAsRun(const std::filesystem::path& file, std::span<const Override> overrides,
                                      const Kinds& kinds);
 
-/// The same from text; `name` names it in messages.
+/// Does the same as sceneAsRun() for scene text; messages call the text `name`.
 [[nodiscard]] std::string textAsRun(std::string_view text, const std::filesystem::path& name,
                                     std::span<const Override> overrides);
 
-/// Hash of all in such a text that the states of its simulations may depend on, and of nothing that only
-/// lights, draws, names, ends or tests them. Scenes of one hash are in the same state at the same frame, as
-/// long as the files that they name are the same.
+/// Returns a hash of everything in the scene text `asRun` that simulation states can depend on. Members
+/// that only affect lighting, drawing, the title, the length or tests are left out. Scenes with equal
+/// hashes have equal states at equal frames, if the files that they name are equal too.
 [[nodiscard]] std::string simulationHash(std::string_view asRun);
 
-/// Whether that hash may change with the value of this path.
+/// True if changing the value at this path may change simulationHash().
 [[nodiscard]] bool touchesSimulation(std::string_view path);
 
 }  // namespace simreel::scene

@@ -7,7 +7,7 @@ namespace simreel::scene {
 
 namespace {
 
-/// s that a camera lags behind; 0: it does not.
+/// Declares "damping", the camera's lag in seconds; 0 means no lag.
 void describeDamping(Fields& fields, double& damping, const char* what) {
   fields.number("damping", damping, {0, 1000}, "s", what);
   constexpr double least = 1e-3;
@@ -16,7 +16,8 @@ void describeDamping(Fields& fields, double& damping, const char* what) {
                  fmt::format("a damping of {:g} s is none; give 0, or {} s at least", damping, least));
 }
 
-/// What stands where a camera looks at that stands still is not drawn beyond what it reaches.
+/// Warns if the target of a stationary camera lies outside its near and far distance, because it is not
+/// drawn.
 void remarkReach(Fields& fields, const Camera& camera) {
   const bool placed = fields.given("position") || fields.given("target");
   if (camera.follow || camera.track || camera.gltf || camera.orbit || !placed || camera.position.moves() ||

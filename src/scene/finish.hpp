@@ -12,63 +12,63 @@
 
 namespace simreel::scene {
 
-/// A picture that came inside another file. Rows from the top, RGBA, 8 bits each.
+/// Image that was embedded in another file. Rows from the top, RGBA, 8 bits per channel.
 struct Image {
-  std::string name;  ///< what messages call it
+  std::string name;  ///< name of the image in messages
   glm::ivec2 size{0, 0};
   std::vector<std::uint8_t> rgba;
 };
 
-/// A picture that is laid over a surface: of a file, or one that came inside another; none where both are
-/// empty.
+/// Texture map of a surface: an image file or an embedded image. If both are empty, there is no map.
 struct Map {
   std::filesystem::path file;
   std::shared_ptr<const Image> image;
-  bool repeats = true;  ///< beyond uv 0 to 1; else its border goes on
+  bool repeats = true;  ///< true: texture repeats outside uv 0..1; false: clamps to the edge
   [[nodiscard]] bool empty() const { return file.empty() && image == nullptr; }
 };
 
-/// What becomes of a surface's opacity: nothing; where it is below a limit there is none of it; what lies
-/// behind shines through.
+/// Use of a surface's opacity. opaque: ignored; cut: surface is left out below a threshold; blend:
+/// background shines through.
 enum class Alpha { opaque, cut, blend };
 
-/// What a material has beyond colour, roughness and metal, as glTF 2.0 has it: maps, light of its own,
-/// holes, and what lies over it. What has none of it is drawn without its costs.
+/// Material properties beyond colour, roughness and metallic, as in glTF 2.0: maps, emission, opacity,
+/// clear coat, sheen and transmission. A material that uses none of them is drawn without their cost.
 struct Finish {
-  Map color;    ///< sRGB and opacity, instead of the material's texture
-  Map normals;  ///< tangent space, x along u, y against v (the picture's up)
+  Map color;    ///< sRGB colour and opacity map; replaces the material's texture
+  Map normals;  ///< normal map in tangent space: x along u, y against v (up in the image)
   float normalStrength = 1.0F;
-  Map metalRough;  ///< factors: green of roughness, blue of metallic
-  Map occlusion;   ///< red: fraction of the surroundings' light that gets there
+  Map metalRough;  ///< map of factors: green channel for roughness, blue for metallic
+  Map occlusion;   ///< occlusion map; red channel: fraction of ambient light that reaches the surface
   float occlusionStrength = 1.0F;
-  glm::vec3 emission{0};  ///< linear RGB: radiance, times the strength
+  glm::vec3 emission{0};  ///< emitted radiance, linear RGB, multiplied by emissionStrength
   float emissionStrength = 1.0F;
-  Map emissionMap;  ///< sRGB, a factor
+  Map emissionMap;  ///< sRGB factor on the emission
   Alpha alpha = Alpha::opaque;
-  float opacity = 1.0F;  ///< times that of the colour's map
-  float cutoff = 0.5F;   ///< of Alpha::cut
+  float opacity = 1.0F;  ///< factor on the alpha channel of the color map
+  float cutoff = 0.5F;   ///< opacity threshold of Alpha::cut
   bool doubleSided = false;
-  float coat = 0.0F;  ///< strength of a clear coat
+  float coat = 0.0F;  ///< strength of the clear coat, 0 to 1
   float coatRoughness = 0.03F;
-  glm::vec3 sheen{0};  ///< linear RGB, of fibres that stand up
+  glm::vec3 sheen{0};  ///< linear RGB colour of fibres that stand up from cloth
   float sheenRoughness = 0.3F;
-  float transmission = 0.0F;  ///< fraction of what is not mirrored that goes through, as through glass
-  float ior = 1.5F;           ///< index of refraction, beside that of air
-  bool thin = false;          ///< a sheet that light goes straight through; else the surface of a solid
-  glm::vec3 attenuation{1};   ///< linear RGB: what is left of white light after the distance
-  float attenuationDistance = 1.0F;  ///< m within the solid
+  float transmission = 0.0F;  ///< fraction of the light not reflected that passes through, as in glass
+  float ior = 1.5F;           ///< index of refraction relative to air
+  bool thin = false;         ///< true: transparent thin sheet without refraction; false: surface of a solid
+  glm::vec3 attenuation{1};  ///< linear RGB colour of white light after attenuationDistance
+  /// Distance in the solid, in metres, that belongs to the attenuation colour.
+  float attenuationDistance = 1.0F;
 
   [[nodiscard]] bool emits() const { return emission != glm::vec3(0) && emissionStrength > 0; }
   [[nodiscard]] bool hasMaps() const {
     return !color.empty() || !normals.empty() || !metalRough.empty() || !occlusion.empty() ||
            !emissionMap.empty();
   }
-  /// Whether there is any of it.
+  /// True if the material uses at least one property of this struct.
   [[nodiscard]] bool used() const {
     return !color.empty() || !normals.empty() || !metalRough.empty() || !occlusion.empty() || emits() ||
            alpha != Alpha::opaque || coat > 0 || sheen != glm::vec3(0) || transmission > 0;
   }
-  /// The keys of a scene's material.
+  /// Declares the keys of a scene's material that set these properties.
   void describe(Fields& fields);
 };
 

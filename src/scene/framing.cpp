@@ -16,8 +16,8 @@ namespace simreel::scene {
 
 namespace {
 
-/// From the target to the camera. What lies is looked at from above; what stands or hangs almost level, and
-/// from the side a little, so that its depth shows.
+/// Returns the unit vector from the target to the camera. Flat boxes are seen from above; tall boxes almost
+/// level and slightly from the side, so that their depth shows.
 glm::vec3 backFrom(const Box& box) {
   const glm::vec3 extent = box.max - box.min;
   const bool tall = extent.y > 0.5F * std::max(extent.x, extent.z);
@@ -30,7 +30,7 @@ void addCorners(const Box& box, std::vector<glm::vec3>& points) {
                         (i & 4) == 0 ? box.min.z : box.max.z);
 }
 
-/// Of the ellipsoid that touches the box's sides: some hundred, evenly enough.
+/// Appends 124 points of the ellipsoid inscribed in the box, roughly evenly distributed.
 void addEllipsoid(const Box& box, std::vector<glm::vec3>& points) {
   constexpr int reach = 2;
   for (int x = -reach; x <= reach; ++x)
@@ -41,14 +41,16 @@ void addEllipsoid(const Box& box, std::vector<glm::vec3>& points) {
                            0.5F * (box.max - box.min) * (way / glm::length(way)));
 }
 
-/// A camera that looks at a point from the direction `back`, and the tangents of its half angles.
+/// View from direction `back` (unit vector from target to camera). `wide` and `high` are the tangents of
+/// the half angles of view.
 struct Look {
   glm::vec3 back, right, up;
   float wide, high;
 };
 
-/// How far from `target` all points are within the picture. A point c is from the distance d where
-/// |c . up| <= high (d - c . back), and so with right.
+/// Returns the smallest camera distance from `target` at which all points are in the picture. A point c
+/// relative to the target is in the picture from distance d if |c . up| <= high (d - c . back), and
+/// likewise for `right`.
 float distanceOf(const Look& look, const glm::vec3& target, const std::vector<glm::vec3>& points) {
   float distance = 0;
   for (const glm::vec3& point : points) {
@@ -60,7 +62,8 @@ float distanceOf(const Look& look, const glm::vec3& target, const std::vector<gl
   return distance;
 }
 
-/// The target moved across so that the margins around what is seen are even, as near as a few looks get.
+/// Returns the target moved sideways so that opposite margins around the points are equal. Approximate:
+/// uses a few iterations.
 glm::vec3 centred(const Look& look, glm::vec3 target, const std::vector<glm::vec3>& points) {
   constexpr int looks = 4;
   for (int i = 0; i < looks; ++i) {
@@ -80,7 +83,8 @@ glm::vec3 centred(const Look& look, glm::vec3 target, const std::vector<glm::vec
   return target;
 }
 
-/// All points to have in view: outermost ones, of round boxes their ellipsoids', of others the corners.
+/// Returns all points that must be in view: outermost points if given, else points of the ellipsoid in a
+/// round box, else the box's corners.
 std::vector<glm::vec3> pointsOf(const std::vector<Framed>& framed) {
   std::vector<glm::vec3> points;
   for (const Framed& one : framed)
@@ -95,13 +99,13 @@ bool hasPoints(const std::vector<Framed>& framed) {
   return std::any_of(framed.begin(), framed.end(), [](const Framed& one) { return !one.points.empty(); });
 }
 
-constexpr float stageLens = 26.0F;  // degrees
-/// Shares of the picture's half height and width that may be taken.
+constexpr float stageLens = 26.0F;  // vertical angle of view on a stage, in degrees
+/// Returns the fraction of the picture's half height and half width that the objects may fill.
 float taken(const Scene& scene) {
   return scene.staged ? 0.8F : 0.92F;
 }
 
-/// The tangents of the half angles that may be taken, of one that looks from there.
+/// Returns the view from direction `back`, with tangents reduced by taken() to leave a margin.
 Look lookFrom(const glm::vec3& back, const Scene& scene) {
   Look look{};
   const float half = 0.5F * glm::radians(scene.camera.fieldOfView.at(0));
@@ -113,7 +117,8 @@ Look lookFrom(const glm::vec3& back, const Scene& scene) {
   return look;
 }
 
-/// An orthographic camera that shows as much as a perspective one does at its target.
+/// Gives an orthographic camera the height that a perspective camera shows at `distance`. Does nothing if
+/// the scene gives the height.
 void showAsMuch(Camera& camera, float distance) {
   if (camera.projection != Projection::orthographic || camera.hasHeight) return;
   const double half = 0.5 * static_cast<double>(glm::radians(camera.fieldOfView.at(0)));
@@ -125,7 +130,8 @@ void reach(Camera& camera, float distance, float nearest, bool staged) {
   camera.far = std::max(camera.far, (staged ? 12.0F : 4.0F) * distance);
 }
 
-/// Round the middle, as far away as all is in view from wherever it may come.
+/// Places an orbiting camera: the target is the middle of all extents, and the distance keeps all points in
+/// view at every turn and at every elevation key.
 void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
   Camera& camera = scene.camera;
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
@@ -195,7 +201,7 @@ void frameObjects(Scene& scene, const std::vector<Framed>& framed) {
   } else {
     addCorners(box, points);
   }
-  float nearest = 0;  // of the points, towards the camera
+  float nearest = 0;  // largest extent of the points from the target towards the camera, in metres
   for (const glm::vec3& point : points) nearest = std::max(nearest, glm::dot(point - target, look.back));
   const float distance = distanceOf(look, target, points);
   camera.target = target;

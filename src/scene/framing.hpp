@@ -5,25 +5,25 @@
 
 namespace simreel::scene {
 
-/// What of an object a camera should have in view.
+/// Extent of an object that an automatically placed camera must show.
 struct Framed {
   Box box;
-  std::vector<glm::vec3> points = {};  ///< m, its outermost ones; empty: those of the box
+  std::vector<glm::vec3> points = {};  ///< outermost points in metres; empty: use the box
 };
 
-/// Nothing of an object that does not ask for it (Parameters::framed).
+/// Returns the extent to show, or nullopt if the object's parameters give none (Parameters::framed).
 [[nodiscard]] std::optional<Framed> framedOf(const Object& object);
-/// Of each object that asks for it, as its parameters tell.
+/// Returns the extents of all objects that give one.
 [[nodiscard]] std::vector<Framed> framedObjects(const Scene& scene);
-/// The least box around all of them; there is one at least.
+/// Returns the smallest box around all extents. `framed` must not be empty.
 [[nodiscard]] Box boxAround(const std::vector<Framed>& framed);
 
-/// Moves a camera that the scene places nowhere so that it has all of them in view, with a margin: what
-/// lies from above and in front, what is tall almost level and from the side. On a stage from a corner, by
-/// a longer lens, with what is seen in the middle of the picture. Others stay.
+/// If the scene does not place its camera, places it so that all extents are in view with a margin. Flat
+/// scenes are seen from above and in front, tall scenes almost level and slightly from the side. On a
+/// stage, the camera looks from a corner through a longer lens, and the visible extent is centred.
 void frameObjects(Scene& scene, const std::vector<Framed>& framed);
 
-/// Unit, from what stands on a stage to the camera.
+/// Returns the unit vector from the objects on a stage to the camera.
 [[nodiscard]] glm::vec3 stageBack(const Box& box);
 
 }  // namespace simreel::scene

@@ -12,60 +12,62 @@
 namespace simreel::scene {
 
 inline constexpr std::size_t maxLights = 256;
-/// Each of them draws what casts shadows six times over.
+/// Each shadowed light draws all shadow casters six times, once for each of its shadow maps.
 inline constexpr std::size_t maxShadowedLights = 8;
 
-/// K: where a black body's colour is known (draw/black_body.hpp).
+/// Temperatures in kelvin for which the colour of a black body is defined (draw/black_body.hpp).
 inline constexpr Range blackBodyRange{1667, 25000};
-/// The colour of a light as a temperature, beside its "color".
+/// Declares "temperature", which sets a light's colour in place of "color".
 void describeTemperature(Fields& fields, std::optional<double>& temperature);
 
-/// A flame's unrest: smooth noise of time (draw/lights/flicker.hpp).
+/// Flicker of a flame: smooth noise over time (draw/lights/flicker.hpp).
 struct Flicker {
-  Animated<float> amount = 0.3F;  ///< share of the intensity that comes and goes
-  Animated<float> sway = 0.0F;    ///< m that the light moves about
-  float rate = 5.0F;              ///< changes a second
+  Animated<float> amount = 0.3F;  ///< fraction of the intensity that flickers
+  /// Distance in metres by which a flickering light moves around its position.
+  Animated<float> sway = 0.0F;
+  float rate = 5.0F;  ///< frequency of the flicker: changes per second
   void describe(Fields& fields);
 };
 
 /// The cone of a spot light.
 struct Spot {
-  Animated<glm::vec3> target = glm::vec3(0, 0, 0);  ///< what its middle points at
-  Animated<float> angle = 45.0F;                    ///< degrees from edge to edge
-  Animated<float> softness = 0.2F;  ///< share of the angle over which it fades towards the edge
+  Animated<glm::vec3> target = glm::vec3(0, 0, 0);  ///< point that the cone's axis points at
+  Animated<float> angle = 45.0F;                    ///< full angle of the cone in degrees
+  Animated<float> softness = 0.2F;  ///< fraction of the angle over which the light fades towards the edge
   void describe(Fields& fields);
 };
 
 /// The rectangle of an area light.
 struct Area {
-  Animated<glm::vec3> target = glm::vec3(0, 0, 0);  ///< what it faces
-  Animated<float> width = 1.0F;                     ///< m, level
-  Animated<float> height = 1.0F;                    ///< m
+  Animated<glm::vec3> target = glm::vec3(0, 0, 0);  ///< point that the front of the rectangle faces
+  Animated<float> width = 1.0F;   ///< length of the rectangle's horizontal sides in metres
+  Animated<float> height = 1.0F;  ///< length of the rectangle's other sides in metres
   void describe(Fields& fields);
 };
 
-/// A light at a place of the scene. Fields that only one type has go into a group of that type's name.
+/// Light at a position in the scene. Parameters of only one type are in the group named after that type.
 struct Light {
   enum class Type { point, spot, area };
-  /// Of the intensity: luminous intensity, luminous flux, or watts of light.
+  /// Unit of the intensity: luminous intensity, luminous flux, or radiant flux.
   enum class Unit { candela, lumen, watt };
   std::string name;
   Type type = Type::point;
-  Spot spot;  ///< of that type
-  Area area;  ///< the same
+  Spot spot;  ///< parameters of a spot light, used if `type` is spot
+  Area area;  ///< parameters of an area light, used if `type` is area
   Animated<glm::vec3> position = glm::vec3(0, 1, 0);
-  std::optional<PathPlace> follow;  ///< instead of the position; there is no light while there is no path
-  Animated<glm::vec3> color = glm::vec3(1, 0.72F, 0.42F);  ///< linear RGB
-  std::optional<double> temperature;  ///< K: its colour is that of a black body, instead of `color`
+  std::optional<PathPlace> follow;  ///< replaces `position`; the light is off while the path does not exist
+  Animated<glm::vec3> color = glm::vec3(1, 0.72F, 0.42F);  ///< colour of the light, linear RGB
+  /// Black-body temperature in kelvin, which sets the colour in place of `color`.
+  std::optional<double> temperature;
   Unit unit = Unit::candela;
-  Animated<float> intensity = 20.0F;  ///< of that unit, for the colour 1
-  Animated<float> radius = 0.05F;     ///< m
-  float range = 0.0F;                 ///< m: beyond it there is nothing of it; 0: it reaches everywhere
-  Animated<float> glow = 1.0F;        ///< factor on the light itself as the camera sees it
+  Animated<float> intensity = 20.0F;  ///< intensity in `unit`, for the colour (1, 1, 1)
+  Animated<float> radius = 0.05F;     ///< radius of the luminous ball in metres
+  float range = 0.0F;                 ///< metres beyond which the light has no effect; 0: unlimited
+  Animated<float> glow = 1.0F;        ///< factor on the brightness of the ball as seen by the camera
   std::optional<Flicker> flicker;
   bool shadow = true;
-  int shadowSize = 512;         ///< texels on a side of each of the six maps
-  float shadowSoftness = 1.5F;  ///< radius of the filter, texels
+  int shadowSize = 512;         ///< side of each of the six shadow maps in texels
+  float shadowSoftness = 1.5F;  ///< radius of the shadow filter in texels
   void describe(Fields& fields);
 };
 

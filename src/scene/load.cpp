@@ -32,7 +32,7 @@ std::vector<std::string> kindNames(std::span<const Kind> kinds) {
   return names;
 }
 
-/// One object: exactly one member that names a kind, and perhaps a material.
+/// Reads one object: exactly one member that names its kind, and an optional material.
 Object readObject(const Node& node, ReadContext context, std::span<const Kind> kinds) {
   Object object;
   object.name = node.key;
@@ -80,7 +80,8 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
   return object;
 }
 
-/// A member of an object, or an item of a list by its number; null where there is none.
+/// Returns the member `key` of an object, or the list item with the zero-based index `key`; null if it does
+/// not exist.
 const Node* memberOf(const Node& node, const std::string& key) {
   if (node.kind == Node::Kind::object) return node.find(key);
   std::size_t index = 0;
@@ -91,10 +92,10 @@ const Node* memberOf(const Node& node, const std::string& key) {
                                                                                    : nullptr;
 }
 
-/// Where a path from an object's node ends, as far as the scene gives it.
+/// Last node that the scene gives on a path below an object.
 struct PathEnd {
   const Node* node;
-  bool whole;  ///< whether the scene gives all of it
+  bool whole;  ///< true if the scene gives the whole path
   [[nodiscard]] Place place() const { return whole ? node->place() : node->headPlace(); }
 };
 PathEnd endOf(const Node& object, const std::vector<std::string>& path) {
@@ -124,13 +125,15 @@ void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std:
               [&](const Object& object, const std::vector<std::string>& path, const std::string& message) {
                 const auto i = static_cast<std::size_t>(&object - objects.data());
                 const PathEnd end = endOf(node.children[i], path);
-                // A value that could not be read kept its default, which says nothing about the scene.
+                // Some values of an object with errors are defaults. A message about such a value would be
+                // misleading, so only values that were read without error get messages.
                 if (good[i] || (end.whole && !context.diagnostics.anyWithin(end.place())))
                   context.diagnostics.add(end.place(), message);
               });
 }
 
-/// Whether this program can read the scene's version; reports otherwise.
+/// Returns false, with an error, if this program cannot read the scene's version. A missing version is an
+/// error, too, but reading goes on.
 bool checkVersion(const Node* version, const Node& root, Diagnostics& diagnostics) {
   if (version == nullptr) {
     diagnostics.add(root.headPlace(),
@@ -144,14 +147,14 @@ bool checkVersion(const Node* version, const Node& root, Diagnostics& diagnostic
   return false;
 }
 
-/// Where a scene's text, or its sidecar's, comes from.
+/// Files that a scene's text and its sidecar's text come from.
 struct Sources {
   std::string file;
-  std::string sidecar;    ///< empty: none
-  int sidecarNumber = 0;  ///< source number of places in it
+  std::string sidecar;    ///< path of the sidecar, even if there is no such file
+  int sidecarNumber = 0;  ///< source number of the sidecar's text; 0: no sidecar was read
 };
 
-/// The bounds that test.tolerance gives, and where each was written.
+/// Returns the origin of each bound that test.tolerance gives: the file that contains it, or "-D".
 std::map<std::string, std::string> toleranceOrigin(const Node& root, const Sources& sources) {
   std::map<std::string, std::string> origins;
   const Node* test = root.find("test");
@@ -168,7 +171,7 @@ std::map<std::string, std::string> toleranceOrigin(const Node& root, const Sourc
   return origins;
 }
 
-/// The sidecar's members take the place of the scene's own.
+/// Replaces the scene's "test" and "checks" with the sidecar's.
 void applySidecar(Node& root, Node sidecar, ReadContext context) {
   if (!ValueReader("", context.diagnostics).expect(sidecar, Node::Kind::object, "an object")) return;
   Reader fields(&sidecar, sidecar.headPlace(), context);
@@ -191,7 +194,8 @@ bool changesTime(std::span<const Override> overrides) {
   });
 }
 
-/// Reads the file of the scene's camera, whose angle and reach apply where the scene gives none.
+/// Reads the glTF file of the scene's camera. The file's angle of view, near and far distance apply if the
+/// scene gives none.
 void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camera& camera) {
   const Node* section = root.find("camera");
   const Node* group = section == nullptr ? nullptr : section->find("gltf");
@@ -204,7 +208,7 @@ void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camer
     context.diagnostics.add(group->place(), error.what());
     return;
   }
-  const Node* wrong = nullptr;  // what the file's kind of camera has not
+  const Node* wrong = nullptr;  // member that the file's type of camera does not support
   if (const std::optional<double> height = gltf.shot->height()) {
     camera.projection = Projection::orthographic;
     if (!camera.hasHeight) camera.height = static_cast<float>(*height);
@@ -228,7 +232,9 @@ void openCamera(const Node& root, ReadContext context, const Kinds& kinds, Camer
                                       camera.near, camera.far));
 }
 
-/// What `group` of `owner` follows or looks at, under its name or as a shorthand for it, is an object.
+/// Checks that the object name in `group` ("track" or "follow") of `owner` exists. The group may be an
+/// object or, as a shorthand, the name itself. "track" rejects objects that are drawn over the picture and
+/// have no place in the world.
 void checkObjectNamed(const Node* owner, const char* group, const std::string& name, const char* kind,
                       const std::vector<Object>& objects, Diagnostics& diagnostics) {
   std::vector<std::string> names;
@@ -252,7 +258,7 @@ void checkObjectNamed(const Node* owner, const char* group, const std::string& n
                                                    : suggestion(name, names)));
 }
 
-/// The objects that camera and lights name.
+/// Checks the object names that the camera and the lights refer to.
 void checkFollowed(const Node& root, const Scene& scene, Diagnostics& diagnostics) {
   const Node* camera = root.find("camera");
   if (scene.camera.track)
@@ -266,7 +272,7 @@ void checkFollowed(const Node& root, const Scene& scene, Diagnostics& diagnostic
                        diagnostics);
 }
 
-/// Notes what the scene gives itself of its surroundings.
+/// Notes the paths of sun, sky, ground and lights that the scene gives.
 void noteSurroundings(const Node& root, Stage& stage) {
   for (const char* name : {"sun", "sky", "ground", "lights"}) {
     const Node* section = root.find(name);
@@ -276,27 +282,27 @@ void noteSurroundings(const Node& root, Stage& stage) {
   }
 }
 
-/// `heldToLength`: whether frames of tests beyond the scene's end are mistakes.
+/// Reads a scene from its JSON tree. `heldToLength`: test frames beyond the scene's end are errors.
 void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool heldToLength, Scene& scene) {
   if (!ValueReader("", context.diagnostics).expect(root, Node::Kind::object, "a scene in { }")) return;
   Reader fields(&root, root.headPlace(), context);
-  // What another version means by the rest is anyone's guess.
+  // In another version the other members may have other meanings.
   if (!checkVersion(fields.take("version"), root, context.diagnostics)) return;
   const std::size_t errorsBefore = context.diagnostics.count();
   describeScene(fields, scene);
-  // A length that could not be read says nothing about the frames.
+  // If a value had an error, the scene's length is not reliable, so frames are not checked against it.
   const bool lengthKnown = heldToLength && context.diagnostics.count() == errorsBefore;
   const Node* objects = fields.take("objects");
   if (objects != nullptr) readObjects(*objects, context, kinds, scene.objects);
-  // Whatever else is wrong, a name that no object has is.
+  // Unknown object names are reported even if the scene has other errors.
   const bool namesKnown = objects == nullptr || (objects->kind == Node::Kind::object &&
                                                  objects->children.size() == scene.objects.size());
   if (namesKnown) checkFollowed(root, scene, context.diagnostics);
   if (context.diagnostics.count() == 0) openCamera(root, context, kinds, scene.camera);
   if (context.diagnostics.count() == 0) {
-    // Boxes may take reading files that the scene names, and making what they hold finer.
     noteSurroundings(root, scene.stage);
     const bool staged = scene.stage.preset != Stage::Preset::none;
+    // Computing extents may read mesh files and subdivide meshes, so it is done only if they are needed.
     std::vector<Framed> framed;
     if (staged || !scene.camera.placed) framed = framedObjects(scene);
     if (staged) setStage(scene, framed);
@@ -305,19 +311,20 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   fields.idleUnless(scene.render.quality == Quality::standard, "render.quality", {"render.occlusionRadius"},
                     "\"quality\": \"standard\"");
   describeTests(fields, scene, lengthKnown ? std::optional(scene.frameCount()) : std::nullopt);
-  std::string schemaAddress;  // for editors
+  std::string schemaAddress;  // address of the schema, used only by text editors
   fields.text("$schema", schemaAddress, "");
   fields.finish();
 }
 
-/// What a scene is read with besides its text.
+/// Inputs for reading a scene besides its text.
 struct With {
   std::span<const Override> overrides;
   const Kinds& kinds;
   std::span<const std::filesystem::path> folders;
 };
 
-/// `sidecar`: the text of the file beside the scene; null when there is none or no test is to be made.
+/// Reads a scene from its text. `sidecar`: text of the sidecar; null if the file does not exist or is not
+/// needed.
 Scene parse(std::string_view text, const std::filesystem::path& file, const std::string* sidecar,
             const With& with, bool heldToLength) {
   Sources sources{file.string(), sidecarOf(file).string(), 0};
@@ -352,7 +359,7 @@ Scene parse(std::string_view text, const std::filesystem::path& file, const std:
 Scene parseScene(std::string_view text, const std::filesystem::path& file,
                  std::span<const Override> overrides, const Kinds& kinds,
                  std::span<const std::filesystem::path> folders) {
-  // Whoever renders a shorter or slower take is not to be stopped by the frames of its tests.
+  // An override may shorten the scene. Test frames beyond its end are then no error, because no test runs.
   return parse(text, file, nullptr, {overrides, kinds, folders}, !changesTime(overrides));
 }
 

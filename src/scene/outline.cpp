@@ -11,7 +11,8 @@ namespace simreel::scene {
 
 namespace {
 
-/// Unit, evenly enough: to the cells of a cube of 5 x 5 x 5 from its middle, each way once.
+/// Returns 98 unit vectors, roughly evenly distributed: from the middle of a cube of 5 x 5 x 5 cells to the
+/// other cells, each direction once.
 std::vector<glm::vec3> directions() {
   constexpr int reach = 2;
   std::vector<glm::vec3> ways;
@@ -36,7 +37,7 @@ std::vector<glm::vec3> outermost(std::span<const glm::vec3> points, double stray
   std::vector<std::pair<float, const glm::vec3*>> ranks(points.size());
   for (const glm::vec3& way : directions()) {
     for (std::size_t i = 0; i < points.size(); ++i) ranks[i] = {glm::dot(points[i], way), &points[i]};
-    // Of equally far ones the places decide, not their order.
+    // Coordinates break ties, so that the result does not depend on the order of the points.
     const auto wanted = ranks.begin() + static_cast<std::ptrdiff_t>(skipped);
     std::nth_element(ranks.begin(), wanted, ranks.end(), [](const auto& a, const auto& b) {
       return a.first != b.first ? a.first > b.first : comesFirst(*a.second, *b.second);

@@ -6,18 +6,19 @@
 
 namespace simreel::scene {
 
-/// Parameters that know better than by a box (Parameters::framed) where their object is.
+/// Interface of parameters that describe the object's extent more tightly than a box (Parameters::framed).
 class Outlined {
  public:
   virtual ~Outlined() = default;
-  /// Points (m) of it, wherever it comes, between which all others lie; empty: the box says it all.
+  /// Returns points (metres) whose convex hull contains the object at all times. Empty: use the box.
   [[nodiscard]] virtual std::vector<glm::vec3> outline() const = 0;
 };
 
-/// Of the points those that lie farthest out, one in each of 98 directions, moved by `beyond` (m) that way;
-/// their hull lacks 5% of a ball's radius at most. What lies farther than all but the fraction `stray` of
-/// them (a whole number of points, rounded down) is left out, so that no camera steps back for a few that
-/// went astray. Depends on which points there are, not on their order. Empty for no points.
+/// Returns the farthest point in each of 98 directions, moved outwards by `beyond` metres. For points on a
+/// ball, the hull of the result lies at most 5% of the radius inside it. In each direction the farthest
+/// points, a fraction `stray` of all (rounded down to a whole number), are skipped, so that a few stray
+/// points do not move the camera back. The result depends on the set of points, not on their order. Returns
+/// an empty list for no points.
 [[nodiscard]] std::vector<glm::vec3> outermost(std::span<const glm::vec3> points, double stray = 0,
                                                float beyond = 0);
 

@@ -18,7 +18,8 @@ namespace simreel::scene {
 
 namespace {
 
-/// The value as JSON, or bare text as a string. What opens like JSON must be JSON: `[1,2` is a slip.
+/// Parses the value as JSON, or takes it as a bare string. A value that begins like a list, object or
+/// string must be valid JSON, so that `[1,2` is an error.
 std::optional<Node> parseValue(const std::string& value, int source, std::size_t base,
                                Diagnostics& diagnostics) {
   const std::size_t first = value.find_first_not_of(' ');
@@ -50,12 +51,12 @@ Node* listItem(Node& list, std::string_view segment, Place place, Diagnostics& d
   return &list.children[index];
 }
 
-/// Whether the path below a member that is not there would make something the scene does not have: an
-/// object or light, or an item of a list. Reports it.
+/// Returns true, with an error, if an override below a missing member would create an object, a light or a
+/// list item from a part.
 bool addsSilently(const Node& object, const std::string& path, std::size_t begin, std::size_t end,
                   int source, Diagnostics& diagnostics) {
   const std::string_view segment = std::string_view(path).substr(begin, end - begin);
-  if (end == path.size()) return false;  // the value is all of it
+  if (end == path.size()) return false;  // the override gives the whole member
   const std::string_view next = std::string_view(path).substr(end + 1, path.find('.', end + 1) - end - 1);
   for (const auto& [prefix, one] : {std::pair("objects.", "object"), {"lights.", "light"}}) {
     if (!path.starts_with(prefix) || begin > std::string_view(prefix).size()) continue;
@@ -89,7 +90,7 @@ Node* member(Node& object, std::string_view segment, Place place) {
   return &made;
 }
 
-/// Whether the path has the form a.b.c; checked before anything is made on its way.
+/// True if the path has the form a.b.c; reports an error otherwise. Called before any node is created.
 bool checkPath(const std::string& path, int source, Diagnostics& diagnostics) {
   std::size_t depth = 0;
   for (std::size_t begin = 0; begin <= path.size(); ++depth) {
@@ -104,7 +105,7 @@ bool checkPath(const std::string& path, int source, Diagnostics& diagnostics) {
   return true;
 }
 
-/// The node that `path` names; null after a mistake.
+/// Returns the node that `path` names, or null after an error. Creates missing members.
 Node* walk(Node& scene, const std::string& path, int source, Diagnostics& diagnostics) {
   Node* node = &scene;
   for (std::size_t begin = 0; begin <= path.size();) {
@@ -143,7 +144,7 @@ void applyOverride(Node& scene, const Override& change, Diagnostics& diagnostics
   Node* place = walk(scene, change.path, source, diagnostics);
   if (place == nullptr) return;
   value->key = place->key;
-  // Messages about the key (it may be unknown) belong to the -D as well.
+  // Errors about the key, such as an unknown name, also point into the -D text.
   const std::size_t lastDot = change.path.rfind('.');
   value->keyBegin = static_cast<std::uint32_t>(lastDot == std::string::npos ? 0 : lastDot + 1);
   value->keyEnd = static_cast<std::uint32_t>(change.path.size());

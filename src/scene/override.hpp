@@ -4,9 +4,9 @@
 
 namespace simreel::scene {
 
-/// Puts the value of one -D into the tree. Members that are not there are made on the way, for a reader to
-/// check against what is declared, but neither objects nor items of lists: those are given as a whole. The
-/// new nodes' places lie in the override's own text. Mistakes go to `diagnostics`.
+/// Sets the value of one -D override in the tree. Creates missing members on the way; a reader checks their
+/// names later. Does not create objects, lights or list items from a part: they must be given as a whole.
+/// Places of new nodes lie in the override's own text. Reports errors to `diagnostics`.
 void applyOverride(Node& scene, const Override& change, Diagnostics& diagnostics);
 
 }  // namespace simreel::scene

@@ -23,67 +23,73 @@ namespace simreel::scene {
 
 enum class Numerics { exact, fast };
 
-/// A material grown from a field while it runs, laid over the object's surface.
+/// Material that is generated from a simulated field and applied to the object's surface.
 struct Skin {
-  enum class Look { leather, spots, cracks, map };  ///< map: the field's own colours
+  enum class Look { leather, spots, cracks, map };  ///< `map` shows the field in its own colours
   enum class Projection { uv, triplanar };
-  std::string field;  ///< name of the object whose field it is
+  std::string field;  ///< name of the object whose field is used
   Look look = Look::leather;
   Projection projection = Projection::uv;
-  float repeats = 1.0F;             ///< of the field along u and v, or in a metre (triplanar)
-  std::optional<double> threshold;  ///< value of the field where the colours meet; else the look's own
-  glm::vec3 low{-1};                ///< linear RGB where the field is low; negative: the look's own
-  glm::vec3 high{-1};               ///< and where it is high
-  float bump = 1.0F;                ///< factor on the relief's height
-  std::optional<double> roughness;  ///< else the look's own
+  float repeats = 1.0F;  ///< repeats of the field along u and v, or per metre (triplanar)
+  /// Field value between low and high colour; nullopt: default of the look.
+  std::optional<double> threshold;
+  glm::vec3 low{-1};                ///< linear RGB for low field values; negative: default of the look
+  glm::vec3 high{-1};               ///< linear RGB for high field values; negative: default of the look
+  float bump = 1.0F;                ///< factor on the height of the relief
+  std::optional<double> roughness;  ///< surface roughness; nullopt: default of the look
   void describe(Fields& fields);
 };
 
-/// Metal/rough surface. Colours are linear RGB.
+/// Surface with metallic/roughness shading. Colours are linear RGB.
 struct Material {
   glm::vec3 color{0.8F, 0.7F, 0.6F};
-  std::filesystem::path texture;    ///< sRGB image multiplied with the colour; empty: none
-  glm::vec3 textureScale{1, 1, 1};  ///< repeats along u and v, or in a metre (z unused)
+  std::filesystem::path texture;  ///< sRGB image multiplied by the colour; empty: none
+  /// Repeats along u and v, or per metre on surfaces without uv; z is unused.
+  glm::vec3 textureScale{1, 1, 1};
   float roughness = 0.8F;
   float metallic = 0.0F;
   float translucency = 0.0F;  ///< fraction of light from behind that shines through
-  float bump = 0.0F;          ///< m: height of the texture's white over its black
-  bool castsShadow = true;    ///< in the light of sun and lamps
-  std::optional<Skin> skin;   ///< replaces colour and roughness
+  float bump = 0.0F;          ///< height in metres of the texture's white above its black
+  bool castsShadow = true;    ///< true: casts shadows in the light of the sun and the lights
+  std::optional<Skin> skin;   ///< live material that replaces colour and roughness
   Finish finish;
   void describe(Fields& fields);
 };
 
-/// Light scattered around what is bright.
+/// Light that scatters around bright areas of the picture.
 struct Bloom {
-  Animated<float> strength = 0.0F;  ///< fraction of the light above the threshold; 0: off
-  float threshold = 1.0F;           ///< linear light
-  float radius = 0.1F;              ///< fraction of the picture's height
+  Animated<float> strength = 0.0F;  ///< fraction of the light above the threshold that scatters; 0: off
+  float threshold = 1.0F;           ///< threshold of linear light; only light above it scatters
+  float radius = 0.1F;              ///< radius of the scattering as a fraction of the picture's height
   void describe(Fields& fields);
 };
 
-/// Who finds out what is visible, and shades it.
+/// Method of drawing. exact: compute kernels with the same bytes on every machine; driver: OpenGL's
+/// rasterizer.
 enum class Rasterizer { exact, driver };
 
-/// How much is spent on the light of a picture. standard: draft, and creases and gaps get less of the
-/// surroundings' light. high: light is found by rays through the scene.
+/// Effort for lighting. draft: direct light and ambient light without occlusion. standard: adds ambient
+/// occlusion and screen-space reflections. high: ray tracing.
 enum class Quality { draft, standard, high };
 
-/// The curve from light to the numbers of a picture (glsl/draw/screen/film.glsl).
+/// Tone curve from linear light to pixel values (glsl/draw/screen/film.glsl).
 enum class Tone { aces, agx, filmic, plain };
 
 struct Render {
   Rasterizer rasterizer = Rasterizer::exact;
   Quality quality = Quality::draft;
-  bool hasQuality = false;                ///< whether the scene gives it
-  std::optional<double> occlusionRadius;  ///< m; none: a share of the distance to the target
-  int raySamples = 64;                    ///< of a pixel's light, with quality high
-  glm::ivec2 size{1280, 720};             ///< pixels
-  int samples = 4;  ///< per pixel: 1, 2, 4, 8 or 16 (of the driver: those it has, 1 and 4 always)
-  Animated<float> exposure = 0.0F;  ///< EV
+  bool hasQuality = false;  ///< true if the scene gives "quality"
+  /// Radius of ambient occlusion in metres; nullopt: a sixth of the distance to the target.
+  std::optional<double> occlusionRadius;
+  int raySamples = 64;         ///< light samples per pixel with quality high
+  glm::ivec2 size{1280, 720};  ///< width and height in pixels
+  /// Samples per pixel: 1, 2, 4, 8 or 16; the driver's rasterizer may support only 1 and 4.
+  int samples = 4;
+  Animated<float> exposure = 0.0F;  ///< exposure value (EV); +1 doubles the brightness
   Tone tone = Tone::aces;
-  std::optional<Animated<float>> whiteBalance;  ///< K: light of this colour is shown as white
-  bool transparent = false;                     ///< whether the background is left out
+  /// White balance in kelvin: light of this black-body colour is shown as white.
+  std::optional<Animated<float>> whiteBalance;
+  bool transparent = false;  ///< true: pictures have no background but an alpha channel
   float vignette = 0.0F;
   Bloom bloom;
   void describe(Fields& fields);
@@ -91,148 +97,155 @@ struct Render {
 
 struct Time {
   double fps = 60.0;
-  double start = 0.0;     ///< s simulated before frame 0
-  double duration = 2.0;  ///< s; frames = round(duration * fps), at least 1
+  double start = 0.0;     ///< simulated time before frame 0 in seconds
+  double duration = 2.0;  ///< length in seconds; frames = round(duration * fps), at least 1
   void describe(Fields& fields);
 };
 
-/// A camera that goes along the path that an object has found.
+/// Camera that moves along a path found by an object.
 struct Follow : PathPlace {
-  float ahead = 4.0F;  ///< m along the path to what it looks at
-  double damping = 0;  ///< s: what moves steadily it follows so long behind; 0: at once
+  float ahead = 4.0F;  ///< metres of path ahead; the camera looks at the mean of its points
+  double damping = 0;  ///< lag of the camera in seconds behind steady motion; 0: none
   void describe(Fields& fields);
 };
 
-/// A camera that looks at an object wherever that is.
+/// Camera that keeps looking at a moving object.
 struct Track {
   std::string object;
-  glm::vec3 offset{0};  ///< m, from its middle to what is looked at
-  double damping = 0;   ///< s: what moves steadily is looked at where it was so long ago; 0: where it is
+  glm::vec3 offset{0};  ///< offset in metres from the object's middle to the point that the camera looks at
+  double damping = 0;   ///< lag of the camera in seconds behind a steadily moving object; 0: none
   void describe(Fields& fields);
 };
 
-/// Where a camera stands at a moment, and how it is turned.
+/// Position and orientation of a camera at one time.
 struct CameraPose {
   glm::dvec3 eye{0};
-  glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};  ///< unit, square to each other
+  /// Axes of the camera: unit vectors, orthogonal to each other.
+  glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};
 };
 
-/// A camera of a file, by the time alone. May be asked by several threads at once.
+/// Camera of a file as a function of time. Several threads may use it at once.
 class CameraShot {
  public:
   virtual ~CameraShot() = default;
-  /// At a time of the scene (s).
+  /// Returns the pose at `seconds` of the scene's time.
   [[nodiscard]] virtual CameraPose at(double seconds) const = 0;
-  [[nodiscard]] virtual double fieldOfView() const = 0;  ///< degrees, vertical; of perspective ones
-  [[nodiscard]] virtual std::optional<double> height() const = 0;  ///< m: its picture's, if orthographic
-  [[nodiscard]] virtual double near() const = 0;                   ///< m
-  [[nodiscard]] virtual std::optional<double> far() const = 0;     ///< m; none: it has no end
+  /// Vertical angle of view in degrees; only for perspective cameras.
+  [[nodiscard]] virtual double fieldOfView() const = 0;
+  /// Height of the view in metres; nullopt: perspective.
+  [[nodiscard]] virtual std::optional<double> height() const = 0;
+  [[nodiscard]] virtual double near() const = 0;  ///< nearest drawn distance in metres
+  /// Farthest drawn distance in metres; nullopt: unlimited.
+  [[nodiscard]] virtual std::optional<double> far() const = 0;
 };
 
-/// A camera that stands and turns as that of a glTF file does.
+/// Camera whose pose and motion come from a glTF file.
 struct CameraFile {
   std::filesystem::path file;
-  std::string name;       ///< of the camera's node; empty: the only one
-  std::string animation;  ///< empty: the first that moves it
+  std::string name;       ///< name of the camera or its node; empty: the file's only camera
+  std::string animation;  ///< name of the animation; empty: the first that moves the camera
   double speed = 1, start = 0;
   bool loop = false;
-  float distance = 6;                           ///< m along its line of sight to its target
-  bool hasNear = false, hasFar = false;         ///< whether the scene gives these itself
-  std::shared_ptr<const CameraShot> shot = {};  ///< the file's, where it has been read
+  float distance = 6;                    ///< distance of the target along the line of sight, in metres
+  bool hasNear = false, hasFar = false;  ///< true if the scene itself gives near or far
+  std::shared_ptr<const CameraShot> shot = {};  ///< the file's camera; null until the file has been read
   void describe(Fields& fields);
 };
 
-/// A camera's lens: what does not lie at the distance that it is focused on is blurred.
+/// Lens of a camera: objects outside the focus distance are blurred.
 struct Lens {
-  Animated<float> fNumber = 2.8F;  ///< focal length / diameter of the opening, for a picture 24 mm high
-  std::optional<Animated<float>> focus;  ///< m along the line of sight; none: what the camera looks at
-  int blades = 0;                        ///< sides of the opening; 0: it is round
-  int samples = 32;                      ///< points of the opening through which each picture is drawn
+  Animated<float> fNumber = 2.8F;  ///< focal length / aperture diameter, for a picture 24 mm high
+  /// Focus distance in metres along the line of sight; nullopt: distance of the target.
+  std::optional<Animated<float>> focus;
+  int blades = 0;    ///< number of sides of the aperture; 0: round
+  int samples = 32;  ///< number of aperture points; each picture is drawn once for each
   void describe(Fields& fields);
 };
 
-/// How long each picture is exposed: what moves meanwhile is blurred.
+/// Exposure time of a picture: objects that move during it are blurred.
 struct Shutter {
-  float angle = 180.0F;  ///< degrees: 360 is from one frame to the next
-  int samples = 16;      ///< moments that each picture is drawn at
+  float angle = 180.0F;  ///< exposure time in degrees; 360 is the whole time between two frames
+  int samples = 16;      ///< number of times within the exposure at which each picture is drawn
   void describe(Fields& fields);
 };
 
-/// A camera that goes round its target.
+/// Camera that orbits its target.
 struct Orbit {
-  Animated<float> turn = 0.0F;        ///< degrees about the vertical, from +z towards +x
-  Animated<float> elevation = 20.0F;  ///< degrees above the horizon
-  Animated<float> distance = 6.0F;    ///< m
-  bool distanced = false;             ///< whether the scene gives the distance
+  Animated<float> turn = 0.0F;        ///< angle about the vertical in degrees, from +z towards +x
+  Animated<float> elevation = 20.0F;  ///< camera angle above the horizon in degrees
+  Animated<float> distance = 6.0F;    ///< distance from the target in metres
+  bool distanced = false;             ///< true if the scene gives the distance
   void describe(Fields& fields);
 };
 
-/// Where a camera's rays come from: one point, or all of its picture, square to it.
+/// Camera rays. perspective: all from one point; orthographic: parallel, perpendicular to the picture.
 enum class Projection { perspective, orthographic };
 
 struct Camera {
   Animated<glm::vec3> position = glm::vec3(0, 1.5F, 6);
   Animated<glm::vec3> target = glm::vec3(0, 0, 0);
-  Animated<float> fieldOfView = 40.0F;  ///< degrees, vertical
+  Animated<float> fieldOfView = 40.0F;  ///< vertical angle of view in degrees
   Projection projection = Projection::perspective;
-  Animated<float> height = 4.0F;   ///< m that the picture is high, of an orthographic one
-  bool hasHeight = false;          ///< whether the scene gives it
-  Animated<float> roll = 0.0F;     ///< degrees
-  double damping = 0;              ///< s: what `target` does steadily it looks at so long after; 0: at once
-  std::optional<Follow> follow;    ///< instead of position and target
-  std::optional<Track> track;      ///< instead of target
-  std::optional<Orbit> orbit;      ///< instead of position
-  std::optional<CameraFile> gltf;  ///< instead of position and target
-  bool placed = false;             ///< whether the scene says where it stands or what it looks at
-  bool hasAngle = false;           ///< whether the scene gives its field of view
-  std::optional<Lens> lens;        ///< none: the whole picture is sharp
-  std::optional<Shutter> shutter;  ///< none: each picture shows one moment
+  Animated<float> height = 4.0F;  ///< height of an orthographic view in metres
+  bool hasHeight = false;         ///< true if the scene gives the height
+  Animated<float> roll = 0.0F;    ///< rotation about the line of sight in degrees
+  double damping = 0;  ///< lag of the line of sight in seconds behind a steadily moving `target`; 0: none
+  std::optional<Follow> follow;    ///< camera on a path; replaces position and target
+  std::optional<Track> track;      ///< tracked object; replaces target
+  std::optional<Orbit> orbit;      ///< orbit around the target; replaces position
+  std::optional<CameraFile> gltf;  ///< camera of a glTF file; replaces position and target
+  bool placed = false;             ///< true if the scene determines the camera's position or target
+  bool hasAngle = false;           ///< true if the scene gives the field of view
+  std::optional<Lens> lens;        ///< depth of field; nullopt: everything is sharp
+  std::optional<Shutter> shutter;  ///< motion blur; nullopt: each picture shows one moment
   float near = 0.05F;
   float far = 200.0F;
   void describe(Fields& fields);
 };
 
 struct Sun {
-  Animated<glm::vec3> direction = glm::vec3(0.4F, 0.8F, 0.45F);  ///< towards the light
+  Animated<glm::vec3> direction = glm::vec3(0.4F, 0.8F, 0.45F);  ///< vector towards the sun
   Animated<glm::vec3> color = glm::vec3(1, 0.92F, 0.80F);
-  std::optional<double> temperature;  ///< K: its colour is that of a black body, instead of `color`
+  /// Black-body temperature in kelvin, which sets the colour in place of `color`.
+  std::optional<double> temperature;
   Animated<float> intensity = 4.0F;
-  float diameter = 0.0F;  ///< degrees, as seen from here: what penumbras grow by; 0: they do not grow
+  float diameter = 0.0F;  ///< angular diameter in degrees; penumbras grow with it; 0: they do not grow
   bool shadow = true;
-  int shadowSize = 1024;        ///< texels on a side
-  float shadowSoftness = 1.5F;  ///< radius of the filter, texels
+  int shadowSize = 1024;        ///< side of the shadow map in texels
+  float shadowSoftness = 1.5F;  ///< radius of the shadow filter in texels
   void describe(Fields& fields);
 };
 
-/// Ambient light and the background: a gradient, or a picture all around.
+/// Ambient light and background: a gradient, or a panorama.
 struct Sky {
-  std::filesystem::path picture;  ///< of light, equirectangular: its middle lies towards -z; empty: none
-  float strength = 1.0F;          ///< factor on the picture's light
-  float turn = 0.0F;              ///< degrees that the picture is turned about the vertical
+  std::filesystem::path picture;  ///< equirectangular HDR image whose middle lies towards -z; empty: none
+  float strength = 1.0F;          ///< factor on the image's light
+  float turn = 0.0F;              ///< rotation of the image about the vertical in degrees
   Animated<glm::vec3> zenith = glm::vec3(0.08F, 0.22F, 0.52F);
   Animated<glm::vec3> horizon = glm::vec3(0.68F, 0.80F, 0.93F);
   Animated<glm::vec3> ground = glm::vec3(0.26F, 0.23F, 0.20F);
-  Animated<float> ambient = 1.0F;  ///< factor on the light the sky gives
+  Animated<float> ambient = 1.0F;  ///< factor on the sky's light
   void describe(Fields& fields);
 };
 
 /// Ground plane.
 struct Ground {
-  bool solid = false;              ///< True if the scene gives it: objects collide with it.
-  float height = -5.0F;            ///< m
-  std::optional<double> friction;  ///< Coulomb's coefficient; none: what slides loses speed at 25.3 1/s
+  bool solid = false;    ///< true if objects collide with it; false for the floor of a stage
+  float height = -5.0F;  ///< height of the plane in metres
+  /// Coulomb's coefficient; nullopt: sliding objects lose speed at a rate of 25.3 1/s
+  std::optional<double> friction;
   bool visible = true;
   glm::vec3 color{0.32F, 0.29F, 0.25F};
   float roughness = 0.9F;
-  float fadeStart = 15.0F;  ///< m from the camera's target where the ground begins to dissolve into the sky
+  /// Metres from the camera's target at which the ground starts to fade into the sky.
+  float fadeStart = 15.0F;
   float fadeEnd = 40.0F;
   void describe(Fields& fields);
 };
 
-/// Surroundings of a scene of solids: whatever it leaves out of sun, sky, ground, lights and materials
-/// (stage.hpp).
+/// Source of the values that a scene leaves out of sun, sky, ground, lights and materials (stage.hpp).
 struct Stage {
-  /// `none` leaves everything at the plain defaults; `automatic` is studio, or night for objects that glow.
+  /// `none`: plain defaults. `automatic`: studio, or a dark stage for objects that glow. `hollow`: "void".
   enum class Preset {
     none,
     automatic,
@@ -247,34 +260,34 @@ struct Stage {
   };
   enum class Palette { preset, vivid, earth, pastel, grey, ocean, neon };
   Preset preset = Preset::automatic;
-  Palette palette = Palette::preset;       ///< colours of objects without a colour
-  std::optional<glm::vec3> backdrop = {};  ///< linear RGB of floor and background; none: the preset's
-  std::set<std::string, std::less<>> given = {};  ///< "sun", "sun.color": what the scene gives itself
+  Palette palette = Palette::preset;       ///< colours of objects that have none of their own
+  std::optional<glm::vec3> backdrop = {};  ///< linear RGB of floor and background; nullopt: the preset's
+  std::set<std::string, std::less<>> given = {};  ///< paths that the scene gives: "sun", "sun.color"
   [[nodiscard]] bool leaves(std::string_view path) const { return !given.contains(path); }
   void describe(Fields& fields);
 };
 
 struct Object {
   std::string name;
-  std::string kind;  ///< a name from the list of simulations
+  std::string kind;  ///< name of one of the Kinds
   std::unique_ptr<Parameters> parameters;
   Material material;
   std::set<std::string, std::less<>> materialKeys;  ///< keys of the material that the scene gives
   [[nodiscard]] bool hasMaterial() const { return !materialKeys.empty(); }
 };
 
-/// Reports a mistake of an object at the place of the value that `path` leads to from it, or of the last on
-/// the way there that the scene gives.
+/// Reports an error of an object at the value that `path` names below it. If the scene does not give that
+/// value, the place is the last part of `path` that the scene gives.
 using Report = std::function<void(const Object& object, const std::vector<std::string>& path,
                                   const std::string& message)>;
 
-/// The kinds of object there are, and what no object knows by itself: whether the others are what it needs.
-/// `check` hears of all objects, those with mistakes of their own too (parameters may be null); what it
-/// reports of them is not said.
+/// All kinds of objects, and checks that involve several objects. `check` receives all objects, also those
+/// with errors (their parameters may be null). Errors that it reports about values with errors are dropped.
 struct Kinds {
   std::span<const Kind> list;
   std::function<void(std::span<const Object>, const Report&)> check = {};
-  /// Reads the file of a camera. Throws UserError, usage for what the scene says wrongly of it.
+  /// Reads the file of a camera. Throws UserError; its code is `usage` if the scene's settings do not fit
+  /// the file.
   std::function<std::shared_ptr<const CameraShot>(const CameraFile&)> openCamera = {};
 };
 
@@ -288,40 +301,45 @@ struct Scene {
   Sun sun;
   Sky sky;
   Stage stage;
-  bool staged = false;    ///< True if the stage supplies what the scene leaves out.
-  bool surveyed = false;  ///< whether camera and stage stand where a run has shown (sim/world/survey.hpp)
+  bool staged = false;    ///< true if the stage supplies the values that the scene leaves out
+  bool surveyed = false;  ///< true if camera and stage were placed after a trial run (sim/world/survey.hpp)
   std::optional<Ground> ground;
-  std::vector<Light> lights;  ///< at most maxLights, maxShadowedLights of them with shadows
+  /// Local lights: at most maxLights, of which at most maxShadowedLights cast shadows.
+  std::vector<Light> lights;
   std::vector<Object> objects;
   Test test;
   std::vector<Check> checks;
-  std::vector<std::filesystem::path> files;  ///< that it names, found
-  std::string hash;                          ///< of the scene's text and overrides; 32 hexadecimal digits
-  std::vector<std::string> overrides;        ///< "path=value" of each, as they were applied
-  /// What it gives that does nothing: "file:line:column: warning: ...", the line and a caret, each.
+  std::vector<std::filesystem::path> files;  ///< resolved paths of the files that the scene names
+  std::string hash;                    ///< hash of the scene's text and overrides; 32 hexadecimal digits
+  std::vector<std::string> overrides;  ///< "path=value" of each override, in the order applied
+  /// Warnings about values without effect. Each is "file:line:column: warning: ...", the source line and a
+  /// caret.
   std::vector<std::string> remarks;
 
   [[nodiscard]] int frameCount() const;
-  /// Whether its pictures have the same bytes on every machine.
+  /// True if the pictures have the same bytes on every machine.
   [[nodiscard]] bool drawsExactly() const {
     return numerics == Numerics::exact && render.rasterizer == Rasterizer::exact;
   }
-  /// The objects that measure the quantity a check names, among those it may mean; it should be one.
+  /// Returns the indices of the objects that measure the quantity named by `check`; only `check.object`, if
+  /// given. A valid check has exactly one.
   [[nodiscard]] std::vector<std::size_t> owners(const Check& check) const;
-  /// The frames that a test compares: the given ones, or first, middle and last; ascending, no repeats.
+  /// Returns the frames that a test compares: the given frames, or the first, middle and last. Ascending,
+  /// without repeats.
   [[nodiscard]] std::vector<int> testFrames() const;
 };
 
-/// `path=value` of -D; value is JSON, or bare text taken as a string.
+/// Override `path=value` of option -D. The value is JSON or a bare string.
 struct Override {
   std::string path;
   std::string value;
 };
 
-/// Splits "path=value". Throws UserError(usage) when there is no path or no '='.
+/// Splits "path=value". Throws UserError(usage) if there is no path or no '='.
 [[nodiscard]] Override parseOverride(std::string_view argument);
 
-/// Overrides as words of a command line: -D seed=7 -D 'render.size=[320,180]'. Empty for none.
+/// Returns overrides as command-line arguments: -D seed=7 -D 'render.size=[320,180]'. Empty for an empty
+/// list.
 [[nodiscard]] std::string asArguments(std::span<const std::string> overrides);
 
 }  // namespace simreel::scene

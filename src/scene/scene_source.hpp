@@ -7,8 +7,9 @@
 
 namespace simreel::scene {
 
-/// A scene's text (of a file of some kind's own format: that of the scene around it), and the file that
-/// messages and assets go by. "-" is standard input. Throws UserError(usage) for what cannot be read.
+/// Returns a scene's text, and the path used for messages and for locating assets. If `file` has a format
+/// of one of the `kinds`, the text is a scene around that file. The file "-" is standard input. Throws
+/// UserError(usage) if the file cannot be read.
 [[nodiscard]] std::pair<std::string, std::filesystem::path> readSceneSource(
     const std::filesystem::path& file, const Kinds& kinds);
 

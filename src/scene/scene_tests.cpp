@@ -1,4 +1,4 @@
-// "test" and "checks" against the scene that they belong to.
+// Checks "test" and "checks" against the scene that they belong to.
 #include "scene/json/words.hpp"
 #include "scene/scene.hpp"
 #include "scene/sections.hpp"
@@ -18,11 +18,12 @@ void checkLength(Fields& fields, const std::vector<int>& frames, int frameCount)
                                        frameCount - 1));
 }
 
-/// One object must measure the quantity that a check names.
+/// Checks that exactly one object measures the quantity that `check` names.
 void checkQuantity(Fields& fields, const Check& check, const Scene& scene) {
   std::vector<std::string> known;
   for (const Object& object : scene.objects) {
-    if (object.parameters == nullptr) return;  // a mistake of its own
+    // The object has an error of its own, so the check is skipped.
+    if (object.parameters == nullptr) return;
     if (object.parameters->measures() && (check.object.empty() || object.name == check.object))
       for (const Quantity& quantity : object.parameters->quantities())
         if (std::find(known.begin(), known.end(), quantity.name) == known.end())
@@ -46,7 +47,7 @@ void checkQuantity(Fields& fields, const Check& check, const Scene& scene) {
                                      suggestion(check.what, known)));
 }
 
-/// Mistakes of a check with respect to its scene.
+/// Reports errors of a check that involve other parts of the scene.
 void checkAgainstScene(Fields& fields, const Check& check, const Scene& scene,
                        std::optional<int> frameCount) {
   std::vector<std::string> names;

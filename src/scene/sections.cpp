@@ -46,7 +46,8 @@ void describeLights(Fields& fields, Scene& scene) {
                                        shadowed, maxShadowedLights));
 }
 
-/// Rays need no maps of shadows, and without rays nobody sees the sun's disc but in shadows.
+/// Warns about shadow-map settings with ray tracing, which uses no shadow maps. Warns about a sun diameter
+/// without shadows, because without ray tracing it affects only shadows.
 void remarkRays(Fields& fields, const Scene& scene) {
   const bool traces = scene.render.quality == Quality::high && scene.render.rasterizer == Rasterizer::exact;
   fields.idleUnless(traces || scene.sun.shadow, "sun.shadow", {"sun.diameter"}, "a sun with \"shadow\"");
@@ -62,7 +63,7 @@ void remarkRays(Fields& fields, const Scene& scene) {
   }
 }
 
-/// A sun below visible ground is one whose direction was meant the other way round.
+/// Warns about a sun that is always below visible ground: its direction probably has the wrong sign.
 void remarkSun(Fields& fields, const Scene& scene) {
   const auto& keys = scene.sun.direction.keys();
   const bool below = std::all_of(keys.begin(), keys.end(), [](const auto& key) { return key.value.y < 0; });

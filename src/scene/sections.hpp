@@ -11,17 +11,17 @@ namespace simreel::scene {
 inline constexpr int sceneVersion = 1;
 inline constexpr std::size_t maxObjects = 1000;
 
-/// What a scene holds besides "$schema", "version", "objects" and its tests.
+/// Declares all members of a scene except "$schema", "version", "objects", "test" and "checks".
 void describeScene(Fields& fields, Scene& scene);
-/// "test" and "checks"; the scene's objects must be there. `frameCount`: the scene's length, or nothing
-/// where frames cannot be held against it.
+/// Declares "test" and "checks". The scene's objects must have been read. `frameCount`: number of frames;
+/// nullopt if test frames must not be checked against it.
 void describeTests(Fields& fields, Scene& scene, std::optional<int> frameCount);
 
 inline constexpr const char* testDoc =
     "Frames and bounds for \"simreel test\", which compares them with baselines.";
 inline constexpr const char* checksDoc = "Conditions on states and pictures that \"simreel test\" checks.";
 
-/// A part of a scene that help is given for.
+/// Section of a scene that has its own help page.
 struct Section {
   const char* name;
   const char* doc;

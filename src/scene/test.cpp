@@ -1,4 +1,4 @@
-// "test" and "checks" of a scene.
+// Declares and validates "test" and "checks" of a scene.
 #include "scene/test.hpp"
 
 #include "scene/json/words.hpp"
@@ -23,7 +23,7 @@ void checkAscending(Fields& fields, const std::vector<int>& frames) {
                                                                       frames[i], frames[i - 1]));
 }
 
-/// "positions.y": a name, a dot, a component.
+/// True if `of` is an array name, a dot and a component, such as "positions.y".
 bool namesComponent(const std::string& of) {
   const std::size_t dot = of.rfind('.');
   if (dot == std::string::npos || dot == 0) return false;
@@ -31,7 +31,7 @@ bool namesComponent(const std::string& of) {
   return component == "length" || (component.size() == 1 && component.find_first_of("xyzw") == 0);
 }
 
-/// What a check of this kind needs and must not have.
+/// Checks that a check has the members that its kind needs, and no others.
 void checkForm(Fields& fields, const Check& check) {
   if (check.what.empty()) {
     fields.error("what",

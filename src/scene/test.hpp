@@ -13,55 +13,57 @@ namespace simreel::scene {
 /// One field of a Tolerance.
 struct Bound {
   const char* name;
-  Member member;  ///< int* or std::optional<double>*
+  Member member;  ///< pointer to the field: int* or std::optional<double>*
   Spec spec;
-  /// What scenes, baselines and reports called it before: "max_diff_ratio".
+  /// Returns the former name in scenes, baselines and reports, such as "max_diff_ratio".
   [[nodiscard]] std::string formerName() const;
 };
 
-/// How far a picture may be from its baseline where the numerics are others. Every bound that is
-/// given must hold. Field names are those of the scene file.
+/// Allowed difference between a picture and its baseline if they come from different numerics. All bounds
+/// that are given must hold. Fields have the same names as in scene files.
 struct Tolerance {
-  int maxChannelDiff = 12;              ///< a pixel differs when a channel is further apart, 0 to 255
-  std::optional<double> maxDiffPixels;  ///< pixels that may differ
-  std::optional<double>
-      maxDiffRatio;     ///< fraction of all pixels that may differ; 0.02 when neither is given
-  int windowSize = 16;  ///< N of the densest N x N window
-  std::optional<double> maxWindowRatio;  ///< fraction of the densest window's pixels that may differ
-  std::optional<double> maxFlipMean;     ///< mean FLIP error, 0 to 1
-  std::optional<double> hardFail;        ///< no channel of any pixel may ever be further apart than this
+  int maxChannelDiff = 12;  ///< a pixel differs if one of its channels (0 to 255) differs by more than this
+  std::optional<double> maxDiffPixels;  ///< maximum number of differing pixels
+  /// Maximum fraction of differing pixels; 0.02 if neither this nor maxDiffPixels is given.
+  std::optional<double> maxDiffRatio;
+  int windowSize = 16;                   ///< side N of the N x N window with the most differing pixels
+  std::optional<double> maxWindowRatio;  ///< maximum fraction of differing pixels in that window
+  std::optional<double> maxFlipMean;     ///< maximum mean FLIP error, 0 to 1
+  std::optional<double> hardFail;        ///< maximum difference of any channel of any pixel
   void describe(Fields& fields);
-  /// All fields, in their order; they point into this tolerance.
+  /// Returns all fields in their order. The entries point into this object.
   [[nodiscard]] std::vector<Bound> bounds();
 };
 
-/// "test" of a scene: what `simreel test` compares.
+/// Section "test" of a scene: frames that `simreel test` compares, and how.
 struct Test {
-  std::vector<int> frames;     ///< ascending, without repeats; empty: first, middle and last
-  glm::ivec2 size{320, 180};   ///< pixels
-  std::optional<int> samples;  ///< per pixel; empty: the scene's
+  /// Frames to compare, ascending, without repeats; empty: the first, middle and last frame.
+  std::vector<int> frames;
+  glm::ivec2 size{320, 180};   ///< width and height in pixels
+  std::optional<int> samples;  ///< samples per pixel; nullopt: as in the scene
   Tolerance tolerance;
-  /// Who gave a tolerance: field name -> file as it was named, or "-D"; absent: the default holds.
+  /// Origin of each given tolerance: field name -> file path or "-D". Fields that are absent have their
+  /// default.
   std::map<std::string, std::string> toleranceOrigin;
-  std::string xfail;  ///< why the scene is expected to fail; empty: it is expected to pass
+  std::string xfail;  ///< reason why the scene is expected to fail; empty: it is expected to pass
   void describe(Fields& fields);
 };
 
-/// One invariant of "checks".
+/// One condition of "checks".
 struct Check {
-  /// "not-blank", "no-nan", or a statistic of an array's component ("mean", "min", "max", "sum" with `of`),
-  /// or a quantity that the simulation measures ("mass", "energy", "population", ...).
+  /// "not-blank"; "no-nan"; a statistic of an array's component ("mean", "min", "max", "sum" with `of`); or
+  /// a quantity that the simulation measures ("mass", "energy", "population", ...).
   std::string what;
-  std::string object;       ///< name; empty: the only object that has it
-  std::string of;           ///< "positions.y": state array and component (x y z w, or "length" of xyz)
-  std::vector<int> frames;  ///< empty: every tested frame
+  std::string object;  ///< name of the object; empty: the only object that has the quantity
+  std::string of;  ///< state array and component, such as "positions.y" (x, y, z, w, or "length" of xyz)
+  std::vector<int> frames;  ///< frames at which the check applies; empty: all tested frames
   std::optional<double> min, max;
-  std::optional<double> drift;  ///< most relative change from the value at the first of the check's frames
+  std::optional<double> drift;  ///< maximum relative change from the value at the check's first frame
   void describe(Fields& fields);
 
-  /// "mean", "min", "max" or "sum".
+  /// True if `what` is "mean", "min", "max" or "sum".
   [[nodiscard]] bool isStatistic() const;
-  /// Whether `what` is one that a simulation measures.
+  /// True if `what` is a quantity that a simulation measures.
   [[nodiscard]] bool isQuantity() const;
 };
 

@@ -5,11 +5,12 @@
 
 namespace simreel::scene {
 
-/// Parameters of what may have a colour by nature.
+/// Interface of parameters of objects that may have a natural colour.
 class Tinted {
  public:
   virtual ~Tinted() = default;
-  /// Linear RGB that a stage gives it where it has no material; none: one of the stage's palette.
+  /// Returns the linear RGB colour that the object has on a stage if it has no material; nullopt: a colour
+  /// of the stage's palette.
   [[nodiscard]] virtual std::optional<glm::vec3> tint() const = 0;
 };
 

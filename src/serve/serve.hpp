@@ -8,12 +8,13 @@ namespace simreel::serve {
 
 struct ServeOptions {
   PlayerOptions player;
-  std::string address = "127.0.0.1";  ///< IP address to listen at
-  int port = 0;                       ///< 0: any that is free
-  std::string token;                  ///< empty: a new one
+  std::string address = "127.0.0.1";  ///< IP address to listen on
+  int port = 0;                       ///< TCP port; 0: any free port
+  std::string token;                  ///< secret token of the address; empty: a new random one
 };
 
-/// Shows the scene until a signal ends it. Prints where. Returns the signal. Throws UserError.
+/// Shows the scene until a signal ends the program. Prints the page's address. Returns the signal. Throws
+/// UserError.
 int serveScene(ServeOptions options, const gl::Context& context);
 
 }  // namespace simreel::serve

@@ -25,7 +25,7 @@ namespace {
 using Color = std::array<std::uint8_t, 4>;
 constexpr Color paper{24, 24, 27, 255}, ink{235, 235, 235, 255}, nothing{60, 60, 66, 255},
     bad{255, 120, 100, 255};
-constexpr int maxSide = 8192;  ///< pixels along a side
+constexpr int maxSide = 8192;  ///< maximum side of the sheet in pixels
 constexpr int gap = 12, border = 2;
 
 void fill(frame::Image& image, int left, int top, int right, int bottom, const Color& color) {
@@ -35,7 +35,7 @@ void fill(frame::Image& image, int left, int top, int right, int bottom, const C
                 image.bytes.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * image.width + x));
 }
 
-/// As much of it as fits.
+/// Draws as much of the text as fits into `width`.
 void write(frame::Image& image, std::string text, int left, int top, int width, int scale,
            const Color& color) {
   const auto widthOf = [scale](const std::string& part) { return draw::textSize(part, scale).x; };
@@ -54,7 +54,8 @@ void paste(frame::Image& image, const frame::Image& small, int left, int top) {
                 image.bytes.begin() + 4 * (static_cast<std::ptrdiff_t>(top + y) * image.width + left));
 }
 
-/// Values of the last parameter, where every other combination has each of them in this order; else 0.
+/// Returns the number of values of the last parameter if the jobs form a full grid in which it varies
+/// fastest; else 0.
 std::size_t gridColumns(const SweepPlan& plan) {
   const auto& jobs = plan.jobs;
   std::set<std::string> last;
@@ -69,7 +70,7 @@ std::size_t gridColumns(const SweepPlan& plan) {
   return columns;
 }
 
-/// Where all is, in pixels.
+/// Computes the layout of a sheet in pixels and draws it.
 class Sheet {
  public:
   explicit Sheet(const CollectedSweep& sweep, std::optional<int> number)
@@ -113,7 +114,7 @@ class Sheet {
       if (file.empty() || !pathExists(file)) return;
       try {
         small_[i] = golden::thumbnail(golden::readPicture(file, "picture").image, side);
-      } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): it is grey then.
+      } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): the job is drawn grey.
       }
     });
     for (const frame::Image& image : small_) {
@@ -171,12 +172,12 @@ class Sheet {
   const CollectedSweep& sweep_;
   std::vector<std::string> names_;
   std::vector<frame::Image> small_;
-  int grid_ = 0;  ///< columns of a grid, which have heads; 0: each job is labelled
+  int grid_ = 0;  ///< columns of a grid, which have headings; 0: each job has a label
   int columns_ = 1, rows_ = 1;
-  int width_ = 24, height_ = 24;  ///< of a picture
-  int scale_ = 1, line_ = 13;     ///< of the letters; height of a line
-  int above_ = 0;                 ///< a picture, for its label
-  int left_ = 0, top_ = 0;        ///< of the first cell
+  int width_ = 24, height_ = 24;  ///< size of the largest reduced picture in pixels
+  int scale_ = 1, line_ = 13;     ///< scale of the letters; height of a line
+  int above_ = 0;                 ///< height of the label above a picture
+  int left_ = 0, top_ = 0;        ///< position of the first cell in pixels
   frame::Image image_;
 };
 

@@ -6,9 +6,9 @@
 
 namespace simreel::batch {
 
-/// One picture of every job, reduced, below the values that made it. Of a full grid each column has one
-/// value of the last parameter, and heads tell the values. Jobs that failed, or a check of which did, have
-/// a red border; those without a picture are grey, and say their state.
+/// Returns one image with a reduced picture of every job and the values that made it. If the jobs form a
+/// full grid, each column has one value of the last parameter, and headings show the values. Jobs that
+/// failed, or have a failed check, have a red border. Jobs without a picture are grey and show their state.
 [[nodiscard]] frame::Image contactSheet(const CollectedSweep& sweep, std::optional<int> frame);
 
 }  // namespace simreel::batch

@@ -31,7 +31,7 @@ void replace(std::string& text, std::string_view mark, const std::string& by) {
   text.replace(at, mark.size(), by);
 }
 
-/// Rows of a table whose cells hold no line ends.
+/// Parses CSV text into rows of cells.
 std::vector<std::vector<std::string>> rowsOf(const std::string& csv) {
   std::vector<std::vector<std::string>> rows(1, std::vector<std::string>(1));
   bool quoted = false;
@@ -52,7 +52,7 @@ std::vector<std::vector<std::string>> rowsOf(const std::string& csv) {
   return rows;
 }
 
-/// Pixels along a side: all pictures together stay below some 20 MB.
+/// Returns the maximum side of the small pictures in pixels. All pictures together stay below about 20 MB.
 int sideOf(std::size_t jobs) {
   return std::clamp(static_cast<int>(3200.0 / std::sqrt(static_cast<double>(jobs))), 64, 320);
 }
@@ -61,7 +61,8 @@ int sideOf(std::size_t jobs) {
 
 std::string sweepPage(const CollectedSweep& sweep, std::optional<int> frame) {
   const auto rows = rowsOf(tableText(sweep));
-  const std::size_t known = 2 + sweep.plan.varied.size();  // job, state and values: told by themselves
+  // Skips job, state and values, which the page shows separately.
+  const std::size_t known = 2 + sweep.plan.varied.size();
   std::vector<std::string> pictures(sweep.jobs.size()), files(sweep.jobs.size());
   tbb::parallel_for(std::size_t{0}, sweep.jobs.size(), [&](std::size_t i) {
     const auto file = sweep.pictureOf(i, frame);
@@ -93,7 +94,7 @@ std::string sweepPage(const CollectedSweep& sweep, std::optional<int> frame) {
       {"columns", std::vector(rows[0].begin() + static_cast<std::ptrdiff_t>(known), rows[0].end())},
       {"jobs", jobs}};
   std::string json = data.dump(-1, ' ', true, Json::error_handler_t::replace);
-  // Nothing in it may end the element that it stands in.
+  // Escapes "</", so that the JSON cannot end the element that contains it.
   for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at + 3))
     json.replace(at, 2, "<\\/");
   std::string page = fileNamed("index.html");

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A cell as RFC 4180 has it. What a spreadsheet would run as a formula begins with an apostrophe.
+/// Quotes a cell as in RFC 4180. Text that a spreadsheet would run as a formula gets a leading apostrophe.
 std::string cell(std::string text) {
   double number = 0;
   const char* const end = text.data() + text.size();
@@ -33,7 +33,7 @@ std::string numberText(const std::optional<double>& value) {
   return value ? fmt::format("{}", *value) : std::string();
 }
 
-/// Names of columns in the order in which jobs bring them, and each job's cells.
+/// Column names in the order of their first use, and the cells of each job.
 class Columns {
  public:
   void set(std::size_t job, const std::string& name, std::string value) {
@@ -112,7 +112,7 @@ std::string countsText(const CollectedSweep& sweep) {
     const std::string table = readFile(file, "table of counts");
     for (std::size_t begin = 0; begin < table.size();) {
       const std::size_t end = std::min(table.find('\n', begin), table.size());
-      // The first line, of names, is that of all.
+      // The header line is taken from the first table only.
       if (begin > 0 || text.empty())
         text += (begin == 0 ? std::string("job") : sweep.plan.name(i)) + "," +
                 table.substr(begin, end - begin) + "\n";

@@ -9,24 +9,25 @@
 
 namespace simreel::batch {
 
-/// A sweep and what has become of each of its jobs.
+/// A sweep and the status of each of its jobs.
 struct CollectedSweep {
   SweepPlan plan;
   std::vector<JobStatus> jobs;
 
-  /// A job's picture of this frame, the last one that it has where none is named; empty where it has none.
+  /// Returns the path of a job's picture at `frame`, or at its last frame if `frame` is nullopt. Empty if
+  /// the job has no such picture.
   [[nodiscard]] std::filesystem::path pictureOf(std::size_t job, std::optional<int> frame) const;
 };
 [[nodiscard]] CollectedSweep collect(SweepPlan plan);
 
-/// CSV, a row for each job: job, state, a column for each varied path, of each check its value at the last
-/// of its frames and whether it passed at all of them, each quantity at the last frame, each last count.
-/// What a job does not have is left empty. Machines and times are not in it: it is the same wherever the
-/// jobs ran.
+/// Returns a CSV table with a row for each job. Columns: job, state, each varied path, for each check its
+/// value at its last frame and whether it passed at all its frames, each quantity at the last frame, and
+/// each last count. Missing values are empty cells. The table has no machines or times, so it is the same
+/// wherever the jobs ran.
 [[nodiscard]] std::string tableText(const CollectedSweep& sweep);
 
-/// CSV of the tables of counts of all jobs, one below the other, each row with its job first; empty where
-/// nothing counts.
+/// Returns the count tables of all jobs as one CSV table, each row with its job first. Empty if no job
+/// counts anything.
 [[nodiscard]] std::string countsText(const CollectedSweep& sweep);
 
 }  // namespace simreel::batch

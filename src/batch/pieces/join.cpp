@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 using frame::Manifest;
 using frame::ManifestFrame;
 
-/// A piece as it was drawn.
+/// Output of a piece that has been drawn.
 struct Drawn {
   frame::OutputName output;
   Manifest manifest;
@@ -41,7 +41,7 @@ class Join {
  public:
   explicit Join(const PiecePlan& plan) : plan_(plan), whole_(plan.wholeOutput()) {
     for (std::size_t i = 0; i < plan.pieces.size(); ++i) drawn_.push_back(read(i));
-    // All are of the run that the first one is of.
+    // All pieces must belong to the same run as the first piece.
     for (std::size_t i = 1; i < drawn_.size(); ++i) {
       compareRuns(i);
       compareOverlap(i);
@@ -104,7 +104,7 @@ class Join {
          number, piece - 1, piece, what, std::string_view(what) == "state" ? "s" : "");
   }
 
-  /// The overlap frame stays with the piece that begins with it.
+  /// Assigns every frame to a piece. A frame drawn by two pieces belongs to the piece that begins with it.
   void collectFrames() {
     for (std::size_t i = 0; i < drawn_.size(); ++i)
       for (const int number : plan_.pieces[i].frames) {
@@ -115,7 +115,8 @@ class Join {
     manifest_.counts = drawn_.back().manifest.counts;
   }
 
-  /// Pictures that a driver draws, and states of fast numerics, are one machine's.
+  /// Rejects pieces of different machines if they depend on the machine: pictures of a driver's rasterizer,
+  /// states of fast numerics.
   void compareMachines() const {
     if (manifest_.run.exact()) return;
     const std::string first = drawn_[0].log.machineOf(plan_.pieces[0].first());
@@ -129,7 +130,7 @@ class Join {
              manifest_.run.numerics == "exact" ? "pictures that a driver draws" : "fast numerics");
   }
 
-  /// A file of a frame in its piece's folder, and where it goes.
+  /// File of a frame in its piece's folder, its destination, and its hash.
   struct Move {
     fs::path from, to;
     std::string hash;
@@ -154,7 +155,8 @@ class Join {
     return pathExists(file) && hashHex(readFile(file, "frame")) == hash;
   }
 
-  /// Each where it lies: in its piece's folder, or already where an earlier attempt has put it.
+  /// Checks every file where it lies: in its piece's folder or, after an interrupted join, at its
+  /// destination.
   void checkFiles(bool toWhole) const {
     const auto all = moves(toWhole);
     tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
@@ -171,7 +173,8 @@ class Join {
 
   [[nodiscard]] fs::path countFile() const { return drawn_.back().output.countFile(); }
 
-  /// Other frames of the same run that lie there already stay in the manifest.
+  /// Moves all files to the output. Other frames of the same run that already lie there stay in the
+  /// manifest.
   void moveFrames(std::optional<frame::SharedManifest>& claim) const {
     frame::RunInfo run = manifest_.run;
     if (const fs::path scene = drawn_[0].output.sceneFile(); pathExists(scene))
@@ -182,7 +185,7 @@ class Join {
     static_cast<void>(claim->inherit(frame::Existing::overwrite));
     for (const Move& move : moves(true)) {
       frame::throwIfInterrupted();
-      if (!pathExists(move.from)) continue;  // by an earlier attempt
+      if (!pathExists(move.from)) continue;  // an earlier attempt has moved the file
       if (::rename(move.from.c_str(), move.to.c_str()) == 0) continue;
       if (errno != EXDEV)
         fail(ExitCode::inputOutput, "cannot rename {} into {}: {}", move.from.string(), move.to.string(),
@@ -192,7 +195,8 @@ class Join {
     }
     writeFileAtomically(whole_.runFile(), runLogText(mergedLog(before)), NameSync::later);
     Manifest manifest = manifest_;
-    for (auto& [number, frame] : manifest.frames) frame.drawn = false;  // by others: they are in the log
+    // Other processes drew them, as the log says.
+    for (auto& [number, frame] : manifest.frames) frame.drawn = false;
     claim->write(std::move(manifest),
                  manifest_.counts.empty() ? std::string() : readFile(countFile(), "table of counts"));
   }
@@ -229,7 +233,7 @@ class Join {
   frame::OutputName whole_;
   std::vector<Drawn> drawn_;
   Manifest manifest_;
-  std::map<int, std::size_t> owner_;  ///< the piece that each frame is of
+  std::map<int, std::size_t> owner_;  ///< frame number -> index of the piece that provides the frame
 };
 
 }  // namespace

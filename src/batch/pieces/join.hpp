@@ -3,13 +3,12 @@
 
 namespace simreel::batch {
 
-/// Makes one output of all pieces: every file's hash is compared with the manifest that lists it, and the
-/// frame that two pieces have both drawn has to be the same in state, pixels and bytes; then pictures,
-/// counts and manifest go to where one run would have written them, byte for byte as it would have (beside
-/// frames of the same run that lie there), or a video is made of them; and the pieces' folder goes. Once it
-/// has begun it may be begun again. Throws UserError: baselineMissing where a frame is missing, different
-/// where something is not what it should be, usage where pieces that depend on their machine were made by
-/// different ones, inputOutput.
+/// Joins all pieces into one output. Compares every file's hash with the manifest that lists the file. A
+/// frame that two pieces have drawn must be equal in state, pixels and bytes. Then moves pictures, counts
+/// and manifest to where a single run would have written them, with the same bytes (frames of the same run
+/// that already lie there stay), or makes a video. Finally removes the pieces' folder. An interrupted join
+/// can be started again. Throws UserError: baselineMissing if a frame is missing; different if data are not
+/// as expected; usage if pieces depend on their machine and were made by different machines; inputOutput.
 void joinPieces(const PiecePlan& plan);
 
 }  // namespace simreel::batch

@@ -7,7 +7,7 @@ namespace simreel::batch {
 
 namespace {
 
-/// Of the simulation's checks, for the last piece, which goes on from its end.
+/// Returns the file with the results of the simulation's checks. The last piece continues from it.
 std::filesystem::path checksFile(const PiecePlan& plan) {
   return plan.folder / "checks.part.json";
 }
@@ -36,10 +36,11 @@ std::optional<Measurements> checksOfPiece(const PiecePlan& plan, std::size_t pie
   const bool last = piece + 1 == plan.pieces.size();
   if (!last) std::erase_if(scene.checks, [](const scene::Check& check) { return !isOfPicture(check); });
   if (scene.checks.empty()) return std::nullopt;
-  // But for the last one's all of a piece's frames but the last are its own.
+  // In all pieces except the last one, the last frame belongs to the next piece.
   std::vector<int> own = plan.pieces.at(piece).frames;
   if (!last) own.pop_back();
-  // Checks of state want frames of all the run, "not-blank" has a picture of this piece's only.
+  // Only the last piece has checks of states, and they need the frames of the whole run. Other pieces only
+  // have "not-blank", which needs their own pictures.
   return Measurements(scene, last ? plan.allFrames() : own, {checksFile(plan), {}}, toldBy(progress), last);
 }
 

@@ -8,10 +8,10 @@
 
 namespace simreel::batch {
 
-/// The scene's checks for who reads events, each told once by all steps together: of state by the
-/// simulation, beyond its last frame by the last piece, of pictures by the piece whose own they are.
-/// Nothing where nobody reads them or there are none. The scene, whose checks change, and `progress` have
-/// to live longer.
+/// Return the scene's checks for a reader of progress events; nullopt without checks or without a reader.
+/// All steps together report each check once: the simulation reports checks of states, the last piece also
+/// those beyond the simulation's last frame, and each piece the checks of its own pictures. The scene,
+/// whose checks are changed, and `progress` must outlive the result.
 [[nodiscard]] std::optional<Measurements> checksOfSimulation(const PiecePlan& plan, scene::Scene& scene,
                                                              frame::Progress& progress);
 [[nodiscard]] std::optional<Measurements> checksOfPiece(const PiecePlan& plan, std::size_t piece,

@@ -9,30 +9,37 @@
 
 namespace simreel::batch {
 
-/// One piece of a sequence.
+/// One piece of a sequence of frames.
 struct Piece {
-  std::vector<int> frames;  ///< that it draws: its own, and but for the last piece the next one's first
-  /// The first of its frames, whose state it begins with; that of the first piece is the scene's start.
+  /// Frames to draw: its own and, except in the last piece, the first frame of the next piece.
+  std::vector<int> frames;
+  /// Returns the first frame; the piece begins with the state at this frame. The first piece begins at the
+  /// scene's start.
   [[nodiscard]] int first() const { return frames.front(); }
 };
 
-/// A sequence that is drawn in pieces: plan.json in a folder beside the output, and the scene as it was.
+/// Plan of a sequence that is drawn in pieces: plan.json in a folder beside the output, with a copy of the
+/// scene.
 struct PiecePlan {
-  std::filesystem::path folder;               ///< of plan, checkpoints and pieces; not written
-  std::string output;                         ///< as -o took it; absolute
-  std::vector<std::filesystem::path> assets;  ///< absolute: the scene's own folder first
+  /// Folder of the plan, the checkpoints and the pieces; not stored in plan.json.
+  std::filesystem::path folder;
+  std::string output;  ///< output as given to -o, as an absolute path
+  /// Asset folders as absolute paths; the scene's own folder first.
+  std::vector<std::filesystem::path> assets;
   std::vector<scene::Override> overrides;
-  std::string fields;  ///< "npy", "pfm" or empty
+  std::string fields;  ///< format of field files: "npy", "pfm", or empty for none
   bool counts = true;
   std::vector<Piece> pieces;
 
   [[nodiscard]] std::filesystem::path planFile() const { return folder / "plan.json"; }
   [[nodiscard]] std::filesystem::path sceneFile() const { return folder / "scene.json"; }
   [[nodiscard]] std::vector<int> allFrames() const;
-  /// What the whole is called; and a piece's own output, with the same names in a folder of its own.
+  /// Return the output name of the whole sequence, and of one piece (the same file names in the piece's
+  /// folder).
   [[nodiscard]] frame::OutputName wholeOutput() const;
   [[nodiscard]] frame::OutputName pieceOutput(std::size_t piece) const;
-  /// The pass that simulates without drawing, and leaves the states that pieces begin with.
+  /// Returns the request for the pass that simulates without drawing and keeps the state at the start of
+  /// each piece.
   [[nodiscard]] RenderRequest simulation(const std::string& command) const;
   [[nodiscard]] RenderRequest drawing(std::size_t piece, const std::string& command) const;
 
@@ -40,11 +47,11 @@ struct PiecePlan {
   [[nodiscard]] std::string pieceOutputText(std::size_t piece) const;
 };
 
-/// Splits frames into pieces of equal length. Throws UserError(usage) where there are fewer than pieces.
+/// Splits frames into pieces of equal length. Throws UserError(usage) if there are more pieces than frames.
 [[nodiscard]] std::vector<Piece> splitFrames(const std::vector<int>& frames, std::size_t pieces);
 
 [[nodiscard]] std::string planText(const PiecePlan& plan);
-/// Throws UserError(usage) naming the file and what is wrong in it.
+/// Reads plan.json in `folder`. Throws UserError(usage) with the file and the error in it.
 [[nodiscard]] PiecePlan readPiecePlan(const std::filesystem::path& folder);
 
 }  // namespace simreel::batch

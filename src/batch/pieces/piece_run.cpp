@@ -22,9 +22,9 @@ namespace simreel::batch {
 
 namespace {
 
-/// What workers do: the simulation, or a piece.
+/// Work item of a worker: the simulation, or one piece.
 struct Step {
-  std::optional<std::size_t> piece;  ///< nothing: the simulation
+  std::optional<std::size_t> piece;  ///< index of the piece; nullopt: the simulation
   [[nodiscard]] std::string name() const { return piece ? fmt::format("piece {}", *piece) : "simulation"; }
 };
 
@@ -34,7 +34,7 @@ int runStep(const PiecePlan& plan, const Step& step, const gl::Context& context,
                     : simulatePieces(plan, context, progress, how.command);
 }
 
-/// Beside each other. Throws the first mistake.
+/// Runs steps in parallel. Throws the first error.
 void runSteps(const PiecePlan& plan, const std::vector<Step>& steps, const LocalPieces& how) {
   WorkForce force;
   force.workers = std::min(how.workers, steps.size());
@@ -46,7 +46,7 @@ void runSteps(const PiecePlan& plan, const std::vector<Step>& steps, const Local
     while (const auto task = line.next()) {
       frame::Progress progress(how.ndjson ? frame::Progress::Mode::ndjson : frame::Progress::Mode::none);
       progress.ofJob(steps[task->item].name());
-      // The code as a letter, then the message.
+      // The answer is the exit code as one character, then the message.
       std::string answer = "0";
       try {
         if (const int signal = runStep(plan, steps[task->item], context, progress, how); signal != 0)
@@ -88,7 +88,7 @@ void requireState(const PiecePlan& plan, const std::filesystem::path& checkpoint
   }
 }
 
-/// On a scratch folder nobody else would see the lock of what is drawn there.
+/// Locks a piece in the shared folder, because other machines cannot see a lock in a scratch folder.
 frame::OutputLock lockOf(const std::filesystem::path& folder, std::size_t piece) {
   constexpr std::array all{0};
   try {
@@ -142,7 +142,7 @@ int drawPiece(const PiecePlan& plan, std::size_t piece, const gl::Context& conte
   makeFolders(folder);
   const frame::OutputLock lock = lockOf(folder, piece);
   Scratch place(folder, scratch);
-  // A pattern's name stays.
+  // Keeps the file name of a pattern such as frame_####.png.
   const std::string name = std::filesystem::path(request.output).filename().string();
   request.output = name.empty() ? place.folder().string() + "/" : (place.folder() / name).string();
   int signal = 0;
@@ -159,7 +159,7 @@ int drawPiece(const PiecePlan& plan, std::size_t piece, const gl::Context& conte
 }
 
 int makePieces(const PiecePlan& plan, const LocalPieces& how) {
-  // The first piece begins where the simulation does.
+  // The first piece needs no checkpoint, so it is drawn while the simulation runs.
   std::vector<Step> first, rest;
   if (!isSimulated(plan, true)) first.push_back({});
   for (std::size_t i = 0; i < plan.pieces.size(); ++i)

@@ -9,31 +9,32 @@
 
 namespace simreel::batch {
 
-/// Whether the states that pieces begin with are there, and whole if they are read; whether a piece's
-/// frames are, as its manifest says.
+/// isSimulated(): true if the checkpoints that the pieces begin with exist and, with `read`, are not
+/// damaged. isDrawn(): true if the piece's manifest lists all its frames.
 [[nodiscard]] bool isSimulated(const PiecePlan& plan, bool read = false);
 [[nodiscard]] bool isDrawn(const PiecePlan& plan, std::size_t piece);
 
-/// Simulates up to the last piece, going on where an earlier pass ended. Returns the signal that
+/// Simulates up to the start of the last piece, or continues an earlier pass. Returns the signal that
 /// interrupted it, or 0. Throws UserError.
 [[nodiscard]] int simulatePieces(const PiecePlan& plan, const gl::Context& context,
                                  frame::Progress& progress, const std::string& command);
-/// Draws a piece, or goes on with it. Throws UserError: usage also where the state that it begins with was
-/// simulated by a driver whose numerics differ and matter, inputOutput also where another process draws it.
+/// Draws a piece, or continues it. Throws UserError: `usage` also if the piece begins with a state of
+/// another driver whose numerics differ and matter; `inputOutput` also if another process is drawing the
+/// piece.
 [[nodiscard]] int drawPiece(const PiecePlan& plan, std::size_t piece, const gl::Context& context,
                             frame::Progress& progress, const std::string& command,
                             const std::filesystem::path& scratch = {});
 
-/// How pieces are made on this machine.
+/// Settings for making pieces on this machine.
 struct LocalPieces {
   std::size_t workers = 1;
-  gl::ContextOptions on;          ///< may list devices: each worker takes the next
-  bool ndjson = false;            ///< events of every piece on standard error
-  std::filesystem::path scratch;  ///< a folder of this machine's own to draw in; empty: none
+  gl::ContextOptions on;  ///< GPU selection; if it lists several devices, each worker takes the next one
+  bool ndjson = false;    ///< true: events of all pieces go to standard error as JSON lines
+  std::filesystem::path scratch;  ///< scratch folder on a local disk to draw in; empty: none
   std::string command;
 };
-/// The simulation, then all pieces beside each other. Returns the signal that interrupted it, or 0. Throws
-/// UserError with what the first piece that failed said.
+/// Runs the simulation and draws all pieces, in parallel where possible. Returns the signal that
+/// interrupted it, or 0. Throws UserError with the message of the first piece that failed.
 [[nodiscard]] int makePieces(const PiecePlan& plan, const LocalPieces& how);
 
 }  // namespace simreel::batch

@@ -10,22 +10,23 @@
 
 namespace simreel::batch {
 
-// What the plans of sweeps and of pieces have in common.
+// Functions shared by the plans of sweeps and of pieces.
 
 using PlanJson = nlohmann::ordered_json;
 
 [[nodiscard]] PlanJson overrideList(const std::vector<scene::Override>& overrides);
 [[nodiscard]] PlanJson folderList(const std::vector<std::filesystem::path>& folders);
-/// Throws JsonError.
+/// Read lists from a plan. Throw JsonError if an item has the wrong form.
 [[nodiscard]] std::vector<scene::Override> overridesIn(const JsonValue& list);
 [[nodiscard]] std::vector<std::filesystem::path> foldersIn(const JsonValue& list);
-/// On one line.
+/// Returns the value as JSON on one line.
 [[nodiscard]] std::string lineOf(const PlanJson& value);
-/// The members of an object, ready for more.
+/// Returns an object as JSON without its closing brace, so that more members can be appended.
 [[nodiscard]] std::string openObject(const PlanJson& members);
-/// Reads a plan's file; `what` it is called. Throws UserError(usage) where it is not there.
+/// Reads a plan's file. `what`: name of the plan in messages. Throws UserError(usage) if the file does not
+/// exist.
 [[nodiscard]] std::string readPlan(const std::filesystem::path& file, const char* what);
-/// Throws JsonError where the object is of another format or version.
+/// Throws JsonError if the object has another format or version.
 void expectFormat(const JsonValue& object, const char* format, int version);
 
 }  // namespace simreel::batch

@@ -11,55 +11,60 @@ namespace simreel::batch {
 
 /// One job of a sweep.
 struct PlannedJob {
-  std::vector<scene::Override> values;  ///< of the parameters, in their order
-  /// Of scene, values, frames and program: a result of another hash is not this job's.
+  /// Values of the varied parameters, in the order of SweepPlan::varied.
+  std::vector<scene::Override> values;
+  /// Hash of scene, values, frames, field format and program version. A result with another hash does not
+  /// belong to this job.
   std::string hash;
 };
 
-/// All that there is to do in a sweep's folder: plan.json in it, a line for each job.
+/// Plan of a sweep, stored as plan.json in the sweep's folder with one line for each job.
 struct SweepPlan {
-  std::filesystem::path folder;               ///< where the plan lies; not written
-  std::string program;                        ///< version that wrote it
-  std::vector<std::filesystem::path> assets;  ///< absolute: the scene's own folder first
-  std::vector<scene::Override> overrides;     ///< of every job, before its values
-  std::string frames;                         ///< as --frames takes them; empty: all
-  std::string fields;                         ///< "npy", "pfm" or empty
-  std::vector<std::string> varied;            ///< paths
-  /// The first frame of each job, where no varied path touches the simulation and there is something to
-  /// simulate before it: the state there is the same in all jobs, and is made once.
+  std::filesystem::path folder;  ///< folder that contains plan.json; not stored in the plan
+  std::string program;           ///< version of the program that wrote the plan
+  /// Asset folders as absolute paths; the scene's own folder first.
+  std::vector<std::filesystem::path> assets;
+  /// Overrides common to all jobs, applied before a job's own values.
+  std::vector<scene::Override> overrides;
+  std::string frames;               ///< frames as --frames takes them; empty: all
+  std::string fields;               ///< format of field files: "npy", "pfm", or empty for none
+  std::vector<std::string> varied;  ///< paths of the varied parameters
+  /// First frame of all jobs, if they have the same state there and something must be simulated before it.
+  /// This state is simulated once for all jobs. nullopt if a varied path affects the simulation.
   std::optional<int> sharedFrame;
   std::vector<PlannedJob> jobs;
 
   [[nodiscard]] std::filesystem::path planFile() const { return folder / "plan.json"; }
-  /// The scene as it was when the sweep was planned.
+  /// Returns the path of the copy of the scene that was made when the sweep was planned.
   [[nodiscard]] std::filesystem::path sceneFile() const { return folder / "scene.json"; }
-  /// "0007": of a job's folder and in tables.
+  /// Returns a job's name in tables and of its folder, such as "0007".
   [[nodiscard]] std::string name(std::size_t job) const;
   [[nodiscard]] std::filesystem::path jobFolder(std::size_t job) const;
-  /// Where the checkpoint of the shared frame is kept.
+  /// Returns the folder with the checkpoint of the shared frame.
   [[nodiscard]] std::filesystem::path sharedFolder() const { return folder / "shared"; }
   [[nodiscard]] std::filesystem::path sharedCheckpoint() const;
-  /// Of every job and this one's values.
+  /// Returns the overrides of all jobs, followed by this job's values.
   [[nodiscard]] std::vector<scene::Override> overridesOf(std::size_t job) const;
-  /// "feed=0.03 kill=0.06": the values with as much of their paths as tells them apart.
+  /// Returns the job's values with shortened paths: "feed=0.03 kill=0.06".
   [[nodiscard]] std::string label(std::size_t job) const;
 };
 
-/// The parameters' paths cut from the front as far as they stay different, and at least to one name.
+/// Returns the paths without leading names, as short as they can be without becoming equal; at least one
+/// name each.
 [[nodiscard]] std::vector<std::string> shortNames(const std::vector<std::string>& paths);
 
 [[nodiscard]] std::string jobHash(const std::string& sceneHash, const std::string& frames,
                                   const std::string& fields);
-/// Throws UserError(usage) where another version of the program has written the plan: its jobs' results
-/// would be said to be that one's.
+/// Throws UserError(usage) if another version of the program wrote the plan, because results of this
+/// version would be attributed to it.
 void checkProgram(const SweepPlan& plan);
 
-/// Sets the jobs' hashes, and what they share. Throws UserError(usage) with the report of the first job
-/// whose scene has mistakes; `text` is the scene's.
+/// Sets the hashes of all jobs, and `sharedFrame`. `text`: text of the scene. Throws UserError(usage) with
+/// the report of the first job whose scene has errors.
 void checkJobs(SweepPlan& plan, const std::string& text);
 
 [[nodiscard]] std::string planText(const SweepPlan& plan);
-/// Throws UserError(usage) naming the file and what is wrong in it.
+/// Reads plan.json in `folder`. Throws UserError(usage) with the file and the error in it.
 [[nodiscard]] SweepPlan readSweepPlan(const std::filesystem::path& folder);
 
 }  // namespace simreel::batch

@@ -26,7 +26,7 @@ std::optional<double> numberOf(std::string_view text) {
   return value;
 }
 
-/// At each separator outside brackets and quotes.
+/// Splits text at each separator outside brackets and quotes.
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
   int depth = 0;
@@ -47,7 +47,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// The numbers of "0:1:0.1"; fewer where it is none.
+/// Returns the numbers of a range such as "0:1:0.1"; empty if a part is not a number.
 std::vector<double> rangeOf(const std::string& text) {
   std::vector<double> numbers;
   for (const std::string& part : split(text, ':')) {
@@ -58,7 +58,8 @@ std::vector<double> rangeOf(const std::string& text) {
   return numbers;
 }
 
-/// Both ends, the last one where a whole number of steps leads there. Twelve digits: 0.1 thrice is 0.3.
+/// Appends the values from first to last. The last one is included if a whole number of steps leads to it.
+/// Twelve digits hide rounding errors: three steps of 0.1 give 0.3.
 void addSteps(const std::string& text, const std::vector<double>& range, std::vector<std::string>& values) {
   const double first = range[0], last = range[1], step = range[2];
   const double count = step == 0 ? -1 : std::floor((last - first) / step + 1e-9);
@@ -71,7 +72,7 @@ void addSteps(const std::string& text, const std::vector<double>& range, std::ve
     values.push_back(fmt::format("{:.12g}", first + i * step));
 }
 
-/// A hash of two numbers, as even as any (splitmix64).
+/// Returns an evenly distributed hash of two numbers (splitmix64).
 std::uint64_t mixed(std::uint64_t seed, std::uint64_t counter) {
   std::uint64_t z = seed * 0x9E3779B97F4A7C15U + (counter + 1) * 0xD1B54A32D192ED03U;
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -79,7 +80,7 @@ std::uint64_t mixed(std::uint64_t seed, std::uint64_t counter) {
   return z ^ (z >> 31U);
 }
 
-/// What of a parameter each of the samples gets.
+/// Returns the value of a parameter for each sample.
 std::vector<std::string> drawn(const Vary& varied, std::size_t samples, std::uint64_t seed) {
   std::vector<std::size_t> order(samples);
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -139,7 +140,7 @@ Vary parseVary(const std::string& text) {
       result.values.push_back(part);
     }
   }
-  std::map<std::string, std::string> seen;  // numbers by value: 0.50 is 0.5
+  std::map<std::string, std::string> seen;  // numbers are compared by value: 0.50 equals 0.5
   for (const std::string& value : result.values) {
     const auto number = numberOf(value);
     const auto [first, isNew] = seen.emplace(number ? fmt::format("{}", *number) : value, value);
@@ -173,7 +174,7 @@ std::vector<std::vector<scene::Override>> combine(const std::vector<Vary>& varie
     fail(ExitCode::usage, "a sweep has from 1 to {} jobs, not {}", maxJobs, count);
 
   std::vector<std::vector<scene::Override>> jobs(count);
-  std::size_t repeats = count;  // of a value before the next one, in a grid
+  std::size_t repeats = count;  // number of successive jobs with the same value, in a grid
   for (std::size_t v = 0; v < varied.size(); ++v) {
     const Vary& one = varied[v];
     std::vector<std::string> values;

@@ -7,7 +7,8 @@
 
 namespace simreel::batch {
 
-/// Frames as --frames takes them, all of the scene where nothing is given. Warns of those beyond its end.
+/// Returns the frames of a --frames argument, or all frames of the scene if `text` is nullopt. Warns about
+/// frames beyond the scene's end.
 [[nodiscard]] std::vector<int> chosenFrames(const std::optional<std::string>& text,
                                             const scene::Scene& scene);
 void warnBeyondEnd(int frame, const scene::Scene& scene);

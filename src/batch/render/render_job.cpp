@@ -39,7 +39,7 @@ RenderJob::RenderJob(RenderRequest request)
   if (request_.fields)
     fields_.emplace(output_, frame::parseFieldFormat(*request_.fields), request_.existing, frames_);
   chooseCheckpoints();
-  // Before a device starts, and before anything is simulated to place a camera.
+  // Checks the output before a device starts and before a simulation for the camera's placement.
   frame::checkOutput(output_, request_.existing, frames_);
 }
 
@@ -100,7 +100,7 @@ void RenderJob::chooseCheckpoints() {
   }
 }
 
-/// Whichever frames are wanted: it is the scene's.
+/// Places the camera by the motion of the whole scene, independent of the frames that are drawn.
 void RenderJob::placeCamera() {
   if (frames_.empty()) return;
   const sim::MotionFraming framing = sim::frameMotion(scene_, frame::throwIfInterrupted);

@@ -17,40 +17,41 @@
 
 namespace simreel::batch {
 
-/// What `simreel render`, a job of a sweep and a piece of a sequence are asked for.
+/// Input of one run: of `simreel render`, of a sweep's job, or of a piece of a sequence.
 struct RenderRequest {
-  std::filesystem::path scene;  ///< "-": standard input
+  std::filesystem::path scene;  ///< path of the scene; "-": standard input
   std::vector<scene::Override> overrides;
-  std::vector<std::filesystem::path> assets;  ///< further folders
+  std::vector<std::filesystem::path> assets;  ///< additional folders for assets
   std::string output;
-  /// As --frames takes them, or "none": the simulation goes to the last checkpoint, and nothing is drawn.
+  /// Frames as --frames takes them. "none": draws nothing and simulates up to the last frame in
+  /// checkpointAt.
   std::optional<std::string> frames;
   frame::Existing existing = frame::Existing::error;
-  std::optional<std::string> fields;  ///< "npy" or "pfm"
+  std::optional<std::string> fields;  ///< format of field files: "npy" or "pfm"
   bool counts = true;
-  std::optional<double> checkpoint;  ///< s between two; else the default
-  std::set<int> checkpointAt;        ///< frames whose states are kept for good
-  std::filesystem::path from;        ///< checkpoint to begin at; empty: the scene's start
-  bool mayDoWithout = false;         ///< begin at the scene's start where `from` cannot be used
+  std::optional<double> checkpoint;  ///< seconds between two checkpoints; nullopt: default
+  std::set<int> checkpointAt;        ///< frames whose checkpoints are kept after the run
+  std::filesystem::path from;        ///< checkpoint to start from; empty: the scene's start
+  bool mayDoWithout = false;         ///< true: starts at the scene's start if `from` cannot be used
   std::string streamFormat = "rgba";
-  std::vector<draw::Layer> layers;  ///< of OpenEXR pictures, besides colour
-  std::optional<int> bits;          ///< of each number: of PNG 8 or 16, of OpenEXR's colour 16 or 32
-  std::string command;              ///< for run.json
+  std::vector<draw::Layer> layers;  ///< layers of OpenEXR pictures in addition to colour
+  std::optional<int> bits;          ///< bits per number: 8 or 16 in PNG, 16 or 32 in OpenEXR's colour
+  std::string command;              ///< command line to record in run.json
 };
 
-/// One run of one scene. Made before there is a device: what is wrong with the request shows then.
+/// One run of one scene. Its construction needs no device and reports errors in the request.
 class RenderJob {
  public:
-  /// Throws UserError.
+  /// Checks the request. Throws UserError.
   explicit RenderJob(RenderRequest request);
   [[nodiscard]] scene::Scene& scene() { return scene_; }
   [[nodiscard]] const std::vector<int>& frames() const { return frames_; }
   [[nodiscard]] const frame::OutputName& output() const { return output_; }
 
-  /// Renders. `began`: when the command did. Throws UserError.
+  /// Renders. `began`: start time of the command. Throws UserError.
   frame::SequenceResult run(const gl::Context& context, frame::Progress& progress, Clock::time_point began,
                             frame::FrameWatch* watch = nullptr);
-  /// "out/000000.png ... out/000119.png", after run().
+  /// Returns the written files after run(): "out/000000.png ... out/000119.png".
   [[nodiscard]] const std::string& summary() const { return summary_; }
 
  private:
@@ -63,12 +64,13 @@ class RenderJob {
   RenderRequest request_;
   scene::Scene scene_;
   std::vector<int> frames_;
-  std::optional<draw::LightRequest> layers_;  ///< of pictures that are not made of their bytes
+  /// Layers and precision of pictures with more than 8 bits per channel.
+  std::optional<draw::LightRequest> layers_;
   frame::OutputName output_;
   std::optional<frame::FieldFiles> fields_;
   std::map<int, std::filesystem::path> kept_;
   std::string asRun_;
-  std::vector<std::string> camera_;  ///< frame::RunInfo::camera
+  std::vector<std::string> camera_;  ///< camera placement for frame::RunInfo::camera
   std::string summary_;
 };
 

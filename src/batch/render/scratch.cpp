@@ -28,7 +28,7 @@ bool isManifest(const fs::path& file) {
   return file.filename().string().ends_with("manifest.json");
 }
 
-/// Files directly in a folder, manifests last; not what is half written, or locked by who is gone.
+/// Returns the files directly in a folder, manifests last. Skips incomplete files (.part) and locks.
 std::vector<fs::path> filesOf(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -89,7 +89,7 @@ Scratch::~Scratch() {
   if (!own_.empty()) removeAll(own_);
 }
 
-/// Of processes that were killed at this very work; it would fill the disk.
+/// Removes folders of killed processes that did the same work; otherwise they would fill the disk.
 void Scratch::removeLeftovers(const fs::path& root, const std::string& name) const {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(root, error)) {
@@ -121,7 +121,7 @@ void Scratch::deliver() {
     if (pathExists(to) && readFile(to, "file", anySize) == bytes) continue;
     writeFileAtomically(to, bytes, NameSync::later);
   }
-  // A checkpoint that is needed no more, and the like.
+  // Files that the run has removed, such as a checkpoint that is no longer needed.
   for (const std::string& name : brought_) removeFile(shared_ / name);
   syncFolder(shared_);
 }

@@ -5,17 +5,17 @@
 
 namespace simreel::batch {
 
-/// "$NAME" in a path by the environment of the machine that asks: '/local/$SLURM_JOB_ID'. Throws
-/// UserError(usage) for what is not set there.
+/// Replaces $NAME in a path with this machine's environment variables: '/local/$SLURM_JOB_ID'. Throws
+/// UserError(usage) if a variable is not set.
 [[nodiscard]] std::filesystem::path scratchRoot(const std::string& text);
 
-/// A folder of a node's own disk in place of a shared one, for as long as one run takes. What an earlier
-/// attempt has left in the shared folder is brought; what is there at the end goes back: also after an
-/// error or an interrupt, so that any other node goes on from there. A node that dies takes its own part
-/// along.
+/// Folder on a node's local disk that takes the place of a shared folder during one run. The constructor
+/// copies files of an earlier attempt from the shared folder. deliver() copies the results back, also after
+/// an error or an interrupt, so that any other node can continue. If a node dies, its local files are lost.
 class Scratch {
  public:
-  /// `root`: where; empty: there is none, and folder() is the shared one. Throws UserError(inputOutput).
+  /// `root`: local folder in which a folder is made; if empty, folder() is the shared folder. Throws
+  /// UserError(inputOutput).
   Scratch(std::filesystem::path shared, const std::filesystem::path& root);
   ~Scratch();
   Scratch(const Scratch&) = delete;
@@ -24,9 +24,9 @@ class Scratch {
   Scratch& operator=(Scratch&&) = delete;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return own_.empty() ? shared_ : own_; }
-  /// Copies back all that differs, each file as a whole and manifests last: what they list is there; of
-  /// what was brought removes what the run has removed. Nothing is renamed from one file system to the
-  /// other. Throws UserError(inputOutput).
+  /// Copies all changed files back. Manifests come last, so that the files they list exist. Removes files
+  /// of the shared folder that the run has removed from its local copy. Copies instead of renaming, because
+  /// a rename does not cross file systems. Throws UserError(inputOutput).
   void deliver();
 
  private:

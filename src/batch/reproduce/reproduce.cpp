@@ -31,18 +31,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is known of a frame that is to be made again.
+/// Known facts about the frame that is rendered again.
 struct Wanted {
   int frame = 0;
   std::string program, sceneHash, state, pixels;
-  std::string drawn;                  ///< pixels of the picture's file as it is now; empty: there is none
-  std::optional<frame::RunInfo> run;  ///< of the manifest, where there is one
-  frame::RunRecord record;            ///< of who drew it, where that is known
+  std::string drawn;  ///< hash of the pixels in the picture file; empty: no picture was given
+  std::optional<frame::RunInfo> run;  ///< run in the manifest, if a manifest exists
+  frame::RunRecord record;            ///< record of the process that drew the frame, if it is known
   std::vector<std::string> overrides;
-  fs::path asRun;  ///< empty: it does not lie beside
+  fs::path asRun;  ///< scene as run; empty: it does not lie beside the picture
 };
 
-/// Another file of the output that a manifest is of.
+/// Returns the path of another file of a manifest's output, with the ending `ending` in place of
+/// "manifest.json".
 fs::path besideManifest(const fs::path& manifest, const std::string& ending) {
   constexpr std::string_view own = "manifest.json";
   const std::string name = manifest.filename().string();
@@ -53,7 +54,7 @@ bool isManifestName(const fs::path& file) {
   return file.filename().string().ends_with("manifest.json");
 }
 
-/// The version of a manifest's program is not part of the run.
+/// Returns the program version in a manifest, which frame::Manifest does not contain.
 std::string programOf(const fs::path& manifest) {
   try {
     const auto json = parseStrictJson(readFile(manifest, "manifest"));
@@ -77,7 +78,7 @@ void takeManifest(const fs::path& file, const frame::Manifest& manifest, int num
   if (const fs::path scene = besideManifest(file, "as-run.json"); pathExists(scene)) wanted.asRun = scene;
 }
 
-/// The manifest in a picture's folder that lists it.
+/// Returns the manifest in the picture's folder that lists the picture, and the frame's number.
 std::optional<std::pair<fs::path, int>> manifestFor(const fs::path& picture, frame::Manifest& found) {
   std::error_code error;
   const fs::path folder = picture.parent_path().empty() ? fs::path(".") : picture.parent_path();
@@ -90,13 +91,13 @@ std::optional<std::pair<fs::path, int>> manifestFor(const fs::path& picture, fra
           found = std::move(*manifest);
           return std::pair(entry.path(), number);
         }
-    } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): another may list it.
+    } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): another manifest may list it.
     }
   }
   return std::nullopt;
 }
 
-/// The manifest itself, or that of a folder or of a video; empty for a picture.
+/// Returns the manifest that `file` is, or that belongs to the folder or video `file`; empty for a picture.
 fs::path manifestNamed(const fs::path& file) {
   if (isManifestName(file)) return file;
   std::error_code error;
@@ -147,7 +148,7 @@ Wanted wantedOf(const ReproduceRequest& request) {
   return wanted;
 }
 
-/// A folder that goes with it, unless it is to stay.
+/// Output folder. It is temporary unless a folder to keep is given.
 class Place {
  public:
   explicit Place(const fs::path& kept) : path_(kept), kept_(!kept.empty()) {
@@ -196,8 +197,8 @@ RenderRequest renderingOf(const ReproduceRequest& request, const Wanted& wanted,
   return render;
 }
 
-/// The folders that run.json tells of, as arguments. It comes with the pictures from anywhere, so they are
-/// told and not read.
+/// Returns the folders named in run.json as command-line arguments for a message. They are not read
+/// automatically, because run.json may come from an untrusted source.
 std::string assetWords(const ReproduceRequest& request, const Wanted& wanted) {
   std::string words;
   for (const std::string& folder : wanted.record.folders)
@@ -206,7 +207,7 @@ std::string assetWords(const ReproduceRequest& request, const Wanted& wanted) {
   return words;
 }
 
-/// What may be why results differ, or differs though they do not.
+/// Adds possible causes of different results. Also adds differences in origin if the results are equal.
 void compareOrigins(const ReproduceRequest& request, const Wanted& wanted, const frame::Manifest& again,
                     const frame::RunLog& log, Reproduction& result) {
   const auto say = [&](std::string line) { result.differences.push_back(std::move(line)); };

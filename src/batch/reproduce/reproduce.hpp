@@ -9,22 +9,23 @@
 namespace simreel::batch {
 
 struct ReproduceRequest {
-  std::filesystem::path file;   ///< a picture, a manifest, or a folder or video that has one
-  std::optional<int> frame;     ///< of a manifest; else its last one
-  std::filesystem::path scene;  ///< empty: the scene as run that lies beside
+  std::filesystem::path file;   ///< picture or manifest, or a folder or video with a manifest
+  std::optional<int> frame;     ///< frame number in the manifest; nullopt: the manifest's last frame
+  std::filesystem::path scene;  ///< path of the scene; empty: as-run.json beside the picture
   std::vector<std::filesystem::path> assets;
-  std::filesystem::path output;  ///< folder for the new picture; empty: it is not kept
+  std::filesystem::path output;  ///< folder for the new picture; empty: the picture is not kept
   gl::ContextOptions on;
 };
 
 struct Reproduction {
   int frame = 0;
   bool same = false;
-  std::string state, pixels;             ///< hashes that it has now
-  std::vector<std::string> differences;  ///< in words: of results, and of what may be why
+  std::string state, pixels;  ///< hashes of the frame's new state and pixels
+  /// Differences in the results, and their possible causes, in words.
+  std::vector<std::string> differences;
 };
 
-/// Renders the frame again and compares state and pixels. Throws UserError.
+/// Renders the frame again and compares its state and pixels. Throws UserError.
 [[nodiscard]] Reproduction reproduce(const ReproduceRequest& request);
 
 }  // namespace simreel::batch

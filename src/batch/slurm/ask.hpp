@@ -4,18 +4,18 @@
 
 namespace simreel::batch {
 
-/// What a command of Slurm's came to.
+/// Result of a Slurm command.
 struct Answer {
-  int error = 0;   ///< errno where it could not be started
-  int status = 0;  ///< as waitpid has it
+  int error = 0;   ///< errno if the command could not be started
+  int status = 0;  ///< exit status as set by waitpid()
   std::string output, messages;
 
   [[nodiscard]] bool fine() const { return error == 0 && status == 0; }
-  /// The first line of what it said, or of what the system did.
+  /// Returns the first line of the error output, or the system's error if the command could not be started.
   [[nodiscard]] std::string why() const;
 };
 
-/// Runs a program found along PATH, and waits for it.
+/// Runs a program found in PATH and waits for its end.
 [[nodiscard]] Answer ask(const std::vector<std::string>& words);
 
 [[nodiscard]] inline std::string firstLine(const std::string& text) {

@@ -7,29 +7,30 @@
 
 namespace simreel::batch {
 
-/// A job, or an array of jobs, that Slurm took.
+/// Job or job array that Slurm has accepted.
 struct Submitted {
-  std::string work;        ///< Slurm::Work::name
-  std::string id;          ///< Slurm's
-  std::size_t offset = 0;  ///< of the work's numbers to the array's
+  std::string work;        ///< name of the work (Slurm::Work::name)
+  std::string id;          ///< Slurm's id of the job
+  std::size_t offset = 0;  ///< difference between an item's number and its index in the Slurm array
 };
 
-/// Adds it to the list in `folder`, that of the scripts. Throws UserError(inputOutput).
+/// Appends the job to the list of submitted jobs in `folder`, the folder of the scripts. Throws
+/// UserError(inputOutput).
 void noteSubmitted(const std::filesystem::path& folder, const Submitted& job);
 
-/// What Slurm still has of all that was submitted from a folder, waiting or running.
+/// Jobs submitted from a folder that Slurm still has, waiting or running.
 class SlurmQueue {
  public:
-  /// Asks `squeue`, if anything was submitted (empty folder: no); nothing is queued where it does not
-  /// answer, with a warning.
+  /// Runs `squeue` if jobs were submitted from `folder` (an empty path: none were). If squeue fails, warns
+  /// and treats the queue as empty.
   explicit SlurmQueue(const std::filesystem::path& folder);
 
-  /// Whether a number of this work is; a job that is no array has 0.
+  /// True if item `number` of this work is queued. A job that is not an array has the number 0.
   [[nodiscard]] bool has(const std::string& work, std::size_t number) const;
   [[nodiscard]] bool empty() const { return numbers_.empty(); }
 
  private:
-  std::map<std::string, std::set<std::size_t>> numbers_;  ///< by work
+  std::map<std::string, std::set<std::size_t>> numbers_;  ///< queued item numbers by name of the work
 };
 
 }  // namespace simreel::batch

@@ -6,24 +6,24 @@
 
 namespace simreel::batch {
 
-/// Jobs of a Slurm cluster, submitted by its own `sbatch`. Each runs a script that becomes simreel
-/// (`exec`), so what Slurm sends before it ends or requeues a job reaches the program.
+/// Submits jobs to a Slurm cluster through `sbatch`. The script of a job replaces itself with simreel
+/// (`exec`), so that signals that Slurm sends before it ends or requeues a job reach the program.
 class Slurm {
  public:
-  /// `folder`: where scripts and what jobs say go, seen by every node. `more`: further words for sbatch.
-  /// Throws UserError(usage) where there is no sbatch.
+  /// `folder`: folder for scripts and logs, visible to all nodes. `more`: additional arguments for sbatch.
+  /// Throws UserError(usage) if Slurm is not installed.
   Slurm(const std::filesystem::path& folder, std::vector<std::string> more);
 
-  /// What one job, or each of an array, runs.
+  /// Work of one job, or of each job of an array.
   struct Work {
-    std::string name;                     ///< of the job and its script
-    std::vector<std::string> arguments;   ///< of simreel; the job's number follows where there are some
-    std::vector<std::size_t> numbers;     ///< ascending; empty: a job that is no array
-    std::vector<std::string> after = {};  ///< ids of jobs that have to be done well before
-    bool however = false;                 ///< or to have ended, however that was
+    std::string name;                     ///< name of the job and of its script
+    std::vector<std::string> arguments;   ///< arguments for simreel; in an array the item's number follows
+    std::vector<std::size_t> numbers;     ///< item numbers, ascending; empty: a single job
+    std::vector<std::string> after = {};  ///< ids of jobs that must succeed first
+    bool however = false;                 ///< true: the jobs in `after` only have to end, with any result
   };
-  /// Splits arrays where the cluster allows no longer ones. Returns the ids. Throws UserError(inputOutput)
-  /// with what sbatch said.
+  /// Submits the work and returns the jobs' ids. Splits arrays that are too long for the cluster. Throws
+  /// UserError(inputOutput) with sbatch's message.
   std::vector<std::string> submit(const Work& work);
 
  private:
@@ -34,15 +34,14 @@ class Slurm {
   std::size_t maxArraySize_;
 };
 
-/// Words as a shell tells them apart: by blanks, with ' and " around what holds some. Throws
-/// UserError(usage).
+/// Splits text into words like a shell: at blanks, except within ' or ". Throws UserError(usage).
 [[nodiscard]] std::vector<std::string> shellWords(const std::string& text);
 
-/// Numbers as sbatch --array takes them, less `offset`: "0-3,7".
+/// Returns the numbers minus `offset` in the syntax of sbatch --array: "0-3,7".
 [[nodiscard]] std::string arrayText(const std::vector<std::size_t>& numbers, std::size_t offset);
 
-/// Cuts ascending numbers where one is `maxSize` or more above the first of its part, or the part's text
-/// would be longer than a system takes as one word.
+/// Splits ascending numbers so that, in each part, the numbers differ by less than `maxSize` and the part's
+/// text fits into one command-line argument.
 [[nodiscard]] std::vector<std::vector<std::size_t>> splitArray(const std::vector<std::size_t>& numbers,
                                                                std::size_t maxSize);
 

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* resultFormat = "simreel-job";
 constexpr int resultVersion = 1;
 
-/// JSON has no infinities: null.
+/// Returns null for a missing value, and for infinities, because JSON has no infinities.
 Json numberOrNull(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
@@ -31,7 +31,7 @@ std::string resultJson(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// One line each, so that a text diff of two results names what differs.
+/// Returns a JSON list with one item per line, so that a text diff of two results shows which items differ.
 std::string jsonLines(const std::vector<Json>& items) {
   std::string text = "[";
   for (const Json& item : items) text += (text.size() > 1 ? ",\n    " : "\n    ") + resultJson(item);
@@ -107,7 +107,7 @@ std::string resultText(const JobResult& result) {
   const Json head = {{"format", resultFormat}, {"version", resultVersion},  {"hash", result.hash},
                      {"code", result.code},    {"message", result.message}, {"frames", result.frames}};
   std::string text = head.dump(2, ' ', false, Json::error_handler_t::replace);
-  text.resize(text.size() - 2);  // the closing "\n}"
+  text.resize(text.size() - 2);  // removes the closing "\n}", because more members follow
   text += ",\n  \"checks\": " + jsonLines(itemsOf(result.checks));
   text += ",\n  \"quantities\": " + jsonLines(quantities);
   text += ",\n  \"counts\": " + jsonLines(counts);

@@ -10,27 +10,28 @@
 
 namespace simreel::batch {
 
-/// How a job of a sweep ended: result.json in its folder, which is written last. Holds no time and nothing
-/// of the machine: it is the same wherever the job ran.
+/// Result of a job of a sweep. It is stored as result.json in the job's folder, the last file that the job
+/// writes. It has no times or data of the machine, so it is the same wherever the job ran.
 struct JobResult {
-  std::string hash;  ///< of the job in its plan
-  int code = 0;      ///< exit code; 0: all frames are there
+  std::string hash;  ///< hash of the job in its plan
+  int code = 0;      ///< exit code of the job; 0: all frames exist
   std::string message;
   int frames = 0;
   std::vector<golden::CheckResult> checks;
   std::vector<MeasuredQuantity> quantities;
-  std::vector<std::pair<std::string, std::string>> counts;  ///< last row of the table of counts
+  /// Column and value, from the last row of the table of counts.
+  std::vector<std::pair<std::string, std::string>> counts;
 
   [[nodiscard]] bool checksPassed() const;
 };
 
 [[nodiscard]] std::string resultText(const JobResult& result);
-/// Throws UserError(usage) naming the file and what is wrong in it.
+/// Parses a result. Throws UserError(usage) with the file's `name` and the error in it.
 [[nodiscard]] JobResult parseResult(const std::string& text, const std::string& name);
 
-/// Results of checks alone, for a run that goes on later.
+/// Returns the results of checks as JSON, for a run that continues later.
 [[nodiscard]] std::string checksText(const std::vector<golden::CheckResult>& checks);
-/// Empty where the file is not there or cannot be read.
+/// Reads the results of checks. Returns an empty list if the file is missing or cannot be read.
 [[nodiscard]] std::vector<golden::CheckResult> readChecks(const std::filesystem::path& file);
 
 }  // namespace simreel::batch

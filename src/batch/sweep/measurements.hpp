@@ -15,28 +15,28 @@
 
 namespace simreel::batch {
 
-/// What one object measures, at one frame.
+/// Quantity measured by one object at one frame.
 struct MeasuredQuantity {
-  std::string what;  ///< "energy of flag"
+  std::string what;  ///< name of quantity and object: "energy of flag"
   std::string unit;
   int frame = 0;
-  std::optional<double> value;  ///< nothing where it is no finite number
+  std::optional<double> value;  ///< measured number; nullopt if it is not finite
 };
 
-/// Where results of checks lie; empty: nowhere.
+/// Files with results of checks; empty paths: no file.
 struct CheckFiles {
   std::filesystem::path
-      earlier;  ///< of a run before this one, which goes on from its checkpoint; may be missing
-  std::filesystem::path kept;  ///< those so far, for a run after this one
+      earlier;  ///< results of an earlier run, from whose checkpoint this run continues; may be missing
+  std::filesystem::path kept;  ///< file for the results so far, which a later run reads
 };
 
-/// Evaluates a scene's checks while it is rendered, and measures every quantity at the last frame.
+/// Evaluates a scene's checks while it is rendered, and measures all quantities at the last frame.
 class Measurements final : public frame::FrameWatch {
  public:
-  /// Checks without frames of their own are made at the frames that a test compares, as far as they are
-  /// drawn, and (`ends`) at the last one; those of frames beyond the last are not made. The scene, from
-  /// whose checks "not-blank" of frames without picture are taken, has to live longer. `hear`: each result
-  /// as it comes, but for those of an earlier run.
+  /// Checks without their own frames are evaluated at the tested frames that are drawn and, with `ends`, at
+  /// the last frame. Frames beyond the last one are not evaluated. Removes frames without a picture from
+  /// the "not-blank" checks of `scene`, which must outlive this object. `hear`: called with each new
+  /// result, not with results of an earlier run.
   Measurements(scene::Scene& scene, std::span<const int> drawn, CheckFiles files,
                std::function<void(const golden::CheckResult&)> hear = {}, bool ends = true);
 
@@ -45,8 +45,8 @@ class Measurements final : public frame::FrameWatch {
   void made(const sim::World& world) override;
   void drawn(int frame, const frame::Image& image) override;
 
-  /// Once the run is over: pictures that it kept from an earlier attempt are looked at where they lie.
-  /// Throws UserError where one cannot be read.
+  /// Evaluates pictures that the run kept from an earlier attempt; call it after the run. `fileOf`: returns
+  /// the file of a frame. Throws UserError if a picture cannot be read.
   void lookAtKept(const std::function<std::filesystem::path(int frame)>& fileOf);
 
   [[nodiscard]] std::vector<golden::CheckResult> checks() const;
@@ -56,12 +56,12 @@ class Measurements final : public frame::FrameWatch {
   void news();
 
   const scene::Scene& scene_;
-  std::vector<int> tested_;  ///< frames that are drawn and compared
-  std::vector<int> wanted_;  ///< ascending
+  std::vector<int> tested_;  ///< frames that are both drawn and compared
+  std::vector<int> wanted_;  ///< frames whose state is needed, ascending
   CheckFiles files_;
   std::function<void(const golden::CheckResult&)> hear_;
   std::optional<golden::Checker> checker_;
-  std::set<int> drawn_;  ///< of the tested ones
+  std::set<int> drawn_;  ///< tested frames that have been drawn
   std::size_t heard_ = 0;
   std::set<std::pair<int, std::string>> told_;
   std::vector<MeasuredQuantity> quantities_;

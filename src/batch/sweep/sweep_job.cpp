@@ -36,7 +36,7 @@ fs::path resultFile(const fs::path& folder) {
   return folder / "result.json";
 }
 
-/// What job the folder was begun for; empty where none was.
+/// Returns the hash of the job that was begun in the folder; empty if no job was begun.
 std::string begunHash(const fs::path& folder) {
   if (!pathExists(begunFile(folder))) return {};
   try {
@@ -55,12 +55,13 @@ std::optional<JobResult> storedResult(const SweepPlan& plan, std::size_t job) {
   try {
     JobResult result = parseResult(readFile(file, "result"), file.string());
     if (result.hash == plan.jobs[job].hash) return result;
-  } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): then there is none.
+  } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): a damaged result counts as missing.
   }
   return std::nullopt;
 }
 
-/// Held by who renders a job, wherever that is drawn: on a scratch folder, too.
+/// Locks a job; nullopt if another process holds the lock. The lock lies in the shared folder even if the
+/// job is drawn in a scratch folder.
 std::optional<frame::OutputLock> lockOf(const SweepPlan& plan, std::size_t job) {
   const fs::path begun = begunFile(plan.jobFolder(job));
   makeFolders(plan.jobFolder(job));
@@ -77,7 +78,7 @@ bool isRunning(const fs::path& folder) {
   return frame::isOutputLocked(begunFile(folder));
 }
 
-/// But for the lock.
+/// Removes everything in the folder except the lock.
 void emptyFolder(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> all;
@@ -86,7 +87,7 @@ void emptyFolder(const fs::path& folder) {
   for (const fs::path& path : all) fs::remove_all(path, error);
 }
 
-/// Where no job has begun.
+/// True if the folder has files although no job has begun in it.
 bool holdsOthersFiles(const fs::path& folder) {
   std::error_code error;
   if (pathExists(begunFile(folder)) || pathExists(resultFile(folder))) return false;
@@ -97,7 +98,8 @@ bool holdsOthersFiles(const fs::path& folder) {
                      });
 }
 
-/// What stands there of another job under this name, such as one of an earlier plan, goes.
+/// Marks the job as begun. First removes the files of another job with the same name, such as a job of an
+/// earlier plan.
 void begin(const SweepPlan& plan, std::size_t job) {
   const fs::path folder = plan.jobFolder(job);
   const std::string& hash = plan.jobs[job].hash;
@@ -109,7 +111,7 @@ void begin(const SweepPlan& plan, std::size_t job) {
   writeFileAtomically(begunFile(folder), text.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-/// The last row of a table, by column.
+/// Returns the last row of a table as pairs of column name and value.
 std::vector<std::pair<std::string, std::string>> lastRow(const fs::path& table) {
   if (!pathExists(table)) return {};
   std::string text = readFile(table, "table of counts");
@@ -126,7 +128,7 @@ std::vector<std::pair<std::string, std::string>> lastRow(const fs::path& table) 
   const auto names = cells(text.substr(0, text.find('\n')));
   const auto values = cells(text.substr(text.rfind('\n') + 1));
   std::vector<std::pair<std::string, std::string>> row;
-  // The first two are step and time.
+  // The first two columns are step and time.
   for (std::size_t i = 2; i < std::min(names.size(), values.size()); ++i)
     row.emplace_back(names[i], values[i]);
   return row;
@@ -136,7 +138,8 @@ fs::path checksFile(const fs::path& folder) {
   return folder / "checks.part.json";
 }
 
-/// Of the files that a done job's manifest lists: how many are not there. Their content is not read.
+/// Returns the number of files that a done job's manifest lists and that do not exist. Does not read the
+/// files.
 std::size_t missingFiles(const fs::path& folder) {
   std::set<std::string> names;
   std::error_code error;
@@ -156,7 +159,7 @@ std::size_t missingFiles(const fs::path& folder) {
   return missing;
 }
 
-/// In a folder, which is the job's or stands for it.
+/// Renders the job into `folder`, which is the job's folder or a scratch folder.
 void render(const SweepPlan& plan, std::size_t job, const gl::Context& context, frame::Progress& progress,
             const std::string& command, const fs::path& folder, JobEnd& end) {
   const auto began = Clock::now();
@@ -242,7 +245,7 @@ JobEnd runSweepJob(const SweepPlan& plan, std::size_t job, const gl::Context& co
       end.elsewhere = true;
       return end;
     }
-    // Submitted twice, or done by another machine meanwhile.
+    // The job may have been submitted twice, or done by another machine meanwhile.
     if (auto stored = storedResult(plan, job); stored && stored->code == 0 && missingFiles(folder) == 0) {
       end.result = std::move(*stored);
       return end;
@@ -277,7 +280,7 @@ JobEnd runSweepJob(const SweepPlan& plan, std::size_t job, const gl::Context& co
   try {
     writeFileAtomically(resultFile(folder), resultText(end.result));
   } catch (const UserError& error) {
-    if (end.result.code != 0) return end;  // the first error is the cause
+    if (end.result.code != 0) return end;  // keeps the first error, because it is the cause
     end.result.code = static_cast<int>(error.code());
     end.result.message = error.what();
   }
@@ -300,7 +303,8 @@ int makeShared(const SweepPlan& plan, const gl::Context& context, frame::Progres
   if (!lacksShared(plan)) return 0;
   RenderRequest request;
   request.scene = plan.sceneFile();
-  request.overrides = plan.overridesOf(0);  // what varies is not simulated
+  // Values of any job: the varied values do not affect the simulation.
+  request.overrides = plan.overridesOf(0);
   request.assets = plan.assets;
   request.output = plan.sharedFolder().string() + "/";
   request.frames = "none";

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int failedCode = 1, missingCode = 3, abortedCode = 7;
 
-/// A worker's answer in place of a result.
+/// Answer of a worker if another process runs the job.
 constexpr const char* elsewhere = "elsewhere";
 
 void tell(const SweepPlan& plan, std::size_t job, const JobResult& result, std::size_t count,
@@ -86,8 +86,8 @@ int SweepTally::exitCode() const {
 
 namespace {
 
-/// In a process of its own, as the jobs are. Without it they take longer, so nothing that goes wrong ends
-/// here.
+/// Simulates the shared part in a worker process, like the jobs. If it fails, the jobs simulate that part
+/// themselves, so the error only causes a warning.
 void shareWork(const SweepPlan& plan, const LocalRun& how) {
   WorkForce force;
   force.items = 1;

@@ -10,30 +10,32 @@
 
 namespace simreel::batch {
 
-/// How many jobs of a sweep are where.
+/// Number of a sweep's jobs in each state.
 struct SweepTally {
   std::size_t done = 0, failed = 0, aborted = 0, running = 0, queued = 0, missing = 0;
-  std::size_t checksFailed = 0;  ///< of those done
+  std::size_t checksFailed = 0;  ///< number of done jobs with failed checks
 
   void add(const JobStatus& status);
   [[nodiscard]] std::size_t jobs() const { return done + failed + aborted + running + queued + missing; }
-  /// "24 jobs: 20 done (1 with failed checks), 3 failed, 1 missing".
+  /// Returns a summary: "24 jobs: 20 done (1 with failed checks), 3 failed, 1 missing".
   [[nodiscard]] std::string text() const;
-  /// 1: one failed, or a check did; 7: one was begun or is queued and is not done; 3: one is missing; 0:
-  /// all are done. The first of these that holds.
+  /// Returns the first exit code that applies: 1 if a job or a check failed; 7 if a job is begun or queued
+  /// but not done; 3 if a job is missing; 0 if all jobs are done.
   [[nodiscard]] int exitCode() const;
 };
 
-/// How a sweep is run on this machine.
+/// Settings for running a sweep on this machine.
 struct LocalRun {
   std::size_t workers = 1;
-  gl::ContextOptions on;          ///< may list devices: each worker takes the next
-  bool ndjson = false;            ///< an event on standard error for each check, and at the end of each job
-  std::filesystem::path scratch;  ///< empty: jobs render into their own folders
+  gl::ContextOptions on;  ///< GPU selection; if it lists several devices, each worker takes the next one
+  /// True: writes an event to standard error for each check and at the end of each job.
+  bool ndjson = false;
+  /// Scratch folder on a local disk to render in; empty: jobs render into their own folders.
+  std::filesystem::path scratch;
   std::string command;
 };
 
-/// Runs jobs beside each other. Says how each ended. Returns the signal that interrupted it, or 0.
+/// Runs jobs in parallel and reports how each ended. Returns the signal that interrupted it, or 0.
 int runJobs(const SweepPlan& plan, const std::vector<std::size_t>& jobs, const LocalRun& how);
 
 }  // namespace simreel::batch

@@ -1,5 +1,5 @@
-// Recursive descent, a function for each level of binding. What is nested too deep ends before the stack
-// does.
+// Recursive-descent parser with one function per precedence level. A limit on the nesting depth ends the
+// recursion before the stack overflows.
 #include "base/text.hpp"
 #include "scene/expression/tree.hpp"
 #include "scene/json/words.hpp"
@@ -51,7 +51,8 @@ class Parser {
     if (at_ >= text_.size()) return "the end";
     return inQuotes(text_.substr(at_, std::max<std::size_t>(1, codePointLength(text_, at_))));
   }
-  /// Takes a sign, or a word of its own.
+  /// Consumes `sign` (an operator or keyword) and the white space after it. Returns false if the text does
+  /// not continue with `sign`.
   bool take(std::string_view sign) {
     if (text_.substr(at_, sign.size()) != sign) return false;
     const std::size_t end = at_ + sign.size();
@@ -125,7 +126,7 @@ class Parser {
         fail(begin, at_ + 1, "comparisons cannot follow each other; join two by \"and\"");
     return result;
   }
-  /// a > b is b < a.
+  /// Builds `a > b` as `b < a`.
   int swapped(Operation operation, int a, int b) {
     const int node = combine(operation, a, b);
     std::swap(tree_.nodes.back().arguments[0], tree_.nodes.back().arguments[1]);
@@ -237,7 +238,7 @@ class Parser {
     return add(std::move(node));
   }
 
-  /// A call of a function of a name, behind its (.
+  /// Parses the argument of a lookup function such as count(NAME), after its opening parenthesis.
   int lookup(const std::string& function, std::size_t begin) {
     std::size_t end = at_;
     while (end < text_.size() && (isWord(text_[end]) || text_[end] == '.')) ++end;
@@ -288,7 +289,7 @@ class Parser {
       std::copy(arguments.begin(), arguments.end(), node.arguments);
       return add(std::move(node));
     }
-    // Of more than two: pair by pair from the left.
+    // `min` and `max` take more than two arguments as a chain of two-argument nodes, from left to right.
     int left = arguments[0];
     for (std::size_t i = 1; i < arguments.size(); ++i) {
       node.arguments[0] = left;
@@ -307,7 +308,8 @@ class Parser {
            fmt::format("\"{}\" takes a whole number from 0, which tells it from others", function.name));
   }
 
-  /// Of recursion.
+  /// Guard that counts the recursion depth. Throws ExpressionMistake if the expression is nested too
+  /// deeply.
   struct Level {
     explicit Level(Parser& parser) : depth(parser.depth_) {
       if (++depth > maxExpressionDepth) tooDeep(parser.at_ > 0 ? parser.at_ - 1 : 0);

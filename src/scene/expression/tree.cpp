@@ -11,7 +11,7 @@ namespace {
 
 using ExpressionNode = ExpressionTree::Node;
 
-/// How tightly it binds, from 1; calls and numbers most.
+/// Returns the precedence of an operation, from 1 (weakest) to 9 (calls and numbers).
 int bindingOf(Operation operation) {
   switch (operation) {
     case Operation::either:
@@ -72,7 +72,7 @@ const char* functionName(Operation operation) {
   return "";
 }
 
-/// Appends a node where what binds less than `outer` needs parentheses.
+/// Appends the text of node `index` to `out`, in parentheses if its precedence is below `outer`.
 void writeTree(const ExpressionTree& tree, int index, int outer, std::string& out) {
   const ExpressionNode& node = tree.at(index);
   if (node.operation == Operation::number) {

@@ -8,7 +8,7 @@
 
 namespace simreel::scene {
 
-/// What a node of an expression computes. Comparisons give 1 or 0; what is not 0 is true.
+/// Operation of an expression node. Comparisons give 1 or 0; any value except 0 counts as true.
 enum class Operation : std::uint8_t {
   number,
   name,
@@ -22,13 +22,13 @@ enum class Operation : std::uint8_t {
   lessEqual,
   equal,
   notEqual,
-  both,      ///< and
-  either,    ///< or
-  opposite,  ///< not
+  both,      ///< logical and
+  either,    ///< logical or
+  opposite,  ///< logical not
   min,
   max,
   clamp,  ///< min(max(x, low), high)
-  step,   ///< step(edge, x): 0 where x < edge, else 1
+  step,   ///< step(edge, x): 0 if x < edge, else 1
   abs,
   floor,
   sqrt,
@@ -37,64 +37,66 @@ enum class Operation : std::uint8_t {
   sin,
   cos,
   tanh,
-  choose,      ///< if(condition, then, else); both are computed
-  laplacian,   ///< the continuous operator on a grid, to second order of the spacing
-  ddx,         ///< d/dx by the difference of the two neighbours, to second order; x grows to the right
-  ddy,         ///< the same of y, which grows downwards
-  ddz,         ///< the same of z, from layer to layer of a volume
-  diffuse,     ///< diffuse(D, u): div(D grad u), to second order; keeps the sum of u
-  neighbours,  ///< sum of the four that share an edge; of a volume's six that share a face
-  corners,     ///< sum of the four that share a corner; of a volume's twelve that share an edge
-  around,      ///< sum of all that touch: 8, of a volume 26; on a mesh of those that share an edge
-  noise,       ///< noise(k): another number of -1 to 1 in every cell and step
-  random,      ///< random(k): another number of -1 to 1 in every cell
+  choose,      ///< if(condition, then, else); both branches are evaluated
+  laplacian,   ///< Laplace operator on a grid, second-order accurate in the spacing
+  ddx,         ///< d/dx by central difference, second-order accurate; x grows to the right
+  ddy,         ///< d/dy by central difference, second-order accurate; y grows downwards
+  ddz,         ///< d/dz by central difference between layers of a volume, second-order accurate
+  diffuse,     ///< diffuse(D, u): div(D grad u), second-order accurate; conserves the sum of u
+  neighbours,  ///< sum of the 4 cells that share an edge; in a volume, of the 6 that share a face
+  corners,  ///< sum of the 4 cells that share only a corner; in a volume, of the 12 that share only an edge
+  around,   ///< sum of all 8 adjacent cells, 26 in a volume; on a mesh the same as `neighbours`
+  noise,    ///< noise(k): pseudo-random number in -1..1, new in every cell and step
+  random,   ///< random(k): pseudo-random number in -1..1, new in every cell, constant in time
 };
 
-/// A function that expressions may call.
+/// Built-in function of the expression language.
 struct ExpressionFunction {
   const char* name;
   Operation operation;
-  int least, most;  ///< arguments
+  int least, most;  ///< minimum and maximum number of arguments
   const char* doc;
 };
 [[nodiscard]] std::span<const ExpressionFunction> expressionFunctions();
 
-/// An expression as it was parsed. Nodes stand after their arguments; the last one is the whole.
+/// Parsed expression. A node comes after its arguments, so the last node is the root.
 struct ExpressionTree {
   struct Node {
     Operation operation = Operation::number;
     double number = 0;
     std::string name;
-    int arguments[3] = {-1, -1, -1};  ///< nodes
-    std::size_t begin = 0, end = 0;   ///< bytes of the text
+    int arguments[3] = {-1, -1, -1};  ///< indices of the argument nodes; -1: unused
+    std::size_t begin = 0, end = 0;   ///< byte range [begin, end) in the expression's text
   };
   std::vector<Node> nodes;
 
   [[nodiscard]] int root() const { return static_cast<int>(nodes.size()) - 1; }
   [[nodiscard]] const Node& at(int node) const { return nodes[static_cast<std::size_t>(node)]; }
-  /// As C would have it: pow(u, 2.0), (a < b ? c : d).
+  /// Returns the expression in C syntax: pow(u, 2.0), (a < b ? c : d).
   [[nodiscard]] std::string text() const;
 };
 
-/// What is wrong with an expression, at bytes begin to end of its text.
+/// Error in an expression, with its byte range [begin, end) in the text.
 struct ExpressionMistake {
   std::size_t begin = 0, end = 0;
   std::string message;
 };
 
-/// What a hostile expression may make us hold.
+/// Limits that bound the memory an untrusted expression can use.
 inline constexpr std::size_t maxExpressionBytes = 16384;
 inline constexpr std::size_t maxExpressionNodes = 2000;
-inline constexpr int maxExpressionDepth = 64;  ///< of parentheses, signs and powers within each other
+inline constexpr int maxExpressionDepth = 64;  ///< maximum nesting depth of parentheses, signs and powers
 
-/// Whether an expression may use it as a name: letters, digits and '_', not a digit first, no word of its
-/// own.
+/// True if expressions may use `name` as a variable: letters, digits and '_', no leading digit, and neither
+/// a reserved word nor a function.
 [[nodiscard]] bool isExpressionName(std::string_view name);
 
-/// Parses sums, products, powers (a^b, from right to left, before the sign: -a^2 = -(a^2)), comparisons,
-/// and, or, not, calls of expressionFunctions(), numbers and names. Throws ExpressionMistake.
+/// Parses an expression: sums, products, powers, comparisons, and, or, not, calls of expressionFunctions(),
+/// numbers and names. Powers associate to the right and bind tighter than the sign: -a^2 = -(a^2). Throws
+/// ExpressionMistake.
 ///
-/// `lookups`: functions of a name, such as count(_Points): each call is a name node "count(_Points)".
+/// `lookups`: functions whose argument is a name, such as count(_Points). Each call becomes a name node
+/// "count(_Points)".
 [[nodiscard]] ExpressionTree parseExpression(std::string_view text,
                                              std::span<const char* const> lookups = {});
 

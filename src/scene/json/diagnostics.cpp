@@ -19,7 +19,7 @@ bool continues(char c) {
 
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
-/// Part of the line around a mistake, and the caret line below it.
+/// Returns the part of the line around an error and, below it, a line with a caret.
 std::string excerpt(std::string_view line, std::size_t begin, std::size_t end) {
   constexpr std::size_t before = 60, max = 110;
   std::size_t from = 0, to = line.size();
@@ -101,7 +101,8 @@ std::string_view Diagnostics::textAt(Place place) const {
 Diagnostics::Line Diagnostics::lineOf(Place place) const {
   const std::string_view text = sourceText(place.source);
   const std::size_t at = std::min(place.begin, text.size());
-  std::size_t begin = text.substr(0, at).rfind('\n') + 1;  // npos + 1 is 0
+  // On the first line rfind() returns npos, and npos + 1 is 0.
+  std::size_t begin = text.substr(0, at).rfind('\n') + 1;
   std::size_t end = std::min(text.find('\n', at), text.size());
   if (end > begin && text[end - 1] == '\r') --end;
   if (begin == 0 && text.starts_with(byteOrderMark) && at >= byteOrderMark.size())
@@ -155,7 +156,7 @@ std::string Diagnostics::report() const {
   for (std::size_t i = 0; i < std::min(maxShown, ordered.size()); ++i)
     out += describe(*ordered[i], "error");
   if (count_ > maxShown) out += fmt::format("and {} more\n", count_ - maxShown);
-  if (!out.empty()) out.pop_back();  // whoever prints a message ends its line
+  if (!out.empty()) out.pop_back();  // removes the final newline, which callers add
   return out;
 }
 

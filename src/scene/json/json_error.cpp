@@ -28,7 +28,7 @@ std::string explainWord(std::string_view word) {
   return fmt::format("unknown word {}; strings and keys need double quotes", inQuotes(word));
 }
 
-/// The token is complete but does not belong here.
+/// Explains a valid token at a place where JSON does not allow it.
 std::string explainUnexpected(std::string_view what, std::string_view text, std::size_t begin) {
   const auto says = [&](std::string_view part) { return what.find(part) != std::string_view::npos; };
   const char found = text[begin];
@@ -57,15 +57,15 @@ std::string explainString(std::string_view what, char last) {
                      static_cast<unsigned char>(last));
 }
 
-/// A word that is none of JSON's, or a character that begins nothing. The parser stops at the first
-/// character that does not fit, so the word is searched for on both sides.
+/// Explains an unknown word, or a character that cannot start a token. The parser stops at the first wrong
+/// character, so the word is searched for on both sides of it.
 SyntaxError explainLiteral(std::string_view text, std::size_t last) {
   std::size_t begin = last;
   if (isWord(text[last])) {
     while (begin > 0 && isWord(text[begin - 1])) --begin;
   } else {
     while (begin > 0 && std::isalpha(static_cast<unsigned char>(text[begin - 1])) != 0) --begin;
-    // A word only if it was being read, as in `tru}`; the 5 of `5@` is not to blame.
+    // The error covers letters before this character only if they begin true, false or null, as in `tru}`.
     if (begin < last && std::string_view("tfn").find(text[begin]) == std::string_view::npos) begin = last;
   }
   std::size_t end = begin;
@@ -80,10 +80,11 @@ SyntaxError explainLiteral(std::string_view text, std::size_t last) {
   return {begin, end, fmt::format("{} is not a number in JSON; write it like -0.5 or 2e3", inQuotes(word))};
 }
 
-/// A number that stops early (`-`, `5.`), or is too large.
+/// Explains a number that is incomplete (`-`, `5.`) or too large.
 SyntaxError explainNumber(std::string_view text, std::size_t consumed, bool overflow) {
   std::size_t end = consumed;
-  if (!isPartOfNumber(text[end - 1])) --end;  // read ahead
+  // The parser has read one character past the number, so that character is excluded.
+  if (!isPartOfNumber(text[end - 1])) --end;
   std::size_t begin = end;
   while (begin > 0 && isPartOfNumber(text[begin - 1])) --begin;
   while (!overflow && end < text.size() && isWord(text[end])) ++end;
@@ -98,7 +99,7 @@ SyntaxError explainNumber(std::string_view text, std::size_t consumed, bool over
 }  // namespace
 
 std::size_t openingQuote(std::string_view text, std::size_t end) {
-  // A quote belongs to the string's inside when an odd number of backslashes stands before it.
+  // A quote after an odd number of backslashes is escaped and belongs to the string.
   for (std::size_t at = end; at-- > 0;) {
     if (text[at] != '"') continue;
     std::size_t slashes = 0;
@@ -142,7 +143,7 @@ SyntaxError explainSyntaxError(std::string_view text, std::size_t consumed, std:
   if (says("unexpected string literal")) {
     begin = openingQuote(text, last);
   } else if (says("unexpected number literal")) {
-    if (!isPartOfNumber(text[last])) --end;  // read ahead
+    if (!isPartOfNumber(text[last])) --end;  // the parser has read one character past the number
     for (begin = end; begin > 0 && isPartOfNumber(text[begin - 1]);) --begin;
   } else if (isWord(text[last])) {
     while (begin > 0 && isWord(text[begin - 1])) --begin;

@@ -5,21 +5,22 @@
 
 namespace simreel::scene {
 
-/// A syntax error in our words; bytes [begin, end) of the text.
+/// Syntax error with its own message, at bytes [begin, end) of the text.
 struct SyntaxError {
   std::size_t begin;
   std::size_t end;
   std::string message;
 };
 
-/// First byte of the string whose text, closing quote included or not, ends before byte `end`.
+/// Returns the index of the last unescaped quote before byte `end`: the opening quote of a string that is
+/// closed at `end` or not at all.
 [[nodiscard]] std::size_t openingQuote(std::string_view text, std::size_t end);
 
-/// Whether the character may stand in a number.
+/// True if the character can be part of a number.
 [[nodiscard]] bool isPartOfNumber(char c);
 
-/// Turns what the JSON parser knows into a message for people. `consumed`: bytes it has read; `what`:
-/// its own message; `openedAt`: byte of the innermost open bracket, or npos.
+/// Converts an error of the JSON parser to a message for users. `consumed`: number of bytes that the parser
+/// has read; `what`: the parser's message; `openedAt`: index of the innermost open bracket, or npos.
 [[nodiscard]] SyntaxError explainSyntaxError(std::string_view text, std::size_t consumed,
                                              std::string_view what, std::size_t openedAt);
 

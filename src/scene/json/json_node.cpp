@@ -15,8 +15,8 @@ namespace simreel::scene {
 
 namespace {
 
-/// Tells the builder how many bytes the parser has consumed, which is the only way to learn where in
-/// the text a value stands.
+/// Iterator that counts the bytes that the JSON parser has consumed. The parser reports no positions, so
+/// the builder computes the place of a value from this count.
 class CountingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -44,7 +44,7 @@ class CountingIterator {
   std::size_t* consumed_;
 };
 
-/// Receives the parser's events and grows the tree.
+/// Receives the parser's events and builds the tree.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
   Builder(std::string_view text, int source, std::size_t base, const std::size_t& consumed,
@@ -67,7 +67,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     if (node != nullptr) node->text = std::move(value);
     return node != nullptr;
   }
-  bool binary(binary_t& /*value*/) override { return false; }  // JSON text has none
+  bool binary(binary_t& /*value*/) override { return false; }  // JSON text has no binary values
   bool start_object(std::size_t /*count*/) override { return open(Node::Kind::object); }
   bool start_array(std::size_t /*count*/) override { return open(Node::Kind::list); }
   bool end_object() override { return close(); }
@@ -90,7 +90,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
  private:
   struct Open {
-    Node* node;  ///< stays put: its parent grows again only after it is closed
+    Node* node;  ///< stays valid: the parent adds no children before this one is closed
     std::unordered_set<std::string> keys;
   };
 
@@ -100,7 +100,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   bool addNumber(double value) {
     std::size_t end = consumed_;
-    if (end > 0 && !isPartOfNumber(text_[end - 1])) --end;  // read ahead
+    // The parser has read one character past the number.
+    if (end > 0 && !isPartOfNumber(text_[end - 1])) --end;
     std::size_t begin = end;
     while (begin > 0 && isPartOfNumber(text_[begin - 1])) --begin;
     Node* node = add(Node::Kind::number, begin, end);
@@ -196,7 +197,7 @@ std::optional<Node> parseJson(std::string_view text, int source, std::size_t bas
     diagnostics.add({source, base, base}, fmt::format("larger than the limit of {} bytes", maxSceneBytes));
     return std::nullopt;
   }
-  // The parser would take a zero byte for the end and never see what follows.
+  // The parser takes a zero byte for the end of the text and ignores everything after it.
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
     diagnostics.add({source, base + zero, base + zero + 1}, "zero byte; is this a text file?");
     return std::nullopt;

@@ -10,36 +10,38 @@
 
 namespace simreel::scene {
 
-/// What a hostile scene may make us hold.
+/// Limits that bound the memory an untrusted scene can use.
 inline constexpr std::size_t maxSceneBytes = std::size_t{4} << 20;
 inline constexpr std::size_t maxDepth = 64;
 inline constexpr std::size_t maxValues = 1'000'000;
 
-/// One JSON value that knows where it was written.
+/// JSON value with its place in the source text.
 struct Node {
   enum class Kind : std::uint8_t { null, boolean, number, text, list, object };
 
   Kind kind = Kind::null;
   bool boolean = false;
-  int source = 0;  ///< which text (see Place)
+  int source = 0;  ///< source number of the text (see Place)
   double number = 0.0;
   std::string text;
-  std::vector<Node> children;  ///< of a list or object, in file order
-  std::string key;             ///< of an object's member
+  std::vector<Node> children;  ///< items of a list or members of an object, in file order
+  std::string key;             ///< key of the value if it is an object's member
   std::uint32_t begin = 0, end = 0;
-  std::uint32_t keyBegin = 0, keyEnd = 0;  ///< the quotes included; both 0 for a value without key
+  /// Byte range of the key with its quotes; both 0 for a value without a key.
+  std::uint32_t keyBegin = 0, keyEnd = 0;
 
   [[nodiscard]] const Node* find(std::string_view name) const;
   [[nodiscard]] Node* find(std::string_view name);
   [[nodiscard]] Place place() const { return {source, begin, end}; }
-  /// Of the key; of the first byte when there is no key. Good for messages about a whole group.
+  /// Returns the place of the key, or of the value's first byte if there is no key. Use it for messages
+  /// about a whole group.
   [[nodiscard]] Place headPlace() const;
-  /// "a number", "a string", ...
+  /// Returns the kind in words: "a number", "a string", ...
   [[nodiscard]] const char* kindText() const;
 };
 
-/// Parses `text`, all of source `source` from byte `base` on; `//` and `/* */` comments are skipped.
-/// Mistakes go to `diagnostics`; nothing is returned when the text cannot be read to its end.
+/// Parses `text`, which starts at byte `base` of source `source` and extends to its end. Skips `//` and `/*
+/// */` comments. Reports errors to `diagnostics`. Returns nullopt if the text cannot be parsed to its end.
 [[nodiscard]] std::optional<Node> parseJson(std::string_view text, int source, std::size_t base,
                                             Diagnostics& diagnostics);
 

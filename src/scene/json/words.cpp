@@ -19,7 +19,8 @@ char lower(char c) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
-/// Edits (insert, remove, replace, swap of neighbours) between two names, blind to case.
+/// Returns the edit distance of two names (insertions, deletions, replacements, swaps of neighbours),
+/// ignoring case.
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> twoBefore, before, row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -70,7 +71,8 @@ std::string suggestion(std::string_view unknown, std::span<const std::string> na
   const std::string* best = nullptr;
   std::size_t bestDistance = std::max<std::size_t>(1, unknown.size() / 3) + 1;
   for (const std::string& name : names) {
-    // The distance is at least the difference in length; this also bounds the cost of a huge name.
+    // The distance is at least the difference in length, so such names are skipped. This also bounds the
+    // cost for a very long name.
     if (std::max(name.size(), unknown.size()) - std::min(name.size(), unknown.size()) >= bestDistance)
       continue;
     if (unknown.size() > 2 * name.size() + 8) continue;

@@ -5,23 +5,24 @@
 
 namespace simreel::scene {
 
-/// `text` with what steers terminals and broken UTF-8 replaced by '?', each one column wide, so that a
-/// caret below it stands right.
+/// Returns `text` with terminal control characters and invalid UTF-8 replaced by '?'. Each '?' is one
+/// column wide, so that a caret on the next line stays aligned.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// Names that a scene chooses appear in file names and in -D paths, so they are kept plain.
+/// Names chosen by a scene appear in file names and in -D paths, so only plain characters are allowed.
 inline constexpr const char* plainNamePattern = "^[A-Za-z0-9_-]{1,64}$";
 inline constexpr const char* plainNameText = "must be 1 to 64 letters, digits, '-' or '_'";
 [[nodiscard]] bool isPlainName(std::string_view name);
 
-/// `text` in double quotes, shortened when very long.
+/// Returns `text` in double quotes, shortened if very long.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
-/// What to say after an unknown name: `did you mean "x"?` when one name is close, else the list of them.
+/// Returns the hint to print after an unknown name: `did you mean "x"?` if one name is similar, else the
+/// list of all names.
 [[nodiscard]] std::string suggestion(std::string_view unknown, std::span<const std::string> names);
 
-/// The words of a name in camel case, in small letters and with `between` between them: "maxDiffRatio", '-'
-/// is "max-diff-ratio".
+/// Splits a camel-case name into lower-case words joined by `between`: "maxDiffRatio" with '-' becomes
+/// "max-diff-ratio".
 [[nodiscard]] std::string apart(std::string_view camelCase, char between);
 
 }  // namespace simreel::scene

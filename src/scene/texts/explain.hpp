@@ -8,16 +8,16 @@
 
 namespace simreel::scene {
 
-/// One value of a scene as it will be used.
+/// One value of a scene as it is used, with its origin.
 struct ExplainedValue {
-  std::string path;       ///< as -D takes it: "objects.flag.cloth.size"
-  std::string value;      ///< JSON; "off" of a group that is not there
-  std::string origin;     ///< "flag.json:12", "-D", "default", "stage", ...
-  bool standard = false;  ///< whether it is a plain default
+  std::string path;       ///< path of the value as option -D takes it: "objects.flag.cloth.size"
+  std::string value;      ///< JSON; "off" for an absent group
+  std::string origin;     ///< origin of the value: "flag.json:12", "command line", "default", "stage", ...
+  bool standard = false;  ///< true if the value is its plain default
 };
 
-/// Every value of a loaded scene, in the order of its declarations. The same file, overrides and kinds that
-/// it was loaded with.
+/// Returns all values of a loaded scene in the order of their declarations. `file`, `overrides` and `kinds`
+/// must be those that the scene was loaded with.
 [[nodiscard]] std::vector<ExplainedValue> explainScene(Scene& scene, const std::filesystem::path& file,
                                                        std::span<const Override> overrides,
                                                        const Kinds& kinds);

@@ -10,36 +10,37 @@
 
 namespace simreel::scene {
 
-/// Facts for `simreel list NAME` about one kind of object or one section of a scene.
+/// Content of the page `simreel list NAME` for one kind of object or one section of a scene.
 struct HelpPage {
   std::string name, doc;
-  bool isKind = false;  ///< whether it is a kind of object
+  bool isKind = false;  ///< true for a kind of object
   std::vector<HelpRow> rows;
   std::vector<Quantity> quantities;
   std::string appendix;  ///< text after the parameters; empty: none
 
-  /// The parameters at `path` ("pins", "pins[].rows", "pins.rows") and in it; brackets may be left out.
+  /// Returns the parameters at `path` ("pins", "pins[].rows", "pins.rows") and below it; brackets may be
+  /// left out.
   [[nodiscard]] std::vector<HelpRow> rowsAt(std::string_view path) const;
 };
 
-/// A name and its sentence.
+/// A name and a sentence that describes it.
 struct HelpTitle {
   std::string name, doc;
 };
 [[nodiscard]] std::vector<HelpTitle> kindTitles(std::span<const Kind> kinds);
-/// "scene" and all sections of a scene.
+/// Returns titles of "scene" and of all sections of a scene.
 [[nodiscard]] std::vector<HelpTitle> sectionTitles();
 
-/// Throws UserError(usage), with a suggestion, for an unknown name.
+/// Returns the page of a kind or section. Throws UserError(usage), with a suggestion, for an unknown name.
 [[nodiscard]] HelpPage helpPage(std::string_view name, std::span<const Kind> kinds);
 
-/// The page as text in lines of at most `width` columns.
+/// Returns the page as text in lines of at most `width` columns.
 [[nodiscard]] std::string helpText(std::string_view name, std::span<const Kind> kinds, std::size_t width);
-/// The rows of a page alone.
+/// Returns the rows of a page as text.
 [[nodiscard]] std::string rowsText(std::span<const HelpRow> rows, std::size_t width);
-/// One entry for each kind and each scene section.
+/// Returns the overview: one entry for each kind of object and each section of a scene.
 [[nodiscard]] std::string listText(std::span<const Kind> kinds, std::size_t width);
-/// `path` without the brackets of lists.
+/// Returns `path` without the brackets of lists.
 [[nodiscard]] std::string withoutBrackets(std::string_view path);
 
 }  // namespace simreel::scene

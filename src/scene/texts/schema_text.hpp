@@ -6,7 +6,7 @@
 
 namespace simreel::scene {
 
-/// JSON Schema (draft 2020-12) of scene files, pretty-printed, ending in a newline.
+/// Returns the JSON Schema (draft 2020-12) of scene files, pretty-printed, ending in a newline.
 [[nodiscard]] std::string schemaText(std::span<const Kind> kinds);
 
 }  // namespace simreel::scene

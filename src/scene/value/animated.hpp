@@ -9,18 +9,18 @@
 
 namespace simreel::scene {
 
-/// How a value moves between two keys. linear: straight. smooth: at rest in each key. spline: through them
-/// at a speed that changes steadily, at rest in the first and the last. hold: it stays until the next.
+/// Interpolation between two keys. linear: straight. smooth: velocity 0 at every key. spline: continuous
+/// velocity, 0 at the first and last key. hold: constant until the next key.
 enum class Ease { linear, smooth, spline, hold };
 inline constexpr std::array<const char*, 4> easeWords = {"linear", "smooth", "spline", "hold"};
 
-/// A value that may move along keyframes. Before the first and after the last key it holds still. Two keys
-/// at the same time are a jump: from the first's value to the second's, which it has at that time.
+/// Value that is constant or moves along keyframes. It is constant before the first key and after the last.
+/// Two keys at the same time are a jump; at that time the value is the second key's.
 template <class T>
 class Animated {
  public:
   struct Key {
-    double time;  ///< s
+    double time;  ///< time of the key in seconds
     T value;
   };
 
@@ -32,8 +32,8 @@ class Animated {
   [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
   [[nodiscard]] Ease ease() const { return ease_; }
 
-  /// When (s) it last jumped, at `seconds` or before: by two keys at one time, or with Ease::hold at any.
-  /// Minus infinity where it has not.
+  /// Returns the time in seconds of the last jump at or before `seconds`: two keys at the same time or,
+  /// with Ease::hold, any key with a new value. Returns minus infinity if the value has not jumped.
   [[nodiscard]] double jumpedBy(double seconds) const {
     for (std::size_t k = keys_.size(); k-- > 1;)
       if (keys_[k].time <= seconds && keys_[k].value != keys_[k - 1].value &&
@@ -41,8 +41,9 @@ class Animated {
         return keys_[k].time;
     return -std::numeric_limits<double>::infinity();
   }
-  /// Value at `seconds`. Smooth: s = 3u^2 - 2u^3 between neighbouring keys. Spline: the cubic with the
-  /// speeds of speedAt() in both. Only plain arithmetic, so every machine computes the same bits.
+  /// Returns the value at `seconds`. Ease::smooth uses 3u^2 - 2u^3 between neighbouring keys, Ease::spline
+  /// a cubic with the velocities of speedAt(). Uses only basic arithmetic, so that every machine computes
+  /// the same bits.
   [[nodiscard]] T at(double seconds) const {
     if (keys_.empty()) return T{};
     const auto next =
@@ -64,13 +65,13 @@ class Animated {
     else
       return static_cast<double>(value[i]);
   }
-  /// Between keys k and k + 1, which are not at the same time; per second.
+  /// Returns the slope per second of component i between keys k and k + 1, whose times must differ.
   [[nodiscard]] double slope(std::size_t k, int i) const {
     return (part(keys_[k + 1].value, i) - part(keys_[k].value, i)) / (keys_[k + 1].time - keys_[k].time);
   }
-  /// Of component i in key k, seen from the stretch before or after it: that of Fritsch and Butland (1984),
-  /// a weighted harmonic mean of both slopes, so that nothing goes beyond the keys; 0 in the first and the
-  /// last; beside a jump that of its own stretch.
+  /// Returns the velocity per second of component i at key k: the weighted harmonic mean of the slopes on
+  /// both sides (Fritsch and Butland 1984), which prevents overshoot. Returns 0 at the first and last key.
+  /// At a jump, returns the slope on the side away from the jump.
   [[nodiscard]] double speedAt(std::size_t k, int i) const {
     if (k == 0 || k + 1 == keys_.size()) return 0;
     if (keys_[k - 1].time == keys_[k].time) return slope(k, i);
@@ -81,7 +82,7 @@ class Animated {
     const double first = 2 * next + long_, second = next + 2 * long_;
     return (first + second) / (first / before + second / after);
   }
-  /// From key k to the next, at the share u of the way in time.
+  /// Returns the spline's value between keys k and k + 1, at the fraction u of their time interval.
   [[nodiscard]] T splined(std::size_t k, double u) const {
     const double seconds = keys_[k + 1].time - keys_[k].time, v = 1 - u;
     const auto one = [&](int i) {
@@ -102,7 +103,7 @@ class Animated {
   Ease ease_ = Ease::linear;
 };
 
-/// Whether it is 0 at any time.
+/// True if the value is always 0.
 template <class T>
 bool isNothing(const Animated<T>& value) {
   return !value.moves() && value.at(0) == T(0);

@@ -19,7 +19,7 @@ bool isInside(const fs::path& file, const fs::path& root) {
   return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
 }
 
-/// The folders of scenes by the files that they name.
+/// Asset folders of the scenes that name a file, by file.
 struct Around {
   std::mutex mutex;
   std::map<fs::path, std::set<fs::path>> folders;
@@ -54,7 +54,8 @@ AssetFolders::AssetFolders(const fs::path& sceneFile, std::span<const fs::path> 
     if (folder.empty()) continue;
     std::error_code error;
     const fs::path canonical = fs::canonical(folder, error);
-    // A root with a trailing slash would end in an empty name that no file has.
+    // canonical() also removes a trailing slash, which would add an empty path element that no file
+    // matches.
     if (!error && std::find(roots_.begin(), roots_.end(), canonical) == roots_.end())
       roots_.push_back(canonical);
   }

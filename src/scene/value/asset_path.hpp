@@ -7,27 +7,28 @@
 
 namespace simreel::scene {
 
-/// Finds the files a scene names. A scene may come from anywhere, so what it names must lie, symbolic
-/// links followed, below the scene's own folder, one the user gave or the asset folder.
+/// Resolves the file names in a scene. Scenes may be untrusted, so the files, with symbolic links resolved,
+/// must lie below the scene's own folder, a folder given by the user or the asset folder.
 class AssetFolders {
  public:
-  /// `sceneFile` need not exist; its folder is looked in first, then `given` in their order, then
-  /// `shipped`. Empty folders and ones that are not there count for nothing.
+  /// `sceneFile` need not exist. Its folder is searched first, then `given` in order, then `shipped`. Empty
+  /// and missing folders are skipped.
   AssetFolders(const std::filesystem::path& sceneFile, std::span<const std::filesystem::path> given,
                const std::filesystem::path& shipped);
 
-  /// Full path of the file; empty, with the reason in `problem`, when it is missing or outside.
+  /// Returns the full path of the file. If the file is missing or outside all folders, returns an empty
+  /// path and sets `problem` to the reason.
   [[nodiscard]] std::filesystem::path find(const std::string& name, std::string& problem) const;
-  /// What find() has found so far.
+  /// Returns all files that find() has found so far.
   [[nodiscard]] const std::set<std::filesystem::path>& found() const { return found_; }
 
  private:
-  std::vector<std::filesystem::path> roots_;  ///< canonical
+  std::vector<std::filesystem::path> roots_;  ///< canonical paths of the folders that are searched
   mutable std::set<std::filesystem::path> found_;
 };
 
-/// Returns the folders of all scenes of this process that have named `file`. Files that `file` names in
-/// turn, such as a mesh's textures, may lie in them.
+/// Returns the asset folders of all scenes in this process that have named `file`. Files that `file` itself
+/// refers to, such as a mesh's textures, may lie in these folders.
 [[nodiscard]] std::set<std::filesystem::path> foldersAround(const std::filesystem::path& file);
 
 }  // namespace simreel::scene

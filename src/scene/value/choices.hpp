@@ -7,8 +7,8 @@
 
 namespace simreel::scene {
 
-/// The words that the parameter `name` of this kind of object takes, where it is a choice of words among
-/// the kind's own parameters (not in a group of them); empty otherwise.
+/// Returns the words that the parameter `name` of this kind can take. Returns an empty list if the
+/// parameter is not a choice of words, or is inside a group.
 [[nodiscard]] std::vector<std::string> choicesOf(const Kind& kind, std::string_view name);
 
 }  // namespace simreel::scene

@@ -31,73 +31,75 @@ inline constexpr Range notNegative{0.0, 1e9};
 inline constexpr Range fraction{0.0, 1.0};
 inline constexpr Range anyNumber{-1e9, 1e9};
 
-/// What a field holds: the member of a parameter struct. An int with words is the index of one of them, or
-/// -1 where none applies unless one is given; a std::vector<int> with words some of them. Where the first
-/// words are "false" and "true", a scene says those two without quotes.
+/// Pointer to the struct member that holds a field's value. With words, an int is the index of a word, or
+/// -1 for none; a std::vector<int> holds several such indices. If the first two words are "false" and
+/// "true", a scene gives them as JSON booleans.
 using Member =
     std::variant<bool*, int*, float*, double*, std::string*, std::filesystem::path*, glm::vec3*,
                  glm::ivec2*, Animated<float>*, Animated<glm::vec3>*, std::optional<int>*,
                  std::optional<double>*, std::vector<int>*, std::vector<glm::ivec2>*, Formula*, Formulas*>;
 
-/// What is said of a field beside its name.
+/// Properties of a field besides its name.
 struct Spec {
-  const char* doc = "";   ///< one sentence
-  const char* unit = "";  ///< "" when there is none
-  Range range = {};       ///< holds for each number of several
+  const char* doc = "";   ///< description in one sentence
+  const char* unit = "";  ///< unit of measurement; "" for numbers without a unit
+  Range range = {};       ///< allowed range; it applies to each number of a vector
   std::span<const char* const> words = {};
-  const char* none = nullptr;  ///< word for the empty value of a std::optional<int>
+  const char* none = nullptr;  ///< word in scenes for the empty value of a std::optional<int>
 
-  /// Whether the words begin with the two of JSON.
+  /// True if the first two words are "false" and "true".
   [[nodiscard]] bool isSwitch() const {
     return words.size() > 1 && std::string_view(words[0]) == "false" &&
            std::string_view(words[1]) == "true";
   }
 };
 
-/// Where parameters are declared, once. A struct's `describe(Fields&)` names each of its members with
-/// default (the value it has then), range, unit and one sentence; the same call reads a scene, writes
-/// the JSON Schema or prints the help, whichever Fields it is given.
+/// Interface through which parameters are declared. `describe(Fields&)` of a struct names each member with
+/// its default (the current value), range, unit and one sentence. Depending on the Fields it receives, the
+/// same call reads a scene, writes the JSON Schema or prints the help.
 class Fields {
  public:
   virtual ~Fields() = default;
 
   virtual void field(const char* name, Member member, const Spec& spec) = 0;
-  /// A group of fields. `present`: null, or of a group that switches a feature on by being there.
+  /// Declares a group of fields. `present`: null, or set to true if the group is given, for a group that
+  /// switches a feature on.
   virtual void section(const char* name, bool* present, const char* doc,
                        const std::function<void(Fields&)>& describe) = 0;
-  /// A list of groups, which has `items` of them now: `resize(n)` makes n fresh ones, then
-  /// `describe(fields, i)` is called for each element.
+  /// Declares a list of groups that now has `items` groups. `resize(n)` makes n fresh groups, then
+  /// `describe(fields, i)` is called for each.
   virtual void listOf(const char* name, const char* doc, std::size_t maxItems, std::size_t items,
                       const std::function<void(std::size_t)>& resize,
                       const std::function<void(Fields&, std::size_t)>& describe) = 0;
-  /// Groups under names that the scene chooses, now `names`: `rename(n)` makes a fresh one for each of the
-  /// names n, then `describe(fields, i)` is called for each. `one`: what a message calls one of them.
+  /// Declares groups under names that the scene chooses, now `names`. `rename(n)` makes a fresh group for
+  /// each name in n, then `describe(fields, i)` is called for each. `one`: word for one group in messages.
   virtual void namedGroups(const char* name, const char* doc, const char* one, std::size_t maxItems,
                            const std::vector<std::string>& names,
                            const std::function<void(const std::vector<std::string>&)>& rename,
                            const std::function<void(Fields&, std::size_t)>& describe) = 0;
-  /// What the field declared next was called before: still read, with a warning that says the name.
+  /// Gives the former name of the field that is declared next. Scenes may still use it, with a warning that
+  /// says the new name.
   virtual void formerly(const char* /*old*/, const char* /*name*/) {}
-  /// The group declared next may be given as one word, which is the value of its field `field` then. Of
-  /// groups under names, and of lists, each may be given as that value: a word, a number, keyframes.
+  /// Lets the group declared next be given as one word, which sets its field `field`. In lists and named
+  /// groups, each group may be given as the value of that field: a word, a number or keyframes.
   virtual void shorthand(const char* /*group*/, const char* /*field*/) {}
-  /// The optional group declared next may be given as true, which is the group without fields, or false.
+  /// Lets the optional group declared next be given as true (the group with its defaults) or false.
   virtual void switchable(const char* /*group*/) {}
-  /// What stands for the field just declared where a scene leaves it out, when that is no constant
-  /// ("the preset's"): shown in place of the value.
+  /// Describes the value that the field just declared has if a scene leaves it out, for values that are not
+  /// constant ("the preset's"). Schema and help show it in place of the default.
   virtual void leftOut(const char* /*name*/, const char* /*what*/) {}
-  /// Reports a mistake that involves several values, at the place of field `name`. Nothing happens
-  /// unless a scene is being read.
+  /// Reports an error that involves several values, at the place of field `name`. Does nothing unless a
+  /// scene is being read.
   virtual void error(const char* /*name*/, const std::string& /*message*/) {}
-  /// The same at bytes begin to end of a text, which the members of `path` lead to from here. Where the
-  /// scene does not give that text: at this group.
+  /// Does the same as error() at bytes [begin, end) of a string value, which the members in `path` lead to.
+  /// If the scene does not give that value, the place is this group.
   virtual void errorIn(const std::vector<std::string>& /*path*/, std::size_t /*begin*/, std::size_t /*end*/,
                        const std::string& /*message*/) {}
-  /// Remarks that field `name`, which the scene gives, does nothing because of what field `ruler` says: a
-  /// warning and no mistake, so that one may be tried without leaving out the other. Not said where it is
-  /// only the ruling value that comes from the command line. Both may be paths, "group.name".
+  /// Warns that field `name`, which the scene gives, has no effect because of field `ruler`. It is no
+  /// error, so that users can try one field without removing the other. Does not warn if only `ruler` comes
+  /// from the command line. Both names may be paths, "group.name".
   virtual void idle(const char* /*name*/, const char* /*ruler*/, const std::string& /*message*/) {}
-  /// The same of each of `names` unless they are `used`; "what" they are for.
+  /// Calls idle() for each of `names` unless they are `used`. `what`: what the fields are for.
   void idleUnless(bool used, const char* ruler, std::initializer_list<const char*> names,
                   const std::string& what) {
     if (used) return;
@@ -106,29 +108,29 @@ class Fields {
            "\"" + std::string(name).substr(std::string(name).rfind('.') + 1) + "\" is for " + what +
                "; here it does nothing");
   }
-  /// Whether the scene gives this field itself (false while writing schema or help).
+  /// True if the scene gives this field. False while the schema or the help is written.
   [[nodiscard]] virtual bool given(const char* /*name*/) const { return false; }
 
   void boolean(const char* name, bool& value, const char* doc) { field(name, &value, {doc}); }
   void integer(const char* name, int& value, Range range, const char* unit, const char* doc) {
     field(name, &value, {doc, unit, range});
   }
-  /// A float, a double, or one of them that may move (Animated).
+  /// Declares a float or double, or an Animated of one of them.
   template <class Number>
   void number(const char* name, Number& value, Range range, const char* unit, const char* doc) {
     field(name, &value, {doc, unit, range});
   }
-  /// A number that has no value unless it is given.
+  /// Declares a number that is empty unless it is given.
   void optionalNumber(const char* name, std::optional<double>& value, Range range, const char* unit,
                       const char* doc) {
     field(name, &value, {doc, unit, range});
   }
-  /// Three numbers, which may move.
+  /// Declares three numbers, which may be Animated.
   template <class Vector>
   void vector(const char* name, Vector& value, Range range, const char* unit, const char* doc) {
     field(name, &value, {doc, unit, range});
   }
-  /// Two integers, for example a grid's [width, height].
+  /// Declares two integers, for example a grid's [width, height].
   void pair(const char* name, glm::ivec2& value, Range range, const char* unit, const char* doc) {
     field(name, &value, {doc, unit, range});
   }
@@ -137,7 +139,7 @@ class Fields {
     field(name, &value, {doc, unit, range});
   }
   void text(const char* name, std::string& value, const char* doc) { field(name, &value, {doc}); }
-  /// An integer or one word, for example 4 or "auto" (empty value).
+  /// Declares an integer or one word, for example 4 or "auto" (the empty value).
   void integerOr(const char* name, std::optional<int>& value, const char* word, Range range,
                  const char* unit, const char* doc) {
     field(name, &value, {doc, unit, range, {}, word});
@@ -145,11 +147,12 @@ class Fields {
   void integers(const char* name, std::vector<int>& value, Range range, const char* unit, const char* doc) {
     field(name, &value, {doc, unit, range});
   }
-  /// One of `words`, by its index. Use `choice` below for an enum.
+  /// Declares the index of one of `words`. For an enum, use `choice` below.
   void oneOf(const char* name, int& value, const std::vector<const char*>& words, const char* doc) {
     field(name, &value, {doc, "", {}, words});
   }
-  /// false, true or `word`: `value` or `other`, or neither.
+  /// Declares a field that is false, true or `word`. true sets `value`, `word` sets `other`, false sets
+  /// neither.
   void booleanOr(const char* name, bool& value, bool& other, const char* word, const char* doc) {
     int index = other ? 2 : value ? 1 : 0;
     oneOf(name, index, {"false", "true", word}, doc);
@@ -160,20 +163,21 @@ class Fields {
               const char* doc) {
     field(name, &value, {doc, "", {}, words});
   }
-  /// A value of one or more components: numbers, expressions, or numbers that move.
+  /// Declares a value of one or more components: numbers, expressions, or keyframes of numbers.
   void formula(const char* name, Formula& value, const char* unit, const char* doc) {
     field(name, &value, {doc, unit});
   }
-  /// The same under names that the scene chooses, or one without a name.
+  /// Declares formulas under names that the scene chooses, or one formula without a name.
   void formulas(const char* name, Formulas& value, const char* doc) { field(name, &value, {doc}); }
-  /// A file of the scene's folder or the asset folder; the value becomes its full path. Empty: none.
+  /// Declares a file below the scene's folder or the asset folder. The value becomes its full path; empty:
+  /// none.
   void asset(const char* name, std::filesystem::path& value, const char* doc) {
     field(name, &value, {doc});
   }
   void group(const char* name, const char* doc, const std::function<void(Fields&)>& describe) {
     section(name, nullptr, doc, describe);
   }
-  /// A group that switches a feature on by being there.
+  /// Declares a group that switches a feature on by being given.
   void optionalGroup(const char* name, bool& present, const char* doc,
                      const std::function<void(Fields&)>& describe) {
     section(name, &present, doc, describe);
@@ -190,7 +194,7 @@ class Fields {
   void optionalGroup(const char* name, std::optional<Group>& group, const char* doc) {
     optionalGroup(name, group, doc, [](Fields& inner, Group& value) { value.describe(inner); });
   }
-  /// A value that there is only where it is given; help shows `shown` for it.
+  /// Declares a value that is empty unless it is given; help shows `shown` as its default.
   template <class Value, class Declare>
   void onlyGiven(const char* name, std::optional<Value>& value, const Value& shown,
                  const Declare& declare) {
@@ -210,12 +214,13 @@ class Fields {
     listOf(
         name, doc, maxItems, items.size(),
         [&](std::size_t count) {
-          const auto standard = Item();  // as below
+          // Assigned from a constant because of a GCC 12 bug, see named() below.
+          const auto standard = Item();
           items.assign(count, standard);
         },
         [&](Fields& fields, std::size_t i) { describe(fields, items[i]); });
   }
-  /// Items that have a `name`, which is their key in the scene.
+  /// Declares a list of items with a member `name`, which is the item's key in the scene.
   template <class Item, class Describe>
   void named(const char* name, std::vector<Item>& items, const char* doc, const char* one,
              Describe describe, std::size_t maxItems) {
@@ -225,7 +230,8 @@ class Fields {
     namedGroups(
         name, doc, one, maxItems, names,
         [&](const std::vector<std::string>& wanted) {
-          // Not of Item{}: where memory is short GCC 12 ends the members of such an aggregate twice.
+          // Does not pass Item{} directly: if memory runs out, code of GCC 12 destroys the members of such
+          // an aggregate twice.
           const auto standard = Item();
           items.assign(wanted.size(), standard);
           for (std::size_t i = 0; i < wanted.size(); ++i) items[i].name = wanted[i];
@@ -234,20 +240,20 @@ class Fields {
   }
 };
 
-/// One number that a simulation measures of its state, for checks of tests.
+/// Number that a simulation measures from its state, for checks of tests.
 struct Quantity {
   const char* name;
-  const char* unit;  ///< "" when there is none
+  const char* unit;  ///< unit of measurement; "" for numbers without a unit
   const char* doc;
 };
 
-/// A box along the axes of the scene.
+/// Axis-aligned box.
 struct Box {
-  glm::vec3 min{0}, max{0};  ///< m
-  bool round = false;        ///< what is in it has none of its corners, as a ball
+  glm::vec3 min{0}, max{0};  ///< opposite corners in metres
+  bool round = false;        ///< true if the content does not fill the corners, such as a ball
 };
 
-/// The least box that has the point, too.
+/// Extends the box to contain the point.
 inline void include(std::optional<Box>& box, const glm::vec3& point) {
   if (!box) box = Box{point, point};
   box = Box{glm::min(box->min, point), glm::max(box->max, point)};
@@ -257,31 +263,31 @@ inline void include(std::optional<Box>& box, const glm::vec3& point) {
 struct Parameters {
   virtual ~Parameters() = default;
   virtual void describe(Fields& fields) = 0;
-  /// What this kind of simulation measures of its state, if measures().
+  /// Returns the quantities that this kind of simulation measures if measures() is true.
   [[nodiscard]] virtual std::span<const Quantity> quantities() const { return {}; }
-  /// Whether it does with these values.
+  /// True if the simulation measures its quantities with the current parameters.
   [[nodiscard]] virtual bool measures() const { return !quantities().empty(); }
-  /// What a camera has in view that the scene places nowhere; nothing of kinds that leave it alone. May
-  /// read the files that they name, and says nothing of those that cannot be read.
+  /// Returns the extent that an automatically placed camera must show; nullopt if the kind does not place
+  /// the camera. May read files that the parameters name; ignores files that cannot be read.
   [[nodiscard]] virtual std::optional<Box> framed() const { return std::nullopt; }
-  /// How it looks where nobody says so (stage.hpp): what shines wants darkness around it, a landscape is
-  /// surroundings itself.
+  /// Look of the object on a stage without a material (stage.hpp). Objects that shine need dark
+  /// surroundings; a landscape needs no stage.
   enum class Looks { solid, cloth, shining, landscape };
   [[nodiscard]] virtual Looks looks() const { return Looks::solid; }
-  /// What it is drawn with in place of the object's material; null: that.
+  /// Returns in words what the object is drawn with in place of its material; null: it uses the material.
   [[nodiscard]] virtual const char* drawnWith() const { return nullptr; }
 };
 
-/// One line of the list of simulations: what a scene calls it, one sentence, and how to make its
-/// parameters.
+/// Entry of the list of simulations: name in scenes, one sentence, and factory of its parameters.
 struct Kind {
   const char* name;
   const char* doc;
   std::function<std::unique_ptr<Parameters>()> makeParameters;
-  /// The text of a scene around a file of this kind's own format (a pattern of cells), which may be
-  /// rendered like a scene; empty for other files. Throws UserError for one that cannot be read.
+  /// Returns the text of a scene around a file of this kind's own format (such as a cell pattern), which
+  /// can be rendered like a scene. Returns an empty string for other files. Throws UserError if the file
+  /// cannot be read.
   std::function<std::string(const std::filesystem::path& file)> sceneAround = {};
-  /// What follows the table of its parameters on its page of `simreel list`; empty: nothing.
+  /// Returns the text after the table of parameters on the page of `simreel list`; empty: none.
   std::function<std::string()> appendix = {};
 };
 

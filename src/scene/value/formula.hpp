@@ -9,18 +9,17 @@
 
 namespace simreel::scene {
 
-/// Value of one or more components that a scene gives as numbers, as expressions, or as one to four numbers
-/// that move along keyframes.
+/// Value of one or more components: numbers and expressions, or keyframes of one to four numbers.
 struct Formula {
   struct Part {
     double number = 0;
-    std::string text = {};  ///< expression; empty: the number
+    std::string text = {};  ///< expression; if it is empty, `number` is the value
 
     bool operator==(const Part&) const = default;
   };
-  std::vector<Part> parts;                    ///< components; a matrix row by row
-  std::optional<Animated<glm::vec4>> moving;  ///< in place of parts
-  int width = 0;                              ///< components of `moving`
+  std::vector<Part> parts;                    ///< components; matrices are in row-major order
+  std::optional<Animated<glm::vec4>> moving;  ///< keyframes; they replace `parts`
+  int width = 0;                              ///< number of components of `moving`
 
   [[nodiscard]] bool empty() const { return parts.empty() && !moving; }
   [[nodiscard]] std::size_t components() const {
@@ -28,7 +27,7 @@ struct Formula {
   }
 };
 
-/// Formulas under names, in the scene's order; a single one without a name is the value of the whole.
+/// Formulas under names, in the scene's order. A single formula without a name is the whole value.
 struct Formulas {
   struct Named {
     std::string name;
@@ -43,7 +42,7 @@ struct Formulas {
   }
 };
 
-/// Most components of a formula: four matrices of 4 x 4.
+/// Maximum number of components of a formula: four 4 x 4 matrices.
 inline constexpr std::size_t maxFormulaParts = 64;
 
 }  // namespace simreel::scene

@@ -12,7 +12,7 @@ namespace simreel::scene {
 
 namespace {
 
-/// "0..1", ">= 0", "> 0", "<= 3"; "any" without bounds that matter.
+/// Returns the range as "0..1", ">= 0", "> 0" or "<= 3"; "any" if no bound matters.
 std::string shortRange(Range range) {
   const bool below = range.min > anyNumber.min, above = range.max < anyNumber.max;
   const std::string max = above ? fmt::format("{}", range.max) : "";
@@ -22,7 +22,7 @@ std::string shortRange(Range range) {
   return above ? "<= " + max : "any";
 }
 
-/// The values that each type of member may have.
+/// Returns the allowed values of a field in words.
 std::string rangeOf(const Member& member, const Spec& spec) {
   if (std::holds_alternative<bool*>(member)) return "true, false";
   if (std::holds_alternative<std::string*>(member)) return "text";
@@ -88,7 +88,8 @@ void HelpWriter::listOf(const char* name, const char* doc, std::size_t maxItems,
                         const std::function<void(std::size_t)>& resize,
                         const std::function<void(Fields&, std::size_t)>& describe) {
   const nlohmann::ordered_json standard = standardItems(items, resize, describe);
-  constexpr std::size_t widest = 30;  // the schema has longer ones
+  // Maximum characters of a default; longer defaults appear only in the schema.
+  constexpr std::size_t widest = 30;
   const std::string text = standard.dump();
   const auto value = shorthands_.find(name);
   add(name, text.size() <= widest ? text : fmt::format("{} items", standard.size()),

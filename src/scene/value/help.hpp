@@ -8,21 +8,21 @@
 
 namespace simreel::scene {
 
-/// One parameter as help prints it.
+/// One parameter as printed by the help.
 struct HelpRow {
   std::string name;      ///< `group.member`, or `list[].member`
-  std::string standard;  ///< the default as JSON, or words for it; "off" of a group that is not there
+  std::string standard;  ///< default as JSON or in words; "off" for a group that is absent by default
   std::string range, unit, doc;
-  bool group = false;  ///< whether other parameters lie in it
+  bool group = false;  ///< true if the parameter is a group of other parameters
 
-  /// "default 500; >= 0; N/m"
+  /// Returns default, range and unit in one line: "default 500; >= 0; N/m".
   [[nodiscard]] std::string facts() const;
 };
 
-/// Fields that collect the rows of help.
+/// Fields that collect the rows of the help.
 class HelpWriter final : public Fields {
  public:
-  /// `expandGroups`: false shows a group or list as one line.
+  /// `expandGroups`: false shows each group or list as one row.
   explicit HelpWriter(bool expandGroups) : expandGroups_(expandGroups) {}
   void add(const std::string& name, std::string standard, std::string range, const char* unit,
            std::string doc);

@@ -7,9 +7,9 @@
 
 namespace simreel::scene {
 
-/// What a file is for: where `key` gives one, `file`, and "shape" is left out, `shape` is `ofFile`, which
-/// scenes call `name`; a mistake beside another shape, which would not read it. `usual`: what "shape" is
-/// without both. After both have been described.
+/// Sets `shape` to `ofFile` (`name` in scenes) if the field `key` gives `file` and "shape" is left out.
+/// Reports an error if "shape" has another value, because other shapes do not read the file. `usual`:
+/// default of "shape" without a file, for the help. Call it after both fields have been declared.
 template <class Shape>
 void implyShape(Fields& f, Shape& shape, Shape ofFile, const char* key, const std::filesystem::path& file,
                 const char* name, const char* usual) {

@@ -6,12 +6,12 @@
 
 namespace simreel::scene {
 
-/// A place by the path that an object has found, wherever that turns out to be.
+/// Position relative to a path that an object finds during the simulation.
 struct PathPlace {
   std::string object;
-  Animated<float> progress = 0.0F;  ///< fraction of the path's length
-  float height = 1.5F;              ///< m over the path
-  float side = 0;                   ///< m to the right of the way
+  Animated<float> progress = 0.0F;  ///< position on the path as a fraction of its length
+  float height = 1.5F;              ///< height above the path in metres
+  float side = 0;                   ///< distance in metres to the right of the direction of travel
   void describe(Fields& fields);
 };
 

@@ -14,7 +14,7 @@ namespace simreel::scene {
 
 namespace {
 
-/// One `[time, value]` after those before; `readOne` reads the value.
+/// Reads one keyframe `[time, value]` that comes after the keyframes `before`. `readOne` reads the value.
 template <class T, class ReadOne>
 std::optional<typename Animated<T>::Key> readKey(const Node& node,
                                                  const std::vector<typename Animated<T>::Key>& before,
@@ -39,7 +39,7 @@ std::optional<typename Animated<T>::Key> readKey(const Node& node,
   return typename Animated<T>::Key{*time, T(*value)};
 }
 
-/// Reads what a scene gives for a field into its member, whatever its type.
+/// Reads a field's node into a member of any type.
 class MemberReader {
  public:
   MemberReader(const Node& node, const char* name, const Spec& spec, ReadContext context)
@@ -118,7 +118,7 @@ class MemberReader {
   }
 
  private:
-  /// Numbers and expressions, in lists or alone, or keyframes of up to four numbers.
+  /// Reads a formula: numbers and expressions, alone or in lists, or keyframes of up to four numbers.
   [[nodiscard]] std::optional<Formula> formula(const Node& node) const {
     Formula value;
     if (node.kind == Node::Kind::object) {
@@ -154,7 +154,7 @@ class MemberReader {
     }
     return true;
   }
-  /// A number or a list of two to four; all keyframes of one value have as many.
+  /// Reads a number or a list of two to four. All keyframes of one value must have the same count, `width`.
   std::optional<glm::vec4> upToFour(const Node& node, int& width) const {
     const bool list = node.kind == Node::Kind::list;
     const std::size_t count = list ? node.children.size() : 1;
@@ -183,7 +183,7 @@ class MemberReader {
     if (read) *value = static_cast<T>(*read);
   }
 
-  /// A plain value, or {"keys": [[time, value], ...], "ease": "linear"}.
+  /// Reads a plain value, or {"keys": [[time, value], ...], "ease": "linear"}.
   template <class T, class ReadOne>
   void animated(Animated<T>& value, ReadOne readOne) const {
     animated(value, node_, readOne);
@@ -220,7 +220,7 @@ class MemberReader {
   ReadContext context_;
 };
 
-/// The group that `true` stands for: {}, where that stands.
+/// Returns the empty group {} that `true` stands for, at the same place.
 Node emptyGroup(const Node& word) {
   Node group;
   group.kind = Node::Kind::object;
@@ -233,7 +233,7 @@ Node emptyGroup(const Node& word) {
   return group;
 }
 
-/// The group that a value stands for: {field: value}, with every place that of the value.
+/// Returns the group {field: value} that a value stands for. All places are the value's.
 Node spelledOut(const Node& word, const std::string& field) {
   Node group = emptyGroup(word);
   group.children.push_back(word);
@@ -242,12 +242,12 @@ Node spelledOut(const Node& word, const std::string& field) {
   return group;
 }
 
-/// Whether what stands for a named group is the value of one of its fields.
+/// True if the node in place of a group is the value of one of its fields.
 bool isValue(const Node& node) {
   return node.kind != Node::Kind::object || node.find("keys") != nullptr;
 }
 
-/// The item of a list whose place `number` says, from 0; the list itself where it has none there.
+/// Returns the list item with the zero-based index `number`, or the list itself if there is no such item.
 const Node* itemOf(const Node& list, const std::string& number) {
   std::size_t at = 0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), at);
@@ -256,7 +256,7 @@ const Node* itemOf(const Node& list, const std::string& number) {
   return found ? &list.children[at] : &list;
 }
 
-/// Where byte `at` of a text that was read is written: `written` has its quotes and escapes.
+/// Returns the index in `written` (source text with quotes and escapes) of byte `at` of the decoded string.
 std::size_t byteWritten(std::string_view written, std::size_t at) {
   std::size_t i = 1, read = 0;
   while (i + 1 < written.size() && read < at) {
@@ -312,7 +312,7 @@ const Node* Reader::at(const std::string& path) const {
 
 void Reader::formerly(const char* old, const char* name) {
   if (object_ == nullptr || object_->find(old) == nullptr) return;
-  if (object_->find(name) != nullptr) return;  // both: the old one is no key
+  if (object_->find(name) != nullptr) return;  // if both are given, the old name is an unknown key
   formerNames_[name] = old;
   known_.emplace_back(old);
   warn("{}: \"{}\" is called \"{}\" now", context_.diagnostics.where(object_->find(old)->headPlace()), old,
@@ -358,7 +358,7 @@ void Reader::section(const char* name, bool* present, const char* /*doc*/,
   }
   if (node != nullptr) return readObject(*node, context_, describe);
   if (present != nullptr) return;
-  // Described all the same: its cross checks may look at values of other groups.
+  // An absent group is described, too, because its cross checks may involve values of other groups.
   Reader absent(nullptr, place_, context_);
   describe(absent);
 }
@@ -375,7 +375,7 @@ void Reader::listOf(const char* name, const char* /*doc*/, std::size_t maxItems,
                                                             maxItems, node->children.size()));
     return;
   }
-  // From nothing, so that no default item lends its values to a given one.
+  // Starts from an empty list, so that given items do not inherit values of default items.
   resize(0);
   resize(node->children.size());
   const auto value = shorthands_.find(name);
@@ -416,7 +416,7 @@ void Reader::namedGroups(const char* name, const char* /*doc*/, const char* one,
 }
 
 void Reader::error(const char* name, const std::string& message) {
-  // A value that could not be read kept its default, which says nothing about the scene.
+  // After an error, values may be defaults, and a message that compares them would be misleading.
   if (context_.diagnostics.count() != errorsBefore_) return;
   const Node* node = find(name);
   context_.diagnostics.add(node == nullptr ? place_ : node->place(), message);

@@ -15,26 +15,26 @@
 
 namespace simreel::scene {
 
-/// What all readers of one scene share.
+/// State that all readers of one scene share.
 struct ReadContext {
   Diagnostics& diagnostics;
   const AssetFolders& assets;
 };
 
-/// Fields that read one object of a scene. A value with a mistake is reported and keeps its default,
-/// so one pass finds every mistake.
+/// Fields that read one object of a scene. A value with an error is reported and keeps its default, so that
+/// one pass finds all errors.
 class Reader final : public Fields {
  public:
-  /// `object`: null when the scene does not give it. `place`: for messages about the object itself.
+  /// `object`: null if the scene does not give it. `place`: place of messages about the object itself.
   Reader(const Node* object, Place place, ReadContext context);
 
-  /// Reads a value that must be an object with what `describe` names and nothing else.
+  /// Reads a value that must be an object with the members that `describe` declares and no others.
   static void readObject(const Node& node, ReadContext context,
                          const std::function<void(Reader&)>& describe);
 
-  /// The member, which counts as known from here on; null when it is not given.
+  /// Returns the member, or null if it is not given. finish() no longer reports it as unknown.
   [[nodiscard]] const Node* take(const char* name);
-  /// Reports members that nobody asked for.
+  /// Reports members that have not been declared as unknown keys.
   void finish();
 
   void field(const char* name, Member member, const Spec& spec) override;
@@ -57,9 +57,9 @@ class Reader final : public Fields {
   [[nodiscard]] bool given(const char* name) const override;
 
  private:
-  /// The member of that name, or of the one it had before; null when it is not given.
+  /// Returns the member `name`, or its former name's; null if it is not given.
   [[nodiscard]] const Node* find(const std::string& name) const;
-  /// What a path "group.name" leads to.
+  /// Returns the node at a path "group.name"; null if it does not exist.
   [[nodiscard]] const Node* at(const std::string& path) const;
 
   const Node* object_;
@@ -67,9 +67,11 @@ class Reader final : public Fields {
   ReadContext context_;
   std::size_t errorsBefore_;
   std::vector<std::string> known_;
-  std::map<std::string, std::string> formerNames_;  ///< of what is given by its old name: new name -> old
-  std::map<std::string, std::string> shorthands_;   ///< group -> the field that a word alone is
-  std::set<std::string> switchable_;                ///< groups that may be true
+  /// New name -> old name, for members given by their old name.
+  std::map<std::string, std::string> formerNames_;
+  /// Group -> field that a value in place of the group sets.
+  std::map<std::string, std::string> shorthands_;
+  std::set<std::string> switchable_;  ///< groups that may be given as true
 };
 
 }  // namespace simreel::scene

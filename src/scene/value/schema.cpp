@@ -30,7 +30,7 @@ Json tuple(const Json& item, int count) {
   return {{"type", "array"}, {"items", item}, {"minItems", count}, {"maxItems", count}};
 }
 
-/// The plain value, or keyframes of it.
+/// Returns the schema of a plain value or keyframes of it.
 Json animatedSchema(const Json& plain) {
   const Json key = {
       {"type", "array"},
@@ -49,7 +49,7 @@ Json animatedSchema(const Json& plain) {
   return {{"anyOf", Json::array({plain, keyframes})}};
 }
 
-/// The JSON Schema of each type of member.
+/// Returns the JSON Schema of each type of member.
 class Types {
  public:
   explicit Types(const Spec& spec) : spec_(spec) {}
@@ -99,7 +99,7 @@ class Types {
   const Spec& spec_;
 };
 
-/// The schema of a field that stands for its whole group.
+/// Returns the schema of a field whose value may stand for its whole group.
 Json shortFor(const std::string& field, const Json& properties) {
   Json schema = properties.at(field);
   schema["description"] = fmt::format("Short for {{\"{}\": ...}}.", field);

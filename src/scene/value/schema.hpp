@@ -9,10 +9,10 @@
 
 namespace simreel::scene {
 
-/// Fields that write JSON Schema (draft 2020-12) of what is declared.
+/// Fields that write the JSON Schema (draft 2020-12) of what is declared.
 class SchemaWriter final : public Fields {
  public:
-  /// Schema of the object described so far; unknown keys are not allowed in it.
+  /// Returns the schema of the object described so far. It does not allow unknown keys.
   [[nodiscard]] nlohmann::ordered_json object() const;
   /// Adds a property that is not declared through Fields.
   void add(const char* name, nlohmann::ordered_json schema) { properties_[name] = std::move(schema); }

@@ -39,7 +39,7 @@ bool ValueReader::isList(const Node& node, const char* expected) const {
 
 bool ValueReader::inRange(const Node& node) const {
   if (node.number >= range_.min && node.number <= range_.max) return true;
-  // A value beyond the silent bounds gets to hear of them.
+  // Messages normally omit bounds beyond 1e9, but a value that violates them needs them in its message.
   const bool tiny = range_.min == positive.min && node.number > 0 && node.number < positive.min;
   const bool beyond = tiny || std::abs(node.number) > anyNumber.max;
   const std::string unit = *unit_ == '\0' ? "" : fmt::format(" {}", unit_);
@@ -66,7 +66,7 @@ std::optional<int> ValueReader::wholeNumber(const Node& node, const char* expect
     return std::nullopt;
   }
   if (!inRange(node)) return std::nullopt;
-  if (std::abs(node.number) > std::numeric_limits<int>::max()) {  // only where no range is declared
+  if (std::abs(node.number) > std::numeric_limits<int>::max()) {  // possible only if no range is declared
     diagnostics_.add(node.place(), fmt::format("\"{}\" must fit in 32 bits, found {}", name_, node.number));
     return std::nullopt;
   }

@@ -13,8 +13,7 @@
 
 namespace simreel::scene {
 
-/// Turns nodes into values of the field `name`. Each function reports what is wrong and then returns
-/// nothing.
+/// Converts nodes to values of the field `name`. Each function reports errors and then returns nullopt.
 class ValueReader {
  public:
   ValueReader(const char* name, Range range, const char* unit, Diagnostics& diagnostics)
@@ -32,16 +31,16 @@ class ValueReader {
   [[nodiscard]] std::optional<glm::ivec2> pair(const Node& node) const;
   [[nodiscard]] std::optional<int> oneOf(const Node& node, std::span<const char* const> names) const;
 
-  /// Whether the node is a list; reports `expected` otherwise.
+  /// True if the node is a list; otherwise reports that `expected` was expected.
   [[nodiscard]] bool isList(const Node& node, const char* expected) const;
-  /// Whether the node has the kind; otherwise reports "expected <expected>, found ...".
+  /// True if the node has the kind; otherwise reports "expected <expected>, found ...".
   [[nodiscard]] bool expect(const Node& node, Node::Kind kind, const char* expected) const;
 
  private:
   [[nodiscard]] bool inRange(const Node& node) const;
   [[nodiscard]] std::optional<int> wholeNumber(const Node& node, const char* expected) const;
 
-  /// Where no range is declared: a float still holds it.
+  /// Limit if no range is declared; a float can hold it.
   static constexpr double maxMagnitude = 1e30;
 
   const char* name_;
@@ -50,8 +49,8 @@ class ValueReader {
   Diagnostics& diagnostics_;
 };
 
-/// "between 0 and 1 m", "at least 0 s", "greater than 0", "at most 3"; empty for any number. A bound
-/// beyond 1e9 is there only to keep arithmetic finite and is not spoken of.
+/// Returns the range in words: "between 0 and 1 m", "at least 0 s", "greater than 0", "at most 3"; empty
+/// for any number. Omits bounds beyond 1e9, because they only keep the arithmetic finite.
 [[nodiscard]] std::string rangeText(Range range, const char* unit);
 
 }  // namespace simreel::scene

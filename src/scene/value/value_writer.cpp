@@ -8,7 +8,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// JSON of each type of member.
+/// Writes each type of member as JSON.
 class Writer {
  public:
   explicit Writer(const Spec& spec) : spec_(spec) {}

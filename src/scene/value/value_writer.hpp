@@ -7,12 +7,12 @@
 
 namespace simreel::scene {
 
-/// A number as JSON that reads the way it was written in the source: 0.05F is 0.05, not
+/// Returns a number as JSON with the fewest digits that identify it: 0.05F gives 0.05, not
 /// 0.05000000074505806.
 [[nodiscard]] nlohmann::ordered_json shortest(float value);
 [[nodiscard]] nlohmann::ordered_json shortest(double value);
 
-/// The value as a scene would give it; nothing where no value is the value.
+/// Returns the value as a scene would give it; nullopt if the member is empty.
 [[nodiscard]] std::optional<nlohmann::ordered_json> written(const Member& member, const Spec& spec);
 
 /// Fields that write the values as a scene would give them.
@@ -35,8 +35,8 @@ class ValueWriter final : public Fields {
   nlohmann::ordered_json values_ = nlohmann::ordered_json::object();
 };
 
-/// The items that a list has when a scene leaves it out, each with the members that are not those of a
-/// fresh item. Leaves the list with one fresh item.
+/// Returns the items that a list has if a scene leaves it out. Each item contains only members that differ
+/// from a fresh item. Leaves the list with one fresh item.
 [[nodiscard]] nlohmann::ordered_json standardItems(
     std::size_t items, const std::function<void(std::size_t)>& resize,
     const std::function<void(Fields&, std::size_t)>& describe);

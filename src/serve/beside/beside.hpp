@@ -18,33 +18,34 @@
 
 namespace simreel::serve {
 
-/// The shown frame beside its golden baseline: drawn at the test's size, judged as `simreel test` judges
-/// it.
+/// Compares the shown frame with its golden baseline: draws it at the test's size and judges it like
+/// `simreel test`.
 class Beside {
  public:
-  /// `edit`: whether baselines and the list of tested frames may be written.
+  /// `edit`: true if baselines and the list of tested frames may be written.
   Beside(SceneSource source, bool edit, const gl::Context& context, const sim::Numerics& numerics,
          Hub& hub);
 
   [[nodiscard]] bool on() const { return on_; }
   void turn(bool on);
-  /// Whose baselines they are from now on; `right`: those of the other side.
+  /// Selects the scene whose baselines are used. `right`: true for the scene of the right side.
   void choose(SceneSource source, bool right);
   [[nodiscard]] bool right() const { return right_; }
-  /// Draws the stage's frame, which has to be the script's own, and tells viewers how it came out.
+  /// Draws and judges the stage's frame and sends the result to the viewers. The stage must not be
+  /// carried() over from other values.
   void look(Stage& stage);
 
-  /// Has `simreel test --update` make what the scene file draws its baseline. Throws UserError(usage) where
-  /// it may not: without --edit, with values that the file does not have, while another one runs.
+  /// Starts `simreel test --update`, which makes the pictures of the scene file its baseline. Throws
+  /// UserError(usage) without --edit, if values differ from the file, or while another update runs.
   void accept(std::span<const scene::Override> edits);
-  /// Whether accept() has just come to its end.
+  /// Returns true once, after the process of accept() has ended.
   bool hasAccepted();
 
-  /// "test.frames" with the frame among them. Throws UserError(usage) where it is there already, or the
-  /// test stands beside the scene.
+  /// Returns the value of "test.frames" with the frame added. Throws UserError(usage) if it is already a
+  /// tested frame, or if the test is in the sidecar.
   [[nodiscard]] scene::Override withFrame(Stage& stage, int frame) const;
 
-  /// What the verdict depends on beside the scene: the test beside it, and baselines.
+  /// Returns the files besides the scene that the verdict depends on: the sidecar and the baselines.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
  private:
@@ -59,12 +60,12 @@ class Beside {
   Hub& hub_;
   bool on_ = false;
   bool right_ = false;
-  std::optional<golden::Origin> driver_;  ///< of what the driver draws; found out when it is asked for
+  std::optional<golden::Origin> driver_;  ///< origin of the driver's pictures; computed when first needed
   std::uint64_t pictures_ = 0;
-  std::string verdict_;  ///< JSON of the latest look
+  std::string verdict_;  ///< latest verdict as JSON
   ChildProcess accepting_;
-  std::string accepted_ = "none";  ///< "running", "done", "failed"
-  std::string said_;               ///< by the latest accept
+  std::string accepted_ = "none";  ///< state of the latest accept(): "none", "running", "done" or "failed"
+  std::string said_;               ///< output of the latest accept()
 };
 
 }  // namespace simreel::serve

@@ -14,16 +14,16 @@
 
 namespace simreel::serve {
 
-/// What stands beside the scene: another scene, or the same with other values.
+/// Settings of the right side: another scene, or the same scene with other values.
 struct CounterpartOptions {
   SceneSource source;
-  bool ownFile = false;                ///< whether that is another scene's
-  bool on = false;                     ///< from the start
-  std::vector<scene::Override> edits;  ///< its values alone
-  std::vector<std::string> arguments;  ///< as words of a command line
+  bool ownFile = false;                ///< true: the right side has its own scene file
+  bool on = false;                     ///< true: the right side is shown from the start
+  std::vector<scene::Override> edits;  ///< overrides that only the right side has
+  std::vector<std::string> arguments;  ///< scene and options as command-line arguments
 };
 
-/// The other side: at the frame of the scene, drawn when it is.
+/// The right side: a second scene at the same frame as the left one, drawn at the same time.
 class Counterpart {
  public:
   explicit Counterpart(CounterpartOptions options) : options_(std::move(options)), on_(options_.on) {}
@@ -32,27 +32,28 @@ class Counterpart {
   void turn(bool on);
   [[nodiscard]] bool ownFile() const { return options_.ownFile; }
   [[nodiscard]] const CounterpartOptions& options() const { return options_; }
-  /// Null: it is off, or there was never anything right to show.
+  /// Returns the stage; null if the side is off, or if all its versions had errors.
   [[nodiscard]] Stage* stage() const { return stage_.get(); }
   [[nodiscard]] bool carried() const { return stage_ != nullptr && stage_->carried(); }
   [[nodiscard]] const std::string& mistakes() const { return mistakes_; }
-  /// What it has beyond the scene, or its own file.
+  /// Returns the changes that only this side has, relative to the left scene or to its own file.
   [[nodiscard]] const std::vector<scene::Override>& edits() const { return options_.edits; }
-  /// Whether one of them is of where the camera stands or what it looks at.
+  /// True if the own changes affect the camera's position or target.
   [[nodiscard]] bool hasOwnView() const;
   void setEdits(std::vector<scene::Override> edits) { options_.edits = std::move(edits); }
 
-  /// Shows what it is beside `scene` now, or keeps what it has shown and says in mistakes() why. Begins
-  /// where that one's states are its own, too. Whether its state is one of other values (Stage::become).
+  /// Updates this side to match `scene`. On an error, keeps the last good version and sets mistakes(). A
+  /// new stage starts from a state of `scene` if both have the same states up to there. Returns true if the
+  /// state was carried over from other values (Stage::become).
   bool show(const Stage& scene, const sim::Numerics& numerics, std::size_t memory, bool moving, int frame);
   void readFile();
-  /// Why its own file could not be read, or nothing.
+  /// Returns the reason why its own file could not be read, or an empty text.
   [[nodiscard]] const std::string& unreadable() const { return unreadable_; }
-  /// Whether what was wrong in it, or with files that it names, is so no longer.
+  /// True if errors in its file, or missing files that it names, have been fixed meanwhile.
   [[nodiscard]] bool isBetter(const Stage& scene) const;
-  /// Of its own file, as it was last read.
+  /// Returns the text of its own file as it was last read.
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// That file has this text now.
+  /// Sets the text after its own file has been written.
   void setText(std::string text) { text_ = std::move(text); }
 
  private:
@@ -60,14 +61,14 @@ class Counterpart {
 
   CounterpartOptions options_;
   bool on_;
-  std::string text_;  ///< of its own file
+  std::string text_;  ///< text of its own file
   std::string unreadable_;
   std::string mistakes_;
-  bool unread_ = false;  ///< whether they are of the text, or of files that are not there
+  bool unread_ = false;  ///< true if mistakes_ are errors in the text, or missing files
   std::unique_ptr<Stage> stage_;
 };
 
-/// Pixels that are not the same in two pictures of one size.
+/// Returns the number of pixels that differ between two pictures of the same size.
 [[nodiscard]] std::size_t differingPixels(const frame::Image& a, const frame::Image& b);
 
 }  // namespace simreel::serve

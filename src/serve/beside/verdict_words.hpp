@@ -7,11 +7,11 @@
 
 namespace simreel::serve {
 
-/// How a frame stands to its baseline, in a sentence or two: "1,204 of 57,600 pixels differ (2.09%), by 31
-/// of 255 at most, at (211, 90); mean FLIP error 0.0043." and why it would fail.
+/// Returns the comparison of a frame with its baseline in words: "1,204 of 57,600 pixels differ (2.09%), by
+/// 31 of 255 at most, at (211, 90); mean FLIP error 0.0043.", and the reason for a failure.
 [[nodiscard]] std::string verdictWords(const golden::FrameResult& frame, const golden::Reference& held,
                                        const frame::Image& made);
-/// Of a frame that no test looks at.
+/// Returns the text for a frame that the test does not compare.
 [[nodiscard]] std::string untestedWords(int frame, std::span<const int> tested,
                                         const golden::Reference& held);
 

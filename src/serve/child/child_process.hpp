@@ -6,22 +6,22 @@
 
 namespace simreel::serve {
 
-/// This program as a process of its own, which goes on while pictures are shown.
+/// Runs this program as another process while pictures are shown.
 class ChildProcess {
  public:
   ChildProcess() = default;
-  /// Ends one that runs.
+  /// Ends a running process.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// `arguments` begin with the command. One at a time (an invariant). Throws UserError(inputOutput) where
-  /// none can be started.
+  /// Starts the program. `arguments` begin with the command. No other process may be running. Throws
+  /// UserError(inputOutput) if the process cannot be started.
   void start(const std::vector<std::string>& arguments);
   [[nodiscard]] bool running() const { return process_ > 0; }
-  /// Its exit code (-1: it was ended by a signal) once, when it has ended; nothing before.
+  /// Returns the exit code once, after the process has ended (-1 if a signal ended it); nullopt before.
   [[nodiscard]] std::optional<int> ended();
-  /// The end of what it has said so far, or said in all; a first line may have lost its beginning.
+  /// Return the end of the process's output and messages so far. The first line may be truncated.
   [[nodiscard]] std::string output() const;
   [[nodiscard]] std::string messages() const;
 

@@ -7,24 +7,24 @@
 
 namespace simreel::serve {
 
-/// `simreel render` as a process of its own, which goes on while pictures are shown.
+/// Runs `simreel render` as another process while pictures are shown.
 class RenderChild {
  public:
   struct Progress {
     enum class State { none, running, done, failed };
     State state = State::none;
-    int done = 0, total = 0;  ///< frames
-    std::string output;       ///< picture or folder
-    std::string text;         ///< of one that failed: what it said last
+    int done = 0, total = 0;  ///< numbers of rendered frames and of all frames
+    std::string output;       ///< path of the picture or folder
+    std::string text;         ///< last error message of a failed render
     bool operator==(const Progress&) const = default;
   };
 
-  /// `arguments` of `simreel render`, without output, frames and progress. One at a time: throws
-  /// UserError(usage) while one runs, and inputOutput where none can be started.
+  /// Starts a render. `arguments`: arguments of `simreel render` without output, frames and progress.
+  /// Throws UserError: `usage` while another render runs, `inputOutput` if the process cannot be started.
   void start(std::vector<std::string> arguments, const std::string& frames,
              const std::filesystem::path& output);
   [[nodiscard]] Progress look();
-  /// Whether it makes one picture, whose file is Progress::output.
+  /// True if it renders a single picture, to the file Progress::output.
   [[nodiscard]] bool isPicture() const { return picture_; }
 
  private:

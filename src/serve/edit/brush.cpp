@@ -16,10 +16,10 @@ namespace simreel::serve {
 
 namespace {
 
-/// What an object has where a scene says nothing of it.
+/// Fields that read the default values of an object.
 class Standard final : public scene::Fields {
  public:
-  std::optional<double> rate;  ///< steps a second
+  std::optional<double> rate;  ///< default number of simulation steps per second
   nlohmann::json strokes = nlohmann::json::array();
 
   void field(const char* name, scene::Member member, const scene::Spec& spec) override {
@@ -82,7 +82,7 @@ nlohmann::json strokeOf(const scene::Object& object, const nlohmann::json& given
   if (fluid->heats()) stroke["temperature"] = 1;
   if (fluid->dyes() || !fluid->heats()) stroke["dye"] = {1.6, 0.45, 0.01};
   if (stands) return stroke;
-  constexpr double seconds = 0.12;  // between two pieces of the page's
+  constexpr double seconds = 0.12;  // seconds between two segments sent by the page
   glm::dvec2 velocity = (piece.to - piece.from) / seconds;
   const double speed = glm::length(velocity);
   velocity *= std::min(1.0, static_cast<double>(fluid->speed) / speed);

@@ -8,20 +8,21 @@
 
 namespace simreel::serve {
 
-/// A piece of the brush's way over a field.
+/// Segment of a brush stroke over a field.
 struct BrushPiece {
-  double time = 0;            ///< s of the frame that is painted
-  glm::dvec2 from{0}, to{0};  ///< cells
-  double radius = 1;          ///< cells
-  double value = 1;           ///< as the strokes of the kind have it
+  double time = 0;            ///< time of the painted frame in seconds
+  glm::dvec2 from{0}, to{0};  ///< end points of the segment in cells
+  double radius = 1;          ///< radius of the brush in cells
+  double value = 1;           ///< painted value, as in the "strokes" of this kind of object
 };
 
-/// The strokes of an object, from its scene's text (the object of its kind): what the scene gives, or the
-/// jets of a fluid that is given none.
+/// Returns the "strokes" of an object. `given`: the object's parameters in the scene. If they have no
+/// "strokes", returns the default ones, such as the jets of a fluid.
 [[nodiscard]] nlohmann::json strokesOf(const scene::Object& object, const nlohmann::json& given);
 
-/// The entry of "strokes" that paints so. It begins at the step that the frame shows, which may be before
-/// the frame. In a fluid it sets dye, or what the fluid has of heat, and pushes as fast as the mouse goes.
+/// Returns the entry of "strokes" that paints the segment. It begins at the simulation step that the frame
+/// shows, which may lie before the frame's time. In a fluid it sets dye, or temperature if the fluid has
+/// heat, and a velocity as fast as the mouse.
 [[nodiscard]] nlohmann::json strokeOf(const scene::Object& object, const nlohmann::json& given,
                                       const BrushPiece& piece);
 

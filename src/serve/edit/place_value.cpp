@@ -27,7 +27,8 @@ std::vector<std::string> segmentsOf(const std::string& path) {
   return segments;
 }
 
-/// The item of a list that a segment counts to, or the member of an object; null: there is none.
+/// Returns the list item with the index `segment`, or the member of that name of an object; null if it does
+/// not exist.
 const Node* childOf(const Node& node, const std::string& segment) {
   if (node.kind != Node::Kind::list) return node.find(segment);
   std::size_t index = 0;
@@ -41,12 +42,13 @@ std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// As JSON: what is none is a string.
+/// Returns the value as JSON; text that is not JSON becomes a string.
 std::string valueText(const std::string& value) {
   return nlohmann::json::accept(value) ? value : quoted(value);
 }
 
-/// Blanks from the beginning of the line to what stands at a byte; nothing where more than blanks does.
+/// Returns the blanks between the start of the line and byte `at`; nullopt if other characters precede it,
+/// or on the first line.
 std::optional<std::string> indentAt(std::string_view text, std::size_t at) {
   const std::size_t lineEnd = text.rfind('\n', at == 0 ? 0 : at - 1);
   const std::size_t begin = lineEnd == std::string_view::npos ? 0 : lineEnd + 1;
@@ -56,7 +58,7 @@ std::optional<std::string> indentAt(std::string_view text, std::size_t at) {
   return std::string(indent);
 }
 
-/// The end of the line where only blanks and comments follow a byte there; else that byte.
+/// Returns the end of the line if only blanks and comments follow byte `from`; else `from`.
 std::size_t endOfRemark(std::string_view text, std::size_t from) {
   std::size_t at = from;
   while (at < text.size()) {
@@ -77,7 +79,7 @@ std::size_t endOfRemark(std::string_view text, std::size_t from) {
   return at < text.size() && text[at] == '\n' ? (text[at - 1] == '\r' ? at - 1 : at) : from;
 }
 
-/// A member after the last one of an object, or an item after the last one of a list.
+/// Inserts a member after the last one of an object, or an item after the last one of a list.
 std::string withMember(std::string_view text, const Node& object, const std::string& member) {
   std::string result(text);
   if (object.children.empty()) {

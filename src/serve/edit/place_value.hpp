@@ -6,10 +6,10 @@
 
 namespace simreel::serve {
 
-/// A scene's text with one value in the place of another: only the value's own bytes change, and comments,
-/// order and spacing stay. A member that is not there is written after the last one of its group, in the
-/// same manner, as is an item that is the next one of a list; groups on the way to it are made. `value` is
-/// JSON, or bare text. Throws UserError(usage) where the path leads nowhere or the text cannot be read.
+/// Returns a scene's text with one value replaced. Only the bytes of the value change; comments, order and
+/// spacing stay. A missing member is inserted after the last one of its group in the same style, and
+/// missing groups on its path are created. The next item of a list is appended likewise. The value is JSON
+/// or a bare string. Throws UserError(usage) if the path leads nowhere or the text cannot be parsed.
 [[nodiscard]] std::string withValue(std::string_view text, const scene::Override& change);
 
 }  // namespace simreel::serve

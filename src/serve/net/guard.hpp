@@ -6,33 +6,34 @@
 
 namespace simreel::serve {
 
-/// 32 hexadecimal digits from the system's source of randomness. Throws UserError(inputOutput).
+/// Returns 32 random hexadecimal digits from the operating system. Throws UserError(inputOutput).
 [[nodiscard]] std::string randomToken();
 
-/// Who may talk to the server. A page of somebody else's in the same browser can send requests here, but
-/// knows neither the token nor may it say another origin than its own; a name of theirs that leads to this
-/// machine (DNS rebinding) shows in the Host header.
+/// Decides which requests the server accepts. A foreign page in the same browser can send requests to this
+/// server, but it does not have the token and cannot forge its Origin header. If a foreign host name
+/// resolves to this machine (DNS rebinding), the Host header shows it.
 class Guard {
  public:
-  /// `address`: that the server listens at, an IP address.
+  /// `address`: IP address that the server listens on.
   Guard(std::string token, std::string address);
 
   [[nodiscard]] const std::string& token() const { return token_; }
-  /// Of a Host header, "127.0.0.1:8000": a name of this machine by itself, or an IP address where the
-  /// server listens at more than its own.
+  /// True if the Host header, such as "127.0.0.1:8000", is a name of this machine that only works locally.
+  /// If other machines can reach the server, any IP address is allowed.
   [[nodiscard]] bool allowsHost(std::string_view host) const;
-  /// Of an Origin header beside that Host header: the page came from here.
+  /// True if the Origin header matches the Host header, so that the page came from this server.
   [[nodiscard]] static bool allowsOrigin(std::string_view origin, std::string_view host);
-  /// What follows "/TOKEN/" in a path; false where it does not begin so. The time it takes says nothing of
-  /// how much of the token is right.
+  /// Returns true if the path begins with "/TOKEN/", and sets `rest` to the part after it. The time it
+  /// takes does not depend on the number of correct characters, so it reveals nothing about the token.
   [[nodiscard]] bool splitPath(std::string_view path, std::string_view& rest) const;
 
  private:
   std::string token_;
-  bool everywhere_;  ///< whether other machines reach it
+  bool everywhere_;  ///< true: other machines can reach the server
 };
 
-/// What to print: the address for a browser here, and how to get there from elsewhere.
+/// Return texts to print: the page's address for a browser on this machine, and the command that makes it
+/// reachable from another machine.
 [[nodiscard]] std::string pageAddress(const std::string& address, int port, const std::string& token);
 [[nodiscard]] std::string tunnelCommand(const std::string& address, int port, const std::string& machine);
 

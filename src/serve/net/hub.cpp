@@ -73,7 +73,7 @@ bool Hub::stopping() const {
   return stop_;
 }
 
-/// Who is there, and which of them edits. The lock is held.
+/// Tells all viewers how many viewers there are and which one edits. The caller holds the lock.
 void Hub::tellViewers() {
   messages_["viewers"] = {
       ++version_, std::make_shared<const std::string>(fmt::format(
@@ -94,7 +94,7 @@ std::uint64_t Hub::enter() {
 void Hub::leave(std::uint64_t viewer) {
   const std::lock_guard lock(mutex_);
   answers_.erase(viewer);
-  // Who has waited longest.
+  // The viewer that has been connected longest becomes the editor.
   if (editor_ == viewer) editor_ = answers_.empty() ? 0 : answers_.begin()->first;
   tellViewers();
 }

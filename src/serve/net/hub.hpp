@@ -12,60 +12,62 @@
 
 namespace simreel::serve {
 
-/// A picture as it goes to every viewer: a line of JSON that describes it, "\n", and the file's bytes.
+/// Picture as it is sent to all viewers: a line of JSON that describes it, "\n", and the bytes of the image
+/// files.
 struct Picture {
-  std::uint64_t number = 0;  ///< ascending
+  std::uint64_t number = 0;  ///< number of the picture, ascending
   std::string message;
 };
 
-/// What a viewer asks for.
+/// Request of a viewer.
 struct Request {
   std::uint64_t viewer = 0;
-  std::string text;  ///< JSON
+  std::string text;  ///< the request as JSON
 };
 
-/// Where the thread that makes pictures and the one that talks to viewers meet. Nothing here grows with
-/// what a viewer leaves unread: of each kind of message there is the latest alone, and of pictures, too.
+/// Connects the thread that makes pictures with the thread that talks to viewers. Viewers that read slowly
+/// do not make it grow: it only keeps the latest message of each kind and the latest picture.
 class Hub {
  public:
-  /// Called from any thread where there is news for viewers.
+  /// Sets the function that is called, from any thread, if there is news for viewers.
   void onNews(std::function<void()> wake);
 
-  // Of the thread that makes pictures.
+  // Functions for the thread that makes pictures:
 
-  /// Requests in the order in which they came; waits that long (s) for one.
+  /// Returns the pending requests in their order. Waits up to `seconds` for the first one.
   [[nodiscard]] std::deque<Request> take(double seconds);
-  /// For all viewers, those that come later too: the latest message of its kind.
+  /// Sets the latest message of a kind, for all present and future viewers.
   void tell(const std::string& kind, std::string text);
-  /// For one.
+  /// Sends a message to one viewer.
   void answer(std::uint64_t viewer, std::string text);
   void show(Picture picture);
-  /// A file for who asks for it by name, in place of that of before.
+  /// Offers a file for download under a name. It replaces an earlier file of this name.
   void offer(const std::string& name, std::string bytes);
   [[nodiscard]] std::size_t viewers() const;
-  /// Who may change things; 0: nobody is there.
+  /// Returns the viewer that may change things; 0 without viewers.
   [[nodiscard]] std::uint64_t editor() const;
   [[nodiscard]] bool stopping() const;
 
-  // Of the one that talks to viewers.
+  // Functions for the thread that talks to viewers:
 
   std::uint64_t enter();
   void leave(std::uint64_t viewer);
   /// Makes this viewer the editor.
   void makeEditor(std::uint64_t viewer);
-  /// False where too many wait.
+  /// Adds a request. Returns false if too many requests are pending.
   bool ask(Request request);
   struct Message {
     std::uint64_t version = 0;
     std::shared_ptr<const std::string> text;
   };
-  /// The oldest message that this viewer, who has seen those up to `version`, has not.
+  /// Returns the oldest message after `version`, the version of the last message sent to a viewer; nullopt
+  /// if there is no newer one.
   [[nodiscard]] std::optional<Message> messageAfter(std::uint64_t version) const;
   [[nodiscard]] std::optional<std::string> answerFor(std::uint64_t viewer);
   [[nodiscard]] std::shared_ptr<const Picture> picture() const;
-  /// Null: none is offered.
+  /// Returns the file offered under a name; null if the name is unknown.
   [[nodiscard]] std::shared_ptr<const std::string> offered(const std::string& name) const;
-  /// From either: ends both.
+  /// Stops both threads. Either thread may call it.
   void stop();
 
  private:
@@ -78,9 +80,9 @@ class Hub {
   std::condition_variable asked_;
   std::function<void()> wake_;
   std::deque<Request> requests_;
-  std::map<std::string, Message> messages_;  ///< by kind
+  std::map<std::string, Message> messages_;  ///< latest message by kind
   std::uint64_t version_ = 0;
-  std::map<std::uint64_t, std::deque<std::string>> answers_;  ///< of each viewer that is there
+  std::map<std::uint64_t, std::deque<std::string>> answers_;  ///< pending answers of each connected viewer
   std::uint64_t nextViewer_ = 1, editor_ = 0;
   std::shared_ptr<const Picture> picture_;
   std::map<std::string, std::shared_ptr<const std::string>> offers_;

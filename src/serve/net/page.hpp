@@ -4,14 +4,14 @@
 
 namespace simreel::serve {
 
-/// A file of the page built into the program: path below src/serve/page/ and text.
+/// File of the page, built into the program: path below src/serve/page/ and text.
 struct PageFile {
   const char* path;
   const char* text;
 };
 [[nodiscard]] std::span<const PageFile> pageFiles();
 
-/// "text/javascript" and so on, by the name's ending.
+/// Returns the media type for a file name, such as "text/javascript".
 [[nodiscard]] const char* mediaType(std::string_view name);
 
 }  // namespace simreel::serve

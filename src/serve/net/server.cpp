@@ -23,27 +23,29 @@ namespace simreel::serve {
 
 namespace {
 
-constexpr std::size_t pieceBytes = std::size_t{32} << 10;  ///< that a socket is offered at once
-constexpr unsigned short headerRooms = 64;                 ///< of connections that are being read at once
+constexpr std::size_t pieceBytes = std::size_t{32} << 10;  ///< maximum bytes of one write to a socket
+/// Maximum number of connections whose headers are read at the same time.
+constexpr unsigned short headerRooms = 64;
 constexpr std::size_t mostStrangers = 32;
-constexpr int picturesUnderWay = 2;  ///< sent to a viewer that has not said yet that it shows them
+/// Maximum number of pictures sent to a viewer that it has not confirmed as shown.
+constexpr int picturesUnderWay = 2;
 
-/// What is on its way to one connection. Made and ended by the library's callbacks.
+/// State of one connection. The library's callbacks create and delete it.
 struct Connection {
-  std::uint64_t viewer = 0;  ///< 0: plain HTTP
+  std::uint64_t viewer = 0;  ///< number of the viewer; 0 for a plain HTTP connection
   std::shared_ptr<const std::string> body;
   std::size_t sent = 0;
-  // Of viewers.
+  // The members below are for viewers only.
   bool binary = false;
-  std::shared_ptr<const Picture> picture;    ///< that `body` is a part of
-  std::uint64_t heard = 0;                   ///< version of the latest message
-  std::uint64_t shown = 0, sentPicture = 0;  ///< numbers of pictures
+  std::shared_ptr<const Picture> picture;    ///< picture whose message is in `body`
+  std::uint64_t heard = 0;                   ///< version of the latest message that was sent
+  std::uint64_t shown = 0, sentPicture = 0;  ///< numbers of the latest shown and the latest sent picture
   std::deque<std::uint64_t> underWay;
-  std::string asked;  ///< pieces of a message so far
+  std::string asked;  ///< received parts of an incomplete message
   bool tooLong = false;
 };
 
-/// What the library keeps for us of each connection.
+/// Memory per connection that the library manages for this program.
 struct Slot {
   Connection* connection;
 };
@@ -82,7 +84,7 @@ struct Server::State {
   std::thread thread;
   std::atomic<bool> stop{false};
   std::set<lws*> viewers;
-  std::deque<lws*> strangers;  ///< who has not shown the token, the eldest first
+  std::deque<lws*> strangers;  ///< connections that have not shown the token, oldest first
   int connections = 0;
   std::vector<unsigned char> scratch;
 
@@ -109,7 +111,8 @@ namespace {
 
 int callback(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t length) {
   auto* state = static_cast<Server::State*>(lws_context_user(lws_get_context(wsi)));
-  // No exception goes through the library, which is C: the connection ends, the others go on.
+  // No exception may pass through the library, which is written in C. This connection ends; the others
+  // continue.
   try {
     return state->handle(wsi, reason, static_cast<Slot*>(user), in, length);
   } catch (...) {
@@ -212,12 +215,12 @@ int Server::State::handle(lws* wsi, lws_callback_reasons reason, Slot* slot, voi
   }
 }
 
-/// Each connection that has not shown the token holds room for its headers: beyond so many the eldest goes,
-/// so that none keeps who has it waiting.
+/// Each connection that has not shown the token occupies memory for its headers. If there are too many, the
+/// oldest one is closed, so that a viewer with the token never waits.
 void Server::State::welcome(lws* wsi) {
   strangers.push_back(wsi);
   if (strangers.size() <= mostStrangers) return;
-  // A timeout of the library's would be set anew by the next byte.
+  // A timeout of the library would start again with the next received byte.
   ::shutdown(lws_get_socket_fd(strangers.front()), SHUT_RDWR);
   strangers.pop_front();
 }
@@ -303,7 +306,8 @@ int Server::State::receive(lws* wsi, Connection& from, const char* in, std::size
   return say(wsi, from);
 }
 
-/// A whole message. What only concerns this connection is kept from who makes pictures.
+/// Handles a complete message. Messages that only concern this connection do not reach the thread that
+/// makes pictures.
 int Server::State::say(lws* wsi, Connection& from) {
   std::string text = std::exchange(from.asked, {});
   constexpr std::string_view shows = "shown ";
@@ -322,7 +326,8 @@ int Server::State::say(lws* wsi, Connection& from) {
   return -1;
 }
 
-/// Chooses what goes to a viewer next: answers and messages before pictures.
+/// Chooses the data to send to a viewer next: answers and messages come before pictures. Returns false if
+/// there is nothing to send.
 bool Server::State::next(Connection& to) {
   to.sent = 0;
   to.binary = false;
@@ -336,7 +341,8 @@ bool Server::State::next(Connection& to) {
     to.body = message->text;
     return true;
   }
-  // Who has not shown the pictures before gets none: the latest alone waits, for all viewers once.
+  // Sends no further picture until the viewer has shown the earlier ones. Only the latest picture waits,
+  // once for all viewers.
   const std::shared_ptr<const Picture> latest = hub.picture();
   if (!latest || latest->number == to.sentPicture || to.underWay.size() >= picturesUnderWay) return false;
   to.picture = latest;

@@ -9,30 +9,32 @@
 
 namespace simreel::serve {
 
-/// What a path below the token leads to.
+/// Response for a path below the token.
 struct Content {
-  std::string type;  ///< media type
+  std::string type;  ///< media type, such as "text/css"
   std::shared_ptr<const std::string> bytes;
 };
 
-/// HTTP and WebSocket on one port, on a thread of its own: files by name, and "live", where viewers hear
-/// what the hub has for them and say what they want. Each request must have the token in its path and a
-/// Host that is this machine's, each WebSocket this page's Origin.
+/// HTTP and WebSocket server on one port, with its own thread. HTTP delivers files by name. The WebSocket
+/// "live" sends the hub's messages to viewers and receives their requests. Every request must have the
+/// token in its path and a Host header of this machine; a WebSocket must also have the page's Origin.
 class Server {
  public:
   struct Options {
     std::string address = "127.0.0.1";
-    int port = 0;  ///< 0: any that is free
-    /// Null: there is no such thing. Called on the server's thread; must not throw.
+    int port = 0;  ///< TCP port; 0: any free port
+    /// Returns the content for a name; null if the name is unknown. Called on the server's thread; must not
+    /// throw.
     std::function<std::unique_ptr<Content>(std::string_view name)> find;
   };
   static constexpr int mostConnections = 1000;
   static constexpr int mostViewers = 64;
-  static constexpr std::size_t mostBytesAsked = std::size_t{64} << 10;  ///< of one message of a viewer
+  /// Maximum bytes of one message from a viewer.
+  static constexpr std::size_t mostBytesAsked = std::size_t{64} << 10;
 
-  /// Listens. Throws UserError(inputOutput) where it cannot.
+  /// Starts to listen. Throws UserError(inputOutput) on failure.
   Server(Options options, const Guard& guard, Hub& hub);
-  /// Stops the hub.
+  /// Stops the server and the hub.
   ~Server();
   Server(Server&&) = delete;
   Server(const Server&) = delete;
@@ -41,7 +43,7 @@ class Server {
 
   [[nodiscard]] int port() const;
 
-  struct State;  ///< what the library's callbacks know
+  struct State;  ///< data for the library's callbacks
 
  private:
   std::unique_ptr<State> state_;

@@ -1,4 +1,4 @@
-// What is under a pixel.
+// Shows the information about a clicked pixel.
 import { element, number } from "./dom.js";
 
 export function showAnswer(into, message) {

@@ -1,4 +1,4 @@
-// The page of `simreel serve`: what comes over the link goes to the screen, the timeline, the charts and the panel.
+// Main module of the page of `simreel serve`. Passes messages from the link to screen, timeline, charts and panel.
 import { showAnswer } from "./answer.js";
 import { showCharts, showTimes } from "./charts.js";
 import { Compare } from "./compare.js";
@@ -130,14 +130,14 @@ function sideChosen() {
   if (compare.message.on) link.send({ do: "compare", on: true, ...pair.flag });
 }
 
-// What was asked for is not done: controls show what is there again.
+// Resets all controls to the current values after a refused request.
 function restore() {
   if (state.scene?.scene) parametersChanged();
   timeline.setStatus(state.status);
   screen.restore();
 }
 
-// Of the side that changes go to.
+// Updates the controls to the side that changes go to.
 function parametersChanged() {
   const chosen = pair.chosen;
   byId("forget").hidden = chosen.edits.length === 0;
@@ -206,4 +206,4 @@ panel = new Panel(byId("parameters"), new Schema(await answer.json()), {
   fps: () => pair.chosen.fps,
 });
 if (state.scene?.scene) panel.update(pair.chosen);
-globalThis.simreel = { state, link, panel, screen, compare, pair }; // for whoever looks at the page from its console
+globalThis.simreel = { state, link, panel, screen, compare, pair }; // for debugging in the browser's console

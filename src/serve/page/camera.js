@@ -1,4 +1,5 @@
-// The camera by mouse: positions and targets in metres of the scene, y up; `height`, of an orthographic one, is how much it shows.
+// Moves the camera by mouse. Positions and targets are in metres, y up. `height` is the height of an orthographic
+// camera's view.
 
 const subtract = (a, b) => a.map((value, i) => value - b[i]);
 const add = (a, b, factor = 1) => a.map((value, i) => value + factor * b[i]);
@@ -7,7 +8,7 @@ const length = (a) => Math.hypot(...a);
 const unit = (a) => a.map((value) => value / (length(a) || 1));
 const round = (a) => a.map((value) => Number(value.toPrecision(6)));
 
-// Turned about the target by angles (radians), never over the poles.
+// Rotates the camera about its target by angles in radians, never over the poles.
 export function orbit({ eye, target, ...lens }, turn, rise) {
   const arm = subtract(eye, target);
   const distance = length(arm);
@@ -18,7 +19,8 @@ export function orbit({ eye, target, ...lens }, turn, rise) {
   return { eye: round(add(target, next, distance)), target, ...lens };
 }
 
-// Moved with its target, so that what is at the target follows the mouse: fractions of the picture's height.
+// Moves the camera and its target so that the target point follows the mouse. `right` and `up` are fractions of the
+// picture's height.
 export function pan({ eye, target, ...lens }, right, up) {
   const arm = subtract(target, eye);
   const high = lens.height ?? 2 * length(arm) * Math.tan((lens.angle * Math.PI) / 360);

@@ -1,4 +1,4 @@
-// What objects count and measure, one chart each, and how long the latest picture took.
+// Charts of the numbers that objects count and measure, and the times that the latest picture took.
 import { element, number } from "./dom.js";
 
 const svg = (name, attributes) => {
@@ -15,7 +15,7 @@ function chart(series, checks, frame, frames) {
   const bounds = boundsOf(series, checks).flatMap((check) => [check.min, check.max]).filter((value) => value !== null);
   const values = known.map(([, value]) => value);
   let [low, high] = [Math.min(...values), Math.max(...values)];
-  // A bound that is near is shown; one that is far would flatten the curve.
+  // Includes bounds near the curve. Distant bounds would flatten it.
   const reach = high - low || Math.abs(high) || 1;
   for (const bound of bounds) {
     if (bound < low && low - bound < reach) low = bound;
@@ -41,7 +41,7 @@ function chart(series, checks, frame, frames) {
 
 export function showCharts(into, series, checks, frame, frames) {
   const shown = series.filter((one) => one.values.length > 0);
-  // Those that a check holds come first.
+  // Series with checks come first.
   const held = (one) => (boundsOf(one, checks).length > 0 ? 0 : 1);
   shown.sort((a, b) => held(a) - held(b));
   into.replaceChildren(...shown.slice(0, 12).map((one) => chart(one, checks, frame, frames)));

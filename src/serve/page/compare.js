@@ -1,9 +1,10 @@
-// The frame beside its golden baseline: ours, the baseline, their difference, side by side, or one under the other.
+// Shows the frame with its golden baseline: own picture, baseline, difference, side by side, or one over the other with
+// a movable border.
 import { byId, element } from "./dom.js";
 
 const modes = { ours: "Ours", baseline: "Baseline", difference: "Difference", beside: "Side by side", swipe: "Swipe" };
 const captions = { ours: "ours", baseline: "baseline", difference: "difference" };
-const gap = 12; // between pictures, pixels
+const gap = 12;  // gap between pictures in pixels
 const shownIn = { ours: ["ours"], baseline: ["baseline"], difference: ["difference"], beside: ["baseline", "ours", "difference"],
   swipe: ["baseline", "ours"] };
 
@@ -19,7 +20,8 @@ export class Compare {
     byId("modes").replaceChildren(...Object.entries(modes).map(([mode, name]) =>
       element("button", { "data-mode": mode, "aria-pressed": mode === this.mode, onclick: () => this.choose(mode) }, name)));
     byId("pairs").addEventListener("pointermove", (event) => this.swipe(event));
-    byId("golden").addEventListener("wheel", (event) => event.stopPropagation()); // which moves the camera
+    // otherwise the wheel would move the camera
+    byId("golden").addEventListener("wheel", (event) => event.stopPropagation());
     addEventListener("resize", () => this.fit());
   }
 
@@ -28,13 +30,13 @@ export class Compare {
     this.show();
   }
 
-  // What the server says of the frame.
+  // Receives the server's verdict on the frame.
   set(message) {
     this.message = message;
     this.show();
   }
 
-  // What is on the screen: pictures stand beside a baseline only while they are of that very frame.
+  // Receives the picture that is on the screen. The comparison is shown only while it is of the same frame.
   follow(picture) {
     this.picture = picture;
     this.show();
@@ -96,7 +98,7 @@ export class Compare {
     this.fit();
   }
 
-  // Round the worst pixel.
+  // Draws a ring around the worst pixel.
   ring(figure, worst) {
     if (figure.querySelector(".ring")) return;
     const [width, height] = this.message.size;
@@ -106,7 +108,7 @@ export class Compare {
     figure.append(ring);
   }
 
-  // Whole pictures, as large as there is room for.
+  // Scales the pictures to the largest size at which all are visible.
   fit() {
     const pairs = byId("pairs");
     if (pairs.hidden || !this.message.size) return;
@@ -114,7 +116,7 @@ export class Compare {
     const [width, height] = this.message.size;
     const room = pairs.getBoundingClientRect();
     const swipes = this.mode === "swipe";
-    const places = swipes ? 1 : figures.length; // of which those in the swipe share one
+    const places = swipes ? 1 : figures.length; // in the swipe, both pictures share one place
     const widest = (columns) => {
       const rows = Math.ceil(places / columns);
       return Math.min((room.width - gap * (columns + 1)) / columns, (((room.height - gap * (rows + 1)) / rows) * width) / height);

@@ -1,4 +1,4 @@
-// Small helpers of the page.
+// Helper functions for DOM elements and numbers.
 
 export const byId = (id) => document.getElementById(id);
 
@@ -11,10 +11,10 @@ export function element(name, attributes, ...children) {
   return made;
 }
 
-// Whether keys are letters to what has the focus. Sliders and boxes to tick hear no more than arrows and the space bar.
+// True if the focused element accepts typed text. Sliders and checkboxes only use the arrow keys and the space bar.
 export const typing = (target) => target.matches("select, textarea, input:not([type='range'], [type='checkbox'], [type='color'])");
 
-// Short, and as it would be written in a scene.
+// Formats a number with at most five digits, in the notation of scenes.
 export function number(value) {
   if (!Number.isFinite(value)) return String(value);
   return String(Number(value.toPrecision(5)));

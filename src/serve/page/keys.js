@@ -1,6 +1,6 @@
-// Keyframes: a value at times of the scene (s).
+// Keyframes: values at times of the scene in seconds.
 
-// Between keys as if they were joined by lines: a new key lies near to where the value was, whatever eases it.
+// Interpolates linearly between keys, whatever their easing, so that a new key is close to the old curve.
 function valueBetween(keys, time) {
   const after = keys.findIndex(([at]) => at > time);
   if (after === 0) return keys[0][1];
@@ -13,7 +13,8 @@ function valueBetween(keys, time) {
 
 export const isMoved = (value) => value !== null && typeof value === "object" && Array.isArray(value.keys);
 
-// The value with a key at that frame, or without the one that is there: the last one leaves a value that stands still.
+// Returns the value with a key at the frame, or without the key if there is one. Removal of the last key leaves a
+// constant value.
 export function withKey(value, frame, fps) {
   const time = Number((frame / fps).toPrecision(6));
   if (!isMoved(value)) return { keys: [[time, value]] };

@@ -1,10 +1,10 @@
-// The connection to `simreel serve`: requests go out at the pace at which pictures come in.
+// Connection to `simreel serve`. Sends requests at the rate at which pictures arrive.
 
 export class Link {
   constructor(on) {
     this.on = on;
     this.ready = false;
-    this.waiting = new Map(); // what moves: the latest of each kind alone
+    this.waiting = new Map(); // latest unsent request of each kind, during a drag
     this.sentAt = 0;
     this.open();
   }
@@ -41,7 +41,7 @@ export class Link {
     this.on.picture?.(about, files);
   }
 
-  // A picture is on the screen: the next may come, and what has moved meanwhile goes out.
+  // Reports that a picture is on the screen, so that the server can send the next one. Then sends the waiting requests.
   shown(number) {
     if (this.ready) this.socket.send(`shown ${number}`);
     this.sentAt = 0;
@@ -56,7 +56,7 @@ export class Link {
     if (this.ready) this.socket.send("edit");
   }
 
-  // Something is being dragged. One request is under way at a time; what comes after a picture, or a tenth of a second.
+  // Queues a request during a drag. The waiting requests are sent after the next picture, or after a tenth of a second.
   move(kind, request) {
     this.waiting.set(kind, { ...request, moving: true });
     this.flush();
@@ -64,7 +64,7 @@ export class Link {
     this.timer = setTimeout(() => this.flush(), 120);
   }
 
-  // It is let go of.
+  // Sends the final request at the end of a drag.
   settle(kind, request) {
     this.waiting.delete(kind);
     this.send({ ...request, moving: false });

@@ -1,4 +1,5 @@
-// Two sides in step: which of them changes go to, what the right one has alone, how the pictures differ.
+// Controls for two sides in step: the side that changes go to, the values of the right side only, and the difference of
+// the pictures.
 import { byId, element } from "./dom.js";
 
 const nameOf = (file) => file.split("/").pop();
@@ -8,7 +9,7 @@ export class Pair {
     this.on = on;
     this.scene = null;
     this.picture = null;
-    this.right = false; // whether changes go to the right side
+    this.right = false; // true: changes go to the right side
     byId("beside").onclick = () => {
       this.right = !this.shown && !this.scene?.beside?.ownFile;
       on.send({ do: "beside", on: !this.shown });
@@ -24,14 +25,14 @@ export class Pair {
 
   get shown() { return Boolean(this.scene?.beside); }
 
-  // The scene that the panel shows and changes go to.
+  // Returns the scene that the panel shows and that changes go to.
   get chosen() {
     const { scene } = this;
     if (!this.right || !scene?.beside?.scene) return scene;
     return { ...scene.beside, given: [], frames: Math.min(scene.frames, scene.beside.frames) };
   }
 
-  // What goes with a request that is of one side.
+  // Returns the members to add to a request that concerns one side.
   get flag() { return this.shown && this.right ? { beside: true } : {}; }
 
   set(scene) {

@@ -1,18 +1,19 @@
-// Every parameter of the scene, from the schema: what the scene gives stands out, the rest has its default.
+// Panel with all parameters of the scene, built from the schema. Values that the scene gives are highlighted; others
+// show their default.
 import { element } from "./dom.js";
 import { control } from "./controls.js";
 import { withKey } from "./keys.js";
 import { forms, isGroup, wordsOf } from "./schema.js";
 
 const skipped = new Set(["$schema", "version", "test", "checks"]);
-const opened = new Set(["render", "camera"]); // by path; groups keep it while the page lives
+const opened = new Set(["render", "camera"]); // paths of open groups, kept while the page is open
 
 export class Panel {
   constructor(node, schema, on) {
     this.node = node;
     this.schema = schema;
     this.on = on;
-    this.rows = new Map(); // path -> {node, control}
+    this.rows = new Map();  // rows by parameter path: path -> {node, control}
     this.edits = new Map();
     this.filter = "";
     this.shape = "";
@@ -38,7 +39,7 @@ export class Panel {
     this.rows.clear();
     if (!this.scene) return;
     this.node.replaceChildren();
-    // Objects first: they are what a scene is about.
+    // Objects come first, because they are the main content of a scene.
     const members = this.schema.membersOf(this.schema.json, this.scene).filter(([name]) => !skipped.has(name));
     const order = ["objects", "camera", "sun", "sky", "lights", "ground", "render", "time"];
     const rank = ([name]) => (order.indexOf(name) + order.length + 1) % (order.length + 1);
@@ -56,7 +57,7 @@ export class Panel {
       const group = forms(schema).group ?? forms(schema).plain;
       this.addGroup(into, path, name, value, depth, () => {
         let members = this.schema.membersOf(group, value);
-        // An object has one kind; of the others there is nothing to set.
+        // An object has one kind, so members of other kinds are not shown.
         if (/^objects\.[^.]+$/.test(path)) members = members.filter(([key]) => key === "material" || key in value);
         return members.map(([key, member]) => [key, member, value?.[key]]);
       });
@@ -74,7 +75,7 @@ export class Panel {
       for (const [at, row] of this.rows) if (at.startsWith(`${path}.`)) this.refresh(at, row);
     };
     if (this.filter) {
-      // Of what is optional and not there only the first level can match: it may hold itself.
+      // Searches only the first levels of absent optional groups, because a group may contain itself.
       if (depth < 6 && (value !== undefined || depth < 3)) fill();
       node.open = true;
       if (body.childElementCount > 0) into.append(node);
@@ -111,7 +112,8 @@ export class Panel {
 
   refresh(path, { node, made, schema, undo }) {
     const value = valueAt(this.scene, path);
-    const edited = [...this.edits.keys()].some((one) => one === path || one.startsWith(`${path}.`)); // a key of it
+    // Also true if only a key of the value is edited.
+    const edited = [...this.edits.keys()].some((one) => one === path || one.startsWith(`${path}.`));
     node.classList.toggle("given", value !== undefined);
     node.classList.toggle("edited", edited);
     undo.hidden = !edited;
@@ -126,7 +128,8 @@ export function valueAt(scene, path) {
   return value;
 }
 
-// What the rows depend on: which members there are, and of what kind; not their values.
+// Returns the structure of a value: which members exist and of which type, without their values. If it changes, the
+// rows are built again.
 function shapeOf(value) {
   if (Array.isArray(value)) return value.length > 0 && typeof value[0] === "object" ? `[${value.map(shapeOf)}]` : "[]";
   if (value === null || typeof value !== "object") return typeof value === "number" ? "n" : typeof value;

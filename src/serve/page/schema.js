@@ -1,4 +1,4 @@
-// What the schema says of a scene's values.
+// Reads the JSON Schema of scenes.
 
 export class Schema {
   constructor(json) {
@@ -12,7 +12,7 @@ export class Schema {
     return found;
   }
 
-  // The members that a group has, those of its free names too: [name, schema].
+  // Returns the members of a group, including members with free names: [name, schema].
   membersOf(schema, value) {
     const members = Object.entries(schema.properties ?? {});
     if (schema.additionalProperties && typeof schema.additionalProperties === "object")
@@ -24,7 +24,7 @@ export class Schema {
 
 const without = (object, key) => Object.fromEntries(Object.entries(object).filter(([name]) => name !== key));
 
-// Of several forms that a value may have: {plain, moving}, a value and keyframes.
+// Splits a schema with several forms into {plain, moving, group}: plain value, keyframes, group.
 export function forms(schema) {
   const several = schema.anyOf ?? schema.oneOf;
   const all = several?.some((form) => form.type || form.enum || form.const !== undefined) ? several : [schema];
@@ -39,7 +39,7 @@ export const isGroup = (schema) => {
   return Boolean(group) || (plain?.type === "object" && Boolean(plain.properties || plain.additionalProperties));
 };
 
-// "What it is. Unit: m. Left out: 4." in its parts.
+// Splits a description such as "What it is. Unit: m. Left out: 4." into unit and text.
 export function wordsOf(schema) {
   const text = schema.description ?? "";
   const unit = /Unit: ([^.]*?)\.(\s|$)/.exec(text)?.[1] ?? "";

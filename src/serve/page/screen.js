@@ -1,7 +1,7 @@
-// The picture, and what the mouse does to it.
+// Shows the pictures and handles mouse input on them.
 import { orbit, pan, zoom } from "./camera.js";
 
-const gap = 12; // between pictures, pixels
+const gap = 12;  // gap between pictures in pixels
 
 export class Screen {
   constructor(element, on) {
@@ -21,7 +21,8 @@ export class Screen {
   }
 
   show(about, files) {
-    // One after the other: a picture never overtakes another. Those of both sides come at once.
+    // Draws pictures one after the other, so that none overtakes another. The pictures of both sides appear at the same
+    // time.
     this.busy = this.busy.then(async () => {
       const options = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
       const images = await Promise.all(files.map((file) => createImageBitmap(file, options)));
@@ -42,12 +43,13 @@ export class Screen {
     }).catch(() => this.on.shown(about));
   }
 
-  // Cameras as the latest picture has them.
+  // Resets the cameras to the views of the latest picture.
   restore() {
     if (this.about && !this.held) [this.about.view, this.about.beside?.view ?? null].forEach((view, side) => { this.panes[side].view = view; });
   }
 
-  // As many pictures as came. What is shown of a difference stays until the next whole picture.
+  // Shows as many panes as pictures have arrived. During drafts, an old difference picture stays until the next full
+  // picture.
   arrange(count) {
     const quick = this.about.draft && this.about.beside && !this.panes[2].figure.hidden;
     this.panes.forEach(({ figure }, i) => { figure.hidden = i >= count && !(quick && i === 2); });
@@ -66,7 +68,7 @@ export class Screen {
     this.fit();
   }
 
-  // All of one height, as large as there is room for: in one row, in one column, or two and one.
+  // Scales all pictures to the same height, as large as possible: in one row, in one column, or two above one.
   fit() {
     const shown = this.panes.filter(({ figure }) => !figure.hidden);
     const room = this.element.getBoundingClientRect();
@@ -86,7 +88,7 @@ export class Screen {
     }
   }
 
-  // Both sides' cameras, moved in the same way.
+  // Moves the cameras of both sides in the same way.
   move(change, moving) {
     for (const pane of this.panes) if (pane.view) pane.view = change(pane.view);
     this.on.camera(this.panes[0].view, this.panes[1].view, moving);
@@ -124,7 +126,7 @@ export class Screen {
     canvas.addEventListener("pointercancel", end);
   }
 
-  // Strokes of the brush: one for every piece of the way.
+  // Sends brush strokes, one for each segment of the mouse's path.
   paint(event, canvas, beside) {
     let last = this.pointAt(event, canvas);
     let time = performance.now();
@@ -148,7 +150,7 @@ export class Screen {
     canvas.addEventListener("pointercancel", end);
   }
 
-  // As fractions of the picture from its top left.
+  // Returns the mouse position as fractions of the picture, from its top left.
   pointAt(event, canvas) {
     const box = canvas.getBoundingClientRect();
     return [(event.clientX - box.x) / box.width, (event.clientY - box.y) / box.height];
@@ -157,7 +159,7 @@ export class Screen {
   roll(event) {
     event.preventDefault();
     if (!this.panes[0].view) return;
-    this.held = true; // until it rests
+    this.held = true;  // counts as held until the wheel is at rest
     const factor = Math.exp(Math.max(-200, Math.min(200, event.deltaY)) * 0.0015);
     this.move((view) => zoom(view, factor), true);
     clearTimeout(this.rolling);

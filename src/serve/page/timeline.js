@@ -1,4 +1,4 @@
-// Play, step, loop and scrub; where states are kept, and where values have keys.
+// Controls for play, step, loop and scrub. Shows where states are kept and where values have keys.
 import { byId, element, typing } from "./dom.js";
 
 export class Timeline {
@@ -30,7 +30,8 @@ export class Timeline {
 
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
-    if (event.target.matches("input[type='range']") && /^(Arrow|Home|End|Page)/.test(event.key)) return; // it moves itself
+    // The slider handles these keys itself.
+    if (event.target.matches("input[type='range']") && /^(Arrow|Home|End|Page)/.test(event.key)) return;
     const act = { " ": () => this.toggle(), ArrowLeft: () => this.step(-1), ArrowRight: () => this.step(1),
       Home: () => this.on.seek(0, false), End: () => this.on.seek(this.last, false), l: () => this.toggleLoop() }[event.key];
     if (!act || (event.key === " " && event.target.matches("button, summary, input:not([type='range'])"))) return;
@@ -43,18 +44,19 @@ export class Timeline {
     this.fps = scene.fps;
     this.scrub.max = this.last;
     this.clock();
-    if (this.dragging) return; // or the mark would go away under the pointer
+    if (this.dragging) return; // rebuilding would remove the mark under the pointer
     const times = new Map();
     keysOf(scene.scene, "", times);
     byId("keys").replaceChildren(...[...times].filter(([time]) => time >= 0 && time * this.fps < this.last + 1.5).map(([time, keys]) => {
       const mark = element("i", { title: `${time} s: ${keys.map((key) => key.path).join(", ")}; drag to move`,
         onpointerdown: (event) => this.drag(event, mark, time, keys) });
-      mark.style.left = this.at(Math.min(this.last, time * this.fps)); // one at the very end is after the last frame
+      // A key at the very end lies after the last frame.
+      mark.style.left = this.at(Math.min(this.last, time * this.fps));
       return mark;
     }));
   }
 
-  // Keys that share a time move together, to whole frames, between the keys before and after theirs.
+  // Moves keys that share a time together, in whole frames, between their neighbouring keys.
   drag(event, mark, time, keys) {
     if (event.button !== 0) return;
     event.preventDefault();
@@ -66,7 +68,7 @@ export class Timeline {
     let now = time;
     const move = (e) => {
       const frame = Math.round((this.last * (e.clientX - box.x - 6)) / (box.width - 12));
-      if (low > high) return; // there is no frame between its neighbours
+      if (low > high) return;  // cannot move: no frame lies between the neighbouring keys
       const next = Number((Math.min(high, Math.max(low, frame)) / this.fps).toPrecision(6));
       if (next === now || Math.abs(e.clientX - event.clientX) < 3) return;
       now = next;

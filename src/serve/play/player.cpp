@@ -18,13 +18,14 @@ namespace simreel::serve {
 
 namespace {
 
-constexpr double secondsBetweenLooks = 0.1;  ///< at the files
-constexpr double leastToRest = 0.25;         ///< s after the last drag, before the whole picture is drawn
+constexpr double secondsBetweenLooks = 0.1;  ///< seconds between checks of the files
+/// Minimum seconds without a drag request before the full picture is drawn.
+constexpr double leastToRest = 0.25;
 constexpr double mostToRest = 2;
-constexpr double secondsToReread = 1;    ///< what names files that are not there
-constexpr double sliceSeconds = 0.04;    ///< of stepping, before requests are heard again
-constexpr double mostMilliseconds = 85;  ///< of a picture while things move
-constexpr double mostToMeasure = 6;      ///< ms of a picture while things move
+constexpr double secondsToReread = 1;  ///< seconds between retries if files are missing
+constexpr double sliceSeconds = 0.04;  ///< maximum seconds of simulation before requests are handled again
+constexpr double mostMilliseconds = 85;  ///< time limit of a picture during motion, in milliseconds
+constexpr double mostToMeasure = 6;  ///< time limit in milliseconds for measuring quantities during motion
 constexpr int jpegQuality = 87;
 
 }  // namespace
@@ -72,7 +73,7 @@ void Player::turn() {
   }
 }
 
-/// As they are now.
+/// Reads all files again and shows them.
 void Player::showFiles() {
   try {
     readFile();
@@ -83,7 +84,7 @@ void Player::showFiles() {
   }
 }
 
-/// A file that a scene names and that was not there can be watched by nobody: it may have come.
+/// A missing file that a scene names cannot be watched. So this function checks whether it exists now.
 void Player::tryAgain() {
   reread_ = Clock::now();
   if (!unread_) {
@@ -141,8 +142,10 @@ void Player::showOther(bool moving, bool carries) {
   tellScene();
 }
 
-/// While a slider moves there is no time to begin at the start: what is there goes on with its values.
-/// What they do shows as it goes on; let go of, it is made good at the frame where it was.
+/// Adjusts the target frame to states that are carried over. During a drag of a slider there is no time to
+/// simulate from the start, so the present state continues with the new values, and the frames advance to
+/// show their effect. After the drag, the target is the frame at which it began, and its state is simulated
+/// properly.
 void Player::keepPace(bool carries) {
   if (carries) {
     if (!held_) held_ = target_;
@@ -175,7 +178,7 @@ void Player::watch() {
   files_.watch(files);
 }
 
-/// As far as both sides go.
+/// Returns the last frame that both sides have.
 int Player::lastFrame() const {
   if (stage_ == nullptr) return 0;
   const int last = stage_->script().scene.frameCount() - 1;
@@ -190,7 +193,8 @@ bool Player::isCarried() const {
   return stage_->carried() || other_.carried();
 }
 
-/// Both sides, so that neither is ever shown without the other. Whether they are there.
+/// Moves both sides towards the target frame. Neither is shown before both have arrived. Returns true if
+/// they have.
 bool Player::approach() {
   const bool there = stage_->approach(target_);
   return (other_.stage() == nullptr || other_.stage()->approach(target_)) && there;
@@ -212,8 +216,9 @@ bool Player::isMoving() const {
   return toRest_ > 0 && (!shown_ || secondsSince(moved_) < toRest_);
 }
 
-/// Who is slow, far away, or beside much else drags at a slow pace: that is no rest, and the whole picture
-/// would only make it slower.
+/// Records a drag request. On a slow connection or a busy machine, drag requests arrive at long intervals.
+/// The time to rest grows with the interval, because a full picture in the middle of a drag would slow it
+/// further.
 void Player::hearOfMoving() {
   const double apart = secondsSince(moved_);
   toRest_ =
@@ -236,7 +241,7 @@ double Player::secondsToWait() const {
 }
 
 void Player::work() {
-  // What came out of other values is made good as soon as nobody moves anything.
+  // States carried over from other values are replaced as soon as nothing moves.
   if (isCarried() && !isMoving()) makeGood();
   const auto begun = Clock::now();
   bool there = false;
@@ -254,7 +259,7 @@ void Player::work() {
   if (!rest_ && !isMoving()) drawPicture(false);
 }
 
-/// To the next frame, at the pace of the scene where that can be kept.
+/// Advances to the next frame, at the scene's frame rate if possible.
 void Player::goOn() {
   const auto pace = std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(1.0 / stage_->script().scene.time.fps));
@@ -309,7 +314,7 @@ void Player::drawPicture(bool draft) {
   }
   times_.push_back(Clock::now());
   while (times_.size() > 20) times_.pop_front();
-  // Whoever drags has had no time yet to drag on.
+  // Restarts the wait, because the user can react only now.
   if (draft && !playing_ && toRest_ > 0) moved_ = Clock::now();
   shown_ = true;
   rest_ = !draft;
@@ -323,19 +328,20 @@ void Player::drawPicture(bool draft) {
   lookBeside();
 }
 
-/// Where the whole picture stands, its baseline may stand beside it.
+/// Compares the full picture with its baseline.
 void Player::lookBeside() {
   if (beside_.right() && other_.stage() == nullptr) beside_.choose(options_.source, false);
   if (rest_ && stage_ != nullptr && isThere() && !compared().carried()) beside_.look(compared());
 }
 
-/// The side whose baseline is shown.
+/// Returns the side whose baseline is shown.
 Stage& Player::compared() {
   return beside_.right() && other_.stage() != nullptr ? *other_.stage() : *stage_;
 }
 
-/// The finest level whose pictures come in time; where none do, the finest of those that cost hardly more
-/// than the cheapest: what does not come from pixels gets no less with fewer of them.
+/// Chooses the finest level whose pictures stay within the time limit. If no level does, chooses the finest
+/// one that costs little more than the cheapest, because fixed costs do not shrink with the number of
+/// pixels.
 void Player::adaptDetail(double milliseconds) {
   if (fresh_ != level_) {
     fresh_ = level_;
@@ -360,7 +366,7 @@ void Player::adaptDetail(double milliseconds) {
   std::size_t best = level_;
   for (std::size_t level = detailLevels.size(); level-- > 0;)
     if (cost(level) <= (level < level_ ? sure : 1.0) * most) best = level;
-  // One level at a time: what is not known yet is a guess.
+  // Changes by one level at a time, because the costs of untried levels are estimates.
   if (best > level_) ++level_;
   quick_ = best < level_ ? quick_ + 1 : 0;
   constexpr int picturesToBelieve = 5;

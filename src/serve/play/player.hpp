@@ -27,24 +27,25 @@ namespace simreel::serve {
 
 struct PlayerOptions {
   SceneSource source;
-  std::vector<std::string> arguments;  ///< the scene and what the command line changes of it, as words
-  std::size_t memory = 0;              ///< for states that are kept, bytes
-  bool edit = false;                   ///< whether the scene file may be written
-  std::filesystem::path output;        ///< folder for what is rendered from the page; empty: nothing is
-  CounterpartOptions other;            ///< what stands beside the scene
+  std::vector<std::string> arguments;  ///< scene and overrides as command-line arguments
+  std::size_t memory = 0;              ///< memory for kept states in bytes
+  bool edit = false;                   ///< true: the scene file may be written
+  std::filesystem::path output;  ///< folder for renders started on the page; empty: renders are not allowed
+  CounterpartOptions other;      ///< settings of the right side
 };
 
-/// Makes the pictures: does what viewers ask for, watches the scene's files, steps, draws. On the thread of
-/// the context.
+/// Makes the pictures: handles requests of viewers, watches the scene's files, simulates and draws. Runs on
+/// the thread of the GL context.
 class Player {
  public:
-  /// Throws UserError(usage) where the scene file cannot be read at all. What is wrong in it is shown.
+  /// Throws UserError(usage) if the scene file cannot be read. Errors in the scene are shown to the
+  /// viewers.
   Player(PlayerOptions options, const gl::Context& context, Hub& hub);
   ~Player();
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
 
-  /// Until the hub stops, or a signal has come.
+  /// Runs until the hub stops or a signal has arrived.
   void run();
 
  private:
@@ -66,19 +67,20 @@ class Player {
   void lookAtRender();
   void pick(std::uint64_t viewer, const Json& request);
 
-  /// The file as it is now.
+  /// Reads the scene file again.
   void readFile();
   void showFiles();
   void tryAgain();
-  /// Shows the text with these edits, or says what is wrong with it. Whether it does.
+  /// Shows the text with these edits, or reports the errors in it. Returns true on success.
   bool show(const std::string& text, std::vector<scene::Override> edits, bool moving);
-  /// The other side, beside what is shown; where that went on with other values, `carries`.
+  /// Updates the right side after a change. `carries`: true if the left side carries over a state from
+  /// other values.
   void showOther(bool moving, bool carries);
   void keepPace(bool carries);
   void makeGood();
-  /// `edit`: the path of the edit that is in the file then.
+  /// Writes a value into the scene file. `edit`: path of the edit that the file then contains.
   void writeFile(const scene::Override& change, const std::string& edit);
-  /// The same of the other side's own file.
+  /// Does the same for the right side's own file.
   void writeOther(const scene::Override& change, const std::string& edit);
   void report(const std::string& text);
   void watch();
@@ -100,13 +102,14 @@ class Player {
   [[nodiscard]] StageMilliseconds took() const;
   [[nodiscard]] std::size_t memoryOfEach() const;
 
-  /// What goes out at once: the picture, that of the other side, and how they differ.
+  /// Pictures that are sent in one message: the left side's, the right side's, and their difference.
   struct Drawn {
     std::uint64_t number = 0;
     bool draft = false;
     frame::Image image;
     std::optional<frame::Image> other;
-    std::optional<std::size_t> different;  ///< pixels, of whole pictures of one size
+    /// Number of differing pixels; only for full pictures of the same size.
+    std::optional<std::size_t> different;
     std::vector<std::string> files;
   };
   [[nodiscard]] std::string describe(const Drawn& drawn) const;
@@ -119,39 +122,41 @@ class Player {
   PlayerOptions options_;
   const gl::Context& context_;
   Hub& hub_;
-  sim::Numerics numerics_;  ///< of the device
-  std::string text_;        ///< of the file
+  sim::Numerics numerics_;  ///< numerics of the device
+  std::string text_;        ///< text of the scene file
   std::vector<scene::Override> edits_;
   std::unique_ptr<Stage> stage_;
   WatchedFiles files_;
   std::string mistakes_;
-  bool unread_ = false;       ///< whether they are of the text, or of files that are not there
-  Clock::time_point reread_;  ///< when it was tried again
-  bool failed_ = false;       ///< what there is to do would fail again
+  bool unread_ = false;       ///< true if mistakes_ are errors in the text, or missing files
+  Clock::time_point reread_;  ///< time of the latest retry
+  bool failed_ = false;       ///< true: the work has failed and would fail again
 
   bool playing_ = false;
   bool loop_ = true;
   int target_ = 0;
-  std::optional<int> held_;   ///< where to go back to after states that came out of other values
-  Clock::time_point due_;     ///< when the next frame is to be shown
-  Clock::time_point moved_;   ///< when somebody has last dragged something
-  double toRest_ = 0;         ///< s after that, before the whole picture is drawn
-  Clock::time_point looked_;  ///< at the files
-  Clock::time_point told_;    ///< the series
-  bool rest_ = false;         ///< whether the picture is whole and of what there is
-  bool shown_ = false;        ///< whether it is of what there is
+  std::optional<int> held_;   ///< frame to return to after states that were carried over from other values
+  Clock::time_point due_;     ///< time at which the next frame must be shown
+  Clock::time_point moved_;   ///< time of the last drag request
+  double toRest_ = 0;         ///< seconds without a drag request after which the full picture is drawn
+  Clock::time_point looked_;  ///< time of the last check of the files
+  Clock::time_point told_;    ///< time at which the series were last sent
+  bool rest_ = false;         ///< true: the shown picture is a full one and up to date
+  bool shown_ = false;        ///< true: the shown picture is up to date
   std::size_t level_ = 3;
-  std::size_t fresh_ = 0;  ///< level whose first picture, which compiles, is no measure
-  std::array<double, detailLevels.size()> costs_{};  ///< of a picture at each level, ms; 0: not known
-  int quick_ = 0;                                    ///< pictures in a row that may have been finer
+  /// Latest level whose first picture was not measured, because it includes shader compilation.
+  std::size_t fresh_ = 0;
+  /// Milliseconds of a picture at each level; 0: unknown.
+  std::array<double, detailLevels.size()> costs_{};
+  int quick_ = 0;  ///< number of successive pictures that could have been finer
   std::uint64_t pictures_ = 0;
   double encodeMs_ = 0, measureMs_ = 0;
   Beside beside_;
   Counterpart other_;
-  bool difference_ = false;  ///< whether that of both sides is shown
+  bool difference_ = false;  ///< true: the difference of both sides is shown
   RenderChild child_;
-  RenderChild::Progress rendered_;       ///< as it was told
-  std::deque<Clock::time_point> times_;  ///< of the latest pictures
+  RenderChild::Progress rendered_;       ///< progress as last sent to the viewers
+  std::deque<Clock::time_point> times_;  ///< times of the latest pictures
 };
 
 }  // namespace simreel::serve

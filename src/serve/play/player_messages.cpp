@@ -23,7 +23,7 @@ json pointJson(const glm::vec3& point) {
   return json::array({scene::shortest(point.x), scene::shortest(point.y), scene::shortest(point.z)});
 }
 
-/// Text from files and messages may hold anything.
+/// Serializes a message. Replaces invalid UTF-8, which text from files may contain.
 std::string dumped(const json& message) {
   return message.dump(-1, ' ', false, json::error_handler_t::replace);
 }
@@ -36,7 +36,7 @@ json rounded(double milliseconds) {
 
 namespace {
 
-/// Of one side's picture.
+/// Returns the description of one side's picture.
 json pictureJson(Stage& stage, const frame::Image& image) {
   const scene::Scene& scene = stage.script().scene;
   json view;
@@ -54,7 +54,7 @@ json pictureJson(Stage& stage, const frame::Image& image) {
           {"stepped", stage.stepped()}, {"state", stage.stateHash()}, {"view", view}};
 }
 
-/// Of one side's scene.
+/// Returns the description of one side's scene.
 json sceneJson(const Stage& stage, const std::vector<std::string>& words) {
   const scene::Scene& scene = stage.script().scene;
   std::string command = "simreel render";
@@ -89,7 +89,7 @@ json editsJson(const std::vector<scene::Override>& edits) {
 
 namespace {
 
-/// At most so many of their values as a chart has room for, and the latest.
+/// Returns the series for the charts: at most as many values as a chart can show, always with the latest.
 json seriesJson(const std::vector<Series>& all) {
   constexpr std::size_t mostPoints = 240;
   json list = json::array();
@@ -168,7 +168,7 @@ void Player::tellScene() {
   hub_.tell("scene", dumped(message));
 }
 
-/// What renders one side, or the other: scene, options, values.
+/// Returns the command-line arguments that render one side: scene, options and values.
 std::vector<std::string> Player::wordsOf(bool other) const {
   std::vector<std::string> words = other ? other_.options().arguments : options_.arguments;
   const Stage* stage = other ? other_.stage() : stage_.get();

@@ -22,7 +22,7 @@ std::string readFileOf(const std::string& picture) {
   try {
     return simreel::readFile(picture, "picture");
   } catch (const UserError&) {
-    return {};  // somebody has taken it away
+    return {};  // the file has been removed
   }
 }
 
@@ -115,12 +115,12 @@ nlohmann::json pointOf(const JsonValue& value) {
   nlohmann::json point = nlohmann::json::array();
   for (std::size_t i = 0; i < 3; ++i) {
     static_cast<void>(value.at(i).number());
-    point.push_back(value.at(i).json());  // as it was written
+    point.push_back(value.at(i).json());  // keeps the request's notation of the number
   }
   return point;
 }
 
-/// Whether it stands and looks where two points say, which do not move.
+/// True if the camera is defined only by a constant position and a constant target.
 bool isPlain(const nlohmann::json& camera) {
   for (const char* other : {"follow", "track", "orbit", "gltf", "damping"})
     if (camera.contains(other)) return false;
@@ -129,7 +129,7 @@ bool isPlain(const nlohmann::json& camera) {
   return true;
 }
 
-/// Where the mouse puts a camera, what that looks at, and how much an orthographic one shows (m).
+/// Camera placed by mouse: position, target and, for an orthographic one, the height of the view in metres.
 struct Placed {
   nlohmann::json position, target;
   std::optional<double> height = {};
@@ -142,7 +142,7 @@ Placed placedBy(const JsonValue& view) {
   return placed;
 }
 
-/// What makes a scene's camera stand there and look at that, in its present state.
+/// Returns the overrides that place a scene's camera like that at the present frame.
 std::vector<scene::Override> cameraChanges(const Stage& stage, const Placed& placed) {
   const auto& [position, target, asked] = placed;
   const scene::Scene& shown = stage.script().scene;
@@ -165,7 +165,8 @@ std::vector<scene::Override> cameraChanges(const Stage& stage, const Placed& pla
   }
   std::vector<scene::Override> changes = {{"camera.position", position.dump()},
                                           {"camera.target", target.dump()}};
-  // A scene that says nothing of its camera has another angle than one that does.
+  // A camera that the scene does not describe may have another angle than the default, so the angle is
+  // written, too.
   if (flat && (asked || !shown.camera.hasHeight)) changes.push_back({"camera.height", height});
   if (!flat && !shown.camera.hasAngle) changes.push_back({"camera.fieldOfView", angle});
   return changes;
@@ -191,7 +192,7 @@ void Player::moveCamera(const Json& json) {
   const auto changes = cameraChanges(*stage_, placed);
   std::vector<scene::Override> otherChanges;
   if (other_.stage() != nullptr) {
-    // The same, or what the mouse made of a view of its own.
+    // The same placement, or a separate one if the right side has its own view.
     const auto own = request.find("beside");
     const Placed others = own ? placedBy(*own) : placed;
     if (other_.ownFile() || other_.hasOwnView() || !(others == placed)) {
@@ -200,7 +201,7 @@ void Player::moveCamera(const Json& json) {
     }
   }
   if (!show(text_, withEdits(edits_, changes), moving) || moving || !options_.edit) return;
-  // One that was no plain camera stays an edit: what it was is not to be lost.
+  // A camera with follow, track, orbit or the like stays an edit, so that the file keeps its definition.
   const bool right = isSet(request, "right") && other_.stage() != nullptr && other_.ownFile();
   const auto& written = right ? otherChanges : changes;
   if (written.size() < 2) return;
@@ -227,7 +228,7 @@ void Player::setValue(const Json& json) {
                     [&](const scene::Override& given) { return given.path == change.path; }))
       fail(ExitCode::usage, "{} is given on the command line, which goes before", change.path);
     if (!show(text_, withEdit(edits_, change), moving)) {
-      // What was there before is still shown.
+      // The previous scene is still shown, so its error state is restored.
       const std::string said = mistakes_;
       mistakes_.clear();
       unread_ = false;
@@ -235,10 +236,11 @@ void Player::setValue(const Json& json) {
     }
     if (!moving && options_.edit) writeFile(change, change.path);
   }
-  if (moving) moved_ = Clock::now();  // making a world may have taken longer than a rest
+  if (moving) moved_ = Clock::now();  // building a world may have taken longer than the time to rest
 }
 
-/// Values of the other side alone, which comes with the first of them.
+/// Sets the values that only the right side has, and turns this side on. On an error, restores the previous
+/// values and throws.
 void Player::setOther(std::vector<scene::Override> edits, bool moving) {
   if (stage_ == nullptr) return;
   const bool was = other_.on();
@@ -254,7 +256,7 @@ void Player::setOther(std::vector<scene::Override> edits, bool moving) {
   throw UserError(ExitCode::usage, said, UserError::Form::report);
 }
 
-/// The other side is there, or no longer.
+/// Turns the right side on or off.
 void Player::setBeside(const Json& json) {
   const JsonValue request(json);
   const bool on = request.at("on").boolean();
@@ -263,7 +265,7 @@ void Player::setBeside(const Json& json) {
   showOther(false, false);
 }
 
-/// Edits that are to be undone: all, or one with those below it.
+/// Undoes all edits, or the edit of one path and the edits below it.
 void Player::forget(const Json& json) {
   const JsonValue request(json);
   const bool beside = isSet(request, "beside");
@@ -277,7 +279,7 @@ void Player::forget(const Json& json) {
     setOther(std::move(left), false);
 }
 
-/// Baselines stand beside the picture, or do no longer.
+/// Turns the comparison with baselines on or off.
 void Player::compare(const Json& json) {
   const JsonValue request(json);
   const bool on = request.at("on").boolean();
@@ -288,7 +290,7 @@ void Player::compare(const Json& json) {
   lookBeside();
 }
 
-/// The shown frame becomes one of those that `simreel test` draws.
+/// Adds the shown frame to the frames that `simreel test` compares.
 void Player::testThisFrame() {
   if (stage_ == nullptr) return;
   const scene::Override change = beside_.withFrame(compared(), target_);
@@ -298,7 +300,7 @@ void Player::testThisFrame() {
     writeFile(change, change.path);
 }
 
-/// What is on the screen, or the whole sequence, by a process of its own.
+/// Renders the shown frame or the whole sequence in another process.
 void Player::renderIt(const Json& json) {
   if (options_.output.empty())
     fail(ExitCode::usage, "nothing is rendered from here; start with simreel serve --output FOLDER");
@@ -337,7 +339,7 @@ void Player::lookAtRender() {
                           .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-/// What a click asks: anybody may.
+/// Returns information about a clicked pixel. All viewers may request it, not only the editor.
 void Player::pick(std::uint64_t viewer, const Json& json) {
   const JsonValue request(json);
   if (!request.at("asks").is("pixel")) request.at("asks").wrong("is nothing that can be asked");

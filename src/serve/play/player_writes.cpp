@@ -16,7 +16,7 @@ namespace simreel::serve {
 
 namespace {
 
-/// Whole or not at all, with the permissions of before.
+/// Replaces a file's text atomically and keeps its permissions.
 void replaceText(const std::filesystem::path& named, const std::string& text) {
   const std::filesystem::path file = std::filesystem::weakly_canonical(named);
   const auto mode = std::filesystem::status(file).permissions();
@@ -37,14 +37,15 @@ std::vector<scene::Override> editsWithout(const std::vector<scene::Override>& ed
 
 }  // namespace
 
-/// The value goes from the edits into the file.
+/// Moves a value from the edits into the file.
 void Player::writeFile(const scene::Override& change, const std::string& edited) {
-  readFile();  // an editor may have written it since
+  readFile();  // an editor may have written the file meanwhile
   const std::string text = withValue(text_, change);
   std::vector<scene::Override> left = editsWithout(edits_, edited);
-  static_cast<void>(readScript(options_.source, text, left));  // throws where it would not be good
+  static_cast<void>(readScript(options_.source, text, left));  // throws if the new text has errors
   replaceText(options_.source.file, text);
-  files_.know(options_.source.file);  // at once: whoever writes it from here on is heard
+  // Records the file's new state immediately, so that later writes of others are noticed.
+  files_.know(options_.source.file);
   text_ = text;
   show(text_, std::move(left), false);
 }
@@ -67,8 +68,8 @@ void Player::writeOther(const scene::Override& change, const std::string& edited
   showOther(false, false);
 }
 
-/// A stroke of the brush from one place of the picture to another, at the present frame: an entry of the
-/// "strokes" of the field there. The states before that frame stay what they are.
+/// Paints a brush segment at the present frame: adds an entry to the "strokes" of the field under the
+/// mouse. States before this frame stay valid.
 void Player::paint(const Json& json) {
   if (stage_ == nullptr) return;
   const JsonValue request(json);
@@ -90,7 +91,7 @@ void Player::paint(const Json& json) {
   const nlohmann::json scene = parseStrictJson(stage.script().asRun);
   const nlohmann::json& given = scene.at("objects").at(object->name).at(object->kind);
   const std::string path = fmt::format("objects.{}.{}.strokes", object->name, object->kind);
-  // What flows goes on meanwhile.
+  // A fluid advances by one frame with each segment.
   if (object->kind == "fluid" && from->cell != to->cell) target_ = std::min(target_ + 1, lastFrame());
   BrushPiece piece{target_ / shown.time.fps, from->cell, to->cell, request.at("radius").number()};
   if (const auto value = request.find("value")) piece.value = value->number();
@@ -99,7 +100,8 @@ void Player::paint(const Json& json) {
   const scene::Override written{fmt::format("{}.{}", path, strokes.size()), stroke.dump()};
   strokes.push_back(std::move(stroke));
   const scene::Override whole{path, strokes.dump()};
-  // The states are those of this scene already: the file says the same as the edit.
+  // If the file has strokes, only the new entry is written, else the whole list. The result equals the
+  // edit, so the states stay valid.
   const scene::Override& change = given.contains("strokes") && strokes.size() > 1 ? written : whole;
   if (right) {
     setOther(withEdit(other_.edits(), whole), false);

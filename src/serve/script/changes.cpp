@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 constexpr double always = std::numeric_limits<double>::infinity();
 constexpr double never = -always;
 
-/// Of an object's kind, what only shows it.
+/// Parameters of each kind of object that only affect its look.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 21> showing = {{
     {"life", "display"},     {"lenia", "display"},   {"grayScott", "display"}, {"reaction", "display"},
     {"epidemic", "display"}, {"epidemic", "colors"}, {"wildfire", "display"},  {"wildfire", "colors"},
@@ -30,8 +30,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 21> showing 
     {"cave", "display"},
 }};
 
-/// Values whose keyframes are asked for at their time alone. Of others the greatest decides how many
-/// substeps there are, at all times.
+/// Values whose keyframes are only evaluated at their time. For other values, the maximum over all keys
+/// sets the number of substeps at all times.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 20> timed = {{
     {"cloth", "pins"},          {"grayScott", "feed"},
     {"grayScott", "kill"},      {"epidemic", "beta"},
@@ -51,8 +51,8 @@ bool has(const std::array<std::pair<std::string_view, std::string_view>, size>& 
   return std::find(list.begin(), list.end(), std::pair(kind, member)) != list.end();
 }
 
-/// Until its keys come to be others. A value between keys comes from both, with a spline from those beside
-/// them too; before the first key it is the first's.
+/// Returns the time up to which two keyframed values are equal. A value between two keys depends on both
+/// and, with a spline, on the keys next to them. Before the first key it is the first key's value.
 double keysAlike(const ordered_json& before, const ordered_json& after) {
   const ordered_json &a = before.at("keys"), &b = after.at("keys");
   if (!a.is_array() || !b.is_array()) return never;
@@ -79,7 +79,7 @@ double strokesAlike(const ordered_json& before, const ordered_json& after) {
     return at == stroke.end() ? 0.0 : at->is_number() ? at->get<double>() : never;
   };
   double alike = always;
-  // Each has random numbers of its own, by its place in the list.
+  // The index of a stroke in the list selects its random numbers, so strokes are compared by index.
   for (std::size_t i = 0; i < std::max(before.size(), after.size()); ++i) {
     if (i < before.size() && i < after.size() && before.at(i) == after.at(i)) continue;
     for (const ordered_json* list : {&before, &after})
@@ -88,7 +88,7 @@ double strokesAlike(const ordered_json& before, const ordered_json& after) {
   return alike;
 }
 
-/// Whether the strokes of a fluid set dye, and temperature.
+/// Returns whether a fluid's strokes set dye, and whether they set temperature.
 std::array<bool, 2> carried(const ordered_json& fluid) {
   std::array<bool, 2> all{};
   const ordered_json strokes = fluid.value("strokes", ordered_json::array());
@@ -133,7 +133,8 @@ double objectsAlike(const ordered_json& before, const ordered_json& after) {
     const auto strokes = [](const ordered_json& of) { return of.value("strokes", ordered_json::array()); };
     const std::size_t strokesOfOne = a.contains("strokes") != b.contains("strokes") ? 1 : 0;
     if (a.size() + b.size() - 2 * both != strokesOfOne) return never;
-    // A fluid that is given none is stirred from the start, and has arrays of what its strokes set alone.
+    // A fluid without strokes has default jets, and it has arrays of dye and temperature only if its
+    // strokes set them.
     if (kind == "fluid" && (strokesOfOne > 0 || carried(a) != carried(b))) return never;
     alike = std::min(alike, strokesAlike(strokes(a), strokes(b)));
     for (const auto& one : b.items()) {
@@ -174,7 +175,7 @@ double secondsAlike(std::string_view before, std::string_view after) {
   if (!objectsBefore.is_object() || !objectsAfter.is_object()) return never;
   for (ordered_json* one : {&a, &b}) one->erase("objects");
   if (scene::simulationHash(a.dump()) != scene::simulationHash(b.dump())) return never;
-  // The order of objects is that of what they do.
+  // Objects are simulated in their order, so the order must be equal.
   if (objectsBefore.size() != objectsAfter.size()) return never;
   double alike = always;
   for (auto one = objectsBefore.begin(), other = objectsAfter.begin(); one != objectsBefore.end();

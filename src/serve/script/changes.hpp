@@ -4,13 +4,13 @@
 
 namespace simreel::serve {
 
-/// A scene as run (scene::sceneAsRun) without what shows its simulations and goes into no state of theirs:
-/// colours of fields and where they lie, texts, whether things are seen. For scene::simulationHash.
+/// Returns a scene as run (scene::sceneAsRun) without members that only affect how simulations look and no
+/// state: colours and positions of fields, texts, visibility. Used for scene::simulationHash.
 [[nodiscard]] std::string withoutWhatShows(std::string_view asRun);
 
-/// Scene time (s) up to which two scenes as run simulate the same, at every frame: where they differ in
-/// nothing but strokes, and keyframes of values that nothing asks for before their time, that of the first
-/// of those. 0 or less: nothing is known to be the same. Infinity: all of it.
+/// Returns the scene time in seconds up to which two scenes as run have equal states at every frame. If
+/// they differ only in strokes and in keyframes of values that are evaluated at their own time, this is the
+/// earliest such difference. 0 or less: nothing is known to be equal. Infinity: all states are equal.
 [[nodiscard]] double secondsAlike(std::string_view before, std::string_view after);
 
 }  // namespace simreel::serve

@@ -20,8 +20,8 @@ namespace simreel::serve {
 
 namespace {
 
-/// What draw::frameValues, draw::viewAt and the exact scene read for each picture. Nothing that decides
-/// which shaders, textures or maps there are.
+/// Values that draw::frameValues, draw::viewAt and the exact scene read for each picture. They do not
+/// affect which shaders, textures or maps exist.
 constexpr std::array<std::string_view, 23> lookPaths = {
     "camera.position",
     "camera.target",
@@ -58,7 +58,7 @@ bool isLook(const std::string& path) {
          isBelow(path, "checks");
 }
 
-/// Of an object's kind, values that simulations take over on their way.
+/// Parameters of each kind of object that a running simulation can take over.
 constexpr std::array<std::string_view, 3> retunable = {"grayScott.feed", "grayScott.kill",
                                                        "reaction.parameters"};
 
@@ -81,7 +81,7 @@ void findDifferences(const ordered_json& before, const ordered_json& after, cons
     if (!before.contains(member.key())) found.insert(prefix + member.key());
 }
 
-/// Files that both name, and that were written in between.
+/// Returns the files that both scripts name and that were written in between.
 std::vector<std::filesystem::path> writtenFiles(const std::map<std::filesystem::path, FileStamp>& before,
                                                 const std::map<std::filesystem::path, FileStamp>& after) {
   std::vector<std::filesystem::path> written;
@@ -99,7 +99,7 @@ bool namesFile(const ordered_json& value, const std::filesystem::path& file) {
          });
 }
 
-/// Whether a state may come from one of the files: not where materials, sky and camera alone name them.
+/// True if a state may depend on one of the files: not if only materials, sky, camera and the like name it.
 bool simulatesFrom(const std::vector<std::filesystem::path>& files, std::string_view asRun) {
   if (files.empty()) return false;
   ordered_json scene = ordered_json::parse(withoutWhatShows(asRun));
@@ -118,7 +118,8 @@ bool drawsFieldsAlone(const scene::Scene& scene) {
          });
 }
 
-/// Groups that may come with a member of theirs, without anything else that depends on their being there.
+/// True if the scripts differ in which groups exist. Setting a member can create its group, and other parts
+/// depend on whether the group exists.
 bool addsGroup(const Script& before, const Script& after) {
   return before.scene.staged != after.scene.staged ||
          before.scene.ground.has_value() != after.scene.ground.has_value() ||
@@ -130,8 +131,8 @@ bool addsGroup(const Script& before, const Script& after) {
          before.scene.camera.shutter.has_value() != after.scene.camera.shutter.has_value();
 }
 
-/// Camera, light and ground as a stage has them, which stand where the objects do (scene::setStage,
-/// frameObjects).
+/// Returns the values of camera, light and ground that a stage derives from the objects' extents
+/// (scene::setStage, frameObjects).
 auto standing(const scene::Scene& scene) {
   const scene::Camera& camera = scene.camera;
   const scene::Ground ground = scene.ground.value_or(scene::Ground());
@@ -148,7 +149,7 @@ bool standsAlike(const scene::Light& a, const scene::Light& b) {
          a.intensity.at(0) == b.intensity.at(0) && a.radius.at(0) == b.radius.at(0);
 }
 
-/// Objects of one kind in what a stage dresses them with.
+/// True if two objects are of the same kind and have the same material values from a stage.
 bool dressedAlike(const scene::Object& a, const scene::Object& b) {
   const scene::Parameters &one = *a.parameters, &other = *b.parameters;
   return a.name == b.name && a.kind == b.kind && typeid(one) == typeid(other) &&
@@ -156,7 +157,7 @@ bool dressedAlike(const scene::Object& a, const scene::Object& b) {
          a.material.translucency == b.material.translucency;
 }
 
-/// Whether all that follows from what the objects are, and that the scene does not say, is the same.
+/// True if all values are equal that the scene does not give but that are derived from its objects.
 bool impliesAlike(const scene::Scene& before, const scene::Scene& after) {
   const auto alike = [](const auto& a, const auto& b, const auto& equal) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), equal);
@@ -210,7 +211,7 @@ std::shared_ptr<Script> readScript(const SceneSource& source, const std::string&
   script->simulation = scene::simulationHash(withoutWhatShows(script->asRun));
   for (const std::filesystem::path& file : script->scene.files) script->files[file] = stampOf(file);
   script->fieldsAlone = drawsFieldsAlone(script->scene);
-  if (script->fieldsAlone) {  // as the driver's rasterizer has it (Stage::drawerOf)
+  if (script->fieldsAlone) {  // settings that the driver's rasterizer needs (Stage::drawerOf)
     script->draft.sun.diameter = 0;
     script->draft.render.quality = scene::Quality::draft;
   }
@@ -261,7 +262,7 @@ Change changeBetween(const Script& before, const Script& after) {
   for (const std::string& path : paths)
     if (isBelow(path, "objects") || isBelow(path, "lights")) return Change::dress;
   if (addsGroup(before, after)) return Change::drawing;
-  // What was not said before may have come from elsewhere: a picture of the sky, a stage.
+  // An absent group may have had values from elsewhere, such as a picture of the sky or a stage.
   const bool whole = std::any_of(paths.begin(), paths.end(), [](const std::string& path) {
     return path == "sun" || path == "sky" || path == "ground" || path == "render" || path == "time";
   });
@@ -284,7 +285,7 @@ int firstOther(const Simulated& before, const Script& after) {
   if (simulatesFrom(writtenFiles(before.files, after.files), after.asRun)) return 0;
   if (before.simulation == after.simulation) return farFrame;
   const double seconds = secondsAlike(before.asRun, after.asRun);
-  // A frame's state has heard of what is before its time; one at that very time need not have.
+  // The state of a frame depends on what lies before its time, not on what lies exactly at its time.
   constexpr double rounding = 1e-9;
   const double frames = std::floor(seconds * after.scene.time.fps + rounding);
   return static_cast<int>(std::clamp(frames, 0.0, static_cast<double>(farFrame)));

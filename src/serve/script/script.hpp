@@ -15,71 +15,74 @@
 
 namespace simreel::serve {
 
-/// Where a scene comes from.
+/// Source of a scene.
 struct SceneSource {
   std::filesystem::path file;
-  std::vector<scene::Override> given;  ///< of the command line
+  std::vector<scene::Override> given;  ///< overrides from the command line
   std::vector<std::filesystem::path> folders;
 };
 
-/// A scene as it is shown: the file's text with what was changed over it.
+/// Scene as it is shown: the file's text with the page's edits.
 struct Script {
-  std::string text;                    ///< of the file
-  std::vector<scene::Override> edits;  ///< over the file and what the command line gives
+  std::string text;                    ///< text of the scene file
+  std::vector<scene::Override> edits;  ///< values that take precedence over the file and the command line
   scene::Scene scene;
-  scene::Scene draft;      ///< the same without lens, shutter and rays: for pictures that have to be quick
-  std::string asRun;       ///< scene::sceneAsRun
-  std::string simulation;  ///< scene::simulationHash of it without what only shows (withoutWhatShows)
-  std::map<std::filesystem::path, FileStamp> files;  ///< that it names, as they were when it was read
-  bool fieldsAlone = false;                          ///< whether nothing but fields is drawn
-  sim::Survey survey;    ///< where its objects went, if placeCamera() had to know
-  std::string surveyOf;  ///< what was simulated for that: another script's, where it is borrowed
+  scene::Scene draft;      ///< the scene without lens, shutter and ray tracing, for quick pictures
+  std::string asRun;       ///< result of scene::sceneAsRun
+  std::string simulation;  ///< scene::simulationHash of asRun after withoutWhatShows()
+  /// Files that the scene names, as they were when it was read.
+  std::map<std::filesystem::path, FileStamp> files;
+  bool fieldsAlone = false;  ///< true: only fields are drawn
+  sim::Survey survey;        ///< extents of the moving objects, if placeCamera() needed them
+  /// Identifies the simulation of `survey`; another script's if the survey is borrowed.
+  std::string surveyOf;
 };
 
-/// Reads it. Throws UserError(usage) with every mistake.
+/// Reads a script. Throws UserError(usage) with all errors.
 [[nodiscard]] std::shared_ptr<Script> readScript(const SceneSource& source, const std::string& text,
                                                  std::vector<scene::Override> edits);
 
-/// Places the camera of a scene whose motion only a run tells (sim::surveyMotion), on the current context.
-/// `known`: a script whose run does where it is the same, or where it was nearly so and changes on at once
-/// (`moving`); null: none. Throws what the run does.
+/// Places the camera of a scene whose motion must be simulated for that (sim::surveyMotion), on the current
+/// context. `known`: script whose survey is reused if its simulation is the same, or also if it is similar
+/// while a value is dragged (`moving`); null: none. Throws like the simulation.
 void placeCamera(Script& script, const Script* known, bool moving);
-/// Whether cameras and stages that nobody placed stand alike.
+/// True if automatically placed cameras and stages are equal.
 [[nodiscard]] bool framedAlike(const Script& before, const Script& after);
 
-/// How much of what is shown has to be made anew for another script.
+/// Parts of what is shown that must be built again for another script.
 enum class Change {
   nothing,
-  look,     ///< values that each picture reads from the scene anyway
-  drawing,  ///< what the renderer was made with
-  dress,    ///< what objects were made with, though no state depends on it
+  look,     ///< change of values that are read from the scene for each picture
+  drawing,  ///< change of values that the renderer was built with
+  dress,    ///< change of values that objects were built with, but that affect no state
   simulation,
 };
 [[nodiscard]] Change changeBetween(const Script& before, const Script& after);
-/// Whether a renderer made for one draws the other's objects, too.
+/// True if a renderer built for one script can also draw the other's objects.
 [[nodiscard]] bool drawsAlike(const Script& before, const Script& after);
-/// What states come from. Of its own: scripts that are shown take over what others look like.
+/// Inputs that states were computed from. They are stored separately, because a shown script takes over
+/// changes of look.
 struct Simulated {
-  std::string asRun, simulation;  ///< as in Script
+  std::string asRun, simulation;  ///< the same values as in Script
   std::map<std::filesystem::path, FileStamp> files;
 };
 [[nodiscard]] inline Simulated simulatedOf(const Script& script) {
   return {script.asRun, script.simulation, script.files};
 }
-/// The first frame whose state may be another one; farFrame: none.
+/// Returns the first frame whose state may differ, or farFrame if all states are equal.
 [[nodiscard]] int firstOther(const Simulated& before, const Script& after);
 inline constexpr int farFrame = 1 << 30;
-/// Objects that differ in values that a world takes over as it goes (sim::Retunable), where nothing else
-/// differs; else none.
+/// Returns the objects that differ in values that a running world can take over (sim::Retunable). Empty if
+/// anything else differs.
 [[nodiscard]] std::vector<std::size_t> retunedObjects(const Script& before, const Script& after);
-/// For Change::look: takes over those values, in place.
+/// Copies the values that Change::look covers from `from` into `shown`.
 void takeLook(Script& shown, Script& from);
 
-/// Dotted paths of members that differ between two texts as scene::sceneAsRun writes them; of lists and
-/// of what is there in one alone, the whole.
+/// Returns the dotted paths of members that differ between two texts written by scene::sceneAsRun. Lists,
+/// and members that only one text has, count as a whole.
 [[nodiscard]] std::set<std::string> differingPaths(std::string_view before, std::string_view after);
 
-/// The edits with `path` set: one of the same path gives way, and those below it.
+/// Returns the edits with `change` added. It replaces an edit of the same path and edits below that path.
 [[nodiscard]] std::vector<scene::Override> withEdit(std::span<const scene::Override> edits,
                                                     const scene::Override& change);
 

@@ -7,19 +7,20 @@
 
 namespace simreel::serve {
 
-/// What the system says of a file, which is another one once that was written or replaced; none: {}.
+/// Identifies a version of a file by its metadata: device, inode, size, time of modification. {} for a
+/// missing file.
 using FileStamp = std::tuple<std::uint64_t, std::uint64_t, std::int64_t, std::int64_t, std::int64_t>;
 [[nodiscard]] FileStamp stampOf(const std::filesystem::path& file);
 
-/// Notices that files were written, replaced or removed, by what the system says of them: so it does on
-/// network file systems too, which tell nobody of what other machines write.
+/// Detects that files were written, replaced or removed, by comparing their metadata. This also works on
+/// network file systems, which send no notifications of other machines' writes.
 class WatchedFiles {
  public:
-  /// From here on these alone, as they are now.
+  /// Watches exactly these files from now on; new ones from their present version.
   void watch(std::span<const std::filesystem::path> files);
-  /// One is known as it is now: what has just been written by ourselves.
+  /// Records the present version of a file that this program has just written.
   void know(const std::filesystem::path& file);
-  /// Whether one is another than before; it counts as known from then on.
+  /// Returns true if a file has changed since the last call.
   [[nodiscard]] bool changed();
 
  private:

@@ -25,7 +25,7 @@ PixelAnswer::Row rowOf(const std::string& name, float value) {
   return {name, static_cast<double>(value), fmt::format("{:08x}", std::bit_cast<std::uint32_t>(value))};
 }
 
-/// The four words of an element.
+/// Adds the four words of an array's element to the answer.
 void addElement(PixelAnswer& answer, const sim::StateArray& array, std::size_t element) {
   constexpr const char* words = "xyzw";
   if (array.integers) {
@@ -42,13 +42,13 @@ void addElement(PixelAnswer& answer, const sim::StateArray& array, std::size_t e
     answer.rows.push_back(rowOf(fmt::format("{}.{}", array.name, words[i]), all[element][i]));
 }
 
-/// The element and what else has as many as the array that it was found in.
+/// Adds the element's words from all arrays that have the same number of elements.
 void addState(PixelAnswer& answer, const sim::Simulation& object, std::size_t element, long elements) {
   for (const sim::StateArray& array : object.state())
     if (array.elements() == elements) addElement(answer, array, element);
 }
 
-/// The element whose position is nearest to a point of the scene (m).
+/// Adds the element whose position is nearest to a point of the scene (metres).
 void addNearest(PixelAnswer& answer, const sim::Simulation& object, const glm::vec3& point) {
   for (const sim::StateArray& array : object.state()) {
     if (array.integers || std::string_view(array.name).find("osition") == std::string_view::npos) continue;
@@ -70,7 +70,7 @@ void addNearest(PixelAnswer& answer, const sim::Simulation& object, const glm::v
   }
 }
 
-/// The element that holds a cell, where elements are named by cells.
+/// Adds the element that belongs to a cell, for objects that name elements by cells.
 void addCell(PixelAnswer& answer, const sim::Simulation& object, glm::ivec2 cell) {
   constexpr long mostNames = 2'000'000;
   const std::string wanted = fmt::format("({}, {})", cell.x, cell.y);
@@ -87,12 +87,12 @@ const sim::Simulation* objectNamed(const sim::World& world, std::string name) {
   for (int rounds = 0; rounds < 2; ++rounds) {
     for (std::size_t i = 0; i < world.objectCount(); ++i)
       if (world.objectName(i) == name) return &world.object(i);
-    name = name.substr(0, name.find('.'));  // of an object's several fields
+    name = name.substr(0, name.find('.'));  // an object with several fields names them OBJECT.FIELD
   }
   return nullptr;
 }
 
-/// Of the uppermost field of that layer at a pixel.
+/// Returns the answer for the topmost field of a layer at a pixel.
 std::optional<PixelAnswer> cellAt(const scene::Scene& scene, sim::World& world, glm::dvec2 pixel,
                                   sim::FieldDisplay::Layer layer) {
   const sim::Drawables drawables = world.drawables();

@@ -10,29 +10,29 @@
 
 namespace simreel::serve {
 
-/// What is known of a pixel.
+/// Information about one pixel.
 struct PixelAnswer {
   struct Row {
     std::string name;
     std::optional<double> value;
-    std::string text;  ///< instead of a value; or the bits of one, as hexadecimal digits
+    std::string text;  ///< text if there is no value; else the value's bits as hexadecimal digits
   };
-  std::string title;  ///< "triangle 12 of flag", "cell (3, 4) of dish", "the sky"
+  std::string title;  ///< examples: "triangle 12 of flag", "cell (3, 4) of dish", "the sky"
   std::vector<Row> rows;
 };
 
-/// A field that is laid over the picture, and where in it a place of the picture is (cells).
+/// Field that is drawn over the picture, and a position in it in cells.
 struct FieldPoint {
   std::string object;
   glm::dvec2 cell{0};
 };
-/// Of the uppermost one there, at a place as fractions of the picture.
+/// Returns the topmost field at a place in the picture, given as fractions of the picture.
 [[nodiscard]] std::optional<FieldPoint> fieldAt(const scene::Scene& scene, const sim::World& world,
                                                 glm::dvec2 place);
 
-/// Of the pixel that a place is in, as fractions of the picture from its top left: which object, which of
-/// its primitives, where that is, and what state the element has that lies next to it. Draws the picture
-/// once more, with the exact rasterizer. Throws UserError as Renderer does.
+/// Returns information about the pixel at `place` (fractions of the picture from its top left): the object,
+/// its primitive, the position, and the state of the nearest element. Draws the picture again with the
+/// exact rasterizer. Throws UserError like Renderer.
 [[nodiscard]] PixelAnswer askPixel(const scene::Scene& scene, sim::World& world, glm::dvec2 place);
 
 }  // namespace simreel::serve

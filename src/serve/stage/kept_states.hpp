@@ -8,23 +8,23 @@
 
 namespace simreel::serve {
 
-/// States of frames that were passed, so that going back is quick: every so many frames, twice as far apart
-/// whenever they would need more memory than there is for them.
+/// States of past frames, for going back quickly. Keeps one state per interval of frames, and doubles the
+/// interval if the states need more memory than allowed.
 class KeptStates {
  public:
   explicit KeptStates(std::size_t mostBytes) : mostBytes_(mostBytes) {}
 
-  /// Whether the state of this frame should be kept.
+  /// True if the state of this frame should be kept.
   [[nodiscard]] bool wants(int frame) const {
     return frame >= 0 && frame % interval_ == 0 && !states_.contains(frame);
   }
   void keep(frame::WorldState state);
-  /// The latest at or before a frame; null: none. Lives until the next keep() or clear().
+  /// Returns the latest state at or before a frame, or null. It is valid until the states change.
   [[nodiscard]] const frame::WorldState* before(int frame) const;
-  /// Those of this frame and later ones.
+  /// Removes the states of `frame` and of later frames.
   void forgetFrom(int frame);
   void clear();
-  /// From now on.
+  /// Changes the memory limit for kept states.
   void allow(std::size_t mostBytes);
 
   [[nodiscard]] std::vector<int> frames() const;

@@ -36,14 +36,14 @@ Stage::~Stage() {
   if (world_) world_->onFrameBefore({});
 }
 
-/// To the state before the first one.
+/// Builds a new world, which has no frame yet.
 void Stage::makeWorld() {
   summaries_ = nullptr;
   world_ = std::make_unique<sim::World>(script_->scene);
   begin();
 }
 
-/// With a world that has not stepped yet.
+/// Prepares the stage for a world that has not stepped yet.
 void Stage::begin() {
   made_ = script_;
   started_ = seen_ = carried_ = false;
@@ -61,7 +61,7 @@ void Stage::begin() {
   follow();
 }
 
-/// Who draws whole pictures hears of the frame before each, where they have motion blur.
+/// With motion blur, passes the frame before each frame to the renderers of full pictures.
 void Stage::follow() {
   if (!script_->scene.camera.shutter) return world_->onFrameBefore({});
   world_->onFrameBefore([this](const sim::Drawables& before) {
@@ -108,7 +108,7 @@ void Stage::step(bool seen) {
   if (seen) summaries_->start();
 }
 
-/// The present frame becomes one that may be drawn, and its hash is known.
+/// Makes the present frame drawable and its hash known.
 void Stage::lookAt() {
   if (!seen_) {
     world_->show();
@@ -140,15 +140,15 @@ bool Stage::approach(int frame) {
     took_.simulate = perSecond * secondsSince(begun) + std::exchange(making_, 0);
   }
   if (!carried_ && kept_.wants(world_->frame())) {
-    lookAt();  // no state that is lost is kept
+    lookAt();  // throws if a simulation has lost its state, so that no such state is kept
     kept_.keep(frame::stateOf(*world_));
     if (past_ && kept_.bytes() + past_->kept.bytes() > memory_) past_.reset();
   }
   return world_->frame() == frame;
 }
 
-/// False where it does not fit, as of a fluid that has had no dye before: then none does, and it begins
-/// anew.
+/// Returns false if the state does not fit the world, for example if a fluid had no dye before.
+/// Then no kept state fits, so all are removed and the world starts again.
 bool Stage::putBack(const frame::WorldState& state) {
   try {
     frame::putBack(*world_, state.frame, state.parts, state.bytes, "a state that was kept");
@@ -164,7 +164,7 @@ bool Stage::putBack(const frame::WorldState& state) {
   return true;
 }
 
-/// None while the state is one of other values.
+/// Returns null while the state is carried over from other values.
 const frame::WorldState* Stage::keptBefore(int frame) const {
   return carried_ ? nullptr : kept_.before(frame);
 }
@@ -176,7 +176,8 @@ Stage::Drawer& Stage::drawerOf(std::size_t level) {
   const DetailLevel& detail = detailLevels[level];
   drawer.size = scaledSize(shown.render.size, detail.scale);
   drawer.script = script_;
-  // Of fields alone a software driver makes its own picture at a third of the exact one's cost.
+  // For scenes with only fields, the rasterizer of a software driver takes a third of the exact
+  // rasterizer's time.
   draw::RendererOptions how;
   if (level > 0 && script_->fieldsAlone && gl::memoryPath() == gl::MemoryPath::texel)
     how.rasterizer = scene::Rasterizer::driver;
@@ -186,13 +187,13 @@ Stage::Drawer& Stage::drawerOf(std::size_t level) {
   return drawer;
 }
 
-/// Where pictures have motion blur, the frame before the present one is made once more for who draws it.
+/// With motion blur, makes the frame before the present one again if the renderer does not have it.
 void Stage::prepareMotion(Drawer& drawer) {
   const int frame = world_->frame();
   if (!script_->scene.camera.shutter || drawer.toldBefore == frame) return;
   if (frame <= world_->firstFrame()) {
     lookAt();
-    drawer.renderer->keepBefore(world_->drawables());  // things stand still, whatever came before elsewhere
+    drawer.renderer->keepBefore(world_->drawables());  // at the first frame nothing moves
     drawer.toldBefore = frame;
     return;
   }
@@ -227,7 +228,7 @@ frame::Image Stage::draw(std::size_t level) {
 }
 
 void Stage::setTestScene(std::unique_ptr<scene::Scene> scene) {
-  tester_ = {};  // its renderer reads the scene of before
+  tester_ = {};  // destroys the renderer, because it reads the old scene
   testScene_ = std::move(scene);
 }
 

@@ -21,30 +21,30 @@
 
 namespace simreel::serve {
 
-/// How much a picture is allowed to cost: 0 is what `simreel render` writes.
+/// Quality of a picture. Level 0 is the quality of `simreel render`.
 struct DetailLevel {
-  float scale;  ///< of the picture's sides
-  int samples;  ///< per pixel; 0: the scene's
+  float scale;  ///< factor on width and height
+  int samples;  ///< samples per pixel; 0: as in the scene
 };
 inline constexpr std::array<DetailLevel, 6> detailLevels = {
     {{1.0F, 0}, {1.0F, 1}, {0.75F, 1}, {0.5F, 1}, {0.35F, 1}, {0.25F, 1}}};
 
-/// What the last step and picture took, ms by the clock, the device's work included.
+/// Wall-clock time in milliseconds of the latest step and picture, including the device's work.
 struct StageMilliseconds {
   double simulate = 0, draw = 0, readBack = 0;
 };
 
-/// A named series of numbers, one a frame.
+/// Named series of numbers, one per frame.
 struct Series {
   std::string object, name, unit;
-  std::map<int, double> values;  ///< by frame
+  std::map<int, double> values;  ///< values by frame number
 };
 
-/// A scene on the device: its world, stepped forward and taken back, and what draws it. Everything here
-/// throws UserError as World and Renderer do.
+/// Scene on the device: its world, which can step forward and go back, and its renderers. All functions
+/// throw UserError like World and Renderer.
 class Stage {
  public:
-  /// `memory`: for states that are kept (bytes).
+  /// `memory`: bytes for kept states.
   Stage(std::shared_ptr<Script> script, std::size_t memory);
   ~Stage();
   Stage(const Stage&) = delete;
@@ -54,40 +54,41 @@ class Stage {
   [[nodiscard]] sim::World& world() { return *world_; }
   [[nodiscard]] int frame() const { return world_->frame(); }
   [[nodiscard]] const KeptStates& kept() const { return kept_; }
-  /// Frames that were simulated since there is the stage.
+  /// Returns the number of frames simulated since the stage was created.
   [[nodiscard]] long stepped() const { return stepped_; }
-  /// Whether its state came out of other values (become): not what `simreel render` comes to.
+  /// True if the state was carried over from other values (become()), so that `simreel render` would give
+  /// another state.
   [[nodiscard]] bool carried() const { return carried_; }
   [[nodiscard]] const std::string& stateHash() const { return stateHash_; }
   [[nodiscard]] const StageMilliseconds& took() const { return took_; }
   [[nodiscard]] const std::vector<Series>& series() const { return series_; }
 
-  /// Goes one frame towards `frame`: forward by a step, or back to the nearest state that is kept, or to
-  /// the start. Whether it is there.
+  /// Moves towards `frame`: one step forward, or back to the nearest kept state or to the start. Returns
+  /// true if the stage is at `frame`.
   bool approach(int frame);
-  /// The present frame, at that level.
+  /// Draws the present frame at a detail level.
   [[nodiscard]] frame::Image draw(std::size_t level);
-  /// The scene as `simreel test` draws it, its size and samples the test's: for pictures beside baselines.
-  /// To be given anew after each change of the script.
+  /// Returns the scene with the size and samples of its test, for pictures that are compared with
+  /// baselines. It must be set again after each change of the script.
   [[nodiscard]] const scene::Scene* testScene() const { return testScene_.get(); }
   void setTestScene(std::unique_ptr<scene::Scene> scene);
-  /// The present frame of it, as golden::runScene makes it. There has to be a testScene().
+  /// Draws the present frame of testScene(), which must exist, like golden::runScene.
   [[nodiscard]] golden::RunFrame drawTested();
-  /// Keeps what the objects measure at the present frame. Waits for the device.
+  /// Records what the objects measure at the present frame. Waits for the device.
   void measure();
-  /// What is at a place of the present picture (askPixel).
+  /// Returns information about a place in the present picture (askPixel).
   [[nodiscard]] PixelAnswer ask(glm::dvec2 place);
 
-  /// Shows another script, and makes no more anew than it has to (changeBetween). Of a simulation that is
-  /// another one from some time on, the states before that stay; then approach() goes on from there.
-  /// `moving`: it changes again at once, so the present state may go on with its values, though
-  /// `simreel render` comes to another one. Whether it does.
+  /// Shows another script and rebuilds only the parts that need it (changeBetween). If the simulations
+  /// differ only from some time on, earlier states stay and approach() continues from them. `moving`: a
+  /// value is being dragged, so the present state may continue with the new values, although `simreel
+  /// render` would give another state. Returns true if it does.
   bool become(std::shared_ptr<Script> script, bool moving);
-  /// What came out of other values is forgotten: approach() begins anew.
+  /// Discards a state that was carried over from other values; approach() then simulates again.
   void makeGood();
-  /// Bytes for states that are kept.
+  /// Sets the memory for kept states in bytes.
   void allow(std::size_t memory);
-  /// Of a stage that shows the same up to some time: takes over its nearest state at or before `frame`, so
+  /// Copies the nearest state at or before `frame` from a stage with the same states up to some time, so
   /// that a new stage need not begin at the start.
   void startLike(const Stage& other, int frame);
 
@@ -96,11 +97,11 @@ class Stage {
     std::unique_ptr<draw::Renderer> renderer;
     std::unique_ptr<draw::Readback> readback;
     glm::ivec2 size{0};
-    std::shared_ptr<Script> script;  ///< that it reads
-    std::optional<int> toldBefore;   ///< frame whose frame before it knows
+    std::shared_ptr<Script> script;  ///< script that the renderer reads
+    std::optional<int> toldBefore;   ///< frame whose previous frame the renderer has, for motion blur
   };
 
-  /// States of a simulation that may come back.
+  /// States of an earlier simulation that may become current again.
   struct Past {
     Simulated of;
     KeptStates kept;
@@ -129,26 +130,26 @@ class Stage {
   void forgetBefore();
 
   std::shared_ptr<Script> script_;
-  std::shared_ptr<Script> made_;  ///< that the world was made of
-  std::size_t memory_;            ///< bytes, of kept_ and past_
+  std::shared_ptr<Script> made_;  ///< script that the world was built from
+  std::size_t memory_;            ///< memory limit of kept_ and past_ together, in bytes
   KeptStates kept_;
-  Simulated keptOf_;  ///< whose states they are
+  Simulated keptOf_;  ///< simulation that the states in kept_ belong to
   std::optional<Past> past_;
   std::unique_ptr<sim::World> world_;
   std::unique_ptr<frame::Summaries> summaries_;
   std::array<Drawer, detailLevels.size()> drawers_;
   std::unique_ptr<scene::Scene> testScene_;
-  Drawer tester_;  ///< of testScene_
+  Drawer tester_;  ///< renderer for testScene_
   long stepped_ = 0;
   bool started_ = false;
   bool carried_ = false;
-  bool seen_ = false;  ///< whether the present frame may be looked at
+  bool seen_ = false;  ///< true: the present frame can be drawn
   std::string stateHash_;
-  std::vector<std::string> arrayHashes_;  ///< of each state array
+  std::vector<std::string> arrayHashes_;  ///< hash of each state array
   StageMilliseconds took_;
-  double making_ = 0;  ///< ms, of the world that goes on with other values
+  double making_ = 0;  ///< milliseconds for building the world that continues with other values
   std::vector<Series> series_;
-  std::size_t measured_ = 0;  ///< where measured quantities begin in series_
+  std::size_t measured_ = 0;  ///< index of the first measured quantity in series_
 };
 
 }  // namespace simreel::serve

@@ -32,8 +32,8 @@ bool Stage::become(std::shared_ptr<Script> script, bool moving) {
   return false;
 }
 
-/// Whether the way from a state that stays to the present frame is so short that it is gone while
-/// something moves.
+/// True if the present frame can be simulated again from a kept state in so few steps that a drag stays
+/// smooth.
 bool Stage::isNear(const Script& script) const {
   constexpr int fewFrames = 2;
   const frame::WorldState* from = keptBefore(firstOther(keptOf_, script) - 1);
@@ -58,7 +58,7 @@ void Stage::startLike(const Stage& other, int frame) {
 }
 
 void Stage::takeLookOf(Script& from) {
-  // Renderers and world may have been made of another one each.
+  // Renderers and world may have been built from different scripts.
   std::set<Script*> all = {script_.get(), made_.get()};
   for (const Drawer& drawer : drawers_)
     if (drawer.script) all.insert(drawer.script.get());
@@ -74,16 +74,17 @@ void Stage::drawAs(std::shared_ptr<Script> script) {
   follow();
 }
 
-/// The world is made anew, in its present state.
+/// Builds the world again with its present state.
 void Stage::dressAs(std::shared_ptr<Script> script) {
   if (!carryOverTo(script)) {
-    kept_.clear();  // they do not fit either
+    kept_.clear();  // the kept states do not fit either
     simulateAs(std::move(script));
   }
   drawers_ = {};
 }
 
-/// Who draws stays: what of a scene it knows has not changed.
+/// Replaces the world and the script. Renderers stay, because the parts of the scene that they use have not
+/// changed.
 void Stage::take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script) {
   script_ = std::move(script);
   made_ = script_;
@@ -98,7 +99,7 @@ void Stage::take(std::unique_ptr<sim::World> world, std::shared_ptr<Script> scri
   summaries_->start();
 }
 
-/// The present state goes on in the same world, with other values; false where that cannot be.
+/// Continues the present state in the same world with other values. Returns false if that is not possible.
 bool Stage::retuneTo(const std::shared_ptr<Script>& script) {
   const std::vector<std::size_t> objects = retunedObjects(*script_, *script);
   for (const std::size_t i : objects)
@@ -110,7 +111,8 @@ bool Stage::retuneTo(const std::shared_ptr<Script>& script) {
   return true;
 }
 
-/// The present state goes on in the other's world; false where it does not fit, and nothing has happened.
+/// Continues the present state in a new world for `script`. Returns false, without any change, if the state
+/// does not fit.
 bool Stage::carryOverTo(std::shared_ptr<Script> script) {
   if (!started_) {
     simulateAs(std::move(script));
@@ -133,7 +135,8 @@ bool Stage::carryOverTo(std::shared_ptr<Script> script) {
   return true;
 }
 
-/// Where it throws, nothing has happened.
+/// Builds a world for `script` and continues from a kept state that is still valid. If it throws, nothing
+/// has changed.
 void Stage::simulateAs(std::shared_ptr<Script> script) {
   if (started_) summaries_->takeAll();
   const int before = started_ ? world_->frame() : -1;
@@ -148,8 +151,8 @@ void Stage::simulateAs(std::shared_ptr<Script> script) {
   if (const frame::WorldState* nearest = kept_.before(before)) static_cast<void>(putBack(*nearest));
 }
 
-/// States from before the two differ stay. Where there are none, those of now are put aside, since a change
-/// is often taken back.
+/// Keeps the states from before the simulations differ. If there are no such states, sets the present ones
+/// aside in past_, because a change is often undone.
 void Stage::keepWhatIsAlike(const std::shared_ptr<Script>& script) {
   const int first = firstOther(keptOf_, *script);
   if (kept_.before(first - 1) != nullptr) {

@@ -7,14 +7,14 @@ const make = (parent, name, text) => {
   parent.append(element);
   return element;
 };
-// Values of each parameter, numbers in order.
+// Distinct values of each parameter, sorted if they are numbers.
 const values = data.names.map((_, p) => {
   const all = [...new Set(data.jobs.map((job) => job.values[p]))];
   return all.every((v) => v.trim() !== "" && isFinite(v)) ? all.sort((a, b) => a - b) : all;
 });
 let chosen = 0;
 
-// Of those with this value of the parameter the job that shares most others with the present one.
+// Returns the index of the job with this value of the parameter that shares the most other values with the chosen job.
 function nearest(parameter, value) {
   const now = data.jobs[chosen].values;
   let best = -1, found = chosen;
@@ -35,7 +35,7 @@ const sliders = data.names.map((name, p) => {
   return { input, output };
 });
 
-// A grid's last parameter goes from left to right, all others from top to bottom.
+// In a grid, the last parameter varies from left to right, all others from top to bottom.
 const across = values.length > 1 ? values[values.length - 1] : [];
 const isGrid = across.length > 1 && across.length <= 16 && data.jobs.length % across.length === 0 &&
   data.jobs.every((job, i) => job.values.every((value, p) =>
@@ -71,7 +71,7 @@ function show(i) {
     output.textContent = job.values[p];
   });
   tiles.forEach((tile, k) => tile.setAttribute("aria-pressed", k === i));
-  // The whole picture where it lies beside the page, else the small copy in it.
+  // Shows the full picture if it lies beside the page, else the small copy inside the page.
   $("picture").onerror = () => { $("picture").onerror = null; $("picture").src = job.picture; };
   $("picture").src = job.file || job.picture;
   $("caption").textContent = `${job.name}: ${job.state}${job.message ? ": " + job.message : ""}`;
@@ -79,7 +79,7 @@ function show(i) {
   $("numbers").textContent = "";
   make($("numbers"), "caption", "At the last frame");
   data.columns.forEach((name, c) => {
-    if (name.startsWith("passed ")) return;  // told with its check
+    if (name.startsWith("passed ")) return;  // shown in the row of its check
     const passed = name.startsWith("check ") ? job.cells[data.columns.indexOf("passed " + name.slice(6))] : undefined;
     if (job.cells[c] === "" && !passed) return;
     const row = make($("numbers"), "tr");
@@ -91,7 +91,7 @@ function show(i) {
   });
 }
 
-// From blue over grey to orange: readable for the color blind, on light and dark paper.
+// Returns a colour from blue over grey to orange, which color-blind readers can tell apart on light and dark paper.
 const color = (share) => share < 0.5 ? `hsl(215 ${90 - 160 * share}% ${50 + 20 * share}%)` : `hsl(28 ${160 * share - 70}% ${70 - 20 * share}%)`;
 
 function paint() {
