@@ -93,7 +93,7 @@ TEST_CASE("smooth life on the GPU follows its paper in double") {
   p.model = LeniaParameters::Model::smoothLife;
   p.radius = 9;
   p.timeScale = 5;
-  // Halves at places that are no cells', and limits that tell all four apart.
+  // The kernel's half-value radii lie between cells, and the limits have four different values.
   for (const double radius : {9.0, 7.4}) {
     p.radius = radius;
     p.surviveMax = 0.46;
