@@ -380,7 +380,7 @@ TEST_CASE("solids for files: uv stretches nowhere, and mirrors nothing") {
       const glm::dvec2 a = t[1] - t[0];
       const glm::dvec2 b = t[2] - t[0];
       const glm::dvec3 face = glm::cross(p[1] - p[0], p[2] - p[0]);
-      if (glm::length(face) > 1e-6) CHECK(a.x * b.y - a.y * b.x < 0);  // v grows downwards
+      if (glm::length(face) > 1e-6) CHECK(a.x * b.y - a.y * b.x < 0);  // negative because v grows downwards
     }
     CHECK(seams > 20);
     CHECK(sloping > 100);

@@ -61,7 +61,7 @@ std::vector<bool> lifeCellsOf(const sim::StrokeParameters& stroke, bool torus, d
   sim::LifeParameters p;
   p.size = size;
   p.fill = 0;
-  p.rule = "B/S012345678";  // nothing changes by itself
+  p.rule = "B/S012345678";  // no cell changes by itself
   p.stepsPerSecond = 30;
   p.border = torus ? sim::LifeBorder::torus : sim::LifeBorder::dead;
   p.strokes = {stroke};
