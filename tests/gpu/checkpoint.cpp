@@ -62,7 +62,7 @@ scene::Scene ofText(const std::string& text) {
   return scene::parseScene(text, "test.json", {}, sim::kinds());
 }
 
-/// A wildfire with 20 steps a frame. The initial room of 1,024 rows is exceeded from frame 52 on.
+/// A wildfire with 20 steps per frame. The initial room of 1,024 rows is exceeded from frame 52 on.
 constexpr const char* fire = R"({"version": 1, "objects": {"hill": {"wildfire": {"size": [1997, 53],
   "stepsPerSecond": 1200, "strokes": [{"from": [30, 20, 0], "radius": 4}]}}}})";
 

@@ -20,24 +20,22 @@ class ClothTwin {
   void step(double time, int threads = 1);
   /// Steps one substep with the given data; `index` is the substep's number in the frame.
   void substep(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
-  /// The two halves of a substep; between them, contact may change the next positions.
+  /// predict() and finish() are the two halves of a substep. Between them, contact may change `next`, and
+  /// settle() then resolves collisions.
   void predict(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
   void settle(const simreel::shader::ClothStep& data, int index = 0, bool again = true);
   void finish();
 
   std::vector<glm::vec4> positions;   ///< xyz in metres, w inverse mass
   std::vector<glm::vec4> velocities;  ///< xyz in m/s, w pin group
-  std::vector<glm::vec4> trends;      ///< xyz in m/s, smoothed velocities of the constraint solver
-                                      ///< (glsl/cloth/motion.glsl)
+  std::vector<glm::vec4> trends;      ///< xyz in m/s, velocity changes (glsl/cloth/motion.glsl)
   std::vector<glm::vec4> next;        ///< next positions, between predict() and finish()
-  /// The deformed mesh that the cloth may touch; empty if there is none.
+  /// The deformed mesh that the cloth may touch, if any.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< heights in the frame to step: x at its start, y at its end
-                                       ///< (metres)
-  std::optional<DistanceTwin> meshes;  ///< the rigid meshes that the cloth may touch; empty if there are
-                                       ///< none
-  std::optional<WallsTwin> walls;      ///< the solid that the cloth may touch; empty if there is none
-  std::optional<WindTwin> wind;        ///< the fluid whose wind acts on the cloth; empty if there is none
+  std::vector<glm::vec4> heights;      ///< mesh heights in metres: x frame start, y frame end
+  std::optional<DistanceTwin> meshes;  ///< the rigid meshes that the cloth may touch, if any
+  std::optional<WallsTwin> walls;      ///< the solid that the cloth may touch, if any
+  std::optional<WindTwin> wind;        ///< the fluid whose wind acts on the cloth, if any
   [[nodiscard]] simreel::sim::ClothPlan& plan() { return plan_; }
 
  private:

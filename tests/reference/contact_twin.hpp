@@ -13,8 +13,7 @@ class ContactTwin {
   explicit ContactTwin(simreel::sim::ContactPlan plan) : plan_(std::move(plan)) {}
 
   struct Part {
-    const std::vector<glm::vec4>* now;   ///< at the substep's start: xyz in metres, w inverse mass; for
-                                         ///< balls w is the mass
+    const std::vector<glm::vec4>* now;   ///< at the start: xyz in metres, w inverse mass (balls: mass)
     std::vector<glm::vec4>* next;        ///< proposed positions at the substep's end; push() corrects them
     std::vector<glm::vec4>* velocities;  ///< xyz in m/s; null for a solid
   };

@@ -13,7 +13,8 @@ namespace flows {
 struct Wake {
   std::vector<double> times, drag, lift;  ///< seconds; coefficients 2 F / (U^2 D)
 
-  /// Return the max, mean or max of the last `seconds`; maxima are refined by parabolas through samples.
+  /// Max drag, mean drag and max lift over the last `seconds`. A max is refined by a parabola through
+  /// samples.
   [[nodiscard]] double mostDrag(double seconds) const;
   [[nodiscard]] double meanDrag(double seconds) const;
   [[nodiscard]] double mostLift(double seconds) const;
@@ -30,7 +31,7 @@ struct Cylinder {
 
 /// Returns case 2D-2 of Schaefer and Turek (1996), "Benchmark computations of laminar flow around a
 /// cylinder", in metres and seconds: a channel of 2.2 x 0.41, a cylinder of diameter 0.1 at (0.2, 0.2), a
-/// parabolic inflow with peak 1.5 and mean speed 1, Re 100. `n`: cells a diameter.
+/// parabolic inflow with peak 1.5 and mean speed 1, Re 100. `n`: cells per diameter.
 [[nodiscard]] Cylinder schaeferTurek(int n);
 /// Returns a cylinder at Re 100 between slip sides 30 diameters apart.
 [[nodiscard]] Cylinder wideChannel(int n);
@@ -48,7 +49,7 @@ struct Ghia {
 };
 [[nodiscard]] const Ghia& ghia(double reynolds);
 /// Returns the max difference from the tables. `flow` includes the ring of border cells. The misprint
-/// v(0.9063) at Re 400 is skipped. If `where` is not null, it receives all differences, those of u first.
+/// v(0.9063) at Re 400 is skipped. If `where` is not null, it receives all differences, first for u.
 [[nodiscard]] double ghiaError(const Ghia& table, int n, std::span<const glm::vec4> flow,
                                std::vector<double>* where = nullptr);
 

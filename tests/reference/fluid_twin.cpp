@@ -265,7 +265,7 @@ void FluidTwin::project() {
       rhs = model.missingFlow(x, y);
       missing = std::max(missing, std::abs(rhs));
     }
-  // The kernel looks at whole blocks of 2x2 cells.
+  // The kernel reads whole blocks of 2x2 cells, including the border ring.
   for (int y = 0; y < size.y / 2 * 2 + 2; ++y)
     for (int x = 0; x < size.x / 2 * 2 + 2; ++x) {
       const glm::vec4& cell = flow[index(std::min(x, size.x), std::min(y, size.y))];

@@ -27,7 +27,7 @@ class FluidTwin {
 
   /// Returns the displayed cells: colour in rgb, value in a.
   [[nodiscard]] std::vector<glm::vec4> shown() const;
-  /// Returns the brightness of the flow lines at `time` (seconds), with lineDetail samples a cell along
+  /// Returns the brightness of the flow lines at `time` (seconds), with lineDetail samples per cell along
   /// each axis.
   [[nodiscard]] std::vector<float> lines(double time) const;
   [[nodiscard]] const simreel::sim::FluidPlan& plan() const { return plan_; }

@@ -26,14 +26,12 @@ class GarmentTwin {
   std::vector<glm::vec4> positions;   ///< xyz in metres, w inverse mass
   std::vector<glm::vec4> velocities;  ///< xyz in m/s, w pin group
   std::vector<glm::vec4> trends;      ///< xyz in m/s; for pinned vertices the rest position in metres
-  /// The deformed mesh that the cloth may touch; empty if there is none.
+  /// The deformed mesh that the cloth may touch, if any.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< heights in the frame to step: x at its start, y at its end
-                                       ///< (metres)
-  std::optional<DistanceTwin> meshes;  ///< the rigid meshes that the cloth may touch; empty if there are
-                                       ///< none
-  std::optional<WallsTwin> walls;      ///< the solid that the cloth may touch; empty if there is none
-  std::optional<WindTwin> wind;        ///< the fluid whose wind acts on the cloth; empty if there is none
+  std::vector<glm::vec4> heights;      ///< mesh heights in metres: x frame start, y frame end
+  std::optional<DistanceTwin> meshes;  ///< the rigid meshes that the cloth may touch, if any
+  std::optional<WallsTwin> walls;      ///< the solid that the cloth may touch, if any
+  std::optional<WindTwin> wind;        ///< the fluid whose wind acts on the cloth, if any
   [[nodiscard]] simreel::sim::GarmentPlan& plan() { return plan_; }
 
  private:

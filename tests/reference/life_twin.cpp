@@ -52,7 +52,7 @@ void forRows(int rows, int threads, const Body& body) {
   });
 }
 
-/// A grid of bits with 64 cells a word. The lower 32 cells come first in memory (little endian).
+/// A grid of bits with 64 cells per word. The lower 32 cells come first in memory (little endian).
 struct Grid {
   const std::uint32_t* words;
   glm::ivec2 size;

@@ -11,12 +11,12 @@
 /// byte for each cell and rows without padding.
 std::vector<std::uint8_t> nextBytes(const std::vector<std::uint8_t>& cells, glm::ivec2 size,
                                     const simreel::sim::LifeRule& rule, bool torus);
-/// Computes the next generation of B3/S23 on a torus, optimized for one byte a cell: whole rows in one loop
-/// that compilers vectorize. `cells` has size.x + 2 bytes a row and size.y + 2 rows; this function fills
-/// the ghost cells at the borders.
+/// Computes the next generation of B3/S23 on a torus, optimized for one byte per cell: whole rows in one
+/// loop that compilers vectorize. `cells` has size.x + 2 bytes per row and size.y + 2 rows; this function
+/// fills the ghost cells at the borders.
 void fastBytes(std::vector<std::uint8_t>& cells, std::vector<std::uint8_t>& next, glm::ivec2 size);
 
-/// Convert bits of blocked rows (sim::CellRows) to bytes without padding, and back.
+/// Conversions between the bits of blocked rows (sim::CellRows) and bytes without padding.
 std::vector<std::uint8_t> bytesOf(const std::vector<std::uint32_t>& words, glm::ivec2 size);
 std::vector<std::uint32_t> wordsOf(const std::vector<std::uint8_t>& cells, glm::ivec2 size);
 
@@ -33,7 +33,7 @@ class LifeTwin {
   void generation(int threads = 1);
 
   std::vector<std::uint32_t> words;  ///< cells in the GPU's memory layout
-  std::vector<std::uint32_t> trail;  ///< four cells a word; empty if there is no trail
+  std::vector<std::uint32_t> trail;  ///< four cells per word; empty if there is no trail
   [[nodiscard]] const simreel::sim::LifePlan& plan() const { return plan_; }
 
  private:

@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-/// A picture with four components a pixel, top row first: bytes, or premultiplied light and coverage.
+/// A picture with four components per pixel, top row first: bytes, or premultiplied light and coverage.
 template <class T>
 struct OverlayPicture {
   glm::ivec2 size{0};
@@ -43,7 +43,8 @@ class FieldTwin {
   [[nodiscard]] std::vector<glm::vec4> averaged(glm::ivec2 texels) const;
   /// Sets averaged texels that later calls read instead of cells; inputs.size must be their size.
   void setReduced(std::vector<glm::vec4> texels) { reduced_ = std::move(texels); }
-  /// Draw the field over, or behind, a part of a picture (left, top, right, bottom).
+  /// over() draws the field over a part of a picture (left, top, right, bottom); behind() draws it behind
+  /// the picture.
   void over(OverlayPicture<OverlayBytes>& picture, glm::ivec4 part) const;
   void behind(OverlayPicture<glm::vec4>& light, glm::ivec4 part) const;
 
@@ -69,7 +70,8 @@ class ChartTwin {
  public:
   explicit ChartTwin(ChartInputs inputs);
   void over(OverlayPicture<OverlayBytes>& picture, glm::ivec4 part) const;
-  /// Returns the four rows of the kernel's texture for each column: first value, last value, min and max.
+  /// Returns the reduced curves of each pixel column, in the row order of the kernel's texture: height at
+  /// the column's left edge, at its right edge, min and max.
   [[nodiscard]] const std::vector<std::array<glm::vec4, 4>>& columns() const { return columns_; }
 
  private:

@@ -20,8 +20,9 @@ class ParticlesTwin {
 
   /// Steps one frame that starts at `time` (seconds). `threads`: 0 uses all processors.
   void step(double time, int threads = 1);
-  /// The parts of step() for particles in contact. predict() computes the positions after substep `index`
-  /// of the frame begun; after contact has changed `positions`, settle() resolves collisions.
+  /// Parts of step() for particles in contact: beginFrame() starts a frame, predict() computes the
+  /// positions after substep `index`, and settle() resolves collisions after contact has changed
+  /// `positions`.
   void beginFrame(double time, int threads = 1);
   void predict(int index, int threads = 1);
   void settle(int index);
@@ -30,15 +31,12 @@ class ParticlesTwin {
   std::vector<glm::vec4> velocities;     ///< xyz in m/s, w age
   std::vector<glm::vec4> accelerations;  ///< xyz in m/s^2
   std::vector<glm::vec4> starts;         ///< positions before predict()
-  /// The deformed mesh that the particles may touch; empty if there is none.
+  /// The deformed mesh that the particles may touch, if any.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< heights in the frame to step: x at its start, y at its end
-                                       ///< (metres)
-  std::optional<DistanceTwin> meshes;  ///< the rigid meshes that the particles may touch; empty if there
-                                       ///< are none
-  std::optional<WallsTwin> walls;      ///< the solid that the particles may touch; empty if there is none
-  std::optional<WindTwin> wind;        ///< the fluid whose wind acts on the particles; empty if there is
-                                       ///< none
+  std::vector<glm::vec4> heights;      ///< mesh heights in metres: x frame start, y frame end
+  std::optional<DistanceTwin> meshes;  ///< the rigid meshes that particles may touch, if any
+  std::optional<WallsTwin> walls;      ///< the solid that the particles may touch, if any
+  std::optional<WindTwin> wind;        ///< the fluid whose wind acts on them, if any
   [[nodiscard]] const simreel::sim::ParticlePlan& plan() const { return plan_; }
   /// Discards the accelerations; needed after the state was changed from outside.
   void restart() { primed_ = false; }

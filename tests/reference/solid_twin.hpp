@@ -15,8 +15,8 @@ struct SolidTwin {
   simreel::sim::MeshTable mesh;
   simreel::sim::ContourLines lines;
 
-  [[nodiscard]] int classAt(int x, int y) const;  ///< class of a sample; the field's cells begin at sample
-                                                  ///< (1, 1)
+  /// Returns the class of a sample; the field's cells begin at sample (1, 1).
+  [[nodiscard]] int classAt(int x, int y) const;
 
  private:
   struct Edge {

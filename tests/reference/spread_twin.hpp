@@ -41,7 +41,7 @@ class WildfireTwin {
   std::vector<std::uint8_t> cells;
   std::vector<glm::uvec4> counts;
   [[nodiscard]] simreel::sim::WildfirePlan& plan() { return plan_; }
-  std::optional<WindTwin> wind;  ///< the fluid whose wind acts on the fire; empty if there is none
+  std::optional<WindTwin> wind;  ///< the fluid whose wind acts on the fire, if any
   /// Updates the fire's wind from the fluid before the steps of the frame at `time` (seconds); `speed` is
   /// the fluid's parameter "speed".
   void blow(double time, float speed);

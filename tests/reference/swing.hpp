@@ -16,7 +16,8 @@ struct Case {
   double length = 0;   ///< metres, from the pins down
 };
 
-/// Return a grid of springs, a fabric and a strip of triangles, each 1 m long and 0.5 m wide. `spacing`:
+/// Test cases: a grid of springs, a fabric and a strip of triangles, each 1 m long and 0.5 m wide.
+/// `spacing`: metres.
 /// metres.
 [[nodiscard]] Case springs(double degrees, double spacing);
 [[nodiscard]] Case fabric(double degrees, double spacing);

@@ -26,8 +26,7 @@ class WaterTwin {
 
   std::vector<glm::vec4> cells;       ///< cell by cell, x fastest
   std::vector<glm::vec4> floats;      ///< layout of FloatPlan::first()
-  std::vector<glm::ivec4> displaced;  ///< one element for each cell, in the kernels' layout; empty without
-                                      ///< floats
+  std::vector<glm::ivec4> displaced;  ///< one for each cell; empty without floats
 
  private:
   void fall(double time, int step);

@@ -193,7 +193,7 @@ TEST_CASE("meshes turn their z axis along the velocity") {
         }
     return high - low + 1;
   };
-  // The scale is 17.9 pixels a metre and the needle is 1 m long.
+  // The scale is 17.9 pixels per metre and the needle is 1 m long.
   CHECK(extent({3, 0, 0}, true).x >= 14);
   CHECK(extent({3, 0, 0}, true).y <= 4);
   CHECK(extent({0, -2, 0}, true).y >= 14);

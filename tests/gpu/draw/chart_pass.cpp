@@ -104,7 +104,7 @@ TEST_CASE("charts: names stand in the colours of their curves; the rest of the p
             x >= layout.panel.x && x < layout.panel.z && y >= layout.panel.y && y < layout.panel.w;
         outside += !in && picture.brightness(x, y) > 0;
       }
-    // Expects as many red pixels as the area within the outlines of the name.
+    // The number of red pixels equals the area within the outlines of the name.
     draw::ChartLabels labels(size);  // owns the outlines that `written` refers to
     const std::vector<sim::Writing> written = labels.of({.charts = {stage.chart}});
     REQUIRE(written.size() == 4);  // two names and two axis labels

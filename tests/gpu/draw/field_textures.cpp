@@ -99,7 +99,7 @@ TEST_CASE("field textures of categories hold light; new colours are taken up") {
   FieldStage stage(Cells::bytes, {64, 64}, [](int x, int) { return x % 2; }, {3, 5, 1},
                    {{1, 0, 0}, {0, 0.5F, 2}});
   stage.field.categories = true;
-  draw::FieldTextures textures(withSkin("grid", 8));  // 32 texels a side, two cells to a texel
+  draw::FieldTextures textures(withSkin("grid", 8));  // 32 texels per side, two cells to a texel
   textures.update({.fields = {stage.field}});
   const auto* entry = textures.find("grid");
   REQUIRE(entry != nullptr);

@@ -37,7 +37,8 @@ std::pair<std::vector<glm::vec4>, std::vector<glm::vec4>> mixed(int count) {
 
 enum class Sight { out, in, edge };
 
-/// Tests a sphere against the six frustum planes in double precision; `edge` if the result is too close to
+/// Tests a sphere against the six frustum planes in double precision. Returns `edge` if the result is too
+/// close to decide.
 /// decide.
 Sight inSight(const glm::mat4& matrix, glm::vec4 place, double radius) {
   if (!(std::abs(place.x) + std::abs(place.y) + std::abs(place.z) < 1e6F)) return Sight::out;
@@ -248,7 +249,7 @@ TEST_CASE("small glows keep their light however small") {
       for (int x = 0; x < 65; ++x) sum += std::pow(std::max(p.at(x, y).y - 3, 0) / 255.0, 2.2);
     return sum;
   };
-  // The scale is 17.9 pixels a metre. The radii are 1.25 and 0.3 pixels; brightness times area is equal.
+  // The scale is 17.9 pixels per metre. The radii are 1.25 and 0.3 pixels; brightness times area is equal.
   const double wide = total(0.14F, 0.3F, glm::vec3(0));
   const double fine = total(0.0336F, 0.3F * 0.14F * 0.14F / (0.0336F * 0.0336F), glm::vec3(0));
   CHECK(fine == doctest::Approx(wide).epsilon(0.05).scale(0));

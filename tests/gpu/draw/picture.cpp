@@ -92,7 +92,7 @@ TEST_CASE("row 0 is the top, column 0 the left, at an odd size with 1 and 4 samp
   GridStage sheet({5, 5}, {-1.5F, 1.2F, 0}, {1.0F, 0, 0}, {0, -0.8F, 0});
   for (const int samples : {1, 4}) {
     const Picture picture = drawn(scene, {.surfaces = {sheet.surface}}, {33, 21}, samples);
-    // 21 rows span 2 * 5 * tan(20 degrees) = 3.64 m, which is 5.77 pixels a metre around pixel (16, 10).
+    // 21 rows span 2 * 5 * tan(20 degrees) = 3.64 m, which is 5.77 pixels per metre around pixel (16, 10).
     CHECK(picture.brightness(16 - 6, 10 - 5) > 300);
     CHECK(picture.brightness(16 + 6, 10 - 5) < 10);
     CHECK(picture.brightness(16 - 6, 10 + 5) < 10);

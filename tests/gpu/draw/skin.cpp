@@ -147,7 +147,7 @@ TEST_CASE("skin: from three sides a square looks as it does by uv, and a mesh ne
   const auto oblique = [](scene::Scene& scene, sim::Surface&) {
     scene.sun.direction = glm::vec3(0.6F, 0.4F, 0.5F);
   };
-  // 96 x 48 cells cover 2 m x 1 m and repeat twice vertically: half a copy a metre.
+  // 96 x 48 cells cover 2 m x 1 m and repeat twice vertically: half a copy per metre.
   sim::Mesh byUv = squareMesh();
   for (std::size_t i = 0; i < byUv.uvs.size(); ++i)
     byUv.uvs[i] = {0.5F * byUv.positions[i].x, -byUv.positions[i].y};

@@ -111,7 +111,7 @@ TEST_CASE("skin maps: no step over the border is larger than those inside") {
 
 TEST_CASE("skin maps: values follow theory on a slope") {
   testContext();
-  // A triangle wave of 64 cells: it rises by 1/32 a cell to the middle, then falls. Its height is `depth`
+  // A triangle wave of 64 cells: it rises by 1/32 per cell to the middle, then falls. Its height is `depth`
   // cells.
   const FieldStage field(Cells::floats, {64, 6},
                          [](int x, int) { return x < 32 ? x / 32.0 : (64 - x) / 32.0; });

@@ -2,7 +2,7 @@
 
 WildfireStep stepData;
 
-// A linear climb factor between 0 and 4; any table would do for the test.
+// Returns a climb factor that is linear in i, from 0 to 4; any table would do for the test.
 FUNCTION float climbFactor(int i) {
   precise float factor = float(i) * 0.0078125f;
   return factor;

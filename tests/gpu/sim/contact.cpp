@@ -95,8 +95,8 @@ class MovedSolid : public sim::ContactSolid {
   std::unique_ptr<sim::MovedVertices> vertices_;
 };
 
-/// Links of a simulation outside any world: reports a lock-step group with a fixed number of steps a frame
-/// and nothing else.
+/// Links of a simulation outside any world: reports a lock-step group with a fixed number of steps per
+/// frame and nothing else.
 class GroupAlone final : public sim::Links {
  public:
   explicit GroupAlone(int steps) : steps_(steps) {}

@@ -186,7 +186,7 @@ TEST_CASE("epidemic: the chance of infection is 1 - (1 - beta)^n, of recovery ga
 
 // Mean field (Kermack and McKendrick): in a large mixed population, dS/S = -8 beta I/N to first order in a
 // step, and an infection lasts 1/gamma steps on average, so ln(s_end/s_0) = -R0 (1 - s_end) with R0 = 8
-// beta / gamma. The exact rule of a step, 1 - (1 - beta I/N)^8, adds -4 beta^2 (I/N)^2 a step; the
+// beta / gamma. The exact rule of a step, 1 - (1 - beta I/N)^8, adds -4 beta^2 (I/N)^2 per step; the
 // recursion below includes it. The final size of N people deviates from this limit with standard deviation
 // sqrt(v/N), where v = (s (1-s) + c^2 R0^2 s^2 (1-s)) / (1 - R0 s)^2 and c^2 = 1 - gamma for geometrically
 // distributed durations (von Bahr and Martin-Loef, 1980).

@@ -211,7 +211,7 @@ TEST_CASE("life with strokes and a trail equals its CPU twin") {
   p.size = {16, 33};
   compare(p, 20);
   p.trail = 0;
-  p.size = {256, 90};  // several generations a pass, except between strokes
+  p.size = {256, 90};  // several generations per pass, except between strokes
   p.stepsPerSecond = 170;
   compare(p, 15);
 }

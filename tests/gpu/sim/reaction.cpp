@@ -266,7 +266,8 @@ TEST_CASE("reaction: a state that is lost is told by species, cell and step") {
 
 TEST_CASE("reaction: several steps a pass give the same bits, and tell what is lost as single ones do") {
   testContext();
-  // A rule with ddy in it runs on a torus only, because ddy is odd under reflection.
+  // Kernels that run several steps per pass support ddy on a torus only, because ddy changes sign under
+  // reflection.
   const std::string three = R"X("dt": 0.1, "steps": 11, "lets": {"all": "u + v + w"}, "species": {
     "u": {"diffusion": 0.3, "start": "abs(random(1))", "rate": "u*(1 - all - v) + 0.01*corners(w)"},
     "v": {"diffusion": 0.2, "start": "abs(random(2))", "rate": "v*(1 - all - w) - 0.01*neighbours(u)"},

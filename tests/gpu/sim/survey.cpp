@@ -1,5 +1,5 @@
-// Tests that automatic cameras frame the motion of cloth and particles: a simulated run measures motions
-// that are known here in closed form.
+// Tests that automatic cameras frame the motion of cloth and particles. A simulated run measures the
+// motion, and the expected motion is known here in closed form.
 #include "sim/world/survey.hpp"
 
 #include "draw/camera.hpp"

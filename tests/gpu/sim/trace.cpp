@@ -19,7 +19,7 @@ using namespace simreel::golden;
 
 namespace {
 
-/// Returns two cloths of odd sizes with different numbers of steps a frame, and three frames of pre-roll.
+/// Returns two cloths of odd sizes with different numbers of steps per frame, and three frames of pre-roll.
 scene::Scene odd(const std::vector<scene::Override>& changes = {}) {
   return scene::parseScene(R"({"version": 1, "time": {"fps": 30, "start": 0.1, "duration": 1}, "objects": {
         "ball": {"sphere": {"position": [0, -1, 0]}},

@@ -217,7 +217,7 @@ TEST_CASE("wildfire equals its CPU twin on 131x97 with hills") {
   compare(p, 20);
 }
 
-// On a slope of half a cell height a cell, in each of four directions, fire spreads further uphill than
+// On a slope of half a cell size per cell, in each of four directions, fire spreads further uphill than
 // downhill and equally to both sides.
 TEST_CASE("wildfire: further uphill than downhill") {
   const auto rising = [](glm::ivec2 way) {  // white is 127.5 cell sizes higher than black
@@ -247,7 +247,7 @@ TEST_CASE("wildfire: further uphill than downhill") {
   }
 }
 
-// A plane rises by `tangent` a cell towards `way`, one of eight directions; single burning cells form a
+// A plane rises by `tangent` per cell towards `way`, one of eight directions; single burning cells form a
 // lattice. The fraction of neighbours in each direction that burns after one step must equal e^(slope *
 // tangent in that direction) times the probability on even ground. The formula is written independently of
 // the simulation's code.
@@ -270,7 +270,7 @@ TEST_CASE("wildfire: it climbs by e^(slope * tangent), to all eight sides alike"
   const glm::ivec2 around[] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
   for (const Hill hill : {Hill{0.5, 2}, Hill{1, 2}, Hill{2, 1}, Hill{4, 0.5}})
     for (const glm::ivec2 way : around) {
-      // The map has 255 pixels a side with levels 0 to 254; a pixel covers two cells.
+      // The map has 255 x 255 pixels with levels 0 to 254; a pixel covers two cells.
       const bool diagonal = way.x != 0 && way.y != 0;
       std::string plane = "P5 255 255 255\n";
       for (int y = 0; y < 255; ++y)
