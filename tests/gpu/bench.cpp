@@ -32,10 +32,10 @@ TEST_CASE("bench: frames and stages are counted, whatever the timing") {
     const auto count = [&] { return ++done != 14; };
     run.run(3, 5, count);
     CHECK(done == 8);
-    run.run(1, 50, count);  // leaves at its sixth
+    run.run(1, 50, count);  // `count` returns false at the sixth frame and ends the run
     const frame::FrameTimes& times = run.times();
     CHECK(times.frames.size() == 10);
-    CHECK(times.frames.front() == 4);  // after frame 0 and the warm-up
+    CHECK(times.frames.front() == 4);  // frame 0 and three warm-up frames are not measured
     CHECK(times.wall.size() == times.frames.size());
     CHECK(times.stages.empty() == (timing == frame::Timing::whole));
     for (const frame::StageSeries& stage : times.stages) {

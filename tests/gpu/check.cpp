@@ -1,4 +1,4 @@
-// Quantities and checks on simulations whose answers are known.
+// Tests the quantities and checks of simulations against known answers.
 #include "golden/suite/check.hpp"
 
 #include "base/error.hpp"
@@ -27,7 +27,7 @@ scene::Scene sceneOf(const std::string& objects, const std::string& checks) {
       {}, sim::kinds());
 }
 
-/// 12x8 particles of 0.25 kg from 10 m up, with nothing but gravity.
+/// Returns a scene with a sheet of 12x8 particles of 0.25 kg that falls freely from a height of 10 m.
 scene::Scene falling(const std::string& checks) {
   return sceneOf(R"("sheet": {"cloth": {"size": [12, 8], "mass": 0.25, "position": [0, 10, 0], "damping": 0,
                     "wind": [0, 0, 0], "substeps": 4, "pins": []}}, "ball": {"sphere": {"collides": false}})",
@@ -38,7 +38,8 @@ double quantity(const sim::World& world, const scene::Scene& scene, const std::s
   return named(*scene.objects.at(0).parameters, world.object(0).measure(), name);
 }
 
-/// Results of the checks at these frames, without pictures.
+/// Returns the results of all checks after advancing the world through the checks' frames and `frames`,
+/// without drawing.
 std::vector<golden::CheckResult> run(const scene::Scene& scene, const std::vector<int>& frames) {
   sim::World world(scene);
   golden::Checker checker(scene, world, frames);
@@ -52,7 +53,7 @@ std::vector<golden::CheckResult> run(const scene::Scene& scene, const std::vecto
   return checker.results();
 }
 
-/// The message of the one check's result at its last frame; "" when it passed there.
+/// Returns the message of the last check result; empty if that check passed.
 std::string messageOf(const scene::Scene& scene, const std::vector<int>& frames) {
   const auto results = run(scene, frames);
   REQUIRE(!results.empty());
@@ -60,7 +61,7 @@ std::string messageOf(const scene::Scene& scene, const std::vector<int>& frames)
   return results.back().message;
 }
 
-/// What the checker refuses to start with.
+/// Returns the error message of constructing a Checker for `scene`; empty if construction succeeds.
 std::string refusal(const scene::Scene& scene, const std::vector<int>& tested) {
   const sim::World world(scene);
   try {
@@ -84,7 +85,8 @@ TEST_CASE("checks: a falling cloth has the energy of semi-implicit Euler") {
   for (const int frame : {0, 30, 60}) {
     world.advanceTo(frame);
     INFO("frame ", frame);
-    // v = -g n dt, y = y0 - g dt^2 n (n + 1) / 2, so E = m g y0 - m g^2 dt^2 n / 2.
+    // Semi-implicit Euler after n substeps: v = -g n dt, y = y0 - g dt^2 n (n + 1) / 2, so the energy is m
+    // g y0 - m g^2 dt^2 n / 2.
     const double n = frame * 4;
     const double speed = g * n * dt;
     CHECK(quantity(world, scene, "population") == 96);
@@ -114,7 +116,7 @@ TEST_CASE("checks: statistics follow a falling cloth") {
   CHECK(*results[0].value == doctest::Approx(10 - 9.8 * dt * dt * n * (n + 1) / 2).epsilon(1e-6));
   CHECK(*results[1].value == doctest::Approx(-9.8 * n * dt).epsilon(1e-5));
   CHECK(*results[2].value == doctest::Approx(9.8 * n * dt).epsilon(1e-5));
-  CHECK(*results[3].value == 384);  // inverse masses of 96 free particles
+  CHECK(*results[3].value == 384);  // positions.w holds inverse masses: 96 free particles of 1/0.25
   for (const golden::CheckResult& result : results) CHECK(result.passed);
 }
 
@@ -126,10 +128,11 @@ TEST_CASE("checks: pins that stretch a cloth store elastic energy") {
   sim::World world(scene);
   CHECK(quantity(world, scene, "elasticEnergy") == doctest::Approx(0).epsilon(1e-9));
   world.advanceTo(1);
-  // 4 springs along x 0.25 m longer, 4 diagonals, 2 springs of length two 0.5 m longer.
+  // 4 springs along x are 0.25 m longer, 4 diagonals are longer, and 2 bending springs across two cells are
+  // 0.5 m longer.
   const double diagonal = std::sqrt(0.8125) - std::sqrt(0.5);
   const double expected = 4 * 0.5 * 16 * 0.0625 + 4 * 0.5 * 8 * diagonal * diagonal + 2 * 0.5 * 4 * 0.25;
-  // Sheet and pins are turned by 0 degrees through the exact cosine, which gives 1 - 1.2e-7 for 0.
+  // Sheet and pins are rotated by 0 degrees; exactCos returns 1 - 1.2e-7 for 0.
   CHECK(quantity(world, scene, "elasticEnergy") == doctest::Approx(expected).epsilon(1e-5));
   CHECK(quantity(world, scene, "stretch") == doctest::Approx(1.5).epsilon(1e-6));
   CHECK(quantity(world, scene, "kineticEnergy") == 0);
@@ -142,7 +145,7 @@ TEST_CASE("checks: potential energy is that of the gravity at the state's time")
                              "");
   sim::World world(scene);
   CHECK(quantity(world, scene, "potentialEnergy") == 0);
-  world.advanceTo(60);  // 1 s: 4 m/s^2
+  world.advanceTo(60);  // gravity at 1 s is 4 m/s^2
   CHECK(quantity(world, scene, "potentialEnergy") == doctest::Approx(16 * 0.5 * 4 * 2).epsilon(1e-6));
 }
 
@@ -160,20 +163,20 @@ TEST_CASE("checks: bounds that hold and bounds that are crossed") {
 
 TEST_CASE("checks: drift is relative to the first of the check's frames") {
   testContext();
-  // E drops by m g^2 dt^2 n / 2 of m g y0: by 0.00102 at frame 30, less than a sheet that lost its spring
-  // forces or gravity would.
+  // The energy of m g y0 falls by m g^2 dt^2 n / 2, a fraction of 0.00102 at frame 30. The loss would be
+  // larger without spring forces or gravity.
   CHECK(messageOf(falling(R"({"what": "energy", "drift": 0.0011})"), {0, 30}).empty());
   const std::string message = messageOf(falling(R"({"what": "energy", "drift": 0.0009})"), {0, 30});
   INFO(message);
   CHECK(message.find("frame 30: energy of sheet is 2349.") == 0);
   CHECK(message.find(" away from 2352") != std::string::npos);
   CHECK(message.find(" at frame 0; drift 0.0009 allows 2.12") != std::string::npos);
-  // From frame 29 on there is nearly none.
+  // From frame 29 to frame 30 the drift is much smaller.
   CHECK(messageOf(falling(R"({"what": "energy", "drift": 0.0001, "frames": [29, 30]})"), {0, 30}).empty());
 
   const auto results = run(falling(R"({"what": "energy", "min": 2351.9, "drift": 0.5})"), {0, 1});
   REQUIRE(results.size() == 2);
-  CHECK(results[1].min == 2351.9);  // tighter than the drift's
+  CHECK(results[1].min == 2351.9);  // `min` is tighter than the lower bound from `drift`
   CHECK(*results[1].max == doctest::Approx(1.5 * 2352).epsilon(1e-5));
 }
 
@@ -236,7 +239,7 @@ TEST_CASE("checks: a blank picture is found") {
     return checker.results().at(0).message;
   };
   CHECK(messageWith(80) == "frame 0: the picture is one colour");
-  // One pixel of 100 off by d: the deviation is d sqrt(0.01 * 0.99) = 0.0995 d.
+  // One pixel of 100 differs by d, so the standard deviation is d sqrt(0.01 * 0.99) = 0.0995 d.
   CHECK(messageWith(90) ==
         "frame 0: the picture is nearly one colour: the standard deviation of its luma is 0.0039, below "
         "0.00392");
@@ -255,7 +258,8 @@ TEST_CASE("checks: what a scene does not have is refused with what it has") {
   CHECK(refusal(falling(R"({"what": "not-blank", "frames": [0, 59]})"), tested) ==
         "checks[0]: \"not-blank\" needs a picture of frame 59, which is not tested; tested: 0, 9");
   CHECK(refusal(falling(R"({"what": "not-blank"}, {"what": "mass", "max": 1})"), tested).empty());
-  auto made = falling("");  // not through the reader, which would find these
+  // the scene reader would reject the mistakes below, so the checks are set in memory
+  auto made = falling("");
   made.checks.resize(1);
   made.checks[0].what = "max";
   made.checks[0].of = "positions.q";

@@ -1,4 +1,4 @@
-// A world that goes on from a checkpoint is the world that was never stopped.
+// Tests that a world resumed from a checkpoint continues exactly like an uninterrupted world.
 #include "frame/file/checkpoint.hpp"
 
 #include "base/error.hpp"
@@ -50,7 +50,7 @@ sim::World::Summary summaryAt(sim::World& world, int frame) {
 }
 
 std::vector<std::uint8_t> pictureOf(const scene::Scene& scene, const sim::World& world) {
-  // As many samples as their own tests draw, so that Mesa's cache has the shaders.
+  // Uses the sample count of the scene's own test, so that Mesa's cache already holds the shaders.
   draw::Renderer renderer(scene, {96, 54}, scene.test.samples.value_or(scene.render.samples));
   draw::Readback readback({96, 54});
   renderer.draw(world.time(), world.drawables());
@@ -62,7 +62,7 @@ scene::Scene ofText(const std::string& text) {
   return scene::parseScene(text, "test.json", {}, sim::kinds());
 }
 
-/// 20 steps a frame: more than the 1,024 that there is room for at first, from frame 52 on.
+/// A wildfire with 20 steps per frame. The initial room of 1,024 rows is exceeded from frame 52 on.
 constexpr const char* fire = R"({"version": 1, "objects": {"hill": {"wildfire": {"size": [1997, 53],
   "stepsPerSecond": 1200, "strokes": [{"from": [30, 20, 0], "radius": 4}]}}}})";
 
@@ -72,7 +72,7 @@ TEST_CASE("checkpoint: shipped scenes of every kind go on as if they had not bee
   testContext();
   const test::TemporaryFile place("checkpoint", "");
   ::setenv("SIMREEL_ASSETS", (fs::path(sourceFolder()) / "assets").c_str(), 1);
-  // Each long one has kinds that others have, too.
+  // Skips the slow scenes; other scenes cover every object kind used by them.
   const std::string longOnes =
       "\n" + readFile(fs::path(sourceFolder()) / "tests/long_scenes.txt", "list") + "\n";
   std::vector<fs::path> scenes;
@@ -86,7 +86,7 @@ TEST_CASE("checkpoint: shipped scenes of every kind go on as if they had not bee
   std::set<std::string> kinds;
   for (const fs::path& file : scenes) {
     CAPTURE(file.filename().string());
-    // Nothing before the first frame, which takes seconds.
+    // Starts at time 0 without presteps, because simulating before the first frame takes seconds.
     std::vector<scene::Override> atOnce = {scene::parseOverride("time.start=0")};
     const std::size_t before = kinds.size();
     for (const scene::Object& object : scene::loadScene(file, {}, sim::kinds()).objects) {
@@ -94,7 +94,7 @@ TEST_CASE("checkpoint: shipped scenes of every kind go on as if they had not bee
       if (object.kind == "grayScott")
         atOnce.push_back(scene::parseOverride("objects." + object.name + ".grayScott.presteps=0"));
     }
-    if (kinds.size() == before) continue;  // other scenes had all of them
+    if (kinds.size() == before) continue;  // earlier scenes cover all kinds of this scene
     const scene::Scene scene = scene::loadScene(file, atOnce, sim::kinds());
     sim::World whole(scene);
     const auto at = summaryAt(whole, 1);
@@ -117,7 +117,7 @@ TEST_CASE("checkpoint: shipped scenes of every kind go on as if they had not bee
     changed += later.stateHash == at.stateHash ? 0 : 1;
   }
   CHECK(kinds.size() >= 15);
-  CHECK(changed >= 9);  // or the test would prove nothing
+  CHECK(changed >= 9);  // the state must change between frames, otherwise equal states prove nothing
   ::unsetenv("SIMREEL_ASSETS");
 }
 
@@ -127,7 +127,7 @@ TEST_CASE(
   const test::TemporaryFile place("checkpoint", "");
   const std::string texts[] = {
       fire,
-      // On the CPU, where the first case above has the other technique.
+      // Uses the "jobs" technique on the CPU; the first test case covers the GPU technique.
       R"({"version": 1, "objects": {
         "ball": {"sphere": {"radius": 0.5, "position": {"keys": [[0, [-1, 0.3, 0]], [2, [1, 0.3, 0]]]}}},
         "snow": {"mesh": {"shape": "plane", "size": [4, 0, 4], "resolution": [33, 31],
@@ -219,7 +219,7 @@ TEST_CASE("checkpoint: what is damaged, of another run or of another program is 
   frame::RunInfo other = run;
   other.simulation = "of other numbers";
   CHECK(!frame::Checkpoint::read(place.path(), other, lastFrame));
-  // Where numerics are fast a driver's own state is its own.
+  // With fast numerics the state depends on the driver, so a checkpoint of another driver is rejected.
   frame::RunInfo fast = run;
   fast.numerics = "fast";
   frame::Checkpoint::write(place.path(), fast, "hash", "", world);
@@ -249,7 +249,7 @@ TEST_CASE("checkpoint: what is damaged, of another run or of another program is 
   program.replace(text.find("\"program\":\"") + 11, 1, "9");
   CHECK(!usable(program));
 
-  // With the header changed; then with a hash that fits, as only a forger has it.
+  // Changes header numbers, first with the old hash, then with a recomputed hash ("forged").
   const std::string body = text.substr(0, text.size() - 32);
   const auto withNumber = [&](const char* key, const std::string& number, bool forged) {
     const std::size_t begin = body.find(key) + std::string_view(key).size();
@@ -264,7 +264,7 @@ TEST_CASE("checkpoint: what is damaged, of another run or of another program is 
     CHECK(!usable(withNumber("\"frame\":", frame, true)));
   for (const char* counts : {"1", "18446744073709551615", "-1"})
     CHECK(!usable(withNumber("\"counts\":", counts, true)));
-  // Two parts whose sizes add up to nothing in 64 bits.
+  // The sizes of the two parts overflow 64 bits and add up to 0.
   std::string wrapped = body;
   wrapped.insert(wrapped.find("\"parts\":[") + 9,
                  R"(["a","b",9223372036854775808],["a","b",9223372036854775808],)");
@@ -288,7 +288,7 @@ TEST_CASE("checkpoint: one that does not fit its world is refused") {
 TEST_CASE(
     "checkpoint: a camera damped by T that follows a path is where one without was T ago, resumed too") {
   testContext();
-  // An open hall, whose path goes straight along it.
+  // The follow path of this open hall runs straight along its length.
   const scene::Scene scene = ofText(R"({"version": 1, "time": {"fps": 20, "duration": 3},
     "camera": {"follow": {"object": "hall", "progress": {"keys": [[0, 0.1], [3, 0.9]], "ease": "linear"},
                           "damping": 0.3}},
@@ -313,7 +313,7 @@ TEST_CASE(
   const sim::Stand before = sim::standOn(*path->points, *scene.camera.follow, seconds - 0.3);
   const sim::Stand now = sim::standOn(*path->points, *scene.camera.follow, seconds);
   REQUIRE(found.size() == 2);
-  CHECK(glm::distance(found[0], before.target) < 0.01F);  // the way ahead bends a little at its end
+  CHECK(glm::distance(found[0], before.target) < 0.01F);  // the path bends slightly at its end
   CHECK(glm::distance(found[1], before.eye) < 1e-3F);
   CHECK(glm::distance(now.eye, before.eye) > 0.25F);
 }

@@ -5,10 +5,11 @@
 #include <string>
 #include <unistd.h>
 
-/// The one context of the test process, with debug output; high-severity messages fail at check().
+/// Returns the single GL context of the test process. It has debug output; check() fails on high-severity
+/// messages.
 simreel::gl::Context& testContext();
 
-/// A place for a file of this process: tests run beside each other.
+/// Returns a temporary path that contains the process ID, because tests run in parallel.
 inline std::filesystem::path temporaryFile(const std::string& name) {
   return std::filesystem::temp_directory_path() / ("simreel-" + std::to_string(::getpid()) + "-" + name);
 }

@@ -20,7 +20,7 @@ using namespace simreel;
 
 namespace {
 
-/// Shaders of a test's own, found through SIMREEL_GLSL.
+/// A temporary folder of shaders; SIMREEL_GLSL points to it.
 class ShaderFolder {
  public:
   ShaderFolder() : path_(temporaryFile("test_glsl")) {
@@ -68,7 +68,7 @@ TEST_CASE("shader errors name the original file and line, also of includes") {
   CHECK(messageOf("late.comp").find("glsl/late.comp:3") != std::string::npos);
   CHECK(messageOf("missing.comp").find("nowhere.glsl") != std::string::npos);
   try {
-    testContext().check();  // some drivers report it here too: the next test is not to hear of it
+    testContext().check();  // some drivers also report the error here; it must not reach the next test
   } catch (const UserError&) {
   }
 }
@@ -119,7 +119,7 @@ TEST_CASE("a buffer keeps what is written and survives moves") {
 TEST_CASE("large contents arrive whole, first and when written later") {
   testContext();
   for (const std::size_t count :
-       {std::size_t{1} << 20, (std::size_t{17} << 20) + 13}) {  // 4 MiB; 68 and a bit
+       {std::size_t{1} << 20, (std::size_t{17} << 20) + 13}) {  // 4 MiB, and slightly more than 68 MiB
     CAPTURE(count);
     std::vector<int> items(count);
     for (std::size_t i = 0; i < count; ++i) items[i] = static_cast<int>(i * 2654435761U);
@@ -143,7 +143,7 @@ TEST_CASE("memory in large pages comes back: many times what a device has") {
     glCreateBuffers(1, &name);
     const gl::Handle<gl::DeleteBuffer> buffer(name);
     const bool stored = gl::storeInLargePages(name, bytes);
-    if (i == 0 && !stored) return;  // no such driver
+    if (i == 0 && !stored) return;  // the driver does not support large pages
     REQUIRE(stored);
     GLint64 has = 0;
     glGetNamedBufferParameteri64v(name, GL_BUFFER_SIZE, &has);
@@ -158,7 +158,7 @@ TEST_CASE("limits are named before anything is allocated") {
                        doctest::Contains("GL_MAX_SHADER_STORAGE_BLOCK_SIZE"), UserError);
   CHECK_THROWS_WITH_AS(gl::Texture::image("wide", GL_RGBA8, gl::limits().textureSize + 1, 1),
                        doctest::Contains("GL_MAX_TEXTURE_SIZE"), UserError);
-  // What is only read as texels has the limit of texels, which is the larger one with software drivers.
+  // A buffer that is only read as texels has the texel limit, which is larger on software drivers.
   if (tooMany > std::size_t{256} << 20 || gl::limits().texelBufferTexels < 1 << 27) return;
   const std::vector<glm::vec2> texels(tooMany / sizeof(glm::vec2));
   const gl::Buffer buffer = gl::Buffer::ofTexels<glm::vec2>("maps", texels);

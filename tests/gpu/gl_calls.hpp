@@ -2,7 +2,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-/// Counts calls of GL functions while it lives, by standing in for libepoxy's function pointers.
+/// Counts GL calls during its lifetime by replacing libepoxy's function pointers.
 class GlCalls {
  public:
   GlCalls() {
@@ -18,7 +18,7 @@ class GlCalls {
   static inline long count = 0;
 
  private:
-  /// The counting stand-in of one pointer variable.
+  /// The counting replacement of one libepoxy function pointer.
   template <auto* Pointer>
   struct Counted;
   template <class Result, class... Args, Result (**Pointer)(Args...)>
@@ -31,7 +31,8 @@ class GlCalls {
     }
     static void install(bool on, const char* name) {
       if (on) {
-        // Not what the variable holds: libepoxy's first call goes through the variable once more.
+        // Not the value of the variable: before libepoxy's first call, the value is a resolver that
+        // overwrites the variable.
         driver = reinterpret_cast<Result (*)(Args...)>(eglGetProcAddress(name));
         before = *Pointer;
       }
@@ -39,7 +40,8 @@ class GlCalls {
     }
   };
 
-  /// Every function that the passes of src/draw call for a frame, and those that would wait or copy.
+  /// Counts all functions called by the passes of src/draw in a frame, and functions that would wait or
+  /// copy.
   static void install(bool on) {
 #define COUNT_CALLS(function) Counted<&epoxy_##function>::install(on, #function)
     COUNT_CALLS(glBindBuffer);

@@ -1,5 +1,5 @@
 #pragma once
-// Kernels that users write, run on buffers of words.
+// Runs user kernels on buffers of words.
 #include "gl/buffer.hpp"
 #include "gl/element_array.hpp"
 #include "gl/program.hpp"
@@ -47,14 +47,15 @@ inline Numbers untouched(std::size_t places) {
   return words;
 }
 
-/// Words that a buffer begins with: the test's, the guards after them; a shadow as recorded, or zeros.
+/// Returns the initial words of a buffer: `given` words followed by guard elements. A shadow buffer starts
+/// as recorded in `given`, or as zeros.
 inline Numbers start(const kernels::Kernel& kernel, const kernels::Buffer& buffer, const Buffers& given) {
   if (!buffer.shadowOf.empty()) {
     if (given.contains(buffer.name)) return given.at(buffer.name);
     for (const kernels::Buffer& other : kernel.buffers)
       if (other.name == buffer.shadowOf)
         return Numbers(start(kernel, other, given).size() * static_cast<std::size_t>(buffer.shadowWords));
-    return Numbers(1024);  // of an image of the tests
+    return Numbers(1024);  // the shadow of an image
   }
   Numbers words = given.at(buffer.previousOf.empty() ? buffer.name : buffer.previousOf);
   words.resize(words.size() + static_cast<std::size_t>(buffer.guards) *
@@ -62,7 +63,8 @@ inline Numbers start(const kernels::Kernel& kernel, const kernels::Buffer& buffe
   return words;
 }
 
-/// Runs a kernel on buffers of words, which get their guards here. The report comes back as "report".
+/// Runs a kernel on buffers of words and appends the guard elements. The result holds the final buffers and
+/// the report as "report".
 inline Buffers ran(const kernels::Kernel& kernel, const Buffers& given, GLuint groups) {
   std::vector<std::pair<const kernels::Buffer*, gl::Buffer>> bound;
   for (const kernels::Buffer& buffer : kernel.buffers) {
@@ -84,7 +86,7 @@ inline Buffers ran(const kernels::Kernel& kernel, const Buffers& given, GLuint g
   return made;
 }
 
-/// "kind what.part:line count invocation least greatest" of each place that something happened at.
+/// Returns "kind what.part:line count invocation min max" for each place with a reported fault.
 inline std::string faults(const kernels::Kernel& kernel, const Buffers& made) {
   std::vector<std::string> lines;
   const Numbers& words = made.at("report");
@@ -103,7 +105,8 @@ inline std::string text(const Numbers& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// The races of a dispatch: it runs twice from one state. `prepare` makes that state of what is no buffer.
+/// Returns the races of a dispatch, which runs twice from equal states: once recording, once checking.
+/// `prepare` sets the state outside of buffers, such as images.
 template <class Prepare>
 std::string racesWith(Prepare prepare, const std::string& source, const Buffers& given, GLuint groups,
                       const std::string& name = "guards.hlsl") {

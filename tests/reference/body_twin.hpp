@@ -6,12 +6,12 @@
 
 #include <glm/vec4.hpp>
 
-/// Skinning on the CPU: the kernel's own model (glsl/body/model.glsl compiled as C++).
+/// CPU twin of skinning: runs the kernel's own model (glsl/body/model.glsl compiled as C++).
 class BodyTwin {
  public:
   explicit BodyTwin(const simreel::sim::Figure& figure) : figure_(figure) {}
 
-  /// At a fraction `now` of the frame between two poses (BodyMotion::rowsAt).
+  /// Skins all vertices at the fraction `now` of a frame between two poses (BodyMotion::rowsAt).
   void skin(std::vector<glm::vec4> begin, const std::vector<glm::vec4>& end, double now) {
     begin.insert(begin.end(), end.begin(), end.end());
     positions.clear();

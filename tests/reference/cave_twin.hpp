@@ -6,17 +6,17 @@
 
 #include <glm/vec2.hpp>
 
-/// The cave automaton on the CPU, in plain loops over cells: queues, sorted edges and counted neighbours
-/// where the kernels have labels, minima and adders. Equals the GPU bit for bit.
+/// CPU twin of the cave automaton, in plain loops over cells: it uses queues, sorted edges and neighbour
+/// counts instead of the kernels' labels, minima and bitwise adders. Equals the GPU bit for bit.
 class CaveTwin {
  public:
   CaveTwin(const simreel::sim::CaveParameters& parameters, int seed);
 
   void smooth();
-  /// Small rooms, then small rock.
+  /// Removes small rooms, then small rock islands.
   void clean();
   void connect();
-  /// Everything there is.
+  /// Runs all remaining stages.
   void finish();
 
   [[nodiscard]] bool isRock(int x, int y) const {
@@ -25,19 +25,19 @@ class CaveTwin {
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x);
   }
-  /// The lowest cell of the region that each cell of that kind is in, -1 for others; a region's number is
-  /// where its cell comes in the map, row by row.
+  /// Returns for each cell of the given kind the lowest cell index (row by row) of its region; -1 for other
+  /// cells.
   [[nodiscard]] std::vector<int> regions(bool ofRock) const;
-  /// Steps from an open cell to each, -1 where there is no way.
+  /// Returns the number of steps from an open cell to each cell; -1 if a cell is unreachable.
   [[nodiscard]] std::vector<int> distancesFrom(glm::ivec2 start) const;
-  /// Entrance and exit; nothing when no cell is open.
+  /// Returns entrance and exit; empty if no cell is open.
   [[nodiscard]] std::optional<std::pair<glm::ivec2, glm::ivec2>> ends() const;
-  /// Lengths of the corridors that connect() would dig, summed.
+  /// Returns the total length of the corridors that connect() would dig.
   [[nodiscard]] long corridorLength() const;
-  /// As the GPU holds them.
+  /// Returns the cells in the GPU's memory layout.
   [[nodiscard]] std::vector<glm::uvec4> words() const;
 
-  std::vector<bool> rock;  ///< x fastest
+  std::vector<bool> rock;  ///< cell by cell, x fastest
 
  private:
   struct Corridor {

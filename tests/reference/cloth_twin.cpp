@@ -20,7 +20,7 @@ using namespace simreel::shader;
 
 #define FUNCTION inline
 #define precise
-/// What a kernel sees: the globals that model.glsl asks for, and the model itself.
+/// Provides the globals that model.glsl reads in a kernel, and includes the model.
 struct Kernel : WindKernel {
   ivec2 size;
   const ClothStep& stepData;
@@ -39,7 +39,7 @@ struct Kernel : WindKernel {
   int lineLinks = 0, lineStart = 0, linePace = 1;
   float lineRest = 0, lineCompliance = 0, lineGive = 0, lineKept = 0, lineSoftening = 1;
   bool keeps = false;
-  const vec4* past = nullptr;  // positions at the substep's beginning
+  const vec4* past = nullptr;  // positions at the substep's start
   std::array<float, segmentLinks + 1> lineLower{}, lineMass{};
   std::array<float, segmentLinks> lineStretch{};
   [[nodiscard]] vec4 lineParticle(int k) const { return source[lineStart + k * linePace]; }
@@ -84,10 +84,10 @@ void forRows(int rows, int threads, const Body& body) {
   });
 }
 
-/// As glsl/cloth/solve_lines.comp, one segment after the other.
-/// `particles`: what is moved; of a line that keeps energy `velocities`.
+/// Solves a line segment by segment, as glsl/cloth/solve_lines.comp does. Writes `particles`, and for lines
+/// that conserve energy also `velocities`.
 void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& velocities) {
-  std::vector<std::pair<int, int>> segments;  // first and last links
+  std::vector<std::pair<int, int>> segments;  // first and last link of each segment
   for (int first = 0; first < kernel.lineLinks; first += segmentLinks)
     segments.emplace_back(first, min(first + segmentLinks, kernel.lineLinks) - 1);
   float stretch = 0;
@@ -104,7 +104,7 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& 
     decltype(kernel.lineLower) lower, mass;
     decltype(kernel.lineStretch) stretch;
   };
-  std::vector<Made> made;  // of each segment
+  std::vector<Made> made;  // one for each segment
   for (const auto& [first, last] : segments) {
     kernel.readSegment(first, last);
     firsts.push_back(kernel.firstOfSegment(last - first + 1));
@@ -157,7 +157,7 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& 
         moved[k];
 }
 
-/// Families of pairs one after the other, each by its two colours.
+/// Relaxes the families of pairs one after the other, each in two colours.
 void relaxPairs(Kernel& kernel, const simreel::sim::ClothParameters& parameters,
                 const std::vector<vec4>& positions, std::vector<vec4>& next) {
   const ivec2 size = parameters.size;

@@ -10,31 +10,32 @@
 
 #include <glm/vec4.hpp>
 
-/// The cloth on the CPU: the kernels' own model (glsl/cloth/model.glsl compiled as C++) in plain loops.
+/// CPU twin of the cloth: the kernels' own model (glsl/cloth/model.glsl compiled as C++) in plain loops.
 /// Equals the GPU bit for bit in exact mode.
 class ClothTwin {
  public:
   explicit ClothTwin(simreel::sim::ClothPlan plan);
 
-  /// One frame starting at `time` (s). `threads` 0: all processors.
+  /// Steps one frame that starts at `time` (seconds). `threads`: 0 uses all processors.
   void step(double time, int threads = 1);
-  /// One substep with the given data, the frame's number `index`.
+  /// Steps one substep with the given data; `index` is the substep's number in the frame.
   void substep(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
-  /// The same in two halves, between which contact may change where the particles go.
+  /// predict() and finish() are the two halves of a substep. Between them, contact may change `next`, and
+  /// settle() then resolves collisions.
   void predict(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
   void settle(const simreel::shader::ClothStep& data, int index = 0, bool again = true);
   void finish();
 
-  std::vector<glm::vec4> positions;   ///< xyz m, w inverse mass
-  std::vector<glm::vec4> velocities;  ///< xyz m/s, w pin group
-  std::vector<glm::vec4> trends;      ///< xyz m/s, of constraints (glsl/cloth/motion.glsl)
-  std::vector<glm::vec4> next;        ///< between predict() and finish(): where they go
-  /// The mesh it falls onto; none without a plan.
+  std::vector<glm::vec4> positions;   ///< xyz in metres, w inverse mass
+  std::vector<glm::vec4> velocities;  ///< xyz in m/s, w pin group
+  std::vector<glm::vec4> trends;      ///< xyz in m/s, velocity changes (glsl/cloth/motion.glsl)
+  std::vector<glm::vec4> next;        ///< next positions, between predict() and finish()
+  /// The deformed mesh that the cloth may touch, if any.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< of the frame to step: x at its beginning, y at its end (m)
-  std::optional<DistanceTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
-  std::optional<WallsTwin> walls;      ///< the solid it meets; none: no solid
-  std::optional<WindTwin> wind;        ///< the fluid that is its wind; none: none blows
+  std::vector<glm::vec4> heights;      ///< mesh heights in metres: x frame start, y frame end
+  std::optional<DistanceTwin> meshes;  ///< the rigid meshes that the cloth may touch, if any
+  std::optional<WallsTwin> walls;      ///< the solid that the cloth may touch, if any
+  std::optional<WindTwin> wind;        ///< the fluid whose wind acts on the cloth, if any
   [[nodiscard]] simreel::sim::ClothPlan& plan() { return plan_; }
 
  private:
@@ -42,6 +43,6 @@ class ClothTwin {
   void fend(const simreel::shader::ClothStep& data);
 
   simreel::sim::ClothPlan plan_;
-  std::vector<glm::vec4> left_;  ///< where predict() left them
-  std::vector<glm::vec4> ways_;  ///< of pins that follow a skin, in the frame
+  std::vector<glm::vec4> left_;  ///< positions after predict()
+  std::vector<glm::vec4> ways_;  ///< displacements in the frame of pins that follow a skin
 };

@@ -6,25 +6,25 @@
 
 #include <glm/vec4.hpp>
 
-/// Contact on the CPU: the kernels' own model (glsl/contact/model.glsl compiled as C++) in plain loops, and
-/// every face with every other instead of the tree.
+/// CPU twin of contact: the kernels' own model (glsl/contact/model.glsl compiled as C++) in plain loops.
+/// Tests every pair of faces instead of searching a tree.
 class ContactTwin {
  public:
   explicit ContactTwin(simreel::sim::ContactPlan plan) : plan_(std::move(plan)) {}
 
   struct Part {
-    const std::vector<glm::vec4>* now;   ///< at the substep's start: xyz m, w inverse mass, of balls mass
-    std::vector<glm::vec4>* next;        ///< where it would lead; becomes where it leads
-    std::vector<glm::vec4>* velocities;  ///< xyz m/s; null of a solid
+    const std::vector<glm::vec4>* now;   ///< at the start: xyz in metres, w inverse mass (balls: mass)
+    std::vector<glm::vec4>* next;        ///< proposed positions at the substep's end; push() corrects them
+    std::vector<glm::vec4>* velocities;  ///< xyz in m/s; null for a solid
   };
-  /// Changes `next` by the contacts' impulses. `first`: of a frame.
+  /// Changes `next` by the contacts' impulses. `first` marks the first substep of a frame.
   void push(const std::vector<Part>& parts, bool first);
-  /// After push(), where colliders may have moved `next` again.
+  /// Resolves contacts again after push(), because colliders may have moved `next`.
   void hold(const std::vector<Part>& parts);
 
-  /// Of the last substep.
+  /// Counts of the last substep.
   std::size_t pairs = 0, nears = 0, touching = 0, stopped = 0, carried = 0;
-  long searches = 0;  ///< so far
+  long searches = 0;  ///< total number of searches so far
   bool allStopped = false;
 
  private:

@@ -3,7 +3,8 @@
 
 #include <glm/vec3.hpp>
 
-/// Edges that go through faces of which they have no corner, counted once for each face that has them; in
-/// float64. Of solids, whose points are those from `firstSolid` on, none with each other.
+/// Returns the number of pairs of a face and an edge that passes through the face, in double precision.
+/// Edges that share a corner with the face are skipped. Points from `firstSolid` on belong to solids; pairs
+/// of two solids are skipped.
 int crossings(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& faces,
               unsigned firstSolid = ~0U);

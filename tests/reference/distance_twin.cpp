@@ -12,7 +12,7 @@ using namespace simreel::shader;
 #define FUNCTION inline
 #define precise
 #include "glsl/collide/distance/bindings.glsl"
-/// What a kernel sees: the tree, and the model itself.
+/// Provides the tree access that the kernel's model needs, and includes the model.
 struct DistanceKernel {
   const simreel::sim::DistancePlan& plan;
   int firstLeaf;

@@ -6,42 +6,43 @@
 
 #include <glm/vec4.hpp>
 
-/// A fluid on the CPU: the kernels' own arithmetic (glsl/fluid compiled as C++) cell by cell, the multigrid
-/// as plain sweeps over its levels. Equals the GPU bit for bit in exact mode.
+/// CPU twin of a fluid: the kernels' own arithmetic (glsl/fluid compiled as C++) cell by cell; the
+/// multigrid solver is a series of plain sweeps over its levels. Equals the GPU bit for bit in exact mode.
 class FluidTwin {
  public:
-  /// The first state, as of `start` (s).
+  /// Creates the first state, at time `start` (seconds).
   explicit FluidTwin(simreel::sim::FluidPlan plan, double start = 0);
 
-  /// One frame starting at `time` (s).
+  /// Steps one frame that starts at `time` (seconds).
   void step(double time);
 
-  // The stages of a substep.
+  // Stages of a substep.
   void setStep(const simreel::shader::FluidStep& step) { step_ = step; }
-  /// Obstacles as they are after `step` substeps of the frame that starts at `time` (s).
+  /// Sets the obstacles to their state after `step` substeps of the frame that starts at `time` (seconds).
   void place(double time, int step);
-  void advect();  ///< and forces
+  void advect();  ///< includes forces
   void paint(double time, int step);
   void project();
   void moveDye();
 
-  /// What a frame shows: colour, and the value in a.
+  /// Returns the displayed cells: colour in rgb, value in a.
   [[nodiscard]] std::vector<glm::vec4> shown() const;
-  /// The brightness of lines of flow at `time` (s), lineDetail places a cell.
+  /// Returns the brightness of the flow lines at `time` (seconds), with lineDetail samples per cell along
+  /// each axis.
   [[nodiscard]] std::vector<float> lines(double time) const;
   [[nodiscard]] const simreel::sim::FluidPlan& plan() const { return plan_; }
   [[nodiscard]] const simreel::sim::FluidSolids& solids() const { return *solids_; }
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>((y + 1) * (plan_.size().x + 2) + x + 1);
   }
-  /// What is missing of the flow through the worst cell's faces, over max|u|.
+  /// Returns the worst cell's absolute flow imbalance divided by max|u|.
   [[nodiscard]] double divergence() const;
 
-  std::vector<glm::vec4> flow, dye;  ///< with their ring, x fastest
-  long cycles = 0;                   ///< of the multigrid so far
+  std::vector<glm::vec4> flow, dye;  ///< with the ring of border cells, x fastest
+  long cycles = 0;                   ///< number of multigrid cycles so far
 
  private:
-  /// A grid of the multigrid: its weights cell by cell, and what is known of each.
+  /// One level of the multigrid solver: face weights, right-hand sides and solution.
   struct Level {
     glm::ivec2 cells;
     bool wrapsX, wrapsY;
@@ -57,7 +58,7 @@ class FluidTwin {
       };
       return {face(x, y).x, face(x + 1, y).x, face(x, y).y, face(x, y + 1).y};
     }
-    /// Beyond the grid 0.
+    /// Returns 0 outside the grid.
     [[nodiscard]] float at(const std::vector<float>& of, int x, int y) const {
       if (wrapsX) x = (x + cells.x) % cells.x;
       if (wrapsY) y = (y + cells.y) % cells.y;
@@ -79,7 +80,7 @@ class FluidTwin {
         for (int x = 0; x < cells.x; ++x)
           if ((x + y) % 2 == color) change(x, y, before);
     }
-    /// Red cells, then black ones, each by what there was before its colour's turn.
+    /// Relaxes the cells of one colour of a red-black checkerboard, from the values before the call.
     void relax(int color) {
       eachOf(color, [&](int x, int y, const std::vector<float>& before) {
         value[index(x, y)] = simreel::shader::relaxed(rhs[index(x, y)], sumAround(before, x, y),
@@ -89,7 +90,7 @@ class FluidTwin {
     void sweep() {
       for (const int color : {0, 1}) relax(color);
     }
-    /// The first sweep on the way down.
+    /// Runs the first sweep of a level on the way down, from a zero solution.
     void begin() {
       eachOf(0, [&](int x, int y, const std::vector<float>&) {
         value[index(x, y)] =
@@ -107,6 +108,6 @@ class FluidTwin {
   std::shared_ptr<const simreel::sim::FluidSolids> solids_;
   simreel::shader::FluidStep step_{};
   std::vector<glm::vec4> carried_;
-  std::vector<glm::vec2> sum_;  ///< of corrections, a cell each, and what rounding took
+  std::vector<glm::vec2> sum_;  ///< summed corrections of each cell (x) and their rounding error (y)
   std::vector<Level> levels_;
 };

@@ -10,33 +10,33 @@
 
 #include <glm/vec4.hpp>
 
-/// Cloth of a mesh on the CPU: the kernels' own model (glsl/garment compiled as C++) in plain loops.
-/// Equals the GPU bit for bit in exact mode.
+/// CPU twin of mesh cloth: the kernels' own model (glsl/garment compiled as C++) in plain loops. Equals the
+/// GPU bit for bit in exact mode.
 class GarmentTwin {
  public:
   explicit GarmentTwin(simreel::sim::GarmentPlan plan);
 
-  /// One frame starting at `time` (s).
+  /// Steps one frame that starts at `time` (seconds).
   void step(double time);
-  /// One substep with the given data, the frame's number `index`.
+  /// Steps one substep with the given data; `index` is the substep's number in the frame.
   void substep(const simreel::shader::ClothStep& data, int index = 0);
-  /// Normals of the cloth's vertices.
+  /// Returns the normals of the cloth's vertices.
   [[nodiscard]] std::vector<glm::vec3> normals() const;
 
-  std::vector<glm::vec4> positions;   ///< xyz m, w inverse mass
-  std::vector<glm::vec4> velocities;  ///< xyz m/s, w pin group
-  std::vector<glm::vec4> trends;      ///< xyz m/s; of what is pinned where it is at rest (m)
-  /// The mesh it falls onto; none without a plan.
+  std::vector<glm::vec4> positions;   ///< xyz in metres, w inverse mass
+  std::vector<glm::vec4> velocities;  ///< xyz in m/s, w pin group
+  std::vector<glm::vec4> trends;      ///< xyz in m/s; for pinned vertices the rest position in metres
+  /// The deformed mesh that the cloth may touch, if any.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< of the frame to step: x at its beginning, y at its end (m)
-  std::optional<DistanceTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
-  std::optional<WallsTwin> walls;      ///< the solid it meets; none: no solid
-  std::optional<WindTwin> wind;        ///< the fluid that is its wind; none: none blows
+  std::vector<glm::vec4> heights;      ///< mesh heights in metres: x frame start, y frame end
+  std::optional<DistanceTwin> meshes;  ///< the rigid meshes that the cloth may touch, if any
+  std::optional<WallsTwin> walls;      ///< the solid that the cloth may touch, if any
+  std::optional<WindTwin> wind;        ///< the fluid whose wind acts on the cloth, if any
   [[nodiscard]] simreel::sim::GarmentPlan& plan() { return plan_; }
 
  private:
   void fend(const simreel::shader::ClothStep& data);
   simreel::sim::GarmentPlan plan_;
   std::vector<glm::vec4> next_, forces_;
-  std::vector<glm::vec4> ways_;  ///< of pins that follow a skin, in the frame
+  std::vector<glm::vec4> ways_;  ///< displacements in the frame of pins that follow a skin
 };

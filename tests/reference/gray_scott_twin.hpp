@@ -5,24 +5,24 @@
 
 #include <glm/vec4.hpp>
 
-/// Gray-Scott on the CPU: the kernels' own arithmetic (glsl/gray_scott/model.glsl compiled as C++) in plain
-/// loops over u and v apart, which the compiler turns into vectors. Equals the GPU bit for bit in exact
-/// mode.
+/// CPU twin of Gray-Scott: the kernels' own arithmetic (glsl/gray_scott/model.glsl compiled as C++) in
+/// plain loops over separate arrays of u and v, so that the compiler vectorizes them. Equals the GPU bit
+/// for bit in exact mode.
 class GrayScottTwin {
  public:
-  /// `start`: time (s) of the first state.
+  /// `start`: time of the first state in seconds.
   explicit GrayScottTwin(simreel::sim::GrayScottPlan plan, double start = 0);
 
-  /// One frame starting at `time` (s). `threads` 0: all processors.
+  /// Steps one frame that starts at `time` (seconds). `threads`: 0 uses all processors.
   void step(double time, int threads = 1);
-  /// Steps with given rates and no strokes.
+  /// Runs steps with the given rates and without strokes.
   void advance(const simreel::shader::GrayScottRates& rates, int steps, int threads = 1);
 
-  /// The state as the GPU holds it.
+  /// Returns the state in the GPU's memory layout.
   [[nodiscard]] std::vector<glm::vec4> cells() const;
   [[nodiscard]] const simreel::sim::GrayScottPlan& plan() const { return plan_; }
 
-  std::vector<float> u, v;  ///< x fastest
+  std::vector<float> u, v;  ///< cell by cell, x fastest
 
  private:
   void rows(const simreel::shader::GrayScottRates& rates, int first, int last);

@@ -13,7 +13,7 @@ using namespace simreel::shader;
 #undef FUNCTION
 }  // namespace held_twin
 
-/// As glsl/cloth/hold.comp.
+/// CPU version of glsl/cloth/hold.comp: sets the velocities of particles pinned to a skin.
 inline void holdBySkin(const std::vector<glm::vec4>& ways, int substep, int substeps,
                        std::vector<glm::vec4>& velocities) {
   const double now = static_cast<double>(substep + 1) / substeps;

@@ -3,19 +3,21 @@
 
 #include <vector>
 
-/// A continuous automaton on the CPU: the kernel's own arithmetic in its order. Equals the GPU bit for bit.
+/// CPU twin of a continuous automaton: the kernel's own arithmetic in the same order. Equals the GPU bit
+/// for bit.
 class LeniaTwin {
  public:
   explicit LeniaTwin(simreel::sim::LeniaPlan plan);
   void step();
-  std::vector<glm::vec4> cells;  ///< as the GPU has them
+  std::vector<glm::vec4> cells;  ///< in the GPU's memory layout
 
  private:
   simreel::sim::LeniaPlan plan_;
 };
 
-/// SmoothLife as its paper has it (Rafler 2011, arXiv:1111.1567: eqs. of M, N, sigma_1, sigma_2, sigma_m
-/// and s; smooth steps f + dt (2 s - 1)), in double; a value a cell, rows without gaps.
+/// SmoothLife in double precision after its paper (Rafler 2011, arXiv:1111.1567: equations of M, N,
+/// sigma_1, sigma_2, sigma_m and s; smooth steps f + dt (2 s - 1)). One value for each cell, rows without
+/// padding.
 class SmoothLifeInDouble {
  public:
   explicit SmoothLifeInDouble(const simreel::sim::LeniaPlan& plan);
@@ -28,7 +30,8 @@ class SmoothLifeInDouble {
   simreel::sim::LeniaParameters p_;
 };
 
-/// Lenia's equations stated again in double, neighbour by neighbour; a value a cell, rows without gaps.
+/// Lenia's equations written independently in double precision, as sums over neighbours. One value for each
+/// cell, rows without padding.
 class LeniaInDouble {
  public:
   explicit LeniaInDouble(const simreel::sim::LeniaPlan& plan);

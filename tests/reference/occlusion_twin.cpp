@@ -6,7 +6,7 @@
 
 namespace {
 
-using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
+using namespace simreel::shader;  // NOLINT: the model uses GLSL's names
 
 const simreel::shader::Frame noFrame{};
 
@@ -15,7 +15,7 @@ const simreel::shader::Frame noFrame{};
 #define EXACT_PICTURE
 #define SLICES twin.slices
 #define STEPS twin.steps
-/// What the kernels see.
+/// Provides the inputs of the kernels, and includes the model.
 struct Kernel {
   const OcclusionTwin& twin;
   const ExactView& view = twin.view;

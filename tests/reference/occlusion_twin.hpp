@@ -8,19 +8,21 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// The shader files of ambient occlusion as C++, half pixel by half pixel, row by row.
+/// CPU twin of ambient occlusion: the shader files as C++, row by row over pixels of half resolution.
 struct OcclusionTwin {
   simreel::shader::ExactView view;
   glm::vec3 reach{0};  ///< draw::reachOnPicture()
   int slices = 2, steps = 5;
-  std::vector<float> nearness;  ///< of half pixels (1/m)
+  std::vector<float> nearness;  ///< 1/depth of half-resolution pixels (1/m)
 
   [[nodiscard]] glm::ivec2 half() const { return (view.size + 1) / 2; }
-  /// Fills in nearness from keys of the picture's samples, without the ground, which is added if asked for.
+  /// Computes `nearness` from the depth keys of the picture's samples. The keys do not contain the ground;
+  /// `ground` adds it.
   void see(const simreel::shader::Frame& frame, int samples, const std::vector<std::uint32_t>& keys,
            bool ground);
-  /// Openness of each half pixel.
+  /// Returns the openness of each half-resolution pixel.
   [[nodiscard]] std::vector<float> openness() const;
-  /// What shading takes for the place `p` (m) that a pixel of the picture shows.
+  /// Returns the interpolated openness for shading the point `p` (metres) at `pixel` of the full-size
+  /// picture.
   [[nodiscard]] float opennessOn(const std::vector<float>& openness, glm::ivec2 pixel, glm::vec3 p) const;
 };

@@ -12,36 +12,38 @@
 
 #include <glm/vec4.hpp>
 
-/// Particles on the CPU: the kernels' own model (glsl/particles compiled as C++) in plain loops. Equals the
-/// GPU bit for bit in exact mode with the methods "none" and "all-pairs".
+/// CPU twin of particles: the kernels' own model (glsl/particles compiled as C++) in plain loops. Equals
+/// the GPU bit for bit in exact mode with the methods "none" and "all-pairs".
 class ParticlesTwin {
  public:
   explicit ParticlesTwin(simreel::sim::ParticlePlan plan);
 
-  /// One frame starting at `time` (s). `threads` 0: all processors.
+  /// Steps one frame that starts at `time` (seconds). `threads`: 0 uses all processors.
   void step(double time, int threads = 1);
-  /// The parts of it, for particles in contact: of substep `index` of the frame begun, to where they would
-  /// go; and after contact has changed `positions`, out of what they collide with.
+  /// Parts of step() for particles in contact: beginFrame() starts a frame, predict() computes the
+  /// positions after substep `index`, and settle() resolves collisions after contact has changed
+  /// `positions`.
   void beginFrame(double time, int threads = 1);
   void predict(int index, int threads = 1);
   void settle(int index);
 
-  std::vector<glm::vec4> positions;      ///< xyz m, w kg
-  std::vector<glm::vec4> velocities;     ///< xyz m/s, w age
-  std::vector<glm::vec4> accelerations;  ///< xyz m/s^2
-  std::vector<glm::vec4> starts;         ///< positions as predict() found them
-  /// The mesh they fall onto; none without a plan.
+  std::vector<glm::vec4> positions;      ///< xyz in metres, w in kg
+  std::vector<glm::vec4> velocities;     ///< xyz in m/s, w age
+  std::vector<glm::vec4> accelerations;  ///< xyz in m/s^2
+  std::vector<glm::vec4> starts;         ///< positions before predict()
+  /// The deformed mesh that the particles may touch, if any.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< of the frame to step: x at its beginning, y at its end (m)
-  std::optional<DistanceTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
-  std::optional<WallsTwin> walls;      ///< the solid they meet; none: no solid
-  std::optional<WindTwin> wind;        ///< the fluid that is its wind; none: none blows
+  std::vector<glm::vec4> heights;      ///< mesh heights in metres: x frame start, y frame end
+  std::optional<DistanceTwin> meshes;  ///< the rigid meshes that particles may touch, if any
+  std::optional<WallsTwin> walls;      ///< the solid that the particles may touch, if any
+  std::optional<WindTwin> wind;        ///< the fluid whose wind acts on them, if any
   [[nodiscard]] const simreel::sim::ParticlePlan& plan() const { return plan_; }
-  /// Forgets the accelerations, after the state was changed from outside.
+  /// Discards the accelerations; needed after the state was changed from outside.
   void restart() { primed_ = false; }
 
  private:
-  /// Stores particle `i` as what it collides with leaves it, from `start` on; null: from where it is.
+  /// Resolves the collisions of particle `i` on its way from `start` and stores the result; a null `start`
+  /// is the current position.
   using Meet = std::function<void(std::size_t i, const glm::vec4& position, const glm::vec4& velocity,
                                   const glm::vec4* start)>;
   void meet(int index, const std::function<void(const Meet&)>& body);
@@ -53,9 +55,9 @@ class ParticlesTwin {
   bool primed_ = false;
 };
 
-/// Acceleration of one target by `bodies` in the kernels' order of summation.
+/// Returns the acceleration of one target by `bodies`, in the kernels' order of summation.
 [[nodiscard]] glm::vec3 pairAcceleration(const std::vector<glm::vec4>& bodies, glm::vec3 here,
                                          float gravity, float softening);
 
-/// Curl noise at p as the kernels have it, for tests.
+/// Returns the kernels' curl noise at p, for tests.
 [[nodiscard]] glm::vec3 curlNoiseAt(glm::vec3 p, int seed);

@@ -9,27 +9,28 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// A picture laid over it.
+/// A texture of the mesh.
 struct TwinTexture {
   glm::ivec2 size{0};
-  std::vector<std::vector<glm::uvec3>> levels;  ///< linear light in 1/65535
-  glm::vec2 scale{1};                           ///< repeats along u and v
-  std::vector<glm::vec2> uvs;                   ///< of the vertices
+  std::vector<std::vector<glm::uvec3>> levels;  ///< linear light in units of 1/65535, by mip level
+  glm::vec2 scale{1};                           ///< number of repeats along u and v
+  std::vector<glm::vec2> uvs;                   ///< one for each vertex
 };
 
-/// A mesh of one material in a scene with ground and sky, without shadows.
+/// A mesh with one material in a scene with ground and sky, without shadows.
 struct PictureTwinScene {
   simreel::shader::Frame frame;
   simreel::shader::ExactView view;
   int samples = 4;
   bool doubleSided = false;
   bool ground = true;
-  std::vector<glm::vec3> places, normals;  ///< m, and unit
+  std::vector<glm::vec3> places, normals;  ///< metres; unit vectors
   std::vector<unsigned> indices;
   glm::vec3 color{0.8F};
   float roughness = 0.5F, metallic = 0.0F;
-  TwinTexture texture;  ///< without levels: none
+  TwinTexture texture;  ///< no texture if there are no levels
 };
 
-/// The shader files of the exact rasterizer as C++, pixel by pixel: RGBA, the top row first.
+/// Draws the scene pixel by pixel with the exact rasterizer's shader files compiled as C++. Returns RGBA,
+/// top row first.
 [[nodiscard]] std::vector<std::uint8_t> pictureTwin(const PictureTwinScene& scene);

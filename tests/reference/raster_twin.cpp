@@ -4,7 +4,7 @@
 
 namespace {
 
-using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
+using namespace simreel::shader;  // NOLINT: the model uses GLSL's names
 
 void imulExtended(int a, int b, int& high, int& low) {
   const std::int64_t product = static_cast<std::int64_t>(a) * b;
@@ -14,7 +14,7 @@ void imulExtended(int a, int b, int& high, int& low) {
 #define FUNCTION inline
 #define precise
 #define SAMPLES samples
-/// What the kernels see.
+/// Provides the inputs of the kernels, and includes the model.
 struct Raster {
   ExactView view;
   int samples;

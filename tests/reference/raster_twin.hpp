@@ -6,13 +6,13 @@
 
 #include <glm/vec3.hpp>
 
-/// What is visible at each sample, in row order: the key of the nearest primitive and its number.
+/// The visible primitive of each sample, in row order: its depth key and its index.
 struct RasterTwinResult {
   std::vector<std::uint32_t> keys, ids;
 };
 
-/// The rasterizer's shader files as C++, one triangle after the other: `places` (m) by `indices`, in
-/// threes.
+/// Rasterizes triangles one after the other with the shader files compiled as C++. `indices` holds three
+/// indices into `places` (metres) for each triangle.
 [[nodiscard]] RasterTwinResult rasterTwin(const simreel::shader::ExactView& view, int samples,
                                           bool doubleSided, const std::vector<glm::vec3>& places,
                                           const std::vector<unsigned>& indices);

@@ -15,7 +15,7 @@ namespace simreel::shader {
 
 namespace {
 
-using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
+using namespace simreel::shader;  // NOLINT: the model uses GLSL's names
 
 vec4 asFloats(const uvec4& words) {
   return {std::bit_cast<float>(words.x), std::bit_cast<float>(words.y), std::bit_cast<float>(words.z),
@@ -28,7 +28,7 @@ RayTwin::Hit asHit(const RayHit& hit) {
 
 constexpr int ballBit = 0x40000000;
 
-/// What the kernel reads.
+/// Provides the inputs of the kernel's tree walk.
 struct Walk {
   std::span<const uvec4> nodes, sorted;
   RayHit test(const Ray& ray, const RayPlanes& planes, const RayHit& best, int i) const {

@@ -6,14 +6,14 @@
 
 namespace {
 
-using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
+using namespace simreel::shader;  // NOLINT: the model uses GLSL's names
 
 #define FUNCTION inline
 #define precise
 #define EXACT_PICTURE
 #define MIRROR_TWIN
 #include "glsl/draw/exact/reflections/levels.glsl"
-/// What the kernels see.
+/// Provides the inputs of the kernels, and includes the model.
 struct MirrorKernel {
   const ReflectionsTwin& twin;
   const ExactView& view = twin.view;

@@ -9,18 +9,18 @@
 
 #include <glm/vec4.hpp>
 
-/// The epidemic on the CPU, a byte a cell and neighbours looked up one by one; decisions by the kernels'
-/// own model (glsl/spread/epidemic/model.glsl compiled as C++). Equals the GPU bit for bit.
+/// CPU twin of the epidemic with one byte for each cell and individual lookups of neighbours. Decisions use
+/// the kernels' own model (glsl/spread/epidemic/model.glsl compiled as C++). Equals the GPU bit for bit.
 class EpidemicTwin {
  public:
-  /// `start`: time (s) of the first state.
+  /// `start`: time of the first state in seconds.
   explicit EpidemicTwin(simreel::sim::EpidemicPlan plan, double start = 0);
-  /// One frame starting at `time` (s). `threads` 0: all processors.
+  /// Steps one frame that starts at `time` (seconds). `threads`: 0 uses all processors.
   void step(double time, int threads = 1);
   void oneStep(const simreel::sim::EpidemicPlan::Step& step, int threads = 1);
 
   std::vector<std::uint8_t> cells;
-  std::vector<glm::uvec4> counts;  ///< of the start and of every step so far
+  std::vector<glm::uvec4> counts;  ///< counts of the first state and of every later step
   [[nodiscard]] simreel::sim::EpidemicPlan& plan() { return plan_; }
 
  private:
@@ -30,10 +30,10 @@ class EpidemicTwin {
   std::vector<std::uint8_t> next_;
 };
 
-/// The same for a wildfire.
+/// CPU twin of a wildfire, built like EpidemicTwin.
 class WildfireTwin {
  public:
-  /// `start`: time (s) of the first state.
+  /// `start`: time of the first state in seconds.
   explicit WildfireTwin(simreel::sim::WildfirePlan plan, double start = 0);
   void step(double time, int threads = 1);
   void oneStep(const simreel::sim::WildfirePlan::Step& step, int threads = 1);
@@ -41,8 +41,9 @@ class WildfireTwin {
   std::vector<std::uint8_t> cells;
   std::vector<glm::uvec4> counts;
   [[nodiscard]] simreel::sim::WildfirePlan& plan() { return plan_; }
-  std::optional<WindTwin> wind;  ///< the fluid that blows
-  /// Before the steps of the frame at `time` (s) where a fluid of that "speed" blows.
+  std::optional<WindTwin> wind;  ///< the fluid whose wind acts on the fire, if any
+  /// Updates the fire's wind from the fluid before the steps of the frame at `time` (seconds); `speed` is
+  /// the fluid's parameter "speed".
   void blow(double time, float speed);
 
  private:

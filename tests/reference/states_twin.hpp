@@ -6,28 +6,28 @@
 
 #include <glm/vec2.hpp>
 
-/// A generation of any rule on any grid, by plain loops over neighbours: what it is, written so that it can
-/// be checked by reading. A byte a cell, rows without gaps.
+/// Returns the next generation of any rule on any grid by plain loops over neighbours, simple enough to
+/// check by reading. Uses one byte for each cell and rows without padding.
 std::vector<std::uint8_t> nextStates(const std::vector<std::uint8_t>& cells, glm::ivec2 size,
                                      const simreel::sim::CellRule& rule,
                                      const simreel::sim::GridShape& shape);
 
-/// Of one cell of it.
+/// Returns the next state of the cell `at`.
 std::uint8_t nextState(const std::vector<std::uint8_t>& cells, glm::ivec2 size,
                        const simreel::sim::CellRule& rule, const simreel::sim::GridShape& shape,
                        glm::ivec2 at);
 
-/// An automaton of several states on the CPU.
+/// CPU twin of an automaton with several states.
 class StatesTwin {
  public:
-  /// `start`: time (s) of the first state.
+  /// `start`: time of the first state in seconds.
   explicit StatesTwin(simreel::sim::LifePlan plan, double start = 0);
-  /// One frame starting at `time` (s).
+  /// Steps one frame that starts at `time` (seconds).
   void step(double time);
-  /// As the GPU has them: rows of whole blocks of 16.
+  /// Returns the cells in the GPU's memory layout: rows padded to blocks of 16 cells.
   [[nodiscard]] std::vector<std::uint8_t> rows() const;
 
-  std::vector<std::uint8_t> cells;  ///< rows without gaps
+  std::vector<std::uint8_t> cells;  ///< rows without padding
 
  private:
   void paint(long generation);

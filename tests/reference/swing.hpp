@@ -5,35 +5,38 @@
 #include <string>
 #include <vector>
 
-/// Cloth that is pinned along its upper border, let go at an angle, and swings without damping, wind or
-/// air: what becomes of its energy.
+/// Measures the energy of a cloth that is pinned along its upper border, released at an angle, and swings
+/// without damping, wind or air.
 namespace simreel::swing {
 
 struct Case {
   std::string name;
   sim::ClothParameters parameters;
-  double degrees = 0;  ///< from hanging to where it is let go
-  double length = 0;   ///< m, from the pins down
+  double degrees = 0;  ///< angle at release, from hanging straight down
+  double length = 0;   ///< metres, from the pins down
 };
 
-/// A grid of springs, a fabric, a strip of triangles, each 1 m long and half as wide. `spacing`: m.
+/// Test cases: a grid of springs, a fabric and a strip of triangles, each 1 m long and 0.5 m wide.
+/// `spacing`: metres.
+/// metres.
 [[nodiscard]] Case springs(double degrees, double spacing);
 [[nodiscard]] Case fabric(double degrees, double spacing);
 [[nodiscard]] Case strip(double degrees, double spacing);
 
-/// What is left of the energy of a swing, 1 of all of it: the start against hanging at rest.
+/// The remaining swing energy as a fraction: 1 at release, 0 when hanging at rest.
 struct Course {
-  /// Means over a swing each, one after the other, without the first.
+  /// Consecutive means over one swing each, without the first swing.
   std::vector<double> means;
-  double rise = 0;  ///< most by which a mean is above one before it
+  double rise = 0;  ///< max amount by which a mean exceeds an earlier mean
   [[nodiscard]] double drift() const { return means.back() - means.front(); }
 };
 
-/// `energyAfter` steps a frame and gives the quantity "energy" (J).
+/// Measures a case over `seconds`. `energyAfter` steps one frame and returns the quantity "energy" in
+/// joules.
 [[nodiscard]] Course courseOf(const Case& given, double seconds,
                               const std::function<double()>& energyAfter);
 
-/// By the CPU twin, which has the device's bits.
+/// Measures the case with the CPU twin, which equals the GPU bit for bit.
 [[nodiscard]] Course courseOfTwin(const Case& given, double seconds);
 
 }  // namespace simreel::swing

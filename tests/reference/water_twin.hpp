@@ -5,28 +5,28 @@
 
 #include <glm/vec4.hpp>
 
-/// Shallow water on the CPU: the kernels' own arithmetic (glsl/water compiled as C++). Equals the GPU bit
+/// CPU twin of shallow water: the kernels' own arithmetic (glsl/water compiled as C++). Equals the GPU bit
 /// for bit in exact mode.
 class WaterTwin {
  public:
-  /// `start`: time (s) of the first state.
+  /// `start`: time of the first state in seconds.
   explicit WaterTwin(simreel::sim::WaterPlan plan, double start = 0);
 
-  /// One frame starting at `time` (s).
+  /// Steps one frame that starts at `time` (seconds).
   void step(double time);
-  /// One step and nothing that falls.
+  /// Runs one step without rain, strokes and drops.
   void advance(const simreel::shader::WaterStep& water);
-  /// What glsl/water/look.comp makes of each cell.
+  /// Returns the cells that glsl/water/look.comp computes for drawing.
   [[nodiscard]] std::vector<glm::vec4> look() const;
   [[nodiscard]] const simreel::sim::WaterPlan& plan() const { return plan_; }
 
-  /// Moves floats, and what they do to the water; step `index` of the frame at `time`, from 0. -1: what the
-  /// first state's floats displace.
+  /// Moves the floats and computes the water that they displace, for step `index` (zero-based) of the frame
+  /// at `time` (seconds). -1 computes only the displaced water of the first state.
   void drift(double time, int index);
 
-  std::vector<glm::vec4> cells;       ///< x fastest
-  std::vector<glm::vec4> floats;      ///< FloatPlan::first()
-  std::vector<glm::ivec4> displaced;  ///< a cell an element, as the kernels have it; empty without floats
+  std::vector<glm::vec4> cells;       ///< cell by cell, x fastest
+  std::vector<glm::vec4> floats;      ///< layout of FloatPlan::first()
+  std::vector<glm::ivec4> displaced;  ///< one for each cell; empty without floats
 
  private:
   void fall(double time, int step);

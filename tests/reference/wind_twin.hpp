@@ -6,7 +6,7 @@
 
 #include <glm/vec4.hpp>
 
-/// A fluid as the wind of others on the CPU: its flow, with the ring around it.
+/// CPU twin of a fluid's wind that acts on other objects: the flow with its ring of border cells.
 struct WindTwin {
   simreel::shader::WindGrid grid{};
   std::vector<glm::vec4> flow = {};
@@ -16,7 +16,8 @@ struct WindTwin {
   }
 };
 
-/// What kernels ask of their wind (glsl/fluid/wind_array.glsl): none until there is one to blow.
+/// Provides the wind that kernels read (glsl/fluid/wind_array.glsl); no wind before blow() is called with
+/// one.
 struct WindKernel {
   bool blown = false;
   const WindTwin* windTwin = nullptr;

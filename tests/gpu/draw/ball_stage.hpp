@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-/// A sphere as a simulation publishes a mesh.
+/// A sphere mesh in the form in which a simulation publishes surfaces.
 struct SphereStage {
   SphereStage(glm::vec3 middle, float radius) {
     constexpr int rings = 64;
@@ -56,8 +56,8 @@ struct SphereStage {
 };
 
 struct Difference {
-  double mean = 0;  ///< of all channels
-  int far = 0;      ///< pixels with a channel more than 24 away
+  double mean = 0;  ///< mean absolute difference of all channels
+  int far = 0;      ///< number of pixels with a channel that differs by more than 24
 };
 
 inline Difference compare(const Picture& a, const Picture& b) {

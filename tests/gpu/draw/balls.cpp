@@ -1,4 +1,4 @@
-// Opaque instances and their shadows against a surface of the same shape; meshes; bloom.
+// Tests opaque instances and their shadows against a surface of the same shape, mesh instances, and bloom.
 #include "base/file.hpp"
 #include "gpu/draw/ball_stage.hpp"
 
@@ -11,7 +11,8 @@ using Shape = sim::Instances::Shape;
 
 namespace {
 
-/// A ball above the ground, sun from the side, seen from nearby and off the middle of the picture.
+/// Returns a scene for a ball above the ground, with the sun from the side and a nearby camera that sees
+/// the ball off centre.
 scene::Scene ballScene() {
   scene::Scene scene;
   scene.camera.position = glm::vec3(0.3F, 1.6F, 4);
@@ -21,7 +22,7 @@ scene::Scene ballScene() {
   return scene;
 }
 
-/// Grey light that the film curve turns into this byte.
+/// Returns the linear grey light that the film curve maps to `byte`.
 double lightOf(int byte) {
   double low = 0;
   double high = 4;
@@ -61,7 +62,7 @@ TEST_CASE("one ball of any shape, with its shadow, looks like the sphere as a su
         group.instances.shape = shape;
         const Difference d = compare(drawn(scene, {{}, {group.instances}}, {161, 121}, samples), wanted);
         CHECK(d.mean < 0.25);
-        // Only along edges, where coverage of a pixel differs.
+        // Only pixels along silhouettes differ, because their coverage differs.
         CHECK(d.far < 60);
       }
     }
@@ -99,7 +100,8 @@ TEST_CASE("small balls cover as much as large ones of their size, on either side
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
   scene.sun.intensity = 1.0F;
-  // Light in a picture per area of ball, for radii around 1.6 pixels.
+  // Returns the light in the picture divided by the squared radius; the radius in pixels is around 1.6, the
+  // threshold for small balls.
   const auto light = [&](float pixels) {
     const float metres = pixels / (0.5F * 257 / std::tan(0.5F * 0.6981317F)) * 5;
     std::vector<glm::vec3> places;
@@ -116,7 +118,7 @@ TEST_CASE("small balls cover as much as large ones of their size, on either side
     return sum / (static_cast<double>(pixels) * static_cast<double>(pixels));
   };
   const double fine = light(1.7F);
-  // Large ones lose a little at pixels that their edge crosses, which are shaded at the edge.
+  // Large balls lose a little light because pixels crossed by the edge are shaded at the edge.
   CHECK(light(1.5F) == doctest::Approx(fine).epsilon(0.1));
   CHECK(light(0.9F) == doctest::Approx(fine).epsilon(0.15));
   CHECK(light(4.0F) == doctest::Approx(fine).epsilon(0.1));
@@ -129,7 +131,7 @@ TEST_CASE("small balls are brighter on the side of the sun") {
   scene.sun.intensity = 1.0F;
   scene.sun.direction = glm::vec3(1, 0.7F, 0.5F);
   InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0)));
-  // 1.5 pixels of radius, in the middle of a pixel.
+  // The radius is 1.5 pixels and the centre lies in the middle of a pixel.
   ball.instances.size = 2 * 1.5F / (0.5F * 65 / std::tan(0.5F * 0.6981317F)) * 5;
   ball.material.color = glm::vec3(0.5F);
   const Picture p = drawn(scene, {{}, {ball.instances}}, {65, 65});
@@ -147,7 +149,7 @@ TEST_CASE("small balls in mirrored light are mirrored") {
   ball.material.color = glm::vec3(0.5F);
   const auto lit = [&](float x, float y) {
     scene.sun.direction = glm::vec3(x, y, 0.5F);
-    return drawn(scene, {{}, {ball.instances}}, {65, 65}, 1);  // its sample is in the middle
+    return drawn(scene, {{}, {ball.instances}}, {65, 65}, 1);  // one sample lies in the middle of its pixel
   };
   const Picture plain = lit(1, 0.7F);
   const Picture other = lit(-1, 0.7F);
@@ -158,7 +160,7 @@ TEST_CASE("small balls in mirrored light are mirrored") {
     for (int x = -2; x <= 2; ++x) {
       const int here = plain.brightness(32 + x, 32 + y);
       most = std::max(most, here);
-      // Dithering differs from pixel to pixel.
+      // The tolerance covers dithering, which differs between pixels.
       CHECK(std::abs(here - other.brightness(32 - x, 32 + y)) <= 3);
       CHECK(std::abs(here - below.brightness(32 + x, 32 - y)) <= 3);
       CHECK(std::abs(here - turned.brightness(32 - y, 32 - x)) <= 3);
@@ -170,7 +172,7 @@ TEST_CASE("meshes turn their z axis along the velocity") {
   testContext();
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
-  // A needle along z.
+  // A needle along the z axis.
   const auto file = temporaryMesh("simreel_needle.obj",
                                   "v 0.1 0 -1\nv -0.1 0.1 -1\nv -0.1 -0.1 -1\nv 0 0 1\n"
                                   "f 1 2 3\nf 2 1 4\nf 3 2 4\nf 1 3 4\n");
@@ -191,7 +193,7 @@ TEST_CASE("meshes turn their z axis along the velocity") {
         }
     return high - low + 1;
   };
-  // 17.9 pixels a metre, one metre long.
+  // The scale is 17.9 pixels per metre and the needle is 1 m long.
   CHECK(extent({3, 0, 0}, true).x >= 14);
   CHECK(extent({3, 0, 0}, true).y <= 4);
   CHECK(extent({0, -2, 0}, true).y >= 14);
@@ -222,7 +224,8 @@ TEST_CASE("bloom: none without strength; otherwise even on all sides, falling of
     for (const int away : {14, 20, 30}) {
       CAPTURE(away);
       const int right = on.brightness(65 + away, 65);
-      // Half-size texels do not lie evenly about an odd picture's middle.
+      // The tolerance is needed because half-size texels are not symmetric about the middle of a picture of
+      // odd size.
       for (const int other :
            {on.brightness(65 - away, 65), on.brightness(65, 65 + away), on.brightness(65, 65 - away)})
         CHECK(std::abs(other - right) <= 12 + right / 12);
@@ -231,7 +234,7 @@ TEST_CASE("bloom: none without strength; otherwise even on all sides, falling of
     CHECK(on.brightness(65 + 14, 65) > on.brightness(65 + 24, 65) + 5);
     CHECK(on.brightness(65 + 24, 65) > on.brightness(65 + 50, 65) + 2);
     CHECK(shown(2, 1).brightness(65 + 14, 65) > on.brightness(65 + 14, 65) + 10);
-    CHECK(shown(1, 30).bytes == shown(2, 30).bytes);  // nothing is above the threshold
+    CHECK(shown(1, 30).bytes == shown(2, 30).bytes);  // no pixel exceeds the threshold
   }
 }
 

@@ -1,4 +1,4 @@
-// Curves over the picture: where they go, whatever the number of steps; names in their colours.
+// Tests the charts over a picture: curve positions for any number of steps, and names in the curve colours.
 #include "draw/overlay/chart_pass.hpp"
 
 #include "draw/overlay/chart_labels.hpp"
@@ -33,7 +33,8 @@ struct ChartStage {
   sim::Chart chart;
 };
 
-/// Rows of the plot's column `x` where a channel stands out, from its top; empty: none.
+/// Returns the first and last row, counted from the top of the plot, where `channel` dominates in the
+/// plot's column `x`; -1 for both if there is no such row.
 glm::ivec2 span(const Picture& picture, const draw::ChartLayout& layout, int x, int channel) {
   glm::ivec2 rows(-1);
   for (int y = layout.plot.y; y < layout.plot.w; ++y) {
@@ -103,10 +104,10 @@ TEST_CASE("charts: names stand in the colours of their curves; the rest of the p
             x >= layout.panel.x && x < layout.panel.z && y >= layout.panel.y && y < layout.panel.w;
         outside += !in && picture.brightness(x, y) > 0;
       }
-    // As much of them as the area within the outlines.
-    draw::ChartLabels labels(size);  // keeps the outlines
+    // The number of red pixels equals the area within the outlines of the name.
+    draw::ChartLabels labels(size);  // owns the outlines that `written` refers to
     const std::vector<sim::Writing> written = labels.of({.charts = {stage.chart}});
-    REQUIRE(written.size() == 4);  // names, and two scales
+    REQUIRE(written.size() == 4);  // two names and two axis labels
     double area = 0;
     for (const auto& polygon : *written[0].outlines)
       for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -114,7 +115,8 @@ TEST_CASE("charts: names stand in the colours of their curves; the rest of the p
         area += 0.5 * (a.x * b.y - a.y * b.x);
       }
     const double wanted = std::abs(area) * std::pow(static_cast<double>(written[0].height) * size.y, 2);
-    CHECK(red == doctest::Approx(wanted).epsilon(0.12));  // what is behind them is dark, not black
+    // the tolerance covers the chart's background, which is dark but not black
+    CHECK(red == doctest::Approx(wanted).epsilon(0.12));
     CHECK(green > red);
     CHECK(outside == 0);
   }

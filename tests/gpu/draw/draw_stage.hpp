@@ -17,7 +17,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-/// Grid of vertices as a cloth publishes it: rows along x, next row below (towards -y of the grid's plane).
+/// A grid of vertices in the form in which a cloth publishes it: rows along x, each next row below (towards
+/// -y of the grid's plane).
 struct GridStage {
   GridStage(glm::ivec2 size, glm::vec3 corner, glm::vec3 alongX, glm::vec3 alongY) {
     std::vector<glm::vec4> points;
@@ -50,7 +51,7 @@ struct GridStage {
   GridStage& operator=(GridStage&&) = delete;
   ~GridStage() = default;
 
-  /// Linear RGB of each vertex, row by row.
+  /// Sets the linear RGB colour of each vertex, row by row.
   void tint(const std::vector<glm::vec4>& colors) {
     colorBuffer = simreel::gl::Buffer::of<glm::vec4>("grid colours", colors);
     colorView = simreel::gl::Texture::view("grid colours", GL_RGBA32F, colorBuffer);
@@ -63,7 +64,7 @@ struct GridStage {
   simreel::sim::Surface surface;
 };
 
-/// A finished picture, row 0 at the top.
+/// A finished picture; row 0 is at the top.
 struct Picture {
   glm::ivec2 size{0};
   std::vector<std::uint8_t> bytes;
@@ -78,7 +79,8 @@ struct Picture {
   }
 };
 
-/// How tests draw that do not say it: with SIMREEL_TEST_RASTERIZER=driver not as their scenes say.
+/// Returns the default renderer options of the tests. The environment variable SIMREEL_TEST_RASTERIZER
+/// ("driver" or "exact") overrides the rasterizer of the scenes.
 inline simreel::draw::RendererOptions testOptions() {
   const char* chosen = std::getenv("SIMREEL_TEST_RASTERIZER");
   if (chosen == nullptr) return {};
@@ -98,7 +100,8 @@ inline Picture drawn(const simreel::scene::Scene& scene, const simreel::sim::Dra
   return {size, std::move(taken.value().second)};
 }
 
-/// No sky, sun from the camera, nothing else: what is seen is what a test puts there.
+/// Returns a scene with a black sky and the sun at the camera, so that only the objects of the test are
+/// visible.
 inline simreel::scene::Scene darkScene() {
   simreel::scene::Scene scene;
   scene.camera.position = glm::vec3(0, 0, 5);
@@ -111,8 +114,8 @@ inline simreel::scene::Scene darkScene() {
   return scene;
 }
 
-/// The tone map of glsl/draw/screen/film.glsl in double precision: linear light to an sRGB byte, before
-/// dithering.
+/// Double-precision version of the tone map in glsl/draw/screen/film.glsl. Returns the sRGB byte of linear
+/// light before dithering.
 inline std::array<double, 3> filmByte(std::array<double, 3> light) {
   const double into[3][3] = {
       {0.59719, 0.35458, 0.04823}, {0.07600, 0.90834, 0.01566}, {0.02840, 0.13383, 0.83777}};
@@ -133,7 +136,7 @@ inline std::array<double, 3> filmByte(std::array<double, 3> light) {
   return result;
 }
 
-/// Whether no channel is further away than `tolerance`.
+/// True if each channel of `c` differs from `wanted` by at most `tolerance`.
 inline bool near(glm::ivec3 c, const std::array<double, 3>& wanted, double tolerance) {
   for (int i = 0; i < 3; ++i)
     if (std::abs(c[i] - wanted[static_cast<std::size_t>(i)]) > tolerance) return false;

@@ -1,4 +1,4 @@
-// Fields on the picture: every kind of cell, geometry, averages, layers.
+// Tests how fields are drawn: every cell type, geometry, averages and layers.
 #include "gpu/draw/field_stage.hpp"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ Picture shown(std::vector<sim::Field> fields, glm::ivec2 size, const scene::Scen
   return drawn(scene, drawables, size);
 }
 
-/// Whether a pixel has this linear colour, within half a step of rounding and the root's error.
+/// True if the pixel has this linear colour within `off` sRGB steps: half a step of rounding plus the error
+/// of the power function.
 bool has(const Picture& picture, int x, int y, glm::dvec3 linear, double off = 0.7) {
   const glm::ivec3 c = picture.at(x, y);
   for (int i = 0; i < 3; ++i)
@@ -71,7 +72,7 @@ TEST_CASE("fields: categories have the colours of their numbers") {
     FieldStage stage(
         cells, {13, 9}, [](int x, int y) { return (x + y) % 5; }, {3, 5, 2}, stops);
     stage.field.categories = true;
-    stage.display.smooth = true;  // means nothing here
+    stage.display.smooth = true;  // ignored for categories
     const Picture picture = shown({stage.field}, {26, 18});
     for (int y = 0; y < 18; ++y)
       for (int x = 0; x < 26; ++x)
@@ -87,8 +88,8 @@ TEST_CASE("fields: a pixel is the average of the light under it, by area") {
     FieldStage stage(Cells::bits, size, bit);
     stage.display.fit = Fit::stretch;
     const Picture picture = shown({stage.field}, pixels);
-    // Blocks are averaged before where four cells or more lie under a pixel: a block on a border counts by
-    // share.
+    // If at least four cells lie under a pixel, blocks of cells are averaged first, and a block on a pixel
+    // border counts by its overlap, so the tolerance is wider.
     const double under = std::min(double(size.x) / pixels.x, double(size.y) / pixels.y);
     const double allowed = under < 4 ? 0.004 : 0.12;
     for (int py = 0; py < pixels.y; ++py)
@@ -109,7 +110,8 @@ TEST_CASE("fields: a pixel is the average of the light under it, by area") {
 
 TEST_CASE("fields: categories far away mix light, not numbers") {
   testContext();
-  // Red and blue cells: the number between them is green, their light together is not.
+  // Cells are red and blue. The colour of the average number would be green; the average of the light is
+  // purple.
   const std::vector<glm::vec3> stops = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   FieldStage stage(
       Cells::bytes, {120, 80}, [](int x, int y) { return 2 * ((x + y) % 2); }, {3, 5, 1}, stops);
@@ -126,7 +128,7 @@ TEST_CASE("fields: smooth values are linear between the middles of cells") {
   for (int y = 4; y < 20; ++y)
     for (int x = 4; x < 28; ++x)
       CHECK(has(picture, x, y, glm::dvec3(0.1 * ((x + 0.5) / 8 - 0.5) + 0.2 * ((y + 0.5) / 8 - 0.5))));
-  // Beyond the middle of the last cell there is nothing to go on to.
+  // Beyond the middle of the last cell, the value of that cell is used.
   CHECK(has(picture, 31, 12, glm::dvec3(0.3 + 0.2 * (12.5 / 8 - 0.5))));
 }
 
@@ -144,7 +146,7 @@ TEST_CASE("fields: fit, part of the picture, border and opacity") {
   picture = shown({stage.field}, {40, 20});
   CHECK(has(picture, 0, 0, {1, 0, 0}));
   CHECK(has(picture, 39, 19, {1, 0, 0}));
-  // Parts begin and end on whole pixels.
+  // The displayed rectangle is rounded to whole pixels.
   scene::Scene scene = darkScene();
   stage.display.corner = {0.25F + 0.25F / 40, 0.5F, 0};
   stage.display.extent = {0.5F, 0.25F, 0};
@@ -173,7 +175,7 @@ TEST_CASE("fields: zoom, centre and tiling say which cell is where") {
   stage.display.border = {0, 0, 1};
   stage.display.zoom = 2.0F;
   stage.display.center = glm::vec3(0.25F, 0.75F, 0);
-  // 8 pixels a cell, cell (2, 6) begins in the middle.
+  // A cell takes 8 pixels, and cell (2, 6) starts at the picture's centre.
   Picture picture = shown({stage.field}, {32, 32});
   CHECK(has(picture, 16, 16, glm::dvec3(value(2, 6))));
   CHECK(has(picture, 15, 15, glm::dvec3(value(1, 5))));
@@ -184,7 +186,7 @@ TEST_CASE("fields: zoom, centre and tiling say which cell is where") {
   CHECK(has(picture, 31, 31, {0, 0, 1}));
   stage.display.tiled = true;
   picture = shown({stage.field}, {32, 32});
-  // 2 pixels a cell; the middle is cell (2, 6).
+  // A cell takes 2 pixels, and the picture's centre lies in cell (2, 6).
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x)
       CHECK(has(picture, x, y,
@@ -204,9 +206,10 @@ TEST_CASE(
   sheet.material.color = glm::vec3(0.9F, 0, 0);
   const sim::Drawables both{.surfaces = {sheet.surface}, .fields = {stage.field}};
   const Picture behind = drawn(scene, both, {35, 35});
-  CHECK(std::abs(behind.at(3, 3).y - filmByte({0.18, 0.18, 0.18})[1]) <= 2);  // no sky shines through
+  // the sky is hidden by the field
+  CHECK(std::abs(behind.at(3, 3).y - filmByte({0.18, 0.18, 0.18})[1]) <= 2);
   CHECK(std::abs(behind.at(3, 31).y - filmByte({0.5, 0.5, 0.5})[1]) <= 2);
-  CHECK(behind.at(17, 17).x > 2 * behind.at(17, 17).y);  // the sheet stands before it
+  CHECK(behind.at(17, 17).x > 2 * behind.at(17, 17).y);  // the sheet hides the field
   stage.display.layer = Layer::over;
   const Picture over = drawn(scene, {.surfaces = {sheet.surface}, .fields = {stage.field}}, {35, 35});
   CHECK(has(over, 3, 3, glm::dvec3(0.18)));

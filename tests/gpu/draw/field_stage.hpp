@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-/// A field over a buffer made by hand: rows padded by odd numbers of words, cells apart, not at the front.
+/// A field with a hand-made buffer: padded rows, gaps between cells and an offset of the first word.
 struct FieldStage {
   using Cells = simreel::sim::Field::Cells;
   struct Memory {
@@ -28,7 +28,7 @@ struct FieldStage {
     field.rowWords = (size.x * apart + perWord - 1) / perWord + memory.rowPadding;
     field.firstWord = memory.firstWord;
     field.cellWords = apart;
-    // What lies between is not to be read: all bits set, a NaN as a float.
+    // Fills padding and gaps with all bits set, a NaN as float, so that reads of them are noticed.
     std::vector<std::uint32_t> words(
         static_cast<std::size_t>(memory.firstWord + field.rowWords * size.y + 3) / 4 * 4, 0xffffffffU);
     for (int y = 0; y < size.y; ++y)
@@ -57,7 +57,7 @@ struct FieldStage {
   FieldStage& operator=(FieldStage&&) = delete;
   ~FieldStage() = default;
 
-  /// Of a cell with colours: three of them, and its value.
+  /// Returns component `part` of a cell of type `colors`: three colour channels, then the value.
   static float colorPart(double value, int part) {
     const auto v = static_cast<float>(value);
     return part == 0 ? v * v : part == 1 ? 0.25F * v : part == 2 ? 1 - v : v;
@@ -71,7 +71,7 @@ struct FieldStage {
   simreel::sim::Field field;
 };
 
-/// IEC 61966-2-1: linear light to a byte, not rounded.
+/// Returns the unrounded sRGB byte (IEC 61966-2-1) of linear light.
 inline double srgbByte(double x) {
   x = std::fmin(std::fmax(x, 0), 1);
   return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);

@@ -1,4 +1,4 @@
-// Fields as textures: values, averages, mip maps, colours of categories.
+// Tests field textures: values, block averages, mip maps and category colours.
 #include "draw/overlay/field_textures.hpp"
 
 #include "gpu/draw/field_stage.hpp"
@@ -70,7 +70,8 @@ TEST_CASE("field textures average blocks of cells, and their mip maps the whole"
   for (const Cells cells : {Cells::bits, Cells::floats}) {
     const glm::ivec2 size{200, 131};
     FieldStage stage(cells, size, value);
-    draw::FieldTextures textures(withSkin("grid", 16));  // 64 texels
+    // the longer side of the texture is at most 64 texels
+    draw::FieldTextures textures(withSkin("grid", 16));
     textures.update({.fields = {stage.field}});
     const auto* entry = textures.find("grid");
     REQUIRE(entry != nullptr);
@@ -88,7 +89,7 @@ TEST_CASE("field textures average blocks of cells, and their mip maps the whole"
         CHECK(all[static_cast<std::size_t>(ty * side.x + tx)].r ==
               doctest::Approx(sum / count).epsilon(1e-5));
       }
-    // Every cell is in one block.
+    // The coarsest mip level is the mean, because every cell is in exactly one block.
     CHECK(texels(entry->texture, 5).at(0).r == doctest::Approx(1.0 / 7).epsilon(0.1).scale(0));
   }
 }
@@ -98,7 +99,7 @@ TEST_CASE("field textures of categories hold light; new colours are taken up") {
   FieldStage stage(Cells::bytes, {64, 64}, [](int x, int) { return x % 2; }, {3, 5, 1},
                    {{1, 0, 0}, {0, 0.5F, 2}});
   stage.field.categories = true;
-  draw::FieldTextures textures(withSkin("grid", 8));  // 32 texels: two cells each
+  draw::FieldTextures textures(withSkin("grid", 8));  // 32 texels per side, two cells to a texel
   textures.update({.fields = {stage.field}});
   const auto* entry = textures.find("grid");
   REQUIRE(entry != nullptr);

@@ -1,4 +1,5 @@
-// Grids whose positions hold heights alone, with the indices of one row, against the same grids in full.
+// Tests grids whose positions hold only heights and whose index buffer covers one row against equal grids
+// in full.
 #include "gpu/draw/lamp_stage.hpp"
 
 #include <cmath>
@@ -17,7 +18,7 @@ constexpr float hillCell = 0.25F, hillBase = 0.4F, hillRim = 0.3F;
 constexpr glm::vec2 hillCorner(-1.5F, -1);
 
 struct HillStage {
-  /// `component` of the positions that is the height; -1: all of them as they are.
+  /// `component` selects the position component that holds the height; -1 stores full positions.
   explicit HillStage(int component) {
     std::vector<glm::vec4> points, colors;
     std::vector<std::uint16_t> numbers;
@@ -30,7 +31,7 @@ struct HillStage {
         const auto color = static_cast<float>((x + y) % 3);
         const glm::vec4 whole(hillCorner.x + static_cast<float>(x) * hillCell, hillBase + height,
                               hillCorner.y + static_cast<float>(y) * hillCell, color);
-        // Of no use, but there.
+        // The other components hold arbitrary values that must be ignored.
         if (component < 0) points.push_back(whole);
         if (component == 1) points.emplace_back(77, bump, -3, color);
         if (component == 3) points.emplace_back(5, 6, 7, bump);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// A picture in a file of its own, for as long as this is there: sRGB and alpha, row by row.
+/// A temporary PNG file of sRGB and alpha, row by row; deleted with this object.
 class ImageFile {
  public:
   ImageFile(int width, int height, const std::vector<std::uint8_t>& rgba)

@@ -1,4 +1,4 @@
-// Instances: which are drawn, in which order, where, in which colours.
+// Tests which instances are drawn, their order, their positions and their colours.
 #include "gpu/draw/pass_stage.hpp"
 #include "gpu/gl_calls.hpp"
 
@@ -14,7 +14,8 @@ using Shape = sim::Instances::Shape;
 
 namespace {
 
-/// Places in a cube around the camera's target, some of them dead, some lost.
+/// Returns positions in a cube around the camera's target and velocities; some instances are dead, some
+/// have NaN or infinite values.
 std::pair<std::vector<glm::vec4>, std::vector<glm::vec4>> mixed(int count) {
   Dice dice(3);
   std::vector<glm::vec4> places;
@@ -29,14 +30,16 @@ std::pair<std::vector<glm::vec4>, std::vector<glm::vec4>> mixed(int count) {
     places[33].z = std::numeric_limits<float>::infinity();
     speeds[40].w = lost;
     places[31] = glm::vec4(0, 0, 0, 1);
-    speeds[31].w = 0;  // alive, age 0
+    speeds[31].w = 0;  // alive at age 0
   }
   return {places, speeds};
 }
 
 enum class Sight { out, in, edge };
 
-/// The sphere against the six planes, in double precision.
+/// Tests a sphere against the six frustum planes in double precision. Returns `edge` if the result is too
+/// close to decide.
+/// decide.
 Sight inSight(const glm::mat4& matrix, glm::vec4 place, double radius) {
   if (!(std::abs(place.x) + std::abs(place.y) + std::abs(place.z) < 1e6F)) return Sight::out;
   const glm::dvec4 at(place.x, place.y, place.z, 1);
@@ -55,7 +58,7 @@ long callsOfFrame(int count) {
   Dice dice(5);
   std::vector<glm::vec4> places;
   for (int i = 0; i < count; ++i) places.emplace_back(dice.cube(), 1.0F);
-  // Most are dead, which costs the rasteriser nothing.
+  // Most instances are dead, so that rasterizing a million of them is cheap.
   std::vector<glm::vec4> speeds(places.size(), glm::vec4(0, 0, 0, -1));
   for (std::size_t i = 0; i < places.size(); i += 97) speeds[i].w = 0;
   const InstanceStage balls(places, speeds);
@@ -69,7 +72,7 @@ long callsOfFrame(int count) {
   scene::Scene scene = darkScene();
   scene.render.bloom.strength = 1.0F;
   draw::Renderer renderer(scene, {33, 17}, 4, testOptions());
-  renderer.draw(0, drawables);  // makes programs and buffers
+  renderer.draw(0, drawables);  // compiles the programs and allocates the buffers
   const GlCalls calls;
   renderer.draw(0, drawables);
   glFinish();
@@ -81,7 +84,8 @@ long callsOfFrame(int count) {
 TEST_CASE("instances in sight are listed in the order of their slots, dead and lost ones left out") {
   testContext();
   const scene::Scene scene = plainScene();
-  // So fine that the least size of glows does not matter, so coarse that some count as small.
+  // The size is fine enough that the minimum size of glows has no effect and coarse enough that some glows
+  // count as small.
   PassStage stage(scene, draw::GlowSums::used() ? glm::ivec2(160, 90) : glm::ivec2(640, 360));
   for (const int count : {1, 31, 1021, 70001}) {
     CAPTURE(count);
@@ -96,7 +100,7 @@ TEST_CASE("instances in sight are listed in the order of their slots, dead and l
     const auto arguments = visible.arguments().readAll<unsigned>();
     auto list = visible.list().readAll<unsigned>();
     REQUIRE(arguments.size() == 16);
-    // Small ones are points or squares, large ones squares. A batch of b squares has 6 b indices.
+    // Small instances are points or squares, large ones are squares. A batch of b squares has 6 b indices.
     for (const std::size_t level : {0U, 1U}) {
       const unsigned* a = &arguments[level * 8];
       const unsigned corners = level == 0 && draw::SmallSprites::points() ? 1 : 6;
@@ -157,7 +161,7 @@ TEST_CASE("levels of detail share the list, each ordered; together they hold eve
     const auto begin = list.begin() + a[5];
     CHECK(std::is_sorted(begin, begin + a[6]));
     all.insert(all.end(), begin, begin + a[6]);
-    CHECK(a[0] % (60U << (2 * level)) == 0);  // 20 * 4^level triangles
+    CHECK(a[0] % (60U << (2 * level)) == 0);  // a sphere of level `level` has 20 * 4^level triangles
   }
   CHECK(used >= 3);
   std::sort(all.begin(), all.end());
@@ -166,7 +170,8 @@ TEST_CASE("levels of detail share the list, each ordered; together they hold eve
   group.instances.additive = true;
   PassStage flat(scene, {640, 360});
   flat.pass.cull({{}, {group.instances}});
-  // Glows are widened to a least size, so none is lost and a few more may reach into the picture.
+  // Glows are widened to a minimum size, so none of the spheres' instances is missing, and a few more may
+  // be visible.
   const auto sprites = flat.pass.visible(0).arguments().readAll<unsigned>();
   CHECK(sprites[6] + sprites[14] >= all.size());
 }
@@ -238,17 +243,17 @@ TEST_CASE("small glows keep their light however small") {
     glow.instances.brightness = brightness;
     glow.material.color = glm::vec3(1);
     const Picture p = drawn(scene, {{}, {glow.instances}}, {65, 65});
-    // Bytes back to light, roughly: the film curve is nearly straight for little light.
+    // Converts bytes to approximate light; the film curve is nearly linear for small values.
     double sum = 0;
     for (int y = 0; y < 65; ++y)
       for (int x = 0; x < 65; ++x) sum += std::pow(std::max(p.at(x, y).y - 3, 0) / 255.0, 2.2);
     return sum;
   };
-  // 17.9 pixels a metre: radii of 1.25 and 0.3 pixels with the same brightness times area.
+  // The scale is 17.9 pixels per metre. The radii are 1.25 and 0.3 pixels; brightness times area is equal.
   const double wide = total(0.14F, 0.3F, glm::vec3(0));
   const double fine = total(0.0336F, 0.3F * 0.14F * 0.14F / (0.0336F * 0.0336F), glm::vec3(0));
   CHECK(fine == doctest::Approx(wide).epsilon(0.05).scale(0));
-  // Nor does it matter where between pixels they are.
+  // The subpixel position has little effect.
   CHECK(total(0.0336F, 5.2F, glm::vec3(0.028F, 0.028F, 0)) == doctest::Approx(fine).epsilon(0.3).scale(0));
 }
 
@@ -261,7 +266,7 @@ TEST_CASE("a glow looks the same among many that are not alive") {
     speeds[count / 2].w = 0;
     InstanceStage glow(places, speeds);
     glow.instances.additive = true;
-    // A hundredth of a pixel wide, so its light is spread over many times its area.
+    // The glow is a hundredth of a pixel wide, so its light is spread over many times its area.
     glow.instances.size = 0.001F;
     glow.instances.brightness = 2000;
     return drawn(scene, {{}, {glow.instances}}, {65, 65}, 1);
@@ -290,7 +295,7 @@ TEST_CASE("the light of many bright glows is that of one as bright as all") {
     int apart = 0;
     for (std::size_t i = 0; i < one.bytes.size(); ++i)
       apart = std::max(apart, std::abs(int{one.bytes[i]} - int{many.bytes[i]}));
-    CHECK(apart <= (draw::GlowSums::used() ? 1 : 20));  // blended half floats round at each step
+    CHECK(apart <= (draw::GlowSums::used() ? 1 : 20));  // half-float blending rounds at each step
   }
 }
 
@@ -321,7 +326,7 @@ TEST_CASE("colours follow speed, mass and age through the stops; light fades ove
   CHECK(near(shown(By::mass, {9, 0, 0, 0}, 2, 0), {0.4, 0, 0}));
   CHECK(near(shown(By::mass, {9, 0, 0, 0}, 0.5F, 0), {0, 0, 0}));
   CHECK(near(shown(By::material, {0, 0, 0, 0.5F}, 1, 0), {0.8, 0.7, 0.6}));
-  // Half way through fading in (or out) half the light is there.
+  // Halfway through fading in or out, the light is halved.
   CHECK(near(shown(By::material, {0, 0, 0, 0.1F}, 1, 0.2F), {0.4, 0.35, 0.3}));
   CHECK(near(shown(By::material, {0, 0, 0, 0.9F}, 1, 0.2F), {0.4, 0.35, 0.3}));
   CHECK(near(shown(By::material, {0, 0, 0, 0.002F}, 1, 0.004F), {0.4, 0.35, 0.3}));

@@ -1,4 +1,4 @@
-// Shadows of a scene's lights against geometry worked out by hand.
+// Tests shadows of a scene's lights against geometry worked out by hand.
 #include "gpu/draw/ball_stage.hpp"
 #include "gpu/draw/lamp_stage.hpp"
 #include "scene/load.hpp"
@@ -16,7 +16,8 @@ using namespace simreel;
 
 namespace {
 
-/// A sheet across `direction` through `distance` times it, `side` wide.
+/// Returns a square sheet perpendicular to `direction`, centred at `distance` metres along it; `side` is in
+/// metres.
 GridStage across(glm::vec3 direction, float distance, float side) {
   const glm::vec3 helper = std::abs(direction.y) > 0.9F ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
   const glm::vec3 right = glm::normalize(glm::cross(helper, direction));
@@ -24,7 +25,7 @@ GridStage across(glm::vec3 direction, float distance, float side) {
   return GridStage({5, 7}, distance * direction - 0.5F * side * (right + down), side * right, side * down);
 }
 
-/// All sides, edges and corners of the cube of shadow maps.
+/// Returns the directions of all faces, edges and corners of the cube of shadow maps.
 std::vector<glm::vec3> directions() {
   std::vector<glm::vec3> all;
   for (int x = -1; x <= 1; ++x)
@@ -34,7 +35,8 @@ std::vector<glm::vec3> directions() {
   return all;
 }
 
-/// A camera behind a translucent screen sees what a lamp in the origin throws onto it: 4 m are 65 pixels.
+/// Returns a scene whose camera looks at the back of a translucent screen that is lit by a lamp at the
+/// origin; 4 m on the screen span 65 pixels.
 scene::Scene screened(glm::vec3 direction, bool shadow) {
   scene::Scene scene = darkScene();
   scene.camera.position = 12.0F * direction;
@@ -57,17 +59,18 @@ TEST_CASE("lights: a sheet throws its shadow where the lamp puts it") {
     scene.lights[0].shadowSoftness = softness;
     const Picture lit = drawn(scene, {}, {129, 129});
     const Picture shaded = drawn(scene, {.surfaces = {sheet.surface}}, {129, 129});
-    // Twice as far from the lamp as the sheet, its shadow is twice as large.
+    // The ground is twice as far from the lamp as the sheet, so the shadow is twice as large as the sheet.
     const glm::dvec2 low(0.4 + 2 * (-0.6 - 0.4), -0.2 + 2 * (-0.5 + 0.2));
     const glm::dvec2 high(0.4 + 2 * (0.6 - 0.4), -0.2 + 2 * (0.5 + 0.2));
     int inside = 0;
     for (int y = 0; y < 129; ++y)
       for (int x = 0; x < 129; ++x) {
         const glm::dvec3 p = placeOf(x, y, 129);
-        // Past the edge, positive inside (m).
+        // Distance from the shadow's edge in metres; positive inside.
         const double depth =
             std::min(std::min(p.x - low.x, high.x - p.x), std::min(p.z - low.y, high.y - p.z));
-        const bool hidden = std::abs(p.x) < 0.75 && std::abs(p.z) < 0.65;  // by the sheet, from above
+        // seen from above, the sheet hides the ground here
+        const bool hidden = std::abs(p.x) < 0.75 && std::abs(p.z) < 0.65;
         if (hidden || std::abs(depth) < 0.07) continue;
         const int light = shaded.brightness(x, y);
         if (depth > 0)
@@ -92,12 +95,12 @@ TEST_CASE("lights: shadows lie right on all six maps, across their edges and cor
     GridStage caster = across(direction, 1, 1);
     const Picture plain = drawn(screened(direction, false), {.surfaces = {screen.surface}}, {65, 65}, 1);
     const scene::Scene scene = screened(direction, true);
-    // No seam, no acne.
+    // The unshadowed screen shows neither seams nor shadow acne.
     const Picture lit = drawn(scene, {.surfaces = {screen.surface}}, {65, 65}, 1);
     CHECK(plain.brightness(32, 32) > 600);
     for (int y = 2; y < 63; ++y)
       for (int x = 2; x < 63; ++x) REQUIRE(std::abs(lit.brightness(x, y) - plain.brightness(x, y)) < 9);
-    // The shadow of 1 m at 1 m spans 2 m at 2 m: half of the screen's 65 pixels.
+    // A sheet of 1 m at a distance of 1 m casts a shadow of 2 m at 2 m: half of the screen's 65 pixels.
     const Picture shaded = drawn(scene, {.surfaces = {screen.surface, caster.surface}}, {65, 65}, 1);
     for (int y = 2; y < 63; ++y)
       for (int x = 2; x < 63; ++x) {
@@ -118,8 +121,8 @@ TEST_CASE("lights: edges of shadows are ramps, not steps") {
   scene.lights[0].shadowSize = 64;
   GridStage half({3, 3}, {0.2F, 0.5F, -3}, {4, 0, 0}, {0, 0, 6});
   half.material.color =
-      glm::vec3(0);  // else its own border, bright beside the shadow, were the greatest step
-  scene.camera.position = glm::vec3(-4, 20, 0);  // beside the sheet
+      glm::vec3(0);  // black, because a bright border beside the shadow would be the largest step
+  scene.camera.position = glm::vec3(-4, 20, 0);  // the camera is beside the sheet
   scene.camera.target = glm::vec3(-0.01F, 0, 0);
   const Picture picture = drawn(scene, {.surfaces = {half.surface}}, {257, 65}, 1);
   int largest = 0;
@@ -145,12 +148,12 @@ TEST_CASE("lights: no acne in grazing light, on coarse maps and on round things"
     return compare(shaded, plain).far;
   };
   scene::Scene scene = fromAbove();
-  scene.ground.reset();  // which the sheet shades
+  scene.ground.reset();  // removed, because the sheet casts a shadow on the ground
   scene.lights = {lampAt({-2.6F, 1.25F, 0.3F}, 60, true)};
   scene.lights[0].shadowSize = 64;
   GridStage wide({33, 33}, {-3, 1, -3}, {6, 0, 0}, {0, 0, 6});
   CHECK(apart(scene, {.surfaces = {wide.surface}}) == 0);
-  // Seen from afar it has fewer facets than in the maps of a lamp nearby.
+  // From the distant camera the ball is drawn with fewer facets than in the shadow maps of the nearby lamp.
   InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0, 1, 0)));
   ball.instances.shape = sim::Instances::Shape::sphere;
   ball.instances.size = 1.1F;
@@ -164,10 +167,10 @@ TEST_CASE("lights: a shadow begins at the foot of what stands there") {
   testContext();
   scene::Scene scene = fromAbove();
   scene.lights = {lampAt({-3, 2, 0}, 60, true)};
-  GridStage wall({3, 3}, {0, 1, -1}, {0, -1, 0}, {0, 0, 2});  // in the plane x = 0
+  GridStage wall({3, 3}, {0, 1, -1}, {0, -1, 0}, {0, 0, 2});  // vertical, in the plane x = 0
   wall.material.color = glm::vec3(0.0F);
   const Picture picture = drawn(scene, {.surfaces = {wall.surface}}, {129, 129});
-  // A texel at this distance is 1.4 cm wide; 6.2 cm are a pixel.
+  // At this distance a shadow texel is 1.4 cm wide and a pixel is 6.2 cm wide.
   for (const int x : {66, 68, 75, 90}) CHECK(picture.brightness(x, 64) < 12);
   CHECK(picture.brightness(62, 64) > 150);
 }
@@ -259,7 +262,7 @@ TEST_CASE("lights: of what the GPU has emitted, only the triangles that there ar
   testContext();
   scene::Scene scene = fromAbove();
   scene.lights = {lampAt({0, 2, 0}, 20, true)};
-  GridStage sheet({2, 4}, {-0.5F, 1, -1.5F}, {1, 0, 0}, {0, 0, 3});  // three squares
+  GridStage sheet({2, 4}, {-0.5F, 1, -1.5F}, {1, 0, 0}, {0, 0, 3});  // three quads
   GridStage first({2, 2}, {-0.5F, 1, -1.5F}, {1, 0, 0}, {0, 0, 1});
   const std::array<unsigned, 5> six = {6, 1, 0, 0, 0};
   const gl::Buffer arguments = gl::Buffer::of<unsigned>("arguments", six);

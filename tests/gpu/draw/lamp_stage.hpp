@@ -1,7 +1,7 @@
 #pragma once
 #include "gpu/draw/draw_stage.hpp"
 
-/// A white light that is not seen itself.
+/// Returns a white light that is itself invisible.
 inline simreel::scene::Light lampAt(glm::vec3 place, float candela, bool shadow) {
   simreel::scene::Light light;
   light.position = place;
@@ -13,7 +13,8 @@ inline simreel::scene::Light lampAt(glm::vec3 place, float candela, bool shadow)
   return light;
 }
 
-/// Camera straight above a plane at y = 0, top of the picture towards -z, 8 m across, no other light.
+/// Returns a scene with the camera straight above the plane y = 0. The picture's top points to -z, its
+/// height spans 8 m, and there is no light.
 inline simreel::scene::Scene fromAbove() {
   simreel::scene::Scene scene = darkScene();
   scene.camera.position = glm::vec3(0, 20, 0);
@@ -27,7 +28,8 @@ inline simreel::scene::Scene fromAbove() {
   return scene;
 }
 
-/// Where the middle of a pixel of such a picture lies on the plane.
+/// Returns the point on the plane under the centre of pixel (x, y) of a picture of fromAbove() with `size`
+/// x `size` pixels.
 inline glm::dvec3 placeOf(int x, int y, int size) {
   return {8 * (x + 0.5) / size - 4, 0, 8 * (y + 0.5) / size - 4};
 }

@@ -1,4 +1,4 @@
-// Lights of a scene on every kind of drawable, against closed forms.
+// Tests the lights of a scene on every type of drawable against closed forms.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "draw/lights/lamp_shadows.hpp"
@@ -19,8 +19,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// pi times the lobe of F0 = 0.04, of a ball that shines: GGX, Smith's shadowing, Schlick's Fresnel term,
-/// restated.
+/// Returns pi times the specular lobe of a spherical light for F0 = 0.04: GGX, Smith's shadowing and
+/// Schlick's Fresnel term, written independently of the shaders. `spread` is the light's radius divided by
+/// its distance.
 double lobeOf(glm::dvec3 normal, glm::dvec3 view, glm::dvec3 light, double roughness, double spread) {
   const glm::dvec3 half = glm::normalize(view + light);
   const double nh = std::fmax(glm::dot(normal, half), 0);
@@ -32,7 +33,7 @@ double lobeOf(glm::dvec3 normal, glm::dvec3 view, glm::dvec3 light, double rough
   return std::fmin(lobe, 60) * (0.04 + 0.96 * std::pow(1 - glm::dot(light, half), 5));
 }
 
-/// Brightest pixel.
+/// Returns the brightness of the brightest pixel.
 int brightest(const Picture& picture) {
   int most = 0;
   for (int y = 0; y < picture.size.y; ++y)
@@ -101,7 +102,8 @@ TEST_CASE("lights: a spot lights what lies within its cone, and fades towards th
           };
           const double cosine =
               glm::dot(glm::normalize(p - glm::dvec3(place)), glm::normalize(glm::dvec3(target - place)));
-          if (softness == 0 && std::abs(cosine - edge) < 0.03) continue;  // half a pixel
+          // within half a pixel of the cone's edge
+          if (softness == 0 && std::abs(cosine - edge) < 0.03) continue;
           const double line = softness == 0 ? (cosine > edge ? 1 : 0)
                                             : std::clamp((cosine - edge) / (full - edge), 0.0, 1.0);
           (line == 0 ? beyond : line == 1 ? within : between) += 1;
@@ -194,7 +196,7 @@ TEST_CASE("lights: sixteen together give their sum, at the intensity of their ti
     scene.lights.clear();
     for (int i = 0; i < 16; ++i) {
       scene.lights.push_back(lampAt({0.2F, 1, 0.1F}, 0, i < shadowed));
-      // Half of them later: at time 0 those give nothing and the others twice as much.
+      // Every second light is off at time 0; the remaining lights have twice their share of the intensity.
       const float now = i % 2 == 0 ? 1.0F : 0.0F;
       scene.lights.back().intensity = scene::Animated<float>({{0, now}, {1, 1 - now}}, scene::Ease::linear);
       scene.lights.back().shadowSize = 32 + i;
@@ -208,7 +210,7 @@ TEST_CASE("lights: sixteen together give their sum, at the intensity of their ti
 
 TEST_CASE("lights: every kind of drawable gets them") {
   testContext();
-  // From the camera's side, in a dark room.
+  // The light is on the camera's side of the object, in an otherwise dark scene.
   scene::Scene scene = darkScene();
   scene.sun.intensity = 0.0F;
   const auto gained = [&](const sim::Drawables& drawables) {
@@ -240,7 +242,7 @@ TEST_CASE("lights: every kind of drawable gets them") {
       CAPTURE(size);
       balls.instances.shape = shape;
       balls.instances.size = size;
-      // The small ones are of 1.3 pixels' radius: those have a path of their own.
+      // The small balls have a radius of 1.3 pixels and are drawn by separate kernels.
       CHECK(gained({.instances = {balls.instances}}) > 100);
     }
   const auto file = temporaryFile("lamp_plate.obj");
@@ -254,13 +256,16 @@ TEST_CASE("lights: every kind of drawable gets them") {
   scene = fromAbove();
   scene.ground->roughness = 0.9F;
   CHECK(gained({}) > 60);
-  scene.ground->roughness = 0.3F;  // one that mirrors
+  scene.ground->roughness = 0.3F;  // reflective ground
   CHECK(gained({}) > 60);
-  scene.sun.shadow = true;  // its two parts: in reach of the sun's shadows, and around
+  // the ground is drawn in two parts: within the bounds of the sun's shadow map, and around them
+  scene.sun.shadow = true;
   GridStage left({3, 3}, {-2, 0.5F, -2}, {1, 0, 0}, {0, 0, 1});
   GridStage right({3, 3}, {1, 0.5F, 1}, {1, 0, 0}, {0, 0, 1});
-  CHECK(gained({.surfaces = {right.surface}}) > 60);                // around
-  CHECK(gained({.surfaces = {left.surface, right.surface}}) > 60);  // in reach
+  // the sampled point is outside the shadow bounds
+  CHECK(gained({.surfaces = {right.surface}}) > 60);
+  // the sampled point is within the shadow bounds
+  CHECK(gained({.surfaces = {left.surface, right.surface}}) > 60);
 }
 
 TEST_CASE("lights: skins get them") {
@@ -316,7 +321,7 @@ TEST_CASE(
       CAPTURE(static_cast<int>(shape));
       group.instances.shape = shape;
       const Difference d = compare(drawn(scene, {{}, {group.instances}}, {161, 121}), wanted);
-      CHECK(d.mean < 0.55);  // two lights' outlines of shadow, by coarser spheres
+      CHECK(d.mean < 0.55);  // the silhouettes of two shadows differ because the maps use coarser spheres
       CHECK(d.far < 90);
     }
   }
@@ -331,8 +336,8 @@ TEST_CASE("lights: the camera sees the light itself, as bright as its candela sa
   scene.lights[0].radius = 0.4F;
   for (const int samples : {1, 4}) {
     const Picture picture = drawn(scene, {}, {65, 65}, samples);
-    // 65 pixels span 2 * 5 m * tan(20 degrees); at r radii from the middle it has (1 - r^2)^2 of the light
-    // there.
+    // 65 pixels span 2 * 5 m * tan(20 degrees). At r radii from the centre the disc has (1 - r^2)^2 of the
+    // radiance at the centre.
     const double metres = 10 * std::tan(20 * pi / 180) / 65;
     for (const int aside : {0, 3, 5}) {
       const double r = aside * metres / 0.4;
@@ -343,7 +348,8 @@ TEST_CASE("lights: the camera sees the light itself, as bright as its candela sa
     CHECK(picture.brightness(32, 43) < 6);
   }
   GridStage sheet({4, 4}, {-1, 1, 1}, {2, 0, 0}, {0, -2, 0});
-  CHECK(drawn(scene, {.surfaces = {sheet.surface}}, {65, 65}).brightness(32, 32) < 6);  // behind it
+  // the sheet hides the light
+  CHECK(drawn(scene, {.surfaces = {sheet.surface}}, {65, 65}).brightness(32, 32) < 6);
   scene.lights[0].glow = 0.0F;
   CHECK(drawn(scene, {}, {65, 65}).brightness(32, 32) < 6);
 }
@@ -357,7 +363,8 @@ TEST_CASE(
   CHECK(none.defines().empty());
   CHECK(!draw::LampShadows(none).on());
   scene.lights.assign(8, lampAt({0, 1, 0}, 1, true));
-  const int side = gl::limits().textureSize / 4;  // eight times six maps, in rows of six
+  // eight lights of six maps each, one row of six maps per light
+  const int side = gl::limits().textureSize / 4;
   for (scene::Light& light : scene.lights) light.shadowSize = side;
   const draw::Lamps lamps(scene);
   try {

@@ -1,4 +1,4 @@
-// Shading and shadows against geometry worked out by hand.
+// Tests shading and shadows of the sun against geometry worked out by hand.
 #include "gpu/draw/instance_stage.hpp"
 
 #include <cmath>
@@ -9,7 +9,8 @@ using namespace simreel;
 
 namespace {
 
-/// Camera straight above a plane at y = 0, top of the picture towards -z, 64 pixels for 8 m.
+/// Returns a scene with the camera straight above the plane y = 0. The picture's top points to -z; 64
+/// pixels span 8 m.
 scene::Scene groundScene(glm::vec3 sun) {
   scene::Scene scene = darkScene();
   scene.camera.position = glm::vec3(0, 20, 0);
@@ -38,10 +39,10 @@ TEST_CASE("a matt sheet facing the sun has its own colour, on either side and in
       sheet.material.color = glm::vec3(0.5F, 0.25F, 0.1F);
       sheet.material.roughness = 1.0F;
       const Picture picture = drawn(scene, {.surfaces = {sheet.surface}}, {65, 65});
-      // The sun's mirrored share: F0 / 6 at roughness 1 with everything aligned.
+      // Specular part of the sun: F0 / 4 at roughness 1 if light, view and normal are aligned.
       const double mirrored = 0.04 / 4;
       CHECK(near(picture.at(32, 32), filmByte({0.5 + mirrored, 0.25 + mirrored, 0.1 + mirrored}), 2.5));
-      // Normals at the borders (one-sided differences) are those of the middle.
+      // Normals at the borders (one-sided differences) equal those in the middle.
       const int middle = picture.brightness(32, 32);
       for (const auto& [x, y] : {std::pair{16, 16}, {48, 16}, {16, 48}, {48, 48}, {32, 16}, {16, 32}})
         CHECK(std::abs(picture.brightness(x, y) - middle) < 12);
@@ -75,7 +76,7 @@ TEST_CASE("a metal mirrors the sky, tinted by its colour") {
 
 TEST_CASE("a sheet throws its shadow where the sun puts it") {
   testContext();
-  // 45 degrees from +x: a point 2 m up shades the ground 2 m towards -x.
+  // The sun is at 45 degrees on the +x side: a point 2 m up shades the ground 2 m further towards -x.
   const scene::Scene scene = groundScene(glm::vec3(1, 1, 0));
   GridStage sheet({8, 8}, {0.5F, 2, -1}, {2, 0, 0}, {0, 0, 2});
   for (const int samples : {1, 4}) {
@@ -84,7 +85,7 @@ TEST_CASE("a sheet throws its shadow where the sun puts it") {
       return picture.brightness(32 + static_cast<int>(std::floor(x * 8)),
                                 32 + static_cast<int>(std::floor(z * 8)));
     };
-    // Shadow: x from -1.5 to 0.5, z from -1 to 1 (the sheet hides x > 0.55 from above).
+    // The shadow spans x from -1.5 to 0.5 and z from -1 to 1. From above, the sheet hides x > 0.55.
     const int lit = ground(-3, 3);
     CHECK(lit > 200);
     for (const float x : {-1.3F, -0.5F, 0.3F})
@@ -102,7 +103,7 @@ TEST_CASE("no shadow when the sun's shadow is off, and no acne on a lit sheet") 
   scene.sun.shadow = false;
   const Picture plain = drawn(scene, {.surfaces = {sheet.surface}}, {64, 64});
   CHECK(std::abs(plain.brightness(28, 32) - plain.brightness(8, 56)) < 12);
-  // Grazing light, coarse map: the sheet must still be lit everywhere.
+  // Under grazing light and with a coarse shadow map, the sheet must still be lit everywhere.
   scene = groundScene(glm::vec3(1, 0.12F, 0.3F));
   scene.sun.shadowSize = 128;
   GridStage wide({8, 8}, {-3, 1, -3}, {6, 0, 0}, {0, 0, 6});

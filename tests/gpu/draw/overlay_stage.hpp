@@ -9,8 +9,8 @@
 
 #include <doctest/doctest.h>
 
-/// Something under or before an overlay: every pixel another one, opacities too.
-/// Drivers blend what is `opaque` as the kernels do; else those know of straight alpha.
+/// Returns a picture of random bytes, with random opacities unless `opaque` is set. Driver blending equals
+/// the kernels only for opaque pictures; for other pictures only the kernels handle straight alpha.
 inline OverlayPicture<OverlayBytes> someBytes(glm::ivec2 size, bool opaque = false) {
   OverlayPicture<OverlayBytes> picture{size, {}};
   std::minstd_rand random(7);
@@ -55,7 +55,7 @@ OverlayPicture<T> readBack(const simreel::gl::Texture& image) {
   return picture;
 }
 
-/// How many pixels have other bits.
+/// Returns the number of pixels with different bits.
 template <class T>
 int differing(const OverlayPicture<T>& a, const OverlayPicture<T>& b) {
   REQUIRE(a.pixels.size() == b.pixels.size());
@@ -65,7 +65,7 @@ int differing(const OverlayPicture<T>& a, const OverlayPicture<T>& b) {
   return count;
 }
 
-/// Greatest and mean distance of two pictures, in steps of 255.
+/// Maximum and mean difference of two pictures, in steps of 1/255.
 struct Distance {
   int max = 0;
   double mean = 0;
@@ -81,11 +81,12 @@ inline Distance distance(const OverlayPicture<OverlayBytes>& a, const OverlayPic
   return distance;
 }
 
-/// The twin of a stage on a picture, averaged first where the pass does so; what it averaged.
+/// Runs the CPU twin for the field of a stage on a picture. If the pass averages blocks of cells first, the
+/// twin does, too.
 struct FieldOnPicture {
   FieldInputs inputs;
   glm::ivec4 part{0};
-  glm::ivec2 texels{0};  ///< of what is averaged first; zero: nothing
+  glm::ivec2 texels{0};  ///< size of the averaged field; zero if nothing is averaged
 
   FieldOnPicture(const FieldStage& stage, glm::ivec2 picture) {
     const simreel::sim::Field& field = stage.field;

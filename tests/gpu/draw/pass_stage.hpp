@@ -7,7 +7,7 @@
 
 #include <span>
 
-/// A pass by itself, with the frame's values bound.
+/// An instances pass on its own, with the frame's uniform values bound.
 struct PassStage {
   PassStage(const simreel::scene::Scene& scene, glm::ivec2 size)
       : values(simreel::draw::frameValues(scene, size, 0, {})),
@@ -27,7 +27,7 @@ struct PassStage {
   simreel::draw::InstancesPass pass;
 };
 
-/// As darkScene(), without shadows.
+/// Returns darkScene() without shadows.
 inline simreel::scene::Scene plainScene() {
   simreel::scene::Scene scene = darkScene();
   scene.sun.shadow = false;

@@ -1,4 +1,4 @@
-// The renderer's finished pictures: sky, tone map, orientation, sizes, samples, limits.
+// Tests the renderer's finished pictures: sky, tone map, orientation, sizes, samples and limits.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "frame/image.hpp"
@@ -47,7 +47,7 @@ TEST_CASE("sRGB bytes follow the film curve over its whole range") {
     scene.sun.intensity = 0.0F;
     const Picture picture = drawn(scene, {}, {8, 8});
     const auto wanted = filmByte({light, light * 0.5, light * 0.25});
-    // 1/2 of rounding, 1/2 of dithering, and the approximate root.
+    // The tolerance covers 1/2 of rounding, 1/2 of dithering and the approximate power function.
     for (int x = 0; x < 4; ++x) CHECK(farthest(picture.at(x, 3), wanted) <= 2);
   }
 }
@@ -92,7 +92,7 @@ TEST_CASE("row 0 is the top, column 0 the left, at an odd size with 1 and 4 samp
   GridStage sheet({5, 5}, {-1.5F, 1.2F, 0}, {1.0F, 0, 0}, {0, -0.8F, 0});
   for (const int samples : {1, 4}) {
     const Picture picture = drawn(scene, {.surfaces = {sheet.surface}}, {33, 21}, samples);
-    // 21 rows span 2 * 5 * tan(20 degrees) = 3.64 m: 5.77 pixels a metre around pixel (16, 10).
+    // 21 rows span 2 * 5 * tan(20 degrees) = 3.64 m, which is 5.77 pixels per metre around pixel (16, 10).
     CHECK(picture.brightness(16 - 6, 10 - 5) > 300);
     CHECK(picture.brightness(16 + 6, 10 - 5) < 10);
     CHECK(picture.brightness(16 - 6, 10 + 5) < 10);
@@ -140,7 +140,7 @@ TEST_CASE("limits are named with their value") {
 
 TEST_CASE("a texture shown once does not bleed from one border into the opposite one") {
   testContext();
-  // Two texels, black then white: at the right border repeating would give grey, at the left one too.
+  // The two texels are black, then white. A repeated texture would be grey at both borders.
   const auto file = temporaryFile("two_texels.png");
   writeFileAtomically(file, frame::encodePng({2, 1, {0, 0, 0, 255, 255, 255, 255, 255}}, {}));
   GridStage stage({5, 4}, {-1, 1, 0}, {2, 0, 0}, {0, -2, 0});

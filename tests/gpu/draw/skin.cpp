@@ -1,4 +1,5 @@
-// Materials grown from fields on surfaces: colours, relief, projections, seams, patterns finer than pixels.
+// Tests materials generated from fields ("skins") on surfaces: colours, relief, projections, seams and
+// patterns finer than pixels.
 #include "draw/surface/skin_look.hpp"
 #include "gpu/draw/skin_stage.hpp"
 #include "sim/mesh/shapes.hpp"
@@ -18,7 +19,7 @@ namespace {
 using Look = scene::Skin::Look;
 using Cells = sim::Field::Cells;
 
-/// The square, or another mesh, wearing the material, from 5 m away.
+/// Draws `mesh` with the skin material from a distance of 5 m.
 Picture worn(const scene::Material& material, const FieldStage& field, const sim::Mesh& mesh = squareMesh(),
              const std::function<void(scene::Scene&, sim::Surface&)>& change = {},
              glm::ivec2 size = {131, 131}) {
@@ -60,7 +61,7 @@ TEST_CASE("skin: a flat field gives the plain colour and the surface's own norma
 
 TEST_CASE("skin: a step in the field is an edge between two colours, one pixel wide") {
   testContext();
-  // The change happens within a cell, which covers ten pixels.
+  // The transition takes place within one cell, and a cell covers ten pixels.
   const FieldStage field(Cells::floats, {8, 5}, [](int x, int) { return x >= 4 ? 1.0 : 0.0; });
   scene::Material material = grown(Look::leather);
   material.skin->bump = 0;
@@ -77,7 +78,7 @@ TEST_CASE("skin: a step in the field is an edge between two colours, one pixel w
     if (x > 70) CHECK(high);
   }
   CHECK(between <= 2);
-  CHECK(between >= 1);  // smoothed, not ragged
+  CHECK(between >= 1);  // antialiased
 }
 
 TEST_CASE("skin: the threshold is a value of the field, and its range is known") {
@@ -94,7 +95,7 @@ TEST_CASE("skin: the threshold is a value of the field, and its range is known")
     for (int x = 0; x < 257; ++x) lit += picture.brightness(x, 64) > 300;
     return lit;
   };
-  const int middle = edge();  // by default halfway
+  const int middle = edge();  // the default threshold is the middle of the range
   material.skin->threshold = 58.5;
   const int quarter = edge();
   CHECK(quarter == doctest::Approx(middle / 2.0).epsilon(0.1));
@@ -102,7 +103,7 @@ TEST_CASE("skin: the threshold is a value of the field, and its range is known")
 
 TEST_CASE("skin: relief turns the shading the same way for mirrored uvs and on both faces") {
   testContext();
-  // One ridge in the middle, along y; it is the same seen in a mirror.
+  // One ridge in the middle, along y. The ridge is mirror-symmetric.
   const FieldStage field(Cells::floats, {32, 32}, [](int x, int) {
     return 0.5 - 0.5 * std::cos(2 * std::numbers::pi * (x + 0.5) / 32);
   });
@@ -119,7 +120,7 @@ TEST_CASE("skin: relief turns the shading the same way for mirrored uvs and on b
   for (const float bump : {-2.0F, 2.0F}) {
     CAPTURE(bump);
     material.skin->bump = bump;
-    const float raised = bump < 0 ? 1 : -1;  // high values of leather lie low
+    const float raised = bump < 0 ? 1 : -1;  // the leather look maps high values to low relief
     for (const bool mirrored : {false, true}) {
       CAPTURE(mirrored);
       const Picture front = worn(material, field, squareMesh(mirrored), fromRight);
@@ -128,7 +129,7 @@ TEST_CASE("skin: relief turns the shading the same way for mirrored uvs and on b
       CHECK(raised * static_cast<float>(back.brightness(82, 65) - back.brightness(48, 65)) > 60);
     }
   }
-  // Across v, from above: rows run down.
+  // A ridge across v, seen from above: rows of the field run downwards.
   const FieldStage across(Cells::floats, {32, 32}, [](int, int y) {
     return 0.5 - 0.5 * std::cos(2 * std::numbers::pi * (y + 0.5) / 32);
   });
@@ -146,7 +147,7 @@ TEST_CASE("skin: from three sides a square looks as it does by uv, and a mesh ne
   const auto oblique = [](scene::Scene& scene, sim::Surface&) {
     scene.sun.direction = glm::vec3(0.6F, 0.4F, 0.5F);
   };
-  // 96 x 48 cells over 2 m x 1 m, twice below each other: half a copy a metre.
+  // 96 x 48 cells cover 2 m x 1 m and repeat twice vertically: half a copy per metre.
   sim::Mesh byUv = squareMesh();
   for (std::size_t i = 0; i < byUv.uvs.size(); ++i)
     byUv.uvs[i] = {0.5F * byUv.positions[i].x, -byUv.positions[i].y};
@@ -157,7 +158,7 @@ TEST_CASE("skin: from three sides a square looks as it does by uv, and a mesh ne
   byUv.uvs.clear();
   material.skin->projection = scene::Skin::Projection::uv;
   CHECK(maxApart(worn(material, field, byUv, oblique), expected) <= 2);
-  // All three planes: neither side of a sphere is without pattern.
+  // Uses all three projection planes: every side of the sphere shows the pattern.
   sim::Mesh sphere = sim::sphereMesh(1.0F, {49, 25});
   sphere.uvs.clear();
   material.skin->bump = 0;
@@ -180,8 +181,8 @@ TEST_CASE("skin: from three sides a square looks as it does by uv, and a mesh ne
 
 TEST_CASE("skin: no seam shows on a sphere and a torus") {
   testContext();
-  // The seam is in front. Turned by half and the field rolled by half, the world looks the same and the
-  // seam is behind.
+  // The seam is in front. If the mesh is turned by half and the field is rolled by half, the picture stays
+  // the same and the seam is behind.
   const auto value = [](int x, int y) { return waves(x / 64.0, y / 32.0); };
   const FieldStage field(Cells::floats, {64, 32}, value);
   const FieldStage rolled(Cells::floats, {64, 32}, [&](int x, int y) { return value(x + 32, y); });
@@ -204,7 +205,7 @@ TEST_CASE("skin: no seam shows on a sphere and a torus") {
         max = std::max(max, difference);
       }
     CAPTURE(max);
-    CHECK(apart <= 8);  // edges of triangles fall a pixel to the other side
+    CHECK(apart <= 8);  // triangle edges may be rasterized one pixel apart
     CHECK(seam.brightness(65, 45) > 30);
   }
 }
@@ -266,7 +267,8 @@ TEST_CASE("skin: cracks glow by how far the field is above the threshold") {
   material.skin->bump = 0;
   material.skin->high = glm::vec3(0.5F, 0.3F, 0.15F);
   const auto dark = [](scene::Scene& scene, sim::Surface&) { scene.sun.intensity = 0.0F; };
-  // Of the last one hardly anything can be above the threshold: its range counts as 0.05.
+  // For the last pair, hardly any value lies above the threshold; the width of the range above it is
+  // clamped to at least 0.05.
   for (const auto& [threshold, value] :
        {std::pair(0.4, 0.3), {0.4, 0.45}, {0.4, 0.6}, {0.4, 0.8}, {0.4, 1.0}, {0.97, 1.0}}) {
     CAPTURE(threshold);
@@ -298,7 +300,7 @@ TEST_CASE("skin: grids wear skins, lost numbers and missing fields do no harm") 
     sim::Drawables drawables{.surfaces = {sheet.surface}, .fields = {lost.field}};
     drawables.fields.back().display = nullptr;
     CHECK(drawn(scene, drawables, {65, 65}).brightness(2, 2) == 0);
-    // Without the field: as if there were no skin.
+    // Without the field, the surface is drawn as if it had no skin.
     const Picture bare = drawn(scene, {.surfaces = {sheet.surface}}, {65, 65});
     sheet.material.skin.reset();
     CHECK(maxApart(bare, drawn(scene, {.surfaces = {sheet.surface}}, {65, 65})) == 0);

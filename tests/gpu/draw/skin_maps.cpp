@@ -1,5 +1,5 @@
-// Skins as maps that tile: rolling the field rolls them, borders join, colours and normals are what
-// surfaces show.
+// Tests skins as tileable maps: rolling the field rolls the maps, borders match, and colours and normals
+// equal those on surfaces.
 #include "draw/surface/skin_maps.hpp"
 
 #include "draw/overlay/field_textures.hpp"
@@ -41,7 +41,8 @@ float apart(const glm::vec4& a, const glm::vec4& b) {
   return std::max({d.x, d.y, d.z, d.w});
 }
 
-/// Differences between neighbours: along and across the rows inside, and over the border.
+/// Sorted differences between neighbouring texels, horizontally and vertically: inside the map, and across
+/// its border.
 struct Steps {
   std::vector<float> inside, seam;
 };
@@ -89,7 +90,7 @@ TEST_CASE("skin maps: rolling the field by half moves them by exactly half") {
                           apart(a.relief[there], b.relief[here]),
                           apart(a.light[there] / glow, b.light[here] / glow)});
         }
-      CHECK(max < 0.5F / 255);  // how texture units place a texel is rounded to 1/256 of one
+      CHECK(max < 0.5F / 255);  // the texture unit rounds the sampling position to 1/256 texel
     }
 }
 
@@ -110,7 +111,8 @@ TEST_CASE("skin maps: no step over the border is larger than those inside") {
 
 TEST_CASE("skin maps: values follow theory on a slope") {
   testContext();
-  // A triangle wave of 64 cells: slope 1/32 a cell, to the right up, then down. depth cells high.
+  // A triangle wave of 64 cells: it rises by 1/32 per cell to the middle, then falls. Its height is `depth`
+  // cells.
   const FieldStage field(Cells::floats, {64, 6},
                          [](int x, int) { return x < 32 ? x / 32.0 : (64 - x) / 32.0; });
   scene::Material material = grown(Look::map);
@@ -123,7 +125,7 @@ TEST_CASE("skin maps: values follow theory on a slope") {
     CHECK(relief.w == doctest::Approx(x < 32 ? x / 32.0 : (64 - x) / 32.0).epsilon(0.002));
     if (x % 32 != 0) CHECK(glm::distance(glm::vec3(relief), x < 32 ? up : down) < 1e-3F);
   }
-  // Lost numbers, and what lies further below the range than that is wide, lie the range's width below it.
+  // NaN and values more than one range width below the range are clamped to one range width below it.
   const FieldStage lost(Cells::floats, {12, 6}, [](int x, int) {
     return x == 3 ? std::numeric_limits<double>::quiet_NaN() : x == 8 ? -7.0 : 0.25;
   });
@@ -133,13 +135,13 @@ TEST_CASE("skin maps: values follow theory on a slope") {
     CHECK(glm::distance(glm::vec3(pits.relief[2 * 12 + x]), into) < 1e-3F);
     CHECK(glm::distance(glm::vec3(pits.relief[2 * 12 + x + 2]), glm::vec3(-into.x, 0, into.z)) < 1e-3F);
   }
-  // Down the rows: up is against them.
+  // The wave runs down the rows, and the y axis of the normal points up, against the rows.
   const FieldStage rows(Cells::floats, {6, 64},
                         [](int, int y) { return y < 32 ? y / 32.0 : (64 - y) / 32.0; });
   const draw::SkinMaps tall = mapsOf(material, rows, {6, 64});
   CHECK(tall.relief[10 * 6].y == doctest::Approx(-up.x).epsilon(0.01));
   CHECK(tall.relief[50 * 6].y == doctest::Approx(up.x).epsilon(0.01));
-  // A bump the other way round turns both.
+  // A negative bump inverts normal and height.
   material.skin->bump = -1;
   const draw::SkinMaps sunk = mapsOf(material, field, {64, 6});
   CHECK(sunk.relief[10].x == doctest::Approx(-up.x).epsilon(0.01));

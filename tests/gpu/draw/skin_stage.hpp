@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-/// A mesh as a simulation publishes it. Without uvs the surface has none.
+/// A mesh in the form in which a simulation publishes surfaces. The surface has uvs only if the mesh has
+/// them.
 struct MeshStage {
   explicit MeshStage(const simreel::sim::Mesh& mesh) {
     std::vector<glm::vec4> places;
@@ -44,7 +45,8 @@ struct MeshStage {
   simreel::sim::Surface surface;
 };
 
-/// A square of 2 m in the plane z = 0 that faces +z, u to the right and v down, or u to the left.
+/// Returns a square of 2 m in the plane z = 0 that faces +z, with v downwards and u to the right, or to the
+/// left if `mirrored`.
 inline simreel::sim::Mesh squareMesh(bool mirrored = false) {
   simreel::sim::Mesh mesh;
   for (const float y : {1.0F, -1.0F})
@@ -57,14 +59,14 @@ inline simreel::sim::Mesh squareMesh(bool mirrored = false) {
   return mesh;
 }
 
-/// Smooth, periodic, of no symmetry: waves with whole numbers of periods, 0 to 1.
+/// Returns a smooth, periodic, asymmetric sum of waves, from 0 to 1.
 inline double waves(double u, double v) {
   constexpr double turn = 2 * std::numbers::pi;
   return 0.5 + 0.2 * std::sin(turn * (3 * u + v)) + 0.17 * std::sin(turn * (2 * v - u) + 0.7) +
          0.12 * std::sin(turn * (5 * u + 4 * v) + 2.1);
 }
 
-/// A material grown from the field "grid" of a FieldStage.
+/// Returns a material with a skin of the field "grid" (the name of a FieldStage's field).
 inline simreel::scene::Material grown(simreel::scene::Skin::Look look) {
   simreel::scene::Material material;
   material.skin.emplace();
@@ -73,7 +75,7 @@ inline simreel::scene::Material grown(simreel::scene::Skin::Look look) {
   return material;
 }
 
-/// The scene of a dark room in which one object wears the material.
+/// Returns a dark scene that has one object with the material.
 inline simreel::scene::Scene roomWith(const simreel::scene::Material& material) {
   simreel::scene::Scene scene = darkScene();
   scene.sun.shadow = false;
@@ -83,7 +85,7 @@ inline simreel::scene::Scene roomWith(const simreel::scene::Material& material) 
   return scene;
 }
 
-/// Greatest difference of a channel between two pictures.
+/// Returns the maximum difference of a channel between two pictures.
 inline int maxApart(const Picture& a, const Picture& b) {
   int max = 0;
   for (std::size_t i = 0; i < a.bytes.size(); ++i) max = std::max(max, std::abs(a.bytes[i] - b.bytes[i]));

@@ -21,7 +21,8 @@ using namespace simreel;
 
 namespace {
 
-/// What texel i of the level below takes of `values`, in float64.
+/// Returns texel i of the next smaller mip level of the row `values`, in double precision. Odd sizes use
+/// three weighted texels.
 double meanOf(const std::vector<double>& values, int i) {
   const auto count = static_cast<int>(values.size());
   if (count == 1) return values[0];
@@ -64,7 +65,8 @@ TEST_CASE("textures of numbers have the mip levels that a kernel makes, at odd s
     const gl::Texture texture = gl::Texture::image("numbers", GL_RGBA16F, width, height, 0);
     std::vector<float> above;
     for (int i = 0; i < 4 * width * height; ++i)
-      above.push_back(static_cast<float>((i * 7919) % 2003 - 900) / 512.0F);  // half floats hold them
+      // exactly representable as half floats
+      above.push_back(static_cast<float>((i * 7919) % 2003 - 900) / 512.0F);
     glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, above.data());
     draw::NumberMips mips;
     mips.make(texture, GL_RGBA16F);

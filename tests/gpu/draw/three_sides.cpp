@@ -1,4 +1,4 @@
-// Textures of surfaces without uv, and the relief of their brightness.
+// Tests triplanar textures of surfaces without uvs, and the relief from texture brightness.
 #include "gpu/draw/ball_stage.hpp"
 #include "gpu/draw/image_file.hpp"
 
@@ -13,7 +13,7 @@ using namespace simreel;
 
 namespace {
 
-/// A ball of radius 1 without uv, its texture once in two metres.
+/// A ball of radius 1 without uvs; its texture repeats every two metres.
 struct Ball {
   explicit Ball(const std::string& texture) : stage(glm::vec3(0), 1) {
     stage.surface.uvs = nullptr;
@@ -24,7 +24,7 @@ struct Ball {
   SphereStage stage;
 };
 
-/// The ball from that side, up as it is seen, its middle in the middle.
+/// Draws the ball from the side `direction`, centred in the picture.
 Picture seenFrom(const Ball& ball, glm::vec3 direction, glm::vec3 light) {
   scene::Scene scene = darkScene();
   scene.camera.position = 5.0F * direction;
@@ -42,7 +42,7 @@ bool isMost(glm::ivec3 c, int channel) {
 
 TEST_CASE("textures without uv: upright and unmirrored from all sides") {
   testContext();
-  // Red and green above, blue and white below.
+  // Upper texels are red and green, lower texels are blue and white.
   const ImageFile file(2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255});
   const Ball ball(file.path());
   for (const glm::vec3& side : {glm::vec3(0, 0, 1), glm::vec3(1, 0, 0), glm::vec3(0, 0, -1),
@@ -51,7 +51,7 @@ TEST_CASE("textures without uv: upright and unmirrored from all sides") {
     CAPTURE(side.y);
     CAPTURE(side.z);
     const Picture picture = seenFrom(ball, side, side);
-    // Place (0, 0) of the texture is in the middle: to the right and down of it the picture begins.
+    // The texture's origin is at the ball's centre; the texture's first texel lies to the right and below.
     CHECK(isMost(picture.at(64 + 29, 64 + 29), 0));
     CHECK(isMost(picture.at(64 - 29, 64 + 29), 1));
     CHECK(isMost(picture.at(64 + 29, 64 - 29), 2));
@@ -61,7 +61,8 @@ TEST_CASE("textures without uv: upright and unmirrored from all sides") {
 
 TEST_CASE("relief of a texture: what is bright stands out, and its sides face the light or not") {
   testContext();
-  // White 0.25 m right of the middle, grey 0.75 m right and 0.25 m left of it.
+  // The white texel's centre is 0.25 m right of the middle; grey centres are 0.75 m right and 0.25 m left
+  // of the middle.
   const ImageFile file(2, 1, {255, 255, 255, 255, 128, 128, 128, 255});
   Ball ball(file.path());
   ball.stage.material.textureScale = glm::vec3(1);
@@ -70,7 +71,7 @@ TEST_CASE("relief of a texture: what is bright stands out, and its sides face th
     return seenFrom(ball, {0, 0, 1}, {1, 0, 1}).brightness(x, 64);
   };
   const int rising = 64;
-  const int falling = 64 + 29;  // 0.5 m
+  const int falling = 64 + 29;  // 0.5 m right of the middle
   CHECK(brightness(0.5F, rising) < brightness(0, rising) - 15);
   CHECK(brightness(-0.5F, rising) > brightness(0, rising) + 5);
   CHECK(brightness(0.5F, falling) > brightness(-0.5F, falling) + 5);
@@ -78,13 +79,15 @@ TEST_CASE("relief of a texture: what is bright stands out, and its sides face th
 
 TEST_CASE("relief of a texture: a slope of hundreds of pixels is even, but for 25 of them at its ends") {
   testContext();
-  // Pixels of 2 mm, 200 to a texel: it rises from grey at pixel 100 to white at pixel 300.
+  // A pixel is 2 mm and a texel 200 pixels wide; the brightness rises from grey at pixel 100 to white at
+  // pixel 300.
   const ImageFile file(2, 1, {128, 128, 128, 255, 255, 255, 255, 255});
   GridStage square({2, 2}, glm::vec3(-2, 2, 0), glm::vec3(4, 0, 0), glm::vec3(0, -4, 0));
   square.material.color = glm::vec3(0.3F);
   square.material.roughness = 1;
   square.material.texture = file.path();
-  square.material.textureScale = glm::vec3(5);  // by uv, which goes once over the 4 m
+  // the uvs span the sheet's 4 m once, so a copy is 0.8 m wide
+  square.material.textureScale = glm::vec3(5);
   scene::Scene scene = darkScene();
   scene.camera.fieldOfView = 2 * std::atan(4.5F * 0.002F / 5) * 57.29577951F;
   scene.sun.shadow = false;
@@ -92,13 +95,13 @@ TEST_CASE("relief of a texture: a slope of hundreds of pixels is even, but for 2
     square.material.bump = bump;
     return drawn(scene, {.surfaces = {square.surface}}, {401, 9}, 1);
   };
-  // With what the lobe throws straight back, F0 / 4.
+  // Adds the specular reflection straight back, F0 / 4.
   const auto albedo = [](int x) { return 0.01 + 0.3 * (0.21586 + 0.78414 * (x + 0.5 - 100.5) / 200); };
   const auto byteOf = [](double light) { return filmByte({light, light, light})[1]; };
   for (const float bump : {0.0F, 1.0F}) {
     const Picture picture = pictureWith(bump);
     double low = 0;
-    double high = 4;  // of what light there is what the slope throws back
+    double high = 4;  // bisects the fraction of the light that the slope reflects
     for (int i = 0; i < 40; ++i)
       (byteOf(albedo(200) * 0.5 * (low + high)) < picture.at(200, 4).y ? low : high) = 0.5 * (low + high);
     for (const int x : {128, 140, 170, 230, 260, 272}) {

@@ -1,7 +1,7 @@
 #pragma once
-// Functions of the models by themselves: what a kernel makes of them, over many inputs of which many are
-// alike or on an edge, equals what the same files as C++ do. Scenes seldom come to where a distance is
-// exactly 0.
+// Tests single shader functions of the simulation models: the GPU must return the same values as the same
+// file compiled as C++. Many of the inputs are equal, zero or on an edge, because scenes rarely reach cases
+// such as a distance of exactly 0.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "gl/buffer.hpp"
@@ -17,7 +17,8 @@
 
 constexpr int questions = 30011;
 
-/// A file of this folder, with what it includes of it, which no shader knows where to find.
+/// Returns a file of this folder. Includes of this folder are replaced by the included text, because the
+/// shader include path does not contain the folder.
 inline std::string functionsText(const std::string& name) {
   const std::string there = "gpu/functions/";
   std::string text = simreel::readFile(sourceFolder() + "/tests/" + there + name, "shader");
@@ -29,7 +30,7 @@ inline std::string functionsText(const std::string& name) {
   return text;
 }
 
-/// What asked(i) of tests/gpu/functions/`name` is on the device.
+/// Returns asked(i) of tests/gpu/functions/`name` for all i, computed on the GPU.
 inline std::vector<glm::vec4> answersOfDevice(const std::string& name, const std::string& before) {
   testContext();
   const std::string text = "#include \"common/exact.glsl\"\n#include \"common/hash.glsl\"\n" + before +
@@ -52,13 +53,15 @@ inline std::vector<glm::vec4> answersOfDevice(const std::string& name, const std
   try {
     testContext().check();
   } catch (const simreel::UserError& error) {
-    // Mesa warns of variables outside functions, which asked() sets: another test would hear of it.
+    // Mesa warns "used uninitialized" about globals that asked() sets. The warning is dropped here, or the
+    // next test's check() would report it.
     if (std::string(error.what()).find("used uninitialized") == std::string::npos) throw;
   }
   return found;
 }
 
-// GLSL's min, max and clamp may give either zero where both meet; models never ask which one it is.
+// Zeros of either sign are equal, because GLSL's min, max and clamp may return either zero, and no model
+// depends on the sign.
 inline bool alike(float a, float b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
@@ -81,5 +84,5 @@ void checkAll(const std::string& name, const std::string& before = "") {
     different += i > 0 && wanted != found[static_cast<std::size_t>(i - 1)] ? 1U : 0U;
   }
   CHECK_MESSAGE(wrong == 0, wrong, " of ", questions, " differ, the first at ", first);
-  CHECK(different > questions / 10);  // they ask something
+  CHECK(different > questions / 10);  // neighbouring inputs must give different outputs
 }

@@ -9,7 +9,7 @@ struct Stepped {
 Stepped stepData;
 MeshColliders meshData;
 
-// Distances between -6 and 6 units.
+// Returns four field distances between -6 and 6 units.
 FUNCTION uvec4 loadFieldCell(int i) {
   uvec3 a = diced(i, 20), b = diced(i, 21);
   return uvec4(a.x, a.y, b.x, b.y) % 786432u - 393216u + (uvec4(a.z, b.z, b.x, a.x) >> 16u) % 12u;
@@ -37,7 +37,7 @@ FUNCTION void prepare(int i) {
     stepData.colliders[2].a = vec4(0.6f, 0.0f, 0.8f, 0.0f);
     stepData.colliders[2].plane = 1;
   }
-  // The mesh turned by a quarter about y: x to z, z to -x.
+  // The mesh is rotated by 90 degrees about y: x to z, z to -x.
   meshData.count = 1;
   meshData.meshes[0].into[0] = vec4(0.0f, 0.0f, -1.0f, 0.25f);
   meshData.meshes[0].into[1] = vec4(0.0f, 1.0f, 0.0f, -0.125f);
@@ -53,7 +53,8 @@ FUNCTION void prepare(int i) {
   meshData.meshes[0].friction = float(someOf(i, 80, 3) - 1) * 0.5f;
 }
 
-// Shapes, the field alone, and out of the mesh after ways that are short, long, and come from beside it.
+// Tests the analytic shapes, the distance field alone, and pushing out of the mesh after short moves, long moves
+// and moves from beside the mesh.
 FUNCTION vec4 asked(int i) {
   prepare(i);
   Motion m;

@@ -10,7 +10,7 @@ FUNCTION vec4 loadWater(int i) {
   precise vec2 flow = vec2(signedUnit(bits.z), someNumber(bits.z)) * depth;
   return vec4(level, flow.x, flow.y, bed);
 }
-// Two bodies: where they are, how they are turned, how they move and spin.
+// Returns texel i of the state of two bodies: position, rotation, velocity and angular velocity.
 FUNCTION vec4 loadFloat(int i) {
   vec3 place = somePlace(i, pond + 1);
   if (i % floatTexels == 1) return vec4(0.6f, 0.0f, place.x < 0.0f ? -0.8f : 0.0f, place.x < 0.0f ? 0.0f : 0.8f);

@@ -1,4 +1,4 @@
-// Apart from water: the sides of both have the same names.
+// A separate source from functions.cpp, because water and fluid define border constants of the same names.
 #include "gpu/functions/ask.hpp"
 #include "sim/core/shader_code.hpp"
 #include "sim/fluid/plan.hpp"

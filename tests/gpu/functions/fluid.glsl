@@ -1,4 +1,4 @@
-// As FluidSolidSet, smaller.
+// A smaller FluidSolidSet.
 struct FewSolids {
   FluidSolid solids[3];
   vec4 growth[1];

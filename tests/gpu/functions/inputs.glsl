@@ -1,10 +1,11 @@
-// What functions are asked with. Compiles as GLSL and as C++, after common/hash.glsl.
+// Test inputs for functions. Compiles as GLSL and as C++ after common/hash.glsl.
 
 FUNCTION uvec3 diced(int i, int k) {
   return hash3(uvec3(uint(i), uint(k), 77u));
 }
 
-// A number of so few that equal ones, zero and both ends are common; one in four lies anywhere between.
+// Returns one of the five numbers -1, -0.5, 0, 0.5 and 1, so that equal values are common; one result in four is
+// any number between -1 and 1.
 FUNCTION float someNumber(uint bits) {
   precise float few = float(int((bits >> 4u) % 5u) - 2) * 0.5f;
   return (bits & 3u) == 0u ? signedUnit(bits) : few;
@@ -15,7 +16,7 @@ FUNCTION vec3 somePlace(int i, int k) {
   return vec3(someNumber(bits.x), someNumber(bits.y), someNumber(bits.z));
 }
 
-// 0 to most - 1.
+// Returns an integer from 0 to most - 1.
 FUNCTION int someOf(int i, int k, int most) {
   return int((diced(i, k).x >> 8u) % uint(most));
 }

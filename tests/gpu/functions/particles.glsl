@@ -1,6 +1,6 @@
 #include "particles/types.glsl"
 
-// As ParticleStep, smaller.
+// A smaller ParticleStep.
 struct ToldParticles {
   ParticleFields fields, fieldsBefore;
   Pace pace;

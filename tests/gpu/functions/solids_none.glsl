@@ -1,4 +1,4 @@
-// No mesh, no ground and no wall to meet: what asks for them alone is asked by itself elsewhere.
+// Provides empty meshes, grounds and walls for functions that need them but are tested without them here.
 #include "collide/field_types.glsl"
 #include "contour/wall_types.glsl"
 #include "fluid/wind_types.glsl"
@@ -30,7 +30,7 @@ FUNCTION vec4 loadWindCell(int x, int y) {
   return vec4(somePlace(8 * (y + 1) + x + 1, 90), 0.0f);
 }
 
-// A fluid's rectangle of 4 x 3 cells, askew in the world.
+// Sets the wind to a fluid rectangle of 4 x 3 cells that is skewed in the world.
 FUNCTION void blow(bool blows) {
   meshData.count = 0;
   blown = blows;

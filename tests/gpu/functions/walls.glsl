@@ -3,13 +3,13 @@
 WallGrid wallGrid;
 int land;
 
-// Two thirds of the samples are of the lowest class or its neighbour; the ring around has the lowest.
+// Returns the contour class of a sample: two thirds have class 0 or 1, and the outer ring has class 0.
 FUNCTION int loadWallClass(int x, int y) {
   if (x < 1 || y < 1 || x > wallGrid.samples.x - 2 || y > wallGrid.samples.y - 2) return 0;
   int drawn = someOf(16 * y + x, land, 6);
   return drawn > 3 ? 1 : min(drawn, wallGrid.levelCount);
 }
-// A value within its class.
+// Returns a value within the sample's class.
 FUNCTION float loadWallValue(int x, int y) {
   int class_ = loadWallClass(x + 1, y + 1);
   float above = float(class_) * 0.25f;

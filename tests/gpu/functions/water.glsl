@@ -3,7 +3,7 @@ WaterLook look;
 ivec2 size;
 int lake;
 
-// Beds in steps, shores, dry cells and thin ones.
+// Returns a water cell: beds in steps, shores, dry cells and thin water layers.
 FUNCTION vec4 loadWater(int i) {
   vec3 flows = somePlace(i, lake);
   uvec3 bits = diced(i, lake + 1);
@@ -20,7 +20,7 @@ FUNCTION vec4 loadWaterAt(int x, int y) {
 #include "water/step.glsl"
 #include "water/look.glsl"
 
-// A cell of a small lake; each invocation has another one.
+// Tests a cell of a small lake; each invocation has a different lake.
 FUNCTION vec4 asked(int i) {
   lake = 2 * i;
   size = ivec2(5, 3);

@@ -1,5 +1,5 @@
-// Skinned bodies: the kernel beside its twin bit for bit, beside a float64 restatement, and what cloth
-// makes of them.
+// Tests skinned bodies: the kernel against its CPU twin bit for bit, against its equation in double
+// precision, and cloth on bodies.
 #include "gpu/context.hpp"
 #include "gpu/sim/words.hpp"
 #include "reference/body_twin.hpp"
@@ -105,7 +105,7 @@ TEST_CASE("body: skinned vertices and normals are those of its equation in float
     farthest = std::max(farthest, glm::length(place - glm::dvec3(positions[i])));
     mostTurned = std::max(mostTurned, glm::length(normal - glm::dvec3(normals[i])));
   }
-  CHECK(farthest < 2e-6);  // m
+  CHECK(farthest < 2e-6);  // metres
   CHECK(mostTurned < 1e-5);
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("body: bones that are squeezed and stretched keep normals upright on t
   surface.begin(motion.rowsAt(0), motion.rowsAt(0));
   const auto positions = surface.positions().buffer().readAll<glm::vec4>();
   const auto normals = surface.normals().buffer().readAll<glm::vec4>();
-  // An ellipse x = 0.2 cos a, z = 0.1 sin a has the normal (cos a / 0.2, sin a / 0.1).
+  // The ellipse x = 0.2 cos a, z = 0.1 sin a has the normal (cos a / 0.2, sin a / 0.1).
   for (std::size_t i = 24; i < positions.size() - 24; ++i) {
     const glm::dvec3 expected = glm::normalize(glm::dvec3(positions[i].x / 0.04, 0, positions[i].z / 0.01));
     CHECK(glm::length(expected - glm::dvec3(normals[i])) < 2e-3);
@@ -154,7 +154,7 @@ TEST_CASE("body: cloth pinned to the nearest places of a skin equals its CPU twi
     const std::vector<glm::vec4>* expected[] = {&twin.positions, &twin.velocities};
     for (std::size_t array = 0; array < 2; ++array)
       CHECK(wordsUnlike(*world.object(0).state()[array].buffer, *expected[array]) == 0);
-    // Where the skin is, to the bit that floats have.
+    // Pinned particles follow the skin within float precision.
     std::vector<glm::dvec3> points;
     std::vector<std::size_t> pins;
     for (std::size_t i = 0; i < rest.size(); ++i)
@@ -187,7 +187,7 @@ TEST_CASE("body: a cape on a walking body equals its CPU twin, keeps out of it a
   sim::World world(scene);
   std::vector<std::size_t> order;
   world.advanceTo(-14, {}, [&](std::size_t object) { order.push_back(object); });
-  CHECK(order == std::vector<std::size_t>{1, 0});  // the body before those that it moves
+  CHECK(order == std::vector<std::size_t>{1, 0});  // the body steps before the cloth pinned to it
   world.advanceTo(20);
   const sim::Bones bones(scene);
   std::vector<sim::ColliderShape> colliders;
@@ -199,7 +199,7 @@ TEST_CASE("body: a cape on a walking body equals its CPU twin, keeps out of it a
   for (int frame = 0; frame < 35; ++frame) twin.step((frame - 15) / 30.0);
   const auto state = world.object(0).state();
   CHECK(wordsUnlike(*state[0].buffer, twin.positions) == 0);
-  // The pinned row keeps its place beside the chest.
+  // The pinned row keeps its position relative to the chest bone.
   const sim::Carrier chest = bones.named("walker", "chest");
   const glm::dmat4 way = chest(20 / 30.0) * glm::inverse(chest(-0.5));
   const auto first =
@@ -210,7 +210,7 @@ TEST_CASE("body: a cape on a walking body equals its CPU twin, keeps out of it a
     const glm::dvec3 expected(way * glm::dvec4(glm::dvec3(first[x]), 1));
     CHECK(glm::length(expected - glm::dvec3(twin.positions[x])) < 1e-5);
   }
-  // No free particle within a capsule by more than what a substep's pull does.
+  // No free particle penetrates a capsule by more than the pull of one substep.
   double deepest = 0;
   for (const sim::ColliderShape& shape : colliders) {
     const sim::CarriedCapsule capsule = sim::carriedAt(shape, 20 / 30.0);

@@ -23,7 +23,8 @@ sim::CaveParameters cave(int width, int height) {
   return p;
 }
 
-/// Sizes that are odd, of one cell, of more than a word, and of rows that fill words and groups of them.
+/// Returns caves of odd sizes, of one cell, of more than a word, and with rows that fill whole words and
+/// groups of words.
 std::vector<sim::CaveParameters> someCaves() {
   std::vector<sim::CaveParameters> all = {cave(1, 1),    cave(1, 40),  cave(77, 1),
                                           cave(3, 3),    cave(61, 43), cave(128, 33),
@@ -56,8 +57,8 @@ void checkCells(const sim::CaveGrowth& growth, const CaveTwin& twin, const char*
   CHECK(got == twin.words());
 }
 
-/// The least sum of distances that joins all rooms, by Prim's tree over the distances of all pairs of
-/// cells.
+/// Returns the minimum total distance that connects all rooms: Prim's spanning tree over the Manhattan
+/// distances of all pairs of cells.
 long leastLength(const CaveTwin& twin, glm::ivec2 size) {
   const std::vector<int> region = twin.regions(false);
   std::map<int, std::vector<glm::ivec2>> rooms;

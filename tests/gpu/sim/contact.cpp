@@ -52,7 +52,7 @@ struct PlaceModel {
 #undef precise
 #undef FUNCTION
 
-/// A mesh that moves, on the device and as its twin has it.
+/// A rigidly moved mesh on the GPU, with the vertex positions for the CPU twin.
 class MovedSolid : public sim::ContactSolid {
  public:
   using Place = glm::mat4 (*)(double time);
@@ -71,7 +71,8 @@ class MovedSolid : public sim::ContactSolid {
   void moveTo(int substep, int substeps) override { vertices_->moveTo(substep, substeps); }
   [[nodiscard]] const gl::Vec4Array& now() const override { return vertices_->now(); }
   [[nodiscard]] const gl::Vec4Array& next() const override { return vertices_->next(); }
-  /// The twin's.
+  /// Returns the vertices for the CPU twin: lerped by `share` between the placements at times `begin` and
+  /// `end`.
   [[nodiscard]] std::vector<glm::vec4> at(double begin, double end, double share) const {
     const auto rows = [&](double time) {
       const glm::mat4 m = glm::transpose(place_(time));
@@ -94,7 +95,8 @@ class MovedSolid : public sim::ContactSolid {
   std::unique_ptr<sim::MovedVertices> vertices_;
 };
 
-/// Links of simulations that no world holds: a group of so many steps a frame, and nothing else.
+/// Links of a simulation outside any world: reports a lock-step group with a fixed number of steps per
+/// frame and nothing else.
 class GroupAlone final : public sim::Links {
  public:
   explicit GroupAlone(int steps) : steps_(steps) {}
@@ -118,7 +120,7 @@ T* outletOf(sim::Simulation& simulation) {
   return nullptr;
 }
 
-/// Steps both sides and compares every word of the state.
+/// Steps the simulations and their CPU twins and compares every word of the state.
 void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
                     const std::vector<sim::ColliderShape>& colliders,
                     const std::vector<MovedSolid*>& solids = {},
@@ -262,7 +264,7 @@ sim::ParticleParameters fallingBalls() {
   group.totalMass = 0.05F;
   group.position = glm::vec3(0.01F, 0.3F, 0);
   group.velocity = glm::vec3(0.1F, -2, 0);
-  sim::Emitter& emitter = p.emitters.emplace_back();  // they are born and die between and in the sheets
+  sim::Emitter& emitter = p.emitters.emplace_back();  // born and removed between and inside the sheets
   emitter.rate = 55;
   emitter.lifetime = 0.15F;
   emitter.mass = 0.001F;
@@ -282,7 +284,7 @@ TEST_CASE("balls that are thrown into cloths, are born and die there equal their
   floor.friction = 0.3;
   auto balls = fallingBalls();
   compareContact({held, contactSheet({7, 9}, {0.02F, 0.13F, 0}, {0, 25, 0})}, 14, {floor}, {}, &balls);
-  balls.method = sim::GravityMethod::allPairs;  // and pull each other
+  balls.method = sim::GravityMethod::allPairs;  // the balls also attract each other
   balls.gravity = 1e-4F;
   MovedSolid box(sim::planeMesh({0.3F, 0, 0.3F}, {3, 2}), [](double time) {
     glm::mat4 m(1);
@@ -312,8 +314,8 @@ TEST_CASE("cloths in contact with solids that move and one that does not equal t
 
 namespace {
 
-/// Frames of a scene whose first object is cloth and whose second one touches it: none of the first's edges
-/// may go through a face of the second, or the other way round. Returns the first one's lowest place.
+/// Steps a scene whose first object is a cloth that touches the second object. Checks that no edge of one
+/// object passes through a face of the other. Returns the lowest height of the cloth in the last frames.
 float stepApart(const char* text, int frames) {
   testContext();
   const scene::Scene scene = scene::parseScene(text, "test.json", {}, sim::kinds());
@@ -356,7 +358,7 @@ TEST_CASE("a sheet falls on a mesh that waves, and on one that is moved and turn
                       "position": {"keys": [[0, [0, 0, 0]], [0.5, [0.1, 0.6, 0]]]},
                       "rotation": {"keys": [[0, [60, 0, 0]], [0.5, [90, 0, 90]]]}}}}})",
                                 30);
-  CHECK(moved > -0.2F);  // it is lifted: by itself it would have fallen to -0.9 m
+  CHECK(moved > -0.2F);  // the ring lifts the sheet, which would otherwise fall to -0.9 m
 }
 
 TEST_CASE("a sheet falls on the skin of a walking figure") {
@@ -394,6 +396,6 @@ TEST_CASE("a disc of triangles falls on a sheet that hangs by its corners, and t
     }
     CHECK(crossings(points, faces) == 0);
   }
-  CHECK(lowest > -0.6);  // the sheet holds it up: 0.6 s of free fall are 1.8 m
+  CHECK(lowest > -0.6);  // the sheet holds up the disc, which would otherwise fall 1.8 m in 0.6 s
   CHECK(lowest < -0.05);
 }

@@ -1,4 +1,5 @@
-// A deformed mesh: every technique beside the CPU twin, word by word, and picture beside picture.
+// Tests deformed meshes: every technique against the CPU twin word by word, and the pictures against each
+// other.
 #include "draw/screen/readback.hpp"
 #include "draw/screen/renderer.hpp"
 #include "gpu/context.hpp"
@@ -28,7 +29,7 @@ const char* const everything = R"([
   {"footprints": {"cells": [67, 51], "depth": 0.3}},
   {"push": {"softness": 0.2}}])";
 
-/// A scene of one mesh and things that touch it.
+/// Returns a scene of one mesh, and a ball and a rod that touch it.
 scene::Scene sceneOf(const std::string& mesh, const std::string& deform, const std::string& technique,
                      const std::string& more = "") {
   const std::string text = fmt::format(
@@ -54,7 +55,7 @@ Words stateAfter(const std::string& mesh, const std::string& deform, const std::
   return words;
 }
 
-/// What the twin makes of it: positions, then the trail.
+/// Returns the CPU twin's positions, then its trail.
 std::vector<std::vector<glm::vec4>> twinAfter(const std::string& mesh, const std::string& deform,
                                               int frames) {
   const scene::Scene scene = sceneOf(mesh, deform, "compute");
@@ -93,7 +94,7 @@ std::vector<std::uint8_t> picture(const scene::Scene& scene, int frame) {
   return readback.take(true)->second;
 }
 
-/// Fraction of pixels of which a channel differs by more than 2.
+/// Returns the fraction of pixels with a channel that differs by more than 2.
 double differingFraction(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
   REQUIRE(a.size() == b.size());
   std::size_t count = 0;
@@ -116,7 +117,7 @@ TEST_CASE("deform: every technique with a state equals the CPU twin") {
     const auto expected = twinAfter(mesh, everything, 23);
     double moved = 0;
     for (const glm::vec4& cell : expected[1]) moved += cell.x;
-    CHECK(moved > 0.1);  // there are prints at all
+    CHECK(moved > 0.1);  // there are footprints
     for (const char* technique : {"compute", "single-thread", "jobs", "mapped"}) {
       const Words words = stateAfter(mesh, everything, technique, 23);
       REQUIRE(words.size() == 2);
@@ -197,7 +198,8 @@ TEST_CASE("deform: frames at which nobody looks are not displaced, and change no
     whole.advanceTo(9);
     passed.passTo(9);
     const std::string ninth = hashOf(whole);
-    if (technique != "vertex-shader") CHECK(hashOf(passed) != ninth);  // which has no positions of its own
+    // the vertex-shader technique stores no positions, so its hash does not change
+    if (technique != "vertex-shader") CHECK(hashOf(passed) != ninth);
     passed.show();
     CHECK(hashOf(passed) == ninth);
     whole.advanceTo(13);
@@ -222,7 +224,7 @@ TEST_CASE("deform: one picture, five techniques") {
                              R"([{"footprints": {"cells": [101, 101], "depth": 0.2}}])"}}) {
     const auto expected = picture(sceneOf(c.mesh, c.deform, "single-thread", scenery), 20);
     const auto flat = picture(sceneOf(c.mesh, "[]", "compute", scenery), 20);
-    CHECK(differingFraction(flat, expected) > 0.01);  // it does show
+    CHECK(differingFraction(flat, expected) > 0.01);  // the deformation is visible
     for (const char* technique : techniques) {
       const double fraction =
           differingFraction(picture(sceneOf(c.mesh, c.deform, technique, scenery), 20), expected);

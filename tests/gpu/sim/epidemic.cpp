@@ -20,7 +20,7 @@ Parameters city(int width, int height) {
   return p;
 }
 
-/// Steps both sides and compares every byte of the state and every count.
+/// Steps the GPU simulation and its CPU twin and compares every byte of the state and every count.
 void compare(const Parameters& parameters, int frames) {
   const auto gpu = spread::make(sim::epidemicKind(), parameters);
   EpidemicTwin twin(sim::EpidemicPlan(parameters, "field", 5, spread::frameSeconds));
@@ -34,11 +34,11 @@ void compare(const Parameters& parameters, int frames) {
     CHECK(spread::rowsOf(*gpu) == twin.counts);
   }
   const auto got = gpu->state()[0].buffer->readAll<glm::uvec4>();
-  CHECK(got == sim::packedCells(twin.cells, parameters.size));  // the padding too
+  CHECK(got == sim::packedCells(twin.cells, parameters.size));  // compares the padding, too
   CHECK(twin.cells != start);
 }
 
-/// Susceptible, infected, recovered for every step.
+/// Returns the susceptible, infected and recovered counts of each step.
 std::vector<glm::uvec4> run(const Parameters& parameters, int frames, int seed = 5) {
   const auto gpu = spread::make(sim::epidemicKind(), parameters, seed);
   std::vector<glm::uvec4> rows = spread::rowsOf(*gpu);
@@ -74,8 +74,8 @@ TEST_CASE(
   compare(p, 40);
 }
 
-// Most of the grid stands still, which drivers on the CPU leave out: until the outbreak comes, across a
-// torus' sides too, and when all have grown old, until they begin to lose their immunity.
+// Software drivers skip groups of cells that cannot change. Most of the grid is such: before the outbreak
+// arrives, also across the borders of a torus, and after all infected have recovered, until immunity wanes.
 TEST_CASE("epidemic equals its CPU twin on 331x211, where most stands still") {
   for (const auto border : {Parameters::Border::torus, Parameters::Border::closed})
     for (const int frames : {7, 45, 110}) {
@@ -88,7 +88,8 @@ TEST_CASE("epidemic equals its CPU twin on 331x211, where most stands still") {
       p.waning = scene::Animated<float>({{3.0, 0.0F}, {3.5, 0.01F}}, scene::Ease::linear);
       p.strokes = {spread::dot({330, 1, 0}, 1.5F), spread::dot({200.5F, 150.5F, 0}, 2, 1, 1.0)};
       compare(p, frames);
-      // So slow that the infected often wait, and only later reach the sides.
+      // The epidemic is so slow that infected cells often do not change for some steps, and it reaches the
+      // borders late.
       p.beta = 0.06F;
       p.gamma = 0.01F;
       p.trail = 200;
@@ -147,7 +148,7 @@ TEST_CASE("epidemic: people neither come nor go, and without waning S never grow
     REQUIRE(rows[i].x <= rows[i - 1].x);
     REQUIRE(rows[i].z >= rows[i - 1].z);
   }
-  CHECK(rows.back().z > 6000);  // it went around
+  CHECK(rows.back().z > 6000);  // most people were infected
   CHECK(run(city(131, 97), 20, 6) != run(city(131, 97), 20, 5));
 }
 
@@ -158,9 +159,9 @@ TEST_CASE("epidemic: immunity that wanes keeps it going") {
   CHECK(run(p, 200).back().y > 100);
 }
 
-// One step from a known state: every susceptible with n infected neighbours falls ill with 1 - (1 -
-// beta)^n. On a torus of alternating infected columns every susceptible has n = 6, and the number of ill is
-// binomial.
+// Tests one step from a known state: a susceptible cell with n infected neighbours becomes infected with
+// probability 1 - (1 - beta)^n. On a torus of alternating infected columns, n is 6 everywhere, and the
+// number of new infections is binomial.
 TEST_CASE("epidemic: the chance of infection is 1 - (1 - beta)^n, of recovery gamma") {
   auto p = city(510, 301);
   p.border = Parameters::Border::torus;
@@ -183,12 +184,12 @@ TEST_CASE("epidemic: the chance of infection is 1 - (1 - beta)^n, of recovery ga
   CHECK(near(rows[1].z, 0.3));
 }
 
-// Mean field (Kermack and McKendrick): of a large mixed population, dS/S = -8 beta I/N to first order in a
-// step, and every infected person spends 1/gamma steps ill, so ln(s_end/s_0) = -R0 (1 - s_end) with R0 = 8
-// beta / gamma. A step's exact rule, 1 - (1 - beta I/N)^8, adds -4 beta^2 (I/N)^2 a step, summed along the
-// same recursion below. Around that the final size of N people has the standard deviation sqrt(v/N), v = (s
-// (1-s) + c^2 R0^2 s^2 (1-s)) / (1 - R0 s)^2 with c^2 = 1 - gamma for geometric times (von Bahr and
-// Martin-Loef, 1980).
+// Mean field (Kermack and McKendrick): in a large mixed population, dS/S = -8 beta I/N to first order in a
+// step, and an infection lasts 1/gamma steps on average, so ln(s_end/s_0) = -R0 (1 - s_end) with R0 = 8
+// beta / gamma. The exact rule of a step, 1 - (1 - beta I/N)^8, adds -4 beta^2 (I/N)^2 per step; the
+// recursion below includes it. The final size of N people deviates from this limit with standard deviation
+// sqrt(v/N), where v = (s (1-s) + c^2 R0^2 s^2 (1-s)) / (1 - R0 s)^2 and c^2 = 1 - gamma for geometrically
+// distributed durations (von Bahr and Martin-Loef, 1980).
 TEST_CASE("epidemic: final size of a mixed population is the mean-field limit") {
   auto p = city(1023, 769);
   p.mixing = Parameters::Mixing::global;

@@ -1,4 +1,4 @@
-// Fields read back: every kind of cell, padded rows, cells apart.
+// Tests reading fields back: every cell type, padded rows and gaps between cells.
 #include "sim/grid/field_values.hpp"
 
 #include "gpu/draw/field_stage.hpp"

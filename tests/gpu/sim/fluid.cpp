@@ -1,4 +1,4 @@
-// Fluids on the GPU against their CPU twin, bit for bit, whatever their sides, size and forces are.
+// Tests fluids on the GPU against their CPU twin, bit for bit, with all side types, sizes and forces.
 #include "sim/fluid/fluid.hpp"
 
 #include "gpu/context.hpp"
@@ -63,10 +63,10 @@ void checkFluid(const std::vector<glm::vec4>& got, const std::vector<glm::vec4>&
   }
   CHECK_MESSAGE(different == 0, what, ": ", different, " of ", want.size(), " elements differ, first ",
                 first);
-  CHECK(most > 0.01F);  // something happens
+  CHECK(most > 0.01F);  // the state must not stay zero
 }
 
-/// Steps both sides and compares every word of the state.
+/// Steps the GPU fluid and its CPU twin and compares every word of the state.
 void compareFluid(const sim::FluidParameters& parameters, int frames) {
   testContext();
   scene::Object object;
@@ -96,7 +96,8 @@ TEST_CASE("fluid equals its CPU twin between walls, on sizes that are no multipl
   }
 }
 
-// Three of its levels have tiles in the open.
+// Three of the solver's levels have tiles without walls or obstacles nearby, for which separate kernels
+// run.
 TEST_CASE("fluid equals its CPU twin where much of it lies in the open") {
   auto p = jets(150, 133);
   setSides(p, Side::wall, Side::open, Side::slip, Side::wall);
@@ -110,12 +111,12 @@ TEST_CASE("fluid equals its CPU twin where much of it lies in the open") {
   compareFluid(p, 2);
   p.obstacles.clear();
   setSides(p, Side::periodic, Side::periodic, Side::periodic, Side::periodic);
-  p.strokes[1].from.x = p.strokes[1].to.x = 150;  // over the seam
+  p.strokes[1].from.x = p.strokes[1].to.x = 150;  // across the seam
   compareFluid(p, 2);
 }
 
-// Of storage blocks the last levels before the coarsest share a dispatch, the finer ones come one by one;
-// on a torus windows reach over the seam.
+// On the storage-buffer memory path, the levels before the coarsest share a dispatch and each finer level
+// has its own. On a torus, the cells that a workgroup reads extend across the seam.
 TEST_CASE("fluid equals its CPU twin on many levels") {
   auto p = jets(1100, 41);
   setSides(p, Side::open, Side::slip, Side::open, Side::inflow);
@@ -126,7 +127,7 @@ TEST_CASE("fluid equals its CPU twin on many levels") {
   compareFluid(p, 1);
   p = jets(160, 48);
   setSides(p, Side::periodic, Side::periodic, Side::periodic, Side::periodic);
-  p.strokes[0].from.x = p.strokes[0].to.x = 0;  // over the seam
+  p.strokes[0].from.x = p.strokes[0].to.x = 0;  // across the seam
   compareFluid(p, 1);
 }
 
@@ -137,7 +138,8 @@ TEST_CASE("fluid equals its CPU twin with every kind of side") {
                                                scene::Ease::linear);
   p.bottom.velocity = glm::vec3(-25, 0, 0);
   compareFluid(p, 4);
-  setSides(p, Side::open, Side::slip, Side::open, Side::inflow);  // as on many levels: the same kernels
+  // the same sides as in the test of many levels, so that no more kernels are compiled
+  setSides(p, Side::open, Side::slip, Side::open, Side::inflow);
   p.bottom.velocity = glm::vec3(5, -25, 0);
   p.obstacles.resize(1);
   p.obstacles[0].center = glm::vec3(20, 18, 0);
@@ -159,14 +161,14 @@ TEST_CASE("fluid equals its CPU twin on a torus, odd ones too") {
     CAPTURE(size.x);
     auto p = jets(size.x, size.y);
     setSides(p, Side::periodic, Side::periodic, Side::periodic, Side::periodic);
-    p.strokes[0].from.x = p.strokes[0].to.x = 0;  // over the seam
+    p.strokes[0].from.x = p.strokes[0].to.x = 0;  // across the seam
     compareFluid(p, 4);
   }
   auto p = jets(41, 30);
-  // As lines over a seam below: the same kernels.
+  // The same sides as in the test of lines across a seam, so that no more kernels are compiled.
   setSides(p, Side::periodic, Side::periodic, Side::wall, Side::open);
   p.obstacles.resize(1);
-  p.obstacles[0].center = glm::vec3(39, 14, 0);  // over the seam, too
+  p.obstacles[0].center = glm::vec3(39, 14, 0);  // across the seam
   p.obstacles[0].radius = 4;
   compareFluid(p, 4);
 }
@@ -176,14 +178,14 @@ TEST_CASE("fluid with obstacles, heat, friction, confinement and heavy dye equal
     auto p = jets(67, 45);
     setSides(p, Side::wall, Side::wall, Side::open, Side::wall);
     p.obstaclesSlip = slip;
-    p.cycles = 80;  // coarse grids see little of thin walls
+    p.cycles = 80;  // many cycles are needed because coarse grids barely resolve thin walls
     p.obstacles.resize(3);
     p.obstacles[0].center = glm::vec3(40, 20, 0);
     p.obstacles[1].shape = sim::FluidObstacle::Shape::box;
     p.obstacles[1].center = glm::vec3(20, 30, 0);
     p.obstacles[1].extent = {20, 1.5F, 0};
     p.obstacles[1].turn = 20;
-    p.obstacles[2].center = glm::vec3(2, 2, 0);  // over the border
+    p.obstacles[2].center = glm::vec3(2, 2, 0);  // across the border
     p.obstacles[2].radius = 5;
     p.viscosity = 2.5F;
     p.confinement = 4.0F;
@@ -211,8 +213,9 @@ TEST_CASE("fluid equals its CPU twin with semi-Lagrangian advection, and where a
     box.center = glm::vec3(wall.x, wall.y, 0);
     box.extent = {wall.z, wall.w, 0};
   }
-  p.cycles = 60;                                      // a coarse grid does not see thin walls
-  p.strokes[0].from = p.strokes[0].to = {25, 20, 0};  // in the pocket
+  // many cycles are needed because coarse grids do not resolve thin walls
+  p.cycles = 60;
+  p.strokes[0].from = p.strokes[0].to = {25, 20, 0};  // inside the enclosed pocket
   compareFluid(p, 6);
 }
 
@@ -244,7 +247,8 @@ TEST_CASE("fluid with obstacles that move, turn, are pictures or squeeze a pocke
     p.obstacles[1].scale = 1.3F;
     p.obstacles[1].center = glm::vec3(20, 34, 0);
     p.obstacles[1].turn = scene::Animated<float>({{0.0, 0.0F}, {1.0, 200.0F}}, scene::Ease::linear);
-    p.obstacles[2].shape = sim::FluidObstacle::Shape::box;  // shuts off the right end, and goes there
+    // encloses a pocket at the right end and moves towards it
+    p.obstacles[2].shape = sim::FluidObstacle::Shape::box;
     p.obstacles[2].center = scene::Animated<glm::vec3>(
         {{0.0, glm::vec3(45, 21, 0)}, {1.0, glm::vec3(60, 21, 0)}}, scene::Ease::linear);
     p.obstacles[2].extent = {5, 60, 0};
@@ -259,9 +263,9 @@ TEST_CASE("fluid with obstacles that move, turn, are pictures or squeeze a pocke
 TEST_CASE("fluid: the first step and the lowest cell of a flow that is lost are noted") {
   testContext();
   auto p = jets(75, 59);
-  p.speed = 0.01F;  // the jets go 60
+  p.speed = 0.01F;  // far below the jets' speed of 60
   p.substeps = 1;
-  for (sim::FluidStroke& stroke : p.strokes) stroke.at = 0.05;  // in the second step
+  for (sim::FluidStroke& stroke : p.strokes) stroke.at = 0.05;  // the second step
   scene::Object object;
   object.name = "bath";
   object.kind = "fluid";

@@ -1,4 +1,4 @@
-// The chart of a fluid's quantities: a value each frame, whether it is looked at or not.
+// Tests the chart of a fluid's drag and lift: one value for each frame, drawn or not.
 #include "gpu/context.hpp"
 #include "sim/fluid/chart.hpp"
 #include "sim/fluid/fluid.hpp"
@@ -103,7 +103,8 @@ TEST_CASE("fluid chart: drag and lift of each frame, of those that nobody looks 
   double most = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto shown = [&](int curve) { return rows[i][curve] / 16777216.0 * 8 - 3; };
-    // Up the picture, where this inflow goes down: below 0. Drag, to the right: above.
+    // This inflow goes down, so the lift, which counts upwards, is negative; the drag, to the right, is
+    // positive.
     CHECK(shown(0) == doctest::Approx(std::clamp(measured[i][9] / 2500, -3.0, 5.0)).epsilon(1e-5));
     CHECK(shown(1) == doctest::Approx(std::clamp(measured[i][8] / 2500, -3.0, 5.0)).epsilon(1e-5));
     if (i > 0) CHECK(shown(1) > 0.1);
@@ -121,7 +122,7 @@ TEST_CASE("fluid chart: it grows, and goes on from a checkpoint") {
   sim::FluidChart chart("a", p, 0.1);
   std::vector<double> measured(10);
   for (int i = 0; i < 1500; ++i) {
-    measured[9] = i;  // lift
+    measured[9] = i;  // quantity 9 is the lift
     chart.add(measured);
   }
   ChartKeeper keeper;

@@ -1,4 +1,4 @@
-// A coarse one of the flows that bench_fluid looks at in full.
+// Tests a coarse version of a flow that bench_fluid measures at full resolution.
 #include "reference/fluid_flows.hpp"
 
 #include "gpu/context.hpp"
@@ -11,7 +11,7 @@
 
 using namespace simreel;
 
-// At 40 cells a diameter: Strouhal 0.30, drag 3.23, lift 1.0 (Schaefer and Turek 1996).
+// Reference at 40 cells per diameter: Strouhal number 0.30, drag 3.23, lift 1.0 (Schaefer and Turek 1996).
 TEST_CASE(
     "fluid: a cylinder of ten cells sheds vortices about as often, and feels about the drag, that it "
     "should") {

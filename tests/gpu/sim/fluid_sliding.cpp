@@ -1,4 +1,4 @@
-// Obstacles that move through a fluid along keys and let it slip along them, or not.
+// Tests obstacles that move through a fluid along keyframes, with slip and no-slip surfaces.
 #include "gpu/context.hpp"
 #include "reference/fluid_twin.hpp"
 #include "sim/fluid/fluid.hpp"
@@ -33,7 +33,7 @@ sim::FluidParameters stillBath(glm::ivec2 size, bool slip) {
   return p;
 }
 
-/// A keyed circle and a keyed box that turns, in a channel.
+/// Returns a channel with a keyframed circle and a keyframed, rotating box.
 sim::FluidParameters movingPair(glm::ivec2 size, bool slip) {
   auto p = stillBath(size, slip);
   const auto w = static_cast<float>(size.x), h = static_cast<float>(size.y);
@@ -80,6 +80,6 @@ TEST_CASE("fluid with a keyed circle and a keyed box equals its CPU twin, slippi
     CHECK(slidingDifferences(gpu->state()[0].readAll<glm::vec4>(), twin.flow) == 0);
     const auto measured = gpu->measure();
     CHECK(measured[0] <= sim::maxFluidDivergence);
-    CHECK(std::abs(measured[8]) > 1);  // drag
+    CHECK(std::abs(measured[8]) > 1);  // quantity 8 is the drag
   }
 }

@@ -1,4 +1,4 @@
-// Tracers of a fluid beside their CPU twin, word by word.
+// Tests tracers of a fluid against their CPU twin, word by word.
 #include "gpu/context.hpp"
 #include "reference/tracers_twin.hpp"
 #include "scene/load.hpp"
@@ -18,7 +18,7 @@ using namespace simreel;
 
 namespace {
 
-/// What a world shows of its fluid, cell by cell.
+/// Returns the cell colours that a world displays for its fluid.
 std::vector<glm::vec4> shownBy(const sim::World& world) {
   const sim::Field field = world.drawables().fields.at(0);
   GLint buffer = 0;
@@ -81,7 +81,7 @@ void checkTracers(const std::string& sides) {
 
 }  // namespace
 
-// over = color + (under - color) exp(-trail brightness / 4096)
+// Equation of the streaks: over = color + (under - color) exp(-trail brightness / 4096).
 TEST_CASE("tracers: streaks lie over what is shown, cell by cell") {
   testContext();
   const auto worldOf = [](const std::string& more) {

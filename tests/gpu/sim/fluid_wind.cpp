@@ -1,4 +1,4 @@
-// What a fluid blows at: particles and cloth beside their CPU twins, word by word, while the fluid moves.
+// Tests particles and cloth in the wind of a moving fluid against their CPU twins, word by word.
 #include "gpu/context.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
@@ -23,7 +23,8 @@ namespace {
 
 constexpr double windFrame = 1.0 / 60.0;
 
-/// Who is blown at comes first in the scene, so that the order of stepping matters.
+/// Returns a scene with an object in a fluid's wind. The object precedes the fluid in the scene file, so
+/// that a wrong stepping order is noticed.
 scene::Scene windyScene(const std::string& blown) {
   return scene::parseScene(fmt::format(R"({{"version": 1, "seed": 5, "objects": {{"blown": {{{}}},
     "storm": {{"fluid": {{"size": [37, 22], "speed": 90, "flow": [8, 0, 0], "sides": {{"left": "open", "right": "open"}},

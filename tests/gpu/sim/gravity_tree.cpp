@@ -53,11 +53,12 @@ void compareWithTwin(const std::vector<glm::vec4>& bodies, const Setup& setup = 
 }
 
 struct Errors {
-  double median, max99;  ///< relative to the body's exact acceleration
+  double median, max99;  ///< median and 99th percentile, relative to the body's exact acceleration
 };
 
-/// Against all pairs in double. On a line the forces of both sides cancel in the middle, so there the error
-/// is relative to the root mean square of all accelerations.
+/// Returns errors against all pairs in double precision. `relativeToMean` takes errors relative to the root
+/// mean square of all accelerations; it is needed for bodies on a line, where the forces of both sides
+/// cancel in the middle.
 Errors errorsOf(const std::vector<glm::vec4>& bodies, const std::vector<glm::vec4>& got, const Setup& setup,
                 bool relativeToMean = false) {
   std::vector<int> of(bodies.size());
@@ -114,14 +115,14 @@ TEST_CASE("gravity tree converges to all pairs as the opening angle falls") {
   for (const float opening : {1.0F, 0.5F, 0.25F, 0.0F}) {
     setup.opening = opening;
     const Errors errors = errorsOf(bodies, onDevice(bodies, setup), setup);
-    CHECK(errors.median < std::max(0.7 * last, 1e-6));  // single precision ends it
+    CHECK(errors.median < std::max(0.7 * last, 1e-6));  // the lower bound is single precision
     last = errors.median;
   }
   CHECK(last < 1e-6);
 }
 
 TEST_CASE("gravity tree opened to the last body loses none, also where shaders' loops are limited") {
-  // 32768 bodies and 8191 nodes are the most that one dispatch may walk.
+  // One dispatch may visit at most 32768 bodies and 8191 nodes.
   const auto bodies = bodiesOf(Cloud::plummer, 33001);
   const auto got = onDevice(bodies, {1, 0.02F, 0});
   std::vector<int> of;
@@ -168,8 +169,8 @@ TEST_CASE("the gravity tree's root holds the total mass and the centre of mass")
 }
 
 TEST_CASE("gravity tree hardly moves the centre of mass") {
-  // Forces on pairs are not exactly opposite once nodes stand for bodies: what is left over, beside what
-  // pulls.
+  // Approximating bodies by nodes breaks Newton's third law for pairs, so a net force remains. It must be
+  // small compared with the sum of force magnitudes.
   for (const Cloud cloud : {Cloud::plummer, Cloud::disk, Cloud::twoClusters}) {
     const auto bodies = bodiesOf(cloud, 5003);
     const auto accelerations = onDevice(bodies);

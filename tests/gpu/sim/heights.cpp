@@ -1,5 +1,5 @@
-// What falls onto a deformed mesh: cloth and particles beside their CPU twins, word by word, and above the
-// surface.
+// Tests cloth and particles that fall onto a deformed mesh: they equal their CPU twins word by word and
+// stay above the surface.
 #include "gpu/context.hpp"
 #include "gpu/sim/words.hpp"
 #include "reference/cloth_twin.hpp"
@@ -29,7 +29,8 @@ const char* const swell = R"("shape": "plane", "size": [5, 0, 4], "resolution": 
              {"ripple": {"amplitude": 0.08, "wavelength": 1.7, "speed": 6}},
              {"push": {"softness": 0.2}}])";
 
-/// What falls comes first in the scene, so that the order of stepping matters.
+/// Returns a scene with a falling object above a deformed mesh. The falling object comes first in the scene
+/// file, so that a wrong stepping order is noticed.
 scene::Scene sceneOf(const std::string& falling, const std::string& technique = "compute",
                      double preroll = 0) {
   return scene::parseScene(fmt::format(R"({{"version": 1, "seed": 5, "time": {{"start": {3}}}, "objects": {{
@@ -39,7 +40,7 @@ scene::Scene sceneOf(const std::string& falling, const std::string& technique = 
                            "test.json", {}, sim::kinds());
 }
 
-/// The heights of each frame as the device's kernels get them.
+/// Computes the heights of each frame on the CPU, in the layout that the kernels read.
 class HeightsTwin {
  public:
   explicit HeightsTwin(const scene::Scene& scene)
@@ -67,7 +68,8 @@ class HeightsTwin {
     return heights;
   }
 
-  /// Height at the frame's end, in double and on its own; -1e9 beside the mesh.
+  /// Returns the height at the frame's end, computed independently in double precision; -1e9 outside the
+  /// mesh.
   [[nodiscard]] double heightAt(const std::vector<glm::vec4>& heights, const glm::vec4& p) const {
     const glm::dvec2 corner(0.3 - 2.5, 0.1 - 2.0);
     const glm::ivec2 size = plan.size();
@@ -95,12 +97,12 @@ class HeightsTwin {
 };
 
 struct Clearance {
-  double min = 1e9;  ///< m over the surface, of everything at every frame
-  int touching = 0;  ///< within a millimetre of the margin at the last frame
+  double min = 1e9;  ///< height above the surface in metres: minimum over all particles and frames
+  int touching = 0;  ///< number of particles within 1 mm of the margin at the last frame
 };
 
-/// Steps device and twin, compares every word of every frame, and measures how far above the surface all
-/// is.
+/// Steps the world and the CPU twin and compares every word of every frame. Returns the heights of the
+/// particles above the surface.
 template <class Twin>
 Clearance fall(const scene::Scene& scene, Twin& twin, int frames, double margin, double preroll = 0) {
   testContext();
@@ -138,7 +140,7 @@ ParticlesTwin particlesTwin(const scene::Scene& scene) {
                         heightsFrame, 1 << 24, HeightsTwin::colliders()));
 }
 
-// A third of it hangs over the swell's edge.
+// A third of the sheet extends beyond the mesh's edge.
 const char* const fallingSheet =
     R"("cloth": {"size": [35, 23], "spacing": 0.08, "position": [1.8, 0.25, 0.1],
   "rotation": [4, 20, 0], "mass": 0.004, "stiffness": 60, "margin": 0.02, "wind": [0, 0, 0], "pins": [], "substeps": 5 SOLVER})";
@@ -162,7 +164,7 @@ TEST_CASE("heights: cloth on a swell equals its CPU twin and stays above") {
     const auto scene = sceneOf(sheetWith(solver));
     ClothTwin twin = clothTwin(scene);
     const Clearance c = fall(scene, twin, 60, 0.02);
-    CHECK(c.min > 0.02 - 1e-5);  // float against double
+    CHECK(c.min > 0.02 - 1e-5);  // float and double results differ by up to 1e-5
     CHECK(c.touching > 40);
   }
 }

@@ -1,4 +1,5 @@
-// Marching cubes on the GPU: the same bits as the twin, closed, and a ball's area, volume and normals.
+// Tests marching cubes on the GPU: equal to the CPU twin bit for bit, closed, and with the area, volume and
+// normals of a sphere.
 #include "sim/volume/isosurface.hpp"
 
 #include "gpu/context.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 using VolumeFunction = std::function<float(int, int, int)>;
 
-/// Values in memory as a simulation has them, and their surface.
+/// Sampled values in the layout of a simulation, and the isosurface made from them.
 struct SurfaceOnDevice {
   SurfaceOnDevice(const sim::IsosurfaceShape& shape, float level, const VolumeFunction& value,
                   const VolumeFunction& tint, glm::vec2 range) {
@@ -61,8 +62,9 @@ std::size_t differingItems(const std::vector<Item>& got, const std::vector<Item>
   return count;
 }
 
-/// Edges that are not passed as often in one direction as in the other; `once`: or more than once. (Where
-/// two sheets meet in the face of a cube, a diagonal of each may lie there.)
+/// Returns the number of directed edges that do not occur as often as their reverse. With `once`, edges
+/// that occur more than once count, too. (If two sheets meet in a cube's face, both may have a diagonal
+/// there.)
 std::size_t unevenEdges(const sim::MeshTable& mesh, bool once) {
   std::map<std::pair<unsigned, unsigned>, int> passed;
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
@@ -125,7 +127,7 @@ TEST_CASE("isosurface: a ball has the area, the volume and the normals of a ball
   for (int fine = 0; fine < 2; ++fine) {
     const int side = fine == 0 ? 23 : 46;
     const double middle = (side - 1) / 2.0 + 0.13, spacing = 2.6 / side;
-    // A quadratic, so that the level lies where lines between samples do not quite say.
+    // A quadratic function, so that linear interpolation between samples misses the level slightly.
     const auto place = [&](int i) { return (i - middle) * spacing; };
     const VolumeFunction value = [&](int x, int y, int z) {
       return static_cast<float>(1 - place(x) * place(x) - place(y) * place(y) - place(z) * place(z));
@@ -148,7 +150,7 @@ TEST_CASE("isosurface: a ball has the area, the volume and the normals of a ball
           errors[1][1]);
   for (int i = 0; i < 2; ++i) {
     CHECK(errors[1][i] < 4e-3);
-    CHECK(errors[1][i] < 0.4 * errors[0][i]);  // of second order
+    CHECK(errors[1][i] < 0.4 * errors[0][i]);  // second-order convergence
   }
 }
 
@@ -171,7 +173,8 @@ TEST_CASE("cubes equal their twin bit for bit, and have the volume of the cells 
         CHECK(differingItems(got.normals, want.normals) == 0);
         CHECK(differingItems(got.indices, want.indices) == 0);
         if (!closed) continue;
-        // Gauss: the flow of the place through squares that face outwards is three times the volume.
+        // Divergence theorem: the flux of the position vector through the outward faces is three times the
+        // volume.
         int living = 0, squares = 0;
         const auto lives = [&](int x, int y, int z) {
           return x >= 0 && y >= 0 && z >= 0 && x < size.x && y < size.y && z < size.z &&

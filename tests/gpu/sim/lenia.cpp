@@ -93,7 +93,8 @@ TEST_CASE("smooth life on the GPU follows its paper in double") {
   p.model = LeniaParameters::Model::smoothLife;
   p.radius = 9;
   p.timeScale = 5;
-  // Halves at places that are no cells', and limits that tell all four apart.
+  // No cell lies at a distance of 7.4 cells, where the disc's ramp is 0.5. The four limits of birth and
+  // survival all differ.
   for (const double radius : {9.0, 7.4}) {
     p.radius = radius;
     p.surviveMax = 0.46;

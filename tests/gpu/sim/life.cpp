@@ -36,7 +36,7 @@ std::unique_ptr<Simulation> lifeOf(const LifeParameters& p, int seed, double fra
   return lifeKind().make(object, {false, seed, frameSeconds, &colliders});
 }
 
-/// Steps both sides and compares every word of the state.
+/// Steps the GPU grid and its CPU twin and compares every word of the state.
 void compare(const LifeParameters& p, int frames, double frameSeconds = 0.1, double start = 0) {
   testContext();
   const auto gpu = lifeOf(p, 7, frameSeconds);
@@ -73,7 +73,7 @@ TEST_CASE("life equals its CPU twin where several generations are one pass") {
     for (const char* rule : {"B3/S23", "B03/S1238"}) {
       auto p = grid(size.x, size.y);
       p.rule = rule;
-      p.stepsPerSecond = 113;  // a frame's generations are no multiple of a pass
+      p.stepsPerSecond = 113;  // the generations of a frame are not a multiple of those of a pass
       compare(p, 6);
       p.border = LifeBorder::dead;
       compare(p, 6);
@@ -116,7 +116,7 @@ TEST_CASE("life: every way to cut the grid gives the same cells") {
   }
 }
 
-// Small grids by tiles, of which only those near something that moves are computed.
+// Small grids are processed in tiles; only tiles near changes are computed.
 TEST_CASE("life equals its CPU twin where a frame has many generations") {
   for (const glm::ivec2 size : {glm::ivec2(32, 32), {64, 33}, {96, 63}, {160, 77}, {512, 96}}) {
     for (const char* rule : {"B3/S23", "B03/S1238", "B2/S", "B36/S125"}) {
@@ -134,7 +134,7 @@ TEST_CASE("life equals its CPU twin where a frame has many generations") {
 TEST_CASE("life equals its CPU twin after more generations than a dispatch may have loops for") {
   for (const glm::ivec2 size : {glm::ivec2(32, 32), {256, 64}}) {
     auto p = grid(size.x, size.y);
-    p.rule = "B2/S";  // never rests
+    p.rule = "B2/S";  // never settles
     p.stepsPerSecond = 20000;
     compare(p, 1, 1);
   }
@@ -143,7 +143,7 @@ TEST_CASE("life equals its CPU twin after more generations than a dispatch may h
 TEST_CASE("life equals its CPU twin where a front runs a cell a generation into what stands still") {
   testContext();
   const simreel::test::TemporaryFile cell("cell.rle", "x = 1, y = 1\no!");
-  // So that it ends a pass just as far from the next tile as it will run in the next pass, on either side.
+  // The front ends a pass exactly as far from the next tile as it moves in the next pass, on either side.
   for (const int at : {256, 263}) {
     auto p = grid(576, 448);
     p.rule = "B12345678/S012345678";
@@ -211,7 +211,7 @@ TEST_CASE("life with strokes and a trail equals its CPU twin") {
   p.size = {16, 33};
   compare(p, 20);
   p.trail = 0;
-  p.size = {256, 90};  // several generations a pass, but for those painted between
+  p.size = {256, 90};  // several generations per pass, except between strokes
   p.stepsPerSecond = 170;
   compare(p, 15);
 }

@@ -29,7 +29,8 @@ std::unique_ptr<sim::Simulation> makeParticles(const sim::ParticleParameters& pa
   return sim::particlesKind().make(object, {fast, 5, particleFrame, &colliders});
 }
 
-/// Steps both sides and compares every word of the state; returns the twin for further checks.
+/// Steps the GPU particles and their CPU twin and compares every word of the state. Returns the twin for
+/// further checks.
 ParticlesTwin compare(const sim::ParticleParameters& parameters, int frames, double start = 0) {
   const auto gpu = makeParticles(parameters);
   ParticlesTwin twin(sim::ParticlePlan(parameters, 5, particleFrame));
@@ -44,7 +45,7 @@ ParticlesTwin compare(const sim::ParticleParameters& parameters, int frames, dou
   double travelled = 0;
   for (std::size_t i = 0; i < before.size(); ++i)
     travelled += glm::abs(before[i].x - twin.positions[i].x) + glm::abs(before[i].y - twin.positions[i].y);
-  CHECK(travelled > 0.01);  // something moved at all
+  CHECK(travelled > 0.01);  // the test is pointless if nothing moves
   CHECK(gpu->status()->readAll<unsigned>()[0] == 0xffffffffU);
   return twin;
 }
@@ -157,7 +158,8 @@ TEST_CASE("particles: a Plummer sphere in more than one chunk equals the CPU twi
 }
 
 TEST_CASE("particles: gravity of 70,001 bodies is whole") {
-  // A loop of 65,535 rounds ends silently on some software drivers; the bodies beyond must count.
+  // Loops of more than 65,535 iterations end silently on some software drivers; the remaining bodies must
+  // count, too.
   testContext();
   constexpr int count = 70001;
   std::vector<glm::vec4> bodies;

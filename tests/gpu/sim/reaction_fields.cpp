@@ -1,5 +1,5 @@
-// Rules that read other objects' fields: as these are when a frame begins, whoever steps first, bit for bit
-// as on the CPU.
+// Tests rules that read fields of other objects: the values are those at the start of the frame,
+// independent of the stepping order, and equal the CPU's bit for bit.
 #include "gpu/context.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -44,7 +44,8 @@ std::vector<float> valuesOf(const sim::World& world, const std::string& name) {
   return sim::fieldValues(fieldOf(drawables, name));
 }
 
-/// Bits, bytes, floats, colours, a rule that is read by the one that it reads, and one that reads itself.
+/// Readers of bits, bytes, floats and colours, two rules that read each other, and a rule that reads
+/// itself.
 const std::string manyReaders = R"X(
   "guest": {"reaction": {"size": [23, 31], "dt": 0.05, "steps": 3,
     "parameters": {"heat": {"field": "smoke.temperature"}, "dye": {"field": "smoke"}, "host": {"field": "host.w"}, "self": {"field": "guest"}, "f": {"value": 1, "down": 2}},
@@ -58,7 +59,7 @@ const std::string manyReaders = R"X(
   "sparks": {"life": {"size": [47, 33], "rule": "B2/S/3", "stepsPerSecond": 60}}
 )X";
 
-/// The twin of one object of `manyReaders`.
+/// The CPU twin of one reaction object of a scene.
 struct Reader {
   Reader(const scene::Scene& scene, const std::string& name)
       : plan(sim::parametersOf<sim::ReactionParameters>(objectOf(scene, name)), name, fieldSeed,
@@ -80,7 +81,7 @@ struct Reader {
       const sim::Field from = fieldOf(drawables, parameters[i].field);
       const std::vector<float> values = sim::fieldValues(from);
       if (plan.parameters().depth > 1 &&
-          from.display == nullptr) {  // all that volumes read here are volumes
+          from.display == nullptr) {  // volumes in these tests read only volumes
         const glm::ivec3 size(field.size, field.depth);
         const glm::ivec3 sources(from.size.x, glm::ivec2(size.y, size.z) * from.size.x / size.x);
         field.weights[i] = sim::sampledInVolume(values, sources, size);
@@ -127,7 +128,7 @@ TEST_CASE("reaction reads fields of every kind with the bits of its twin, one th
   }
   const std::vector<float> shown = valuesOf(world, "host");
   sameBits(shown, sim::evaluateShown(host.plan, host.plan.valuesAt(0), 0, 0, host.field));
-  // Frames at which nobody looks count as others do.
+  // Stepping without drawing gives the same values.
   sim::World passed(scene);
   passed.passTo(5);
   passed.show();
@@ -135,8 +136,9 @@ TEST_CASE("reaction reads fields of every kind with the bits of its twin, one th
   sameBits(valuesOf(passed, "host"), shown);
 }
 
-// du/dt = v and dv/dt = -u, where each holds still for a frame in the other's eyes: with H the time of a
-// frame, u' = u + H v and v' = v - H u at once. In double here, in a picture of 4x4 and 4x4 cells.
+// du/dt = v and dv/dt = -u, each with the other's value held constant for a frame. With the frame duration
+// H this gives u' = u + H v and v' = v - H u simultaneously. The expected values are computed in double
+// precision; both grids have 4x4 cells.
 TEST_CASE("reactions that read each other both see the state before the frame") {
   testContext();
   const auto one = [](const char* other, const char* rate, const char* start) {
@@ -160,8 +162,8 @@ TEST_CASE("reactions that read each other both see the state before the frame") 
   }
 }
 
-// A field that grows evenly across and down is bilinear, so what is read of it on any grid is that of the
-// cells' places, but beyond the middles of its outermost cells.
+// A field that is linear in x and y is reproduced exactly by bilinear sampling on any grid, except beyond
+// the centres of its outermost cells.
 TEST_CASE("a field on another grid is where it is in the picture") {
   testContext();
   for (const glm::ivec2 size :
@@ -184,12 +186,12 @@ TEST_CASE("a field on another grid is where it is in the picture") {
         worst = std::max(
             worst, std::abs(static_cast<double>(got[static_cast<std::size_t>(y * size.x + x)]) - want));
       }
-    CHECK(worst < 4 * 0x1p-15 + 1e-5);  // shares are whole parts of 2^15
+    CHECK(worst < 4 * 0x1p-15 + 1e-5);  // weights are multiples of 2^-15
   }
 }
 
-// Grids lie on a mesh by its texture coordinates, or from one of its sides; of the same mesh, wherever it
-// stands, cells are taken.
+// A mesh samples grids at its texture coordinates or by projection from a side ("maps"). Objects on the
+// same mesh are read cell by cell, independent of their positions.
 TEST_CASE("reaction on a mesh reads grids and its own mesh with the bits of its twin") {
   testContext();
   const scene::Scene scene = ofObjects(R"X(
@@ -220,7 +222,7 @@ TEST_CASE("reaction on a mesh reads grids and its own mesh with the bits of its 
   }
 }
 
-// Trilinear between the middles of cells, stated a second time; beyond the outermost middles it is these.
+// Independent trilinear interpolation between cell centres; clamped beyond the outermost centres.
 double trilinear(const std::vector<float>& values, glm::ivec3 sources, glm::dvec3 at) {
   double sum = 0;
   for (int corner = 0; corner < 8; ++corner) {
@@ -258,7 +260,7 @@ TEST_CASE("a volume reads another one of the same proportions, trilinear, with t
     sameBits(valuesOf(world, "fine"), fine.field.stage[0]);
     sameBits(valuesOf(world, "fine.w"), fine.field.stage[1]);
   }
-  sameBits(valuesOf(world, "alike"), source);  // as many cells: cell by cell
+  sameBits(valuesOf(world, "alike"), source);  // equal sizes are read cell by cell
   const std::vector<float> got = valuesOf(world, "fine");
   double worst = 0;
   for (int z = 0; z < 28; ++z)
@@ -269,10 +271,10 @@ TEST_CASE("a volume reads another one of the same proportions, trilinear, with t
             worst,
             std::abs(static_cast<double>(got[static_cast<std::size_t>((z * 14 + y) * 21 + x)]) - want));
       }
-  CHECK(worst < 60 * 0x1p-15);  // shares are whole parts of 2^15, neighbours up to 15 apart
+  CHECK(worst < 60 * 0x1p-15);  // weights are multiples of 2^-15; neighbouring values differ by up to 15
 }
 
-// With one step of Euler a frame, two objects that read each other are one of two species.
+// With one Euler step a frame, two objects that read each other equal one object with two species.
 TEST_CASE("two reactions on the same mesh are one of two species, bit for bit") {
   testContext();
   const std::string mesh =
@@ -293,7 +295,7 @@ TEST_CASE("two reactions on the same mesh are one of two species, bit for bit") 
   sameBits(valuesOf(two, "v"), valuesOf(one, "both.v"));
 }
 
-// What is linear on the grid is linear on the mesh, up to the outermost cells' middles.
+// A function that is linear on the grid is linear on the mesh, up to the centres of the outermost cells.
 TEST_CASE("a mesh takes a grid's values where it lies on it") {
   testContext();
   sim::World world(ofObjects(R"X(

@@ -48,7 +48,7 @@ sim::SolidShape binary(int width, int height, bool ceiling = false) {
   return shape;
 }
 
-/// Maps by name: all wall, all open, saddles only, noise.
+/// Binary maps: all rock, all open, a checkerboard (all saddles), fine noise and coarse noise.
 std::vector<std::function<float(int, int)>> binaryMaps() {
   return {[](int, int) { return 1.0F; }, [](int, int) { return 0.0F; },
           [](int x, int y) { return static_cast<float>((x + y) % 2); },
@@ -59,7 +59,7 @@ std::vector<std::function<float(int, int)>> binaryMaps() {
 const std::vector<glm::ivec2> oddSizes = {{1, 1},   {1, 37}, {43, 1}, {2, 2},
                                           {13, 14}, {15, 7}, {30, 5}, {129, 33}};
 
-/// Positions that are equal are one corner.
+/// The edges and corners of a mesh whose vertices at equal positions are merged.
 struct Welded {
   explicit Welded(const sim::MeshTable& mesh) {
     std::map<std::tuple<float, float, float>, int> known;
@@ -75,11 +75,11 @@ struct Welded {
       ++faces;
     }
   }
-  std::map<std::pair<int, int>, int> edges;  ///< directed
+  std::map<std::pair<int, int>, int> edges;  ///< number of uses of each directed edge
   std::set<int> used;
   int faces = 0;
 
-  /// Every edge is walked as often one way as the other, and but once by one face each.
+  /// Returns the number of directed edges that are not used exactly once in each direction.
   [[nodiscard]] std::size_t openEdges() const {
     std::size_t open = 0;
     for (const auto& [edge, count] : edges) {
@@ -93,7 +93,8 @@ struct Welded {
   }
 };
 
-/// Regions of the map by flooding: open cells over edges or rock over corners; outside counts as rock.
+/// Returns the number of connected regions of the map by flood fill: open cells connect across edges, rock
+/// across edges and corners. Outside the map is rock.
 int regionCount(glm::ivec2 size, const std::function<float(int, int)>& value, bool rock) {
   const glm::ivec2 all = size + 2;
   const auto isRock = [&](int x, int y) {
@@ -131,7 +132,7 @@ double volumeOf(const sim::MeshTable& mesh) {
   return sum;
 }
 
-/// Area of the faces seen from above at that height.
+/// Returns the area of the upward faces at this height.
 double areaAt(const sim::MeshTable& mesh, float height) {
   double sum = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -151,7 +152,7 @@ double lengthOf(const sim::ContourLines& lines) {
   return sum;
 }
 
-/// Of what the contours enclose, by the sum of cross products (Gauss).
+/// Returns the signed area enclosed by the contours (shoelace formula).
 double enclosed(const sim::ContourLines& lines) {
   double sum = 0;
   for (std::size_t i = 0; i < lines.points.size(); ++i) {
@@ -222,10 +223,11 @@ TEST_CASE("a solid is closed, and its parts are as many as the map's regions say
         const Welded welded(mesh);
         CHECK(welded.openEdges() == 0);
         const int rooms = regionCount(size, map, false);
-        // Rock that touches nothing outside is an island in a room: a handle of the room's skin.
+        // Rock that is not connected to the outside is an island in a room and adds a handle to the room's
+        // surface.
         const int islands = regionCount(size, map, true) - 1;
         CHECK(welded.eulerCharacteristic() == (ceiling ? 2 + 2 * rooms - 2 * islands : 2));
-        // Everything but the open space over the floor.
+        // The expected volume is the volume of the whole block minus the open space above the floor.
         const double cells = (size.x + 1.0) * (size.y + 1.0) * 0.25;
         const double floor = areaAt(mesh, 0);
         const double full = cells * (1.5 + shape.base + (ceiling ? shape.roof : 0.0F));
@@ -235,8 +237,8 @@ TEST_CASE("a solid is closed, and its parts are as many as the map's regions say
 
 TEST_CASE("the floor's area in eighths of a cell is the sum over the sixteen cases") {
   testContext();
-  // Eighths of the square that low corners take, by how many are low; of two, opposite ones take corners
-  // only.
+  // Area in eighths of a cell that low corners cover. Two opposite low corners cover only their own
+  // corners.
   const auto eighths = [](bool a, bool b, bool c, bool d) {
     const int low = int(!a) + int(!b) + int(!c) + int(!d);
     return low == 0 ? 0 : low == 1 ? 1 : low == 3 ? 7 : low == 4 ? 8 : a == c ? 2 : 4;
@@ -318,7 +320,8 @@ TEST_CASE("memory grows to what a frame needs and stays") {
     return count;
   };
   made.solid.make(busy.field, shape.heights);
-  CHECK(countOf(made.solid.surface()) == 0);  // nothing, rather than triangles that are not there
+  // draws nothing until the memory suffices, instead of undefined triangles
+  CHECK(countOf(made.solid.surface()) == 0);
   CHECK(made.solid.grow());
   CHECK(!made.solid.grow());
   CHECK(countOf(made.solid.surface()) == made.solid.mesh().indices.size());
@@ -377,7 +380,7 @@ TEST_CASE("solids for files: uv stretches nowhere, and mirrors nothing") {
       const glm::dvec2 a = t[1] - t[0];
       const glm::dvec2 b = t[2] - t[0];
       const glm::dvec3 face = glm::cross(p[1] - p[0], p[2] - p[0]);
-      if (glm::length(face) > 1e-6) CHECK(a.x * b.y - a.y * b.x < 0);  // v grows downwards
+      if (glm::length(face) > 1e-6) CHECK(a.x * b.y - a.y * b.x < 0);  // negative because v grows downwards
     }
     CHECK(seams > 20);
     CHECK(sloping > 100);

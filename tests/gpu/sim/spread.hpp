@@ -32,7 +32,7 @@ inline simreel::sim::StrokeParameters dot(glm::vec3 at, float radius, double val
   return stroke;
 }
 
-/// Cells of the state, without what fills up the rows.
+/// Returns the cells of the state without the padding of rows.
 inline std::vector<std::uint8_t> cellsOf(const simreel::sim::Simulation& simulation, glm::ivec2 size) {
   const auto bytes = simulation.state()[0].buffer->readAll<std::uint8_t>();
   const auto width = static_cast<std::size_t>(size.x);

@@ -1,5 +1,5 @@
-// Strokes in every simulation that takes them: what is due at the start is in the first state, and goes
-// round a torus.
+// Tests strokes in every simulation that has them: a stroke that is due at the start is in the first state,
+// and strokes wrap around a torus.
 #include "base/file.hpp"
 #include "frame/image.hpp"
 #include "gpu/sim/spread.hpp"
@@ -36,7 +36,8 @@ std::unique_ptr<sim::Simulation> make(const sim::SimulationKind& kind, const Par
   return kind.make(object, setting);
 }
 
-/// Cells within the radius of a point, on a torus of the nearest of its nine images.
+/// Returns the cells within `radius` of a point. On a torus, the nearest of the point's nine periodic
+/// images counts.
 std::vector<bool> disk(glm::dvec2 middle, double radius, bool torus) {
   std::vector<bool> cells;
   for (int y = 0; y < size.y; ++y)
@@ -60,7 +61,7 @@ std::vector<bool> lifeCellsOf(const sim::StrokeParameters& stroke, bool torus, d
   sim::LifeParameters p;
   p.size = size;
   p.fill = 0;
-  p.rule = "B/S012345678";  // nothing changes by itself
+  p.rule = "B/S012345678";  // no cell changes by itself
   p.stepsPerSecond = 30;
   p.border = torus ? sim::LifeBorder::torus : sim::LifeBorder::dead;
   p.strokes = {stroke};
@@ -114,7 +115,7 @@ std::vector<bool> spreadCells(const sim::SimulationKind& kind, Parameters p, dou
     cells.push_back(cell >> 6 == 2);
     ++counts[(cell / 64 + 3) % 4];
   }
-  CHECK(spread::rowsOf(*gpu).back() == counts);  // what is painted counts
+  CHECK(spread::rowsOf(*gpu).back() == counts);  // the counts include painted cells
   return cells;
 }
 
@@ -173,7 +174,8 @@ TEST_CASE(
 }
 
 TEST_CASE("strokes: a picture paints its own pixels, none beside it") {
-  // Its first column and row are light: what is read beyond the end of a row is the next one's first pixel.
+  // The image's first column and row are white, so that a read past a row's end, which gives the next row's
+  // first pixel, is noticed.
   constexpr glm::ivec2 stamp(9, 5), at(20, 11);
   frame::Image picture{stamp.x, stamp.y, {}};
   std::vector<bool> expected(static_cast<std::size_t>(size.x) * size.y);

@@ -1,5 +1,5 @@
-// Cameras that stand nowhere have in view where cloth and particles go: a run finds out, whose ways are
-// known here in closed form.
+// Tests that automatic cameras frame the motion of cloth and particles. A simulated run measures the
+// motion, and the expected motion is known here in closed form.
 #include "sim/world/survey.hpp"
 
 #include "draw/camera.hpp"
@@ -27,7 +27,7 @@ scene::Scene sceneGoing(const std::string& objects, const std::string& more = ""
                            {}, sim::kinds());
 }
 
-/// Nothing slows it down or holds it.
+/// Returns a sheet without damping, wind or pins.
 std::string looseSheet(float height) {
   return fmt::format(R"({{"sheet": {{"cloth": {{"size": [8, 8], "pins": [], "position": [0, {}, 0],
                         "wind": [0, 0, 0], "damping": 0}}}}}})",
@@ -48,7 +48,7 @@ SeenExtent wayOf(const scene::Framed& framed) {
 }  // namespace
 
 TEST_CASE("survey: a falling sheet is seen from where it starts to where gravity has it at the end") {
-  // Below the height of 0, which is as far as its parameters know.
+  // The sheet falls below height 0, which is beyond the extent derived from its parameters.
   scene::Scene scene = sceneGoing(looseSheet(1), R"("time": {"duration": 0.6}, )");
   const sim::Survey survey = sim::surveyMotion(scene);
   CHECK(survey.frames == 36);
@@ -59,7 +59,8 @@ TEST_CASE("survey: a falling sheet is seen from where it starts to where gravity
   CHECK(extent.low.y == doctest::Approx(1 - 4.9 * seconds * seconds).epsilon(0.02).scale(0));
   CHECK(extent.low.x == doctest::Approx(-0.35).epsilon(1e-4).scale(0));
   CHECK(survey.framed[0].box.min.y == extent.low.y);
-  // What has left the room that it was thought to stay in (1 m high) by more than its size is let go.
+  // A sheet is dropped from the framing once it has left its expected room (1 m high) by more than its
+  // size.
   scene::Scene longer = sceneGoing(looseSheet(1), R"("time": {"duration": 5}, )");
   const SeenExtent kept = wayOf(sim::surveyMotion(longer).framed[0]);
   CHECK(kept.low.y > -1.01F);
@@ -71,7 +72,7 @@ TEST_CASE("survey: a jet is seen to its top, and one particle that goes astray i
     "look": {"size": 0.001}, "emitters": [{"velocity": [0, 4, 0], "spread": 0, "speedVariation": 0, "lifetime": 1}]}}})",
                                   R"("time": {"start": 2, "duration": 1}, )");
   const SeenExtent extent = wayOf(sim::surveyMotion(scene).framed.at(0));
-  // v^2 / (2 g), from 0 up; the pre-roll has filled the jet.
+  // The top is at v^2 / (2 g); the pre-roll has filled the jet.
   CHECK(extent.high.y == doctest::Approx(1).epsilon(0.02).scale(0));
   CHECK(std::abs(extent.high.x) < 0.01F);
   scene::Scene stray =
@@ -108,7 +109,7 @@ TEST_CASE("survey: all of a motion is in the picture and fills it, at every fram
     CHECK(high.y < 0.95F);
     CHECK(low.y > -0.95F);
     CHECK(std::max({high.x - low.x, high.y - low.y}) > 1.2F);
-    CHECK(sim::frameMotion(scene).remark.empty());  // once
+    CHECK(sim::frameMotion(scene).remark.empty());  // framing runs only once
   }
 }
 
@@ -119,7 +120,7 @@ TEST_CASE("survey: fast numerics, and whose run it is, change nothing") {
   CHECK(fast.numerics == scene::Numerics::fast);
 }
 
-// As the words that a framing is told by have it: where the camera is placed the stage still knows the way.
+// The stage needs the motion even if the scene places the camera.
 TEST_CASE("survey: a stage stands under what moves, wherever the camera is") {
   scene::Scene free = sceneGoing(looseSheet(1)),
                placed = sceneGoing(looseSheet(1), R"("camera": {"position": [1, 2, 6]}, )");

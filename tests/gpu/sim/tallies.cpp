@@ -1,5 +1,5 @@
-// What fluids and water write beside the frames: sums of the GPU against sums in double of what is read
-// back.
+// Tests the columns that fluids and water add to the table of frames: the GPU's sums must equal
+// double-precision sums of the state that is read back.
 #include "gpu/context.hpp"
 #include "scene/load.hpp"
 #include "sim/world/list.hpp"
@@ -16,7 +16,7 @@ using namespace simreel;
 
 namespace {
 
-/// The columns that an object writes, by name, of the present frame.
+/// Returns the columns of an object for the current frame, by name.
 std::map<std::string, double> tallyOf(sim::World& world) {
   world.startSummary();
   const auto summary = world.takeSummary(true);

@@ -1,4 +1,4 @@
-// Step traces of real runs: their sums, and whether a disturbed state is found where it was disturbed.
+// Tests step traces of real runs: their hash sums, and that a disturbed state is located exactly.
 #include "golden/trace/trace.hpp"
 
 #include "base/error.hpp"
@@ -19,7 +19,7 @@ using namespace simreel::golden;
 
 namespace {
 
-/// Two cloths of odd sizes and different steps a frame, with three frames of pre-roll.
+/// Returns two cloths of odd sizes with different numbers of steps per frame, and three frames of pre-roll.
 scene::Scene odd(const std::vector<scene::Override>& changes = {}) {
   return scene::parseScene(R"({"version": 1, "time": {"fps": 30, "start": 0.1, "duration": 1}, "objects": {
         "ball": {"sphere": {"position": [0, -1, 0]}},
@@ -30,7 +30,7 @@ scene::Scene odd(const std::vector<scene::Override>& changes = {}) {
 
 constexpr std::size_t ample = 1 << 20;
 
-/// Flips the lowest bit of one word of an array.
+/// Flips the lowest bit of one word of a state array.
 void disturb(const sim::World& world, std::size_t object, std::size_t array, long element, int component) {
   const gl::Buffer& buffer = *world.object(object).state()[array].buffer;
   const auto offset = static_cast<GLintptr>(element * 16 + component * 4);
@@ -41,7 +41,7 @@ void disturb(const sim::World& world, std::size_t object, std::size_t array, lon
   glNamedBufferSubData(buffer.name(), offset, 4, &word);
 }
 
-/// Of glsl/common/block_hash.comp.
+/// CPU version of the element hash in glsl/common/block_hash.comp.
 std::uint32_t elementHash(const std::uint32_t* w, std::uint32_t i) {
   const auto a = shader::hash3(glm::uvec3(w[0] ^ i, w[1], w[2]));
   return shader::hash3(glm::uvec3(w[3] + a.x, a.y, a.z ^ i)).x;
@@ -84,7 +84,7 @@ TEST_CASE("trace: the sums are those of the CPU, in blocks of every size") {
   }
 }
 
-// On the storage path its arrays are in planes.
+// On the storage-buffer memory path, the arrays of a fluid are stored in planes.
 TEST_CASE("trace: the sums of a fluid are those of its elements") {
   testContext();
   const auto scene = scene::parseScene(R"({"version": 1, "objects": {"bath": {"fluid": {"size": [37, 22],
@@ -220,7 +220,7 @@ TEST_CASE("trace: lines of frames, of steps and dumps agree") {
   REQUIRE(frames.size() == 7);
   sim::World second(scene);
   traceSteps(second, 2, into(steps));
-  REQUIRE(steps.size() == 7);  // five of a, two of b
+  REQUIRE(steps.size() == 7);  // five steps of a, two of b
   const StateLine& frame = frames[5];
   CHECK(frame.frame == 2);
   REQUIRE(frame.arrays.size() == 4);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double pondFrame = 1.0 / 30;
 
-/// A pond with an island, a beach, a dam that breaks, rain and a source.
+/// Returns a pond with an island, a beach, a breaking dam, rain and a source.
 sim::WaterParameters pond(int width, int height) {
   sim::WaterParameters p;
   p.size = {width, height};
@@ -74,7 +74,7 @@ std::size_t differing(const std::vector<glm::ivec4>& got, const std::vector<glm:
   return different;
 }
 
-/// Two balls, one of which falls onto the other, a box that is driven and one that is towed.
+/// Adds two balls, one of which falls onto the other, a driven box and a towed box.
 void addFloats(sim::WaterParameters& p) {
   const float w = 0.05F * static_cast<float>(p.size.x);
   sim::WaterFloat ball;
@@ -101,7 +101,7 @@ void addFloats(sim::WaterParameters& p) {
   p.floats.push_back(box);
 }
 
-/// Steps both sides and compares every word of the state, and of what is drawn.
+/// Steps the GPU water and its CPU twin and compares every word of the state and of the drawn surface.
 void compareWater(const sim::WaterParameters& parameters, int frames) {
   scene::Object object;
   const auto gpu = waterOn(object, parameters);

@@ -1,4 +1,4 @@
-// Floats that touch each other on the GPU, bit for bit as in the twin.
+// Tests floats that touch each other: the GPU equals the CPU twin bit for bit.
 #include "gpu/context.hpp"
 #include "reference/water_twin.hpp"
 #include "sim/water/water.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double crowdFrame = 1.0 / 30;
 
-/// A wedge, two boxes, a ball and a sphere in a box's place, all within each other's reach.
+/// Returns a wedge, two boxes, a ball and a sphere inside a box, all close enough to touch.
 sim::WaterParameters crowd(const std::filesystem::path& wedge, glm::ivec2 size) {
   sim::WaterParameters p;
   p.size = size;
@@ -93,7 +93,7 @@ TEST_CASE("water with floats that touch each other equals its CPU twin, over the
     CHECK(crowdDiffers(gpu->state()[0].buffer->readAll<glm::vec4>(), twin.cells) == 0);
     CHECK(crowdDiffers(gpu->state()[1].buffer->readAll<glm::vec4>(), twin.floats) == 0);
     CHECK(crowdDiffers(gpu->state()[2].buffer->readAll<glm::ivec4>(), twin.displaced) == 0);
-    // They did meet: the first one has not gone on.
+    // The bodies collided: the first one did not travel on freely.
     if (!torus) CHECK(twin.floats[2].x < 1.0F);
   }
   std::filesystem::remove(file);

@@ -41,7 +41,7 @@ void compare(const Parameters& parameters, int frames) {
   CHECK(twin.cells != start);
 }
 
-/// Lights every so many rows, whole, and nothing else.
+/// Replaces all strokes by burning rows: row `first` and every `each`-th row after it.
 void lightRows(Parameters& p, int first, int each) {
   p.strokes.clear();
   for (int y = first; y < p.size.y; y += each) {
@@ -54,7 +54,7 @@ void lightRows(Parameters& p, int first, int each) {
 }
 
 struct Scar {
-  double x = 0, y = 0;  ///< mean place of what burns and has burnt, from the middle
+  double x = 0, y = 0;  ///< mean position of burning and burnt cells, relative to the grid's centre
   int cells = 0;
   int left = 1 << 20, right = -1, top = 1 << 20, bottom = -1;
 };
@@ -105,8 +105,9 @@ TEST_CASE("wildfire equals its CPU twin on 33x7, closed, with firebreaks and emb
   compare(p, 30);
 }
 
-// Most of the grid stands still, which drivers on the CPU leave out: before the fire comes, across a torus'
-// sides too, behind a firebreak until a stroke lights it, and when all has cooled.
+// Software drivers skip groups of cells that cannot change. Most of the grid is such: before the fire
+// arrives, also across the borders of a torus, behind a firebreak until a stroke lights that side, and
+// after all cells have burnt out.
 TEST_CASE("wildfire equals its CPU twin on 331x211, where most stands still") {
   for (const auto border : {Parameters::Border::torus, Parameters::Border::closed})
     for (const int frames : {7, 45, 120}) {
@@ -151,7 +152,7 @@ TEST_CASE(
   CHECK(last.z > 12000);
 }
 
-// A wall of cleared cells two thick: fire on one side never reaches the other. Bare cells never change.
+// A firebreak two cells thick: fire on one side never reaches the other side, and bare cells never change.
 TEST_CASE("wildfire: bare ground never burns, and a firebreak holds") {
   auto p = plain(131, 97);
   p.spread = 1.0F;
@@ -216,9 +217,10 @@ TEST_CASE("wildfire equals its CPU twin on 131x97 with hills") {
   compare(p, 20);
 }
 
-// On a slope of half a cell a cell, wherever it rises to: further up than down, and to both sides alike.
+// On a slope of half a cell size per cell, in each of four directions, fire spreads further uphill than
+// downhill and equally to both sides.
 TEST_CASE("wildfire: further uphill than downhill") {
-  const auto rising = [](glm::ivec2 way) {  // white is 127.5 cells above black
+  const auto rising = [](glm::ivec2 way) {  // white is 127.5 cell sizes higher than black
     std::string pgm = "P5 255 255 255\n";
     for (int y = 0; y < 255; ++y)
       for (int x = 0; x < 255; ++x)
@@ -245,10 +247,10 @@ TEST_CASE("wildfire: further uphill than downhill") {
   }
 }
 
-// A plane that rises by `tangent` a cell towards `way`, one of the eight directions, under a lattice of
-// single burning cells: which fraction of their neighbours in each direction burns a step later, against
-// e^(slope * tangent of the way there) times the chance on even ground. Restated here; no code of the
-// simulation's is shared.
+// A plane rises by `tangent` per cell towards `way`, one of eight directions; single burning cells form a
+// lattice. The fraction of neighbours in each direction that burns after one step must equal e^(slope *
+// tangent in that direction) times the probability on even ground. The formula is written independently of
+// the simulation's code.
 TEST_CASE("wildfire: it climbs by e^(slope * tangent), to all eight sides alike") {
   constexpr int side = 510;
   constexpr double spreads = 0.05;
@@ -268,7 +270,7 @@ TEST_CASE("wildfire: it climbs by e^(slope * tangent), to all eight sides alike"
   const glm::ivec2 around[] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
   for (const Hill hill : {Hill{0.5, 2}, Hill{1, 2}, Hill{2, 1}, Hill{4, 0.5}})
     for (const glm::ivec2 way : around) {
-      // Levels 0 to 254 of 255 pixels, which two cells share each.
+      // The map has 255 x 255 pixels with levels 0 to 254; a pixel covers two cells.
       const bool diagonal = way.x != 0 && way.y != 0;
       std::string plane = "P5 255 255 255\n";
       for (int y = 0; y < 255; ++y)
@@ -312,8 +314,8 @@ TEST_CASE("wildfire: embers leap a firebreak downwind") {
   CHECK(burn(p, 60).right > 80);
 }
 
-// The chance of a cell with full fuel beside one burning neighbour is the threshold's: base, over the root
-// of two diagonally.
+// A cell with full fuel next to one burning neighbour catches fire with probability `base`; for a diagonal
+// neighbour, base / sqrt(2).
 TEST_CASE("wildfire: the chance of catching fire is spread, weighed by fuel and moisture") {
   for (const double moisture : {0.0, 0.5}) {
     auto p = plain(900, 900);
