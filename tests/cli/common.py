@@ -19,7 +19,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 CLOTH = {"size": [9, 7], "spacing": 0.1, "position": [0, 1, 0], "rotation": [90, 0, 0], "jitter": 0.01, "substeps": 4,
          "pins": [{"rows": [-1]}]}
 SCENE = {
-    "version": 1,
+    "version": 1, "stage": False,
     "render": {"size": [64, 36], "samples": 1},
     "time": {"fps": 30, "duration": 0.2},
     "camera": {"position": [0, 1, 3], "target": [0, 1, 0]},

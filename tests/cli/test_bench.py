@@ -67,7 +67,7 @@ class Bench(BenchCase):
 
     def test_rays_of_quality_high(self):
         def rays(sun, quality="high"):
-            self.write("sheet.json", {"version": 1, "sun": {"intensity": sun},
+            self.write("sheet.json", {"version": 1, "stage": False, "sun": {"intensity": sun},
                                       "render": {"size": [65, 37], "samples": 1, "quality": quality, "raySamples": 8},
                                       "camera": {"position": [0, 2, 0.01], "target": [0, 0, 0], "fieldOfView": 40},
                                       "objects": {"sheet": {"mesh": {"shape": "plane", "size": [50, 0, 50]}}}})

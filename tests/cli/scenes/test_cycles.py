@@ -18,7 +18,7 @@ from carried import flat_color, refusals  # noqa: E402
 
 DULL = {"color": [0.6, 0.6, 0.6], "roughness": 0.9}
 SMALL = {
-    "version": 1, "time": {"fps": 30, "duration": 0.2}, "render": {"size": [96, 54]},
+    "version": 1, "stage": False, "time": {"fps": 30, "duration": 0.2}, "render": {"size": [96, 54]},
     "sun": {"direction": [-0.7, 0.5, 0.4], "color": [1, 0.9, 0.8], "intensity": 2, "diameter": 5},
     "sky": {"zenith": [0.1, 0.2, 0.4], "horizon": [0.5, 0.5, 0.5], "ground": [0.2, 0.1, 0.1]},
     "ground": {"height": 0.1, "color": [0.5, 0.45, 0.4], "roughness": 0.9, "fadeStart": 50, "fadeEnd": 50.1},

@@ -4,7 +4,7 @@ import json
 from common import SOURCE, Case, main, png_rows, unfiltered
 from exr_file import bits, read_exr
 
-SCENE = {"version": 1, "render": {"size": [97, 55]},
+SCENE = {"version": 1, "stage": False, "render": {"size": [97, 55]},
          "sky": {"zenith": [0.1, 0.2, 0.4]}, "objects": {"ball": {"sphere": {"radius": 0.4}}, "ring": {"mesh": {"shape": "torus", "rotation": [50, 20, 0]}}}}
 
 
@@ -113,7 +113,7 @@ class Film(Case):
 
     def test_shares_of_objects_are_as_blurred_as_the_light(self):
         turning = {"radius": 0.3, "position": {"keys": [[0, [-1, 0, 0]], [1, [1, 0, 0]]]}}
-        self.write("scene.json", {"version": 1, "render": {"size": [48, 27], "samples": 2, "transparent": True}, "time": {"fps": 8, "duration": 1},
+        self.write("scene.json", {"version": 1, "stage": False, "render": {"size": [48, 27], "samples": 2, "transparent": True}, "time": {"fps": 8, "duration": 1},
                                   "camera": {"position": [0, 0, 3], "target": [0, 0, 0]}, "sky": {"zenith": [1, 1, 1]}, "ground": {"visible": False},
                                   "objects": {"moved": {"sphere": turning}, "near": {"sphere": {"radius": 0.15, "position": [0, 0.2, 1.5]}}}})
         lens, shutter = ("-D", "camera.lens={\"fNumber\": 0.1, \"samples\": 12}"), ("-D", "camera.shutter={\"angle\": 360, \"samples\": 6}")
