@@ -8,7 +8,7 @@ namespace {
 
 struct Spring {
   int dx, dy;
-  float length;  ///< of the spacing
+  float length;  ///< in units of the spacing
   int kind;      ///< 0 structural, 1 shear, 2 bend
 };
 const float diagonal = std::sqrt(2.0F);

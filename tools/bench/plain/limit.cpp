@@ -9,7 +9,8 @@ namespace {
 using Eight = float __attribute__((vector_size(32)));
 volatile float sink;
 
-// Ten chains, so that none waits for another; a product and a sum each, apart as in exact arithmetic.
+// Ten independent chains, so that latency is hidden; separate products and sums, as in exact arithmetic
+// without FMA.
 #if defined(__x86_64__)
 __attribute__((target("avx2")))
 #endif
