@@ -1,4 +1,4 @@
-// glTF with bones.
+// glTF with a skeleton.
 #include "sim/body/figure.hpp"
 
 #include "base/error.hpp"
