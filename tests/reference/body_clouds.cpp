@@ -1,4 +1,4 @@
-// The sets of bodies that gravity is tried on, and the sum over all pairs in double precision.
+// Sets of bodies for tests of gravity, and the sum over all pairs in double precision.
 #include "reference/gravity_tree_twin.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Uniform in (0, 1), the same on every standard library.
+/// Uniform random numbers in (0, 1), equal on every standard library.
 class Random {
  public:
   double operator()() { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1p-53; }
@@ -26,14 +26,14 @@ glm::dvec3 direction(Random& random) {
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-/// Plummer's sphere of scale 1 m: the radius within which the share m of the mass lies is 1/sqrt(m^(-2/3) -
-/// 1).
+/// Returns a point of a Plummer sphere of scale 1 m. A sphere of radius 1/sqrt(m^(-2/3) - 1) contains the
+/// fraction m of the mass.
 glm::dvec3 inPlummer(Random& random) {
   const double mass = std::min(random(), 0.999);
   return direction(random) / std::sqrt(std::pow(mass, -2.0 / 3.0) - 1);
 }
 
-/// Exponential disk of scale length 1 m, 0.05 m thick, cut at 8 m.
+/// Returns a point of an exponential disc: scale length 1 m, thickness 0.05 m, cut off at 8 m.
 glm::dvec3 inDisk(Random& random) {
   double r = 9;
   while (r > 8) r = -std::log(random() * random());

@@ -6,12 +6,13 @@
 
 #include <glm/vec4.hpp>
 
-/// Skinning on the CPU: the kernel's own model (glsl/body/model.glsl compiled as C++).
+/// Skinning on the CPU: the kernel's model (glsl/body/model.glsl compiled as C++).
 class BodyTwin {
  public:
   explicit BodyTwin(const simreel::sim::Figure& figure) : figure_(figure) {}
 
-  /// At a fraction `now` of the frame between two poses (BodyMotion::rowsAt).
+  /// Skins the vertices at the fraction `now` between the poses at the begin and end of a frame
+  /// (BodyMotion::rowsAt).
   void skin(std::vector<glm::vec4> begin, const std::vector<glm::vec4>& end, double now) {
     begin.insert(begin.end(), end.begin(), end.end());
     positions.clear();

@@ -81,8 +81,8 @@ void CaveTwin::clean() {
   remove(true, parameters_.smallestRock);
 }
 
-/// Breadth first from all open cells, each queue in the order of its sources: of equally near ones the
-/// lowest.
+/// Returns the nearest open cell of each cell by breadth-first search from all open cells. Each queue is in
+/// the order of its sources, so the lowest of equally near cells wins.
 std::vector<int> CaveTwin::nearestOpen() const {
   std::vector<int> source(rock.size(), -1);
   std::vector<std::size_t> wave;
@@ -114,7 +114,8 @@ std::vector<int> CaveTwin::nearestOpen() const {
   return source;
 }
 
-/// Kruskal's tree over the ways across each edge between two cells, sorted by length, then by the edge.
+/// Returns Kruskal's minimum spanning tree over the paths across each edge between two cells, sorted by
+/// length, then by edge.
 std::vector<CaveTwin::Corridor> CaveTwin::corridors() const {
   std::vector<Corridor> dug;
   const std::vector<int> room = regions(false);
@@ -215,7 +216,7 @@ std::vector<int> CaveTwin::distancesFrom(glm::ivec2 start) const {
 }
 
 glm::ivec2 CaveTwin::farthest(const std::vector<int>& distances) const {
-  const auto found = std::max_element(distances.begin(), distances.end());  // the first of the greatest
+  const auto found = std::max_element(distances.begin(), distances.end());  // the first of the maxima
   const int cell = static_cast<int>(found - distances.begin());
   return {cell % size_.x, cell / size_.x};
 }

@@ -6,17 +6,17 @@
 
 #include <glm/vec2.hpp>
 
-/// The cave automaton on the CPU, in plain loops over cells: queues, sorted edges and counted neighbours
-/// where the kernels have labels, minima and adders. Equals the GPU bit for bit.
+/// The cave automaton on the CPU, in plain loops over cells: queues, sorted edges and neighbour counts,
+/// where the kernels use labels, minima and bitwise adders. Equals the GPU bit for bit.
 class CaveTwin {
  public:
   CaveTwin(const simreel::sim::CaveParameters& parameters, int seed);
 
   void smooth();
-  /// Small rooms, then small rock.
+  /// Fills small rooms, then removes small rocks.
   void clean();
   void connect();
-  /// Everything there is.
+  /// Runs all stages.
   void finish();
 
   [[nodiscard]] bool isRock(int x, int y) const {
@@ -25,19 +25,19 @@ class CaveTwin {
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x);
   }
-  /// The lowest cell of the region that each cell of that kind is in, -1 for others; a region's number is
-  /// where its cell comes in the map, row by row.
+  /// Returns for each rock cell (`ofRock`) or open cell the lowest cell index of its region, -1 for other
+  /// cells. Cells are numbered row by row.
   [[nodiscard]] std::vector<int> regions(bool ofRock) const;
-  /// Steps from an open cell to each, -1 where there is no way.
+  /// Returns the number of steps from an open cell to each cell, -1 for unreachable cells.
   [[nodiscard]] std::vector<int> distancesFrom(glm::ivec2 start) const;
-  /// Entrance and exit; nothing when no cell is open.
+  /// Returns entrance and exit; nothing if no cell is open.
   [[nodiscard]] std::optional<std::pair<glm::ivec2, glm::ivec2>> ends() const;
-  /// Lengths of the corridors that connect() would dig, summed.
+  /// Returns the total length of the corridors that connect() would dig.
   [[nodiscard]] long corridorLength() const;
-  /// As the GPU holds them.
+  /// Returns the map in the GPU's layout.
   [[nodiscard]] std::vector<glm::uvec4> words() const;
 
-  std::vector<bool> rock;  ///< x fastest
+  std::vector<bool> rock;  ///< x varies fastest
 
  private:
   struct Corridor {

@@ -10,31 +10,31 @@
 
 #include <glm/vec4.hpp>
 
-/// The cloth on the CPU: the kernels' own model (glsl/cloth/model.glsl compiled as C++) in plain loops.
-/// Equals the GPU bit for bit in exact mode.
+/// Cloth on the CPU: the kernels' model (glsl/cloth/model.glsl compiled as C++) in plain loops. Equals the
+/// GPU bit for bit in exact mode.
 class ClothTwin {
  public:
   explicit ClothTwin(simreel::sim::ClothPlan plan);
 
-  /// One frame starting at `time` (s). `threads` 0: all processors.
+  /// Simulates a frame that starts at `time` (s). `threads` 0: all processors.
   void step(double time, int threads = 1);
-  /// One substep with the given data, the frame's number `index`.
+  /// Simulates a substep with the given data; `index` is its number within the frame.
   void substep(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
-  /// The same in two halves, between which contact may change where the particles go.
+  /// Simulates a substep in two halves; contact may change `next` in between.
   void predict(const simreel::shader::ClothStep& data, int threads = 1, int index = 0);
   void settle(const simreel::shader::ClothStep& data, int index = 0, bool again = true);
   void finish();
 
   std::vector<glm::vec4> positions;   ///< xyz m, w inverse mass
   std::vector<glm::vec4> velocities;  ///< xyz m/s, w pin group
-  std::vector<glm::vec4> trends;      ///< xyz m/s, of constraints (glsl/cloth/motion.glsl)
-  std::vector<glm::vec4> next;        ///< between predict() and finish(): where they go
-  /// The mesh it falls onto; none without a plan.
+  std::vector<glm::vec4> trends;      ///< xyz m/s, caused by constraints (glsl/cloth/motion.glsl)
+  std::vector<glm::vec4> next;        ///< predicted positions between predict() and finish()
+  /// The height map that the cloth falls onto; empty without one.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< of the frame to step: x at its beginning, y at its end (m)
-  std::optional<DistanceTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
-  std::optional<WallsTwin> walls;      ///< the solid it meets; none: no solid
-  std::optional<WindTwin> wind;        ///< the fluid that is its wind; none: none blows
+  std::vector<glm::vec4> heights;      ///< for the current frame: x at its start, y at its end (m)
+  std::optional<DistanceTwin> meshes;  ///< rigid meshes that collide with the cloth; empty without any
+  std::optional<WallsTwin> walls;      ///< solid that collides with the cloth; empty without one
+  std::optional<WindTwin> wind;        ///< fluid that blows on the cloth; empty without one
   [[nodiscard]] simreel::sim::ClothPlan& plan() { return plan_; }
 
  private:
@@ -42,6 +42,6 @@ class ClothTwin {
   void fend(const simreel::shader::ClothStep& data);
 
   simreel::sim::ClothPlan plan_;
-  std::vector<glm::vec4> left_;  ///< where predict() left them
-  std::vector<glm::vec4> ways_;  ///< of pins that follow a skin, in the frame
+  std::vector<glm::vec4> left_;  ///< positions at the end of predict()
+  std::vector<glm::vec4> ways_;  ///< motion of skin-bound pins during the frame
 };

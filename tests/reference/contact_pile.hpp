@@ -24,21 +24,21 @@ inline std::vector<glm::uvec3> facesOfSheet(glm::ivec2 size) {
   return faces;
 }
 
-/// A solid whose vertices are where `at` says, w 0.
+/// A solid with vertices at `at(time)`; their w is 0.
 struct PileSolid {
   std::function<std::vector<glm::vec4>(double time)> at;
   std::vector<glm::uvec3> faces;
-  float friction = -1;  ///< that of the cloths
+  float friction = -1;  ///< -1: the cloths' friction
 };
 
-/// Cloths that touch each other and themselves, and solids, by the twins.
+/// Cloths that touch each other, themselves and solids, simulated by the CPU twins.
 struct Pile {
   std::vector<std::unique_ptr<ClothTwin>> cloths;
-  std::unique_ptr<ParticlesTwin> balls;  ///< null: none
+  std::unique_ptr<ParticlesTwin> balls;  ///< null without particles
   std::vector<PileSolid> solids;
   std::unique_ptr<ContactTwin> contact;
-  std::vector<glm::uvec3> faces;  ///< of all, numbered through
-  unsigned firstSolid = 0;        ///< vertex
+  std::vector<glm::uvec3> faces;  ///< faces of all parts, with consecutive vertex numbers
+  unsigned firstSolid = 0;        ///< index of the first vertex of the solids
   double frameSeconds = 1.0 / 60.0;
   int frame = 0;
 

@@ -6,25 +6,26 @@
 
 #include <glm/vec4.hpp>
 
-/// Contact on the CPU: the kernels' own model (glsl/contact/model.glsl compiled as C++) in plain loops, and
-/// every face with every other instead of the tree.
+/// Contact on the CPU: the kernels' model (glsl/contact/model.glsl compiled as C++) in plain loops, with
+/// tests of every pair of faces instead of a tree.
 class ContactTwin {
  public:
   explicit ContactTwin(simreel::sim::ContactPlan plan) : plan_(std::move(plan)) {}
 
   struct Part {
-    const std::vector<glm::vec4>* now;   ///< at the substep's start: xyz m, w inverse mass, of balls mass
-    std::vector<glm::vec4>* next;        ///< where it would lead; becomes where it leads
-    std::vector<glm::vec4>* velocities;  ///< xyz m/s; null of a solid
+    /// positions at the start of the substep: xyz m, w inverse mass; for spheres w mass
+    const std::vector<glm::vec4>* now;
+    std::vector<glm::vec4>* next;        ///< predicted positions; corrected by contact
+    std::vector<glm::vec4>* velocities;  ///< xyz m/s; null for a solid
   };
-  /// Changes `next` by the contacts' impulses. `first`: of a frame.
+  /// Changes `next` by the impulses of the contacts. `first`: true in the first substep of a frame.
   void push(const std::vector<Part>& parts, bool first);
-  /// After push(), where colliders may have moved `next` again.
+  /// Corrects `next` after push() if colliders may have moved it again.
   void hold(const std::vector<Part>& parts);
 
-  /// Of the last substep.
+  /// Counts of the last substep.
   std::size_t pairs = 0, nears = 0, touching = 0, stopped = 0, carried = 0;
-  long searches = 0;  ///< so far
+  long searches = 0;  ///< total number of searches
   bool allStopped = false;
 
  private:

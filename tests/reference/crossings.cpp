@@ -7,7 +7,7 @@
 
 namespace {
 
-/// Whether p-q goes through a triangle, by signed volumes in float64.
+/// True if the segment p-q crosses a triangle, by signed volumes in double precision.
 bool crosses(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const glm::dvec3& b,
              const glm::dvec3& c) {
   const auto volume = [](const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w,

@@ -3,7 +3,7 @@
 
 #include <glm/vec3.hpp>
 
-/// Edges that go through faces of which they have no corner, counted once for each face that has them; in
-/// float64. Of solids, whose points are those from `firstSolid` on, none with each other.
+/// Returns the number of edges that cross faces without sharing a vertex, once per face that owns the edge;
+/// in double precision. Solids (points from `firstSolid` on) are not tested against each other.
 int crossings(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& faces,
               unsigned firstSolid = ~0U);

@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 #include <glm/vec2.hpp>
 
-/// glsl/draw/exact/shadows/disc_points.glsl, whose array C++ does not read.
+/// Parses the points in glsl/draw/exact/shadows/disc_points.glsl, because C++ cannot compile that array.
 inline std::array<glm::vec2, 32> pointsOfFile() {
   std::array<glm::vec2, 32> points{};
   const std::string text =

@@ -12,7 +12,7 @@ using namespace simreel::shader;
 #define FUNCTION inline
 #define precise
 #include "glsl/collide/distance/bindings.glsl"
-/// What a kernel sees: the tree, and the model itself.
+/// A kernel as C++: the tree, and the model itself.
 struct DistanceKernel {
   const simreel::sim::DistancePlan& plan;
   int firstLeaf;

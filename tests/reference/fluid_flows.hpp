@@ -5,55 +5,55 @@
 #include <span>
 #include <vector>
 
-/// Flows that others have computed or measured, as fluids of this program, and what is known of them.
-/// Shared by tests and tools/bench/fluid.cpp.
+/// Flows computed or measured by others, as fluids of this program, with the published results. Shared by
+/// tests and tools/bench/fluid.cpp.
 namespace flows {
 
 /// Forces on a cylinder over time.
 struct Wake {
   std::vector<double> times, drag, lift;  ///< s; coefficients 2 F / (U^2 D)
 
-  /// Of the last `seconds`: greatest, by parabolas through samples.
+  /// Maxima and mean over the last `seconds`; maxima by parabolas through samples.
   [[nodiscard]] double mostDrag(double seconds) const;
   [[nodiscard]] double meanDrag(double seconds) const;
   [[nodiscard]] double mostLift(double seconds) const;
-  /// Frequency (1/s), by the lift's zeros on the way up.
+  /// Returns the frequency (1/s), from the lift's upward zero crossings.
   [[nodiscard]] double frequency(double seconds) const;
 };
 
-/// A cylinder in a flow: what of it is given, and what its figures go by.
+/// A cylinder in a flow: the simulation's parameters, and the reference values of its coefficients.
 struct Cylinder {
   simreel::sim::FluidParameters parameters;
   double diameter, speed;  ///< cells, cells/s
-  double frame;            ///< s
+  double frame;            ///< duration of a frame, s
 };
 
 /// Schaefer and Turek (1996), "Benchmark computations of laminar flow around a cylinder", 2D-2: a channel
-/// of 2.2 x 0.41, a cylinder of 0.1 at (0.2, 0.2), a parabola of 1.5 in the middle, mean speed 1, Re 100;
-/// in metres and seconds. `n`: cells a diameter.
+/// of 2.2 x 0.41 m, a cylinder of diameter 0.1 m at (0.2, 0.2), a parabolic inflow of maximum 1.5 m/s and
+/// mean 1 m/s, Re 100. `n`: cells per diameter.
 [[nodiscard]] Cylinder schaeferTurek(int n);
-/// Re 100 between slip sides 30 diameters apart.
+/// A cylinder at Re 100 between slip walls 30 diameters apart.
 [[nodiscard]] Cylinder wideChannel(int n);
-/// What a simulation's quantities say after a frame, as `measure` gives them.
+/// Adds the simulation's quantities after a frame, as returned by `measure`, to the wake.
 void note(Wake& wake, const Cylinder& cylinder, double time, std::span<const double> quantities);
 
-/// A square cavity of n x n cells whose top moves at n cells/s.
+/// A square cavity of n x n cells whose lid moves at n cells/s.
 [[nodiscard]] simreel::sim::FluidParameters cavity(int n, double reynolds);
 
-/// Ghia, Ghia and Shin (1982), tables I and II, without the ends: u along the vertical through the middle,
-/// v along the horizontal; y and v up, over the lid's speed.
+/// Ghia, Ghia and Shin (1982), tables I and II without the end points: u along the vertical centre line, v
+/// along the horizontal one; y and v point up, speeds relative to the lid's.
 struct Ghia {
   double reynolds;
   std::vector<double> u, v;
 };
 [[nodiscard]] const Ghia& ghia(double reynolds);
-/// Greatest difference from the tables. `flow`: cells with their ring. A misprint of theirs, v(0.9063) at
-/// Re 400, is left out. `where`, if given, gets all differences, u's first.
+/// Returns the maximum difference from the tables. `flow` is the cells with their border ring. Leaves out
+/// v(0.9063) at Re 400, a misprint. If given, `where` receives all differences, those in u first.
 [[nodiscard]] double ghiaError(const Ghia& table, int n, std::span<const glm::vec4> flow,
                                std::vector<double>* where = nullptr);
 
-/// Extremes through a cavity's middle: of u along the vertical the least, of v the most and the least.
-/// By parabolas through three nodes.
+/// Extrema on the centre lines of a cavity: the minimum of u on the vertical, maximum and minimum of v on
+/// the horizontal. Interpolated by parabolas through three nodes.
 struct Extremes {
   double u, most, least;
 };

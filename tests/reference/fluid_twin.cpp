@@ -8,7 +8,7 @@ namespace simreel::shader {
 
 namespace {
 
-/// What glsl/fluid/grid.glsl declares, under the same names.
+/// The declarations of glsl/fluid/grid.glsl, under the same names.
 struct FluidModel {
   ivec2 size;
   FluidStep stepData;
@@ -56,14 +56,14 @@ struct FluidModel {
 #define FUNCTION [[nodiscard]] inline
 #define precise
 #include "glsl/fluid/transport.glsl"
-// Above: what cells are.
+// The includes above define the cells.
 #include "glsl/fluid/projected.glsl"
-// What becomes of them.
+// The includes above update the cells.
 #include "glsl/fluid/brush.glsl"
 #include "glsl/fluid/look/look.glsl"
   int lineDetail = 1;
   float linePerDetail = 1, linePhase = 0;
-// Line integral convolution.
+// Line integral convolution, for flow lines.
 #include "glsl/fluid/look/lines.glsl"
 #undef precise
 #undef FUNCTION
@@ -265,7 +265,7 @@ void FluidTwin::project() {
       rhs = model.missingFlow(x, y);
       missing = std::max(missing, std::abs(rhs));
     }
-  // The kernel looks at whole blocks of 2x2 cells.
+  // The kernel reads whole blocks of 2x2 cells.
   for (int y = 0; y < size.y / 2 * 2 + 2; ++y)
     for (int x = 0; x < size.x / 2 * 2 + 2; ++x) {
       const glm::vec4& cell = flow[index(std::min(x, size.x), std::min(y, size.y))];

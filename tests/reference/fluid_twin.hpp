@@ -6,42 +6,42 @@
 
 #include <glm/vec4.hpp>
 
-/// A fluid on the CPU: the kernels' own arithmetic (glsl/fluid compiled as C++) cell by cell, the multigrid
-/// as plain sweeps over its levels. Equals the GPU bit for bit in exact mode.
+/// A fluid on the CPU: the kernels' arithmetic (glsl/fluid compiled as C++) cell by cell, the multigrid as
+/// plain sweeps over its levels. Equals the GPU bit for bit in exact mode.
 class FluidTwin {
  public:
-  /// The first state, as of `start` (s).
+  /// Creates the first state at the time `start` (s).
   explicit FluidTwin(simreel::sim::FluidPlan plan, double start = 0);
 
-  /// One frame starting at `time` (s).
+  /// Simulates a frame that starts at `time` (s).
   void step(double time);
 
   // The stages of a substep.
   void setStep(const simreel::shader::FluidStep& step) { step_ = step; }
-  /// Obstacles as they are after `step` substeps of the frame that starts at `time` (s).
+  /// Moves the obstacles to their positions after `step` substeps of the frame that starts at `time` (s).
   void place(double time, int step);
-  void advect();  ///< and forces
+  void advect();  ///< also applies forces
   void paint(double time, int step);
   void project();
   void moveDye();
 
-  /// What a frame shows: colour, and the value in a.
+  /// Returns the displayed field: colour in rgb, and the value in a.
   [[nodiscard]] std::vector<glm::vec4> shown() const;
-  /// The brightness of lines of flow at `time` (s), lineDetail places a cell.
+  /// Returns the brightness of flow lines at `time` (s), with lineDetail points per cell.
   [[nodiscard]] std::vector<float> lines(double time) const;
   [[nodiscard]] const simreel::sim::FluidPlan& plan() const { return plan_; }
   [[nodiscard]] const simreel::sim::FluidSolids& solids() const { return *solids_; }
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>((y + 1) * (plan_.size().x + 2) + x + 1);
   }
-  /// What is missing of the flow through the worst cell's faces, over max|u|.
+  /// Returns the maximum divergence over all cells, relative to max|u|.
   [[nodiscard]] double divergence() const;
 
-  std::vector<glm::vec4> flow, dye;  ///< with their ring, x fastest
-  long cycles = 0;                   ///< of the multigrid so far
+  std::vector<glm::vec4> flow, dye;  ///< with their border ring, x varies fastest
+  long cycles = 0;                   ///< total number of multigrid cycles
 
  private:
-  /// A grid of the multigrid: its weights cell by cell, and what is known of each.
+  /// A level of the multigrid with the weights and values of its cells.
   struct Level {
     glm::ivec2 cells;
     bool wrapsX, wrapsY;
@@ -57,7 +57,7 @@ class FluidTwin {
       };
       return {face(x, y).x, face(x + 1, y).x, face(x, y).y, face(x, y + 1).y};
     }
-    /// Beyond the grid 0.
+    /// Returns the value of a cell; 0 outside the grid.
     [[nodiscard]] float at(const std::vector<float>& of, int x, int y) const {
       if (wrapsX) x = (x + cells.x) % cells.x;
       if (wrapsY) y = (y + cells.y) % cells.y;
@@ -79,7 +79,7 @@ class FluidTwin {
         for (int x = 0; x < cells.x; ++x)
           if ((x + y) % 2 == color) change(x, y, before);
     }
-    /// Red cells, then black ones, each by what there was before its colour's turn.
+    /// Relaxes the cells of one colour, from the values before this colour's sweep.
     void relax(int color) {
       eachOf(color, [&](int x, int y, const std::vector<float>& before) {
         value[index(x, y)] = simreel::shader::relaxed(rhs[index(x, y)], sumAround(before, x, y),
@@ -89,7 +89,7 @@ class FluidTwin {
     void sweep() {
       for (const int color : {0, 1}) relax(color);
     }
-    /// The first sweep on the way down.
+    /// Runs the first sweep on the way down.
     void begin() {
       eachOf(0, [&](int x, int y, const std::vector<float>&) {
         value[index(x, y)] =
@@ -107,6 +107,6 @@ class FluidTwin {
   std::shared_ptr<const simreel::sim::FluidSolids> solids_;
   simreel::shader::FluidStep step_{};
   std::vector<glm::vec4> carried_;
-  std::vector<glm::vec2> sum_;  ///< of corrections, a cell each, and what rounding took
+  std::vector<glm::vec2> sum_;  ///< sum of corrections in each cell, and its rounding error
   std::vector<Level> levels_;
 };

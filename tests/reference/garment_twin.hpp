@@ -10,33 +10,33 @@
 
 #include <glm/vec4.hpp>
 
-/// Cloth of a mesh on the CPU: the kernels' own model (glsl/garment compiled as C++) in plain loops.
-/// Equals the GPU bit for bit in exact mode.
+/// Cloth of a mesh on the CPU: the kernels' model (glsl/garment compiled as C++) in plain loops. Equals the
+/// GPU bit for bit in exact mode.
 class GarmentTwin {
  public:
   explicit GarmentTwin(simreel::sim::GarmentPlan plan);
 
-  /// One frame starting at `time` (s).
+  /// Simulates a frame that starts at `time` (s).
   void step(double time);
-  /// One substep with the given data, the frame's number `index`.
+  /// Simulates a substep with the given data; `index` is its number within the frame.
   void substep(const simreel::shader::ClothStep& data, int index = 0);
-  /// Normals of the cloth's vertices.
+  /// Returns the normals of the cloth's vertices.
   [[nodiscard]] std::vector<glm::vec3> normals() const;
 
   std::vector<glm::vec4> positions;   ///< xyz m, w inverse mass
   std::vector<glm::vec4> velocities;  ///< xyz m/s, w pin group
-  std::vector<glm::vec4> trends;      ///< xyz m/s; of what is pinned where it is at rest (m)
-  /// The mesh it falls onto; none without a plan.
+  std::vector<glm::vec4> trends;      ///< xyz m/s; for pinned vertices the rest position (m)
+  /// The height map that the cloth falls onto; empty without one.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< of the frame to step: x at its beginning, y at its end (m)
-  std::optional<DistanceTwin> meshes;  ///< the rigid meshes they meet; none: no mesh
-  std::optional<WallsTwin> walls;      ///< the solid it meets; none: no solid
-  std::optional<WindTwin> wind;        ///< the fluid that is its wind; none: none blows
+  std::vector<glm::vec4> heights;      ///< for the current frame: x at its start, y at its end (m)
+  std::optional<DistanceTwin> meshes;  ///< rigid meshes that collide with the cloth; empty without any
+  std::optional<WallsTwin> walls;      ///< solid that collides with the cloth; empty without one
+  std::optional<WindTwin> wind;        ///< fluid that blows on the cloth; empty without one
   [[nodiscard]] simreel::sim::GarmentPlan& plan() { return plan_; }
 
  private:
   void fend(const simreel::shader::ClothStep& data);
   simreel::sim::GarmentPlan plan_;
   std::vector<glm::vec4> next_, forces_;
-  std::vector<glm::vec4> ways_;  ///< of pins that follow a skin, in the frame
+  std::vector<glm::vec4> ways_;  ///< motion of skin-bound pins during the frame
 };

@@ -23,7 +23,7 @@ inline int findLSB(int x) {
 #define FUNCTION inline
 #define precise
 #define REAL float
-/// What a kernel sees: the bodies that model.glsl asks for, and the model itself.
+/// A kernel as C++: the bodies that model.glsl reads, and the model itself.
 struct Kernel {
   const vec4* bodies = nullptr;
 
@@ -52,7 +52,7 @@ void forAll(int count, int threads, const Body& body) {
   });
 }
 
-/// One group's bodies and what has been summed for them.
+/// The bodies of one group and their sums.
 struct Group {
   vec3 middle, halfSize;
   vec4 bodies[groupBodies];

@@ -5,24 +5,24 @@
 
 #include <glm/vec4.hpp>
 
-/// Gray-Scott on the CPU: the kernels' own arithmetic (glsl/gray_scott/model.glsl compiled as C++) in plain
-/// loops over u and v apart, which the compiler turns into vectors. Equals the GPU bit for bit in exact
-/// mode.
+/// Gray-Scott on the CPU: the kernels' arithmetic (glsl/gray_scott/model.glsl compiled as C++) in plain
+/// loops over separate arrays of u and v, which the compiler vectorises. Equals the GPU bit for bit in
+/// exact mode.
 class GrayScottTwin {
  public:
-  /// `start`: time (s) of the first state.
+  /// `start` is the time (s) of the first state.
   explicit GrayScottTwin(simreel::sim::GrayScottPlan plan, double start = 0);
 
-  /// One frame starting at `time` (s). `threads` 0: all processors.
+  /// Simulates a frame that starts at `time` (s). `threads` 0: all processors.
   void step(double time, int threads = 1);
-  /// Steps with given rates and no strokes.
+  /// Runs steps with the given rates and without strokes.
   void advance(const simreel::shader::GrayScottRates& rates, int steps, int threads = 1);
 
-  /// The state as the GPU holds it.
+  /// Returns the state in the GPU's layout.
   [[nodiscard]] std::vector<glm::vec4> cells() const;
   [[nodiscard]] const simreel::sim::GrayScottPlan& plan() const { return plan_; }
 
-  std::vector<float> u, v;  ///< x fastest
+  std::vector<float> u, v;  ///< x varies fastest
 
  private:
   void rows(const simreel::shader::GrayScottRates& rates, int first, int last);

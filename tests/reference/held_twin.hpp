@@ -13,7 +13,7 @@ using namespace simreel::shader;
 #undef FUNCTION
 }  // namespace held_twin
 
-/// As glsl/cloth/hold.comp.
+/// Moves pins with a skin as glsl/cloth/hold.comp does.
 inline void holdBySkin(const std::vector<glm::vec4>& ways, int substep, int substeps,
                        std::vector<glm::vec4>& velocities) {
   const double now = static_cast<double>(substep + 1) / substeps;

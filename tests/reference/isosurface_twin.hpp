@@ -3,16 +3,15 @@
 
 #include <functional>
 
-/// The surface of a volume's values on the CPU, a sample after the other: the numbers of points and the
-/// order of triangles are the kernels', and so are all bits. `value` of a cell of the volume. Its vertices
-/// have the number of their colour in uvs.x.
+/// Returns the isosurface of a volume on the CPU, sample by sample. Point numbers, triangle order and all
+/// bits equal the kernels'. `value` returns the value of a cell. uvs.x of a vertex is its colour value.
 [[nodiscard]] simreel::sim::MeshTable isosurfaceTwin(const simreel::sim::IsosurfaceShape& shape,
                                                      float level,
                                                      const std::function<float(int, int, int)>& value,
                                                      const std::function<float(int, int, int)>& tint,
                                                      glm::vec2 range);
 
-/// The same of cells as cubes.
+/// Returns the surface of the cells as cubes.
 [[nodiscard]] simreel::sim::MeshTable cubesTwin(const simreel::sim::IsosurfaceShape& shape, float level,
                                                 const std::function<float(int, int, int)>& value,
                                                 const std::function<float(int, int, int)>& tint,

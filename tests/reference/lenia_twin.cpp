@@ -139,7 +139,7 @@ double SmoothLifeInDouble::at(int x, int y) const {
 }
 
 void SmoothLifeInDouble::step() {
-  // A disc's edge is a ramp one cell wide, half outside.
+  // The edge of a disc is a ramp one cell wide, half of it outside.
   const auto disc = [](double d, double radius) {
     return d < radius - 0.5 ? 1.0 : d > radius + 0.5 ? 0.0 : radius + 0.5 - d;
   };

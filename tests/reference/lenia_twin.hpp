@@ -3,19 +3,20 @@
 
 #include <vector>
 
-/// A continuous automaton on the CPU: the kernel's own arithmetic in its order. Equals the GPU bit for bit.
+/// A continuous automaton on the CPU: the kernel's arithmetic in the same order. Equals the GPU bit for
+/// bit.
 class LeniaTwin {
  public:
   explicit LeniaTwin(simreel::sim::LeniaPlan plan);
   void step();
-  std::vector<glm::vec4> cells;  ///< as the GPU has them
+  std::vector<glm::vec4> cells;  ///< in the GPU's layout
 
  private:
   simreel::sim::LeniaPlan plan_;
 };
 
-/// SmoothLife as its paper has it (Rafler 2011, arXiv:1111.1567: eqs. of M, N, sigma_1, sigma_2, sigma_m
-/// and s; smooth steps f + dt (2 s - 1)), in double; a value a cell, rows without gaps.
+/// SmoothLife as in its paper (Rafler 2011, arXiv:1111.1567: eqs. of M, N, sigma_1, sigma_2, sigma_m and s;
+/// smooth steps f + dt (2 s - 1)), in double precision; one value per cell, rows without gaps.
 class SmoothLifeInDouble {
  public:
   explicit SmoothLifeInDouble(const simreel::sim::LeniaPlan& plan);
@@ -28,7 +29,8 @@ class SmoothLifeInDouble {
   simreel::sim::LeniaParameters p_;
 };
 
-/// Lenia's equations stated again in double, neighbour by neighbour; a value a cell, rows without gaps.
+/// Lenia's equations implemented independently in double precision, neighbour by neighbour; one value per
+/// cell, rows without gaps.
 class LeniaInDouble {
  public:
   explicit LeniaInDouble(const simreel::sim::LeniaPlan& plan);

@@ -23,14 +23,14 @@ namespace trails {
 
 #define FUNCTION [[gnu::always_inline]] inline
 #define WORD std::uint64_t
-/// The kernels' logic for a rule that is known while compiling...
+/// The kernels' logic for a rule known at compile time.
 template <int B, int S>
 struct FixedRule {
   static constexpr int BORN = B;
   static constexpr int SURVIVE = S;
 #include "glsl/life/model.glsl"
 };
-/// ... and for any.
+/// The kernels' logic for any rule.
 struct AnyRule {
   int BORN;
   int SURVIVE;
@@ -52,14 +52,15 @@ void forRows(int rows, int threads, const Body& body) {
   });
 }
 
-/// A grid of bits, 64 cells a word (the lower 32 of them come first in memory: little endian).
+/// A grid of bits, 64 cells per word (little endian, so the lower 32 cells come first in memory).
 struct Grid {
   const std::uint32_t* words;
   glm::ivec2 size;
   bool torus;
-  int count;  ///< words of 64 bits in a row
+  int count;  ///< 64-bit words per row
 
-  /// A row with the word beside it on either side: row[1] is the first. Outside a dead border: zeros.
+  /// Loads a row with one more word on each side: row[1] is the first word. Outside a dead border all bits
+  /// are zero.
   void load(int y, std::vector<std::uint64_t>& row) const {
     std::fill(row.begin(), row.end(), 0);
     if (torus) y = (y + size.y) % size.y;
@@ -145,7 +146,7 @@ void fastBytes(std::vector<std::uint8_t>& cells, std::vector<std::uint8_t>& next
     for (std::size_t x = 1; x <= width; ++x) {
       const auto n = static_cast<std::uint8_t>(a[x - 1] + a[x] + a[x + 1] + b[x - 1] + b[x + 1] + c[x - 1] +
                                                c[x] + c[x + 1]);
-      out[x] = static_cast<std::uint8_t>((n | b[x]) == 3);  // 3, or 2 and alive
+      out[x] = static_cast<std::uint8_t>((n | b[x]) == 3);  // 3 neighbours, or 2 and alive
     }
   }
 }

@@ -15,7 +15,7 @@ const simreel::shader::Frame noFrame{};
 #define EXACT_PICTURE
 #define SLICES twin.slices
 #define STEPS twin.steps
-/// What the kernels see.
+/// The globals of the kernels.
 struct Kernel {
   const OcclusionTwin& twin;
   const ExactView& view = twin.view;

@@ -8,19 +8,20 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// The shader files of ambient occlusion as C++, half pixel by half pixel, row by row.
+/// The shader files of ambient occlusion as C++, for each half-resolution pixel, row by row.
 struct OcclusionTwin {
   simreel::shader::ExactView view;
   glm::vec3 reach{0};  ///< draw::reachOnPicture()
   int slices = 2, steps = 5;
-  std::vector<float> nearness;  ///< of half pixels (1/m)
+  std::vector<float> nearness;  ///< of half-resolution pixels (1/m)
 
   [[nodiscard]] glm::ivec2 half() const { return (view.size + 1) / 2; }
-  /// Fills in nearness from keys of the picture's samples, without the ground, which is added if asked for.
+  /// Fills `nearness` from depth keys of the picture's samples, which exclude the ground; adds the ground
+  /// if `ground` is true.
   void see(const simreel::shader::Frame& frame, int samples, const std::vector<std::uint32_t>& keys,
            bool ground);
-  /// Openness of each half pixel.
+  /// Returns the openness of each half-resolution pixel.
   [[nodiscard]] std::vector<float> openness() const;
-  /// What shading takes for the place `p` (m) that a pixel of the picture shows.
+  /// Returns the openness that shading uses for the point `p` (m) visible at a pixel.
   [[nodiscard]] float opennessOn(const std::vector<float>& openness, glm::ivec2 pixel, glm::vec3 p) const;
 };

@@ -32,14 +32,14 @@ T texelFetch(const std::vector<T>& texels, int i) {
 #include "glsl/draw/overlay/pixel.glsl"
 
 struct FieldModel : FieldInputs {
-  static constexpr bool magnified = false;  // loops, which the kernels without them are held against
+  static constexpr bool magnified = false;  // uses the loops; kernels without loops are compared with it
   const std::vector<vec4>& reduced;
 
   [[nodiscard]] vec4 reducedAt(ivec2 at) const {
     return reduced.at(static_cast<std::size_t>(at.y * size.x + at.x));
   }
 #include "glsl/draw/overlay/field_values.glsl"
-// Above: cells and colours.
+// The include above defines cells and colours.
 #include "glsl/draw/overlay/field_means.glsl"
 #include "glsl/draw/overlay/field_shading.glsl"
 };
@@ -51,14 +51,14 @@ struct ChartModel : ChartInputs {
     return columns.at(static_cast<std::size_t>(column)).at(static_cast<std::size_t>(row));
   }
 #include "glsl/draw/overlay/chart_columns.glsl"
-// The shading reads the heights.
+// The shading needs the heights.
 #include "glsl/draw/overlay/chart_shading.glsl"
 };
 #undef EXACT_PICTURE
 #undef precise
 #undef FUNCTION
 
-/// As a driver reads an image of 8 bits, and rounds what is stored there.
+/// Blends a pixel as a driver does that reads an 8-bit image and rounds the stored result.
 OverlayBytes stored(OverlayBytes below, vec4 pixel) {
   vec4 loaded;
   for (int i = 0; i < 4; ++i)

@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-/// Pictures of four components, the top row first: bytes, or light times coverage and coverage.
+/// A picture of four components, top row first: bytes, or premultiplied light and coverage.
 template <class T>
 struct OverlayPicture {
   glm::ivec2 size{0};
@@ -16,7 +16,7 @@ struct OverlayPicture {
 };
 using OverlayBytes = std::array<std::uint8_t, 4>;
 
-/// What glsl/draw/overlay/field_inputs.glsl and field_view.glsl declare, under the same names.
+/// The declarations of glsl/draw/overlay/field_inputs.glsl and field_view.glsl, under the same names.
 struct FieldInputs {
   std::vector<glm::uvec4> words;
   std::vector<glm::vec4> stops;
@@ -25,7 +25,7 @@ struct FieldInputs {
   float rangeLow = 0, rangeFactor = 1;
   int cellKind = 2;
   bool categories = false, colored = false;
-  // Its place on the picture.
+  // Position on the picture.
   glm::ivec2 size{0}, base{0};
   glm::vec2 start{0}, perPixel{1}, slope{0};
   bool tiled = false, relief = false, encodes = true, reduces = false, smoothColors = false;
@@ -33,16 +33,16 @@ struct FieldInputs {
   float opacity = 1;
 };
 
-/// A field on the CPU, of the kernels' own source.
+/// A field on the CPU, from the kernels' source.
 class FieldTwin {
  public:
   explicit FieldTwin(FieldInputs inputs) : inputs_(std::move(inputs)) {}
-  /// The texels of the averaged field, x fastest; light in rgb and the place in a where colored, else the
-  /// value in every component.
+  /// Returns the texels of the averaged field, x fastest: for a coloured field light in rgb and coverage in
+  /// a, else the value in every component.
   [[nodiscard]] std::vector<glm::vec4> averaged(glm::ivec2 texels) const;
-  /// From now on pixels read these instead of cells; inputs.size is theirs.
+  /// Makes pixels read these texels instead of cells from now on; inputs.size is their size.
   void setReduced(std::vector<glm::vec4> texels) { reduced_ = std::move(texels); }
-  /// Laid over a part of a picture (left, top, right, bottom), or behind it.
+  /// Draws the field over a part of a picture (left, top, right, bottom), or behind it.
   void over(OverlayPicture<OverlayBytes>& picture, glm::ivec4 part) const;
   void behind(OverlayPicture<glm::vec4>& light, glm::ivec4 part) const;
 
@@ -51,7 +51,7 @@ class FieldTwin {
   std::vector<glm::vec4> reduced_;
 };
 
-/// What glsl/draw/overlay/chart_inputs.glsl declares, under the same names.
+/// The declarations of glsl/draw/overlay/chart_inputs.glsl, under the same names.
 struct ChartInputs {
   std::vector<glm::uvec4> counts;
   int steps = 0;
@@ -68,7 +68,7 @@ class ChartTwin {
  public:
   explicit ChartTwin(ChartInputs inputs);
   void over(OverlayPicture<OverlayBytes>& picture, glm::ivec4 part) const;
-  /// Rows as in the kernel's texture: enter, leave, lowest, highest.
+  /// Returns rows as in the kernel's texture: enter, leave, lowest, highest.
   [[nodiscard]] const std::vector<std::array<glm::vec4, 4>>& columns() const { return columns_; }
 
  private:

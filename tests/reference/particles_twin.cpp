@@ -17,7 +17,7 @@ using namespace simreel::shader;
 #define precise
 #include "glsl/particles/pace.glsl"
 #include "glsl/particles/pairs.glsl"
-/// What a kernel sees: the globals that model.glsl asks for, and the model itself.
+/// A kernel as C++: the globals that model.glsl uses, and the model itself.
 struct Kernel : WindKernel {
   const ParticleStep& stepData;
   MeshColliders meshData{};
@@ -31,7 +31,7 @@ struct Kernel : WindKernel {
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
 #include "glsl/contour/model.glsl"
-#define BRANCHES  // as on cards; the twin of cloth is without, as software drivers are
+#define BRANCHES  // with branches, as on graphics cards; the cloth twin is without, as on software drivers
 #include "glsl/contour/wall_model.glsl"
 #undef BRANCHES
 #include "glsl/fluid/wind_model.glsl"

@@ -12,7 +12,7 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 #define REFLECTIVE
 #define GROUND_REFLECTIVE
 #define SAMPLES samples
-/// What the kernels see.
+/// The globals of the kernels.
 struct Kernel {
   const Frame& frame;
   const ExactView& view;
@@ -57,7 +57,7 @@ std::uint32_t keyOf(float near) {
   return 0x7fffffffU - static_cast<std::uint32_t>(floatBitsToInt(near));
 }
 
-/// Lays the ground under what is visible.
+/// Adds the ground where no nearer surface is visible.
 void layGround(Kernel& kernel, RasterTwinResult& seen) {
   for (int y = 0; y < kernel.view.size.y; ++y)
     for (int x = 0; x < kernel.view.size.x; ++x)
@@ -70,7 +70,7 @@ void layGround(Kernel& kernel, RasterTwinResult& seen) {
       }
 }
 
-/// As glsl/draw/exact/surface/surface_uv.glsl.
+/// Computes the texture colour as glsl/draw/exact/surface/surface_uv.glsl does.
 vec3 textureOn(Kernel& kernel, const TwinTexture& texture, const unsigned* corners, const vec3* places,
                vec3 weight, vec2 at) {
   const vec2 a = texture.uvs[corners[0]];
@@ -126,7 +126,7 @@ vec4 groundAt(Kernel& kernel, ivec2 pixel, int sample) {
   return kernel.groundLight(kernel.placeOnRay(ray, depth), unitOf(-ray), 1.0F, 1.0F);
 }
 
-/// Light of a pixel's samples, each primitive once, the ground last.
+/// Returns the light of a pixel's samples: each primitive is shaded once, the ground last.
 vec4 lightOf(Kernel& kernel, const PictureTwinScene& scene, const std::uint32_t* ids, ivec2 pixel) {
   vec4 sum(0);
   const auto add = [&](std::uint32_t id, int first) {

@@ -9,7 +9,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// A picture laid over it.
+/// A texture of the mesh.
 struct TwinTexture {
   glm::ivec2 size{0};
   std::vector<std::vector<glm::uvec3>> levels;  ///< linear light in 1/65535
@@ -24,12 +24,12 @@ struct PictureTwinScene {
   int samples = 4;
   bool doubleSided = false;
   bool ground = true;
-  std::vector<glm::vec3> places, normals;  ///< m, and unit
+  std::vector<glm::vec3> places, normals;  ///< positions in m, and unit normals
   std::vector<unsigned> indices;
   glm::vec3 color{0.8F};
   float roughness = 0.5F, metallic = 0.0F;
-  TwinTexture texture;  ///< without levels: none
+  TwinTexture texture;  ///< without levels: no texture
 };
 
-/// The shader files of the exact rasterizer as C++, pixel by pixel: RGBA, the top row first.
+/// Returns RGBA pixels, top row first, drawn by the shader files of the exact rasterizer as C++.
 [[nodiscard]] std::vector<std::uint8_t> pictureTwin(const PictureTwinScene& scene);

@@ -14,7 +14,7 @@ void imulExtended(int a, int b, int& high, int& low) {
 #define FUNCTION inline
 #define precise
 #define SAMPLES samples
-/// What the kernels see.
+/// The globals of the kernels.
 struct Raster {
   ExactView view;
   int samples;

@@ -28,7 +28,7 @@ RayTwin::Hit asHit(const RayHit& hit) {
 
 constexpr int ballBit = 0x40000000;
 
-/// What the kernel reads.
+/// The data that the kernel reads.
 struct Walk {
   std::span<const uvec4> nodes, sorted;
   RayHit test(const Ray& ray, const RayPlanes& planes, const RayHit& best, int i) const {

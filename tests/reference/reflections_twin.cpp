@@ -13,7 +13,7 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 #define EXACT_PICTURE
 #define MIRROR_TWIN
 #include "glsl/draw/exact/reflections/levels.glsl"
-/// What the kernels see.
+/// The globals of the kernels.
 struct MirrorKernel {
   const ReflectionsTwin& twin;
   const ExactView& view = twin.view;

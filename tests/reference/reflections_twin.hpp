@@ -7,23 +7,23 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-/// The shader files of reflections as C++, of cameras that see along rays from the eye.
+/// The shader files of reflections as C++, for perspective cameras (rays from the eye).
 struct ReflectionsTwin {
   simreel::shader::ExactView view;
   glm::vec2 reach{0};  ///< draw::Reflections::reachOf()
 
-  /// Takes over nearness of half pixels (1/m) and light of pixels, row by row.
+  /// Sets the nearness of half-resolution pixels (1/m) and the light of pixels, row by row.
   void see(const std::vector<float>& nearness, const std::vector<glm::vec4>& light);
-  /// A ray from `p` in a unit direction, of a surface that faces `facing`; the eye is `towards`.
+  /// A ray from `p` in a unit direction, from a surface with normal `facing`; `towards` points to the eye.
   struct Ray {
     glm::vec3 p{0}, direction{0}, facing{0}, towards{0};
     float roughness = 0, turns = 0;
-    float ground = -1;  ///< how far it goes until it meets that (m; -1: never)
+    float ground = -1;  ///< distance to the ground (m; -1: never)
   };
-  /// Light that it brings, and how much of it that is.
+  /// Returns the reflected light in rgb, and its weight in a.
   [[nodiscard]] glm::vec4 lightMet(const Ray& ray) const;
 
   [[nodiscard]] glm::ivec2 half() const { return (view.size + 1) / 2; }
-  std::vector<float> nearest;  ///< in levels
+  std::vector<float> nearest;  ///< by mip level
   std::vector<glm::vec4> lit;
 };

@@ -86,7 +86,7 @@ void SolidTwin::addPoint(const Edge& edge, int level) {
     return at.x >= 0 && at.y >= 0 && at.x < shape_.size.x && at.y < shape_.size.y;
   };
   float part = 0.5F;
-  glm::vec2 out(edge.to > edge.from ? -1 : 1, 0);  // across the edge, and along its other axis
+  glm::vec2 out(edge.to > edge.from ? -1 : 1, 0);  // across the edge; y is along its other axis
   if (isWithin(cell) && isWithin(next)) {
     const glm::ivec2 side(edge.along.y, edge.along.x);
     const auto at = [&](glm::ivec2 place) { return valueAt(place.x, place.y); };
@@ -114,7 +114,7 @@ void SolidTwin::addPoint(const Edge& edge, int level) {
   lines.levels.push_back(level);
 }
 
-/// The sides of a square as they are walked from (x, y): to the right, down, back to the left, up.
+/// Returns a side of a square; sides are numbered from (x, y): right, down, back left, up.
 const SolidTwin::Edge& SolidTwin::edgeOf(int x, int y, int side) const {
   return side == 0   ? right_[index(x, y)]
          : side == 1 ? down_[index(x + 1, y)]
@@ -141,7 +141,8 @@ void SolidTwin::addSquares() {
     }
 }
 
-/// Around the square twice: a contour that comes in leaves at its level's next crossing.
+/// Adds the walls of a square. For each level, a contour that enters the square leaves at the level's next
+/// crossing; the walk goes around up to twice.
 void SolidTwin::addWalls(int x, int y) {
   const glm::ivec2 corners[] = {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}};
   const auto classOf = [&](int i) { return classAt(corners[i % 4].x, corners[i % 4].y); };

@@ -6,22 +6,22 @@
 
 #include <glm/vec2.hpp>
 
-/// A field's solid on the CPU: squares one after the other, polygons as lists. The numbers of vertices and
-/// the order of triangles are the kernels', and so are all bits.
+/// The solid of a field on the CPU: square by square, polygons as lists. Vertex numbers, triangle order and
+/// all bits equal the kernels'.
 struct SolidTwin {
-  /// `value` of a cell of the field.
+  /// `value` returns the value of a cell of the field.
   SolidTwin(const simreel::sim::SolidShape& shape, const std::function<float(int x, int y)>& value);
 
   simreel::sim::MeshTable mesh;
   simreel::sim::ContourLines lines;
 
-  [[nodiscard]] int classAt(int x, int y) const;  ///< of a sample: the field's cells begin at (1, 1)
+  [[nodiscard]] int classAt(int x, int y) const;  ///< class of a sample; the field's cells begin at (1, 1)
 
  private:
   struct Edge {
     glm::ivec2 at, along;
     int from, to;    ///< classes
-    unsigned first;  ///< of its points
+    unsigned first;  ///< index of the edge's first point
     [[nodiscard]] unsigned pointOf(int level) const {
       return first + static_cast<unsigned>(level - std::min(from, to) - 1);
     }
@@ -44,6 +44,6 @@ struct SolidTwin {
   glm::ivec2 samples_;
   unsigned corners_ = 0, firstPoint_ = 0;
   std::vector<int> classes_;
-  std::vector<Edge> right_, down_;  ///< of each sample
+  std::vector<Edge> right_, down_;  ///< per sample
   std::vector<unsigned> sheets_, walls_, faces_;
 };

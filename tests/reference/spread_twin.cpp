@@ -40,7 +40,7 @@ struct WildfireModel {
 #undef precise
 #undef FUNCTION
 
-/// Rows in bands, each with counts of its own.
+/// Runs `body` on bands of rows, each with its own counts, and returns the sum.
 template <class Body>
 glm::uvec4 forRows(int rows, int threads, const Body& body) {
   const int bands = (rows + 15) / 16;
@@ -70,7 +70,7 @@ glm::uvec4 countAll(const std::vector<std::uint8_t>& cells) {
   return counts;
 }
 
-/// What lies around a cell.
+/// The neighbourhood of a cell.
 struct Grid {
   const std::vector<std::uint8_t>& cells;
   glm::ivec2 size;
@@ -89,7 +89,7 @@ struct Grid {
     if (x < 0 || y < 0 || x >= size.x || y >= size.y) return false;
     return (cells[index(x, y)] & classMask) == classActive;
   }
-  /// A bit for each active neighbour, row by row.
+  /// Returns one bit per active neighbour, row by row.
   [[nodiscard]] std::uint32_t neighbours(int x, int y) const {
     std::uint32_t bits = 0;
     int d = 0;

@@ -9,13 +9,13 @@
 
 #include <glm/vec4.hpp>
 
-/// The epidemic on the CPU, a byte a cell and neighbours looked up one by one; decisions by the kernels'
-/// own model (glsl/spread/epidemic/model.glsl compiled as C++). Equals the GPU bit for bit.
+/// The epidemic on the CPU with one byte per cell and a plain loop over neighbours; decisions use the
+/// kernels' model (glsl/spread/epidemic/model.glsl compiled as C++). Equals the GPU bit for bit.
 class EpidemicTwin {
  public:
-  /// `start`: time (s) of the first state.
+  /// `start` is the time (s) of the first state.
   explicit EpidemicTwin(simreel::sim::EpidemicPlan plan, double start = 0);
-  /// One frame starting at `time` (s). `threads` 0: all processors.
+  /// Simulates a frame that starts at `time` (s). `threads` 0: all processors.
   void step(double time, int threads = 1);
   void oneStep(const simreel::sim::EpidemicPlan::Step& step, int threads = 1);
 
@@ -30,10 +30,10 @@ class EpidemicTwin {
   std::vector<std::uint8_t> next_;
 };
 
-/// The same for a wildfire.
+/// The wildfire on the CPU, like EpidemicTwin.
 class WildfireTwin {
  public:
-  /// `start`: time (s) of the first state.
+  /// `start` is the time (s) of the first state.
   explicit WildfireTwin(simreel::sim::WildfirePlan plan, double start = 0);
   void step(double time, int threads = 1);
   void oneStep(const simreel::sim::WildfirePlan::Step& step, int threads = 1);
@@ -41,8 +41,9 @@ class WildfireTwin {
   std::vector<std::uint8_t> cells;
   std::vector<glm::uvec4> counts;
   [[nodiscard]] simreel::sim::WildfirePlan& plan() { return plan_; }
-  std::optional<WindTwin> wind;  ///< the fluid that blows
-  /// Before the steps of the frame at `time` (s) where a fluid of that "speed" blows.
+  std::optional<WindTwin> wind;  ///< fluid that blows
+  /// Updates the wind; call before the steps of the frame at `time` (s) if a fluid blows. `speed` is the
+  /// scene's "speed".
   void blow(double time, float speed);
 
  private:

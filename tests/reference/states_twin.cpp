@@ -23,7 +23,8 @@ class Around {
   simreel::shader::GridJoin join_;
 };
 
-/// Of a rule whose living that do not survive age: 0, 1 the living, 2 and on the aging.
+/// Returns the next state in a rule with aging: 0 is dead, 1 alive, 2 and above are cells that age instead
+/// of surviving.
 int aged(int state, bool born, bool survives, int states) {
   if (state == 0) return born ? 1 : 0;
   if (state == 1 && survives) return 1;

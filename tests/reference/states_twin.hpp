@@ -6,25 +6,25 @@
 
 #include <glm/vec2.hpp>
 
-/// A generation of any rule on any grid, by plain loops over neighbours: what it is, written so that it can
-/// be checked by reading. A byte a cell, rows without gaps.
+/// Computes a generation of any rule on any grid by plain loops over neighbours, so that it can be verified
+/// by reading. One byte per cell, rows without gaps.
 std::vector<std::uint8_t> nextStates(const std::vector<std::uint8_t>& cells, glm::ivec2 size,
                                      const simreel::sim::CellRule& rule,
                                      const simreel::sim::GridShape& shape);
 
-/// Of one cell of it.
+/// Returns the next state of one cell.
 std::uint8_t nextState(const std::vector<std::uint8_t>& cells, glm::ivec2 size,
                        const simreel::sim::CellRule& rule, const simreel::sim::GridShape& shape,
                        glm::ivec2 at);
 
-/// An automaton of several states on the CPU.
+/// An automaton with several states on the CPU.
 class StatesTwin {
  public:
-  /// `start`: time (s) of the first state.
+  /// `start` is the time (s) of the first state.
   explicit StatesTwin(simreel::sim::LifePlan plan, double start = 0);
-  /// One frame starting at `time` (s).
+  /// Simulates a frame that starts at `time` (s).
   void step(double time);
-  /// As the GPU has them: rows of whole blocks of 16.
+  /// Returns the cells in the GPU's layout: rows of whole blocks of 16.
   [[nodiscard]] std::vector<std::uint8_t> rows() const;
 
   std::vector<std::uint8_t> cells;  ///< rows without gaps

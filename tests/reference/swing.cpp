@@ -38,7 +38,7 @@ Case sheet(double degrees, double spacing) {
   return made;
 }
 
-/// The quantity "energy".
+/// Returns the quantity "energy".
 double energyOf(const std::vector<double>& measured) {
   return measured[5];
 }
@@ -49,7 +49,7 @@ Case springs(double degrees, double spacing) {
   Case made = sheet(degrees, spacing);
   made.name = "springs";
   made.parameters.mass = static_cast<float>(spacing * spacing);  // 1 kg/m^2
-  made.parameters.substeps = spacing < 0.03 ? 64 : 32;           // w dt of the lattice: at most 0.7
+  made.parameters.substeps = spacing < 0.03 ? 64 : 32;           // w dt of the lattice is at most 0.7
   return made;
 }
 
@@ -74,7 +74,7 @@ Case strip(double degrees, double spacing) {
   p.mesh.resolution = {(rows + 1) / 2, rows};
   sim::PinGroup& top = p.pins.emplace_back();
   top.hasBox = true;
-  // The upper border, wherever the turn puts it.
+  // The upper border of the rotated cloth.
   const double angle = degrees * 3.14159265358979 / 180;
   const auto y = static_cast<float>(0.5 * std::cos(angle)), z = static_cast<float>(-0.5 * std::sin(angle));
   top.box = {glm::vec3(-1, y - 1e-3F, z - 1e-3F), glm::vec3(1, y + 1e-3F, z + 1e-3F)};
@@ -96,7 +96,7 @@ class Swinging {
     twin_.step(frame_++ * frameSeconds);
     return energy();
   }
-  /// Straight down, at the length at rest.
+  /// Returns the energy of the cloth hanging straight down at its rest length.
   double energyHanging(double degrees) {
     const auto start = twin_.positions;
     double top = -1e300;
@@ -134,7 +134,8 @@ auto withTwin(const Case& given, const Use& use) {
 Course courseOf(const Case& given, double seconds, const std::function<double()>& energyAfter) {
   const auto [first, hanging] = withTwin(
       given, [&](auto twin) { return std::pair(twin.energy(), twin.energyHanging(given.degrees)); });
-  // A chain swings with j01 / 2 sqrt(g / L), j01 = 2.405 being the first zero of J0.
+  // A hanging chain swings at the angular frequency j01 / 2 sqrt(g / L), with j01 = 2.405, the first zero
+  // of J0.
   const double period = 2 * 3.14159265358979 / (1.2024 * std::sqrt(gravity / given.length));
   const int frames = static_cast<int>(std::lround(seconds / frameSeconds));
   const int window = static_cast<int>(std::lround(period / frameSeconds));

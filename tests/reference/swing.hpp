@@ -5,35 +5,35 @@
 #include <string>
 #include <vector>
 
-/// Cloth that is pinned along its upper border, let go at an angle, and swings without damping, wind or
-/// air: what becomes of its energy.
+/// Cloth pinned along its upper border, released at an angle, swinging without damping, wind or air: tests
+/// how its energy develops.
 namespace simreel::swing {
 
 struct Case {
   std::string name;
   sim::ClothParameters parameters;
-  double degrees = 0;  ///< from hanging to where it is let go
+  double degrees = 0;  ///< angle from hanging to the start
   double length = 0;   ///< m, from the pins down
 };
 
-/// A grid of springs, a fabric, a strip of triangles, each 1 m long and half as wide. `spacing`: m.
+/// A grid of springs, a fabric, a strip of triangles; each 1 m long and half as wide. `spacing` is in m.
 [[nodiscard]] Case springs(double degrees, double spacing);
 [[nodiscard]] Case fabric(double degrees, double spacing);
 [[nodiscard]] Case strip(double degrees, double spacing);
 
-/// What is left of the energy of a swing, 1 of all of it: the start against hanging at rest.
+/// The remaining energy of a swing; 1 is the start's energy above hanging at rest.
 struct Course {
-  /// Means over a swing each, one after the other, without the first.
+  /// Means over successive periods of the swing, without the first.
   std::vector<double> means;
-  double rise = 0;  ///< most by which a mean is above one before it
+  double rise = 0;  ///< maximum increase of a mean above an earlier one
   [[nodiscard]] double drift() const { return means.back() - means.front(); }
 };
 
-/// `energyAfter` steps a frame and gives the quantity "energy" (J).
+/// Runs a case; `energyAfter` simulates a frame and returns the quantity "energy" (J).
 [[nodiscard]] Course courseOf(const Case& given, double seconds,
                               const std::function<double()>& energyAfter);
 
-/// By the CPU twin, which has the device's bits.
+/// Runs a case with the CPU twin, which gives the device's bits.
 [[nodiscard]] Course courseOfTwin(const Case& given, double seconds);
 
 }  // namespace simreel::swing

@@ -7,18 +7,18 @@
 
 #include <glm/vec4.hpp>
 
-/// Tracers on the CPU: the kernels' own model (glsl/fluid/tracers/tracer_model.glsl compiled as C++).
+/// Tracers on the CPU: the kernels' model (glsl/fluid/tracers/tracer_model.glsl compiled as C++).
 class TracersTwin {
  public:
-  /// `solid`: a byte a cell.
+  /// `solid` has one byte per cell.
   TracersTwin(const simreel::sim::TracerParameters& parameters, glm::ivec2 size,
               std::vector<std::uint8_t> solid, const simreel::shader::TracerStep& step,
               double frameSeconds);
   void beginFrame();
   void advance(const WindTwin& wind);
 
-  std::vector<glm::vec4> tracers;    ///< place (cells), age (s), how often it began anew
-  std::vector<std::uint32_t> trail;  ///< of a cell, x fastest
+  std::vector<glm::vec4> tracers;    ///< position (cells), age (s), number of restarts
+  std::vector<std::uint32_t> trail;  ///< per cell, x varies fastest
 
  private:
   glm::ivec2 size_;

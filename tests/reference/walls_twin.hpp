@@ -9,17 +9,17 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// A solid on the CPU as others collide with it: the classes of its samples, once more, and its field.
+/// A solid on the CPU for collisions of other objects: the classes of its samples, and its field.
 class WallsTwin {
  public:
-  /// `value` of a cell of the field.
+  /// `value` returns the value of a cell of the field.
   WallsTwin(const simreel::sim::SolidShape& shape, std::function<float(int x, int y)> value,
             const glm::vec3& position, float grip)
       : shape_(shape), value_(std::move(value)), position_(position), grip_(grip), heights_(shape.heights) {
     cut();
   }
 
-  /// Once the field's values, or the heights, are others.
+  /// Updates the classes; call after the field's values or the heights have changed.
   void cut() {
     classes_.clear();
     for (int y = -1; y <= shape_.size.y; ++y)
@@ -32,11 +32,11 @@ class WallsTwin {
   }
   void setHeights(const std::vector<float>& heights) { heights_ = heights; }
 
-  /// Of a sample: the field's cells begin at (1, 1).
+  /// Returns the class of a sample; the field's cells begin at (1, 1).
   [[nodiscard]] int classAt(int x, int y) const {
     return classes_[static_cast<std::size_t>(y * (shape_.size.x + 2) + x)];
   }
-  /// Of a cell, or the nearest one.
+  /// Returns the value of a cell; outside the field, of the nearest cell.
   [[nodiscard]] float valueAt(int x, int y) const {
     const float value = value_(std::clamp(x, 0, shape_.size.x - 1), std::clamp(y, 0, shape_.size.y - 1));
     return std::isfinite(value) ? std::clamp(value, -1e20F, 1e20F) : -1e20F;

@@ -12,7 +12,7 @@ namespace {
 #define FUNCTION
 #define precise
 
-/// What the kernels see: a state, and what they are told.
+/// The globals of the kernels: a state and the step's data.
 struct WaterKernel {
   const std::vector<glm::vec4>& cells;
   ivec2 size;
@@ -25,7 +25,7 @@ struct WaterKernel {
 #include "glsl/water/step.glsl"
 };
 
-/// What the kernels of floats see.
+/// The globals of the kernels of floats.
 struct FloatKernel {
   const std::vector<glm::vec4>& cells;
   const std::vector<glm::vec4>& bodies;
@@ -41,11 +41,11 @@ struct FloatKernel {
   [[nodiscard]] vec4 loadFloatPoint(int i) const { return points[static_cast<std::size_t>(i)]; }
   void addToSum(int cell, int which, int value) { sums[static_cast<std::size_t>(cell)][which] += value; }
 #include "glsl/water/float_model.glsl"
-  // After the model.
+  // The include below needs the model.
 #include "glsl/water/float_contact.glsl"
 #include "glsl/water/float_motion.glsl"
 
-  /// What floats.comp does with another body.
+  /// Adds the contact with another body, as floats.comp does.
   [[nodiscard]] FloatSum withContact(const FloatSum& sum, int me, int other) {
     const bool isFirst = me < other;
     const FloatBody first = floatBody(std::min(me, other));

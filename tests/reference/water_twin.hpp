@@ -5,28 +5,28 @@
 
 #include <glm/vec4.hpp>
 
-/// Shallow water on the CPU: the kernels' own arithmetic (glsl/water compiled as C++). Equals the GPU bit
-/// for bit in exact mode.
+/// Shallow water on the CPU: the kernels' arithmetic (glsl/water compiled as C++). Equals the GPU bit for
+/// bit in exact mode.
 class WaterTwin {
  public:
-  /// `start`: time (s) of the first state.
+  /// `start` is the time (s) of the first state.
   explicit WaterTwin(simreel::sim::WaterPlan plan, double start = 0);
 
-  /// One frame starting at `time` (s).
+  /// Simulates a frame that starts at `time` (s).
   void step(double time);
-  /// One step and nothing that falls.
+  /// Simulates one step without drops, sources or strokes.
   void advance(const simreel::shader::WaterStep& water);
-  /// What glsl/water/look.comp makes of each cell.
+  /// Returns the result of glsl/water/look.comp for each cell.
   [[nodiscard]] std::vector<glm::vec4> look() const;
   [[nodiscard]] const simreel::sim::WaterPlan& plan() const { return plan_; }
 
-  /// Moves floats, and what they do to the water; step `index` of the frame at `time`, from 0. -1: what the
-  /// first state's floats displace.
+  /// Moves floats and applies their effect on the water in step `index` (zero-based) of the frame at
+  /// `time`. -1: computes the displacement in the first state.
   void drift(double time, int index);
 
-  std::vector<glm::vec4> cells;       ///< x fastest
+  std::vector<glm::vec4> cells;       ///< x varies fastest
   std::vector<glm::vec4> floats;      ///< FloatPlan::first()
-  std::vector<glm::ivec4> displaced;  ///< a cell an element, as the kernels have it; empty without floats
+  std::vector<glm::ivec4> displaced;  ///< one element per cell in the kernels' layout; empty without floats
 
  private:
   void fall(double time, int step);

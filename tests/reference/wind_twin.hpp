@@ -6,7 +6,7 @@
 
 #include <glm/vec4.hpp>
 
-/// A fluid as the wind of others on the CPU: its flow, with the ring around it.
+/// A fluid on the CPU as the wind of other objects: its flow with the border ring.
 struct WindTwin {
   simreel::shader::WindGrid grid{};
   std::vector<glm::vec4> flow = {};
@@ -16,7 +16,7 @@ struct WindTwin {
   }
 };
 
-/// What kernels ask of their wind (glsl/fluid/wind_array.glsl): none until there is one to blow.
+/// The wind's interface for kernels (glsl/fluid/wind_array.glsl); no wind until a fluid is set.
 struct WindKernel {
   bool blown = false;
   const WindTwin* windTwin = nullptr;
