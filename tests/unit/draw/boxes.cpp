@@ -1,4 +1,4 @@
-// Rectangles in layers: any order within a layer paints the same.
+// Rectangles in layers: any order within a layer gives the same picture.
 #include "draw/overlay/box_kernel.hpp"
 
 #include <algorithm>

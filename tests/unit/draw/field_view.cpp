@@ -1,4 +1,4 @@
-// Where the cells of a field lie in a picture.
+// The position of a field's cells in a picture.
 #include "draw/overlay/field_view.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-// Which files count as holding the same pixels without decoding. What is refused:
-// tests/cli/golden/test_diff.py.
+// Files that count as having equal pixels without decoding. tests/cli/golden/test_diff.py tests refused
+// files.
 #include "golden/files/png_check.hpp"
 #include "unit/frame/help.hpp"
 

@@ -1,4 +1,4 @@
-// Polygons cut into triangles: their areas add up to the polygon's, and none is turned over.
+// Polygons split into triangles: the areas add up to the polygon's, and no triangle is flipped.
 #include "sim/polygons/cut.hpp"
 
 #include "sim/polygons/problem.hpp"
@@ -16,7 +16,7 @@ namespace simreel::test::polygons_cut {
 
 namespace {
 
-/// Checks every turn of the polygon's list of corners.
+/// Checks every rotation of the polygon's list of corners.
 void checkCut(std::vector<glm::vec3> corners) {
   const double area = glm::length(sim::polygonNormal(corners)) / 2;
   const glm::dvec3 up = sim::polygonNormal(corners) / (2 * area);
@@ -37,7 +37,7 @@ void checkCut(std::vector<glm::vec3> corners) {
   }
 }
 
-/// The same on other planes, and seen from behind.
+/// Checks the polygon on several planes, and from behind.
 void checkEverywhere(const std::vector<glm::vec2>& flat) {
   std::vector<glm::vec3> across, aside, slanted;
   for (const glm::vec2& p : flat) {
@@ -75,7 +75,7 @@ TEST_CASE("polygons that meet themselves, without area or of too much work end, 
   cutter.cut(std::vector<glm::vec3>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {3, 3, 0}}, triangles);
   cutter.cut(std::vector<glm::vec3>(7, glm::vec3(1)), triangles);
   CHECK(triangles.size() == 8);
-  // A comb: of its teeth each is hollow.
+  // A comb with concave teeth.
   std::vector<glm::vec3> comb;
   for (int i = 0; i < 4999; ++i) comb.emplace_back(i, i % 2 == 0 ? 100 : 0, 0);
   comb.emplace_back(2500, -1e6F, 0);

@@ -1,4 +1,4 @@
-// The outermost of many points, as cameras frame them.
+// The outermost of many points, which cameras frame.
 #include "scene/outline.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ using namespace simreel;
 
 namespace {
 
-/// Evenly over a unit ball's surface (golden angle).
+/// Returns points evenly distributed on a unit sphere (golden angle).
 std::vector<glm::vec3> evenBall(int count) {
   std::vector<glm::vec3> points;
   for (int i = 0; i < count; ++i) {
@@ -55,8 +55,8 @@ TEST_CASE("outline: a few that went astray are left out, by whole numbers") {
   std::vector<glm::vec3> points = evenBall(199);
   points.emplace_back(50, 0, 0);
   const glm::vec3 right(1, 0, 0);
-  CHECK(farthest(scene::outermost(points, 0.0049), right) == 50);   // none of 200
-  CHECK(farthest(scene::outermost(points, 0.005), right) < 1.01F);  // one of 200
+  CHECK(farthest(scene::outermost(points, 0.0049), right) == 50);   // none of 200 may be left out
+  CHECK(farthest(scene::outermost(points, 0.005), right) < 1.01F);  // one of 200 may be left out
   CHECK(farthest(scene::outermost(points, 0.005, 0.25F), right) > 1.2F);
   CHECK(scene::outermost({}).empty());
   CHECK(scene::outermost(std::vector<glm::vec3>{right}, 1).size() == 98);

@@ -27,8 +27,8 @@ TEST_CASE("a renderer draws another script's objects only where camera, stage an
   const std::string ball = R"("a": {"sphere": {"radius": 0.5}})",
                     larger = R"("a": {"sphere": {"radius": 0.8}})";
   CHECK_FALSE(alike(ball, larger, ""));
-  CHECK_FALSE(
-      alike(ball, larger, R"("sun": {"intensity": 3}, )"));  // the camera stands where the ball is seen
+  CHECK_FALSE(alike(ball, larger,
+                    R"("sun": {"intensity": 3}, )"));  // the camera is placed by the size of the sphere
   CHECK_FALSE(
       alike(ball, larger, R"("camera": {"position": [0, 1, 3], "target": [0, 0, 0]}, )"));  // the ground
   CHECK(alike(ball, larger, lit));
@@ -36,7 +36,7 @@ TEST_CASE("a renderer draws another script's objects only where camera, stage an
     return R"("flag": {"cloth": {"size": [8, 8], )" + value + "}}";
   };
   CHECK(alike(cloth(R"("substeps": 8)"), cloth(R"("substeps": 9)"), ""));
-  // Other objects.
+  // Different objects.
   CHECK_FALSE(alike(ball, R"("a": {"capsule": {}})", lit));
   CHECK_FALSE(alike(ball, ball + R"(, "b": {"sphere": {}})", lit));
 }
