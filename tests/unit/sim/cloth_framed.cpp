@@ -1,4 +1,4 @@
-// What a camera has in view of a cloth.
+// The box of a cloth that a camera frames.
 #include "sim/cloth/parameters.hpp"
 
 #include <cmath>
@@ -21,7 +21,7 @@ void checkBox(const sim::ClothParameters& cloth, const glm::vec3& min, const glm
 }  // namespace
 
 TEST_CASE("cloth: in view is the sheet at rest, and where it will hang") {
-  sim::ClothParameters cloth;  // its last row is pinned
+  sim::ClothParameters cloth;  // the last row is pinned
   cloth.size = {11, 6};
   cloth.spacing = 0.2F;
   cloth.position = {1, 2, 3};

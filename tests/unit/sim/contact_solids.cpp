@@ -19,7 +19,7 @@ using namespace simreel;
 
 namespace {
 
-/// A box of twelve faces; `at` moves it.
+/// A box of twelve faces, moved by `at`.
 PileSolid solidBox(glm::vec3 half, std::function<glm::dvec3(double)> at) {
   PileSolid box;
   box.at = [half, at = std::move(at)](double time) {
@@ -81,7 +81,7 @@ TEST_CASE("a box at 10 m/s pushes a hanging sheet and does not pass through") {
     for (const glm::vec4& p : pile.cloths[0]->positions) far = std::max(far, static_cast<double>(p.z));
   }
   CHECK(touching > 15);
-  CHECK(far > 0.2);  // the box came through where the sheet hung at rest
+  CHECK(far > 0.2);  // the box passed through the place where the sheet was hanging
 }
 
 TEST_CASE("a rod of 2 cm at 10 m/s takes a loose sheet along") {
@@ -135,7 +135,7 @@ TEST_CASE("a cloth hangs over a ball of faces, off it by a thickness") {
   }
   for (const glm::vec4& p : pile.cloths[0]->positions)
     nearest = std::min(nearest, glm::length(glm::dvec3(p)) - 0.15);
-  CHECK(nearest > 0.0035);  // the ball's faces are up to 0.7 mm inside
+  CHECK(nearest > 0.0035);  // the ball's faces are up to 0.7 mm inside the sphere
   CHECK(nearest < 0.0065);
   double low = 0;
   for (const glm::vec4& p : pile.cloths[0]->positions) low = std::min<double>(low, p.y);
@@ -144,7 +144,7 @@ TEST_CASE("a cloth hangs over a ball of faces, off it by a thickness") {
 
 TEST_CASE("a moving floor of faces takes a cloth along by friction, at mu g until it is as fast") {
   const double mu = 0.3, speed = 1;
-  for (const float own : {-1.0F, 0.1F}) {  // by itself: the cloth's 0.3; else the mean with it
+  for (const float own : {-1.0F, 0.1F}) {  // -1: the cloth's 0.3; otherwise the mean of both
     const double expected = own < 0 ? mu : 0.5 * (mu + 0.1);
     auto sheet = silk({7, 6}, 0.04F, {0, 0.0051F, 0}, {0, 10, 0});
     sheet.damping = 0;

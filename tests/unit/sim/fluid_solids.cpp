@@ -1,4 +1,4 @@
-// Obstacles in fluids: what their cut faces add up to, pictures, pockets, and what moves.
+// Obstacles in fluids: sums over cut faces, pictures, pockets, and moving obstacles.
 #include "reference/fluid_twin.hpp"
 #include "sim/fluid/quantities.hpp"
 
@@ -40,7 +40,7 @@ scene::Animated<glm::vec3> moving(glm::vec3 from, glm::vec3 to, double seconds) 
   return {{{0.0, from}, {seconds, to}}, scene::Ease::linear};
 }
 
-/// Coverage of pixels by a ring around the middle, 8x8 samples each.
+/// Returns the coverage of pixels by a ring around the middle, with 8x8 samples each.
 std::vector<double> ringPicture(int side, double inner, double outer) {
   std::vector<double> levels;
   for (int y = 0; y < side; ++y)
@@ -156,7 +156,7 @@ TEST_CASE(
     }
   MESSAGE("off by ", worst, " of ", radius, " cells/s");
   CHECK(worst < 0.005 * radius);
-  CHECK(pressure < 2 * radius * radius);  // its mean does not drift
+  CHECK(pressure < 2 * radius * radius);  // the mean pressure does not drift
 }
 
 TEST_CASE("fluid tiles: each is in one list, and those in the open see whole faces only") {

@@ -1,4 +1,4 @@
-// Brushes of fluids that move and change by keyframes, and what is refused of a fluid.
+// Brushes of fluids that move and change by keyframes, and refused settings.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "sim/fluid/plan.hpp"

@@ -1,4 +1,4 @@
-// What a camera has in view of meshes, bodies, balls and cloth of meshes where the scene places it nowhere.
+// Boxes of meshes, bodies, spheres and cloth meshes that a camera without a position frames.
 #include "sim/body/parameters.hpp"
 #include "sim/cloth/parameters.hpp"
 #include "sim/mesh/parameters.hpp"
@@ -145,7 +145,7 @@ TEST_CASE("framed: particles where they start, and as far as sources throw them"
   cloud.groups.clear();
   cloud.emitters = {fountain};
   cloud.acceleration = glm::vec3(1, -4, 0);
-  checkFramed(cloud, {0, 0, 0}, {2, 2, 0});  // up for a second, and down again
+  checkFramed(cloud, {0, 0, 0}, {2, 2, 0});  // upwards for a second, then down
   CHECK_FALSE(cloud.framed()->round);
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("framed: of meshes of files and of bodies, also the points that lie fa
     CHECK(high == box->max);
   };
   sim::MeshParameters mesh;
-  CHECK(mesh.outline().empty());  // a plane is its box
+  CHECK(mesh.outline().empty());  // the box of a plane is exact
   mesh.shape = sim::MeshShape::file;
   mesh.file = std::filesystem::path(sourceFolder()) / "assets/meshes/boat.obj";
   mesh.rotation = glm::vec3(0, 30, 0);

@@ -1,4 +1,4 @@
-// Bending of meshes against a plate's closed forms.
+// Compares bending of meshes with closed forms of a plate.
 #include "reference/garment_twin.hpp"
 #include "sim/garment/plate.hpp"
 #include "unit/help.hpp"
@@ -96,7 +96,7 @@ TEST_CASE("garment: a clamped strip of any mesh bends by q L^4 / 8 D") {
     for (const int cells : {8, 12, 16}) {
       CAPTURE(cells);
       CAPTURE(static_cast<int>(kind));
-      // Two columns of vertices are held, so the strip is clamped half way between them.
+      // Two columns of vertices are held, so the strip is clamped midway between them.
       const double cell = length / (cells - 0.5);
       const test::TemporaryFile file("strip.obj", test::objOf(test::rectangle(kind, {cells, 3}, cell, 2)));
       sim::ClothParameters p = test::freeCloth();
@@ -178,7 +178,7 @@ TEST_CASE("garment: a clamped border bends by q L^4 / 8 D and turns with its pin
       drops.push_back(drop / ends);
       CHECK(drops.back() == doctest::Approx(expected).epsilon(0.03));
     }
-  // Turned by two degrees about the border, and without weight, it leaves along the new direction.
+  // Clamped at an angle of two degrees and weightless, the strip continues straight in that direction.
   sim::ClothParameters p = test::freeCloth();
   p.mesh.size = glm::vec3(0.2F, 0, 0.06F);
   p.mesh.resolution = {9, 4};

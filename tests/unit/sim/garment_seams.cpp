@@ -1,4 +1,4 @@
-// Seams that have pulled shut bend as the cloth does.
+// Closed seams bend like the cloth.
 #include "reference/garment_twin.hpp"
 #include "sim/garment/plate.hpp"
 #include "unit/help.hpp"
@@ -15,10 +15,10 @@ using namespace simreel;
 
 namespace {
 
-constexpr int seamCells = 6;       // of each piece
+constexpr int seamCells = 6;       // cells of each piece
 constexpr double seamGap = 0.001;  // m between the pieces
 
-/// A strip of twice `seamCells` by 3 cells of two pieces, the second one `seamGap` farther on.
+/// A strip of twice `seamCells` by 3 cells, made of two pieces; the second is displaced by `seamGap`.
 sim::Mesh twoPieces(test::Kind kind, double cell) {
   sim::Mesh mesh = test::rectangle(kind, {seamCells, 3}, cell, 2);
   const sim::Mesh other = test::rectangle(kind, {seamCells, 3}, cell);
@@ -30,7 +30,7 @@ sim::Mesh twoPieces(test::Kind kind, double cell) {
   return mesh;
 }
 
-/// Vertices on both sides of the gap, by pairs.
+/// Returns a seam of vertex pairs on both sides of the gap.
 sim::Seam seamOf(const sim::Mesh& mesh, double border) {
   sim::Seam seam;
   seam.seconds = 0.1;
@@ -94,8 +94,8 @@ TEST_CASE("garment: cloth grown together is that of one mesh, to the last weight
     stitches.emplace_back(sewn.vertexOf[static_cast<std::size_t>(seam.from[i])],
                           sewn.vertexOf[static_cast<std::size_t>(seam.to[i])]);
   CHECK(sewn.sew(stitches) == 0);
-  // z = (a x^2 + 2 b x y + c y^2) / 2 over both, as if there were no gap: a plate's energy, in the faces at
-  // the seam, too.
+  // z = (a x^2 + 2 b x y + c y^2) / 2 over both pieces, ignoring the gap: the energy must be a plate's, in
+  // the faces at the seam too.
   std::vector<glm::dvec3> points = sewn.points;
   for (glm::dvec3& p : points) {
     if (p.x > 0.5 * seamCells * cell + 0.5 * seamGap) p.x -= seamGap;
@@ -112,10 +112,10 @@ TEST_CASE("garment: cloth grown together is that of one mesh, to the last weight
     within.push_back(elements[f]);
     area += elements[f].area;
   }
-  CHECK(area == doctest::Approx(44 * 0.5 * cell * cell));  // 28 of 72 are at borders
+  CHECK(area == doctest::Approx(44 * 0.5 * cell * cell));  // 28 of 72 faces are at borders
   CHECK(sim::plateEnergy(within, 3, points) ==
         doctest::Approx(0.5 * 3 * area * (0.02 * 0.02 + 2 * 0.03 * 0.03 + 0.01 * 0.01)).epsilon(1e-5));
-  // The other way round, as two backs on each other, they stay two.
+  // With opposite orientation, back to back, the two pieces do not bend as one.
   sim::Mesh turned = pieces;
   for (std::size_t i = turned.indices.size() / 2; i < turned.indices.size(); i += 3)
     std::swap(turned.indices[i], turned.indices[i + 1]);

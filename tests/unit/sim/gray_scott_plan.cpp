@@ -14,7 +14,7 @@ using simreel::test::has;
 
 namespace {
 
-/// What a scene with these parameters of the field says; "" when it is good.
+/// Returns the errors of a scene with these parameters of the field; "" for a valid scene.
 std::string mistakes(const std::string& parameters) {
   const std::string text = R"({"version": 1, "objects": {"dish": {"grayScott": )" + parameters + "}}}";
   try {
@@ -71,7 +71,7 @@ TEST_CASE("grayScott: the first state holds seeds on a torus, an odd row's spare
     for (const float v : {cells[i].y, i % 19 == 18 ? 0.0F : cells[i].w}) seeded += v == 0.5F ? 1 : 0;
     CHECK(cells[i].x + cells[i].y == 1.0F);
   }
-  CHECK(seeded == 49);  // points of a disk of radius 4
+  CHECK(seeded == 49);  // points of a disc of radius 4
 }
 
 TEST_CASE("grayScott: rates by preset, keys, health, ramp and picture") {

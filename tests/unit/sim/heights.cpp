@@ -1,4 +1,4 @@
-// Falling onto a deformed mesh: answers known without the program, and one clear line for each mistake.
+// Falling onto a deformed mesh: known results, and one clear line for each error.
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -22,7 +22,7 @@ namespace {
 constexpr double frameSeconds = 1.0 / 60.0;
 const glm::ivec2 vertices(9, 7);
 
-/// One particle over a surface of 8 x 6 m whose middle is (10, 2, -3).
+/// Returns one particle above a surface of 8 x 6 m around (10, 2, -3).
 ParticlesTwin onSurface(const glm::vec3& position, const glm::vec3& velocity, float grip, float bounce,
                         const std::function<float(float, float)>& height) {
   sim::MeshParameters mesh;
@@ -69,8 +69,8 @@ std::string meshFailure(const std::string& more) {
 }  // namespace
 
 TEST_CASE("heights: without grip a slope is slid down with g sin(angle)") {
-  // Slopes along x and z together: y falls by 0.3 a metre along x and rises by 0.4 along z, so the way down
-  // is (0.3, -0.4) / 0.5 and tan(angle) = 0.5.
+  // Slopes along both x and z: y falls by 0.3 per metre along x and rises by 0.4 along z, so the downhill
+  // direction is (0.3, -0.4) / 0.5 and tan(angle) = 0.5.
   const auto height = [](float x, float z) { return 5.0F - 0.3F * (x - 10) + 0.4F * (z + 3); };
   auto twin = onSurface({10, 5.1F, -3}, {0, 0, 0}, 0, 0, height);
   for (int frame = 0; frame < 40; ++frame) twin.step(frame * frameSeconds);
@@ -92,7 +92,7 @@ TEST_CASE("heights: a bounce gives back its fraction of the speed, grip takes th
     landed = landed || twin.velocities[0].y > 0;
     if (landed) highest = std::max<double>(highest, twin.positions[0].y - 3.1);
   }
-  CHECK(highest == doctest::Approx(0.36).epsilon(0.03).scale(0));  // share^2 of the first metre
+  CHECK(highest == doctest::Approx(0.36).epsilon(0.03).scale(0));  // restitution^2 times the first metre
   CHECK(twin.velocities[0].x == doctest::Approx(1));
   auto sliding = onSurface({10, 3.1F, -3}, {1, 0, 0}, 2, 0, flat);
   for (int frame = 0; frame < 30; ++frame) sliding.step(frame * frameSeconds);

@@ -1,4 +1,4 @@
-// Generated meshes: counts, bounds of indices, outward fronts, areas.
+// Generated meshes: counts, index ranges, outward orientation, areas.
 #include "base/hash.hpp"
 #include "sim/mesh/shapes.hpp"
 
@@ -12,7 +12,7 @@ using namespace simreel;
 
 namespace {
 
-/// Checks what holds for every mesh; returns its area in m^2.
+/// Checks the rules for every mesh; returns its area in m^2.
 double checkedArea(const sim::Mesh& mesh) {
   CHECK(mesh.normals.size() == mesh.positions.size());
   CHECK((mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size()));

@@ -81,7 +81,7 @@ TEST_CASE("particle CSV files are read by the names of their columns") {
 }
 
 TEST_CASE("particles of a file without masses share the group's") {
-  // As spreadsheets write it: a byte-order mark, capitals, quotes, a comma within them.
+  // As spreadsheets write it: a byte-order mark, capitals, quotes, commas inside quotes.
   const TemporaryFile sheet(
       "sheet.csv", "\xEF\xBB\xBF\"X\",\"Y\", \"Z\",\"Name, first\",Mass\r\n1,2,\"3\",\"a, b\",4\r\n");
   CHECK(sim::readParticles(sheet.path(), 1, 10).positions.at(0) == glm::vec4(1, 2, 3, 4));
@@ -171,7 +171,7 @@ TEST_CASE("emitters give birth at their rate and never overtake themselves") {
     for (std::size_t i = 0; i < before.size(); ++i) {
       const float age = twin.velocities[i].w;
       alive += age >= 0 ? 1 : 0;
-      // Reborn although the last one had more than a substep to live.
+      // Counts slots that are reborn although the last particle had more than a substep to live.
       if (age >= 0 && age < before[i] && before[i] < 0.9F) ++early;
       CHECK((age < 0) == (twin.positions[i].w == 0));
       before[i] = age;
@@ -213,7 +213,7 @@ TEST_CASE("newborns lie in the cone and ball they are told") {
     const float speed = glm::length(v);
     CHECK(speed == doctest::Approx(4).epsilon(0.301));
     widest = std::max(widest, std::acos(glm::dot(v / speed, glm::vec3(0, 0, -1))));
-    // Undo its flight; its age times the slot's lifetime, between 0.3 and 0.7 s.
+    // Reverses the flight over the age, which is a fraction of the slot's lifetime of 0.3 to 0.7 s.
     const glm::vec3 fromMiddle = glm::vec3(twin.positions[i]) - glm::vec3(1, 2, 3);
     const glm::vec3 across = fromMiddle - glm::dot(fromMiddle, v) / glm::dot(v, v) * v;
     farthest = std::max(farthest, glm::length(across));

@@ -19,11 +19,11 @@ TEST_CASE("what stands by a path is to the right of the way, at its height") {
   place.progress = 0.75F;  // along +z, where +x is to the left
   standing = sim::standingBy(path, place, 0);
   CHECK(standing.position == glm::vec3(5, 2, 2));
-  place.progress = 0.5F;  // round the corner
+  place.progress = 0.5F;  // at the corner
   standing = sim::standingBy(path, place, 0);
   CHECK(standing.ahead.x == doctest::Approx(std::sqrt(0.5)));
   CHECK(standing.ahead.z == doctest::Approx(std::sqrt(0.5)));
-  place.progress = 0.0F;  // before the beginning the path goes straight on, too
+  place.progress = 0.0F;  // before its start the path is extended in a straight line
   CHECK(sim::standingBy(path, place, 0).position == glm::vec3(0, 2, -1));
   CHECK(sim::standingBy({{1, 2, 3}}, place, 0).position == glm::vec3(0, 4, 3));
 }

@@ -27,7 +27,7 @@ TEST_CASE("life rules are read in both spellings") {
   CHECK(written("B0/S8") == "B0/S8");
   CHECK(written("23/3") == "B3/S23");
   CHECK(written("/2") == "B2/S");
-  CHECK(written("B8763/S5443") != "B3678/S345");  // a 4 twice
+  CHECK(written("B8763/S5443") != "B3678/S345");  // contains 4 twice
   CHECK(written("b3s23") == "B3/S23");
   CHECK(written("B36S23") == "B36/S23");
   CHECK(written("S23/B36") == "B36/S23");

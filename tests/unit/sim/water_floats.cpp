@@ -47,7 +47,7 @@ sim::WaterFloat boxOf(const glm::vec3& size, float density) {
   return body;
 }
 
-/// Depth of a ball's lowest point when a fraction `under` of its volume is: pi d^2 (3 R - d) / 3.
+/// Returns the draft of a sphere with the fraction `under` of its volume submerged: pi d^2 (3 R - d) / 3.
 double ballDraft(double radius, double under) {
   double low = 0;
   double high = 2 * radius;
@@ -105,8 +105,8 @@ TEST_CASE("water floats: drafts at rest are Archimedes'") {
 }
 
 TEST_CASE("water floats: a box and the water in a closed basin only lose energy") {
-  // Half of a 6 m basin's slowest wave is much longer than the box, which a reference level that follows at
-  // once feeds.
+  // Half the slowest wave of a 6 m basin is much longer than the box, so an instantaneous reference level
+  // would amplify it.
   for (const float density : {250.0F, 500.0F}) {
     auto body = boxOf({1, 0.4F, 1}, density);
     body.drag = 0;
@@ -133,8 +133,8 @@ TEST_CASE("water floats: a box and the water in a closed basin only lose energy"
 }
 
 TEST_CASE("water floats: a box heaves with the period of its draft") {
-  // T = 2 pi sqrt(M / (rho g A)) = 2 pi sqrt(draft / g), with no added mass: the water's own is that of
-  // flow below it.
+  // T = 2 pi sqrt(M / (rho g A)) = 2 pi sqrt(draft / g) without added mass: the water's added mass comes
+  // from flow below the body, which shallow water does not contain.
   auto body = boxOf({0.6F, 0.5F, 0.6F}, 400);
   body.drag = 0;
   body.resistance = 0;
@@ -195,7 +195,7 @@ TEST_CASE("water floats: a ball that falls in and out keeps the water's volume a
     highest = std::max<double>(highest, twin.cells[40 * 20 + 36].x);
   }
   CHECK(most > 0.1);       // of 0.268 m^3
-  CHECK(highest > 0.005);  // 1.6 m from where it fell
+  CHECK(highest > 0.005);  // 1.6 m from the point of impact
 }
 
 TEST_CASE("water floats: what drag takes from a body goes to the water") {
@@ -218,7 +218,7 @@ TEST_CASE("water floats: what drag takes from a body goes to the water") {
 }
 
 TEST_CASE("water floats: a body slides down a slope of the water as fast as the water does") {
-  // The pressure's gradient over its draft: dv/dt = -g w_x. And a free fall.
+  // The pressure's gradient over its draft: dv/dt = -g w_x. Also a free fall.
   auto body = boxOf({0.8F, 0.5F, 1}, 500);
   body.drag = 0;
   body.resistance = 0;
@@ -237,7 +237,7 @@ TEST_CASE("water floats: a body slides down a slope of the water as fast as the 
 }
 
 TEST_CASE("water floats: bodies lie on the ground, keep apart, and follow a tow") {
-  // On a beach that is dry.
+  // On a dry beach.
   sim::WaterFloat ball;
   ball.radius = 0.3F;
   ball.position = {0, 1.5F, 0};

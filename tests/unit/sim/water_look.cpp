@@ -1,4 +1,4 @@
-// How water is drawn: shores, and the ground's colours.
+// Drawing of water: shores, and the ground's colours.
 #include "reference/water_twin.hpp"
 #include "sim/water/ground.hpp"
 
