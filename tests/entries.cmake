@@ -15,7 +15,8 @@ list(JOIN QUICK_CASES "," QUICK_CASES)
 function(suite_test label suite name program)
   add_test(NAME "${suite}: ${name}" COMMAND ${program} ${ARGN})
   set_tests_properties("${suite}: ${name}" PROPERTIES LABELS "${suite};${label}" TIMEOUT ${PATIENCE}
-                       FAIL_REGULAR_EXPRESSION "test cases: +0 ")  # fails if no source has this name any more
+                       # the entry fails if no test case matches, for example because a source was renamed
+                       FAIL_REGULAR_EXPRESSION "test cases: +0 ")
 endfunction()
 function(without_optimizing)
   set_property(TEST ${ARGN} APPEND PROPERTY ENVIRONMENT GALLIVM_PERF=nopt)
@@ -126,7 +127,7 @@ if(Python3_FOUND AND TARGET simreel)
   endforeach()
   add_test(NAME "long: stage" COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/scenes/test_stage.py Stage.test_pictures_of_scenes_of_one_line)
   set_tests_properties("long: stage" PROPERTIES LABELS long TIMEOUT ${PATIENCE} ENVIRONMENT "${CLI_ENVIRONMENT};SIMREEL_LONG=1")
-  # runs Blender
+  # this test runs Blender
   add_test(NAME "long: cycles" COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/scenes/test_cycles.py)
   set_tests_properties("long: cycles" PROPERTIES LABELS long TIMEOUT ${PATIENCE} ENVIRONMENT "${CLI_ENVIRONMENT};SIMREEL_LONG=1")
 endif()

@@ -52,7 +52,7 @@ class FrameTest(ReportTest):
         self.assertEqual(self.chosen()[1], 180)
         ys = [float(e.get_attribute("cy")) for e in b.all("#curve .dot")]
         self.assertEqual(ys[0], ys[1])
-        self.assertLess(ys[8], ys[2] - 20)  # a larger difference is higher up
+        self.assertLess(ys[8], ys[2] - 20)  # the curve is higher where the difference is larger
         mark = svg["x"] + float(b.one("#curve line.diverges").get_attribute("x1"))
         self.assertAlmostEqual((mark - toX(0)) / (toX(8) - toX(0)), 37 / 240, places=3)
         self.assertEqual(b.text("#curve text.diverges"), "leaves the baseline: frame 37, step 4/22")

@@ -34,7 +34,8 @@ struct Maker {
 Json metricsOf(const frame::Image& a, const frame::Image& b) {
   int worst = 0, worstX = 0, worstY = 0, different = 0, far = 0, max = 0, windowX = 0, windowY = 0;
   double squares = 0;
-  std::map<std::pair<int, int>, int> tiles;  // windows on a grid of half their size
+  std::map<std::pair<int, int>, int>
+      tiles;  // sums over overlapping windows, on a grid of half the window size
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
       const int much = apart(a, b, x, y);

@@ -62,7 +62,7 @@ class PictureTest(ReportTest):
         b.keys("o", "+", "+", "l")
         self.assertEqual((self.chosen()[1], b.transform()[0]), (150, 3))
         b.keys("j")
-        self.assertEqual(b.value("viewer.scale"), None)  # another scene: fit to the pane
+        self.assertEqual(b.value("viewer.scale"), None)  # another scene is shown fitted to its pane
 
     def test_worst_pixel_and_densest_window(self):
         b = self.open(FLAG + "side")
@@ -118,8 +118,8 @@ class PictureTest(ReportTest):
         b.keys("b")
         self.assertEqual(self.chosen()[2], "blink")
         first = shown()
-        self.assertTrue(b.until(f"{other} !== '{first}'"))  # switched by the timer
-        b.keys("b")  # switched by hand, which stops the timer
+        self.assertTrue(b.until(f"{other} !== '{first}'"))  # the timer switches the picture
+        b.keys("b")  # the key switches the picture and stops the timer
         now = shown()
         self.assertEqual(b.texts("figcaption:not([hidden])"), ["actual" if now == "visible" else "expected"])
         self.assertEqual(b.one("#play").get_attribute("aria-pressed"), "false")

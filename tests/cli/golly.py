@@ -244,13 +244,13 @@ def random_table(rng):
         middle = rng.randrange(states)
         around = [rng.choice([f"a{i}", f"a{i}", "a0", "b", str(rng.randrange(states))]) for i in range(neighbours)]
         if middle == 0 and "b" not in around and not any(a.isdigit() and a != "0" for a in around):
-            around[0] = "b"  # an empty neighbourhood stays empty
+            around[0] = "b"  # a cell with empty neighbours stays empty
         lines.append(",".join([str(middle), *around, str(rng.randrange(states))]))
     return f"{name}.rule", "\n".join(lines) + "\n"
 
 
 FAMILIES = ["life", "hensel", "shapes", "map", "wolfram", "generations", "borders", "wide", "far", "farthest", "tables"]
-NEWER = ["shaped"]  # not supported by Golly 3
+NEWER = ["shaped"]  # families that Golly 3 does not support
 
 
 def compare(folder, simreel, cases, generations, seed=4):

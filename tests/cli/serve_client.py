@@ -43,7 +43,7 @@ class Server:
             answer = connection.getresponse()
             return answer.status, answer.headers, answer.read()
         except http.client.RemoteDisconnected:
-            return 0, {}, b""  # no answer at all
+            return 0, {}, b""  # the server closed the connection without an answer
         finally:
             connection.close()
 
@@ -128,7 +128,7 @@ class Viewer:
 
     def _bytes(self, count):
         while len(self.buffer) < count:
-            left = self.end - time.monotonic()  # received pings do not extend the time
+            left = self.end - time.monotonic()  # received pings do not extend the time limit
             if left <= 0:
                 raise TimeoutError
             self.socket.settimeout(left)

@@ -77,7 +77,7 @@ class Bench(BenchCase):
         dark = rays(0)
         self.assertGreaterEqual(dark, each)  # one ray into the sky, and reflections of a few
         self.assertLess(dark, 1.1 * each)
-        self.assertEqual(rays(3), dark + each)  # and one to the sun
+        self.assertEqual(rays(3), dark + each)  # as many rays to the sun as samples
         self.assertEqual(rays(3, "draft"), 0)
 
     def test_instances_and_bloom(self):

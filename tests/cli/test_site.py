@@ -53,7 +53,8 @@ class Site(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         page = (self.folder / "site/assets/guide/01-first.html").read_text(encoding="utf-8")
         self.assertIn("<code>[no](link.md)</code>", page)
-        self.assertEqual(len(re.findall("<li>", page.partition("<article>")[2])), 2)  # a list as GitHub reads it
+        # the list is recognized as on GitHub
+        self.assertEqual(len(re.findall("<li>", page.partition("<article>")[2])), 2)
         first = tree / "assets/guide/01-first.md"
         first.write_text(PAGES["assets/guide/01-first.md"] + "\n" + "\n\n".join(MISTAKES) + "\n", encoding="utf-8")
         done = self.site("--source", tree)

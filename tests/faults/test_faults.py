@@ -192,7 +192,7 @@ class Disturbed:
         if self.name != "update" and len(errors) != 1:
             return f"{len(errors)} lines of error"
         if not contents(made):
-            return None  # no file is left that could be trusted
+            return None  # without files, there is nothing that a later run could trust
         found = signature(folder)
         if found not in self.tried:
             self.tried[found] = self.next_run(folder)

@@ -1,4 +1,4 @@
-// baseline.json and state.json.
+// Fuzzes the readers of baseline.json and state.json.
 #include "golden/baseline/baseline.hpp"
 
 #include "base/error.hpp"

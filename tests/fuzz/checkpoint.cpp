@@ -10,7 +10,7 @@
 namespace simreel::fuzz {
 namespace {
 
-/// The run information of the seeds.
+/// Returns the run information that the seed files contain.
 frame::RunInfo run() {
   return {.title = "t",
           .sceneHash = "s",

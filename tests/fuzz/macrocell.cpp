@@ -40,7 +40,7 @@ void readMacrocell(std::string_view bytes) {
     const auto& run = runs[i];
     SIMREEL_CHECK(run.x >= 0 && run.y >= 0 && run.length > 0 && run.x + run.length <= pattern.size.x &&
                   run.y < pattern.size.y && run.state > 0 && run.state <= pattern.highest);
-    // Runs do not overlap.
+    // Checks that runs do not overlap.
     if (i > 0 && runs[i - 1].y == run.y) SIMREEL_CHECK(runs[i - 1].x + runs[i - 1].length <= run.x);
   }
   const long rowBytes = sim::StateRows::rowBytes(pattern.size.x);

@@ -19,7 +19,7 @@ struct Reader {
   const char* name;
   Read read;
   Mend mend;
-  const Reader* next;  // list of all harnesses, in no order
+  const Reader* next;  // next harness in the list of all harnesses
 };
 
 }  // namespace simreel::fuzz

@@ -12,7 +12,7 @@
 namespace simreel::fuzz {
 namespace {
 
-/// Updates the hash at the end.
+/// Updates the hash at the end of a mutated file.
 void mendTrace(std::string& bytes) {
   if (bytes.size() < hashDigits) return;
   const std::string hash = hashHex(std::string_view(bytes).substr(0, bytes.size() - hashDigits));

@@ -216,7 +216,8 @@ std::vector<int> CaveTwin::distancesFrom(glm::ivec2 start) const {
 }
 
 glm::ivec2 CaveTwin::farthest(const std::vector<int>& distances) const {
-  const auto found = std::max_element(distances.begin(), distances.end());  // the first of the maxima
+  const auto found =
+      std::max_element(distances.begin(), distances.end());  // the first of equally distant cells
   const int cell = static_cast<int>(found - distances.begin());
   return {cell % size_.x, cell / size_.x};
 }

@@ -16,7 +16,7 @@ class CaveTwin {
   /// Fills small rooms, then removes small rocks.
   void clean();
   void connect();
-  /// Runs all stages.
+  /// Runs all stages of the cave's generation.
   void finish();
 
   [[nodiscard]] bool isRock(int x, int y) const {
@@ -37,7 +37,7 @@ class CaveTwin {
   /// Returns the map in the GPU's layout.
   [[nodiscard]] std::vector<glm::uvec4> words() const;
 
-  std::vector<bool> rock;  ///< x varies fastest
+  std::vector<bool> rock;  ///< one bit per cell, x varies fastest
 
  private:
   struct Corridor {

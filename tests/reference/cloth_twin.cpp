@@ -87,7 +87,7 @@ void forRows(int rows, int threads, const Body& body) {
 /// Solves a line as glsl/cloth/solve_lines.comp does, segment by segment. Moves `particles`; for a line
 /// that conserves energy also changes `velocities`.
 void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& velocities) {
-  std::vector<std::pair<int, int>> segments;  // first and last links
+  std::vector<std::pair<int, int>> segments;  // first and last link of each segment
   for (int first = 0; first < kernel.lineLinks; first += segmentLinks)
     segments.emplace_back(first, min(first + segmentLinks, kernel.lineLinks) - 1);
   float stretch = 0;

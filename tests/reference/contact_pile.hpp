@@ -28,13 +28,13 @@ inline std::vector<glm::uvec3> facesOfSheet(glm::ivec2 size) {
 struct PileSolid {
   std::function<std::vector<glm::vec4>(double time)> at;
   std::vector<glm::uvec3> faces;
-  float friction = -1;  ///< -1: the cloths' friction
+  float friction = -1;  ///< friction of the solid; -1: uses the cloths' friction
 };
 
 /// Cloths that touch each other, themselves and solids, simulated by the CPU twins.
 struct Pile {
   std::vector<std::unique_ptr<ClothTwin>> cloths;
-  std::unique_ptr<ParticlesTwin> balls;  ///< null without particles
+  std::unique_ptr<ParticlesTwin> balls;  ///< particles in the pile; null: no particles
   std::vector<PileSolid> solids;
   std::unique_ptr<ContactTwin> contact;
   std::vector<glm::uvec3> faces;  ///< faces of all parts, with consecutive vertex numbers

@@ -16,7 +16,7 @@ class ContactTwin {
     /// positions at the start of the substep: xyz m, w inverse mass; for spheres w mass
     const std::vector<glm::vec4>* now;
     std::vector<glm::vec4>* next;        ///< predicted positions; corrected by contact
-    std::vector<glm::vec4>* velocities;  ///< xyz m/s; null for a solid
+    std::vector<glm::vec4>* velocities;  ///< velocities, xyz m/s; null for a solid
   };
   /// Changes `next` by the impulses of the contacts. `first`: true in the first substep of a frame.
   void push(const std::vector<Part>& parts, bool first);
@@ -25,7 +25,7 @@ class ContactTwin {
 
   /// Counts of the last substep.
   std::size_t pairs = 0, nears = 0, touching = 0, stopped = 0, carried = 0;
-  long searches = 0;  ///< total number of searches
+  long searches = 0;  ///< total number of pair searches so far
   bool allStopped = false;
 
  private:

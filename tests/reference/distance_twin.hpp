@@ -18,7 +18,7 @@ struct DistanceTwin {
 
   simreel::sim::MeshColliderPlan plan;
   std::vector<glm::uvec4> cells;
-  std::vector<simreel::shader::MeshColliders> steps;  ///< data of each substep of the frame
+  std::vector<simreel::shader::MeshColliders> steps;  ///< collider data of each substep of the frame
 };
 
 /// Returns the first mesh's field at a point of the mesh's own space: the gradient in xyz and the distance

@@ -11,7 +11,7 @@ namespace flows {
 
 /// Forces on a cylinder over time.
 struct Wake {
-  std::vector<double> times, drag, lift;  ///< s; coefficients 2 F / (U^2 D)
+  std::vector<double> times, drag, lift;  ///< times in s; coefficients of drag and lift, 2 F / (U^2 D)
 
   /// Maxima and mean over the last `seconds`; maxima by parabolas through samples.
   [[nodiscard]] double mostDrag(double seconds) const;
@@ -24,7 +24,7 @@ struct Wake {
 /// A cylinder in a flow: the simulation's parameters, and the reference values of its coefficients.
 struct Cylinder {
   simreel::sim::FluidParameters parameters;
-  double diameter, speed;  ///< cells, cells/s
+  double diameter, speed;  ///< diameter in cells, speed in cells/s
   double frame;            ///< duration of a frame, s
 };
 

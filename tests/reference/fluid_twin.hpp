@@ -16,11 +16,11 @@ class FluidTwin {
   /// Simulates a frame that starts at `time` (s).
   void step(double time);
 
-  // The stages of a substep.
+  // The following functions are the stages of a substep.
   void setStep(const simreel::shader::FluidStep& step) { step_ = step; }
   /// Moves the obstacles to their positions after `step` substeps of the frame that starts at `time` (s).
   void place(double time, int step);
-  void advect();  ///< also applies forces
+  void advect();  ///< advects the flow and applies forces
   void paint(double time, int step);
   void project();
   void moveDye();
@@ -37,7 +37,7 @@ class FluidTwin {
   /// Returns the maximum divergence over all cells, relative to max|u|.
   [[nodiscard]] double divergence() const;
 
-  std::vector<glm::vec4> flow, dye;  ///< with their border ring, x varies fastest
+  std::vector<glm::vec4> flow, dye;  ///< one value per cell including the border ring, x varies fastest
   long cycles = 0;                   ///< total number of multigrid cycles
 
  private:
@@ -45,7 +45,7 @@ class FluidTwin {
   struct Level {
     glm::ivec2 cells;
     bool wrapsX, wrapsY;
-    std::vector<glm::vec2> faces;  ///< (cells.x + 1) x (cells.y + 1)
+    std::vector<glm::vec2> faces;  ///< face weights, (cells.x + 1) x (cells.y + 1)
     std::vector<float> rhs, value;
 
     [[nodiscard]] std::size_t index(int x, int y) const {
@@ -89,7 +89,7 @@ class FluidTwin {
     void sweep() {
       for (const int color : {0, 1}) relax(color);
     }
-    /// Runs the first sweep on the way down.
+    /// Runs the first multigrid sweep on the way down.
     void begin() {
       eachOf(0, [&](int x, int y, const std::vector<float>&) {
         value[index(x, y)] =

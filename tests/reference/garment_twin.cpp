@@ -101,7 +101,8 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
   }
   const std::size_t faces = arrays.corners.size();
   for (std::size_t k = 0; !keeps && k < 2 * faces; ++k) {
-    const std::size_t f = k < faces ? k : 2 * faces - 1 - k;  // forward, then backward
+    const std::size_t f =
+        k < faces ? k : 2 * faces - 1 - k;  // solves faces in forward order, then in backward order
     const uvec4 face = arrays.corners[f];
     const vec3 compliance = vec3(arrays.elements[2 * f + 1]) * data.complianceScale;
     const vec4 shape = arrays.elements[2 * f];

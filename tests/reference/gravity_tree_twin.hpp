@@ -12,9 +12,9 @@ class GravityTreeTwin {
  public:
   /// Work of a walk, summed over groups of bodies.
   struct Work {
-    std::int64_t visits = 0;  ///< visited nodes
-    std::int64_t far = 0;     ///< nodes evaluated as multipoles
-    std::int64_t leaves = 0;  ///< opened leaves
+    std::int64_t visits = 0;  ///< number of visited nodes
+    std::int64_t far = 0;     ///< number of nodes evaluated as multipoles
+    std::int64_t leaves = 0;  ///< number of opened leaves
   };
 
   /// Sorts the bodies (xyz m, w kg) and builds the tree. `threads` 0: all processors.
@@ -25,10 +25,10 @@ class GravityTreeTwin {
 
   std::vector<unsigned> order;     ///< indices of the bodies along the space-filling curve
   std::vector<glm::vec4> sorted;   ///< bodies in that order, padded with zeros to whole trees
-  std::vector<glm::vec4> boxes;    ///< two per node: low and high corner
+  std::vector<glm::vec4> boxes;    ///< two per node: low and high corner of its box
   std::vector<glm::vec4> cells;    ///< one per node: centre of mass, opening radius squared
   std::vector<glm::vec4> moments;  ///< two per node: mass, spread
-  Work work;                       ///< of the last accelerations()
+  Work work;                       ///< work done by the last accelerations()
 
  private:
   void sort(std::span<const glm::vec4> bodies);

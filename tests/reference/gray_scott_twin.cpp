@@ -20,7 +20,7 @@ void unpack(const std::vector<glm::vec4>& elements, glm::ivec2 size, std::vector
     }
 }
 
-/// Three rows of one substance.
+/// Pointers to three rows of one substance.
 struct Window {
   const float* above;
   const float* here;

@@ -22,7 +22,7 @@ class GrayScottTwin {
   [[nodiscard]] std::vector<glm::vec4> cells() const;
   [[nodiscard]] const simreel::sim::GrayScottPlan& plan() const { return plan_; }
 
-  std::vector<float> u, v;  ///< x varies fastest
+  std::vector<float> u, v;  ///< concentrations, x varies fastest
 
  private:
   void rows(const simreel::shader::GrayScottRates& rates, int first, int last);

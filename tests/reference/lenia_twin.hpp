@@ -9,7 +9,7 @@ class LeniaTwin {
  public:
   explicit LeniaTwin(simreel::sim::LeniaPlan plan);
   void step();
-  std::vector<glm::vec4> cells;  ///< in the GPU's layout
+  std::vector<glm::vec4> cells;  ///< cells in the GPU's layout
 
  private:
   simreel::sim::LeniaPlan plan_;

@@ -57,7 +57,7 @@ struct Grid {
   const std::uint32_t* words;
   glm::ivec2 size;
   bool torus;
-  int count;  ///< 64-bit words per row
+  int count;  ///< number of 64-bit words per row
 
   /// Loads a row with one more word on each side: row[1] is the first word. Outside a dead border all bits
   /// are zero.
@@ -146,7 +146,8 @@ void fastBytes(std::vector<std::uint8_t>& cells, std::vector<std::uint8_t>& next
     for (std::size_t x = 1; x <= width; ++x) {
       const auto n = static_cast<std::uint8_t>(a[x - 1] + a[x] + a[x + 1] + b[x - 1] + b[x + 1] + c[x - 1] +
                                                c[x] + c[x + 1]);
-      out[x] = static_cast<std::uint8_t>((n | b[x]) == 3);  // 3 neighbours, or 2 and alive
+      out[x] =
+          static_cast<std::uint8_t>((n | b[x]) == 3);  // alive with 3 neighbours, or with 2 if alive before
     }
   }
 }

@@ -32,8 +32,8 @@ class LifeTwin {
   /// Computes one generation of the rule, without strokes and trail.
   void generation(int threads = 1);
 
-  std::vector<std::uint32_t> words;  ///< in the GPU's layout
-  std::vector<std::uint32_t> trail;  ///< four cells per word; empty without a trail
+  std::vector<std::uint32_t> words;  ///< cells in the GPU's layout
+  std::vector<std::uint32_t> trail;  ///< trail values, four cells per word; empty without a trail
   [[nodiscard]] const simreel::sim::LifePlan& plan() const { return plan_; }
 
  private:

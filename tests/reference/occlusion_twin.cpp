@@ -15,7 +15,7 @@ const simreel::shader::Frame noFrame{};
 #define EXACT_PICTURE
 #define SLICES twin.slices
 #define STEPS twin.steps
-/// The globals of the kernels.
+/// The globals that the kernels read.
 struct Kernel {
   const OcclusionTwin& twin;
   const ExactView& view = twin.view;

@@ -11,9 +11,9 @@
 /// The shader files of ambient occlusion as C++, for each half-resolution pixel, row by row.
 struct OcclusionTwin {
   simreel::shader::ExactView view;
-  glm::vec3 reach{0};  ///< draw::reachOnPicture()
+  glm::vec3 reach{0};  ///< result of draw::reachOnPicture()
   int slices = 2, steps = 5;
-  std::vector<float> nearness;  ///< of half-resolution pixels (1/m)
+  std::vector<float> nearness;  ///< inverse distance (1/m) of each half-resolution pixel
 
   [[nodiscard]] glm::ivec2 half() const { return (view.size + 1) / 2; }
   /// Fills `nearness` from depth keys of the picture's samples, which exclude the ground; adds the ground

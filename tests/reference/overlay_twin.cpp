@@ -51,7 +51,7 @@ struct ChartModel : ChartInputs {
     return columns.at(static_cast<std::size_t>(column)).at(static_cast<std::size_t>(row));
   }
 #include "glsl/draw/overlay/chart_columns.glsl"
-// The shading needs the heights.
+// chart_shading.glsl needs the heights defined above.
 #include "glsl/draw/overlay/chart_shading.glsl"
 };
 #undef EXACT_PICTURE

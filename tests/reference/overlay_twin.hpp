@@ -25,7 +25,7 @@ struct FieldInputs {
   float rangeLow = 0, rangeFactor = 1;
   int cellKind = 2;
   bool categories = false, colored = false;
-  // Position on the picture.
+  // Position of the field on the picture.
   glm::ivec2 size{0}, base{0};
   glm::vec2 start{0}, perPixel{1}, slope{0};
   bool tiled = false, relief = false, encodes = true, reduces = false, smoothColors = false;
@@ -59,11 +59,11 @@ struct ChartInputs {
   glm::vec4 panel{0}, plot{0};
   float unit = 1;
   int curves = 0;
-  std::array<glm::vec3, 4> colors{};  ///< linear
+  std::array<glm::vec3, 4> colors{};  ///< linear colours
   float zero = 0, end = 0;
 };
 
-/// A chart without its letters.
+/// A chart without its letters, computed on the CPU.
 class ChartTwin {
  public:
   explicit ChartTwin(ChartInputs inputs);

@@ -29,7 +29,7 @@ class ParticlesTwin {
   std::vector<glm::vec4> positions;      ///< xyz m, w kg
   std::vector<glm::vec4> velocities;     ///< xyz m/s, w age
   std::vector<glm::vec4> accelerations;  ///< xyz m/s^2
-  std::vector<glm::vec4> starts;         ///< positions before predict()
+  std::vector<glm::vec4> starts;         ///< positions before the last predict()
   /// The height map that the particles fall onto; empty without one.
   std::optional<simreel::sim::HeightPlan> heightPlan;
   std::vector<glm::vec4> heights;      ///< for the current frame: x at its start, y at its end (m)

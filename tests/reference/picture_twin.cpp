@@ -12,7 +12,7 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 #define REFLECTIVE
 #define GROUND_REFLECTIVE
 #define SAMPLES samples
-/// The globals of the kernels.
+/// The globals that the kernels read.
 struct Kernel {
   const Frame& frame;
   const ExactView& view;

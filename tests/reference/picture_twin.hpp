@@ -12,9 +12,9 @@
 /// A texture of the mesh.
 struct TwinTexture {
   glm::ivec2 size{0};
-  std::vector<std::vector<glm::uvec3>> levels;  ///< linear light in 1/65535
-  glm::vec2 scale{1};                           ///< repeats along u and v
-  std::vector<glm::vec2> uvs;                   ///< of the vertices
+  std::vector<std::vector<glm::uvec3>> levels;  ///< mip levels with linear light in units of 1/65535
+  glm::vec2 scale{1};                           ///< repetitions of the texture along u and v
+  std::vector<glm::vec2> uvs;                   ///< texture coordinates of the vertices
 };
 
 /// A mesh of one material in a scene with ground and sky, without shadows.
@@ -24,11 +24,11 @@ struct PictureTwinScene {
   int samples = 4;
   bool doubleSided = false;
   bool ground = true;
-  std::vector<glm::vec3> places, normals;  ///< positions in m, and unit normals
+  std::vector<glm::vec3> places, normals;  ///< vertex positions in m, and unit normals
   std::vector<unsigned> indices;
   glm::vec3 color{0.8F};
   float roughness = 0.5F, metallic = 0.0F;
-  TwinTexture texture;  ///< without levels: no texture
+  TwinTexture texture;  ///< texture of the mesh; without mip levels: no texture
 };
 
 /// Returns RGBA pixels, top row first, drawn by the shader files of the exact rasterizer as C++.

@@ -14,7 +14,7 @@ void imulExtended(int a, int b, int& high, int& low) {
 #define FUNCTION inline
 #define precise
 #define SAMPLES samples
-/// The globals of the kernels.
+/// The globals that the kernels read.
 struct Raster {
   ExactView view;
   int samples;

@@ -13,7 +13,7 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 #define EXACT_PICTURE
 #define MIRROR_TWIN
 #include "glsl/draw/exact/reflections/levels.glsl"
-/// The globals of the kernels.
+/// The globals that the kernels read.
 struct MirrorKernel {
   const ReflectionsTwin& twin;
   const ExactView& view = twin.view;

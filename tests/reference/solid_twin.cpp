@@ -86,7 +86,7 @@ void SolidTwin::addPoint(const Edge& edge, int level) {
     return at.x >= 0 && at.y >= 0 && at.x < shape_.size.x && at.y < shape_.size.y;
   };
   float part = 0.5F;
-  glm::vec2 out(edge.to > edge.from ? -1 : 1, 0);  // across the edge; y is along its other axis
+  glm::vec2 out(edge.to > edge.from ? -1 : 1, 0);  // offset across the edge; y is along the other axis
   if (isWithin(cell) && isWithin(next)) {
     const glm::ivec2 side(edge.along.y, edge.along.x);
     const auto at = [&](glm::ivec2 place) { return valueAt(place.x, place.y); };

@@ -20,7 +20,7 @@ struct SolidTwin {
  private:
   struct Edge {
     glm::ivec2 at, along;
-    int from, to;    ///< classes
+    int from, to;    ///< classes of the edge's two samples
     unsigned first;  ///< index of the edge's first point
     [[nodiscard]] unsigned pointOf(int level) const {
       return first + static_cast<unsigned>(level - std::min(from, to) - 1);
@@ -44,6 +44,6 @@ struct SolidTwin {
   glm::ivec2 samples_;
   unsigned corners_ = 0, firstPoint_ = 0;
   std::vector<int> classes_;
-  std::vector<Edge> right_, down_;  ///< per sample
+  std::vector<Edge> right_, down_;  ///< edges that start at each sample
   std::vector<unsigned> sheets_, walls_, faces_;
 };

@@ -20,7 +20,7 @@ class EpidemicTwin {
   void oneStep(const simreel::sim::EpidemicPlan::Step& step, int threads = 1);
 
   std::vector<std::uint8_t> cells;
-  std::vector<glm::uvec4> counts;  ///< of the start and of every step so far
+  std::vector<glm::uvec4> counts;  ///< counts of the start and of every step so far
   [[nodiscard]] simreel::sim::EpidemicPlan& plan() { return plan_; }
 
  private:
@@ -41,7 +41,7 @@ class WildfireTwin {
   std::vector<std::uint8_t> cells;
   std::vector<glm::uvec4> counts;
   [[nodiscard]] simreel::sim::WildfirePlan& plan() { return plan_; }
-  std::optional<WindTwin> wind;  ///< fluid that blows
+  std::optional<WindTwin> wind;  ///< fluid whose flow is the wind; empty: no fluid
   /// Updates the wind; call before the steps of the frame at `time` (s) if a fluid blows. `speed` is the
   /// scene's "speed".
   void blow(double time, float speed);

@@ -27,7 +27,7 @@ class StatesTwin {
   /// Returns the cells in the GPU's layout: rows of whole blocks of 16.
   [[nodiscard]] std::vector<std::uint8_t> rows() const;
 
-  std::vector<std::uint8_t> cells;  ///< rows without gaps
+  std::vector<std::uint8_t> cells;  ///< cell states, rows without gaps
 
  private:
   void paint(long generation);

@@ -38,7 +38,7 @@ Case sheet(double degrees, double spacing) {
   return made;
 }
 
-/// Returns the quantity "energy".
+/// Returns the quantity "energy" from a list of measured quantities.
 double energyOf(const std::vector<double>& measured) {
   return measured[5];
 }
@@ -48,8 +48,9 @@ double energyOf(const std::vector<double>& measured) {
 Case springs(double degrees, double spacing) {
   Case made = sheet(degrees, spacing);
   made.name = "springs";
-  made.parameters.mass = static_cast<float>(spacing * spacing);  // 1 kg/m^2
-  made.parameters.substeps = spacing < 0.03 ? 64 : 32;           // w dt of the lattice is at most 0.7
+  made.parameters.mass = static_cast<float>(spacing * spacing);  // mass per particle for 1 kg/m^2
+  made.parameters.substeps =
+      spacing < 0.03 ? 64 : 32;  // keeps w dt of the lattice's fastest mode below 0.7
   return made;
 }
 

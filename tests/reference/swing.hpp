@@ -12,8 +12,8 @@ namespace simreel::swing {
 struct Case {
   std::string name;
   sim::ClothParameters parameters;
-  double degrees = 0;  ///< angle from hanging to the start
-  double length = 0;   ///< m, from the pins down
+  double degrees = 0;  ///< angle in degrees from hanging down to the start
+  double length = 0;   ///< length in m, from the pins down
 };
 
 /// A grid of springs, a fabric, a strip of triangles; each 1 m long and half as wide. `spacing` is in m.

@@ -18,7 +18,7 @@ class TracersTwin {
   void advance(const WindTwin& wind);
 
   std::vector<glm::vec4> tracers;    ///< position (cells), age (s), number of restarts
-  std::vector<std::uint32_t> trail;  ///< per cell, x varies fastest
+  std::vector<std::uint32_t> trail;  ///< trail value of each cell, x varies fastest
 
  private:
   glm::ivec2 size_;

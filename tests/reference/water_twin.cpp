@@ -25,7 +25,7 @@ struct WaterKernel {
 #include "glsl/water/step.glsl"
 };
 
-/// The globals of the kernels of floats.
+/// The globals that the kernels of floats read.
 struct FloatKernel {
   const std::vector<glm::vec4>& cells;
   const std::vector<glm::vec4>& bodies;
@@ -41,7 +41,7 @@ struct FloatKernel {
   [[nodiscard]] vec4 loadFloatPoint(int i) const { return points[static_cast<std::size_t>(i)]; }
   void addToSum(int cell, int which, int value) { sums[static_cast<std::size_t>(cell)][which] += value; }
 #include "glsl/water/float_model.glsl"
-  // The include below needs the model.
+  // float_contact.glsl and float_motion.glsl need the model above.
 #include "glsl/water/float_contact.glsl"
 #include "glsl/water/float_motion.glsl"
 

@@ -9,7 +9,7 @@ import time
 
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol", "scancel", "sinfo")
 NODES = ("n1", "n2", "n3")
-# Debian's folders for daemons.
+# Adds the folders where Debian installs daemons.
 PATH = os.environ.get("PATH", "") + ":/usr/sbin:/sbin"
 
 

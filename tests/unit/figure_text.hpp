@@ -66,7 +66,7 @@ class GltfText {
 struct TubeFaults {
   bool noSkin = false, noWeights = false, noJoints = false;
   float weightSum = 1;
-  std::uint8_t joint = 1;  ///< joint of the upper half
+  std::uint8_t joint = 1;  ///< index of the joint that moves the upper half
   std::vector<float> times = {0, 0.5F, 1};
 };
 

@@ -33,8 +33,8 @@ namespace {
 
 struct Soup {
   const char* name;
-  std::vector<glm::vec4> places;  ///< three per triangle
-  std::vector<glm::vec4> rays;    ///< origin; unit direction, maximum distance
+  std::vector<glm::vec4> places;  ///< vertices, three per triangle
+  std::vector<glm::vec4> rays;    ///< two vectors per ray: origin; unit direction and maximum distance
 };
 
 using Random = std::minstd_rand;

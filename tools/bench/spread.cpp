@@ -33,7 +33,7 @@ sim::EpidemicParameters city(int side) {
   return p;
 }
 
-/// A hundred fires.
+/// A forest with a hundred fires.
 sim::WildfireParameters forest(int side) {
   sim::WildfireParameters p;
   p.size = {side, side};

@@ -32,7 +32,7 @@ using namespace simreel;
 namespace {
 
 constexpr double degrees = 57.29577951308232;
-constexpr double flagWidth = 95 * 0.0215, flagHeight = 63 * 0.0215;  // m, of flag.json
+constexpr double flagWidth = 95 * 0.0215, flagHeight = 63 * 0.0215;  // m, size of the cloth in flag.json
 constexpr int coarsest = 48;
 
 /// A mean over time with its standard error, estimated from the means of single seconds.
@@ -66,11 +66,11 @@ class Mean {
 struct Flag {
   int columns = 0, substeps = 0;
   std::array<Mean, 2> alongEdge, toEdge;
-  double stretch = 0;   ///< maximum over all frames
+  double stretch = 0;   ///< maximum stretch over all frames
   double strained = 0;  ///< links more than 5% beyond their length, per frame
-  double reach = 0;     ///< m from the pole to the fly edge, along x
-  double height = 0;    ///< m, of the fly edge
-  double kinetic = 0;   ///< J
+  double reach = 0;     ///< distance (m) from the pole to the fly edge, along x
+  double height = 0;    ///< height (m) of the fly edge
+  double kinetic = 0;   ///< kinetic energy, J
 };
 
 /// Mean squared angle between chords of `pace` links along lines of particles.

@@ -22,7 +22,7 @@ using Flag = simreel::cli::OptionText;
 
 struct Command {
   std::string name, doc, footer;
-  std::string arguments;  ///< such as "scenes..."
+  std::string arguments;  ///< positional arguments, such as "scenes..."
   std::vector<Flag> flags;
 
   [[nodiscard]] std::vector<std::string> flagNames() const {

@@ -20,9 +20,9 @@ from mutants.changes import GLSL, ROOT
 from mutants.processes import run
 
 FIRST_SCENES = 5  # number of scenes drawn before the first group of tests; the group takes as long as ten scenes
-FRAME = 8  # frame of the small pictures
+FRAME = 8  # frame number of the small pictures
 PATIENCE = 120  # s per picture; a mutant that takes longer counts as caught
-ARGUMENTS = []  # arguments of the driver variant
+ARGUMENTS = []  # arguments that select the driver variant
 
 
 def drivers():
@@ -92,13 +92,13 @@ class Scenes:
 
     def __init__(self, program, jobs, names=None):
         self.program = program
-        self.compiled = {}  # mutant: True if a scene compiles its line
+        self.compiled = {}  # {mutant: True if a scene compiles its line}
         names = selection.scenes(exact_pictures.scenes()) if names is None else sorted(names)
         with tempfile.TemporaryDirectory(prefix="simreel-mutate-") as folder, \
                 concurrent.futures.ThreadPoolExecutor(jobs) as pool:
             found = dict(zip(names, pool.map(lambda scene: looked_through(folder, program, scene, FRAME), names)))
             files, known = compiled.Files(), {}
-            # The value is None for drivers that do not report the lines that they compile.
+            # The value is `None` if the driver does not report the lines that it compiles.
             self.lines = {scene: compiled.lines_of(at, files, known) or None for scene, (_, _, _, at) in found.items()}
         self.unchanged = {scene: entry for scene, (entry, _, _, _) in found.items()}
         if wrong := [f"{scene} {entry}" for scene, entry in self.unchanged.items() if "pixels" not in entry]:

@@ -8,7 +8,7 @@ import subprocess
 from mutants.changes import ROOT
 
 LABELS = {"quick": ["-L", "^quick$"], "ci": ["-LE", "^long$"], "all": []}
-chosen = None  # (scenes, names of cases); None: all
+chosen = None  # the selection as (scenes, names of cases); None: everything
 
 
 def cases(program, *arguments):

@@ -62,8 +62,8 @@ std::vector<std::byte> meshPly(const sim::MeshTable& mesh, const sim::PointTable
     const glm::vec3& p = mesh.positions[i];
     const glm::vec3& n = mesh.normals[i];
     values.insert(values.end(), {p.x, p.y, p.z, n.x, n.y, n.z});
-    if (!mesh.uvs.empty())
-      values.insert(values.end(), {mesh.uvs[i].x, 1 - mesh.uvs[i].y});  // v points up, as in OBJ
+    // flips v, because PLY gets v pointing up as in OBJ
+    if (!mesh.uvs.empty()) values.insert(values.end(), {mesh.uvs[i].x, 1 - mesh.uvs[i].y});
     for (std::size_t k = own; k < width; ++k) values.push_back(points.values[i * width + k]);
   }
   return frame::encodePly(columns, values, mesh.indices, comments);

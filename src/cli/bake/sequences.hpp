@@ -12,7 +12,7 @@ namespace simreel::cli {
 struct SequencesOptions {
   std::string format;                ///< one of frame::sequenceFormats
   std::filesystem::path output;      ///< output folder
-  std::vector<std::size_t> objects;  ///< indices of the objects; each has a mesh
+  std::vector<std::size_t> objects;  ///< indices of the objects to write; each object has a mesh
   std::vector<int> frames;
   double fps = 30;
   bool overwrite = false;

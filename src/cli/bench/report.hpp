@@ -12,21 +12,21 @@
 
 namespace simreel::cli {
 
-/// One measured case.
+/// One measured case of the benchmark.
 struct BenchRow {
   BenchCase asked;
-  glm::ivec2 size{0, 0};  ///< pixels
+  glm::ivec2 size{0, 0};  ///< picture size in pixels
   std::string sceneHash;
   frame::FrameTimes times;
 };
 
 struct BenchReport {
-  std::string scene;  ///< scene file
+  std::string scene;  ///< path of the scene file
   std::string device, driver, memoryPath;
   bool software = false;
   std::size_t processors = 1;  ///< number of processors that this process may use
   frame::Timing timing = frame::Timing::wait;
-  int frames = 0, warmUp = 0, rounds = 0;  ///< requested counts
+  int frames = 0, warmUp = 0, rounds = 0;  ///< numbers requested by the user
   bool interrupted = false;
   std::vector<BenchRow> rows;
 };
@@ -39,14 +39,14 @@ struct StageFigures {
   std::vector<std::pair<std::string, double>> parts;
 };
 
-/// Statistics of one row.
+/// Statistics of one row of the benchmark.
 struct RowFigures {
-  frame::Statistics frame;  ///< frame times, ms
+  frame::Statistics frame;  ///< statistics of frame times, ms
   frame::Outliers outliers;
   double perSecond = 0;   ///< frames per second, outliers included
   double processors = 0;  ///< average number of processors kept busy by this process
   std::vector<StageFigures> stages;
-  double cpu = 0, gpu = 0;  ///< sums over the stages, ms
+  double cpu = 0, gpu = 0;  ///< sum of the stages' median times, ms
   /// The limit of the frame time: "surfaces, 61%", "GPU: shadow, 40%", "CPU: step a, 90%" or "waiting"; ""
   /// if stages were not timed. Percentages are relative to the median frame.
   std::string bound;

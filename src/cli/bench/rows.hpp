@@ -10,8 +10,8 @@ namespace simreel::cli {
 
 /// One row of a benchmark: a scene with some values changed.
 struct BenchCase {
-  std::string name;                      ///< "jobs", or "substeps=4, samples=1"
-  std::vector<scene::Override> changes;  ///< applied after -D
+  std::string name;                      ///< name of the case: "jobs", or "substeps=4, samples=1"
+  std::vector<scene::Override> changes;  ///< overrides of the case, applied after -D
 };
 
 /// One value of --vary or --technique, and the overrides that set it.

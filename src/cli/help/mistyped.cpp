@@ -27,7 +27,7 @@ const CLI::App& typedCommand(const CLI::App& app) {
 }
 
 struct KnownFlag {
-  std::string name;  ///< without dashes
+  std::string name;  ///< name of the flag without dashes
   const CLI::Option* option;
 };
 

@@ -11,9 +11,9 @@ namespace simreel::cli {
 
 /// One option, or one positional argument, as help, man page and reference print it.
 struct OptionText {
-  std::vector<std::string> shorts, longs;  ///< names without dashes
+  std::vector<std::string> shorts, longs;  ///< names of the option without dashes
   std::string argument;                    ///< name of a positional argument; empty for an option
-  std::string doc;                         ///< description, with default and range
+  std::string doc;                         ///< description of the option, with default and range
   std::string value;                       ///< placeholder of the value; empty for a flag without a value
   std::vector<std::string> choices;        ///< the allowed words; empty if any value is allowed
   bool required = false;

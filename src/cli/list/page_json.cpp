@@ -1,4 +1,4 @@
-// simreel list --format json.
+// simreel list --format json: the pages as JSON.
 #include "cli/list/kind_notes.hpp"
 #include "cli/list/pages.hpp"
 #include "sim/world/list.hpp"

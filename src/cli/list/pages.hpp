@@ -15,8 +15,8 @@ namespace simreel::cli {
 [[nodiscard]] std::string searchText(const std::string& words, std::size_t width);
 /// Value of a parameter as a shipped scene writes it.
 struct ShippedValue {
-  std::string text;   ///< JSON
-  std::string scene;  ///< scene name, such as "flag"
+  std::string text;   ///< value as JSON
+  std::string scene;  ///< name of the scene, such as "flag"
 };
 /// Returns the shortest value of a parameter in the shipped scenes; nothing if no scene sets it.
 [[nodiscard]] std::optional<ShippedValue> shippedValue(const scene::HelpPage& page,

@@ -38,7 +38,7 @@ void collectValues(const Node& node, const std::vector<std::string>& path, std::
                    std::vector<const Node*>& found) {
   if (at == path.size()) return found.push_back(&node);
   const bool named =
-      path[at].ends_with(">") || path[at] == "light";  // a key that the scene's author chooses
+      path[at].ends_with(">") || path[at] == "light";  // true for a key that the scene's author chooses
   for (const Node& child : node.children)
     if (node.kind == Node::Kind::list)
       collectValues(child, path, at, found);

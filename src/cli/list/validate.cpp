@@ -1,4 +1,4 @@
-// simreel validate and simreel schema.
+// simreel validate: checks scenes; simreel schema: prints their JSON schema.
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/text.hpp"
@@ -30,7 +30,7 @@ namespace {
 
 struct ValidateOptions {
   std::vector<std::string> files, overrides, assets;
-  std::string device;  ///< empty: no device is used
+  std::string device;  ///< device to validate on; empty: no device is used
   gl::ContextOptions on;
 };
 

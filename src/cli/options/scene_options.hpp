@@ -16,9 +16,9 @@ namespace simreel::cli {
 struct SceneOptions {
   std::string file;
   bool shipped = false;                ///< true if `file` was found by the name of a shipped scene
-  std::vector<std::string> overrides;  ///< -D path=value
+  std::vector<std::string> overrides;  ///< values of -D, each "path=value"
   std::optional<int> seed;
-  std::optional<std::string> size;  ///< WxH
+  std::optional<std::string> size;  ///< value of --size, "WxH"
   std::optional<double> fps;
   std::optional<int> samples;
   std::optional<std::string> rasterizer;

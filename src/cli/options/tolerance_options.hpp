@@ -11,7 +11,7 @@ namespace simreel::cli {
 
 /// Tolerances of a comparison as flags: --max-channel-diff etc.
 struct ToleranceOptions {
-  std::map<std::string, std::optional<double>> values;  ///< by field name
+  std::map<std::string, std::optional<double>> values;  ///< values by name of the tolerance's field
   void add(CLI::App& command);
   /// Returns the tolerances given on the command line, by field name. Throws UserError(usage) for a value
   /// outside its range.

@@ -364,10 +364,10 @@ class PictureRun {
   golden::PictureOptions options_;
   golden::RenderCommand command_;
   std::optional<TemporaryFolder> temporary_;
-  fs::path folder_;  ///< folder of the pictures
+  fs::path folder_;  ///< folder that contains the tested pictures
   std::vector<golden::SceneFile> scenes_;
-  std::map<std::string, golden::Inputs> inputs_;  ///< by scene
-  std::vector<golden::CommandEnd> ends_;          ///< one per scene's command
+  std::map<std::string, golden::Inputs> inputs_;  ///< input files of each scene, by scene name
+  std::vector<golden::CommandEnd> ends_;          ///< results of each scene's command
   bool emptyShard_ = false;
   std::string shardNote_;
   golden::Tally tally_;

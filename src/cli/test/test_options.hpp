@@ -30,10 +30,10 @@ struct TestOptions {
   gl::ContextOptions on;
   bool list = false;
   ToleranceOptions tolerance;
-  // Options for pictures:
+  // Options that apply to pictures, not to scenes:
   std::string expected, actual, run, rules;
   AllowanceOptions allowance;
-  std::string command;  ///< as typed
+  std::string command;  ///< command line as typed
 
   [[nodiscard]] golden::Update updateMode() const;
   /// Returns the selected metrics. Throws UserError(usage).

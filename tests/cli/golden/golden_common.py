@@ -130,7 +130,7 @@ class GoldenCase(Case):
 
 class Readings:
     """Counts how often a file was closed after reading, with inotify."""
-    READ = 0x10  # IN_CLOSE_NOWRITE
+    READ = 0x10  # inotify's IN_CLOSE_NOWRITE: a file opened for reading was closed
 
     def __init__(self, path):
         libc = ctypes.CDLL(None, use_errno=True)

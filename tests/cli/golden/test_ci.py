@@ -46,11 +46,11 @@ class Servers(GoldenCase):
         self.write("scenes/f.test.json", '{\n "test": {"frames": [0], "size": [64, 36], "samples": 1}}')
         found = {title.split()[-2]: (file, int(line)) for _, file, line, title, _ in self.annotations()}
         self.assertEqual(found, {
-            "a": ("scenes/a.json", self.line_of("scenes/a.json", '"flag"')),  # the picture differs
-            "b": ("scenes/b.json", self.line_of("scenes/b.json", '"mass"') - 1),  # the check fails
+            "a": ("scenes/a.json", self.line_of("scenes/a.json", '"flag"')),  # scene a: the picture differs
+            "b": ("scenes/b.json", self.line_of("scenes/b.json", '"mass"') - 1),  # scene b: the check fails
             "c": ("scenes/c.json", 3),
             "d": ("scenes/d.json", self.line_of("scenes/d.json", '"test"')),
-            "e": ("scenes/e.json", self.line_of("scenes/e.json", '"flag"')),  # the state differs
+            "e": ("scenes/e.json", self.line_of("scenes/e.json", '"flag"')),  # scene e: the state differs
             "f": ("scenes/f.test.json", 2)})
 
     def test_nine_annotations_and_one_that_counts(self):
@@ -230,7 +230,7 @@ class Workflows(GoldenCase):
             shutil.rmtree(reports / "all")
         shutil.rmtree(reports / "3")
         code, said = self.run_job(jobs["merge"], {"${{ vars.REPORT_URL }}": ""}, reports, GITHUB_STEP_SUMMARY=str(summary))
-        self.assertIn("no report of shard 3/4", said)  # the machine of that shard was lost
+        self.assertIn("no report of shard 3/4", said)  # the machine that ran this shard was lost
 
     def test_gitlab(self):
         text = (SOURCE / "tools/ci/gitlab.yml").read_text(encoding="utf-8")

@@ -195,7 +195,8 @@ class Pictures(DiffCase):
         self.assertEqual(self.diff(1, "a.png", "b.png", "-q").out, "")
 
     def test_bounds(self):
-        self.write_pair(BASE, changed({(2, 2): (55, 44, 190), (9, 9): (88, 93, 155)}))  # differences of 5 and 3
+        # two pixels differ, by 5 and by 3
+        self.write_pair(BASE, changed({(2, 2): (55, 44, 190), (9, 9): (88, 93, 155)}))
         for code, flags in ((0, ["--max-channel-diff", "5"]), (1, ["--max-channel-diff", "4"]),
                             (0, ["--max-diff-pixels", "2"]), (1, ["--max-diff-pixels", "1"]),
                             (0, ["--max-channel-diff", "4", "--max-diff-pixels", "1"]),

@@ -24,7 +24,7 @@ def alive(pid):
 
 class Several(GoldenCase):
     """Base class with four equal scenes that no test run modifies."""
-    made = {}  # baselines of one scene, made once
+    made = {}  # baselines of one scene, made once for all tests
 
     def setUp(self):
         super().setUp()
@@ -107,7 +107,7 @@ class Jobs(Several):
         self.make_baselines()
         self.write("scenes/b.json", LONG)
         process = self.start("test", "scenes", "--jobs", "2", "--report", "r", "--repeat", "1")
-        for worker in self.wait_for_the_last(process):  # the worker with the long scene
+        for worker in self.wait_for_the_last(process):  # the remaining worker has the long scene
             os.kill(worker, signal.SIGKILL)
         process.communicate(timeout=PATIENCE)
         self.assertEqual(process.returncode, 4)

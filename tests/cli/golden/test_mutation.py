@@ -28,10 +28,10 @@ MUTATIONS = {
     "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
     "epidemic": ("spread/epidemic/step.comp", "uvec4 threshold = mix(infection,",
                  "uvec4 threshold = mix(infection / 100u * 101u,"),
-    # Multiplication in users' kernels.
+    # Users' kernels: their multiplication is 1 % off.
     "kernels": ("kernels/numbers.glsl", "precise float p = a * b;", "precise float p = a * b * 1.01;"),
     "image": ("kernels/numbers.glsl", "precise float p = a * b;", "precise float p = a * b * 1.01;"),
-    # One of the nine cells is ignored.
+    # Caves: one of the nine cells is ignored.
     "cave": ("cave/model.glsl", "return three | (exactlyTwo & ones.one);", "return three | (exactlyTwo & above.one);"),
     "contour": ("contour/classify.comp", "value >= levels[i] ?", "value >= levels[i] * 1.01 ?"),
     "wildfire": ("spread/wildfire/step.comp", "uint weight = fuelWeight(byteOf(fuel, k));",
@@ -39,8 +39,8 @@ MUTATIONS = {
 }
 # Scenes whose kind runs other shaders than usual.
 OTHERS = {"wireworld": ("life", ("automata/step.comp", "node = child(node, cellOf(here, j + 1));", "node = child(node, cellOf(here, j));"))}
-SCENERY = {"sphere", "capsule", "plane", "text", "chart"}  # not simulated
-FRAMES = 3  # frame that is compared with the first one
+SCENERY = {"sphere", "capsule", "plane", "text", "chart"}  # kinds of objects that are not simulated
+FRAMES = 3  # number of the frame that is compared, after frame 0
 LATER = {"cave_map": 24, "wireworld": 24}  # rock changes late in cave_map; electrons are far apart in wireworld
 # Simulations of particles, of cells and of a grid of numbers, with a listed mutation and a derived one; with
 # SIMREEL_LONG all scenes and kinds.

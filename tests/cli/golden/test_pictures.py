@@ -76,7 +76,8 @@ class Kinds(PicturesCase):
         for name, data, other in (
                 ("rgb.png", picture(), changed({(3, 4): (0, 0, 0)})),
                 ("deep.png", picture(lambda x, y: (x * 2000, y * 3000, 7), depth=16),
-                 picture(lambda x, y: (x * 2000 + (x == 3), y * 3000, 7), depth=16)),  # a difference of 1 of 65535
+                 # 16-bit pictures that differ by 1 of 65535
+                 picture(lambda x, y: (x * 2000 + (x == 3), y * 3000, 7), depth=16)),
                 ("grey.png", picture(grey, kind=0), changed({(0, 0): (9,)}, grey, kind=0)),
                 ("deep grey.png", picture(lambda x, y: (x * 999,), depth=16, kind=0),
                  picture(lambda x, y: (x * 999 + (y == 1),), depth=16, kind=0)),
@@ -239,7 +240,7 @@ class Layers(PicturesCase):
         self.assertEqual((self.folder / "expected/a.exr").read_bytes(), (self.folder / "actual/a.exr").read_bytes())
 
     def test_bounds_and_masks(self):
-        self.both("a.exr", self.exr(), self.exr({"Z": {8: 11.01}}))  # a difference of 2.55 of 255
+        self.both("a.exr", self.exr(), self.exr({"Z": {8: 11.01}}))  # channel Z differs by 2.55 of 255
         for bound, code in (("2", 1), ("3", 0)):
             self.suite(code, "--max-channel-diff", bound)
         self.write("mask.png", picture(lambda x, y: ((255,) if (x, y) == (2, 1) else (0,)), size=self.SIZE, kind=0))
@@ -350,7 +351,8 @@ class Differences(PicturesCase):
         results, _ = self.suite(0)
         self.assertIn("gamma 1", results["a.png"]["notes"][0])
         self.assertIn("note: ", self.good("diff", "expected/a.png", "actual/a.png").stdout.decode())
-        self.write("expected/a.png", with_chunk(picture(), b"gAMA", struct.pack(">I", 45455)))  # the gamma of sRGB
+        # a gAMA chunk with the value of sRGB
+        self.write("expected/a.png", with_chunk(picture(), b"gAMA", struct.pack(">I", 45455)))
         self.write("actual/a.png", with_chunk(picture(), b"sRGB", b"\0"))
         results, _ = self.suite(0)
         self.assertEqual(results["a.png"]["notes"], [])
@@ -403,7 +405,7 @@ class Differences(PicturesCase):
 
 class Allowances(PicturesCase):
     def test_rules_by_folder_and_name(self):
-        self.both("ui/a.png", picture(), changed({(3, 4): (23, 37, 8)}))  # a difference of 2
+        self.both("ui/a.png", picture(), changed({(3, 4): (23, 37, 8)}))  # one pixel differs by 2
         self.both("b.png", picture(), changed({(3, 4): (23, 37, 8)}))
         self.write("rules.json", """{ // what holds for all, then for some
             "tolerance": {"maxChannelDiff": 1},
@@ -472,7 +474,7 @@ class Allowances(PicturesCase):
         self.suite(1)
         results, _ = self.suite(0, "--ignore-antialiased")
         self.assertGreater(results["a.png"]["frames"][0]["metrics"]["antialiasedPixels"], 0)
-        self.write("actual/a.png", slope(8, False))  # a different edge
+        self.write("actual/a.png", slope(8, False))  # the edge is at another place
         self.suite(1, "--ignore-antialiased")
 
 
@@ -605,7 +607,7 @@ class Reports(PicturesCase):
         self.good("accept", "out")
         self.assertEqual((self.folder / "expected/a.png").read_bytes(), (self.folder / "actual/a.png").read_bytes())
         self.assertIn("already accepted", self.good("accept", "out").stdout.decode())
-        # The baseline was changed since the test.
+        # Someone else changes the baseline after the test.
         self.write("expected/a.png", changed({(9, 9): (255, 0, 0)}))
         done = self.run_program("accept", "out")
         self.assertEqual(done.returncode, 1)

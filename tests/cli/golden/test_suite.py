@@ -106,7 +106,7 @@ class Baselines(GoldenCase):
         self.good("test", "scenes", "--update")
         self.set_scene(RED)
         self.bad(1, ["a:", "frame 0 has changed since"], "accept", "old.json")
-        # The picture is not the one of that run.
+        # The stored picture does not belong to the report's run.
         self.set_scene(RED)
         self.run_suite(1)
         picture = next((self.folder / "report-files").rglob("candidate/any/000003.png"))
@@ -345,7 +345,7 @@ class Ladder(GoldenCase):
         # The command line takes precedence over the scene, and a baseline's own tolerance over the scene's.
         self.assertEqual(self.one(1, "--max-diff-ratio", "0")["tolerance"]["maxDiffRatio"],
                          {"value": 0, "origin": "--max-diff-ratio"})
-        for name in ("max_diff_ratio", "maxDiffRatio"):  # the first is the former spelling
+        for name in ("max_diff_ratio", "maxDiffRatio"):  # the first name is an earlier spelling of the second
             self.edit_json(self.golden("a/any/baseline.json"), lambda b: b.update(tolerance={name: 0}))
             self.assertEqual(self.one(1)["tolerance"]["maxDiffRatio"]["origin"], "scenes/golden/a/any/baseline.json")
 

@@ -29,7 +29,8 @@ class Running(GoldenCase):
         self.assertEqual(listed("scenes/a.json", self.folder / "more/a.json"),
                          sorted([str(self.folder / "more/a")[1:], "scenes/a"]))
         self.bad(5, "no scene to test", "test", "scenes", "--filter", "nobody")
-        self.assertEqual(listed("scenes", "--shard", "9/9"), [])  # the other shards contain the scenes
+        # this shard has no scenes, the other shards contain them
+        self.assertEqual(listed("scenes", "--shard", "9/9"), [])
         self.bad(2, "nowhere", "test", "nowhere")
         for shard in ("0/2", "3/2", "x", "1/", "1/2/3", ""):
             self.bad(2, "--shard", "test", "scenes", f"--shard={shard or 'x'}")
@@ -168,7 +169,7 @@ class Outputs(GoldenCase):
 
 
 class BadInput(GoldenCase):
-    rasterizer = "driver"  # the driver's baselines hold the most files
+    rasterizer = "driver"  # baselines of the driver's rasterizer consist of the most files
 
     def test_pictures(self):
         """Each damaged file gives one clear line, and other scenes continue."""

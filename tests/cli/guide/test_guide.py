@@ -14,7 +14,7 @@ from common import PATIENCE, PROGRAM, SOURCE, main
 GUIDE = SOURCE / "assets/guide"
 README = SOURCE / "README.md"
 PAGES = [README, *sorted(GUIDE.rglob("*.md"))]
-LONGEST_PARAGRAPH = 120  # words
+LONGEST_PARAGRAPH = 120  # maximum length of a paragraph in words
 README_LINES, README_WORDS = 150, 1200
 PICTURE_BYTES, PICTURE_SIZE = 100 * 1024, (720, 720)
 

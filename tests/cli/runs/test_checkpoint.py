@@ -45,7 +45,7 @@ class Checkpoints(Case):
             self.good("render", *arguments, "-o", "whole/")
             self.undisturbed[arguments] = self.content("whole")
         out, whole = self.content("out"), self.undisturbed[arguments]
-        self.assertEqual(sorted(out), sorted(whole))  # the checkpoint is removed too
+        self.assertEqual(sorted(out), sorted(whole))  # a finished run removes its checkpoint
         self.assertEqual([name for name in whole if out[name] != whole[name]], [])
 
     def test_kill(self):

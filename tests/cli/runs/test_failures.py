@@ -230,7 +230,7 @@ class InputOutput(Case):
         ran.stderr.close()
         ran.returncode = os.waitstatus_to_exitcode(status)
         self.assertEqual(ran.returncode, 6, message)
-        self.assertLess(usage.ru_maxrss, 400_000)  # KiB; most of it belongs to the driver
+        self.assertLess(usage.ru_maxrss, 400_000)  # peak memory in KiB; most of it belongs to the driver
 
     def test_no_ffmpeg(self):
         self.bad(6, ["ffmpeg is not installed", "apt install ffmpeg"], "render", "scene.json", "-o", "a.mp4",

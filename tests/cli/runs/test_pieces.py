@@ -27,7 +27,8 @@ class Pieces(Case):
     def test_the_same_bytes(self):
         """Covers pictures, fields, counts with a pre-roll, and the manifest; no other files remain."""
         done = self.good("render", "town.json", "-o", "out/", "--pieces", "4", "--device", "0,none", "--fields", "npy")
-        self.assertIn("no device matches --device none", done.err)  # the device of the second process
+        # the message of the second process, whose device does not exist
+        self.assertIn("no device matches --device none", done.err)
         self.assert_whole("out", "--fields", "npy")
         runs = self.runs("out")
         self.assertEqual(sorted(run["frames"] for run in runs), ["0-2", "11-14", "3-6", "7-10"])

@@ -61,7 +61,7 @@ class Interrupted(Case):
 
 
 class Signals(Case):
-    """A single signal ends a run in every phase."""
+    """A single signal ends a run, whatever the run is doing."""
 
     def setUp(self):
         super().setUp()
@@ -275,7 +275,7 @@ class Resume(Case):
     def test_skip_existing_keeps(self):
         self.damage()
         own = self.whole["000005.png"]
-        foreign = own[:33] + own[own.index(b"IDAT") - 4:]  # without text chunks
+        foreign = own[:33] + own[own.index(b"IDAT") - 4:]  # a foreign picture: without simreel's text chunks
         self.path(1).write_bytes(foreign)
         self.path(2).write_bytes(self.whole["000002.png"])
         done = self.good("render", "scene.json", "-o", "out/", "--skip-existing")

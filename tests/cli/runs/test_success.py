@@ -189,7 +189,7 @@ class Streams(Case):
 
 
 class OddButRight(Case):
-    """Unusual but valid input."""
+    """Tests unusual but valid input."""
 
     def test_names(self):
         scene = self.write("größe 图/scène ÿ.json", with_values({"title": "ein \"Titel\" 🏴\n"}))

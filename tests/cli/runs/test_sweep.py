@@ -56,7 +56,7 @@ class Sweep(Case):
         self.good("sweep", "dish.json", *vary, "-o", "sw/", "--plan-only")
         self.assertEqual(self.status(3), [f"{i:04}  missing  feed={f} kill={k}" for i, (f, k) in enumerate(
             (f, k) for f in ("0.02", "0.03", "0.04") for k in ("0.055", "0.06"))] + ["6 jobs: 0 done, 6 missing"])
-        self.good("sweep", "job", "sw", "5", "2")  # as another scheduler would run them
+        self.good("sweep", "job", "sw", "5", "2")  # runs jobs 5 and 2 one by one, as an external scheduler does
         self.assertEqual(self.status(3)[-1], "6 jobs: 2 done, 4 missing")  # jobs 2 and 5 stay below the check's bound
         done = self.run_program("sweep", "dish.json", *vary, "-o", "sw/", "--jobs", "2", "--progress", "ndjson")
         # A check fails for a strongly grown pattern; the pictures are written all the same.
@@ -98,7 +98,7 @@ class Sweep(Case):
         self.assertNotIn("http", page.replace("http-equiv", ""))
 
     def test_failed_aborted_and_missing(self):
-        self.write("slow.json", with_values(SLOW | {"time.duration": 3000}))  # hours
+        self.write("slow.json", with_values(SLOW | {"time.duration": 3000}))  # a scene that would take hours
         self.good("sweep", "slow.json", "--vary", "objects.flag.cloth.air.velocity=[1,0,0],[2,0,0],[3,0,0]", "-o", "sw/", "--plan-only",
                   "--frames", "0-89999")
         # The first job cannot be written; the second is interrupted; the third has not started.

@@ -25,7 +25,8 @@ class Terminal(Case):
         number of message lines."""
         done = self.run_program(*arguments, **options)
         self.assertEqual(done.returncode, code, (arguments, done.err))
-        for text in (done.stdout.decode("utf-8"), done.stderr.decode("utf-8")):  # also checks for valid UTF-8
+        # decoding also checks that the output is valid UTF-8
+        for text in (done.stdout.decode("utf-8"), done.stderr.decode("utf-8")):
             self.assertIsNone(RAW.search(text), text)
         if most is not None:
             self.assertLessEqual(len(done.err.splitlines()), most, done.err)
@@ -131,7 +132,7 @@ class SetUp(unittest.TestCase):
             else:
                 least = middle
         long = ["x" * 100_000] * 18
-        done = run(enough + 2.5, long)  # the arguments are on the stack
+        done = run(enough + 2.5, long)  # more memory, because the arguments are on the stack
         self.assertEqual((done.returncode, done.stderr), (4, b"simreel: error: not enough memory\n"))
         self.assertEqual(run(enough + 200, long).returncode, 2)
 

@@ -59,7 +59,7 @@ class Families(Case):
                               "time": {"fps": 10, "duration": 1.1}, "objects": {"cells": {"life": life}}})
         self.good("bake", "s.json", "-o", "out", "--frames", "0,10", "--format", "rle")
         start, end = (golly.read_rle((self.folder / f"out/cells_{f:06}.rle").read_text(encoding="ascii")) for f in (0, 10))
-        self.assertEqual(start[2], "B3/S23")  # Golly has no such grid
+        self.assertEqual(start[2], "B3/S23")  # the border's notation is dropped, because Golly has no such grid
         rows = ["".join(".A"[start[3].get((x, y), 0)] for x in range(width)) for y in range(height)]
         self.write("w.rle", f"x = {width}, y = {height + 1}, rule = WalledLife:T{width},{height + 1}\n"
                    + "$\n".join([*rows, "B" * width]) + "!\n")

@@ -54,8 +54,8 @@ class Bake(Case):
             area += 0.5 * math.sqrt(sum(x * x for x in cross))
             for i in face:
                 self.assertGreater(sum(x * n for x, n in zip(cross, rows[i][3:6])), 0)
-        self.assertAlmostEqual(area, 0.8 * 0.6, delta=0.1)  # the sheet is folded
-        # a picture's first row is at v = 1
+        self.assertAlmostEqual(area, 0.8 * 0.6, delta=0.1)  # the tolerance allows for folds of the sheet
+        # uvs of three corners; a picture's first row is at v = 1
         self.assertEqual([rows[0][6:8], rows[8][6:8], rows[62][6:8]], [(0, 1), (1, 1), (1, 0)])
 
     def test_what_was_baked_is_read_as_the_same_surface(self):
@@ -138,7 +138,7 @@ class Bake(Case):
         vertices = [tuple(map(float, line.split()[1:])) for line in lines if line.startswith("v ")]
         for i, vertex in enumerate(vertices):  # both files contain the same floats
             self.assertEqual(struct.pack("<3f", *vertex), body[i * 32:i * 32 + 12])
-        for x, y, z in vertices:  # the ripple at frame 5
+        for x, y, z in vertices:  # compares with the ripple's formula at frame 5
             self.assertAlmostEqual(y, 0.25 * math.sin(2 * 5 / 30 + 6 - math.hypot(x, z)), places=5)
         self.assertNotEqual(self.content("out")["sheet_000000.obj"], self.content("out")["sheet_000005.obj"])
         # A baked mesh can be read as a mesh again.

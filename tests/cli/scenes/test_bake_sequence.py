@@ -214,7 +214,8 @@ class Sequence(Case):
             self.assertEqual(glb.times, [single(i / 30) for i in range(6)])
             self.assertEqual(glb.weights, [[float(i == k + 1) for k in range(5)] for i in range(6)])
             self.assertEqual(glb.columns["POSITION"], [tuple(map(single, p)) for p in frames[0]["v"]])
-            for (u, v), (x, y) in zip(glb.columns["TEXCOORD_0"], frames[0]["vt"]):  # v of OBJ starts at the bottom
+            # v points down in glTF and up in OBJ
+            for (u, v), (x, y) in zip(glb.columns["TEXCOORD_0"], frames[0]["vt"]):
                 self.assertEqual((u, round(v, 6)), (single(x), round(1 - y, 6)))
             self.assertEqual(glb.indices, [i for face in frames[0]["f"] for i in face])
             self.assertEqual(glb.document["meshes"][0]["extras"]["targetNames"], [f"frame {i}" for i in range(1, 6)])
@@ -326,7 +327,7 @@ class Sequence(Case):
         for kind in ("glb", "pc2", "mdd"):
             for got, frame in zip(found[kind], self.frames("flag", range(6)), strict=True):
                 for a, (x, y, z) in zip(got, frame["v"], strict=True):
-                    self.assertLess(math.dist(a, (x, -z, y)), 1e-6, kind)  # z is up in Blender
+                    self.assertLess(math.dist(a, (x, -z, y)), 1e-6, kind)  # Blender's z axis points up
 
 
 if __name__ == "__main__":

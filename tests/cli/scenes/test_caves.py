@@ -55,7 +55,7 @@ class Caves(Case):
             indices = read_accessor(document, binary, primitive["indices"])
             positions = columns["POSITION"]
             self.assertEqual({len(column) for column in columns.values()}, {len(positions)})
-            self.assertEqual(set(indices), set(range(len(positions))))  # every position belongs to a triangle
+            self.assertEqual(set(indices), set(range(len(positions))))  # checks that triangles use every position
             accessor = document["accessors"][primitive["attributes"]["POSITION"]]
             self.assertEqual(accessor["min"], [min(axis) for axis in zip(*positions)])
             self.assertEqual(accessor["max"], [max(axis) for axis in zip(*positions)])

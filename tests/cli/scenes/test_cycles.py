@@ -90,7 +90,7 @@ class Cycles(Case):
         self.write("scene.json", scene)
         self.good("render", "scene.json", "-o", "ours.png", "--frames", "3")
         ours, theirs = self.pixels("ours.png"), self.pixels("cycles.png")
-        # all four objects, and the ground
+        # the picture shows all four objects and the ground
         self.assertGreaterEqual(len({tuple(c // 40 for c in p) for p in ours.values()}), 5)
 
         def around(pixels, x, y):

@@ -6,7 +6,7 @@ import zlib
 
 from common import SCENE, Case, main, with_values
 
-ROWS = ["#....", "..#..", "....#", "##..#"]  # start pattern: size 5 x 4, # is v = 0.5
+ROWS = ["#....", "..#..", "....#", "##..#"]  # start pattern of 5 x 4 cells; # marks v = 0.5
 
 
 def read_npy(data):
@@ -59,7 +59,7 @@ class Fields(Case):
         rows, columns, values = read_npy(files["000000.dish.npy"])
         self.assertEqual((rows, columns), (4, 5))
         self.assertEqual(values, tuple(0.5 if c == "#" else 0.0 for row in ROWS for c in row))
-        # u = 1 - v at the start, and only then.
+        # u is 1 - v in frame 0, but not in later frames.
         self.assertEqual(read_npy(files["000000.dish.u.npy"])[2], tuple(1 - value for value in values))
         _, _, later = read_npy(files["000003.dish.npy"])
         self.assertNotEqual(read_npy(files["000003.dish.u.npy"])[2], tuple(1 - value for value in later))

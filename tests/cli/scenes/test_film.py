@@ -31,7 +31,7 @@ class Film(Case):
             alpha = after[3]
             counts["whole" if alpha == 255 else "part" if alpha > 0 else "none"] += 1
             if alpha == 255:
-                self.assertEqual(after[:3], before)  # fully covered pixels are unchanged
+                self.assertEqual(after[:3], before)  # pixels that an object covers fully are unchanged
             if alpha == 0:
                 self.assertEqual(after, [0, 0, 0, 0])
         self.assertGreater(min(counts.values()), 100)
@@ -148,7 +148,7 @@ class Film(Case):
         self.write("worded.json", {**SCENE, "objects": {**SCENE["objects"], "word": {"text": {"text": "A", "screen": {}}}}})
         self.assertEqual(self.good("render", "worded.json", "--frames", "0-2", "-o", "b/####.exr").err.count(said), 1)
         self.assertNotIn(said, self.good("render", "scene.json", "--frames", "0", "-o", "c.exr").err)
-        # A field that covers the whole picture.
+        # Renders a field that covers the whole picture.
         self.write("field.json", {"version": 1, "render": {"size": [16, 9]}, "objects": {"cells": {"life": {"size": [32, 18]}}}})
         self.good("render", "field.json", "--frames", "0", "-o", "d.exr")
         width, height, channels, _ = read_exr((self.folder / "d.exr").read_bytes())

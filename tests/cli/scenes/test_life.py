@@ -82,7 +82,7 @@ class Golly(Case):
                 for frame, generations in ((0, 0), (10, 90)):
                     ours = read_rle((self.folder / f"out/cells_{frame:06}.rle").read_text(encoding="ascii"))
                     self.assertEqual(ours[2], ("B36" if "swapped" in name else "B3") + "/S23:P400,300")
-                    # bgolly needs a header.
+                    # bgolly reads the file with a header instead, because it requires one.
                     theirs = self.run_golly("gun.cells" if name == "bare.rle" else name, generations)
                     self.assertEqual(put(ours[3]), put(theirs))
 
@@ -162,7 +162,7 @@ class Life(Case):
         shutil.copy(SOURCE / "assets/patterns/gosper_gun.rle", self.folder)
         self.write("s.json", {"version": 1, "objects": {"c": {"life": {"patterns": [{"file": "gosper_gun.rle"}]}}}})
         pixels = self.bright("s.json", 320, 180)
-        self.assertEqual(len(pixels), 36 * 16)  # 80 x 45 cells of 4 x 4 pixels
+        self.assertEqual(len(pixels), 36 * 16)  # the gun's 36 cells have 4 x 4 pixels each; the grid has 80 x 45 cells
         for axis, (least, most) in enumerate(((88, 231), (72, 107))):
             self.assertEqual((min(p[axis] for p in pixels), max(p[axis] for p in pixels)), (least, most))
         # A picture of another shape shows the whole grid.
@@ -199,7 +199,7 @@ class Life(Case):
         self.bad_scene("needs \"file\"", "bake", "s.json", "-o", "out")
         self.write("p.rle", "x = 3, y = 1\n2oA!")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle"}]))
-        self.good("bake", "s.json", "-o", "two", "--frames", "0")  # A is alive
+        self.good("bake", "s.json", "-o", "two", "--frames", "0")  # letter A is state 1, a living cell
         self.write("p.rle", "x = 3, y = 1\n2oB!")
         self.bad(2, ["p.rle:2:3", "a cell of state 2, but the rule B3/S23 has the states 0 to 1"], "bake", "s.json", "-o", "out")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle", "rotate": 45}]))
@@ -216,7 +216,7 @@ class Life(Case):
 
     def test_every_shipped_pattern_is_read(self):
         files = sorted((SOURCE / "assets/patterns").glob("*.rle"))
-        self.good("validate", SOURCE / "assets/patterns/parity.rle")  # its rule file is beside it
+        self.good("validate", SOURCE / "assets/patterns/parity.rle")  # the pattern's rule file is beside it
         files = [file for file in files if "WireWorld" not in file.read_text(encoding="ascii")]
         self.assertGreater(len(files), 4)
         patterns = [{"file": f"patterns/{file.name}", "at": [5, 45 * i]} for i, file in enumerate(files)]

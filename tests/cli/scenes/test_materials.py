@@ -63,7 +63,8 @@ class Materials(Case):
         self.write("square.gltf", gltf([glowing([1, 0, 0]), glowing([0, 0, 1])]))
         self.scene("square.gltf")
         self.assertEqual(self.picture(), ((255, 0, 0), (0, 0, 255)))
-        self.scene("square.gltf", {"emission": [0, 1, 0], "color": [0, 0, 0]})  # the scene's own value takes precedence
+        # the scene's own emission replaces the file's
+        self.scene("square.gltf", {"emission": [0, 1, 0], "color": [0, 0, 0]})
         self.assertEqual(self.picture(), ((0, 255, 0), (0, 255, 0)))
 
     def test_what_of_a_file_is_not_drawn_is_said_once(self):
@@ -111,7 +112,7 @@ class Materials(Case):
         self.write("hole.png", png([(0, 0, 0, 255)]))
         left, right = self.picture()
         self.assertEqual(right, (0, 0, 0))
-        self.assertTrue(180 < left[1] < 195, left)  # half of the light
+        self.assertTrue(180 < left[1] < 195, left)  # the picture shows half of the light
         self.write("square.mtl", b"newmtl left\nmap_Kd gone.png\n")
         self.assertIn("gone.png (it is not there, or no plain file)",
                       self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "c/").err)
@@ -155,7 +156,7 @@ class Materials(Case):
         self.square(b"Ke 0 1 0\naniso 0\nanisor 0\nPs 0\nTf 1 1 1\nmap_d -imfchan l -cc off gone.png\n")
         self.assertIn("gone.png", self.said())
         self.assertNotIn("aniso", self.said())
-        self.square(b"map_Ke gone.png\n")  # without its picture, no light is emitted
+        self.square(b"map_Ke gone.png\n")  # without its picture, a light source is dark
         self.assertEqual(self.picture(), ((0, 0, 0), (0, 0, 0)))
 
     def test_light_in_libraries_as_of_old(self):

@@ -80,7 +80,7 @@ class Track(Case):
         # the camera follows the object, so its size stays constant
         self.assertLess(max(sizes) - min(sizes), 0.01 * max(sizes))
         at, _ = self.middle("--frames", "7", "-D", "camera.track={\"object\": \"ball\", \"offset\": [0, 0.3, 0]}")
-        self.assertGreater(at[1], 3)  # the camera looks above the object
+        self.assertGreater(at[1], 3)  # the camera aims above the object, so the object is lower in the picture
 
     def test_things_that_are_simulated_are_tracked(self):
         scene = json.loads(json.dumps(self.SCENE))

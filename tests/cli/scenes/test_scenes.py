@@ -76,7 +76,7 @@ class Folders(Case):
             self.bad_scene([], *command) if command[0] != "validate" else self.bad(2, [], *command)
             self.good(*command, "--assets", "project", "--assets", "there")
         tested = self.run_program("test", "project", "--assets", "there")
-        self.assertEqual(tested.returncode, 3, tested.err)  # no baseline, but the scene ran
+        self.assertEqual(tested.returncode, 3, tested.err)  # exit code 3: the scene has no baseline, but it ran
         self.write("project/scene.json", with_values({"objects.flag.material": {"texture": "../there/board.png"}}))
         self.bad_scene(["lies outside the folders a scene may read", "--assets DIR lets it read another"], "render",
                        "project/scene.json", "-o", "out/")

@@ -55,7 +55,7 @@ class Strokes(SpreadCase):
                 self.assertEqual(self.warnings(kind, name, bounded, stroke), [])
 
     def test_in_space(self):
-        """Strokes in volumes and on meshes."""
+        """Tests strokes in volumes and on meshes."""
         for space, stroke, said in (({"size": [8, 8], "depth": 8, "boundary": "no-flux"}, {"from": [4, 4, 19]},
                                      "lies wholly outside the volume of 8x8x8 cells"),
                                     ({"mesh": {"shape": "torus"}}, {"from": [0, 0, 0], "radius": 0.1},

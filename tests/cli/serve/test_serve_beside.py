@@ -22,7 +22,7 @@ class TwoSides(ServeCase):
         """Waits until both sides' pictures of the frame equal those of render with these values."""
         wanted = [self.rendered(frame, *left, frames=frames), self.rendered(frame, *right, file=file, frames=frames)]
         while (found := self.sides(viewer, frame))[:2] != wanted:
-            pass  # rest() limits the waiting time
+            pass  # the loop ends at the latest when rest() times out
         self.assertEqual(viewer.pictures[-1][0]["beside"]["different"], self.differing(*wanted))
         return found
 
@@ -80,7 +80,7 @@ class TwoSides(ServeCase):
         for moving in (True, False):
             viewer.send(do="set", path="sun.intensity", value=9, moving=moving, beside=True)
         files = self.shows(viewer, 4, [], ["-D", "sun.intensity=9"])
-        self.assertEqual(files[2][:2], (64, 36))  # the difference
+        self.assertEqual(files[2][:2], (64, 36))  # the third picture is the difference
         self.assertGreater(viewer.pictures[-1][0]["beside"]["different"], 50)
         viewer.send(do="set", path=DAMPING, value=4, beside=True)
         self.shows(viewer, 4, [], ["-D", "sun.intensity=9", "-D", f"{DAMPING}=4"])
@@ -93,7 +93,8 @@ class TwoSides(ServeCase):
         viewer.send(do="beside", on=False)
         while "beside" in viewer.rest(4)[0]:
             pass
-        self.assertEqual(json.loads((self.folder / "scene.json").read_text()), SCENE)  # the file is not changed
+        # changes on the right side are not written to the file
+        self.assertEqual(json.loads((self.folder / "scene.json").read_text()), SCENE)
 
     def test_two_scenes(self):
         other = with_values({"camera.position": [1, 1, 2], "time.duration": 0.1, "render.size": [48, 40], DAMPING: 2})
@@ -101,7 +102,8 @@ class TwoSides(ServeCase):
         server = self.serve("other.json", "--beside", "sun.intensity=1")
         viewer = server.viewer()
         viewer.send(do="seek", frame=5)
-        self.shows(viewer, 2, [], ["-D", "sun.intensity=1"], file="other.json")  # up to the shorter duration
+        # both sides run up to the shorter duration
+        self.shows(viewer, 2, [], ["-D", "sun.intensity=1"], file="other.json")
         self.assertIsNone(viewer.pictures[-1][0]["beside"]["different"])
         viewer.send(do="camera", position=[0, 1, 4], target=[0, 1, 0], beside={"position": [2, 1, 2], "target": [0, 1, 0]})
         view = ["-D", "camera.target=[0,1,0]", "-D", "camera.fieldOfView=40"]

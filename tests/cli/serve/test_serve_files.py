@@ -41,7 +41,8 @@ class NamedFiles(ViewerCase):
         os.replace(self.folder / "new.png", self.folder / name)
 
     def becomes_rendered(self, viewer, frame, file="scene.json"):
-        self.__dict__.pop("pictures", None)  # the cache keys scenes by their text only
+        # discards cached pictures, because the cache knows scenes only by their text
+        self.__dict__.pop("pictures", None)
         wanted = self.rendered(frame, file=file)
         while self.pixels(viewer.rest(frame)[1]) != wanted:
             pass
@@ -164,7 +165,7 @@ class RightSide(ViewerCase):
 
     def test_its_charts_and_baselines(self):
         viewer = self.begin("--edit")
-        if not viewer.latest.get("series", {}).get("beside"):  # the message may have arrived already
+        if not viewer.latest.get("series", {}).get("beside"):  # unless the message has arrived already
             viewer.until(lambda kind, m: kind == "series" and m.get("beside"))
         self.assertEqual([one["name"] for one in viewer.latest["series"]["beside"]], [one["name"] for one in viewer.latest["series"]["series"]])
         viewer.send(do="compare", on=True, beside=True)

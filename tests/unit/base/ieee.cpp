@@ -32,7 +32,7 @@ std::uint64_t bitsOf(double x) {
   return std::bit_cast<std::uint64_t>(x);
 }
 
-constexpr double unit = 2.220446049250313e-16;  // 2^-52
+constexpr double unit = 2.220446049250313e-16;  // 2^-52, the spacing of doubles at 1
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace

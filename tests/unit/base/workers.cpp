@@ -16,7 +16,7 @@ using namespace simreel;
 namespace {
 
 struct Heard {
-  std::vector<std::string> said;  ///< in the order of delivery
+  std::vector<std::string> said;  ///< answers in the order of delivery
   int ready = 0;
 };
 
@@ -136,7 +136,7 @@ TEST_CASE("workers: one that takes too long is ended with all that it started, t
   REQUIRE(::pipe(pipe) == 0);
   WorkForce hurried = force(2, 4, heard, [&](const Task& task) {
     if (task.item != 1) return;
-    if (::fork() == 0) ::pause();  // keeps the pipe open during its lifetime
+    if (::fork() == 0) ::pause();  // a child process that keeps the pipe open during its lifetime
     ::pause();
   });
   hurried.patience = 1.5;

@@ -98,11 +98,13 @@ TEST_CASE("sweep: results keep every number, and what is missing or failed is to
   };
   result.hash = plan.jobs[0].hash;
   store(0, result);
-  CHECK(statusOf(plan, 0).state == JobState::missing);  // no manifest lists the files
+  CHECK(statusOf(plan, 0).state ==
+        JobState::missing);  // missing, because no manifest lists the job's files
   frame::Manifest manifest;
   manifest.frames[0].file = "000000.png";
   writeFileAtomically(plan.jobFolder(0) / "manifest.json", frame::manifestText(manifest));
-  CHECK(statusOf(plan, 0).state == JobState::missing);  // the picture is gone
+  CHECK(statusOf(plan, 0).state ==
+        JobState::missing);  // missing, because the picture's file does not exist
   writeFileAtomically(plan.jobFolder(0) / "000000.png", std::string("a picture"));
   CHECK(resultText(*statusOf(plan, 0).result) == resultText(result));
   result.hash = "of an earlier plan";

@@ -93,8 +93,8 @@ TEST_CASE("bench: the tables") {
   CHECK(contains(text, "of it deform"));
   CHECK(contains(text, "640x360"));
   CHECK(contains(text, "processors busy"));
-  CHECK(contains(text, "62%"));           // 2.5 of 4 processors
-  CHECK_FALSE(contains(text, "shadow"));  // 0.1% of the frame
+  CHECK(contains(text, "62%"));           // 2.5 of 4 processors are 62%
+  CHECK_FALSE(contains(text, "shadow"));  // the stage "shadow" takes only 0.1% of the frame
   CHECK_FALSE(contains(text, "GPU"));
   const std::string both = benchText(report(false));
   CHECK(contains(both, "jobs, GPU"));

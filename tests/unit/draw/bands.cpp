@@ -6,8 +6,9 @@
 namespace simreel::test::draw_bands {
 
 TEST_CASE("exact: a band has the rows whose visibility and glows there is room for, in whole tiles") {
-  constexpr std::size_t visible = std::size_t{32} << 20;      // samples in 256 MiB
-  constexpr std::int64_t software = std::int64_t{128} << 20;  // one buffer on llvmpipe
+  constexpr std::size_t visible = std::size_t{32}
+                                  << 20;  // number of samples whose visibility fits into 256 MiB
+  constexpr std::int64_t software = std::int64_t{128} << 20;  // maximum size of one buffer on llvmpipe
   CHECK(draw::rowsOfBands({1920, 1080}, 4, {visible, software}) == 1080);
   // 24 bytes per pixel: 1456 rows of 3840 pixels, although visibility has room for all 2160.
   CHECK(draw::rowsOfBands({3840, 2160}, 4, {visible, software}) == 1456);

@@ -43,7 +43,8 @@ glm::dvec2 placeOf(glm::dvec3 xyz) {
 }  // namespace
 
 TEST_CASE("black body: illuminant A, and Planck's law over the standard observer") {
-  const glm::dvec2 a = placeOf(xyzOf(draw::blackBodyColor(2855.6)));  // CIE 15: 0.44758, 0.40745
+  const glm::dvec2 a =
+      placeOf(xyzOf(draw::blackBodyColor(2855.6)));  // illuminant A; CIE 15 gives 0.44758, 0.40745
   CHECK(std::abs(a.x - 0.44758) < 1e-3);
   CHECK(std::abs(a.y - 0.40745) < 1e-3);
   for (const double kelvin : {2000., 2700., 3999., 4001., 5000., 6504., 9000., 15000., 25000.}) {
@@ -54,7 +55,7 @@ TEST_CASE("black body: illuminant A, and Planck's law over the standard observer
     CHECK(xyzOf(color).y == doctest::Approx(1).epsilon(1e-5));
   }
   const glm::vec3 ember = draw::blackBodyColor(1667);
-  CHECK(ember.z == 0.0F);  // outside sRGB
+  CHECK(ember.z == 0.0F);  // the colour is outside sRGB, so blue is clamped to 0
   CHECK(ember.x > 2 * ember.y);
 }
 

@@ -38,7 +38,8 @@ TEST_CASE("clear surfaces: Fresnel's equations, from both sides") {
     for (int i = 0; i < 1800; ++i) {
       const double angle = i * 3.14159265358979 / 3600;
       const double critical = eta > 1 ? std::asin(1 / eta) : 2;
-      if (std::abs(angle - critical) < 2e-4) continue;  // the curve is steep there
+      if (std::abs(angle - critical) < 2e-4)
+        continue;  // skips the critical angle, where the curve is too steep
       const auto found = static_cast<double>(
           dielectric::dielectricFresnel(static_cast<float>(std::cos(angle)), static_cast<float>(eta)));
       worst = std::max(worst, std::abs(found - dielectric::mirrored(angle, eta)));

@@ -85,7 +85,7 @@ TEST_CASE("environment: a direction is seen where the picture has it, turned or 
   load(pictureOf(light));
   for (const glm::vec3& way : ways)
     CHECK(glm::length(environmentAt(way, 0) - glm::vec3(light(glm::dvec3(way)))) < 0.02F);
-  // Along edges of the map, from both sides.
+  // Directions along edges of the map, from both sides.
   for (int i = 0; i < 400; ++i) {
     const double angle = 2 * pi * i / 400;
     for (const double y : {-0.99, -0.3, -1e-4, 1e-4, 0.4}) {
@@ -94,7 +94,7 @@ TEST_CASE("environment: a direction is seen where the picture has it, turned or 
       CHECK(glm::length(environmentAt(glm::vec3(way), 0) - glm::vec3(light(way))) < 0.02F);
     }
   }
-  load(pictureOf(light), 1, 90);  // the middle now points towards +x
+  load(pictureOf(light), 1, 90);  // with a turn of 90 degrees, the middle points towards +x
   for (const glm::vec3& way : ways) {
     const glm::dvec3 before(way.z, way.y, -way.x);
     CHECK(glm::length(environmentAt(way, 0) - glm::vec3(light(before))) < 0.02F);

@@ -109,7 +109,8 @@ TEST_CASE("normal maps: red leans along u, green up the picture") {
 
 TEST_CASE("normal maps: what differs within a pixel is rougher there") {
   CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 1.0F}) == 0.3F);
-  CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 0.996F}) == 0.3F);  // rounded to a byte
+  // a unit normal rounded to bytes causes no extra roughness
+  CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 0.996F}) == 0.3F);
   const double length = 0.8;
   const double shorter = (0.99 - length) / length;
   const double wanted = std::pow(std::pow(0.3, 4) + 2 * shorter, 0.25);
@@ -119,7 +120,8 @@ TEST_CASE("normal maps: what differs within a pixel is rougher there") {
 TEST_CASE("clear coat: what it mirrors is kept from what is below") {
   for (const float roughness : {0.0F, 0.2F, 0.7F})
     for (const float nv : {0.05F, 0.4F, 1.0F}) {
-      const glm::vec2 share = finish::ambientLobe(roughness, nv);  // tested in lobes.cpp
+      const glm::vec2 share =
+          finish::ambientLobe(roughness, nv);  // ambientLobe() itself is tested in lobes.cpp
       const double mirrored = 0.04 * static_cast<double>(share.x) + static_cast<double>(share.y);
       const glm::vec3 light = finish::coated({1, 2, 4}, {0.5F, 0, 0}, 0.6F, roughness, nv);
       CHECK(light.y == doctest::Approx(2 * (1 - 0.6 * mirrored)).epsilon(1e-5));

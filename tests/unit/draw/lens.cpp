@@ -59,7 +59,7 @@ TEST_CASE("lens: points lie evenly over a disc, and in polygons") {
     const float mean = (2 + std::cos(6.2831853F / static_cast<float>(blades))) / 12;
     CHECK(squares.x == doctest::Approx(mean).epsilon(0.03));
     CHECK(squares.y == doctest::Approx(mean).epsilon(0.03));
-    CHECK(top > 0.93F);  // a corner
+    CHECK(top > 0.93F);  // the farthest point is near a corner of the polygon
   }
 }
 
@@ -92,7 +92,7 @@ TEST_CASE(
   const draw::View view = draw::viewAt(camera, 0, size, {});
   const glm::vec3 right = glm::normalize(view.right), up = glm::normalize(view.up);
   const shader::ExactView middle = draw::exactView(view, camera, size);
-  const glm::vec2 perMetre = 0.5F * glm::vec2(size) / view.reach;  // pixels at distance 1
+  const glm::vec2 perMetre = 0.5F * glm::vec2(size) / view.reach;  // pixels per metre at distance 1 m
   std::mt19937 random(3);
   std::uniform_real_distribution<float> any(-1, 1);
   for (int i = 0; i < 200; ++i) {

@@ -68,7 +68,7 @@ TEST_CASE("flicker: the hash's values at whole numbers, smooth in between, also 
         const double wanted = (2 * noise(light, word, x) + noise(light, word | 0x80000000U, 2.7 * x)) / 3;
         CHECK(draw::flickerNoise(light, seed, x) == doctest::Approx(wanted).epsilon(1e-12));
       }
-  // The exact bits, equal on every machine.
+  // Exact bits of the noise, equal on every machine.
   CHECK(draw::flickerNoise(5, 1, 0.0) == -0.6277528603871664);
   CHECK(draw::flickerNoise(5, 1, 2.5) == 0.08005954697728157);
   CHECK(draw::flickerNoise(5, 1, -7.25) == -0.2712058568360887);

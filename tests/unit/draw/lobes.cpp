@@ -29,7 +29,7 @@ glm::dvec2 lobeOf(glm::dvec3 view, glm::dvec3 light, double alpha) {
   const glm::dvec3 half = glm::normalize(view + light);
   const double cos2 = half.z * half.z;
   const double spread = alpha * alpha + 1 / cos2 - 1;
-  const double facets = alpha * alpha / (cos2 * cos2 * spread * spread);  // pi D
+  const double facets = alpha * alpha / (cos2 * cos2 * spread * spread);  // pi times the distribution D
   const double seen = 1 / (1 + hidden(view.z, alpha) + hidden(light.z, alpha));
   const double fifth = std::pow(1 - glm::dot(light, half), 5);
   const double all = facets * seen / (4 * view.z * light.z);
@@ -45,7 +45,8 @@ glm::dvec2 mirroredOf(double nv, double alpha) {
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < steps; ++j) {
       const double u = (i + 0.5) / steps;
-      const double turn = std::numbers::pi * (j + 0.5) / steps;  // the other half is a mirror image
+      const double turn =
+          std::numbers::pi * (j + 0.5) / steps;  // half a turn only; the other half is a mirror image
       const double cosine = std::sqrt((1 - u) / (1 + (alpha * alpha - 1) * u));
       const double sine = std::sqrt(1 - cosine * cosine);
       const glm::dvec3 half(sine * std::cos(turn), sine * std::sin(turn), cosine);
@@ -106,7 +107,7 @@ TEST_CASE("lobes: the share of evenly lit surroundings that is mirrored is the l
       CHECK(counts * white < 0.026);
       CHECK(fit.x >= 0);
       CHECK(fit.x + fit.y <= 1.00001F);
-      if (nv > 0.5) CHECK(white < 0.006);  // small compared with F0 = 0.04
+      if (nv > 0.5) CHECK(white < 0.006);  // the error is small compared with F0 = 0.04
     }
   MESSAGE("largest error of x + y ", worst, ", of y ", worstWhite);
   // At maximum roughness the integral has a closed form: 1 - nv ln(1 + 1 / nv).

@@ -42,7 +42,7 @@ double encoded(double light) {
 /// The same filter implemented independently: overlaps of intervals, in double precision, light and alpha
 /// separate.
 struct Texel {
-  double r = 0, g = 0, b = 0, alpha = 0;  // light, not multiplied by alpha
+  double r = 0, g = 0, b = 0, alpha = 0;  // light is not premultiplied by alpha
 };
 struct Level {
   int width, height;

@@ -13,7 +13,7 @@ using namespace simreel;
 
 namespace {
 
-/// The content of the shadow map.
+/// Depth of the nearest caster at each texel of the shadow map.
 std::function<float(glm::ivec2)> casters;
 
 using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
@@ -46,7 +46,7 @@ TEST_CASE(
     "sun disc: behind an edge light grows as the share of the disc that is seen, as wide as the gap") {
   casters = [](glm::ivec2 texel) { return texel.x < 500 ? 0.9F : -1e30F; };
   for (const float gap : {0.1F, 0.25F, 0.5F}) {
-    const double radius = 100.0 * static_cast<double>(gap);  // texels
+    const double radius = 100.0 * static_cast<double>(gap);  // radius of the penumbra in texels
     double worst = 0;
     for (float x = 430; x <= 570; x += 0.71F) {
       const double wanted = beyond((500.0 - static_cast<double>(x)) / radius);
@@ -54,7 +54,7 @@ TEST_CASE(
       worst = std::max(worst, std::abs(found - wanted));
     }
     CAPTURE(gap);
-    CHECK(worst < 0.04);  // the disc has 32 sample points
+    CHECK(worst < 0.04);  // the error of 32 sample points on the disc
   }
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("sun disc: a penumbra is as narrow and as wide as it may be at least a
   CHECK(at(561.5F, -0.5F) == 1);
   CHECK(at(438.5F, -0.5F) == 0);
   CHECK(at(450.0F, -0.5F) > 0);
-  CHECK(at(700.0F, -20.0F) == 1);  // far behind all objects
+  CHECK(at(700.0F, -20.0F) == 1);  // a receiver far behind all objects is not shaded
 }
 
 TEST_CASE("sun disc: what lies in the receiver's plane does not shade it, what stands on it does") {

@@ -71,7 +71,7 @@ TEST_CASE("exr: colour, depth, position and objects come back") {
   Imf::InputFile file(written.path.c_str());
   CHECK(file.header().typedAttribute<Imf::StringAttribute>("simreel:frame").value() == "7");
   CHECK(channelNamed(file, "R")[9] == 1.125F);
-  CHECK(channelNamed(file, "B")[3] == 65504.0F);  // the maximum half
+  CHECK(channelNamed(file, "B")[3] == 65504.0F);  // values are clamped to the maximum half
   CHECK(channelNamed(file, "A")[14] == doctest::Approx(14.0 / 15).epsilon(1e-3));
   CHECK(channelNamed(file, "Z")[3] == 2.5F);
   CHECK(std::isinf(channelNamed(file, "Z")[4]));

@@ -108,11 +108,11 @@ TEST_CASE("mesh sequences: glTF moves by the rules of morph targets and their we
   const nlohmann::json& mesh = document["meshes"][0];
   REQUIRE(mesh["primitives"].size() == 1);
   const nlohmann::json& primitive = mesh["primitives"][0];
-  CHECK(primitive.value("mode", 4) == 4);  // 5.24: triangles
+  CHECK(primitive.value("mode", 4) == 4);  // glTF 5.24: mode 4 is triangles
   CHECK(glb.values<std::uint32_t>(primitive["indices"]) == std::vector<std::uint32_t>{0, 2, 1, 0, 3, 2});
   REQUIRE(primitive["targets"].size() == 2);
   CHECK(mesh["extras"]["targetNames"] == nlohmann::json({"frame 5", "frame 8"}));
-  CHECK(!mesh.contains("weights"));  // 3.7.2.2: default 0
+  CHECK(!mesh.contains("weights"));  // glTF 3.7.2.2: weights default to 0
   // 3.11: one channel animates the weights of the node with the mesh; the sampler's times are in seconds.
   REQUIRE(document["animations"].size() == 1);
   const nlohmann::json& animation = document["animations"][0];
@@ -132,7 +132,7 @@ TEST_CASE("mesh sequences: glTF moves by the rules of morph targets and their we
     for (const auto& [name, table] :
          {std::pair{"POSITION", &wanted.positions}, std::pair{"NORMAL", &wanted.normals}}) {
       std::vector<glm::vec3> found = glb.rows(primitive["attributes"][name]);
-      REQUIRE(found.size() == 4);  // without the unused vertex
+      REQUIRE(found.size() == 4);  // the unused vertex is not written
       for (std::size_t k = 0; k < 2; ++k) {
         const std::vector<glm::vec3> moved = glb.rows(primitive["targets"][k][name]);
         REQUIRE(moved.size() == 4);

@@ -131,7 +131,7 @@ TEST_CASE("png: a broken file is a user error that names it") {
     CHECK(contains(text, "broken.png"));
   }
   auto huge = file;
-  huge[16 + 2] = std::byte{0x7f};  // width 32552
+  huge[16 + 2] = std::byte{0x7f};  // changes the width to 32552
   CHECK(errorOf([&] { (void)decodeImage(huge, "huge.png"); }).first == ExitCode::inputOutput);
   const std::string deep = "P5 64 64 65535\n" + std::string(std::size_t{64} * 64 * 2, 'x');
   CHECK(errorOf([&] { (void)decodeImage(std::as_bytes(std::span(deep)), "deep.pgm"); }).first ==

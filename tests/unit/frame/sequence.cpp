@@ -336,7 +336,7 @@ TEST_CASE("sequence: what cannot be written is one user error") {
       errorOf([&] { renderInto((folder / "file/out/").string(), Existing::error, 2); });
   CHECK(code == ExitCode::inputOutput);
   CHECK(contains(message, "cannot create folder"));
-  // A folder in place of the frame's file.
+  // A folder stands in place of the frame's file.
   std::filesystem::create_directories(folder / "g/000030.png/x");
   const auto blocked = errorOf([&] { renderInto((folder / "g").string(), Existing::overwrite, 40); });
   CHECK(blocked.first == ExitCode::inputOutput);

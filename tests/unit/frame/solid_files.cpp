@@ -39,7 +39,7 @@ TEST_CASE("binary glTF is read by assimp as it was written") {
   REQUIRE(scene->mNumMeshes == 1);
   const aiMesh& read = *scene->mMeshes[0];
   CHECK(std::string(read.mName.C_Str()) == "solid");
-  CHECK(read.mNumVertices == 4);  // without the unused vertex
+  CHECK(read.mNumVertices == 4);  // the unused vertex is not written
   REQUIRE(read.mNumFaces == 4);
   for (unsigned f = 0; f < 4; ++f) {
     REQUIRE(read.mFaces[f].mNumIndices == 3);
@@ -98,7 +98,7 @@ TEST_CASE("a camera stands on its path by length, and looks along it") {
   CHECK(draw::standOn(path, follow, 0.5).eye == glm::vec3(2, 2, 0));
   CHECK(draw::standOn(path, follow, 1).eye == glm::vec3(3, 2, 1));
   const draw::Stand end = draw::standOn(path, follow, 1);
-  CHECK(end.target.z > 1.2F);  // straight on beyond the end
+  CHECK(end.target.z > 1.2F);  // beyond its end, the path continues straight
   CHECK(end.target.x == doctest::Approx(3));
   CHECK(draw::standOn({{1, 2, 3}}, follow, 0.7).eye == glm::vec3(1, 4, 3));
 }

@@ -96,7 +96,8 @@ TEST_CASE("video: the same bytes whatever the number of processors") {
     if (CPU_ISSET(i, &all)) CPU_SET(i, &one);
   for (const char* name : {".mp4", ".webm", ".avi"}) {
     renderVideo((folder / (std::string("all") + name)).string(), Existing::error, runInfo(320, 180));
-    REQUIRE(::sched_setaffinity(0, sizeof one, &one) == 0);  // ffmpeg inherits the affinity
+    REQUIRE(::sched_setaffinity(0, sizeof one, &one) ==
+            0);  // ffmpeg inherits this affinity to one processor
     renderVideo((folder / (std::string("one") + name)).string(), Existing::error, runInfo(320, 180));
     REQUIRE(::sched_setaffinity(0, sizeof all, &all) == 0);
     CHECK(readFile(folder / (std::string("all") + name), "video") ==
@@ -113,7 +114,7 @@ TEST_CASE("video: ffmpeg writes each kind, with a manifest") {
   for (const char* name : {"v.mp4", "v.webm", "v.gif", "v.mkv", "v.avi", "v.apng", "-odd:name.mp4"}) {
     CAPTURE(name);
     const std::string file = (folder / name).string();
-    renderVideo(file, Existing::error, runInfo(33, 17));  // odd size: 4:2:0 needs padding
+    renderVideo(file, Existing::error, runInfo(33, 17));  // an odd size, which needs padding for 4:2:0
     CHECK(std::filesystem::file_size(file) > 100);
     const Manifest manifest = parseManifest(readFile(file + ".manifest.json", "manifest"), "m");
     CHECK(manifest.frames.size() == frameCount);
@@ -240,7 +241,8 @@ TEST_CASE("films of every fifth frame play as fast as the scene") {
   CHECK(rate(29.97, {0, 1}) == "30000/1001");
   CHECK(rate(59.94, {0, 2, 4}) == "30000/1001");
   CHECK(rate(12.5, {0, 1}) == "12500/1000");
-  CHECK(rate(30, {0, 1, 3}) == "30/1");  // with a warning
+  CHECK(rate(30, {0, 1, 3}) ==
+        "30/1");  // frames at uneven distances: uses the scene's rate, with a warning
 }
 
 TEST_CASE("stream: a closed pipe and an unknown format are user errors") {

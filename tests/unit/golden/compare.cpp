@@ -40,9 +40,9 @@ TEST_CASE("pictures are compared by channel, alpha too, and counted by pixel") {
   const auto a = uniform(5, 3, {100, 100, 100, 100});
   auto b = a;
   at(b, 1, 0, 0) = 103;
-  at(b, 1, 0, 2) = 97;  // still counts as one pixel
+  at(b, 1, 0, 2) = 97;  // another channel of the same pixel, which still counts as one pixel
   at(b, 2, 1, 1) = 80;
-  at(b, 3, 1, 1) = 120;  // an equal difference at a later pixel
+  at(b, 3, 1, 1) = 120;  // an equally large difference at a later pixel
   at(b, 4, 2, 3) = 90;
   const auto metrics = golden::measure(a, b, tolerance(3));
   CHECK(metrics.worst == 20);
@@ -118,7 +118,7 @@ TEST_CASE("the densest window is found wherever it lies, and clipped to small pi
   metrics = golden::measure(a, b, t);
   CHECK(metrics.windowRatio == 1);
   CHECK(metrics.windowX + metrics.windowY == 0);
-  t.windowSize = 35;  // clipped in height only
+  t.windowSize = 35;  // a window larger than the picture's height is clipped
   metrics = golden::measure(a, b, t);
   CHECK(metrics.windowRatio == 4.0 / (35 * 30));
   CHECK(metrics.windowX == 5);

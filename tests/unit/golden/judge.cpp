@@ -118,7 +118,7 @@ TEST_CASE("judge: another machine with the same numerics may be 2 of 255 apart o
   CHECK(passes(judged(0, 0)));
   CHECK(passes(judged(1, 1)));
   CHECK(passes(judged(1, 2)));
-  CHECK(passes(judged(24, 1)));  // 2% of 1200
+  CHECK(passes(judged(24, 1)));  // 24 pixels are 2% of 1200
   CHECK(judged(1, 1).asked == "near");
   simreel::test::checkHas(judged(1, 3).message, "differs by 3 (on another machine by 2 at most)");
   simreel::test::checkHas(judged(25, 1).message, "of the pixels differ (on another machine 2% at most)");
@@ -159,7 +159,7 @@ TEST_CASE("judge: quick measures leave out SSIM and FLIP where no verdict needs 
   scene::Tolerance bound;
   bound.maxFlipMean = 0.5;
   CHECK(quick(other, bound) == whole);
-  CHECK(quick(otherMachine(), {}) == whole);  // the mean FLIP error is checked too
+  CHECK(quick(otherMachine(), {}) == whole);  // the quick test compares the mean FLIP error too
 }
 
 TEST_CASE("judge: other numerics have the scene's tolerance") {

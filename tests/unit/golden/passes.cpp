@@ -60,7 +60,7 @@ TEST_CASE("passes: numbers name object and primitive") {
   CHECK(golden::thingAt(picture, 2, 1).name() == "the sky");
   CHECK(golden::thingAt(picture, 3, 1).name() == "the sky");
   CHECK(golden::thingOfNumber({}, 3).name() == "the primitive 3");
-  CHECK(golden::showsOneThing(picture, 0, 0));  // two triangles of the same object
+  CHECK(golden::showsOneThing(picture, 0, 0));  // two triangles of the same object count as one thing
   CHECK_FALSE(golden::showsOneThing(picture, 1, 0));
   CHECK(golden::showsOneThing(picture, 1, 1));
   CHECK_FALSE(golden::showsOneThing(picture, -1, 1));
@@ -75,7 +75,7 @@ TEST_CASE("passes: hashes tell passes apart, each by all that it left") {
   arrayOf(dump, "picture").words[5] ^= 1U;
   auto after = golden::hashesOf(dump.picture);
   CHECK(golden::firstDifferentPass(before, after) == "picture");
-  dump.picture.arrays[1].words[11] ^= 1U;  // a primitive number
+  dump.picture.arrays[1].words[11] ^= 1U;  // changes the number of a primitive
   after = golden::hashesOf(dump.picture);
   CHECK(golden::firstDifferentPass(before, after) == "visibility");
   CHECK(after.at("light") == before.at("light"));
@@ -127,7 +127,7 @@ TEST_CASE("passes: the first difference, at a pixel that shows one thing where t
   CHECK(found->differing == 2);
   CHECK(found->all == 6);
   CHECK(found->thereValues[0] == 0);
-  there.picture.arrays[0].words[3] = 4;  // a depth key
+  there.picture.arrays[0].words[3] = 4;  // changes a depth key
   found = golden::comparePasses(here, there);
   CHECK(found->pass == "visibility");
   CHECK(found->pixel == golden::PicturePlace{1, 0});
@@ -135,7 +135,8 @@ TEST_CASE("passes: the first difference, at a pixel that shows one thing where t
   CHECK(found->here.name() == "triangle 5 of flag");
   CHECK(found->hereValues[0] == 8);
   CHECK(found->thereValues[0] == 4);
-  there.picture.arrays.erase(there.picture.arrays.begin() + 2);  // this array belongs to a later pass
+  there.picture.arrays.erase(there.picture.arrays.begin() +
+                             2);  // removes an array that belongs to a later pass
   CHECK(golden::comparePasses(here, there)->pass == "visibility");
   there = smallPicture();
   there.picture.arrays.erase(there.picture.arrays.begin() + 2);

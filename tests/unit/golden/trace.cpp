@@ -115,7 +115,7 @@ TEST_CASE("a trace survives its file") {
     const auto trace = made(twoArrays, -3, 5, max);
     CHECK(equal(decodeTrace(encodeTrace(trace), "steps.bin"), trace));
   }
-  const auto still = made({}, 0, 4, 1000);  // no simulated arrays
+  const auto still = made({}, 0, 4, 1000);  // a trace without simulated arrays
   CHECK(equal(decodeTrace(encodeTrace(still), "steps.bin"), still));
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("absurd numbers in a trace file take no memory") {
   // magic, first frame, frames, detailed, arrays, "a", "b", elements, elements per block, steps
   for (const std::size_t at : {8U, 12U, 16U, 20U, 24U, 29U, 34U, 38U, 42U})
     for (const std::uint32_t value : {0xffffffffU, 0x7fffffffU, 0x40000000U, 0x00ffffffU, 0x80000000U}) {
-      if (at == 8 && value == 0xffffffffU) continue;  // a first frame of -1 is valid
+      if (at == 8 && value == 0xffffffffU) continue;  // skips a first frame of -1, which is valid
       auto damaged = whole;
       std::memcpy(damaged.data() + at, &value, sizeof value);
       sign(damaged);
@@ -172,7 +172,7 @@ TEST_CASE("absurd numbers in a trace file take no memory") {
 TEST_CASE("equal traces have no divergence") {
   const auto trace = made(twoArrays, -3, 5, 4096);
   CHECK(!compareTraces(trace, trace));
-  CHECK(!compareTraces(made(twoArrays, -3, 9, 4096), trace));  // additional frames are ignored
+  CHECK(!compareTraces(made(twoArrays, -3, 9, 4096), trace));  // additional frames in the run are ignored
 }
 
 TEST_CASE("a trace without arrays costs nothing, however many frames it claims") {
@@ -216,7 +216,8 @@ TEST_CASE("an element whose hashes differ by a high power of two is not guessed"
   REQUIRE(found.has_value());
   CHECK(found->firstElement <= 10);
   CHECK(found->lastElement >= 10);
-  CHECK(found->lastElement > found->firstElement);  // (i + 1) 2^31 is equal for every second i
+  CHECK(found->lastElement > found->firstElement);  // a factor (i + 1) of the weighted sum makes every
+                                                    // second i indistinguishable
 }
 
 TEST_CASE("several changed elements are a range, and an earlier step of a later array comes first") {
@@ -240,9 +241,10 @@ TEST_CASE("of objects with steps of other lengths, the one that differs earliest
   const Arrays arrays = {{"a", "positions", 9, 9, 5}, {"b", "positions", 9, 9, 2}};
   const auto baseline = made(arrays, 0, 2, 2048);
   for (const auto& [atStep, first] : {std::pair(2U, "a"), std::pair(3U, "b")}) {
-    const auto step = atStep;  // a name that a lambda can capture
+    const auto step = atStep;  // a copy, because lambdas cannot capture structured bindings
     const auto run = made(arrays, 0, 2, 2048, [&](int f, auto array, auto s, auto, std::uint32_t h) {
-      return f == 1 && s == (array == 0 ? step : 1U) ? h + 1 : h;  // 2/5 and 3/5 of the frame; 1/2
+      // compares times within frame 1: 2/5 or 3/5 for the first array, 1/2 for the second
+      return f == 1 && s == (array == 0 ? step : 1U) ? h + 1 : h;
     });
     const auto found = compareTraces(run, baseline);
     REQUIRE(found.has_value());

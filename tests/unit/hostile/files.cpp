@@ -85,7 +85,7 @@ TEST_CASE("JSON a million deep is refused in manifest, checkpoint, report, basel
   const std::string header = R"({"format":"simreel-checkpoint","program":"","simulation":)" + deep + "}\n";
   const TemporaryFile file("deep.checkpoint", header + hashHex(header));
   const std::string none = refusal([&] { CHECK(!frame::Checkpoint::read(file.path(), {}, 10)); });
-  CHECK(none == "nothing was refused");  // prints a warning and starts over
+  CHECK(none == "nothing was refused");  // an invalid checkpoint causes a warning, and the run starts over
 }
 
 TEST_CASE("a checkpoint that holds more or less than it says is not used, whatever its hash") {

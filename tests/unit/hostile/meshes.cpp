@@ -119,7 +119,7 @@ TEST_CASE("glTF strips, fans, sparse values, normalised numbers and binary files
   const sim::Mesh strip = mesh("strip.glb", binary(document("5", "")));
   REQUIRE(strip.positions.size() == 4);
   CHECK(strip.positions[3] == glm::vec3(2, 2, 3));
-  CHECK(strip.uvs[1] == glm::vec2(1, 0));  // v points down, as in the file
+  CHECK(strip.uvs[1] == glm::vec2(1, 0));  // v points down in the mesh, as in the file
   CHECK(strip.uvs[2] == glm::vec2(0, 1));
   CHECK(strip.indices == std::vector<unsigned>{0, 1, 2, 1, 3, 2});
   for (const glm::vec3& n : strip.normals) CHECK(n == glm::vec3(0, 0, 1));

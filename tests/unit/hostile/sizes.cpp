@@ -63,7 +63,7 @@ std::string doublingFont(unsigned depth) {
     if (i < depth) {
       glyphs += high(0xffff, 2) + high(0, 2) + high(0, 2) + high(100, 2) + high(100, 2);
       glyphs += high(0x22, 2) + high(i + 1, 2) + high(0, 2) + high(0x02, 2) + high(i + 1, 2) + high(0, 2);
-    } else {  // a triangle
+    } else {  // the innermost glyph is a triangle
       glyphs +=
           high(1, 2) + high(0, 2) + high(0, 2) + high(100, 2) + high(100, 2) + high(2, 2) + high(0, 2);
       glyphs +=

@@ -55,12 +55,16 @@ void checkEverywhere(const std::vector<glm::vec2>& flat) {
 }  // namespace
 
 TEST_CASE("hollow polygons are cut along their insides") {
-  checkEverywhere({{0, 0}, {2, 0}, {2, 2}, {1, 0.5F}});                               // an arrow
-  checkEverywhere({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});                  // an L
-  checkEverywhere({{0, 0}, {5, 0}, {5, 5}, {0, 5}, {0, 4}, {4, 4}, {4, 1}, {0, 1}});  // a U
-  checkEverywhere({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}});  // straight corners
+  // a polygon in the shape of an arrow
+  checkEverywhere({{0, 0}, {2, 0}, {2, 2}, {1, 0.5F}});
+  checkEverywhere({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});  // a polygon in the shape of an L
   checkEverywhere(
-      {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}});  // a hole
+      {{0, 0}, {5, 0}, {5, 5}, {0, 5}, {0, 4}, {4, 4}, {4, 1}, {0, 1}});  // a polygon in the shape of a U
+  // a square with extra corners on its straight sides
+  checkEverywhere({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}});
+  checkEverywhere(
+      // a square with a hole, connected by a double edge
+      {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}});
   std::vector<glm::vec2> star;
   for (int i = 0; i < 20; ++i) {
     const float angle = static_cast<float>(i) * std::numbers::pi_v<float> / 10;

@@ -62,7 +62,7 @@ class Document {
   }
 
   Json json;
-  Json fallback;  ///< a second buffer
+  Json fallback;  ///< a second buffer of the document
 
  private:
   [[nodiscard]] std::string base64() const {
@@ -220,7 +220,7 @@ TEST_CASE(
 TEST_CASE("glTF: a rotation turns, whatever its quaternion's length") {
   Document d;
   d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}}}}}};
-  d.json["nodes"][0]["rotation"] = {0, 0, 3, 3};  // a quarter turn about z
+  d.json["nodes"][0]["rotation"] = {0, 0, 3, 3};  // an unnormalized quaternion for a quarter turn about z
   const sim::Mesh turned = d.mesh();
   CHECK(glm::length(turned.positions[1] - glm::vec3(0, 1, 0)) < 1e-6F);
   CHECK(glm::length(turned.positions[2] - glm::vec3(-1, 0, 0)) < 1e-6F);

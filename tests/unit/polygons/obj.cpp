@@ -127,7 +127,8 @@ TEST_CASE("OBJ: smoothing groups smooth, and faces without one are flat") {
   for (const char* group : {"s 1\n", "s on\n", "s 4000000000\n"}) {
     const std::vector<glm::vec3> smooth = normals(group, "");
     REQUIRE(smooth.size() == 2);
-    for (const glm::vec3& n : smooth) CHECK(n.z > 0.9F);  // weighted by the areas of three triangles
+    for (const glm::vec3& n : smooth)
+      CHECK(n.z > 0.9F);  // smooth normals are weighted by the areas of the triangles
   }
   // Different texture coordinates and materials on both sides do not split the normals.
   const sim::Mesh seam =

@@ -70,9 +70,9 @@ TEST_CASE("keyframes: when a value has jumped last") {
   const Animated<float> cut({{0, 1.0F}, {1, 2.0F}, {1, 5.0F}, {2, 5.0F}, {2, 5.0F}, {3, 0.0F}},
                             Ease::linear);
   CHECK(cut.jumpedBy(0.999) == never);
-  CHECK(cut.jumpedBy(1) == 1.0);  // the value there is the second key's
+  CHECK(cut.jumpedBy(1) == 1.0);  // at the jump's time, the value is the second key's
   CHECK(cut.at(1) == 5.0F);
-  CHECK(cut.jumpedBy(9) == 1.0);  // from 5 to 5 is no jump
+  CHECK(cut.jumpedBy(9) == 1.0);  // equal values on both sides are no jump
   const Animated<float> steps({{0, 1.0F}, {1, 2.0F}, {2, 2.0F}}, Ease::hold);
   CHECK(steps.jumpedBy(0.5) == never);
   CHECK(steps.jumpedBy(1.5) == 1.0);

@@ -57,7 +57,7 @@ struct LeftOut {
   Json::json_pointer part;  ///< part of the scene that has no member `name`
   std::string name;
   Json standard;
-  std::string path;  ///< for messages
+  std::string path;  ///< path of the value, for messages
 };
 
 /// Collects all of them in a part of a scene, using its schema.
@@ -162,24 +162,24 @@ TEST_CASE("defaults: given or left out, every one that a shipped scene may have 
       "mesh.grip", "mesh.distanceCells", "mesh.file", "particles.bounce", "particles.cloths",
       ".camera.position", ".camera.target", ".camera.height", "particles.margin", "grayScott.preset",
       ".checks[].object", ".checks[].of", ".test.xfail", ".test.tolerance.windowSize",
-      // A fabric replaces these.
+      // A fabric replaces the following parameters.
       "cloth.mass", "cloth.stiffness", "cloth.shear", "cloth.bend", "cloth.solver", "cloth.compliance",
       "cloth.shearCompliance", "cloth.bendCompliance",
-      // A mesh, or a friction coefficient, replaces these.
+      // A mesh, or a friction coefficient, replaces the following parameters.
       "cloth.size", "cloth.spacing", "capsule.grip", "sphere.grip",
-      // A mesh in place of a grid replaces these.
+      // A mesh in place of a grid replaces the following parameters.
       "reaction.size", "reaction.depth", "reaction.boundary",
-      // These need an image of a terrain.
+      // The following parameters need an image of a terrain.
       "water.terrain.low", "water.terrain.high", "water.terrain.smooth", "water.terrain.bed",
-      // A float's shape or mass replaces these; the last needs water that collides.
+      // A float's shape or mass replaces the following parameters; the last needs water that collides.
       "water.floats[].density", "water.floats[].file", "water.floats[].radius", "water.floats[].scale",
       "water.floats[].size", "water.grip",
-      // These need maps, coats, sheen or opacity.
+      // The following parameters need maps, coats, sheen or opacity.
       "material.alphaCutoff", "material.attenuationColor", "material.attenuationDistance",
       "material.clearCoatRoughness", "material.emissionMap", "material.ior", "material.thinWalled",
       "material.normalStrength", "material.occlusionStrength", "material.opacity",
       "material.sheenRoughness",
-      // These need flow lines, or skies with a picture.
+      // The following parameters need flow lines, or skies with a picture.
       "fluid.lineDetail", "fluid.lineRate", ".sky.strength", ".sky.turn"};
   for (const std::string& path : refused) CHECK_MESSAGE(allowed.contains(path), path);
 }

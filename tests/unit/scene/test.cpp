@@ -234,7 +234,8 @@ TEST_CASE("checks of quantities that no object has") {
   checkHas(says(two, R"("what": "mass", "max": 1)"),
            "several objects have \"mass\": a, b; name one of them with \"object\"");
   CHECK(says(two, R"("what": "mass", "max": 1, "object": "b")").empty());
-  CHECK(!has(says(flag, R"("what": "mass", "max": 1, "object": "flga")"), "quantity"));  // reported once
+  // an unknown object causes only one message
+  CHECK(!has(says(flag, R"("what": "mass", "max": 1, "object": "flga")"), "quantity"));
   CHECK(!has(says(R"("a": {"cloht": {}})", R"("what": "enrgy", "max": 1)"), "quantity"));
 }
 
@@ -254,7 +255,7 @@ TEST_CASE("the sidecar's members replace the scene's own as a whole") {
 
   files.write("flag.test.json", R"({"test": {"size": [8, 8], "tolerance": {"maxDiffRatio": 0.5}}})");
   const Scene scene = files.load();
-  CHECK(scene.test.frames.empty());  // not merged with the scene's
+  CHECK(scene.test.frames.empty());  // the sidecar's "test" replaces the scene's, without merging
   CHECK(!scene.test.tolerance.hardFail);
   CHECK(scene.test.size == glm::ivec2(8, 8));
   CHECK(scene.checks.size() == 1);  // kept, because the sidecar has no checks

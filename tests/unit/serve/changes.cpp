@@ -65,7 +65,7 @@ TEST_CASE("changes of strokes leave a simulation as it was before the first of t
   CHECK(secondsAlike(one, two) == 2);
   const std::string dyed =
       R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}, {"at": 2, "dye": [1, 0, 0]}]}}}})";
-  CHECK(secondsAlike(two, dyed) < 0);  // the earlier states have no dye
+  CHECK(secondsAlike(two, dyed) < 0);  // no shared time, because the earlier states have no dye
 }
 
 TEST_CASE("changes of keyframes leave a simulation as it was before the first that is another one") {

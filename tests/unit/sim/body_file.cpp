@@ -72,7 +72,7 @@ TEST_CASE("body: without normals its faces are flat") {
   gltf.document["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
   const TemporaryFile file("tube.gltf", gltf.text());
   const sim::Figure figure = sim::loadFigure(file.path());
-  CHECK(figure.mesh.positions.size() == 2 * 24 * 41);  // 24 flat strips
+  CHECK(figure.mesh.positions.size() == 2 * 24 * 41);  // 24 flat strips with 2 x 41 vertices each
   CHECK(figure.follow.size() == figure.mesh.positions.size());
 }
 

@@ -102,7 +102,7 @@ TEST_CASE("body: the scene places it and turns bones on top of the motion") {
   const test::TemporaryFile file("tube.gltf", test::tubeText().text());
   auto p = tubeBody(file, "bend");
   p.position = glm::vec3(1, 2, 3);
-  p.rotation = glm::vec3(0, 90, 0);  // x to -z
+  p.rotation = glm::vec3(0, 90, 0);  // rotates x to -z
   p.scale = 2.0F;
   checkNear(pointAt(sim::BodyMotion("tube", p), "high", {0, 0, 0}, 0.5), {1, 3, 1}, 1e-6);
   auto keyed = tubeBody(file, "");

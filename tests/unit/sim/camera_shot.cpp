@@ -88,7 +88,7 @@ TEST_CASE("glTF cameras: one goes with its node and those above it, scales left 
     CHECK(glm::length(pose.up - glm::dvec3(0, 1, 0)) < 1e-6);
     CHECK(glm::length(pose.back - back) < 1e-6);
   }
-  scene::CameraFile still = asked("lens");  // the camera's own name
+  scene::CameraFile still = asked("lens");  // selected by the camera's own name instead of its node's
   still.animation = "other";
   CHECK(glm::length(sim::readCamera(still, shotText().text())->at(2).eye - glm::dvec3(1, 0, 4)) < 1e-6);
   scene::CameraFile fast = asked("wide");

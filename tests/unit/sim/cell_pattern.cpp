@@ -119,7 +119,8 @@ TEST_CASE("names of pattern files") {
 
 TEST_CASE("a grid that is not given fits its patterns, 16 to 9, and they lie in its middle") {
   const LifePlan gun(fitted("gosper_gun"), "cells", 1, 0.1);
-  CHECK(gun.parameters().size == glm::ivec2(80, 45));  // 36 x 9 plus a margin of 18 on every side: 72 x 45
+  CHECK(gun.parameters().size == glm::ivec2(80, 45));  // 36 x 9 cells plus a margin of 18 on every side: at
+                                                       // least 72 x 45
   const Cells cells = living(gun);
   CHECK(cells.size() == 36);
   for (const auto& [x, y] : cells) {
@@ -132,17 +133,19 @@ TEST_CASE("a grid that is not given fits its patterns, 16 to 9, and they lie in 
   CHECK(glider.parameters().size == glm::ivec2(48, 27));  // a margin of at least 12 on every side
   auto turned = fitted("gosper_gun");
   turned.patterns[0].rotate = 90;
-  CHECK(LifePlan(turned, "cells", 1, 0.1).parameters().size == glm::ivec2(128, 72));  // 9 x 36, 72 high
+  // the rotated pattern is 9 x 36, so the grid is 72 high
+  CHECK(LifePlan(turned, "cells", 1, 0.1).parameters().size == glm::ivec2(128, 72));
   auto placed = fitted("glider");
   placed.patterns[0].at = glm::ivec2(100, 5);
-  CHECK(LifePlan(placed, "cells", 1, 0.1).parameters().size == glm::ivec2(128, 72));  // 115 x 20
+  // the placed pattern needs 115 x 20 cells
+  CHECK(LifePlan(placed, "cells", 1, 0.1).parameters().size == glm::ivec2(128, 72));
   CHECK(living(LifePlan(placed, "cells", 1, 0.1)).contains({101, 5}));
 }
 
 TEST_CASE("a pattern lies where it is placed, cell for cell, also across words and a torus's edge") {
   LifeParameters soup;
   soup.size = {131, 9};
-  soup.fill = 0.8F;  // long runs
+  soup.fill = 0.8F;  // dense, so that runs of living cells are long
   const auto words = LifePlan(soup, "cells", 5, 0.1).firstCells();
   const simreel::test::TemporaryFile file("soup.rle", writeRle({soup.size, words}, LifeRule{}, "", ""));
   for (const glm::ivec2 at : {glm::ivec2(0, 0), {13, 4}, {169, 11}, {250, -3}}) {
@@ -183,8 +186,8 @@ TEST_CASE("where a file says that its pattern lies in a bounded grid, there it l
     return living(plan);
   };
   const auto asIs = [](LifePattern&) {};
-  const std::string rle =
-      "#CXRLE Pos=-15,-14 Gen=7\nx = 3, y = 1, rule = B3/S23:P30,30\n2ob!";  // as written by Golly
+  // position in the format of Golly's files
+  const std::string rle = "#CXRLE Pos=-15,-14 Gen=7\nx = 3, y = 1, rule = B3/S23:P30,30\n2ob!";
   CHECK(placed("at.rle", "#C\n" + rle, asIs) == Cells{{0, 1}, {1, 1}});
   CHECK(placed("at.rle", rle, [](LifePattern& p) { p.at = glm::ivec2(4, 5); }) == Cells{{4, 5}, {5, 5}});
   // The whole grid is flipped and rotated.
@@ -203,9 +206,9 @@ TEST_CASE("where a file says that its pattern lies in a bounded grid, there it l
 }
 
 TEST_CASE("patterns packed by gzip are read, cut-off ones and those of 64 MiB refused") {
-  // gzip -9 of "x = 3, y = 1
-  // 3o!
-  // "
+  // "x = 3, y = 1\
+  // 3o!\
+  // " compressed by gzip -9
   const std::string packed(
       "\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\x03\xab\x50\xb0\x55\x30\xd6\x51"
       "\xa8\x04\x52\x86\x5c\xc6\xf9\x8a\x5c\x00\xa0\x80\xbc\x91\x11\x00\x00\x00",

@@ -196,7 +196,7 @@ TEST_CASE("energy: long sheets that nothing damps hang and swing at \"auto\"") {
       return sim::measureCloth(p, twin.positions, twin.velocities, 0, twin.plan().softness());
     };
     const double first = energy()[5];
-    const double swing = energy()[1] * 9.8 * 0.5 * given.length;  // energy from lying to hanging
+    const double swing = energy()[1] * 9.8 * 0.5 * given.length;  // energy between lying and hanging, J
     for (int frame = 0; frame < 120; ++frame) twin.step(frame / 60.0);
     CHECK(energy()[5] == doctest::Approx(first).epsilon(5e-3 * swing / std::abs(first)).scale(0));
     CHECK(energy()[6] < 1.02);

@@ -149,8 +149,8 @@ TEST_CASE("rigid constraints hold however many rows hang on them") {
   for (const int rows : {16, 64, 256, 1024}) {
     CAPTURE(rows);
     sim::ClothParameters p = longSheet(rows);
-    p.substeps.reset();                // "auto"
-    p.rotation = glm::vec3(90, 0, 0);  // hanging
+    p.substeps.reset();                // no value means "auto"
+    p.rotation = glm::vec3(90, 0, 0);  // rotates the sheet so that it hangs
     p.pins.emplace_back().rows = {0};
     ClothTwin twin = makeTwin(p);
     double worst = 0;
@@ -171,7 +171,7 @@ TEST_CASE("rigid constraints hold in a swing, and over a bar without pins") {
     p.substeps = 16;  // at the lowest point the tension is three times the weight
     std::vector<sim::ColliderShape> bars;
     if (swinging) {
-      p.pins.emplace_back().rows = {0};  // lying at first
+      p.pins.emplace_back().rows = {0};  // the sheet starts lying
     } else {
       sim::ColliderShape bar;
       bar.kind = sim::ColliderShape::Kind::capsule;
@@ -222,7 +222,7 @@ TEST_CASE("a compliant line stretches by its weight: rho g H / 2k beyond its len
   sim::ClothParameters p = longSheet(rows);
   p.rotation = glm::vec3(90, 0, 0);
   p.pins.emplace_back().rows = {0};
-  p.compliance = 1.0F / 50;  // 50 N/m per thread
+  p.compliance = 1.0F / 50;  // a stiffness of 50 N/m per thread
   p.shearCompliance = 1e5F;  // otherwise diagonals would carry a part of the load
   p.bendCompliance = 1e5F;
   p.damping = 6;
@@ -314,7 +314,7 @@ TEST_CASE("friction: cloth holds below the angle of friction and slides by Coulo
   for (const auto solver : {sim::ClothSolver::springs, sim::ClothSolver::constraints})
     for (const double degrees : {5.0, 10.0, 20.0, 40.0}) {
       CAPTURE(degrees);
-      constexpr double coefficient = 0.2;  // tan of 11.3 degrees
+      constexpr double coefficient = 0.2;  // friction coefficient, the tangent of 11.3 degrees
       sim::ClothParameters p = freeSheet(9, 7);
       p.solver = solver;
       p.gravity = glm::vec3(0, -9.8F, 0);

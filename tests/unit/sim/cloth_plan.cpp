@@ -97,8 +97,8 @@ TEST_CASE("fabric: what a scene says of it, and mistakes are named") {
       const auto scene = scene::parseScene(text, sourceFolder() + "/assets/sheet.json", {}, sim::kinds());
       const auto& p = sim::parametersOf<sim::ClothParameters>(scene.objects.front());
       CHECK(p.constrained());
-      CHECK(!p.substeps);                   // "auto"
-      CHECK(p.wind.at(0) == glm::vec3(0));  // unless given
+      CHECK(!p.substeps);                   // no value means "auto"
+      CHECK(p.wind.at(0) == glm::vec3(0));  // a material has no wind unless wind is given
       CHECK(p.fabric.constants().density == 0.4F);
       CHECK(p.fabric.constants().bending == 1e-3F);
     } catch (const UserError& error) {
@@ -126,8 +126,8 @@ TEST_CASE("contact keeps the fabric's thickness, as far as a cloth's neighbours 
   p.hasFabric = true;
   p.fabric.thickness = 0.004;
   CHECK(p.contactThickness(0.02F) == doctest::Approx(0.004));
-  CHECK(p.contactThickness(0.1F) == doctest::Approx(0.0125));   // an eighth
-  CHECK(p.contactThickness(0.01F) == doctest::Approx(0.0035));  // a factor of 0.35
+  CHECK(p.contactThickness(0.1F) == doctest::Approx(0.0125));   // an eighth of the edge length
+  CHECK(p.contactThickness(0.01F) == doctest::Approx(0.0035));  // 0.35 of the edge length
   p.contact.thickness = 0.003;
   CHECK(p.contactThickness(0.1F) == doctest::Approx(0.003));
 }

@@ -63,8 +63,8 @@ TEST_CASE("collide: the field of a ball and of a torus is the closed form's, wit
     if (there.w < 1e8 && ring > 0.2 && ring < 0.8)
       worstTorus = std::max(worstTorus, std::abs(there.w - (ring - 0.3)));
   }
-  CHECK(worstBall < 1e-3);   // cells of 0.0156 m
-  CHECK(worstTorus < 2e-3);  // cells of 0.026 m
+  CHECK(worstBall < 1e-3);   // for cells of 0.0156 m
+  CHECK(worstTorus < 2e-3);  // for cells of 0.026 m
   CHECK(worstSlope < 0.06);
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("collide: cells follow the size of a mesh, and how thin it is") {
     return plan.parts().front().plan.cell;
   };
   CHECK(cellOf({5, 5, 5}, "") == doctest::Approx(10.0 / 64));
-  CHECK(cellOf({1, 0.02, 1}, "") < 0.011F);  // a quarter of 0.04 m
+  CHECK(cellOf({1, 0.02, 1}, "") < 0.011F);  // a quarter of the thickness of 0.04 m
   CHECK(cellOf({1, 0.0005, 1}, "") == doctest::Approx(2.0 / 256));
   CHECK(cellOf({1, 1, 1}, R"(, "distanceCells": 20)") == doctest::Approx(0.1));
 }

@@ -44,7 +44,7 @@ sim::ColliderShape smoothShape(sim::ColliderShape::Kind kind, float radius) {
 TEST_CASE("collide: a particle leaves a capsule by the law of reflection, and loses energy by its bounce") {
   auto rod = smoothShape(sim::ColliderShape::Kind::capsule, 0.3F);
   rod.length = 2;
-  rod.rotation = glm::vec3(0, 0, 90);  // along x
+  rod.rotation = glm::vec3(0, 0, 90);  // rotates the rod's axis to x
   for (const float bounce : {1.0F, 0.5F, 0.0F}) {
     CAPTURE(bounce);
     // Hits at the point with the normal (0, 0.8, 0.6).
@@ -77,7 +77,7 @@ TEST_CASE("collide: on a slope Coulomb's law holds a particle below its angle, a
     CAPTURE(degrees);
     auto slope = smoothShape(sim::ColliderShape::Kind::plane, 0);
     slope.rotation = glm::vec3(0, 0, degrees);
-    slope.friction = 0.5;  // tan of 26.6 degrees
+    slope.friction = 0.5;  // friction coefficient, the tangent of 26.6 degrees
     const double angle = degrees * M_PI / 180;
     const glm::dvec3 normal(-std::sin(angle), std::cos(angle), 0);
     auto twin = oneBeside(slope, glm::vec3(normal * 0.02), glm::vec3(0), {0, -9.81F, 0}, 0, 0.02F);

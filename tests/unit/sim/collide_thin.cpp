@@ -21,7 +21,7 @@ sim::ClothParameters hangingSheet(ThinCloth kind) {
   sim::ClothParameters p;
   p.size = {21, 21};
   p.spacing = 0.05F;
-  p.rotation = glm::vec3(90, 0, 0);  // rows go down
+  p.rotation = glm::vec3(90, 0, 0);  // rotated so that the rows go down
   p.wind = glm::vec3(0);
   p.margin = 0.005F;
   p.damping = 0.3F;
@@ -70,7 +70,7 @@ double segmentsApart(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
     const double t = squared > 0 ? std::clamp(glm::dot(p - c, d - c) / squared, 0.0, 1.0) : 0;
     return glm::length(p - c - t * (d - c));
   };
-  double low = 0, high = 1;  // convex in s
+  double low = 0, high = 1;  // ternary search, because the distance is convex in s
   for (int i = 0; i < 25; ++i) {
     const double first = low + (high - low) / 3;
     const double second = high - (high - low) / 3;

@@ -66,7 +66,7 @@ TEST_CASE("closest points of a vertex and a face, and of two edges, against floa
   const auto point = [&] { return glm::vec3(unit(random), unit(random), unit(random)); };
   for (int i = 0; i < 20000; ++i) {
     glm::vec3 a = point(), b = point(), c = point(), d = point();
-    if (i % 3 == 1) c = a + (b - a) * 0.4F + point() * 0.02F;  // slivers, and edges that nearly meet
+    if (i % 3 == 1) c = a + (b - a) * 0.4F + point() * 0.02F;  // makes slivers, and edges that nearly meet
     if (i % 3 == 2) d = a + point() * 0.01F;
     const Near vertex = model.nearOfVertex({0, 1, 2, 3}, d, a, b, c);
     CHECK(vertex.normal.w == doctest::Approx(pointToTriangle(d, a, b, c)).epsilon(1e-4).scale(0.01));

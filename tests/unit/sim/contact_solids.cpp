@@ -93,7 +93,7 @@ TEST_CASE("a rod of 2 cm at 10 m/s takes a loose sheet along") {
     pile.step();
     CHECK(crossings(pile.points(), pile.faces, pile.firstSolid) == 0);
   }
-  CHECK(meanOf(pile.cloths[0]->positions).z > 0.5);  // the rod is at 1.18
+  CHECK(meanOf(pile.cloths[0]->positions).z > 0.5);  // the rod has reached z = 1.18
   CHECK(meanOf(pile.cloths[0]->velocities).z > 5);
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("a turning bar winds a sheet up, and goes through none of it") {
   PileSolid bar = solidBox({0.2F, 0.01F, 0.02F}, [](double) { return glm::dvec3(0); });
   bar.at = [rest = bar.at(0)](double time) {
     std::vector<glm::vec4> turned;
-    const double s = std::sin(15 * time), c = std::cos(15 * time);  // 3 m/s at its tips
+    const double s = std::sin(15 * time), c = std::cos(15 * time);  // the bar's tips move at 3 m/s
     for (const glm::vec4& p : rest) turned.emplace_back(c * p.x - s * p.y, s * p.x + c * p.y, p.z, 0);
     return turned;
   };

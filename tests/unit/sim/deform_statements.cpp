@@ -51,7 +51,7 @@ double apart(const shader::DeformStep& step, const std::function<dvec3(dvec3 res
   double worst = 0;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const double distance = glm::length(dvec3(cpu.positions()[i]) - expected(mesh.positions[i]));
-    worst = distance <= worst ? worst : distance;  // keeps NaN
+    worst = distance <= worst ? worst : distance;  // keeps a NaN, unlike std::max
   }
   return worst;
 }
@@ -202,11 +202,13 @@ TEST_CASE("deform: prints are as deep as what presses, their rims fall off besid
   step.trail.rim = 0.4F;
   step.trail.perRimWidth = 4;
   step.presserCount = 4;
-  step.pressers[0] = presserOf({-1, 0.35F, -1}, {-1, 0.35F, -1}, 0.4F);  // penetrates by 0.15
-  step.pressers[1] =
-      presserOf({1, -0.2F, 0.5F}, {1, -0.2F, 0.5F}, 0.515F);  // its centre is below the surface
-  step.pressers[2] = presserOf({-1, 0.5F, 0.8F}, {0.4F, 0.1F, 1.2F}, 0.3F);  // a capsule that penetrates
-  step.pressers[3] = presserOf({0.5F, 1.5F, -1}, {0.5F, 0.3F, -1}, 0.25F);   // a vertical capsule
+  // a sphere that penetrates the surface by 0.15
+  step.pressers[0] = presserOf({-1, 0.35F, -1}, {-1, 0.35F, -1}, 0.4F);
+  // a sphere whose centre is below the surface
+  step.pressers[1] = presserOf({1, -0.2F, 0.5F}, {1, -0.2F, 0.5F}, 0.515F);
+  step.pressers[2] =
+      presserOf({-1, 0.5F, 0.8F}, {0.4F, 0.1F, 1.2F}, 0.3F);  // a capsule that penetrates the surface
+  step.pressers[3] = presserOf({0.5F, 1.5F, -1}, {0.5F, 0.3F, -1}, 0.25F);  // a vertical capsule
   const sim::Mesh mesh = cloud();
   const sim::RestMesh rest("cloud", mesh);
   sim::DeformCpu cpu(rest, cells);

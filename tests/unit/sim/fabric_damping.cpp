@@ -17,10 +17,10 @@ using namespace simreel;
 
 namespace {
 
-constexpr double stripLength = 0.5;  // m
+constexpr double stripLength = 0.5;  // length of the strip, m
 constexpr double stripStiffness = 40;
 constexpr double stripDensity = 0.1;
-constexpr double stripDamping = 0.008;  // s
+constexpr double stripDamping = 0.008;  // damping time T of the strip, s
 
 /// A fabric strip along x, held at its left end.
 sim::ClothParameters dampedStrip(bool mesh, int cells) {
@@ -102,7 +102,8 @@ void checkSpin(Twin twin, const std::vector<double>& masses) {
   const Motion before = motion();
   for (int step = 0; step < 500; ++step) twin.step(step * 1e-3);
   const Motion after = motion();
-  CHECK(glm::distance(after.linear, before.linear) < 3e-3 * glm::length(before.linear));  // rounding errors
+  // tolerance for rounding errors
+  CHECK(glm::distance(after.linear, before.linear) < 3e-3 * glm::length(before.linear));
   CHECK(glm::distance(after.angular, before.angular) < 0.003 * glm::length(before.angular));
   CHECK(after.energy == doctest::Approx(before.energy).epsilon(0.004).scale(0));
 }

@@ -42,7 +42,7 @@ Vortices taylorGreen(int n) {
   const double k = 2 * std::numbers::pi / n;
   const double nu = 0.01 * n * n;
   const double seconds = 0.256;
-  const int steps = 300 * n * n / 1024;  // dt ~ h^2
+  const int steps = 300 * n * n / 1024;  // number of steps, with dt proportional to h^2
   auto p = calmFluid(n, n);
   p.left.kind = p.right.kind = p.top.kind = p.bottom.kind = Side::periodic;
   p.viscosity = static_cast<float>(nu);

@@ -71,7 +71,7 @@ TEST_CASE("fluid: a plate that slides along itself drags what sticks to it, and 
     p.left.kind = p.right.kind = BathSide::periodic;
     p.obstacles.resize(1);
     p.obstacles[0].shape = sim::FluidObstacle::Shape::box;
-    p.obstacles[0].extent = {140, 5, 0};  // beyond both ends
+    p.obstacles[0].extent = {140, 5, 0};  // a bar that extends beyond both ends of the bath
     p.obstacles[0].center = keyedWay({30.5F, 15.5F, 0}, {50.5F, 15.5F, 0}, 1);
     p.viscosity = 60.0F;
     FluidTwin twin = bathTwin(p);

@@ -61,7 +61,7 @@ TEST_CASE("fluid wind: a particle in an even flow takes its speed as the closed 
   const std::vector<glm::vec4> before = seeds.positions;
   for (int frame = 0; frame < 45; ++frame) seeds.step(frame / 60.0);
   const double t = 45 / 60.0, kept = std::exp(-rate * t);
-  const glm::dvec3 terminal = glm::dvec3(8, 6, 0) * 0.25 * drag / rate;  // m/s; y points up in both
+  const glm::dvec3 terminal = glm::dvec3(8, 6, 0) * 0.25 * drag / rate;  // terminal velocity in m/s
   for (const std::size_t i : {0U, 1U})
     for (int axis = 0; axis < 3; ++axis) {
       CAPTURE(i);
@@ -123,7 +123,7 @@ TEST_CASE("fluid wind: a free sheet is carried along as the closed form has it")
   p.air.velocity = glm::vec3(0);
   p.air.fluid = "storm";
   p.pins.clear();
-  plane.rotation = {0, 90, 0};  // its x axis is -z
+  plane.rotation = {0, 90, 0};  // rotated so that the plane's x axis is the scene's -z
   ClothTwin twin(sim::ClothPlan(p, 1, 1.0 / 60, {}));
   twin.wind = windOf(plane, {200, 60}, [](glm::dvec2) { return glm::dvec2(3, 0); });
   for (int frame = 0; frame < 60; ++frame) twin.step(frame / 60.0);
@@ -171,7 +171,7 @@ TEST_CASE("fluid wind: a wildfire in an even flow burns as in a wind that is giv
   given.strokes = {light};
   sim::WildfireParameters blown = given;
   given.windStrength = 1.2F;
-  given.windDirection = -30.0F;  // down, to the right
+  given.windDirection = -30.0F;  // the wind blows down and to the right
   blown.windStrength = 1.2F;
   blown.windFluid = "storm";
   const auto spreadOf = [](WildfireTwin& twin, bool blows) {

@@ -97,13 +97,13 @@ TEST_CASE("garment: 256 rows swing from their border, and stretch by less than 1
     if (damped) p.damping = 1e-6F;
     p.mesh.size = glm::vec3(0.012F, 0, 1);
     p.mesh.resolution = {4, 256};
-    p.fabric.bending = 1e-8;  // bending would need more substeps
+    p.fabric.bending = 1e-8;  // so low that bending needs no further substeps
     p.gravity = glm::vec3(0, -9.8F, 0);
     test::pinBox(p, glm::vec3(-9), glm::vec3(9, 9, -0.499F));
     GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
     CHECK(twin.plan().substeps() < (damped ? 60 : 180));
     double before = garmentValue(twin, energyValue);
-    const double falls = 0.5 * 0.115 * 0.012 * 9.8;  // J, from lying to hanging
+    const double falls = 0.5 * 0.115 * 0.012 * 9.8;  // energy (J) between lying and hanging
     double fastest = 0;
     double farthest = 0;
     for (int frame = 0; frame < 120; ++frame) {

@@ -65,7 +65,7 @@ TEST_CASE("garment: pins by vertex, by a box in the world and by a picture over 
                                 std::string("P5 2 2 255\n") + '\x10' + '\x7f' + '\x20' + '\xff');
   p.pins.emplace_back().map = map.path();
   std::set<std::size_t> expected;
-  for (std::size_t z = 5; z < 10; ++z)  // uv 1 is 0 of the next repetition
+  for (std::size_t z = 5; z < 10; ++z)  // the map repeats: uv 1 is 0 of the next repetition
     for (std::size_t x = 5; x < 10; ++x) expected.insert(z * 11 + x);
   CHECK(pinnedVertices(p) == expected);
 }
@@ -92,7 +92,7 @@ TEST_CASE("garment: pins and seams that name no vertex are refused") {
   test::checkHas(refusedPins(p), "has no uv");
   p.pins[0].map.clear();
   p.pins[0].vertices = {0};
-  CHECK(refusedPins(p).empty());  // pins of a single face
+  CHECK(refusedPins(p).empty());  // pins of a mesh with a single face are accepted
 }
 
 TEST_CASE("garment: a seam pulls two pieces shut, in its time, without moving what they weigh") {

@@ -1,4 +1,4 @@
-// Closed seams bend like the cloth.
+// Closed seams must bend like the cloth around them.
 #include "reference/garment_twin.hpp"
 #include "sim/garment/plate.hpp"
 #include "unit/help.hpp"
@@ -15,8 +15,8 @@ using namespace simreel;
 
 namespace {
 
-constexpr int seamCells = 6;       // cells of each piece
-constexpr double seamGap = 0.001;  // m between the pieces
+constexpr int seamCells = 6;       // number of cells along each piece
+constexpr double seamGap = 0.001;  // gap between the pieces, m
 
 /// A strip of twice `seamCells` by 3 cells, made of two pieces; the second is displaced by `seamGap`.
 sim::Mesh twoPieces(test::Kind kind, double cell) {
@@ -51,12 +51,13 @@ sim::Seam seamOf(const sim::Mesh& mesh, double border) {
 
 TEST_CASE("garment: a strip sewn of two pieces bends by q L^4 / 8 D as one in one piece does") {
   constexpr double length = 0.2;
-  constexpr double q = 0.115 * 0.098;  // N/m^2
+  constexpr double q = 0.115 * 0.098;  // weight per area, N/m^2
   constexpr double bending = 7.5e-4;
   const double expected = q * std::pow(length, 4) / (8 * bending);
   for (const auto kind : {test::Kind::right, test::Kind::equilateral, test::Kind::random}) {
     CAPTURE(static_cast<int>(kind));
-    const double cell = length / (2 * seamCells - 0.5);  // clamped between the first two columns
+    const double cell =
+        length / (2 * seamCells - 0.5);  // the strip is clamped between the first two columns
     const test::TemporaryFile file("sewn.obj", test::objOf(twoPieces(kind, cell)));
     sim::ClothParameters p = test::freeCloth();
     p.mesh.shape = sim::ClothShape::file;
@@ -112,7 +113,8 @@ TEST_CASE("garment: cloth grown together is that of one mesh, to the last weight
     within.push_back(elements[f]);
     area += elements[f].area;
   }
-  CHECK(area == doctest::Approx(44 * 0.5 * cell * cell));  // 28 of 72 faces are at borders
+  CHECK(area ==
+        doctest::Approx(44 * 0.5 * cell * cell));  // 28 of the 72 faces are at borders and do not count
   CHECK(sim::plateEnergy(within, 3, points) ==
         doctest::Approx(0.5 * 3 * area * (0.02 * 0.02 + 2 * 0.03 * 0.03 + 0.01 * 0.01)).epsilon(1e-5));
   // With opposite orientation, back to back, the two pieces do not bend as one.

@@ -75,7 +75,7 @@ TEST_CASE("heights: without grip a slope is slid down with g sin(angle)") {
   auto twin = onSurface({10, 5.1F, -3}, {0, 0, 0}, 0, 0, height);
   for (int frame = 0; frame < 40; ++frame) twin.step(frame * frameSeconds);
   const double t = 40 * frameSeconds;
-  const double across = 0.5 * 10.0 * (0.5 / 1.25) * t * t;  // sin cos = tan / (1 + tan^2)
+  const double across = 0.5 * 10.0 * (0.5 / 1.25) * t * t;  // uses sin cos = tan / (1 + tan^2)
   const glm::vec4 p = twin.positions[0];
   CHECK(p.x - 10 == doctest::Approx(0.6 * across).epsilon(0.01));
   CHECK(p.z + 3 == doctest::Approx(-0.8 * across).epsilon(0.01));
@@ -92,7 +92,8 @@ TEST_CASE("heights: a bounce gives back its fraction of the speed, grip takes th
     landed = landed || twin.velocities[0].y > 0;
     if (landed) highest = std::max<double>(highest, twin.positions[0].y - 3.1);
   }
-  CHECK(highest == doctest::Approx(0.36).epsilon(0.03).scale(0));  // restitution^2 times the first metre
+  // height of the rebound: restitution^2 times the drop of 1 m
+  CHECK(highest == doctest::Approx(0.36).epsilon(0.03).scale(0));
   CHECK(twin.velocities[0].x == doctest::Approx(1));
   auto sliding = onSurface({10, 3.1F, -3}, {1, 0, 0}, 2, 0, flat);
   for (int frame = 0; frame < 30; ++frame) sliding.step(frame * frameSeconds);
@@ -105,7 +106,7 @@ TEST_CASE("heights: a surface that rises carries along, half way at half of the 
   for (glm::vec4& h : twin.heights) h.y = 3.6F;
   twin.step(0);
   CHECK(twin.positions[0].y == doctest::Approx(3.7));
-  CHECK(twin.velocities[0].y == doctest::Approx(36).epsilon(0.01));  // 0.6 m in 1/60 s
+  CHECK(twin.velocities[0].y == doctest::Approx(36).epsilon(0.01));  // the surface rises by 0.6 m in 1/60 s
   const auto half = twin.heightPlan->at(7, 16, 0, 0);
   CHECK(half.progress == 0.5F);
 }

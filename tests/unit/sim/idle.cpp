@@ -24,7 +24,7 @@ std::vector<std::string> remarksOn(const std::string& members,
 
 struct Pair {
   const char *ruled, *works;  ///< a value that makes `key` ineffective, and one that does not
-  const char* key;            ///< with its value
+  const char* key;            ///< the key with its value
 };
 
 /// Expects one message at the key if the key has no effect, and none if it has.

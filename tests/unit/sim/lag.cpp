@@ -48,7 +48,7 @@ TEST_CASE("lag: a step is followed as 1 - (1 + w t) e^-wt") {
     if (frame > 2) CHECK(std::abs(double{lag.place()->x} - (1 - (1 + at) * std::exp(-at))) < 2e-6);
   }
   CHECK(lag.place()->x > 0.999F);
-  CHECK(lag.place()->x < 1);  // no overshoot
+  CHECK(lag.place()->x < 1);  // the camera does not overshoot
 }
 
 TEST_CASE("lag: what is lost is met again at rest, and a carried one goes on as it would have") {

@@ -27,7 +27,7 @@ double checkedArea(const sim::Mesh& mesh) {
         glm::cross(mesh.positions.at(mesh.indices[i + 1]) - p, mesh.positions.at(mesh.indices[i + 2]) - p);
     const float twice = glm::length(face);
     area += 0.5 * twice;
-    if (twice < 1e-6F) continue;  // at a pole
+    if (twice < 1e-6F) continue;  // skips degenerate triangles at a pole
     glm::vec3 middle(0);
     for (std::size_t k = 0; k < 3; ++k) middle += mesh.normals[mesh.indices[i + k]];
     bad += glm::dot(face / twice, glm::normalize(middle)) > 0.9F ? 0 : 1;

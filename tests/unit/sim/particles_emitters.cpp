@@ -31,7 +31,7 @@ sim::ParticleParameters jet(double rate) {
 }
 
 struct Emitted {
-  double birth;  ///< s
+  double birth;  ///< time of birth, s
   dvec3 position, velocity;
 };
 
@@ -243,7 +243,7 @@ TEST_CASE("a jet without spread is an even line") {
 
 TEST_CASE("particles that live shorter than a step die between steps and none are owed later") {
   auto p = jet(1000);
-  p.emitters[0].lifetime = 4e-3F;  // a quarter of a frame
+  p.emitters[0].lifetime = 4e-3F;  // the lifetime is a quarter of a frame
   p.emitters[0].until = 0.5F;
   ParticlesTwin twin(sim::ParticlePlan(p, 1, 1 / 60.0));
   for (int frame = 0; frame < 33; ++frame) {

@@ -97,7 +97,7 @@ std::vector<Start> ellipse(double eccentricity) {
   return {heavy, light};
 }
 
-constexpr double ellipsePeriod = pi;  // 2 pi sqrt(a^3 / (G (m1 + m2)))
+constexpr double ellipsePeriod = pi;  // orbital period, 2 pi sqrt(a^3 / (G (m1 + m2)))
 
 /// Returns the angle (rad) by which the two bodies miss the apoapsis after some periods.
 double phaseError(int stepsPerPeriod, int periods) {
@@ -258,7 +258,8 @@ TEST_CASE("a particle circles the attractor with Kepler's period") {
   p.hasAttractor = true;
   p.attractorSoftening = 1e-5F;
   p.groups.emplace_back().count = 1;
-  const double period = 2 * pi * 2 * std::sqrt(2.0);  // radius 2, G M = 1
+  const double period =
+      2 * pi * 2 * std::sqrt(2.0);  // period of a circular orbit with radius 2 and G M = 1
   ParticlesTwin twin(sim::ParticlePlan(p, 1, period / 4000));
   twin.positions[0] = glm::vec4(2, 0, 0, 1);
   twin.velocities[0] = glm::vec4(0, 0, std::sqrt(0.5F), 0);

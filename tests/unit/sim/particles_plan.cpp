@@ -256,7 +256,8 @@ TEST_CASE("groups have the shape, mass and motion they are told") {
   auto half = sim::ParticlePlan(p, 1, 1).firstCloud().positions;
   inner = 0;
   for (const auto& position : half) inner += glm::length(glm::vec3(position)) < 2 * 1.3048F ? 1 : 0;
-  CHECK(inner / 5001.0 == doctest::Approx(0.5).epsilon(0.05).scale(0));  // half-mass radius 1.305 a
+  // the half-mass radius of a Plummer sphere is 1.305 a
+  CHECK(inner / 5001.0 == doctest::Approx(0.5).epsilon(0.05).scale(0));
   CHECK(glm::length(middleOf(half)) < 1e-5);
 
   g.shape = sim::ParticleGroup::Shape::disk;
@@ -273,8 +274,10 @@ TEST_CASE("groups have the shape, mass and motion they are told") {
     radius += std::hypot(disk.positions[i].x, disk.positions[i].z);
     spin += glm::cross(glm::vec3(disk.positions[i]), glm::vec3(disk.velocities[i])).y;
   }
-  CHECK(radius / 5001 == doctest::Approx(2 * 2).epsilon(0.05).scale(0));       // mean of R e^(-R/2): 2 Rd
-  CHECK(height / 5001 == doctest::Approx(0.1 * 0.693).epsilon(0.1).scale(0));  // mean of sech^2: z0 ln 2
+  // the mean radius of an exponential disc, with density R e^(-R/2), is 2 Rd
+  CHECK(radius / 5001 == doctest::Approx(2 * 2).epsilon(0.05).scale(0));
+  // the mean height for a sech^2 profile is z0 ln 2
+  CHECK(height / 5001 == doctest::Approx(0.1 * 0.693).epsilon(0.1).scale(0));
   CHECK(spin > 0);
 }
 

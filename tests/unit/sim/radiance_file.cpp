@@ -32,7 +32,7 @@ sim::LightFile readBack(const std::string& pixels) {
 
 TEST_CASE("Radiance: a mantissa is the middle of what was cut off to it") {
   const sim::LightFile ones = readBack(stored(1, 1, 1) + stored(0.25, 0, 0.125));
-  CHECK(ones.values[0] == 128.5F / 128);  // 1.004, as in Radiance
+  CHECK(ones.values[0] == 128.5F / 128);  // byte 128 stands for 1.004, as in Radiance
   CHECK(ones.values[4] == 0.25F * 128.5F / 128);
   CHECK(ones.values[5] == 0.25F * 0.5F / 128);
   CHECK(readBack(std::string("\x80\x80\x80\x00", 4)).values[0] == 0.0F);

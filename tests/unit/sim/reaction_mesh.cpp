@@ -89,7 +89,8 @@ TEST_CASE("reaction on a sphere: harmonics are the Laplacian's, with the eigenva
                 R"X("dt": 1, "species": {{"u": {{"start": "{}"}}, "w": {{"rate": "laplacian(u)"}}}})X",
                 harmonicStart(l)),
         1);
-    const double radius = 1.7 / made.plan.cells().meanEdge;  // the spacing is 1
+    const double radius =
+        1.7 / made.plan.cells().meanEdge;  // scales the radius, because the spacing of the cells is 1
     const double found = -made.product(0, 1) / made.product(0, 0) * radius * radius;
     CHECK_MESSAGE(std::abs(found / (l * (l + 1)) - 1) < 0.02, (found));
     // Checks the function itself, not only its mean.
@@ -192,7 +193,7 @@ TEST_CASE("mesh cells: seams are none, Loop's subdivision makes four of each fac
   CHECK(sim::cellsOf(ball, "it").count() == 32 * 15 + 2);
   const sim::Mesh finer = sim::refined(ball);
   CHECK(finer.indices.size() == 4 * 3 * std::size_t{32 * 14 * 2 + 2 * 32});
-  // V - E + F = 2.
+  // Euler's formula for a closed surface: V - E + F = 2.
   const sim::MeshCells cells = sim::cellsOf(finer, "it");
   CHECK(cells.count() - static_cast<int>(cells.links.size()) / 2 +
             static_cast<int>(finer.indices.size()) / 3 ==

@@ -172,9 +172,9 @@ TEST_CASE("reaction: a small wave on each preset's homogeneous state grows as th
                        (6 * p.spacing * p.spacing);
       const Matrix rates = at.rates(L);
       const Amplitudes start = {at.wave, -0.4 * at.wave};
-      std::erase_if(p.parameters, [](const auto& parameter) {
-        return parameter.name == "mean";
-      });  // parameter of the start
+      std::erase_if(p.parameters,
+                    // removes the parameter that only the start uses
+                    [](const auto& parameter) { return parameter.name == "mean"; });
       for (std::size_t i = 0; i < p.species.size(); ++i)
         p.species[i].start = fmt::format("{:.9g} + {:.9g}*cos({:.9g}*x + {:.9g}*y)", at.state[i], start[i],
                                          k.x / p.spacing, k.y / p.spacing);

@@ -115,7 +115,7 @@ TEST_CASE("text: lengths are in heights of a capital, and lines lie where they a
   CHECK(top == doctest::Approx(1));
   CHECK(font.has(U'é'));
   CHECK_FALSE(font.has(U'雪'));
-  CHECK(font.kerning(U'A', U'V') < -0.01);  // the letters move closer together
+  CHECK(font.kerning(U'A', U'V') < -0.01);  // kerning moves A and V closer together
   CHECK(font.kerning(U'H', U'H') == 0);
   const auto box = [&](const TextAnchor& anchor) {
     std::pair<glm::dvec2, glm::dvec2> found{glm::dvec2(1e9), glm::dvec2(-1e9)};
@@ -133,7 +133,8 @@ TEST_CASE("text: lengths are in heights of a capital, and lines lie where they a
   CHECK(box({Across::left, Down::bottom}).first.y == doctest::Approx(0).scale(1));
   const auto middle = box({Across::center, Down::middle});
   CHECK(middle.first.y == doctest::Approx(-middle.second.y));
-  CHECK(middle.first.x == doctest::Approx(-middle.second.x).epsilon(0.02));  // side bearings
+  // equal except for the side bearings of the letters
+  CHECK(middle.first.x == doctest::Approx(-middle.second.x).epsilon(0.02));
   CHECK(box({Across::left, Down::top}).first.x > 0);
   CHECK(box({Across::right, Down::top}).second.x < 0);
 }

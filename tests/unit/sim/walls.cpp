@@ -173,7 +173,7 @@ TEST_CASE("walls: a ball bounces off a straight wall like light off a mirror") {
 TEST_CASE("walls: what rubs against a wall loses its speed along it at the rate of grip") {
   const FieldValue slope = [](int x, int) { return 0.5F + 0.1F * (static_cast<float>(x) - 20.6F); };
   auto twin = ballsBeside(block({41, 41}, 0.1F), slope, {{{0.05F, 0.0F, 0}, {0, 0, 1}}}, 0.02F, 0, 10, 3);
-  twin.positions[0].y = 0.02F;  // on the floor, away from the wall
+  twin.positions[0].y = 0.02F;  // moves the sphere to the floor, away from the wall
   twin.positions[0].x = -0.5F;
   for (int frame = 0; frame < 30; ++frame) twin.step(frame * wallsFrame);
   CHECK(twin.positions[0].y == doctest::Approx(0.02));
@@ -205,7 +205,7 @@ TEST_CASE("walls: in a round pit balls stay, within second order of the square, 
       twin.step(frame * wallsFrame);
       for (std::size_t i = 0; i < balls.size(); ++i) {
         const double radius = std::hypot<double>(twin.positions[i].x, twin.positions[i].z);
-        CHECK(radius < 1.0);  // chords are inside the circle
+        CHECK(radius < 1.0);  // the contour's chords are inside the circle
         if (twin.velocities[i] == before[i]) continue;
         ++bounces;  // it is at the wall, except for the minimum distance of a thousandth of a square
         error[fine] = std::max(error[fine], std::abs(radius + 1e-3 * static_cast<double>(spacing) - 1.0));
@@ -231,9 +231,9 @@ TEST_CASE("walls: what falls on rock lands on its top, beside it on the floor") 
   for (int frame = 0; frame < 120; ++frame) twin.step(frame * wallsFrame);
   CHECK(twin.positions[0].y == doctest::Approx(1.05));
   CHECK(twin.positions[1].y == doctest::Approx(0.05));
-  CHECK(twin.positions[2].y == doctest::Approx(0.05));  // fell over the edge
+  CHECK(twin.positions[2].y == doctest::Approx(0.05));  // the sphere fell over the edge
   CHECK(twin.positions[2].x > 0.449);
-  CHECK(twin.positions[3].y < -10);  // no floor beside the block
+  CHECK(twin.positions[3].y < -10);  // the sphere keeps falling, because there is no floor beside the block
 }
 
 TEST_CASE("walls: with a ceiling nothing leaves, and what lies on the roof stays there") {
@@ -294,7 +294,8 @@ TEST_CASE("walls: on random terraces nothing is ever in rock, as the drawn conto
     for (int frame = 0; frame < 120; ++frame) {
       twin.step(frame * wallsFrame);
       for (const glm::vec4& p : twin.positions) {
-        if (p.y < -0.001F || std::abs(p.x) > 0.9F || std::abs(p.z) > 0.7F) continue;  // fell off the block
+        // skips spheres that fell off the block
+        if (p.y < -0.001F || std::abs(p.x) > 0.9F || std::abs(p.z) > 0.7F) continue;
         ++inside;
         low += p.y < 0.4F ? 1 : 0;
         deepest = std::max(deepest, outlines.depth(glm::dvec3(p)));
@@ -305,7 +306,7 @@ TEST_CASE("walls: on random terraces nothing is ever in rock, as the drawn conto
     CHECK(low > 1000);
     CHECK(deepest < 2e-6);
     CAPTURE(close);
-    CHECK(close <= inside / 200);  // in clefts narrower than a sphere
+    CHECK(close <= inside / 200);  // a few spheres may be stuck in clefts narrower than a sphere
   }
 }
 
@@ -359,7 +360,7 @@ TEST_CASE("walls: what rock closes around comes out, and a rising top lifts what
   auto twin = ballsBeside(shape, wall, {{{0.25F, 0.1F, 0}, {0, 0, 0}}, {{1.5F, 1.0F, 0}, {0, 0, 0}}}, 0.02F,
                           0, 10, 10);
   for (int frame = 0; frame < 120; ++frame) {
-    edge = 24.0F - 0.1F * static_cast<float>(frame);  // 0.6 m/s to the left
+    edge = 24.0F - 0.1F * static_cast<float>(frame);  // the wall's edge moves at 0.6 m/s to the left
     twin.walls->cut();
     twin.walls->setHeights({0, 1.0F + 0.002F * static_cast<float>(frame)});
     twin.step(frame * wallsFrame);

@@ -233,7 +233,7 @@ TEST_CASE("water floats: boats that are driven together do not go through each o
     off = std::max({off, std::abs(all().x - before.x), std::abs(all().y - before.y)});
   }
   MESSAGE("deepest ", deepest, " m, nearest ", nearest, " m, momentum off by ", off, " kg m/s");
-  CHECK(nearest < 5.2);  // bow to bow or alongside
+  CHECK(nearest < 5.2);  // the floats meet bow to bow or alongside
   CHECK(nearest > 1.2);
   CHECK(deepest < 0.1);
   CHECK(off < 1e-4 * 3200 * 1.5);

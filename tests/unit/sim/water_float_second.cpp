@@ -16,7 +16,7 @@ using namespace simreel;
 namespace {
 
 constexpr double driftFrame = 1.0 / 30;
-using Axes = std::array<glm::dvec3, 3>;  ///< columns of a rotation
+using Axes = std::array<glm::dvec3, 3>;  ///< the columns of a rotation matrix
 
 double inner(const glm::dvec3& a, const glm::dvec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -53,9 +53,9 @@ struct Drifting {
 
 struct Drift {
   Drifting next;
-  glm::dvec3 push{0};  ///< N, taken from the water
+  glm::dvec3 push{0};  ///< force (N) on the float, taken from the water
   double displaced = 0;
-  double wet = 0;  ///< m^3
+  double wet = 0;  ///< submerged volume, m^3
 };
 
 /// Performs the step as described in the README of src/sim.
@@ -329,7 +329,7 @@ TEST_CASE("water floats: what an engine and drag give a body in a closed tank th
       return glm::dvec2(mass * twin.floats[2].x, mass * twin.floats[2].z) + waterMomentum(twin);
     };
     const glm::dvec2 before = all();
-    // Waves take 3 s to the walls.
+    // The waves take 3 s to reach the walls.
     const int frames = 60;
     for (int i = 0; i < frames; ++i) twin.step(i * driftFrame);
     const double impulse = 400 * frames * driftFrame;

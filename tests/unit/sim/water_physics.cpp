@@ -40,7 +40,7 @@ double stoker(double x, double time, double high, double low) {
   const double c = std::sqrt(earth * high);
   double a = low;
   double b = high;
-  for (int i = 0; i < 200; ++i) {  // depth of the middle part
+  for (int i = 0; i < 200; ++i) {  // finds the depth of the middle part by bisection
     const double m = 0.5 * (a + b);
     const double behindShock = (m - low) * std::sqrt(0.5 * earth * (m + low) / (m * low));
     (behindShock < 2 * (c - std::sqrt(earth * m)) ? a : b) = m;
@@ -107,7 +107,7 @@ TEST_CASE("water: dams break as Ritter and Stoker say, and better with more cell
   CHECK(fittedOrder({100, 200, 400}, 1, 0.2F, wetDam) > 0.9);
 }
 
-// test_unit -ns -tc='water: long*'
+// Skipped by default; runs with: test_unit -ns -tc='water: long*'
 TEST_CASE("water: long: dams of 100 to 3200 cells" * doctest::skip()) {
   const std::vector<int> cells = {100, 200, 400, 800, 1600, 3200};
   const double dry = fittedOrder(cells, 1, 0, dryDam);
@@ -164,7 +164,7 @@ TEST_CASE("water: rain, sources and drops bring what they say") {
   sim::WaterParameters p;
   p.size = {30, 20};
   p.cell = 0.5F;
-  p.rainfall = 36000.0F;  // 1 cm per second
+  p.rainfall = 36000.0F;  // rain of 1 cm per second
   WaterTwin rained(sim::WaterPlan(p, "pond", 1, 0.5));
   rained.step(0);
   CHECK(waterOf(rained, "volume") == doctest::Approx(150 * 1.005).epsilon(1e-6));
@@ -175,12 +175,12 @@ TEST_CASE("water: rain, sources and drops bring what they say") {
   source.until = 0.5;
   source.from = source.to = {10, 10, 0};
   source.radius = 2;
-  source.value = 0.3;  // m/s for 0.4 s
+  source.value = 0.3;  // source of 0.3 m/s for 0.4 s
   p.strokes = {source};
   p.substeps = 100;
   WaterTwin fed(sim::WaterPlan(p, "pond", 1, 1.0));
   fed.step(0);
-  const double cells = 12;  // cells with centres within 2 of a corner
+  const double cells = 12;  // number of cells with centres within 2 of a corner
   CHECK(waterOf(fed, "volume") == doctest::Approx(150 + cells * 0.25 * 0.3 * 0.4).epsilon(2e-4));
 
   // The integral of (1 - r^2 / R^2)^2 over the disc is pi R^2 / 3.
@@ -248,7 +248,7 @@ TEST_CASE("water: waves come in as they are told, go on by c = sqrt(g h), and le
   for (int frame = 0; frame < 600; ++frame) {
     twin.step(frame / 20.0);
     const double seconds = (frame + 1) / 20.0;
-    const double level = twin.cells[80].x;  // 20.1 m from the sea
+    const double level = twin.cells[80].x;  // level at 20.1 m from the sea
     if (seconds > 5 && seconds < 9) {
       const double phase = 2 * 3.14159265358979 * (seconds - 20.125 / c) / 2;
       CHECK(std::abs(level - 0.02 * std::sin(phase)) < 3e-3);

@@ -85,7 +85,7 @@ CellSides sidesOf(const Lake& lake, int x, int y) {
   return {m, m + -0.5 * sx, m + 0.5 * sx, m + -0.5 * sy, m + 0.5 * sy};
 }
 
-using Conserved = std::array<double, 3>;  // h, hu, hv; u through the face
+using Conserved = std::array<double, 3>;  // depth h, momenta hu and hv; u is the speed through the face
 
 Conserved hll(const Primitive& a, const Primitive& b, double g) {
   const double ca = std::sqrt(g * a.h);

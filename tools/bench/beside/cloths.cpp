@@ -15,7 +15,7 @@ namespace {
 
 constexpr int substeps = 16;
 constexpr float dt = static_cast<float>(frameSeconds / substeps);
-constexpr double stateBytes = 64;  // position and velocity, read and written
+constexpr double stateBytes = 64;  // bytes per particle: position and velocity, read and written
 
 // Operations of a substep, counted by hand from the equations; a division or a square root counts as one. A
 // particle of a sheet: second differences along both axes and the twist, scattered 63; velocity and

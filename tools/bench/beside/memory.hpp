@@ -19,7 +19,7 @@ void printWaterSpeed(int side);
 void listBuffers(const char* what, GLuint first, double cells);
 
 struct Taken {
-  double wall = 1e30, processor = 1e30;  ///< s
+  double wall = 1e30, processor = 1e30;  ///< wall-clock and processor time, s
 };
 /// Returns the minimum times over several runs of `work`; each run waits for the device.
 [[nodiscard]] Taken leastOf(const std::function<void()>& work);

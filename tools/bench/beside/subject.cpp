@@ -14,7 +14,7 @@ namespace simreel::bench {
 namespace {
 
 struct Turn {
-  double wall = 0, processor = 0;  ///< s
+  double wall = 0, processor = 0;  ///< wall-clock and processor time, s
 };
 
 Turn timed(const std::function<void()>& work) {

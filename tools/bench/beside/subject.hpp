@@ -13,7 +13,7 @@ inline constexpr double frameSeconds = 1.0 / 60;
 /// Minimum work per item, counted from the model's equations.
 struct Least {
   double operations = 0;  ///< additions, multiplications, divisions, square roots; 0: not counted
-  double bytes = 0;       ///< memory read and written
+  double bytes = 0;       ///< bytes of memory read and written
   double pass = 0;        ///< number of items between two uses of an item's memory
 };
 
@@ -24,14 +24,14 @@ struct Subject {
   double items;
   std::function<void()> plain, twin, device;  ///< the implementations; twin may be empty
   Least least{};
-  std::function<void()> after = {};  ///< prints further results; may be empty
+  std::function<void()> after = {};  ///< prints further results after the line; may be empty
 };
 
 /// Runs the implementations in turns and prints a line.
 void print(const Subject& subject);
 /// Prints the column headings.
 void printHeads();
-/// Runs only the kernel, for profilers.
+/// Runs only the kernel for some seconds, for profilers.
 void keepBusy(const Subject& subject, double seconds);
 
 /// Cloth: a sheet of fabric, a cloth mesh, cloths stacked on one another.

@@ -17,7 +17,7 @@ class GrayScott {
  public:
   GrayScott(int width, int height);
   void step(float diffuseU, float diffuseV, float feed, float kill, float dt);
-  std::vector<float> u, v;  ///< x varies fastest
+  std::vector<float> u, v;  ///< one value per cell, x varies fastest
 
  private:
   int width_, height_;
@@ -29,7 +29,7 @@ class GrayScottVolume {
  public:
   explicit GrayScottVolume(int side);
   void step(float diffuseU, float diffuseV, float feed, float kill, float dt);
-  std::vector<float> u, v;  ///< x varies fastest, then y
+  std::vector<float> u, v;  ///< one value per cell, x varies fastest, then y
 
  private:
   int side_;
@@ -67,7 +67,7 @@ class Fabric {
   void predict();
   void settle();
   std::vector<Vec3> position, velocity, next;
-  std::vector<float> inverseMass;  ///< 0: held
+  std::vector<float> inverseMass;  ///< one value per particle; 0: the particle is held
 
  private:
   [[nodiscard]] std::size_t at(int x, int y) const { return std::size_t(y) * width_ + x; }
@@ -86,8 +86,8 @@ class Garment {
  public:
   struct Face {
     int a, b, c;
-    float p, q, r, s;         ///< inverse of the matrix of its rest positions
-    float weft, warp, shear;  ///< compliances / dt^2
+    float p, q, r, s;         ///< inverse of the 2x2 matrix of the face's rest positions
+    float weft, warp, shear;  ///< compliances of the fabric divided by dt^2
   };
   struct Bend {
     int other;
@@ -111,7 +111,7 @@ class Contact {
  public:
   Contact(std::vector<std::uint32_t> indices, std::size_t vertices, float cell, float thickness,
           float friction);
-  /// Changes `next`.
+  /// Applies the impulses of the contacts to the predicted positions `next`.
   void push(const std::vector<Vec3>& now, std::vector<Vec3>& next, const std::vector<float>& inverseMass);
 
  private:
@@ -155,7 +155,7 @@ class Fluid {
   void step();
   std::vector<float> u, v, heat, dye[3];
   std::vector<unsigned char> solid;
-  int cycles = 0;  ///< of the latest step
+  int cycles = 0;  ///< number of multigrid cycles in the latest step
 
  private:
   struct Level {

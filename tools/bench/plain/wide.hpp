@@ -10,7 +10,7 @@ class Wide {
  public:
   struct Rule {
     std::vector<int> half;  ///< columns to either side in each of the 2 range + 1 rows around a cell
-    int surviveMin, surviveMax, bornMin, bornMax;  ///< a cell counts itself
+    int surviveMin, surviveMax, bornMin, bornMax;  ///< limits of neighbour counts; a cell counts itself
   };
   Wide(int width, int height, const Rule& rule);
   void stepDirect();  ///< each cell adds up all cells around it
