@@ -20,7 +20,7 @@ class ReportTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         if hasattr(ReportTest, "browser"):
-            return  # one browser and report folder for all classes
+            return  # all test classes share one browser and one report folder
         ReportTest.folder = tempfile.TemporaryDirectory(prefix="simreel-report-")
         ReportTest.browser = Browser(CHROMIUM, CHROMEDRIVER)
         atexit.register(ReportTest.browser.quit)

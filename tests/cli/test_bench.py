@@ -75,9 +75,9 @@ class Bench(BenchCase):
 
         each = 65 * 37 * 8  # pixels that all show the sheet, times samples
         dark = rays(0)
-        self.assertGreaterEqual(dark, each)  # one ray into the sky, and reflections of a few
+        self.assertGreaterEqual(dark, each)  # each sample traces a ray into the sky, and a few trace reflections
         self.assertLess(dark, 1.1 * each)
-        self.assertEqual(rays(3), dark + each)  # as many rays to the sun as samples
+        self.assertEqual(rays(3), dark + each)  # each sample also traces a ray to the sun
         self.assertEqual(rays(3, "draft"), 0)
 
     def test_instances_and_bloom(self):

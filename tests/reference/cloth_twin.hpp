@@ -25,13 +25,15 @@ class ClothTwin {
   void settle(const simreel::shader::ClothStep& data, int index = 0, bool again = true);
   void finish();
 
-  std::vector<glm::vec4> positions;   ///< xyz m, w inverse mass
-  std::vector<glm::vec4> velocities;  ///< xyz m/s, w pin group
-  std::vector<glm::vec4> trends;      ///< xyz m/s, caused by constraints (glsl/cloth/motion.glsl)
-  std::vector<glm::vec4> next;        ///< predicted positions between predict() and finish()
+  std::vector<glm::vec4> positions;   ///< position (xyz, m) and inverse mass (w) of each particle
+  std::vector<glm::vec4> velocities;  ///< velocity (xyz, m/s) and pin group (w) of each particle
+  /// velocity change by constraints in the last substep (xyz, m/s; glsl/cloth/motion.glsl)
+  std::vector<glm::vec4> trends;
+  std::vector<glm::vec4> next;  ///< predicted positions between predict() and finish()
   /// The height map that the cloth falls onto; empty without one.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< for the current frame: x at its start, y at its end (m)
+  std::vector<glm::vec4>
+      heights;  ///< heights of the mesh (m) for the current frame: x at its start, y at its end
   std::optional<DistanceTwin> meshes;  ///< rigid meshes that collide with the cloth; empty without any
   std::optional<WallsTwin> walls;      ///< solid that collides with the cloth; empty without one
   std::optional<WindTwin> wind;        ///< fluid that blows on the cloth; empty without one

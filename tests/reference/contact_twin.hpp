@@ -13,10 +13,10 @@ class ContactTwin {
   explicit ContactTwin(simreel::sim::ContactPlan plan) : plan_(std::move(plan)) {}
 
   struct Part {
-    /// positions at the start of the substep: xyz m, w inverse mass; for spheres w mass
+    /// positions at the start of the substep (xyz, m); w is the inverse mass, for spheres the mass
     const std::vector<glm::vec4>* now;
-    std::vector<glm::vec4>* next;        ///< predicted positions; corrected by contact
-    std::vector<glm::vec4>* velocities;  ///< velocities, xyz m/s; null for a solid
+    std::vector<glm::vec4>* next;        ///< predicted positions; contact corrects them
+    std::vector<glm::vec4>* velocities;  ///< velocities (xyz, m/s); null for a solid
   };
   /// Changes `next` by the impulses of the contacts. `first`: true in the first substep of a frame.
   void push(const std::vector<Part>& parts, bool first);

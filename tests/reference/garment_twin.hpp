@@ -23,12 +23,14 @@ class GarmentTwin {
   /// Returns the normals of the cloth's vertices.
   [[nodiscard]] std::vector<glm::vec3> normals() const;
 
-  std::vector<glm::vec4> positions;   ///< xyz m, w inverse mass
-  std::vector<glm::vec4> velocities;  ///< xyz m/s, w pin group
-  std::vector<glm::vec4> trends;      ///< xyz m/s; for pinned vertices the rest position (m)
+  std::vector<glm::vec4> positions;   ///< position (xyz, m) and inverse mass (w) of each vertex
+  std::vector<glm::vec4> velocities;  ///< velocity (xyz, m/s) and pin group (w) of each vertex
+  /// velocity change by constraints (xyz, m/s); for pinned vertices the rest position (m)
+  std::vector<glm::vec4> trends;
   /// The height map that the cloth falls onto; empty without one.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< for the current frame: x at its start, y at its end (m)
+  std::vector<glm::vec4>
+      heights;  ///< heights of the mesh (m) for the current frame: x at its start, y at its end
   std::optional<DistanceTwin> meshes;  ///< rigid meshes that collide with the cloth; empty without any
   std::optional<WallsTwin> walls;      ///< solid that collides with the cloth; empty without one
   std::optional<WindTwin> wind;        ///< fluid that blows on the cloth; empty without one

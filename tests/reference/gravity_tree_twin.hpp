@@ -25,9 +25,9 @@ class GravityTreeTwin {
 
   std::vector<unsigned> order;     ///< indices of the bodies along the space-filling curve
   std::vector<glm::vec4> sorted;   ///< bodies in that order, padded with zeros to whole trees
-  std::vector<glm::vec4> boxes;    ///< two per node: low and high corner of its box
-  std::vector<glm::vec4> cells;    ///< one per node: centre of mass, opening radius squared
-  std::vector<glm::vec4> moments;  ///< two per node: mass, spread
+  std::vector<glm::vec4> boxes;    ///< two per node: low and high corner of the node's box
+  std::vector<glm::vec4> cells;    ///< one per node: centre of mass and squared opening radius
+  std::vector<glm::vec4> moments;  ///< two per node: mass and spread of the node's bodies
   Work work;                       ///< work done by the last accelerations()
 
  private:

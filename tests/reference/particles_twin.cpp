@@ -31,7 +31,8 @@ struct Kernel : WindKernel {
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
 #include "glsl/contour/model.glsl"
-#define BRANCHES  // with branches, as on graphics cards; the cloth twin is without, as on software drivers
+#define BRANCHES  // compiles the kernels' variant with branches, for graphics cards; the cloth twin uses
+                  // the other variant
 #include "glsl/contour/wall_model.glsl"
 #undef BRANCHES
 #include "glsl/fluid/wind_model.glsl"

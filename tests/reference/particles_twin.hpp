@@ -26,13 +26,14 @@ class ParticlesTwin {
   void predict(int index, int threads = 1);
   void settle(int index);
 
-  std::vector<glm::vec4> positions;      ///< xyz m, w kg
-  std::vector<glm::vec4> velocities;     ///< xyz m/s, w age
-  std::vector<glm::vec4> accelerations;  ///< xyz m/s^2
+  std::vector<glm::vec4> positions;      ///< position (xyz, m) and mass (w, kg) of each particle
+  std::vector<glm::vec4> velocities;     ///< velocity (xyz, m/s) and age (w) of each particle
+  std::vector<glm::vec4> accelerations;  ///< acceleration of each particle (xyz, m/s^2)
   std::vector<glm::vec4> starts;         ///< positions before the last predict()
   /// The height map that the particles fall onto; empty without one.
   std::optional<simreel::sim::HeightPlan> heightPlan;
-  std::vector<glm::vec4> heights;      ///< for the current frame: x at its start, y at its end (m)
+  std::vector<glm::vec4>
+      heights;  ///< heights of the mesh (m) for the current frame: x at its start, y at its end
   std::optional<DistanceTwin> meshes;  ///< rigid meshes that collide with the particles; empty without any
   std::optional<WallsTwin> walls;      ///< solid that collides with the particles; empty without one
   std::optional<WindTwin> wind;        ///< fluid that blows on the particles; empty without one

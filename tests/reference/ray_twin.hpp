@@ -9,8 +9,9 @@
 /// Ray hits without a BVH: tests each ray with each triangle or sphere, with the kernels' functions
 /// (glsl/draw/exact/rays/ray_shapes.glsl as C++).
 struct RayTwin {
-  glm::vec3 low{0}, high{0};           ///< bounds of the scene (m)
-  std::span<const glm::uvec4> sorted;  ///< as written by glsl/draw/exact/rays/order.comp
+  glm::vec3 low{0}, high{0};  ///< bounds of the scene (m)
+  std::span<const glm::uvec4>
+      sorted;  ///< primitives in the layout that glsl/draw/exact/rays/order.comp writes
 
   struct Hit {
     float t = 0;

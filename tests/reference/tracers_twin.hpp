@@ -17,7 +17,7 @@ class TracersTwin {
   void beginFrame();
   void advance(const WindTwin& wind);
 
-  std::vector<glm::vec4> tracers;    ///< position (cells), age (s), number of restarts
+  std::vector<glm::vec4> tracers;    ///< position (cells), age (s) and number of restarts of each tracer
   std::vector<std::uint32_t> trail;  ///< trail value of each cell, x varies fastest
 
  private:

@@ -24,9 +24,10 @@ class WaterTwin {
   /// `time`. -1: computes the displacement in the first state.
   void drift(double time, int index);
 
-  std::vector<glm::vec4> cells;       ///< state of each cell, x varies fastest
-  std::vector<glm::vec4> floats;      ///< floating bodies in the layout of FloatPlan::first()
-  std::vector<glm::ivec4> displaced;  ///< one element per cell in the kernels' layout; empty without floats
+  std::vector<glm::vec4> cells;   ///< state of each cell, x varies fastest
+  std::vector<glm::vec4> floats;  ///< floating bodies in the layout of FloatPlan::first()
+  /// water displaced by floats, one element per cell in the kernels' layout; empty without floats
+  std::vector<glm::ivec4> displaced;
 
  private:
   void fall(double time, int step);

@@ -10,7 +10,7 @@ namespace simreel::cli {
 
 /// Options of `simreel bake` if all frames of an object go into one file.
 struct SequencesOptions {
-  std::string format;                ///< one of frame::sequenceFormats
+  std::string format;                ///< file format, one of frame::sequenceFormats
   std::filesystem::path output;      ///< output folder
   std::vector<std::size_t> objects;  ///< indices of the objects to write; each object has a mesh
   std::vector<int> frames;

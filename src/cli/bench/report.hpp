@@ -34,7 +34,7 @@ struct BenchReport {
 /// Median times of one stage, in ms.
 struct StageFigures {
   std::string name;
-  double cpu = 0;  ///< with Timing::wait: the stage's whole time
+  double cpu = 0;  ///< median time on the CPU; with Timing::wait the stage's whole time
   double gpu = 0;
   std::vector<std::pair<std::string, double>> parts;
 };

@@ -48,7 +48,7 @@ std::vector<UserError> problemsOf(const std::string& file, const ValidateOptions
                                   const std::optional<sim::Numerics>& numerics) {
   std::vector<UserError> problems;
   try {
-    const auto scene =  // also reads the scene's test settings
+    const auto scene =  // loadTestScene() also reads the test settings in the file beside the scene
         scene::loadTestScene(file, parseOverrides(o.overrides), sim::kinds(), assetFolders(o.assets));
     for (const std::string& remark : scene.remarks) warnLinesOnce(remark);
     problems = sim::findProblems(scene);

@@ -289,7 +289,7 @@ class Differences(PicturesCase):
         self.assertIn(f"the picture is {WIDTH - 4}x{HEIGHT + 2}, its baseline {WIDTH}x{HEIGHT}; compared as "
                       f"{WIDTH}x{HEIGHT + 2}, padded", done.out)
         frame = results["a.png"]["frames"][0]
-        # 4 columns of the baseline, 2 rows of the picture.
+        # Counts 4 columns that only the baseline has, and 2 rows that only the picture has.
         self.assertEqual(frame["metrics"]["differentPixels"], 4 * HEIGHT + 2 * (WIDTH - 4))
         self.suite(1, "--max-diff-ratio", "1")  # no tolerance applies to different sizes
 

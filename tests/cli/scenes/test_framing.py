@@ -36,7 +36,7 @@ class Framing(Case):
 
     def test_what_it_says_keeps_the_camera_there(self):
         stage = {key: value for key, value in self.SCENE.items() if key != "sky"}
-        # so small that the fitted distance is below the minimum distance
+        # a sheet so small that the camera would be nearer than its minimum distance
         far = {"sheet": {"cloth": {"size": [12, 12], "spacing": 0.004, "pins": []}}}
         for name, scene in ("sky", self.SCENE), ("stage", stage), ("small", {**stage, "objects": far}):
             with self.subTest(name):

@@ -177,7 +177,7 @@ class Life(Case):
             with self.subTest(file=name):
                 self.write(name, text)
                 self.good("validate", name)
-                # 48 x 27 cells of 4 x 4 pixels.
+                # The picture shows 48 x 27 cells of 4 x 4 pixels each.
                 self.assertEqual(len(self.bright(name, 192, 108, "-D", "render.bloom.strength=0")), 5 * 16)
         self.bad(2, ["unknown key \"trial\"", "\"trail\""], "validate", "g.rle", "-D", "objects.cells.life.trial=0")
         self.good("bake", "g.rle", "-o", "cells", "--frames", "0")

@@ -206,7 +206,7 @@ class Materials(Case):
         second["bufferViews"][0]["byteStride"] = 12
         self.write("square.gltf", second)
         self.scene("square.gltf")
-        self.assertEqual(self.picture(), ((0, 255, 0), (255, 0, 0)))  # u = x: -0.36, which wraps to 0.64, and 0.36
+        self.assertEqual(self.picture(), ((0, 255, 0), (255, 0, 0)))  # u = x is -0.36, which wraps to 0.64, and 0.36
         self.assertNotIn(WORDS, self.said())
 
     def test_maps_of_a_scene(self):

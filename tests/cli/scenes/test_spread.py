@@ -91,7 +91,7 @@ class Counts(SpreadCase):
             self.good("render", "flow.json", "-o", "flow.png", "--frames", "8", "--overwrite")
             self.assertEqual(self.rows("flow.counts.csv")[0][10:], ["flow.drag", "flow.lift"] if measured else [])
         drag, lift = (float(value) for value in self.rows("flow.counts.csv")[-1][10:])
-        self.assertGreater(drag, 30 * 30)  # for a frontal size of 8 cells: a drag coefficient above 1/4
+        self.assertGreater(drag, 30 * 30)  # the frontal size is 8 cells, so the drag coefficient is above 1/4
         self.assertLess(abs(lift), 0.2 * drag)
 
     def test_floats(self):

@@ -10,7 +10,7 @@ TEST_CASE("exact: a band has the rows whose visibility and glows there is room f
                                   << 20;  // number of samples whose visibility fits into 256 MiB
   constexpr std::int64_t software = std::int64_t{128} << 20;  // maximum size of one buffer on llvmpipe
   CHECK(draw::rowsOfBands({1920, 1080}, 4, {visible, software}) == 1080);
-  // 24 bytes per pixel: 1456 rows of 3840 pixels, although visibility has room for all 2160.
+  // Glows need 24 bytes per pixel: 1456 rows of 3840 pixels fit, although visibility has room for all 2160.
   CHECK(draw::rowsOfBands({3840, 2160}, 4, {visible, software}) == 1456);
   CHECK(draw::rowsOfBands({3840, 2160}, 4, {visible, std::int64_t{1} << 30}) == 2160);
   CHECK(draw::rowsOfBands({3840, 2160}, 16, {visible, software}) == 544);

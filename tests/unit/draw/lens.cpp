@@ -76,7 +76,7 @@ TEST_CASE("lens: as large as a real one, and focused where the camera looks unle
     CHECK(std::abs(glm::dot(point.aside, view.forward)) < 1e-7F);
     CHECK(point.focus == doctest::Approx(glm::length(view.target - view.eye)));
   }
-  // 12 mm / tan(20 degrees) = 32.97 mm focal length; the radius is half of it over 1.4.
+  // The focal length is 12 mm / tan(20 degrees) = 32.97 mm; the lens radius is half of it over 1.4.
   CHECK(radius == doctest::Approx(0.03297 / 2.8).epsilon(0.01));
   camera.lens.focus = 3.5F;
   CHECK(draw::lensPoints(camera, view, 0).front().focus == 3.5F);

@@ -19,7 +19,7 @@ namespace simreel::frame::test {
 class GlbFile {
  public:
   explicit GlbFile(const std::filesystem::path& file) : bytes_(readFile(file, "glTF file")) {
-    // 4.4: a header, a JSON chunk and a binary chunk, all multiples of 4 bytes.
+    // glTF 4.4: a header, a JSON chunk and a binary chunk, all multiples of 4 bytes.
     REQUIRE(bytes_.size() > 28);
     REQUIRE(bytes_.substr(0, 4) == "glTF");
     REQUIRE(word(4) == 2);
@@ -49,7 +49,7 @@ class GlbFile {
     const std::size_t count = accessor["count"];
     const std::size_t begin = accessor.value("byteOffset", std::size_t{0});
     const std::size_t stride = view.value("byteStride", width * sizeof(T));
-    // 3.6.2.4: aligned to 4 bytes, and the last row ends within the view.
+    // glTF 3.6.2.4: aligned to 4 bytes, and the last row ends within the view.
     REQUIRE(begin % 4 == 0);
     REQUIRE(begin + stride * (count - 1) + width * sizeof(T) <= view["byteLength"]);
     std::vector<T> found(width * count);

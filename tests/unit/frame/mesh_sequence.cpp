@@ -113,7 +113,8 @@ TEST_CASE("mesh sequences: glTF moves by the rules of morph targets and their we
   REQUIRE(primitive["targets"].size() == 2);
   CHECK(mesh["extras"]["targetNames"] == nlohmann::json({"frame 5", "frame 8"}));
   CHECK(!mesh.contains("weights"));  // glTF 3.7.2.2: weights default to 0
-  // 3.11: one channel animates the weights of the node with the mesh; the sampler's times are in seconds.
+  // glTF 3.11: one channel animates the weights of the node with the mesh; the sampler's times are in
+  // seconds.
   REQUIRE(document["animations"].size() == 1);
   const nlohmann::json& animation = document["animations"][0];
   REQUIRE(animation["channels"].size() == 1);
@@ -126,7 +127,7 @@ TEST_CASE("mesh sequences: glTF moves by the rules of morph targets and their we
   CHECK(glb.values<float>(sampler["input"]) == std::vector<float>{0, 0.1F, 0.4F});
   const std::vector<float> weights = glb.values<float>(sampler["output"]);
   REQUIRE(weights.size() == 6);
-  // 3.7.2.2: the result is the mesh's attribute plus the weighted sum of the targets.
+  // glTF 3.7.2.2: the result is the mesh's attribute plus the weighted sum of the targets.
   for (std::size_t key = 0; key < 3; ++key) {
     const sim::MeshTable wanted = movedPair(0.5F * static_cast<float>(key));
     for (const auto& [name, table] :

@@ -93,7 +93,7 @@ TEST_CASE("a trace is laid out as fine as its bytes allow") {
   const auto fine = layOut(twoArrays, -3, 5, 96 << 10);
   CHECK(fine.frames == 8);
   CHECK(fine.detailed == 8);
-  CHECK(fine.arrays[0].perBlock == 3);  // at most 64 blocks: 137 / 64, rounded up
+  CHECK(fine.arrays[0].perBlock == 3);  // with at most 64 blocks, a block has 137 / 64 elements, rounded up
   std::uint32_t last = 0;
   for (const std::size_t max : {8192U, 4096U, 2048U, 1024U, 700U, 500U}) {
     const auto trace = layOut(twoArrays, -3, 5, max);

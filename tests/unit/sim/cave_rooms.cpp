@@ -46,7 +46,7 @@ TEST_CASE("rooms of a cave: joined over edges alone, by their lowest cell, with 
   const sim::CaveGrid grid{{6, 4}};
   const auto rooms = sim::caveRooms(grid, cellsOf(grid, {"#..#.#", "##.##.", ".#...#", ".#####"}), 0.5F);
   REQUIRE(rooms.size() == 4);
-  CHECK(rooms[0].cells == 6);  // (1, 0), (2, 0), (2, 1), (2, 2), (3, 2), (4, 2)
+  CHECK(rooms[0].cells == 6);  // the cells (1, 0), (2, 0), (2, 1), (2, 2), (3, 2), (4, 2)
   CHECK(rooms[0].centre.x == doctest::Approx(14.0 / 6));
   CHECK(rooms[0].centre.y == doctest::Approx(7.0 / 6));
   CHECK(rooms[0].area == doctest::Approx(1.5));

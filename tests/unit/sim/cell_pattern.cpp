@@ -206,9 +206,7 @@ TEST_CASE("where a file says that its pattern lies in a bounded grid, there it l
 }
 
 TEST_CASE("patterns packed by gzip are read, cut-off ones and those of 64 MiB refused") {
-  // "x = 3, y = 1\
-  // 3o!\
-  // " compressed by gzip -9
+  // Result of gzip -9 for a pattern file of two lines, "x = 3, y = 1" and "3o!".
   const std::string packed(
       "\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\x03\xab\x50\xb0\x55\x30\xd6\x51"
       "\xa8\x04\x52\x86\x5c\xc6\xf9\x8a\x5c\x00\xa0\x80\xbc\x91\x11\x00\x00\x00",

@@ -71,7 +71,7 @@ TEST_CASE("fabric: the bending force is the gradient of a plate's energy, border
     const glm::ivec2 size(7, 6);
     sim::ClothParameters p = freeFabric(size, 0.02F);
     p.rotation = glm::vec3(20, -35, 50);
-    p.fabric.bending = 4e-4;  // 1 N/m divided by the square of the spacing
+    p.fabric.bending = 4e-4;  // bending stiffness of 1 N/m divided by the square of the spacing
     p.fabric.density = 0.2;
     p.fabric.weft = p.fabric.warp = 0.1;  // negligible compared with the bending stiffness
     p.fabric.shear = 1e-3;
@@ -107,7 +107,7 @@ TEST_CASE("fabric: the bending force is the gradient of a plate's energy, border
       const double more = plateEnergy(size, moved, ghosts);
       moved[i] = points[i] - h * normal;
       const double less = plateEnergy(size, moved, ghosts);
-      const double force = -0.5 * (more - less) / (2 * h);  // for D / L^2 = 1 N/m
+      const double force = -0.5 * (more - less) / (2 * h);  // expected force for D / L^2 = 1 N/m
       const double found =
           glm::dot(glm::dvec3(twin.velocities[i]), normal) / dt / static_cast<double>(rest[i].w);
       CAPTURE(i);
@@ -149,7 +149,7 @@ TEST_CASE("fabric: the energy of z = (a x^2 + 2 b x y + c y^2) / 2 is D / 2 (a^2
   };
   const glm::ivec2 size(61, 45);
   sim::ClothParameters p = freeFabric(size, 0.01F);
-  p.fabric.bending = 1000;  // so large that stretching is negligible
+  p.fabric.bending = 1000;  // bending is so stiff that stretching is negligible
   p.fabric.weft = p.fabric.warp = 0.1;
   p.fabric.shear = 1e-3;
   for (const Shape s :

@@ -109,7 +109,8 @@ TEST_CASE("oracle: constraints hang in the catenary within 2 mm, compliant ones 
 
 namespace {
 
-/// T = 4 sqrt(L / g) K(sin(amplitude / 2)), K = pi / (2 agm(1, cos(amplitude / 2))).
+/// Returns the period of a pendulum: T = 4 sqrt(L / g) K(sin(amplitude / 2)), K = pi / (2 agm(1,
+/// cos(amplitude / 2))).
 double pendulumPeriod(double length, double amplitude) {
   double a = 1;
   double b = std::cos(0.5 * amplitude);

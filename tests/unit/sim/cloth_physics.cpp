@@ -223,7 +223,7 @@ TEST_CASE("a compliant line stretches by its weight: rho g H / 2k beyond its len
   p.rotation = glm::vec3(90, 0, 0);
   p.pins.emplace_back().rows = {0};
   p.compliance = 1.0F / 50;  // a stiffness of 50 N/m per thread
-  p.shearCompliance = 1e5F;  // otherwise diagonals would carry a part of the load
+  p.shearCompliance = 1e5F;  // so compliant that diagonals carry no load
   p.bendCompliance = 1e5F;
   p.damping = 6;
   ClothTwin twin = makeTwin(p);

@@ -71,7 +71,7 @@ TEST_CASE("auto of a fabric in gusts counts what its lines carry of each other, 
     return p.substepsPerFrame(1.0 / 60);
   };
   CHECK(substeps(48, true) == 13);
-  CHECK(substeps(96, true) == 27);  // 20 substeps stretch the flag's corner by two thirds
+  CHECK(substeps(96, true) == 27);  // with 20 substeps the flag's corner would stretch by two thirds
   const double finer = static_cast<double>(substeps(768, true)) / substeps(384, true);
   CHECK(finer > 2.5);
   CHECK(finer < 2.9);

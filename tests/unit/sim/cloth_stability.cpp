@@ -198,7 +198,7 @@ TEST_CASE("too few substeps are told with a way that helps") {
   CHECK_FALSE(has(stiff, "auto"));
   p.solver = sim::ClothSolver::constraints;
   CHECK(p.instability(1 / 60.0) == "");
-  // 300 rows at 2 cm: sqrt(0.02 / (300 * 9.8)) = 2.608 ms.
+  // The limit for 300 hanging rows at 2 cm is sqrt(0.02 / (300 * 9.8)) = 2.608 ms.
   p.size = {4, 300};
   p.spacing = 0.02F;
   p.wind = glm::vec3(0);
@@ -212,7 +212,8 @@ TEST_CASE("too few substeps are told with a way that helps") {
 TEST_CASE("auto refuses what more substeps than there may be would take") {
   auto p = springs({8, 8}, 1e7F, 1, 0.3F, 0.01F);
   p.substeps.reset();
-  // w = sqrt(4 * 1e7 * 2.3 / 0.01) = 95917 1/s; 0.7 * 2 / w = 14.6 us in 1/60 s: 1142.
+  // w = sqrt(4 * 1e7 * 2.3 / 0.01) = 95917 1/s, so a stable substep is 0.7 * 2 / w = 14.6 us, and 1/60 s
+  // needs 1142.
   const std::string line = refusal(p, 1 / 60.0);
   CHECK(has(line, "\"auto\" would take 1142 a frame to be stable, more than 1024"));
   CHECK(has(line, "\"solver\": \"constraints\""));

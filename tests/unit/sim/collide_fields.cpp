@@ -63,8 +63,8 @@ TEST_CASE("collide: the field of a ball and of a torus is the closed form's, wit
     if (there.w < 1e8 && ring > 0.2 && ring < 0.8)
       worstTorus = std::max(worstTorus, std::abs(there.w - (ring - 0.3)));
   }
-  CHECK(worstBall < 1e-3);   // for cells of 0.0156 m
-  CHECK(worstTorus < 2e-3);  // for cells of 0.026 m
+  CHECK(worstBall < 1e-3);   // maximum error of the sphere for cells of 0.0156 m
+  CHECK(worstTorus < 2e-3);  // maximum error of the torus for cells of 0.026 m
   CHECK(worstSlope < 0.06);
 }
 

@@ -266,7 +266,8 @@ TEST_CASE("a ball that flies into a loose sheet keeps momentum with it, and does
     // In the hardest steps, limiting the corrections loses a hundredth of the momentum of the heavy ball
     // and the sheet.
     CHECK(glm::length(after - before) < 1.5e-2 * glm::length(before));
-    double highest = -10;  // of the sheet around the ball, which is above and does not touch it
+    double highest =
+        -10;  // highest point of the sheet around the ball; the ball is above and does not touch it
     for (const glm::vec4& p : pile.cloths[0]->positions)
       if (glm::length(glm::dvec2(p.x - pile.balls->positions[0].x, p.z - pile.balls->positions[0].z)) <
           0.03)
@@ -288,7 +289,7 @@ TEST_CASE("a ball hangs in a strip: what it weighs is carried by the tension on 
   Pile pile({strip}, {}, 0.004F, 0.3F, {}, &ball);
   for (int f = 0; f < 90; ++f) pile.step();
   CHECK(std::abs(pile.balls->velocities[0].y) < 0.01);
-  // 2 T d / l = m g for the ball and half of the strip, T = k w (l - L) / L, l^2 = L^2 + d^2.
+  // Equilibrium of the ball and half of the strip: 2 T d / l = m g, T = k w (l - L) / L, l^2 = L^2 + d^2.
   const double weight = 9.8 * (mass + 0.5 * density * 2 * half * width);
   double low = 0, high = half;
   for (int i = 0; i < 60; ++i) {

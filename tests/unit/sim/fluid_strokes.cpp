@@ -74,7 +74,7 @@ TEST_CASE(
   CHECK(brushes[0].flow == glm::vec4(40, -20, 2, 0));
   CHECK(brushes[0].dye == glm::vec4(0.5, 1, 2, 0));
   CHECK(brushes[0].reach.z == 0.25F);                // a quarter of a second at strength 1
-  CHECK(brushes[0].force == glm::vec4(0, 1, 0, 0));  // 4 cells/s^2 for a quarter of a second
+  CHECK(brushes[0].force == glm::vec4(0, 1, 0, 0));  // a force of 4 cells/s^2 for a quarter of a second
   CHECK(plan.brushesAt(2.5, 2).brushes.at(0).reach.z == 0.375F);
 }
 

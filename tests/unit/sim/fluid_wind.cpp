@@ -49,8 +49,8 @@ ParticlesTwin seedsIn(const WindTwin& wind, const std::vector<glm::vec3>& places
 
 }  // namespace
 
-// v' = d (w - v) - c v from rest: v = w d / r (1 - e^(-r t)), x = w d / r (t - (1 - e^(-r t)) / r), r = c +
-// d.
+// A particle from rest: v' = d (w - v) - c v, so v = w d / r (1 - e^(-r t)), x = w d / r (t - (1 - e^(-r
+// t)) / r), r = c + d.
 TEST_CASE("fluid wind: a particle in an even flow takes its speed as the closed form does") {
   sim::FluidPlane plane;
   plane.position = {1, 2, -3};

@@ -68,8 +68,7 @@ TEST_CASE("garment: ways to a pinned border and to a corner are those of a plane
     for (std::size_t i = 0; i < row.size(); ++i) {
       const double across = cloth.points[i].x - least;
       CHECK(toRow.lengths[i] > across - 1e-9);
-      CHECK(toRow.lengths[i] <
-            across + 0.006);  // from a point between two pins the path leads to one of them
+      CHECK(toRow.lengths[i] < across + 0.006);  // a point between two pins is attached to one of them
       const double way = glm::distance(cloth.points[i], cloth.points[0]);
       CHECK(toCorner.lengths[i] > way - 1e-9);
       CHECK(toCorner.lengths[i] < 1.02 * way + 1e-9);
@@ -97,7 +96,7 @@ TEST_CASE("garment: 256 rows swing from their border, and stretch by less than 1
     if (damped) p.damping = 1e-6F;
     p.mesh.size = glm::vec3(0.012F, 0, 1);
     p.mesh.resolution = {4, 256};
-    p.fabric.bending = 1e-8;  // so low that bending needs no further substeps
+    p.fabric.bending = 1e-8;  // bending so weak that it needs no further substeps
     p.gravity = glm::vec3(0, -9.8F, 0);
     test::pinBox(p, glm::vec3(-9), glm::vec3(9, 9, -0.499F));
     GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));

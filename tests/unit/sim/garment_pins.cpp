@@ -111,7 +111,7 @@ TEST_CASE("garment: a seam pulls two pieces shut, in its time, without moving wh
   const sim::Mesh read = p.mesh.make();
   sim::Seam seam;
   seam.seconds = 0.5;
-  // by position, because readers may reorder vertices
+  // compares by position, because readers may reorder vertices
   for (int i = 0; i < static_cast<int>(read.positions.size()); ++i)
     for (int j = 0; j < static_cast<int>(read.positions.size()); ++j) {
       const glm::vec3 a = read.positions[static_cast<std::size_t>(i)];

@@ -19,7 +19,7 @@ using namespace simreel;
 
 namespace {
 
-/// 1/s: too small to change a digit, but selects the constraints of damped cloth.
+/// Damping (1/s) too small to change a digit, but it selects the constraints of damped cloth.
 constexpr float hardlyDamped = 1e-6F;
 
 double garmentQuantity(const sim::GarmentPlan& plan, const GarmentTwin& twin, const std::string& name) {
@@ -142,7 +142,7 @@ TEST_CASE("garment: hanging rows, 16 to 256, stretch by rho g H / 2 k within 0.1
         p.gravity = glm::vec3(0, -9.8F, 0);
         p.damping = 6;
         p.fabric.warp = warp;
-        if (rows == 256) p.fabric.bending = 1e-8;  // so low that bending needs no further substeps
+        if (rows == 256) p.fabric.bending = 1e-8;  // bending so weak that it needs no further substeps
         test::pinBox(p, glm::vec3(-9, 0.499F, -9), glm::vec3(9));
         GarmentTwin twin(sim::GarmentPlan("rows", p, 1, 1.0 / 60, {}));
         for (int frame = 0; frame < (rows == 16 ? 300 : 150); ++frame) twin.step(frame / 60.0);

@@ -131,8 +131,8 @@ TEST_CASE("emitted particles keep to the closed form of a damped fall at any rat
         double worst = 0;
         for (const Emitted& particle : emitted(p, fps, 2)) {
           const double t = 2 - particle.birth;
-          // v' = a - r v: v = v0 e^-rt + a (1 - e^-rt) / r, x = v0 s + a (t - s) / r with s = (1 - e^-rt) /
-          // r.
+          // Solution of v' = a - r v: v = v0 e^-rt + a (1 - e^-rt) / r, x = v0 s + a (t - s) / r with s =
+          // (1 - e^-rt) / r.
           const double r = damping;
           const double kept = std::exp(-r * t);
           const double s = r > 0 ? (1 - kept) / r : t;

@@ -297,7 +297,7 @@ TEST_CASE("a disk turns steadily: its size stays over two rotations") {
     return sum / static_cast<double>(twin.positions.size());
   };
   const double first = meanRadius();
-  for (int i = 0; i < 500; ++i) {  // 20 s; a rotation at R = 2 takes about 9 s
+  for (int i = 0; i < 500; ++i) {  // simulates 20 s; a rotation at R = 2 takes about 9 s
     twin.step(i * 0.04, 0);
     if (i % 100 == 99) CHECK(meanRadius() == doctest::Approx(first).epsilon(0.08));
   }

@@ -125,13 +125,14 @@ TEST_CASE("reaction on a grid of right triangles is the five-point one") {
       1);
   const sim::MeshCells& cells = made.plan.cells();
   REQUIRE(cells.count() == 17 * 13);
-  const auto at = [&](int x, int z) {  // by position, because cells are numbered in the order of the faces
-    for (std::size_t i = 0; i < cells.places.size(); ++i)
-      if (std::abs(cells.places[i].x + 4 - 0.5 * x) < 1e-6 &&
-          std::abs(cells.places[i].z + 3 - 0.5 * z) < 1e-6)
-        return i;
-    return cells.places.size();
-  };
+  const auto at =
+      [&](int x, int z) {  // finds a cell by position, because cells are numbered in the order of the faces
+        for (std::size_t i = 0; i < cells.places.size(); ++i)
+          if (std::abs(cells.places[i].x + 4 - 0.5 * x) < 1e-6 &&
+              std::abs(cells.places[i].z + 3 - 0.5 * z) < 1e-6)
+            return i;
+        return cells.places.size();
+      };
   // The mean edge of such a mesh is longer than the sides of its squares.
   const double side = 0.5 / cells.meanEdge;
   for (int z = 1; z < 12; ++z)

@@ -216,7 +216,7 @@ TEST_CASE("walls: in a round pit balls stay, within second order of the square, 
     CHECK(bounces > 300);
   }
   CHECK(error[0] < 0.01);
-  CHECK(error[0] / error[1] > 10);  // 15 for second order with squares 97/25 as wide
+  CHECK(error[0] / error[1] > 10);  // second order would give 15, because the squares are 97/25 as wide
   MESSAGE("off the circle by " << error[0] << " m and " << error[1] << " m");
 }
 

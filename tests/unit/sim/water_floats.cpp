@@ -159,7 +159,8 @@ TEST_CASE("water floats: a box heaves with the period of its draft") {
 }
 
 TEST_CASE("water floats: a wide box returns, a tall one capsizes") {
-  // GM = I / V - (distance from buoyancy to mass): (b^2 / 12 d) - (H - d) / 2 with draft d and height H.
+  // Metacentric height GM = I / V - (distance from buoyancy to mass): (b^2 / 12 d) - (H - d) / 2 with draft
+  // d and height H.
   for (const bool wide : {true, false}) {
     auto body = wide ? boxOf({1.2F, 0.5F, 1}, 500) : boxOf({0.5F, 1.2F, 1}, 500);
     body.rotation = {0, 0, 12};

@@ -60,7 +60,7 @@ TEST_CASE("water: each drop falls into one state, in whatever frame") {
       drops += falls.drops.size();
       for (const shader::WaterDrop& drop : falls.drops) CHECK(plan.box(drop).z > 0);
     }
-  CHECK(drops == 2 + 67);  // at 0.2 s and every 1/37 s from then on, up to 2 s
+  CHECK(drops == 2 + 67);  // drops fall at 0.2 s and every 1/37 s from then on, up to 2 s
 }
 
 TEST_CASE("water: mistakes are told where they stand") {
