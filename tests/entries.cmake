@@ -1,26 +1,29 @@
-# Entries of ctest. Label quick: tools/test runs it. Label long: only `tools/test all` runs it. CI runs all others and the quick ones.
+# Entries of ctest. Label quick: tools/test runs the entry. Label long: only `tools/test all` runs it. CI runs every
+# entry that is not long.
 
-# Seconds until ctest takes a test for hung; no test usually takes a tenth of it.
+# Seconds until ctest treats a test as hung; tests usually take less than a tenth of it.
 set(PATIENCE 3600)
 
-# Cases that take seconds and are close to others.
+# Cases that take seconds and resemble other cases.
 file(STRINGS long_cases.txt LONG_CASES)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS long_cases.txt)
 list(JOIN LONG_CASES "," LONG_CASES)
 file(STRINGS quick_cases.txt QUICK_CASES)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS quick_cases.txt)
 list(JOIN QUICK_CASES "," QUICK_CASES)
-# Adds an entry that runs some cases of a doctest program. `label`, besides the suite: quick, long or empty.
+# Adds an entry that runs some cases of a doctest program. `label` is added to the suite's label: quick, long or empty.
 function(suite_test label suite name program)
   add_test(NAME "${suite}: ${name}" COMMAND ${program} ${ARGN})
   set_tests_properties("${suite}: ${name}" PROPERTIES LABELS "${suite};${label}" TIMEOUT ${PATIENCE}
-                       FAIL_REGULAR_EXPRESSION "test cases: +0 ")  # no source has the name any more
+                       # the entry fails if no test case matches, for example because a source was renamed
+                       FAIL_REGULAR_EXPRESSION "test cases: +0 ")
 endfunction()
 function(without_optimizing)
   set_property(TEST ${ARGN} APPEND PROPERTY ENVIRONMENT GALLIVM_PERF=nopt)
 endfunction()
 
-# A process runs many sources: it takes longer to start than most tests, and a context takes a quarter of a second.
+# One process runs many sources, because starting a process takes longer than most tests, and creating a context takes a
+# quarter of a second.
 file(GLOB_RECURSE SOURCES RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS unit/*.cpp gpu/*.cpp)
 suite_test(quick unit "what reads, plans and writes" test_quick "--source-file=*/tests/unit/*" "--test-case-exclude=${LONG_CASES}")
 suite_test(quick gpu "kernels and their twins" test_quick "--source-file=*/tests/gpu/*" "--test-case=${QUICK_CASES}")
@@ -66,16 +69,19 @@ add_test(NAME "shaders: arithmetic is precise, blocks are as in C++" COMMAND ${C
 set_tests_properties("layers: includes point down the street" "comments: what they name exists" "shaders: arithmetic is precise, blocks are as in C++"
                      PROPERTIES LABELS "unit;quick")
 
-# The other memory path than the one this machine's driver gets by default: what is compared bit for bit with twins and the
-# evaluator. What the same bits mean, closed forms and counts, is told once. A scene of each simulation: "cli: storage_path".
+# Tests on the memory path that the driver does not use by default: those that compare bit for bit with CPU twins or the
+# expression evaluator. Tests of the meaning of the same bits (closed forms, counts) run on the default path only. "cli:
+# storage_path" runs one scene of each simulation.
 set(SAME_STATE "--source-file=*/gpu/sim/*"
   "--test-case=*twin*,*evaluator*,*every cut*,*every run*,field values*,radix sort*,tallies*,the state hash*")
-# Of pictures what says that bytes are those of a twin or of another way of drawing.
+# Picture tests that compare bytes with a twin or with another way of drawing.
 set(OTHER_PICTURES "--source-file=*/gpu/draw/*" "--source-file-exclude=*/draw/exact/limits.cpp")
-# Triangles, textures and ambient occlusion there: "cli: storage_path", whose scenes have to be their baselines in every byte.
+# Triangles, textures and ambient occlusion are left out here, because "cli: storage_path" compares scenes that contain
+# them with their baselines byte for byte.
 suite_test("" gpu "pictures on the other memory path" test_gpu ${OTHER_PICTURES} "--test-case=*twin*,*bytes*,*bits*"
   "--test-case-exclude=*charts*,exact: on a large*,*ambient occlusion*,*drawn in bands*,exact parts*,exact: whole*,exact: t*,exact: what triangles*")
-# What the exact rasterizer is tested by, of the driver's; in CI its surfaces and glows. Scenes: "cli: exact".
+# Tests of the driver's rasterizer, which serves as reference for the exact rasterizer; in CI only its surfaces and
+# glows. "cli: exact" covers whole scenes.
 set(DRIVERS_PICTURES "--source-file=*/gpu/draw/*" "--source-file-exclude=*/draw/exact/*")
 suite_test("" gpu "the driver's surfaces and glows on the texel memory path" test_gpu "--source-file=*/gpu/draw/picture.cpp,*/gpu/draw/instances.cpp")
 suite_test("" long "the driver's pictures on the texel memory path" test_gpu ${DRIVERS_PICTURES})
@@ -86,7 +92,7 @@ add_test(NAME "long: unit tests" COMMAND test_unit "--test-case=${LONG_CASES}")
 set_tests_properties("long: unit tests" PROPERTIES LABELS long)
 add_test(NAME "long: tests on a device" COMMAND test_gpu "--test-case=${LONG_CASES}")
 set_tests_properties("long: tests on a device" PROPERTIES LABELS long TIMEOUT ${PATIENCE})
-if(SIMREEL_BENCH)  # minutes of two processors, of what no user runs
+if(SIMREEL_BENCH)  # takes minutes on two processors for programs that users do not run
   add_test(NAME "long: benches build" COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target bench)
   set_tests_properties("long: benches build" PROPERTIES LABELS long TIMEOUT ${PATIENCE})
 endif()
@@ -99,7 +105,7 @@ set_property(TEST "long: the driver's pictures on the storage memory path" APPEN
 set_tests_properties("gpu: pictures on the other memory path" "gpu: the driver's surfaces and glows on the texel memory path"
                      PROPERTIES DEPENDS "${GPU_PICTURES}")
 
-# The command line as a user meets it: one ctest entry per module, standard library only.
+# Tests of the command line from the outside: one ctest entry per module, standard library only.
 if(Python3_FOUND AND TARGET simreel)
   file(GLOB_RECURSE CLI_TESTS CONFIGURE_DEPENDS cli/test_*.py)
   set(CLI_ENVIRONMENT "SIMREEL=$<TARGET_FILE:simreel>" "PYTHONPATH=${CMAKE_CURRENT_SOURCE_DIR}/cli" PYTHONDONTWRITEBYTECODE=1)
@@ -110,24 +116,26 @@ if(Python3_FOUND AND TARGET simreel)
     if(module IN_LIST QUICK_CLI)
       set_property(TEST "cli: ${module}" APPEND PROPERTY LABELS quick)
     endif()
-    if(module MATCHES "^(serve|passes)")  # many small pictures of one program, or of programs that differ in a line: as in gpu/draw above
+    # many small pictures, so compiling shaders takes most of the time, as in gpu/draw above
+    if(module MATCHES "^(serve|passes)")
       without_optimizing("cli: ${module}")
     endif()
   endforeach()
-  foreach(module exact mutation)  # of all shipped scenes
+  foreach(module exact mutation)  # tests of all shipped scenes
     add_test(NAME "long: ${module}" COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/golden/test_${module}.py)
     set_tests_properties("long: ${module}" PROPERTIES LABELS long TIMEOUT ${PATIENCE} ENVIRONMENT "${CLI_ENVIRONMENT};SIMREEL_LONG=1")
   endforeach()
   add_test(NAME "long: stage" COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/scenes/test_stage.py Stage.test_pictures_of_scenes_of_one_line)
   set_tests_properties("long: stage" PROPERTIES LABELS long TIMEOUT ${PATIENCE} ENVIRONMENT "${CLI_ENVIRONMENT};SIMREEL_LONG=1")
-  add_test(NAME "long: cycles" COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/scenes/test_cycles.py)  # in Blender
+  # this test runs Blender
+  add_test(NAME "long: cycles" COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/scenes/test_cycles.py)
   set_tests_properties("long: cycles" PROPERTIES LABELS long TIMEOUT ${PATIENCE} ENVIRONMENT "${CLI_ENVIRONMENT};SIMREEL_LONG=1")
 endif()
 if(Python3_FOUND AND TARGET simreel)
   add_subdirectory(faults)
 endif()
-# The report's page in Chromium and Firefox; skipped, saying so, only where one or Selenium is not installed. Debian's own
-# Python comes first: it is the one that python3-selenium belongs to.
+# Tests of the report's page in Chromium and Firefox; skipped with a message if a browser or Selenium is not installed.
+# Debian's own Python is tried first, because python3-selenium belongs to it.
 find_program(SYSTEM_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 if(NOT SYSTEM_PYTHON AND Python3_FOUND)
   set(SYSTEM_PYTHON ${Python3_EXECUTABLE})
@@ -149,33 +157,33 @@ if(SYSTEM_PYTHON)
   endif()
 endif()
 
-# Sweeps and pieces on a real Slurm, three nodes on this machine; skipped, saying so, only where that is not installed, and in
-# CI never.
+# Sweeps and pieces on a real Slurm with three nodes on this machine; skipped with a message if Slurm is not installed,
+# never skipped in CI.
 if(Python3_FOUND AND TARGET simreel)
   add_test(NAME "slurm: sweep and pieces" COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/slurm/test_slurm.py)
   set_tests_properties("slurm: sweep and pieces" PROPERTIES LABELS cli TIMEOUT ${PATIENCE} SKIP_RETURN_CODE 77 COST 60
                        ENVIRONMENT "SIMREEL=$<TARGET_FILE:simreel>;PYTHONDONTWRITEBYTECODE=1")
 endif()
 
-# What the program finds against scikit-image; skipped, saying so, only where that is not installed.
+# Compares contours of the program with those of scikit-image; skipped with a message if scikit-image is not installed.
 if(SYSTEM_PYTHON AND TARGET simreel)
   add_test(NAME "oracle: contours" COMMAND ${SYSTEM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/oracle/test_contours.py)
   set_tests_properties("oracle: contours" PROPERTIES LABELS cli TIMEOUT ${PATIENCE} SKIP_RETURN_CODE 77
                        ENVIRONMENT "SIMREEL=$<TARGET_FILE:simreel>;PYTHONDONTWRITEBYTECODE=1")
 endif()
 
-# Every shipped scene against its baselines; the long ones in a test of their own, once.
+# Compares every shipped scene with its baselines; the long scenes have an entry of their own.
 if(TARGET simreel)
   file(GLOB SCENES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/scenes/*.json)
   file(STRINGS long_scenes.txt LONG_SCENES)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS long_scenes.txt)
   list(TRANSFORM LONG_SCENES REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/assets/scenes/\\1.json")
   list(REMOVE_ITEM SCENES ${LONG_SCENES})
-  # Most of the time of the long ones, with kinds and ways of drawing that the others have, too.
+  # The slowest of the long scenes; other scenes cover the same kinds and ways of drawing.
   set(LONGEST_SCENES drape press)
   list(TRANSFORM LONGEST_SCENES REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/assets/scenes/\\1.json")
   list(REMOVE_ITEM LONG_SCENES ${LONGEST_SCENES})
-  # Both paths, on many threads and on one, have to come to the baselines' state: that repeats them enough.
+  # One repetition is enough: both memory paths, with many threads and with one, must reproduce the baselines' state.
   list(TRANSFORM QUICK_SCENES REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/assets/scenes/\\1.json")
   list(REMOVE_ITEM SCENES ${QUICK_SCENES})
   add_test(NAME "golden: a dozen scenes" COMMAND simreel test ${QUICK_SCENES} --repeat 1 --report ${CMAKE_CURRENT_BINARY_DIR}/report)
@@ -187,24 +195,26 @@ if(TARGET simreel)
   set_tests_properties("long: longest scenes" PROPERTIES LABELS long TIMEOUT ${PATIENCE})
 endif()
 
-# A software driver with many threads in each of many processes takes up to twice the processor time. What is to notice
-# that workgroups run beside each other keeps as many as a user has: whole scenes, and the state of all simulations.
+# A software driver with many threads in each of many processes takes up to twice the processor time, so tests run with
+# one thread. The exceptions keep the usual number of threads, in order to detect races between workgroups: whole
+# scenes, and the state of all simulations.
 get_property(TESTS DIRECTORY PROPERTY TESTS)
 list(REMOVE_ITEM TESTS "golden: a dozen scenes" "golden: shipped scenes" "long: state on the other memory path")
-# So does what a signal or another process has to reach midway: one thread ends small scenes sooner.
+# These modules also keep their threads, because they interrupt a run midway, and with one thread small scenes would
+# finish too early.
 foreach(module bisect suite_runs checkpoint resume two_runs bake_sequence spread bench)
   list(REMOVE_ITEM TESTS "cli: ${module}")
 endforeach()
 set_property(TEST ${TESTS} APPEND PROPERTY ENVIRONMENT LP_NUM_THREADS=1)
 
-# glibc's large pages: with fewer page faults a run of a tiny scene takes four fifths of the processor time. Not where a
-# test counts bytes.
+# glibc uses huge pages: fewer page faults cut the processor time of a tiny scene's run by a fifth. Left out for tests
+# that limit or count memory.
 get_property(TESTS DIRECTORY PROPERTY TESTS)
 list(FILTER TESTS INCLUDE REGEX "^(cli|gpu|golden|oracle): ")
 list(REMOVE_ITEM TESTS "cli: failures" "cli: bake_sequence" "cli: terminal")
 set_property(TEST ${TESTS} APPEND PROPERTY ENVIRONMENT GLIBC_TUNABLES=glibc.malloc.hugetlb=1)
 
-# All share Mesa's cache, so what compiles the same comes after what has compiled it.
+# All tests share Mesa's shader cache, so tests that use the same shaders run after the test that compiles them.
 if(TARGET simreel)
   set(OF_SCENES "golden: long scenes")
   if(Python3_FOUND)
@@ -214,7 +224,8 @@ if(TARGET simreel)
   set_tests_properties("golden: shipped scenes" PROPERTIES DEPENDS "golden: a dozen scenes")
 endif()
 
-# The longest first, or the last one runs alone at the end; where ctest has seen them it knows by itself.
+# The longest tests start first, because otherwise one would run alone at the end. ctest uses these costs until it has
+# measured its own.
 set_tests_properties("long: state on the other memory path" PROPERTIES COST 60)
 set_tests_properties(${GPU_PICTURES} PROPERTIES COST 50)
 if(TARGET simreel)

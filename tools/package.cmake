@@ -1,5 +1,5 @@
-# What `cmake --install` installs: a tree that may be moved, since the program finds share/simreel from where it is
-# itself and has its shaders built in. `cpack` in the build folder makes a .deb of it.
+# Rules of `cmake --install`. The installed tree can be moved, because the program finds share/simreel relative to
+# itself and has its shaders built in. `cpack` in the build folder makes a .deb.
 include(GNUInstallDirs)
 install(TARGETS simreel)
 install(DIRECTORY glsl DESTINATION ${CMAKE_INSTALL_DATADIR}/simreel)
@@ -16,7 +16,8 @@ the same from run to run, on a GPU or on Mesa's software driver.")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
-# Libraries that the program links come from dpkg-shlibdeps; libepoxy and libglvnd load others by name at run time.
+# dpkg-shlibdeps finds the linked libraries; the listed packages are loaded by name at run time by libepoxy and
+# libglvnd.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libopengl0 | libgl1, libegl-mesa0, libgl1-mesa-dri")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS ffmpeg)

@@ -1,5 +1,5 @@
-"""Normals for the meshes that tools/make-* write: smooth, in single precision, as a reader would compute them that adds up
-the triangles around each vertex, weighted by their area."""
+"""Normals for the meshes that tools/make-* write: smooth and in single precision, with the same result as a reader that
+sums the triangle normals around each vertex, weighted by area."""
 import itertools
 import math
 import struct
@@ -24,7 +24,7 @@ def unit(v):
 
 
 def stored(normal):
-    """The normal, or one a hair shorter that a reader's own division by the length turns into it."""
+    """Returns the normal, or a slightly shorter vector that a reader's division by its length turns into the normal."""
     for part in range(60):
         for way in itertools.product((0, -1, 1), repeat=3):
             near = [single(single(c * (1 - part * 1e-6)) + w * 2 ** (math.frexp(c)[1] - 24)) for c, w in zip(normal, way)]
@@ -34,7 +34,8 @@ def stored(normal):
 
 
 def smooth_normals(places, triangles, keys=None):
-    """A unit normal for each place. Vertices with the same key are one; without keys those with the same number."""
+    """Returns a unit normal for each position. Vertices with the same key share a normal; without keys, vertices with
+    the same index."""
     places = [[single(c) for c in place] for place in places]
     keys = list(range(len(places))) if keys is None else keys
     sums = {}

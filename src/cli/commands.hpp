@@ -9,17 +9,18 @@ class App;
 
 namespace simreel::cli {
 
-/// Picks the command, prints a UserError on standard error, as "simreel: error: ..." unless it is a report,
-/// and returns the exit code.
+/// Runs the command in the arguments and returns the exit code. A UserError is printed on standard error as
+/// "simreel: error: ...", or unchanged if it is a report.
 int run(int argc, char** argv);
-/// Exceptions that nothing can catch (memory that ran out in a destructor, a thread that a library could
-/// not start) end with one line and a documented code too, as at once as a kill.
+/// Installs a terminate handler: an exception that no code can catch (out of memory in a destructor, a
+/// thread that a library could not start) then ends the process at once with one line and a documented exit
+/// code.
 void explainTermination();
 
-/// The whole command line: name, flags and commands. tools/manual makes the man page of it.
+/// Adds the whole command line: name, flags and commands. tools/manual makes the man page from it.
 void addCommands(CLI::App& app);
 
-// One command each; the callback throws UserError, or sets the exit code through setExitCode.
+// Each function adds one command. The command's callback throws UserError or calls setExitCode().
 void addRender(CLI::App& app);
 void addValidate(CLI::App& app);
 void addSchema(CLI::App& app);
@@ -41,13 +42,13 @@ void addNew(CLI::App& app);
 void addExplain(CLI::App& app);
 void addKernels(CLI::App& app);
 
-/// What was typed, quoted for a shell where needed.
+/// Returns the command line as typed, quoted for a shell where needed.
 [[nodiscard]] const std::string& commandLine();
 
-/// A sentence after "simreel: error: ", or a report as it is, on standard error.
+/// Prints an error on standard error: a sentence after "simreel: error: ", a report unchanged.
 void printError(const UserError& error);
 
-/// Exit code of a command that ended without an error of its own (130 after an interrupt).
+/// Sets the exit code of a command that ends without an exception (130 after an interrupt).
 void setExitCode(int code);
 
 }  // namespace simreel::cli

@@ -11,7 +11,8 @@ namespace simreel::cli {
 
 namespace {
 
-/// One line without taking memory, and the code; what is on disk is whole, as after a kill.
+/// Prints one line without allocating memory and exits at once with `code`. Files on disk stay whole, as
+/// after a kill.
 [[noreturn]] void end(const char* message, ExitCode code) {
   static_cast<void>(std::fputs("simreel: error: ", stderr));
   static_cast<void>(std::fputs(message, stderr));
@@ -40,8 +41,8 @@ void explainTermination() {
 
 namespace {
 
-/// Static objects take memory before main, in an order that the linker chooses; this comes before all of
-/// them.
+/// Installs the handler before any static object is constructed, because constructors of static objects
+/// allocate memory before main in an order that the linker chooses.
 [[gnu::used, gnu::section(".preinit_array")]] void (*const beforeStaticObjects)() = explainTermination;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// simreel render --pieces, and simreel pieces: its steps one by one, as a cluster runs them.
+// simreel render --pieces; and simreel pieces, which runs the steps one by one as a cluster does.
 #include "cli/pieces.hpp"
 
 #include "base/error.hpp"
@@ -55,7 +55,7 @@ void checkRequest(const PiecesRequest& request, const frame::OutputName& output)
     fail(ExitCode::usage, "--fields: raw values lie beside pictures, and a video has none");
 }
 
-/// What would be written over.
+/// Fails if an unfinished plan or an output file exists that would be overwritten.
 void refuseExisting(const batch::PiecePlan& plan, const frame::OutputName& output) {
   if (pathExists(plan.planFile()))
     fail(ExitCode::inputOutput, "{} is of pieces that were not joined; use --resume or --overwrite",
@@ -66,12 +66,13 @@ void refuseExisting(const batch::PiecePlan& plan, const frame::OutputName& outpu
 }
 
 batch::PiecePlan planOf(const PiecesRequest& request) {
-  batch::RenderJob job(request.render);  // finds every mistake before anything is written
+  batch::RenderJob job(request.render);  // throws on any error before something is written
   checkRequest(request, job.output());
   const batch::RenderRequest& render = request.render;
   batch::PiecePlan plan;
   plan.folder = job.output().piecesFolder();
-  // parseOutput() tells a folder by what there is: what this was stays so.
+  // The trailing slash marks a folder, because parseOutput() otherwise decides by what exists on disk at
+  // the time.
   plan.output = fs::absolute(render.output).lexically_normal().string();
   if (job.output().wholeFolder && !plan.output.ends_with('/')) plan.output += '/';
   if (render.scene != "-")
@@ -85,7 +86,7 @@ batch::PiecePlan planOf(const PiecesRequest& request) {
   return plan;
 }
 
-/// Whether a run that is to be resumed has ended well before: pieces are gone then.
+/// True if an earlier run with --resume has already finished; its pieces are removed by then.
 bool isWhole(const batch::PiecePlan& plan, const PiecesRequest& request) {
   const frame::OutputName output = plan.wholeOutput();
   if (request.render.existing != frame::Existing::resume || !pathExists(output.manifestFile()))
@@ -179,7 +180,8 @@ void join(const StepOptions& o) {
   joinAll(batch::readPiecePlan(o.folder));
 }
 
-/// The manifest beside a folder of pieces that is there no more; empty where there is none.
+/// Returns the manifest beside a folder of pieces that was removed after joining; empty if no such manifest
+/// exists.
 std::string joinedOutput(const std::string& folder) {
   fs::path pieces(folder);
   if (!pieces.has_filename()) pieces = pieces.parent_path();
@@ -195,12 +197,13 @@ fs::path slurmFolder(const batch::PiecePlan& plan) {
   return plan.folder / "slurm";
 }
 
-/// 0: all is there to be joined, or is joined; 7: the cluster still has what is missing; else 3.
+/// Prints the state of each piece. Exit code 0: all pieces are drawn or joined; 7: the missing pieces are
+/// still in the cluster's queue; 3: otherwise.
 void status(const StepOptions& o) {
   if (const std::string whole = joinedOutput(o.folder); !whole.empty())
     return printText(fmt::format("all pieces are joined: {}\n", whole));
   const batch::PiecePlan plan = batch::readPiecePlan(o.folder);
-  // Before the pieces, which may begin in between.
+  // The queue is read before the pieces, because a piece may start between the two reads.
   const batch::SlurmQueue queue(slurmFolder(plan));
   std::size_t drawn = 0, queued = 0;
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
@@ -225,10 +228,10 @@ void status(const StepOptions& o) {
   if (drawn < plan.pieces.size()) setExitCode(static_cast<int>(ExitCode::baselineMissing));
 }
 
-/// The simulation, the pieces that begin with its states, and their join, each after the one before.
+/// Submits three dependent jobs: the simulation, the pieces (which start from its states), and the join.
 void submitPieces(const batch::PiecePlan& plan, const PiecesRequest& request) {
   batch::Slurm slurm = request.cluster.cluster(slurmFolder(plan));
-  // Who draws what it has already would only find the piece taken.
+  // A second job for the same piece would find the piece locked.
   if (!batch::SlurmQueue(slurmFolder(plan)).empty())
     fail(ExitCode::usage,
          "{}: the cluster still has jobs of these pieces; wait for them or end them (scancel)",

@@ -8,7 +8,7 @@
 
 namespace simreel::cli {
 
-/// `simreel render --pieces N`.
+/// Options of `simreel render --pieces N`, which renders a sequence in N pieces.
 struct PiecesRequest {
   batch::RenderRequest render;
   std::size_t pieces = 1;

@@ -77,7 +77,7 @@ std::vector<draw::Layer> layersOf(const std::vector<std::string>& names) {
   return layers;
 }
 
-/// --rule as overrides of the scene around a pattern.
+/// Adds --rule as overrides of the scene that is made around a cell pattern.
 void changeRule(const RenderOptions& o, std::vector<scene::Override>& changes) {
   const std::string& text = *o.rule;
   if (!sim::isPatternName(o.scene.file))
@@ -120,13 +120,13 @@ void render(const RenderOptions& o) {
   if (o.cluster.slurm || !o.cluster.scratch.empty())
     fail(ExitCode::usage, "--slurm and --scratch go with --pieces");
   frame::Progress progress(frame::parseProgressMode(o.progress));
-  // A senseless name fails before a device starts.
+  // Throws for an invalid output name before a device starts.
   batch::RenderJob job(requestOf(o));
   frame::catchInterrupts();
   frame::ignoreBrokenPipes();
 
   const gl::Context context(o.on);
-  // Who reads events hears of the scene's checks, too.
+  // With --progress=ndjson, the output includes the results of the scene's checks.
   std::optional<batch::Measurements> checks;
   if (progress.tellsEvents() && !job.scene().checks.empty())
     checks.emplace(job.scene(), job.frames(), batch::CheckFiles(), [&](const golden::CheckResult& check) {
@@ -138,7 +138,7 @@ void render(const RenderOptions& o) {
   } catch (const UserError& error) {
     const int signal = frame::interruptSignal();
     if (signal == 0 || error.code() != ExitCode::inputOutput) throw;
-    printError(error);  // of its end: the cause is the signal
+    printError(error);  // error caused by the signal, so the exit code is the signal's
     return setExitCode(128 + signal);
   }
   info("{}", frame::closingLine(result.frames, result.seconds, result.stages, job.summary()));

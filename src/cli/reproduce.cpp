@@ -1,4 +1,4 @@
-// simreel reproduce: is this picture what its scene gives?
+// simreel reproduce: checks that a picture is what its scene gives.
 #include "batch/reproduce/reproduce.hpp"
 
 #include "base/error.hpp"

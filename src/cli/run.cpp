@@ -33,14 +33,16 @@ int print(const std::string& message, ExitCode code) {
   return print(UserError(code, message));
 }
 
-/// A descriptor 0 to 2 that the caller closed would be given to the next file opened, and messages would
-/// land in it. Reading is all that /dev/null allows here, so writing fails as it would on the closed one.
+/// Opens /dev/null on descriptors 0 to 2 that the caller closed. Otherwise the next opened file would get
+/// such a descriptor, and messages would be written into that file. /dev/null is opened read-only, so that
+/// writing fails as on the closed descriptor.
 void holdStandardDescriptors() {
   for (int descriptor = 0; descriptor <= 2; ++descriptor)
     if (::fcntl(descriptor, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);
 }
 
-/// Text that waits in the buffer is written; a full disk shows only then.
+/// Flushes standard output and returns the exit code. A full disk is only detected here, because text waits
+/// in the buffer until then.
 int flushed(int code) {
   std::cout.flush();
   const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
@@ -48,7 +50,8 @@ int flushed(int code) {
   return print("cannot write to standard output", ExitCode::inputOutput);
 }
 
-/// Known before the rest is read: what is wrong with that is a message, too.
+/// True if the arguments contain --progress=ndjson. Scanned before the command line is parsed, so that
+/// parse errors are reported as NDJSON too.
 bool asksForNdjson(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
@@ -113,7 +116,8 @@ int runCommand(int argc, char** argv) {
   }
 }
 
-/// Whatever is thrown, while the command line is set up or later, becomes one line and its code.
+/// Runs the command and turns every exception, including exceptions during setup, into one line and an exit
+/// code.
 int explained(int argc, char** argv) {
   try {
     takeStackRoom(argv);
@@ -135,7 +139,7 @@ int run(int argc, char** argv) {
   try {
     return explained(argc, argv);
   } catch (...) {
-    // Nothing was left to make a message of.
+    // There is no memory left to format a message.
     static_cast<void>(std::fputs("simreel: error: not enough memory\n", stderr));
     return static_cast<int>(ExitCode::device);
   }

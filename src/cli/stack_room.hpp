@@ -2,8 +2,8 @@
 
 namespace simreel::cli {
 
-/// Where the stack that the shell allows is too small for drivers and for threads, begins the program again
-/// with more. Throws UserError(device) where no more is to be had and what there is would end in a crash.
+/// Restarts the program with a larger stack limit if the shell's limit is too small for drivers and
+/// threads. Throws UserError(device) if the limit cannot be raised and the current one would cause a crash.
 void takeStackRoom(char** arguments);
 
 }  // namespace simreel::cli

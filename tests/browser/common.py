@@ -1,4 +1,4 @@
-"""What the tests of the page share: a browser, and reports made for them."""
+"""Shared helpers of the page's tests: a browser, and reports made for them."""
 import atexit
 import os
 import pathlib
@@ -20,7 +20,7 @@ class ReportTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         if hasattr(ReportTest, "browser"):
-            return  # one for all classes
+            return  # all test classes share one browser and one report folder
         ReportTest.folder = tempfile.TemporaryDirectory(prefix="simreel-report-")
         ReportTest.browser = Browser(CHROMIUM, CHROMEDRIVER)
         atexit.register(ReportTest.browser.quit)

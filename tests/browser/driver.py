@@ -1,4 +1,4 @@
-"""A headless Chromium that looks at a report, and what the tests read from its page."""
+"""A headless Chromium that opens a report, and functions that read the page."""
 import json
 import pathlib
 import time
@@ -12,7 +12,7 @@ from selenium.webdriver.common.by import By
 
 class Browser:
     def __init__(self, chromium, chromedriver, requests=True):
-        """`requests`: whether it keeps what pages ask for, of a WebSocket every message."""
+        """`requests`: True to record the page's requests; for a WebSocket this records every message."""
         options = Options()
         options.binary_location = chromium
         for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
@@ -38,13 +38,13 @@ class Browser:
         self.command("Emulation.setEmulatedMedia", features=features)
 
     def open(self, page, link=""):
-        """A fresh load, not a change of the hash."""
+        """Loads the page afresh, instead of only changing the hash."""
         self.driver.get("about:blank")
         self.driver.get((page if isinstance(page, str) else pathlib.Path(page).as_uri()) + link)
         self.settle()
 
     def settle(self):
-        """Until the pictures that the page asks for are there, and the next repaint is over."""
+        """Waits until the pictures of the page are loaded and the next repaint is done."""
         self.run("""const done = arguments[0];
             const wait = () => [...document.querySelectorAll('#panes img')].every((i) => i.complete) ?
                 requestAnimationFrame(() => requestAnimationFrame(() => done(0))) : setTimeout(wait, 10);
@@ -112,31 +112,31 @@ class Browser:
         self.settle()
 
     def until(self, expression, seconds=600):
-        """Waits for a change that comes by itself; its last value. The page looks for itself: asking it again and again
-        takes three processes each time."""
+        """Waits for an asynchronous change and returns the expression's last value. The page itself evaluates the
+        expression repeatedly, because each query from outside involves three processes."""
         return self.run("""const done = arguments[1], end = performance.now() + arguments[0];
             const look = () => { const value = (%s); return value || performance.now() > end ? done(value) : setTimeout(look, 15); };
             look();""" % expression, 1000 * seconds, wait=True)
 
     def transform(self, pane=0):
-        """Scale and offset of the first picture of a pane."""
+        """Returns scale and offset of the first picture of a pane."""
         matrix = self.style(f".pane:nth-child({pane + 1}) img", "transform")
         numbers = [float(n) for n in matrix[len("matrix("):-1].split(",")]
         return numbers[0], numbers[4], numbers[5]
 
     def picture_at(self, x, y, pane=0):
-        """The picture's point that a point of the screen shows."""
+        """Returns the picture coordinates shown at a point of the screen."""
         scale, left, top = self.transform(pane)
         box = self.box(f".pane:nth-child({pane + 1})")
         return (x - box["x"] - left) / scale, (y - box["y"] - top) / scale
 
     def problems(self):
-        """What the console holds since the last call."""
+        """Returns the console's messages since the last call."""
         entries = self.driver.get_log("browser")
         return [entry["message"] for entry in entries if entry["level"] in ("SEVERE", "WARNING")]
 
     def requests(self):
-        """Addresses asked for since the last call."""
+        """Returns the requested addresses since the last call."""
         events = [json.loads(entry["message"])["message"] for entry in self.driver.get_log("performance")]
         asked = [event["params"]["request"] for event in events if event["method"] == "Network.requestWillBeSent"]
         return [request["url"] for request in asked]

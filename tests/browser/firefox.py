@@ -1,5 +1,5 @@
-"""A headless Firefox, by its own remote protocol (Marionette): Debian has no geckodriver. Messages are "length:[...]":
-[0, number, command, parameters] there and [1, number, error, result] back."""
+"""A headless Firefox, controlled by its own remote protocol (Marionette), because Debian has no geckodriver. A request
+is "length:[0, number, command, parameters]", an answer "length:[1, number, error, result]"."""
 import base64
 import json
 import pathlib
@@ -26,14 +26,14 @@ class Firefox:
         try:
             self.number = 0
             self.socket = socket.create_connection(("127.0.0.1", self.port()), timeout=600)
-            self.receive()  # its greeting
+            self.receive()  # skips Firefox's greeting message
             self.command("WebDriver:NewSession", capabilities={"alwaysMatch": {"acceptInsecureCerts": True}})
         except BaseException:
             self.quit()
             raise
 
     def port(self):
-        """It writes the port that it took into its profile."""
+        """Returns the port that Firefox chose and wrote into its profile."""
         file = pathlib.Path(self.profile.name, "MarionetteActivePort")
         end = time.monotonic() + 600
         while time.monotonic() < end:
@@ -81,7 +81,8 @@ class Firefox:
         self.command("WebDriver:Navigate", url=pathlib.Path(page).as_uri() + link)
 
     def value(self, expression):
-        """Through a script element: what a page declares with const, only its own scripts see."""
+        """Evaluates an expression in a script element, because only the page's own scripts see names declared with
+        const."""
         text = f"document.documentElement.dataset.answer = JSON.stringify({expression}) ?? 'null'"
         script = ("const made = document.createElement('script'), root = document.documentElement; delete root.dataset.answer;"
                   "made.textContent = arguments[0]; document.head.append(made); made.remove();"
@@ -92,12 +93,13 @@ class Firefox:
         return json.loads(answer)
 
     def run(self, script, *arguments):
-        """From outside of the page, for those whose policy lets no script in: its own objects are below page."""
+        """Runs a script from outside the page, for pages whose policy forbids inline scripts; `page` holds the page's
+        own objects."""
         return self.command("WebDriver:ExecuteScript", script="const page = window.wrappedJSObject ?? window; " + script, args=arguments)
 
     def complaints(self, address):
-        """What the browser's console holds against pages of an address: errors of scripts, of style, of policy; and what the
-        pages wrote there as warnings and errors."""
+        """Returns the console's messages about pages at an address: errors of scripts, styles and policy, and warnings
+        and errors written by the pages."""
         script = """const own = (text) => String(text ?? "").startsWith(arguments[0]);
             const errors = Services.console.getMessageArray().filter((m) => m instanceof Ci.nsIScriptError && own(m.sourceName));
             const storage = Cc["@mozilla.org/consoleAPI-storage;1"].getService(Ci.nsIConsoleAPIStorage);
@@ -114,6 +116,6 @@ class Firefox:
         self.command("WebDriver:ElementClick", id=next(iter(found.values())))
 
     def picture_of(self, selector):
-        """PNG of an element as it is on the screen."""
+        """Returns a PNG of an element as displayed."""
         found = self.command("WebDriver:FindElement", using="css selector", value=selector)
         return base64.b64decode(self.command("WebDriver:TakeScreenshot", id=next(iter(found.values())), full=False))

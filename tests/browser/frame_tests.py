@@ -1,4 +1,4 @@
-"""The strip of frames, the curve, and what stands about a scene."""
+"""Tests the strip of frames, the curve, and the information about a scene."""
 import shlex
 
 from common import FLAG, ReportTest
@@ -52,7 +52,7 @@ class FrameTest(ReportTest):
         self.assertEqual(self.chosen()[1], 180)
         ys = [float(e.get_attribute("cy")) for e in b.all("#curve .dot")]
         self.assertEqual(ys[0], ys[1])
-        self.assertLess(ys[8], ys[2] - 20)  # a larger difference is higher
+        self.assertLess(ys[8], ys[2] - 20)  # the curve is higher where the difference is larger
         mark = svg["x"] + float(b.one("#curve line.diverges").get_attribute("x1"))
         self.assertAlmostEqual((mark - toX(0)) / (toX(8) - toX(0)), 37 / 240, places=3)
         self.assertEqual(b.text("#curve text.diverges"), "leaves the baseline: frame 37, step 4/22")
@@ -146,7 +146,7 @@ class WordsTest(ReportTest):
         self.assertEqual(b.all("main script, main img[onerror], #side script"), [])
         self.assertEqual(b.text(".checks tbody th"), name)
         self.assertIn("before frame 0, at pre-roll frame -12", self.card("divergence"))
-        # The folder of its pictures has "#", "?", "%" and a space in its name.
+        # The folder of this scene's pictures has "#", "?", "%" and a space in its name.
         self.assertEqual(b.picture_widths(), [320] * 3)
         words = shlex.split(b.text("#accept code"))
         self.assertEqual(words, ["simreel", "accept", "out/report", "--only", name])
@@ -154,7 +154,7 @@ class WordsTest(ReportTest):
         self.assertEqual(b.text("#name"), name)
 
     def test_copying_the_command(self):
-        for refuse in (False, True):  # the asynchronous clipboard, and a page that has none
+        for refuse in (False, True):  # tests a page with the asynchronous clipboard, and a page without it
             b = self.open(FLAG + "side")
             if refuse:
                 b.run("Object.defineProperty(navigator, 'clipboard', {value: undefined})")

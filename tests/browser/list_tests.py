@@ -1,4 +1,4 @@
-"""The list of scenes and the keyboard."""
+"""Tests the list of scenes and the keyboard."""
 from common import FLAG, ReportTest
 from driver import Keys
 
@@ -27,7 +27,7 @@ class ListTest(ReportTest):
         self.assertIn("cloth/flag", self.names())
         b.click("#onlyFailing")
         self.assertEqual(len(self.names()), 8)
-        self.assertNotIn("cloth/flaky", self.names())  # --allow-flaky
+        self.assertNotIn("cloth/flaky", self.names())  # with --allow-flaky, flaky scenes do not count as failing
         b.click("#allStatuses")
         self.assertEqual(len(self.names()), 13)
         b.run("arguments[0].dispatchEvent(new MouseEvent('click', {altKey: true}))", b.one(".chip.missing"))
@@ -59,7 +59,8 @@ class KeyboardTest(ReportTest):
         b = self.open()
         self.assertEqual(b.text("#name"), "life/broken")
         b.keys("j")
-        self.assertEqual(self.chosen(), ("cloth/flag", 60, "side"))  # its first failing frame
+        # the selection starts at the scene's first failing frame
+        self.assertEqual(self.chosen(), ("cloth/flag", 60, "side"))
         b.keys("j", "k", "l")
         self.assertEqual(self.chosen(), ("cloth/flag", 90, "side"))
         b.keys("h", Keys.ARROW_LEFT)
@@ -95,7 +96,7 @@ class KeyboardTest(ReportTest):
         listed = " ".join(b.texts("#keys kbd"))
         for key in b.value("Object.keys(keyActions)"):
             self.assertIn({"ArrowRight": "→", "ArrowLeft": "←", "-": "−", "=": "+"}.get(key, key), listed)
-        b.keys("4")  # not while the help is open
+        b.keys("4")  # keys are ignored while the help is open
         self.assertEqual(self.chosen()[2], "side")
         b.keys(Keys.ESCAPE)
         self.assertEqual(b.visible("#keys"), [])

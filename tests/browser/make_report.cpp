@@ -1,5 +1,5 @@
-// Writes a report for tests of the page: make_report FOLDER showcase|bulk N|none. The showcase holds every
-// status and text that must not become markup; bulk has N failing scenes of three frames.
+// Writes a report for tests of the page: make_report FOLDER showcase|bulk N|none. The showcase contains
+// every status, and text that must be escaped; bulk has N failing scenes of three frames.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "frame/image.hpp"
@@ -34,7 +34,8 @@ struct Maker {
 Json metricsOf(const frame::Image& a, const frame::Image& b) {
   int worst = 0, worstX = 0, worstY = 0, different = 0, far = 0, max = 0, windowX = 0, windowY = 0;
   double squares = 0;
-  std::map<std::pair<int, int>, int> tiles;  // windows on a grid of half their size
+  std::map<std::pair<int, int>, int>
+      tiles;  // sums over overlapping windows, on a grid of half the window size
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
       const int much = apart(a, b, x, y);
@@ -63,7 +64,7 @@ Json metricsOf(const frame::Image& a, const frame::Image& b) {
           {"flipMean", std::min(1.0, mean / 9000)}};
 }
 
-/// A frame whose pixels equal the baseline's.
+/// Returns a frame whose pixels equal the baseline's.
 Json equalFrame(int frame) {
   const std::string hash = fmt::format("{:032x}", frame * 7919 + 1);
   return {{"frame", frame},        {"time", frame / 60.0},   {"status", "pass"},       {"message", ""},
@@ -72,11 +73,11 @@ Json equalFrame(int frame) {
           {"differenceImage", ""}, {"flipImage", ""},        {"others", Json::array()}};
 }
 
-/// A frame that is `shift` of the wave's phase away from its baseline, with its pictures.
+/// Returns a frame whose wave differs from the baseline's by the phase `shift`, and writes its pictures.
 Json failedFrame(const Maker& make, const std::string& scene, int frame, double shift) {
   const auto expected = picture(make.width, make.height, frame * 0.05);
   auto actual = picture(make.width, make.height, frame * 0.05 + shift);
-  // The worst pixel is where a test looks for it, in the bright sky.
+  // The worst pixel is at the position that a test expects, in the bright sky.
   std::uint8_t* const worst = &actual.bytes[(std::size_t(20) * std::size_t(make.width) + 100) * 4];
   std::fill(worst, worst + 3, 0);
   Json result = equalFrame(frame);
@@ -129,7 +130,7 @@ Json passedScene(const std::string& name, const char* status = "pass") {
   return scene;
 }
 
-/// The first frame passes, the others fail more and more.
+/// Returns a scene whose first frame passes and whose other frames fail by increasing amounts.
 Json failedScene(const Maker& make, const std::string& name, int frames, int every, double shift) {
   Json scene = emptyScene(name, "fail");
   scene["frames"].push_back(equalFrame(0));
@@ -206,7 +207,7 @@ Json missingScene(const Maker& make) {
   return scene;
 }
 
-/// Another size than its baseline's: nothing can be compared.
+/// Returns a scene whose picture has another size than the baseline, so that nothing can be compared.
 Json resizedScene(const Maker& make) {
   Json scene = failedScene(make, "life/resized", 2, 60, 0.2);
   Json& frame = scene["frames"][1];

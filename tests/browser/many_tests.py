@@ -1,5 +1,5 @@
-"""A report of 500 pictures that failed, as the program writes it: its size, groups of like failures, what is loaded, the
-command that accepts a group, small differences. The same in Chromium and in Firefox."""
+"""Tests a report of 500 failed pictures written by the program: its size, groups of similar failures, loaded files, the
+command that accepts a group, small differences. Runs in Chromium and in Firefox."""
 import importlib.util
 import os
 import pathlib
@@ -21,7 +21,7 @@ COUNT = 500
 
 
 def cli_common():
-    """tests/cli/common.py, whose name is that of ours."""
+    """Loads tests/cli/common.py under another name, because this folder has a common.py too."""
     spec = importlib.util.spec_from_file_location("cli_common", pathlib.Path(__file__).parents[1] / "cli/common.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -59,13 +59,13 @@ def wider(rows):
 
 
 CHANGES = (brighter, dotted, shuffled, wider)
-# What the page calls each of them.
+# The page's names of the groups.
 GROUPS = {"pictures differ|by 1 of 255|most of the picture", "pictures differ|by more than 64 of 255|under 1 %",
           "pictures differ|by more than 64 of 255|most of the picture", "sizes differ"}
 
 
 class ManyReport:
-    """Made once; read by both browsers."""
+    """The report, made once for both browsers."""
     folder = None
 
     @classmethod
@@ -86,7 +86,7 @@ class ManyReport:
 
 
 class ManyTests:
-    """`browser` has open(), value(), click(), picture_of() and size()."""
+    """Tests for any browser; `browser` has open(), value(), click(), picture_of() and size()."""
 
     @classmethod
     def setUpClass(cls):
@@ -137,7 +137,7 @@ class ManyTests:
         self.assertEqual(words[:3], ["simreel", "accept", "report/report.json"])
         self.assertEqual(words[3:], [word for name in names for word in ("--only", name)])
         self.assertEqual(b.value("document.querySelector('#choice b').textContent"), f"{COUNT // 4} pictures chosen")
-        # One less, then all there are: the command needs no names.
+        # First one picture less, then all: the command needs no names then.
         b.value("document.querySelectorAll('.group:nth-of-type(2) .thumb .choose')[0].click()")
         self.assertEqual(b.value("overview.chosen.size"), COUNT // 4 - 1)
         self.assertTrue(b.value("document.querySelector('.group:nth-of-type(2) header .choose').indeterminate"))
@@ -169,7 +169,7 @@ class ManyTests:
         stride = width * channels
         half = height // 2 + 1
         row = cli.unfiltered(rows[:half * (stride + 1)], stride, channels)[-1]
-        # A little aside: where pixels of a picture meet, they may mix.
+        # Slightly off the middle, because pixels may be mixed where they meet.
         at = (width // 2 + 9) * channels
         return row[at:at + 3]
 

@@ -1,4 +1,4 @@
-"""The page as a whole: links, colours, narrow screens, many scenes, errors."""
+"""Tests the page as a whole: links, colours, narrow screens, many scenes, errors."""
 import pathlib
 import subprocess
 
@@ -32,7 +32,7 @@ class PageTest(ReportTest):
         b.click("#theme")
         self.assertEqual((page(), b.text("#theme")), (light, "○ light"))
         self.open()
-        self.assertEqual(page(), light)  # kept
+        self.assertEqual(page(), light)  # a chosen colour scheme is kept when the page is opened again
         b.keys("t")
         b.dark(False)
         self.assertEqual(page(), dark)
@@ -116,7 +116,7 @@ class PageTest(ReportTest):
         self.assertLess(len(b.all("img")), 75)
         took = b.value("(() => {const t = performance.now(); for (let i = 0; i < 50; ++i) stepScene(1);"
                        " return (performance.now() - t) / 50;})()")
-        self.assertLess(took, 100)  # ms a scene
+        self.assertLess(took, 100)  # limit in ms per scene
         b.keys(Keys.END)
         self.assertEqual(b.text("#name"), self.names()[-1])
         self.assertEqual(b.text(".row[aria-selected=true] .rowName"), self.names()[-1])

@@ -1,4 +1,4 @@
-"""The views of the pictures."""
+"""Tests the views of the pictures."""
 import functools
 import http.server
 import shutil
@@ -62,7 +62,7 @@ class PictureTest(ReportTest):
         b.keys("o", "+", "+", "l")
         self.assertEqual((self.chosen()[1], b.transform()[0]), (150, 3))
         b.keys("j")
-        self.assertEqual(b.value("viewer.scale"), None)  # another scene: fit
+        self.assertEqual(b.value("viewer.scale"), None)  # another scene is shown fitted to its pane
 
     def test_worst_pixel_and_densest_window(self):
         b = self.open(FLAG + "side")
@@ -97,16 +97,17 @@ class PictureTest(ReportTest):
         b.drag(x, y, pane["x"] + pane["width"] * 0.25, y)
         self.assertAlmostEqual(float(clip().split()[-1][:-2]), 25, delta=0.5)
         self.assertEqual(b.one(".handle").get_attribute("aria-valuenow"), "25")
-        b.drag(*self.middle(), pane["x"] + pane["width"] * 0.75, y)  # it fits: anywhere moves the slider
+        # the picture fits, so dragging anywhere moves the slider
+        b.drag(*self.middle(), pane["x"] + pane["width"] * 0.75, y)
         self.assertAlmostEqual(float(clip().split()[-1][:-2]), 75, delta=0.5)
         b.run("document.querySelector('.handle').focus()")
         b.keys(Keys.ARROW_LEFT)
         self.assertAlmostEqual(float(clip().split()[-1][:-2]), 73, delta=0.5)
-        self.assertEqual(self.chosen()[1], 120)  # the arrow moved the slider, not the frame
+        self.assertEqual(self.chosen()[1], 120)  # the arrow key moved the slider, not the frame
         b.keys("w")
         before = clip(), b.transform()
         x, y = self.middle()
-        b.drag(x, y + 50, x + 40, y + 50)  # zoomed: the picture moves
+        b.drag(x, y + 50, x + 40, y + 50)  # zoomed in, so dragging moves the picture
         self.assertEqual(clip(), before[0])
         self.assertAlmostEqual(b.transform()[1] - before[1][1], 40, delta=1)
 
@@ -117,8 +118,8 @@ class PictureTest(ReportTest):
         b.keys("b")
         self.assertEqual(self.chosen()[2], "blink")
         first = shown()
-        self.assertTrue(b.until(f"{other} !== '{first}'"))  # by the timer
-        b.keys("b")  # by hand, which stops the timer
+        self.assertTrue(b.until(f"{other} !== '{first}'"))  # the timer switches the picture
+        b.keys("b")  # the key switches the picture and stops the timer
         now = shown()
         self.assertEqual(b.texts("figcaption:not([hidden])"), ["actual" if now == "visible" else "expected"])
         self.assertEqual(b.one("#play").get_attribute("aria-pressed"), "false")

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-/// Pictures that a report can be made of without a renderer: a striped flag before a sky, as it waves at
-/// `phase`.
+/// Returns a picture for reports that need no renderer: a striped flag before a sky, waving with `phase`.
 inline simreel::frame::Image picture(int width, int height, double phase) {
   simreel::frame::Image image{width, height, {}};
   image.bytes.reserve(std::size_t(width) * std::size_t(height) * 4);
@@ -42,7 +41,7 @@ inline int apart(const simreel::frame::Image& a, const simreel::frame::Image& b,
   return max;
 }
 
-/// Dark where the pictures agree, from yellow to red where they do not.
+/// Returns the difference of two pictures: dark where they agree, from yellow to red where they differ.
 inline simreel::frame::Image difference(const simreel::frame::Image& a, const simreel::frame::Image& b) {
   simreel::frame::Image image = a;
   for (int y = 0; y < a.height; ++y)

@@ -1,5 +1,5 @@
-"""The HTML report in a browser: every control in Chromium, from disk, and a report of 500 failures in Chromium and in
-Firefox. Skipped (exit 77) without Chromium or Selenium."""
+"""Tests the HTML report in a browser: every control in Chromium, loaded from disk, and a report of 500 failures in
+Chromium and in Firefox. Skipped (exit code 77) without Chromium or Selenium."""
 import importlib.util
 import shutil
 import sys

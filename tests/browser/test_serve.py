@@ -1,5 +1,5 @@
-"""The page of `simreel serve` in a browser: what is done there changes the picture, and the picture is that of `simreel
-render`. Skipped (exit 77) without Chromium or Selenium."""
+"""Tests the page of `simreel serve` in a browser: actions change the picture, and the picture equals that of `simreel
+render`. Skipped (exit code 77) without Chromium or Selenium."""
 import importlib.util
 import json
 import os
@@ -26,7 +26,7 @@ if not missing():
     from driver import Browser, Keys
     from serve_client import PROGRAM, Server
 
-# What is on the screen: size and RGB of every pixel.
+# Script that returns the displayed size and the RGB of every pixel.
 PIXELS = """const canvas = document.getElementById(arguments[0] ?? "picture");
     const bytes = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
     return [canvas.width, canvas.height, [...bytes].filter((_, i) => i % 4 !== 3)];"""
@@ -73,7 +73,7 @@ class PageOfServe(unittest.TestCase):
         return width, height, b"".join(unfiltered(rows, 3 * width, 3))
 
     def shows(self, frame, *arguments, canvas="picture"):
-        """Waits until the picture is render's."""
+        """Waits until the picture equals render's."""
         wanted = self.rendered(frame, *arguments)
         end = 100
         while self.pixels(canvas) != wanted:
@@ -85,7 +85,7 @@ class PageOfServe(unittest.TestCase):
         return f".row[data-path='{path}'] input[type='{kind}']"
 
     def tearDown(self):
-        # The canvas is read by these tests alone.
+        # Ignores the warning about reading the canvas, because only these tests read it.
         self.assertEqual([text for text in self.browser.problems() if "willReadFrequently" not in text], [])
 
     def test_scrub_back_is_what_render_makes(self):
@@ -135,7 +135,7 @@ class PageOfServe(unittest.TestCase):
         b = self.open("--edit")
         text, row = self.scene.read_text(), self.row("objects.flag.cloth.spacing", "number")
         put = "const box = document.querySelector(arguments[0]); box.value = arguments[1]; box.dispatchEvent(new Event('change'));"
-        b.run(put, row, 0)  # which is refused, so the box has what it had
+        b.run(put, row, 0)  # the value is refused, so the box shows the previous value
         self.assertTrue(b.until("document.getElementById('note').classList.contains('report')"))
         self.assertEqual(b.value(f"document.querySelector(\"{row}\").value"), "0.1")
         b.run(put, row, 0.3)
@@ -144,7 +144,8 @@ class PageOfServe(unittest.TestCase):
         self.shows(0)
 
     def save(self, text):
-        """Writes the scene beside its place and renames it, as editors do: no reader sees half of it."""
+        """Writes the scene to a temporary file and renames it, as editors do, so that the server never reads half of
+        it."""
         part = self.scene.with_suffix(".part")
         part.write_text(text)
         part.rename(self.scene)
@@ -225,7 +226,7 @@ class PageOfServe(unittest.TestCase):
         b.drag(x(0.5), y, x(0.7), y)
         self.assertTrue(b.until("simreel.state.scene.scene.sun.intensity.keys[1][0] === 0.7 && simreel.state.scene.edits.length === 0"))
         self.assertEqual(self.scene.read_text(), text.replace("0.5,", "0.7,"))
-        b.drag(x(0.7), y, x(1), y)  # no further than the frame before the next key of either
+        b.drag(x(0.7), y, x(1), y)  # limited to the frame before the next key of either value
         self.assertTrue(b.until("simreel.state.scene.scene.sun.intensity.keys[1][0] > 0.8 && simreel.state.scene.edits.length === 0"))
         self.assertEqual(b.value("simreel.state.scene.scene.camera.fieldOfView.keys[1][0]"), 0.866667)
         b.drag(x(0.9), y, x(0.9), y)
@@ -308,7 +309,7 @@ class PageOfServe(unittest.TestCase):
         self.at(5)
         self.shows(5, *right, canvas="pictureBeside")
         self.shows(5)
-        # The mouse over either moves both.
+        # The mouse over either picture moves both cameras.
         x, y = boxes[1]["x"] + boxes[1]["width"] / 2, boxes[1]["y"] + boxes[1]["height"] / 2
         b.drag(x, y, x + 50, y + 10)
         at = "(simreel.state.scene.edits.find(([path]) => path === 'camera.position') ?? [])[1]"

@@ -1,5 +1,5 @@
-"""The page of `simreel serve` in Firefox: it loads, a slider changes the picture, a baseline stands beside it, and the
-console has nothing to say. Skipped (exit 77) without Firefox."""
+"""Tests the page of `simreel serve` in Firefox: it loads, a slider changes the picture, a baseline is shown beside it,
+and the console stays empty. Skipped (exit code 77) without Firefox."""
 import json
 import os
 import pathlib
@@ -71,9 +71,9 @@ class PageInFirefox(unittest.TestCase):
         b.click("#forget")
         self.until("document.getElementById('verdict').textContent === 'Every pixel is that of the baseline.'")
         self.assertEqual(self.shows(), before)
-        # The canvas is read by this test alone.
+        # Ignores the warning about reading the canvas, because only this test reads it.
         self.assertEqual([text for text in b.complaints(self.server.page) if "willReadFrequently" not in text], [])
-        # It would be heard: no script may stand in the page.
+        # Checks that messages are detected at all: the policy forbids inline scripts, so this one causes a message.
         b.run("document.body.append(Object.assign(document.createElement('script'), {textContent: '0'}))")
         end = time.monotonic() + 600
         while not any("script-src" in text for text in b.complaints("")):

@@ -1,4 +1,4 @@
-"""What the tests of the command line share: tiny scenes, a runner, and checks of messages and folders."""
+"""Shared helpers of the command-line tests: tiny scenes, a runner, and checks of messages and folders."""
 import copy
 import json
 import os
@@ -28,21 +28,21 @@ SCENE = {
 }
 FRAMES = 6
 
-# Seconds after which a test takes a program for hung. No test passes or fails by how fast the machine is: nothing is held to
-# less than this, and a signal that came after its program had ended is sent to another run.
+# Seconds until a test treats a program as hung. No test depends on the speed of the machine: no shorter limit is used,
+# and if a program ends before a test's signal arrives, the test starts it again.
 PATIENCE = 1200
 
-# Stable, but slow enough per frame for a signal to arrive midway.
+# A stable simulation whose frames take long enough for a signal to arrive midway.
 SLOW = {"render.size": [320, 240], "time.fps": 30, "time.duration": 2, "objects.flag.cloth.size": [64, 48],
         "objects.flag.cloth.spacing": 0.02, "objects.flag.cloth.substeps": 64}
 
-# Must never be seen, whatever goes wrong.
+# Texts that must never appear in the output, whatever fails.
 CRASH = ("terminate called", "Aborted", "Segmentation", "Assertion", "core dumped", "AddressSanitizer",
          "runtime error:", "internal error at", "std::")
 
 
 def with_values(values, scene=None):
-    """A copy of the scene with some dotted paths set."""
+    """Returns a copy of the scene with values set at dotted paths."""
     result = copy.deepcopy(SCENE if scene is None else scene)
     for path, value in values.items():
         steps = path.split(".")
@@ -54,12 +54,14 @@ def with_values(values, scene=None):
 
 
 def without_hash(manifest):
-    """The text of a manifest as version 3 had it, which ended without a hash of itself; of another file as it is."""
+    """Returns a manifest's text in format version 3, which has no hash of itself at the end; other text is returned
+    unchanged."""
     return re.sub(r',\n  "hash": "[0-9a-f]{32}"\n}\n$', "\n}\n", manifest).replace('"version": 4', '"version": 3', 1)
 
 
 def png_rows(data):
-    """(width, height, raw filtered rows) of a PNG whose chunks are all checked; ValueError if it is not whole."""
+    """Returns (width, height, raw filtered rows) of a PNG and checks all its chunks. Raises ValueError if the file is
+    incomplete."""
     if data[:8] != b"\x89PNG\r\n\x1a\n":
         raise ValueError("no PNG signature")
     at, pixels, size, ended = 8, b"", None, False
@@ -81,7 +83,7 @@ def png_rows(data):
 
 
 def unfiltered(rows, stride, step):
-    """Bytes of a PNG's rows (specification 9.2); `step` bytes a pixel."""
+    """Returns the bytes of a PNG's rows with the filters undone (specification 9.2); `step` is bytes per pixel."""
     result, above = [], bytes(stride)
     for start in range(0, len(rows), stride + 1):
         kind, line = rows[start], bytearray(rows[start + 1:start + 1 + stride])
@@ -101,7 +103,7 @@ def unfiltered(rows, stride, step):
 
 
 class Case(unittest.TestCase):
-    """Each test runs in a temporary folder of its own, which holds scene.json."""
+    """Base class: each test runs in its own temporary folder, which contains scene.json."""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="simreel-cli-"))
@@ -134,7 +136,8 @@ class Case(unittest.TestCase):
         return done
 
     def bad(self, code, words, *arguments, **options):
-        """Runs, and expects the code and one error that holds every word: a sentence after "simreel: error: "."""
+        """Runs the program; expects the exit code and a single error that contains every word: a sentence after
+        "simreel: error: "."""
         done = self.run_program(*arguments, **options)
         self.assertEqual(done.returncode, code, f"{arguments}: {done.err}")
         starts = [line for line in done.err.splitlines() if line.startswith("simreel: error: ")]
@@ -143,7 +146,7 @@ class Case(unittest.TestCase):
         return done
 
     def bad_scene(self, words, *arguments, **options):
-        """Runs, and expects code 2 and a report: three lines for each mistake, and nothing else."""
+        """Runs the program; expects exit code 2 and a report: three lines per error, and no other output."""
         done = self.run_program(*arguments, **options)
         self.assertEqual(done.returncode, 2, f"{arguments}: {done.err}")
         self.assertEqual(done.stdout, b"")
@@ -165,15 +168,15 @@ class Case(unittest.TestCase):
         return json.loads((self.folder / folder / "manifest.json").read_text(encoding="utf-8"))
 
     def content(self, folder):
-        """Bytes of every file of a folder, by name; but for run.json, which tells of machines and times."""
+        """Returns the bytes of every file of a folder by name, except run.json, which contains machines and times."""
         return {p.name: p.read_bytes() for p in (self.folder / folder).iterdir() if p.name != "run.json"}
 
     def runs(self, folder):
-        """What run.json tells of those who made a folder."""
+        """Returns the runs listed in a folder's run.json."""
         return json.loads((self.folder / folder / "run.json").read_text(encoding="utf-8"))["runs"]
 
     def assert_manifest_is_whole(self, folder):
-        """Every frame that the manifest lists exists and decodes; returns their numbers."""
+        """Checks that every frame in the manifest exists and decodes; returns the frame numbers."""
         manifest = self.manifest(folder)
         for frame in manifest["frames"]:
             width, height, _ = png_rows((self.folder / folder / frame["file"]).read_bytes())
@@ -187,7 +190,7 @@ class Case(unittest.TestCase):
         return process
 
     def wait_until(self, good, *processes):
-        """Waits until good() is true or one of the processes has ended, and returns what good() does."""
+        """Waits until good() is true or one of the processes has ended, and returns the result of good()."""
         end = time.monotonic() + PATIENCE
         while not (found := good()):
             if any(process.poll() is not None for process in processes):
@@ -197,8 +200,8 @@ class Case(unittest.TestCase):
         return found
 
     def signal_when(self, good, folder, number, *arguments, **options):
-        """Runs in the background, sends the signal once good() is true, and returns code and messages. A run that has ended
-        before is begun again, with the folder as it was."""
+        """Runs the program in the background, sends the signal once good() is true, and returns exit code and messages.
+        If the run ends before the signal, restores the folder and starts again."""
         place = self.folder / folder
         kept = self.folder / "kept before the signal"
         if place.exists():
@@ -220,7 +223,7 @@ class Case(unittest.TestCase):
         return process.returncode, messages
 
     def signal_after(self, count, folder, number, *arguments):
-        """The same once `count` frames are there."""
+        """Calls signal_when() with the condition that `count` frames exist."""
         return self.signal_when(lambda: len(list((self.folder / folder).glob("*.png"))) >= count, folder, number, *arguments)
 
 def main():

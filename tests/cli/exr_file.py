@@ -1,10 +1,10 @@
-"""Reads OpenEXR files of scan lines, uncompressed or with ZIP, without anything of simreel's."""
+"""Reads OpenEXR scan-line files, uncompressed or with ZIP, independently of simreel's code."""
 import struct
 import zlib
 
 
 def read_exr(data):
-    """(width, height, {channel: values by rows from the top}, {attribute: (type, bytes)})."""
+    """Returns (width, height, {channel: values by rows from the top}, {attribute: (type, bytes)})."""
     if struct.unpack("<II", data[:8]) != (20000630, 2):
         raise ValueError("no OpenEXR file of scan lines")
     at, header = 8, {}
@@ -45,7 +45,7 @@ def read_exr(data):
 
 
 def undone(packed):
-    """Bytes before ZIP: differences summed, the two halves interleaved."""
+    """Undoes the preparation for ZIP: sums the differences and interleaves the two halves."""
     summed, last = bytearray(packed), packed[0]
     for i in range(1, len(packed)):
         last = summed[i] = (last + packed[i] - 128) & 255
@@ -55,13 +55,14 @@ def undone(packed):
 
 
 def bits(value):
-    """Of a float."""
+    """Returns the bits of a value as a 32-bit float."""
     return struct.unpack("<I", struct.pack("<f", value))[0]
 
 
 def write_exr(*parts, display=None):
-    """An uncompressed OpenEXR file; each part is (width, height, {channel: (kind, values)}, {attribute: text, or
-    (type, bytes)}) with kinds as read_exr() has them: 0 whole numbers, 1 halves, 2 floats. `display` is the last pixel of the window that is shown."""
+    """Returns an uncompressed OpenEXR file. Each part is (width, height, {channel: (kind, values)}, {attribute: text,
+    or (type, bytes)}) with kinds as in read_exr(): 0 unsigned int, 1 half, 2 float. `display` is the last pixel of the
+    display window."""
     def attribute(name, kind, value):
         return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(value)) + value
 

@@ -1,4 +1,4 @@
-"""Golly's bgolly (Debian package golly) beside the program: the same soup, cell for cell."""
+"""Compares the program with Golly's bgolly (Debian package golly): the same soup, cell by cell."""
 import functools
 import json
 import os
@@ -12,14 +12,14 @@ GOLLY = os.environ.get("BGOLLY") or shutil.which("bgolly") or shutil.which("bgol
 
 @functools.cache
 def version():
-    """As (3, 3); one built by hand, which does not tell, counts as new."""
+    """Returns bgolly's version as (3, 3); a build that does not print its version counts as new."""
     said = subprocess.run([GOLLY], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout.decode()
     told = re.search(r"bgolly (\d+)\.(\d+)", said)
     return tuple(int(n) for n in told.groups()) if told else (5, 0)
 
 
 def read_rle(text):
-    """(width, height, rule, {(x, y): state}) of an RLE file of the program."""
+    """Returns (width, height, rule, {(x, y): state}) of an RLE file of the program."""
     lines = [line for line in text.splitlines() if not line.startswith("#")]
     width, height, rule = re.match(r"x = (\d+), y = (\d+), rule = (\S+)", lines[0]).groups()
     cells, x, y = {}, 0, 0
@@ -37,7 +37,8 @@ def read_rle(text):
 
 
 def read_macrocell(text):
-    """{(x, y): state} of a macrocell file, about its middle: the only one of Golly's formats that tells where they are."""
+    """Returns {(x, y): state} of a macrocell file, relative to its middle. Of Golly's formats only this one stores
+    positions."""
     nodes = [None]
     for line in text.splitlines():
         if line[:1] in ("[", "#", ""):
@@ -72,8 +73,8 @@ def fitted(cells):
 
 
 def run_golly(folder, file, generations, rules=None):
-    """The cells of a pattern after so many generations; of Larger than Life, which has no other format, from the upper left
-    of all that live."""
+    """Returns the cells of a pattern after some generations. Larger than Life can only be written as RLE, so its cells
+    are relative to the upper left of all living cells."""
     rule = re.search(r"(?:rule *= *|#R +)([^\s:]+)", (folder / file).read_text(encoding="latin-1"))[1]
     algorithm = ("Larger than Life" if "," in rule else "Generations" if rule.count("/") == 2 else
                  "HashLife" if "/" in rule or re.match(r"MAP|W\d", rule) else "RuleLoader")
@@ -89,7 +90,7 @@ def run_golly(folder, file, generations, rules=None):
     return read_macrocell(text) if output == "golly.mc" else fitted(read_rle(text)[3])
 
 
-# A wall of state 2 that nothing passes: between top and bottom of a torus it makes a cylinder of it.
+# A wall of constant state 2 between top and bottom turns a torus into a cylinder.
 WALLED_LIFE = """@RULE WalledLife
 @TABLE
 n_states:3
@@ -103,7 +104,7 @@ symmetries:permute
 
 
 def hensel(chance, rng):
-    """Numbers of neighbours with some of their letters."""
+    """Returns a list of neighbour counts in Hensel notation, each with random letters."""
     letters = {1: "ce", 2: "cekain", 3: "cekainyqjr", 4: "cekainyqjrtwz", 5: "cekainyqjr", 6: "cekain", 7: "ce"}
     text = ""
     for n, all_letters in letters.items():
@@ -121,7 +122,7 @@ BORDERS = ["torus", "dead", "klein", "kleinSideways", "crossSurface", "sphere"]
 
 
 def random_case(family, rng):
-    """What a scene says of a random automaton of a family."""
+    """Returns the scene entry of a random automaton of a family."""
     size = [rng.randrange(20, 90), rng.randrange(20, 70)]
     case = {"size": size, "fill": rng.choice([0.1, 0.3, 0.5]), "border": rng.choice(BORDERS[:2])}
     if family == "borders":
@@ -143,7 +144,7 @@ def random_case(family, rng):
     elif family == "life":
         case["rule"] = f"B{digits(8, rng)}/S{digits(8, rng, 0)}"
     elif family == "map":
-        # Any function of nine cells, of seven (hexagonal) or of five (von Neumann).
+        # A random function of nine cells, of seven (hexagonal) or of five (von Neumann).
         count = rng.choice([512, 128, 32])
         bits = [i not in (0, count - 1) and i < count and rng.random() < 0.4 for i in range((count + 5) // 6 * 6)]
         base = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
@@ -165,14 +166,15 @@ def random_case(family, rng):
         case["rule"] = f"W{2 * rng.randrange(128)}"
         case["fill"] = rng.choice([0.003, 0.01, 0.05])
     elif family == "shaped":
-        # What Golly has since 4.0: neighbourhoods of other shapes, weights, lists of counts.
+        # Features of Golly 4.0 and later: other neighbourhood shapes, weights, lists of counts.
         case["rule"] = shaped_rule(rng)
         size[:] = (max(s, 24) for s in size)
         case["fill"] = rng.choice([0.3, 0.5])
     elif family in ("far", "farthest"):
-        # "far" for many generations, so that a cell and step takes few operations of either program; one in sixteen beyond what a
-        # byte of sums holds and what loops of a software driver get through. "farthest" as far as Golly goes, for few. Golly
-        # makes grids twice as wide as the range, at least. Half of the cells live, so limits lie about the middle.
+        # "far" runs for many generations, so ranges are small enough for few operations per cell and step in both
+        # programs; one case in sixteen exceeds the sums that fit into a byte and the loop length that a software driver
+        # handles in one pass. "farthest" uses ranges up to Golly's maximum for few generations. Golly requires grids at
+        # least twice as wide as the range. Half of the cells live, so limits are around the middle.
         shape = rng.choice("MNC")
         if family == "farthest":
             reach = rng.choice([*[rng.randrange(1, 51) for _ in range(8)], rng.randrange(51, 140), rng.randrange(200, 501)])
@@ -226,9 +228,9 @@ def shaped_rule(rng):
 
 
 def random_table(rng):
-    """A rule file of random transitions, some of them for any state of some neighbours."""
+    """Returns a rule file of random transitions, some of them with wildcards for neighbours."""
     neighbourhood = rng.choice(["Moore", "vonNeumann", "hexagonal"])
-    moore = neighbourhood == "Moore"  # whose diagrams grow fast
+    moore = neighbourhood == "Moore"  # decision diagrams of the Moore neighbourhood grow fast
     states = rng.randrange(2, 4 if moore else 6)
     neighbours = {"Moore": 8, "vonNeumann": 4, "hexagonal": 6}[neighbourhood]
     symmetries = rng.choice({"Moore": ["none", "rotate4", "rotate8", "reflect_horizontal", "rotate4reflect", "rotate8reflect", "permute"],
@@ -242,18 +244,18 @@ def random_table(rng):
         middle = rng.randrange(states)
         around = [rng.choice([f"a{i}", f"a{i}", "a0", "b", str(rng.randrange(states))]) for i in range(neighbours)]
         if middle == 0 and "b" not in around and not any(a.isdigit() and a != "0" for a in around):
-            around[0] = "b"  # what is empty stays so
+            around[0] = "b"  # a cell with empty neighbours stays empty
         lines.append(",".join([str(middle), *around, str(rng.randrange(states))]))
     return f"{name}.rule", "\n".join(lines) + "\n"
 
 
 FAMILIES = ["life", "hensel", "shapes", "map", "wolfram", "generations", "borders", "wide", "far", "farthest", "tables"]
-NEWER = ["shaped"]  # not of Golly 3
+NEWER = ["shaped"]  # families that Golly 3 does not support
 
 
 def compare(folder, simreel, cases, generations, seed=4):
-    """Runs the cases as objects of one scene, then each by bgolly; returns [(name, problem or "", living cells)]. A case
-    may name a "ruleFile", which stands in `folder`, or bring its text as "table"."""
+    """Runs the cases as objects of one scene, then each with bgolly; returns [(name, problem or "", living cells)]. A
+    case may name a "ruleFile" in `folder`, and contain its text as "table"."""
     for case in cases:
         if "table" in case:
             (folder / case["ruleFile"]).write_text(case["table"], encoding="ascii")

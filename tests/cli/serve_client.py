@@ -1,5 +1,5 @@
-"""What tests and the benchmark of `simreel serve` share: the server as a child, and a WebSocket client (RFC 6455) of the
-standard library alone."""
+"""Shared by tests and benchmark of `simreel serve`: the server as a child process, and a WebSocket client (RFC 6455)
+that uses only the standard library."""
 import base64
 import http.client
 import json
@@ -15,7 +15,7 @@ from common import PATIENCE, PROGRAM
 
 
 class Server:
-    """`simreel serve` with these arguments, on a port of its own choosing."""
+    """Runs `simreel serve` with these arguments, on a port that the server chooses."""
 
     def __init__(self, *arguments, cwd=None, env=None, program=PROGRAM):
         command = [str(program), "serve", *map(str, arguments)]
@@ -32,7 +32,7 @@ class Server:
         return f"http://127.0.0.1:{self.port}/{self.token}/"
 
     def get(self, path, method="GET", host=None, headers=None, timeout=PATIENCE):
-        """Status, headers and body of what `path` leads to; it goes out as it is written."""
+        """Returns status, headers and body of a request for `path`; the path is sent unmodified."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=timeout)
         try:
             connection.putrequest(method, path, skip_host=True, skip_accept_encoding=True)
@@ -43,7 +43,7 @@ class Server:
             answer = connection.getresponse()
             return answer.status, answer.headers, answer.read()
         except http.client.RemoteDisconnected:
-            return 0, {}, b""  # not even an answer
+            return 0, {}, b""  # the server closed the connection without an answer
         finally:
             connection.close()
 
@@ -58,7 +58,7 @@ class Server:
 
 
 def files_of(picture):
-    """The PNG or JPEG files of a picture: one, or those of both sides and perhaps their difference."""
+    """Returns the PNG or JPEG files of a picture: one, or those of both sides and possibly their difference."""
     about, data = picture
     files, at = [], 0
     for size in about.get("files", [len(data)]):
@@ -69,22 +69,22 @@ def files_of(picture):
 
 
 class Refused(Exception):
-    """The server did not take the WebSocket."""
+    """Raised if the server refuses the WebSocket."""
 
 
 class Closed(Exception):
-    """The connection has ended; holds the code of the close frame, or nothing."""
+    """Raised when the connection has ended; holds the code of the close frame, or None."""
 
 
 class Viewer:
-    """One WebSocket. `latest` has the newest message of each kind; pictures are (about, bytes)."""
+    """A WebSocket connection. `latest` holds the newest message of each kind; `pictures` are (about, bytes)."""
 
     def __init__(self, port, token, origin="same", host=None, path=None, acknowledges=True, timeout=PATIENCE):
         self.acknowledges = acknowledges
         self.latest, self.pictures, self.heard = {}, [], []
         self.buffer = self.taken = b""
         self.socket = socket.create_connection(("127.0.0.1", port), timeout=timeout)
-        # As browsers have it; or a second small message waits 40 ms for the first one's acknowledgement.
+        # As in browsers; otherwise a second small message waits 40 ms for the first one's acknowledgement.
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         host = host or f"127.0.0.1:{port}"
         lines = [f"GET {path if path is not None else f'/{token}/live'} HTTP/1.1", f"Host: {host}",
@@ -128,7 +128,7 @@ class Viewer:
 
     def _bytes(self, count):
         while len(self.buffer) < count:
-            left = self.end - time.monotonic()  # pings that come in between give no more time
+            left = self.end - time.monotonic()  # received pings do not extend the time limit
             if left <= 0:
                 raise TimeoutError
             self.socket.settimeout(left)
@@ -141,12 +141,12 @@ class Viewer:
         return piece
 
     def receive(self, timeout=PATIENCE):
-        """The next whole message, (kind, message); a picture's kind is "picture"."""
+        """Returns the next whole message, (kind, message); a picture's kind is "picture"."""
         self.end = time.monotonic() + timeout
         self.taken = b""
         try:
             return self._receive()
-        except TimeoutError:  # in the middle, perhaps: the next call begins with it
+        except TimeoutError:  # possibly in the middle of a message: the next call continues with the received bytes
             self.buffer = self.taken + self.buffer
             raise
 
@@ -183,7 +183,7 @@ class Viewer:
         return "picture", picture
 
     def until(self, good, seconds=PATIENCE):
-        """Receives until good(kind, message) says so; that message."""
+        """Receives until good(kind, message) is true; returns that message."""
         end = time.monotonic() + seconds
         while (left := end - time.monotonic()) > 0:
             try:
@@ -195,6 +195,6 @@ class Viewer:
         raise AssertionError(f"nothing of the kind in {seconds} s; latest {self.latest}")
 
     def rest(self, frame=None):
-        """The whole picture of a frame."""
+        """Waits for the full-quality picture of a frame."""
         return self.until(lambda kind, message: kind == "picture" and not message[0]["draft"] and
                           not message[0]["carried"] and frame in (None, message[0]["frame"]))

@@ -1,4 +1,4 @@
-"""simreel bench: its tables, its JSON, its chart, and mistakes. Times themselves are not tested, but that they add up."""
+"""Tests simreel bench: tables, JSON, chart, and errors. Times are not tested, except that they add up."""
 import json
 import signal
 import subprocess
@@ -12,7 +12,7 @@ MASS = "objects.flag.cloth.mass"
 
 class BenchCase(Case):
     def bench(self, scene, *arguments):
-        """The JSON, of which what has to hold for every run is checked."""
+        """Runs bench and returns the JSON, after checking rules that hold for every run."""
         done = self.good("bench", scene, "--json", "-", *arguments)
         result = json.loads(done.stdout)
         for row in result["rows"]:
@@ -32,8 +32,8 @@ class BenchCase(Case):
             if side == "gpu" and result["timing"] != "query":
                 self.assertTrue(all(stage["gpu"] is None for stage in row["stages"]))
                 continue
-            # With frames under way, a stage's time may lie before the frames that are measured; only when each is
-            # waited for do the stages lie within their frame.
+            # With frames in flight, a stage's time may belong to frames before the measured ones. Only if each stage is
+            # waited for, stages lie within their frame.
             if result["timing"] == "wait":
                 spent = sum(stage[side]["mean"] for stage in row["stages"])
                 self.assertLessEqual(spent, row["frame"]["mean"] * 1.0001)
@@ -73,11 +73,11 @@ class Bench(BenchCase):
                                       "objects": {"sheet": {"mesh": {"shape": "plane", "size": [50, 0, 50]}}}})
             return self.bench("sheet.json", "--frames", "1", "--warm-up", "0", "--rounds", "1")["rows"][0]["rays"]
 
-        each = 65 * 37 * 8  # pixels that all show the sheet, and samples
+        each = 65 * 37 * 8  # pixels that all show the sheet, times samples
         dark = rays(0)
-        self.assertGreaterEqual(dark, each)  # one into the sky, and what a few of them mirror
+        self.assertGreaterEqual(dark, each)  # each sample traces a ray into the sky, and a few trace reflections
         self.assertLess(dark, 1.1 * each)
-        self.assertEqual(rays(3), dark + each)  # and one to the sun
+        self.assertEqual(rays(3), dark + each)  # each sample also traces a ray to the sun
         self.assertEqual(rays(3, "draft"), 0)
 
     def test_instances_and_bloom(self):
@@ -117,7 +117,7 @@ class Bench(BenchCase):
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["a.json", "a.svg", "scene.json"])
 
     def test_by_query(self):
-        """A software driver's queries miss its compute shaders, yet they run through the same code."""
+        """A software driver's queries do not measure compute shaders, but run through the same code."""
         (row,) = self.bench("scene.json", *FEW, "--timing", "query", "--chart", "a.svg")["rows"]
         self.assertIn("surfaces", self.names(row))
         self.assertTrue(all(stage["gpu"]["least"] >= 0 for stage in row["stages"]))
@@ -127,7 +127,7 @@ class Bench(BenchCase):
 
     def test_by_waiting(self):
         (row,) = self.bench("scene.json", "--frames", "40", "--timing", "wait")["rows"]
-        # The least of each: on a busy machine most frames may be held up between two of their stages.
+        # Compares minima, because on a busy machine most frames may be interrupted between two stages.
         spent = sum(stage["cpu"]["least"] for stage in row["stages"])
         self.assertGreater(spent, 0.5 * row["frame"]["least"])
         self.bad(2, "--timing", "bench", "scene.json", "--timing", "guess")
@@ -144,7 +144,7 @@ class Bench(BenchCase):
         self.assertEqual(row["frames"], 2)
 
     def test_the_pre_roll_does_not_count(self):
-        """It leads to frame 0, which is never measured."""
+        """The pre-roll precedes frame 0, which is never measured."""
         self.write("late.json", with_values({"time.start": 2}))
         for timing in ("wait", "query", "whole"):
             (row,) = self.bench("late.json", "--frames", "5", "--warm-up", "0", "--timing", timing)["rows"]

@@ -1,4 +1,4 @@
-"""What `cmake --install` and `cpack` leave: a tree that works where it was moved to, a man page, completions."""
+"""Tests the results of `cmake --install` and `cpack`: a tree that works after being moved, a man page, completions."""
 import os
 import pathlib
 import re
@@ -36,11 +36,11 @@ class Installed(Case):
         (cls.shared / "prefix").rename(cls.shared / "moved tree")
 
     def installed(self):
-        """For all to read."""
+        """Returns the installed tree, shared by all tests that only read it."""
         return self.shared / "moved tree"
 
     def assert_renders(self, prefix):
-        """From elsewhere, with a pattern that only this tree's assets have, by the shaders that are built in."""
+        """Renders from another folder, with a pattern that only this tree's assets have, with the built-in shaders."""
         patterns = prefix / "share/simreel/assets/patterns"
         shutil.copy(patterns / "glider.rle", patterns / "ours.rle")
         shutil.rmtree(prefix / "share/simreel/glsl")
@@ -92,7 +92,7 @@ class Installed(Case):
             self.assertIn("--stream-format rgba|y4m", done.stdout)
 
     def bash(self, *words):
-        """What bash offers for the last of these words."""
+        """Returns bash's completions for the last of these words."""
         script = self.installed() / "share/bash-completion/completions/simreel"
         line = " ".join(f"'{word}'" for word in words)
         return run("bash", "-c", f'source "$1"; COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; _simreel; '

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/mutate: what of a source is compiled, and which mutants are known to change nothing."""
+"""Tests tools/mutate: the lines of a source that are compiled, and the mutants known to be equivalent."""
 import pathlib
 import shutil
 import subprocess
@@ -62,7 +62,7 @@ class Equivalent(unittest.TestCase):
     def test_each_is_one_change_of_a_line_that_is_there(self):
         left = set(equivalent.EQUIVALENT)
         seed = 0
-        while left and seed < 64:  # of a number in hexadecimal digits any of eight bits may be drawn
+        while left and seed < 64:  # any of eight bits of a hexadecimal number may be changed
             for file in sorted({file for file, _ in left}):
                 left -= {(file, mutant.after.strip()) for _, mutant in changes.mutants_of(file, seed, every=True)}
             seed += 1

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/check-shaders reports what is wrong and nothing else."""
+"""Checks that tools/check-shaders reports each kind of error, and nothing else."""
 import importlib.machinery
 import importlib.util
 import sys
@@ -12,7 +12,7 @@ loader = importlib.machinery.SourceFileLoader("check_shaders", str(SOURCE / "too
 lint = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
 loader.exec_module(lint)
 
-# Each is wrong once, in its second line.
+# Each text has one error, in its second line.
 WRONG = [
     "float f(float x) {\nreturn x * 2.0f; }",
     "void f(float a, float b) {\nfloat c = a + b; }",

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/site: the pages of this repository make a site whose links hold; a link that leads nowhere is reported."""
+"""Tests tools/site: the pages of this repository make a site without broken links; a broken link is reported."""
 import pathlib
 import re
 import shutil
@@ -9,7 +9,7 @@ import unittest
 
 from common import PATIENCE, SOURCE, main
 
-# Two pages and a picture that hold; each mistake is added to the second page.
+# Two valid pages and a picture; each error is added to the second page.
 PAGES = {
     "README.md": "# Start\n\n[Guide](assets/guide/01-first.md#a-heading)\n",
     "assets/guide/01-first.md": "# First\n\n## A heading\n\nText with `[no](link.md)` and a list:\n- ![dot](dot.png)\n- [back](../../README.md)\n",
@@ -53,7 +53,8 @@ class Site(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         page = (self.folder / "site/assets/guide/01-first.html").read_text(encoding="utf-8")
         self.assertIn("<code>[no](link.md)</code>", page)
-        self.assertEqual(len(re.findall("<li>", page.partition("<article>")[2])), 2)  # a list as GitHub reads it
+        # the list is recognized as on GitHub
+        self.assertEqual(len(re.findall("<li>", page.partition("<article>")[2])), 2)
         first = tree / "assets/guide/01-first.md"
         first.write_text(PAGES["assets/guide/01-first.md"] + "\n" + "\n\n".join(MISTAKES) + "\n", encoding="utf-8")
         done = self.site("--source", tree)

@@ -1,5 +1,6 @@
-// The worked example of src/sim/ports/README.md, built from its listings: a kind that only its own folder
-// knows blows on particles and cloth, and its relation is checked, ordered and connected as any other.
+// The worked example of src/sim/ports/README.md, built from its listings. A kind that is defined only in
+// its own folder blows on particles and cloth, and its relations are checked, ordered and connected like
+// all others.
 #include "sim/fan/fan.hpp"
 
 #include "base/error.hpp"
@@ -21,7 +22,7 @@ using namespace simreel;
 
 namespace {
 
-/// A kind that takes the wind of another object and blows itself.
+/// A kind that takes the wind of another object and passes it on.
 struct RelayParameters : sim::ObjectParameters {
   std::string from;
   void describe(scene::Fields& f) override {
@@ -56,7 +57,7 @@ std::string mistakeOf(const std::string& objects) {
 
 const std::string fanText = R"("fan": {"fan": {"position": [0, 0, 0], "speed": 6}})";
 
-/// Two grains at rest, one near the fan and one far from it.
+/// Two particles at rest, one near the fan and one far from it.
 const std::string grains = R"("grains": {"particles": {"method": "none", "wind": {"fluid": "fan"},
     "groups": [{"shape": "ball", "count": 1, "position": [0.5, 0, 0], "radius": 1e-4},
                {"shape": "ball", "count": 1, "position": [4, 0, 0], "radius": 1e-4}]}})";
@@ -72,7 +73,7 @@ TEST_CASE("example: the fan of the README blows on particles, harder on the near
   setting.colliders = &none;
   setting.links = &links;
   REQUIRE(links.order().size() == 2);
-  CHECK(links.order()[0].objects[0] == 1);  // the fan comes first, although the scene has it last
+  CHECK(links.order()[0].objects[0] == 1);  // the fan comes first, although it is last in the scene
   for (const sim::StepNode& node : links.order()) {
     const scene::Object& object = scene.objects[node.objects[0]];
     const sim::SimulationKind kind =

@@ -1,5 +1,5 @@
-// The worked example of src/sim/README.md, built from its listings: it compiles, its scene can be read, and
-// it does what the heat equation says.
+// The worked example of src/sim/README.md, built from its listings: it compiles, its scene is valid, and it
+// follows the heat equation.
 #include "sim/heat/heat.hpp"
 
 #include "base/error.hpp"
@@ -17,7 +17,7 @@ using namespace simreel;
 
 namespace {
 
-/// The shaders with the example's among them, while this lives.
+/// Adds the example's shaders to the program's shaders for its lifetime.
 class ExampleShaders {
  public:
   ExampleShaders() : folder_(std::filesystem::path(EXAMPLE_FOLDER) / "glsl") {

@@ -1,4 +1,5 @@
-"""Writes the listings of a README, each below its file's name ("`path`:"), into a folder: listings.py README FOLDER"""
+"""Writes the listings of a README, each introduced by its file's name ("`path`:"), into a folder: listings.py README
+FOLDER"""
 import pathlib
 import re
 import sys

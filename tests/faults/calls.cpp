@@ -1,10 +1,11 @@
-// Loaded before simreel (LD_PRELOAD): makes the Nth call of one class fail, or counts the calls of each.
+// Loaded before simreel (LD_PRELOAD): makes the Nth call of one class fail, or counts the calls of each
+// class.
 //
 //     FAULTS=write:3          the third write fails; "none": nothing fails
-//     FAULTS_LOG=FILE         gets what failed, and at the end how many calls of each class there were
+//     FAULTS_LOG=FILE         file for the failed call and, at the end, the number of calls of each class
 //
-// Only calls of simreel's own code count, and none that the driver makes in the middle of a GL call: its
-// libraries share functions of the C++ library that stand in the program.
+// Only calls of simreel's own code count. Calls that the driver makes inside a GL call do not count,
+// although the driver's libraries share functions of the C++ library with the program.
 #include "calls.hpp"
 
 #include <atomic>
@@ -30,7 +31,7 @@ struct Range {
   }
 };
 
-/// Where the code of the program and of the C++ libraries lies, and what is to fail.
+/// The address ranges of the program and of the C++ libraries, and the call that must fail.
 struct Plan {
   Range program, libraries[2];
   bool armed = false;
@@ -42,7 +43,7 @@ Plan plan;
 thread_local int inDriver = 0;
 std::atomic<long> counts[classes];
 
-/// Not by write(), which is ours.
+/// Uses the system call, because write() is replaced by this library.
 void say(const char* text) {
   if (plan.log >= 0) (void)::syscall(SYS_write, plan.log, text, std::strlen(text));
 }
@@ -67,7 +68,7 @@ int visit(dl_phdr_info* info, std::size_t /*size*/, void* data) {
   return 0;
 }
 
-/// Programs that simreel starts inherit the environment and are left in peace.
+/// Does nothing in programs that simreel starts, which inherit the environment.
 [[gnu::constructor]] void start() {
   if (std::strcmp(program_invocation_short_name, "simreel") != 0) return;
   const char* wanted = std::getenv("FAULTS");

@@ -3,7 +3,7 @@
 
 namespace faults {
 
-/// What can be made to fail.
+/// Classes of calls that can be made to fail.
 enum class Class {
   open,
   read,
@@ -26,7 +26,7 @@ constexpr const char* classNames[] = {"open",   "read",    "write", "sync", "clo
                                       "thread", "process", "alloc", "gl",   "egl"};
 constexpr int classes = sizeof classNames / sizeof *classNames;
 
-/// While one lives, its thread is in the driver, whose calls are not ours.
+/// Marks its thread as inside the driver for its lifetime; the driver's calls are not counted.
 class InDriver {
  public:
   InDriver();
@@ -35,8 +35,8 @@ class InDriver {
   InDriver& operator=(const InDriver&) = delete;
 };
 
-/// Counts a call that came from `caller` and says whether it is the one to fail. Calls of the driver and of
-/// other libraries do not count; `libraries`: those that the C++ libraries make on our behalf do.
+/// Counts a call made at `caller` and returns true if this call must fail. Calls of the driver and of other
+/// libraries do not count. `libraries`: true if calls by the C++ libraries on the program's behalf count.
 [[nodiscard]] bool fails(Class what, const char* call, const void* caller, bool libraries);
 
 }  // namespace faults

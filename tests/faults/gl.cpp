@@ -1,6 +1,6 @@
-// OpenGL and EGL: every entry point that simreel calls goes through epoxy's pointer of its name, which is
-// ours here. A call that fails does nothing, returns what its failure returns, and leaves GL_OUT_OF_MEMORY
-// for glGetError, as the specification has it.
+// OpenGL and EGL: simreel calls every entry point through epoxy's function pointer of that name, which this
+// file replaces. A failing call does nothing, returns its failure value, and makes glGetError return
+// GL_OUT_OF_MEMORY, as the specification requires.
 #include "calls.hpp"
 
 #include <atomic>

@@ -22,13 +22,14 @@ using faults::fails;
 
 namespace {
 
-/// The function that would have been called without us.
+/// Returns the original function, which this library replaces.
 template <class Function>
 Function* next(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
 }
 
-/// What the kernel says of the machine is no file that anything depends on but words in a manifest.
+/// True for kernel files about the machine. They do not count, because only words in a manifest depend on
+/// them.
 bool isKernels(const char* path) {
   return std::strncmp(path, "/proc/", 6) == 0 || std::strncmp(path, "/sys/", 5) == 0;
 }
@@ -36,7 +37,7 @@ bool isKernels(const char* path) {
 }  // namespace
 
 #define CALLER __builtin_return_address(0)
-/// A function that fails with `result` and `error`.
+/// Defines a function that fails with `result` and `error`.
 #define FAILING(kind, type, name, parameters, arguments, result, error) \
   extern "C" type name parameters {                                     \
     static auto* const real = next<type parameters>(#name);             \
@@ -47,7 +48,7 @@ bool isKernels(const char* path) {
     return real arguments;                                              \
   }
 
-// The mode is passed on whether it was given or not, as it lies in a register either way.
+// The mode is always passed on; if the caller did not give one, the value is unused.
 #define MODE                                \
   std::va_list list;                        \
   va_start(list, flags);                    \
@@ -106,7 +107,7 @@ FAILING(unlink, int, unlinkat, (int folder, const char* path, int flags), (folde
 FAILING(unlink, int, rmdir, (const char* path), (path), -1, EIO)
 FAILING(mkdir, int, mkdir, (const char* path, mode_t mode), (path, mode), -1, ENOSPC)
 FAILING(lock, int, flock, (int file, int how), (file, how), -1, ENOLCK)
-// Only the commands that lock.
+// Only commands that lock count.
 extern "C" int fcntl(int file, int command, ...) {
   static auto* const real = next<int(int, int, ...)>("fcntl");
   std::va_list list;
@@ -121,7 +122,7 @@ extern "C" int fcntl(int file, int command, ...) {
 FAILING(pipe, int, pipe2, (int* ends, int flags), (ends, flags), -1, EMFILE)
 FAILING(pipe, int, pipe, (int* ends), (ends), -1, EMFILE)
 
-// A file that cannot be closed is closed all the same.
+// Even a failing close() closes the file.
 extern "C" int close(int file) {
   static auto* const real = next<int(int)>("close");
   const bool bad = fails(Class::close, "close", CALLER, true);
@@ -153,7 +154,7 @@ extern "C" int posix_spawnp(pid_t* child, const char* file, const posix_spawn_fi
   return real(child, file, actions, attributes, arguments, environment);
 }
 
-/// Only the program's own requests: what a library asks for is its own matter.
+/// Only the program's own allocations count, not allocations by libraries.
 #define ALLOCATING(name, symbol, parameters, arguments, refuse) \
   void* name parameters {                                       \
     static auto* const real = next<void * parameters>(symbol);  \

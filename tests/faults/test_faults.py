@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Makes every call of simreel that can fail do so, one run for each, and looks at what is left.
+"""Makes every call of simreel that can fail do so, in one run for each, and checks the result.
 
-Whatever fails, a run may not crash, hang, end with 0 and something missing, or leave a file that a later --resume
-trusts wrongly: it ends with a documented code and one clear line, or with 0 and the folder that an undisturbed run
-makes; and the same command again, undisturbed, ends with that folder byte for byte.
+A run with a failing call must not crash, hang, end with 0 while something is missing, or leave a file that a later
+--resume wrongly trusts. It must end with a documented code and one clear line, or with 0 and the same folder as an
+undisturbed run. The same command, run again without failures, must produce that folder byte for byte.
 
     SIMREEL=build/simreel FAULTS_LIBRARY=build/tests/faults/libfaults.so tests/faults/test_faults.py [--all]
 
-Without --all: every call for files and processes; of threads and the display, which every command starts in the same
-way, every one of the first command's and every fifth of the others'; the first 100 allocations and GL calls, then every
-613th. --stride N: of files and processes of all commands but the first every Nth. --first N: of the first
-command's every Nth. --runs and --classes choose."""
+Without --all, these calls fail: every call for files and processes; for threads and the display, which every command
+starts in the same way, every call of the first command and every fifth of the others; the first 100 allocations and GL
+calls, then every 613th. --stride N: every Nth call for files and processes of all commands but the first. --first N:
+every Nth call of the first command. --runs and --classes choose commands and classes."""
 import argparse
 import concurrent.futures
 import hashlib
@@ -27,8 +27,8 @@ import time
 
 SIMREEL = os.environ.get("SIMREEL", "simreel")
 LIBRARY = os.environ.get("FAULTS_LIBRARY", "libfaults.so")
-KEEP = os.environ.get("FAULTS_KEEP")  # a folder for what is left where something is wrong
-SECONDS = 120  # of one run: a hang
+KEEP = os.environ.get("FAULTS_KEEP")  # folder that keeps the files of failed checks
+SECONDS = 120  # time limit of one run, in seconds
 MANY = ("alloc", "gl")  # classes with thousands of calls
 FIRST, STRIDE = 100, 613
 ALIKE = ("thread", "egl")  # classes whose calls most commands share
@@ -48,14 +48,14 @@ FRAMES = ["render", "scene.json", "-o", "out/", "--fields", "npy", "--checkpoint
 
 
 class Run:
-    """A command, what stands in its folder before, and the command that a user types after it failed."""
+    """A command, the initial content of its folder, and the command that a user runs after a failure."""
 
     def __init__(self, command, again, before=None, made="out", codes=(2, 4, 6)):
         self.command, self.again, self.before, self.made, self.codes = command, again, before, made, codes
 
 
 def interrupted(folder):
-    """A run that was stopped: two frames and a checkpoint."""
+    """Makes the folder of an interrupted run: two frames and a checkpoint."""
     simreel(folder, FRAMES + ["--frames", "0-1"])
     environment = os.environ | {"LD_PRELOAD": LIBRARY, "FAULTS": "rename:9"}
     subprocess.run([SIMREEL, *FRAMES, "--resume"], cwd=folder, env=environment, capture_output=True, timeout=SECONDS)
@@ -91,13 +91,13 @@ def simreel(folder, arguments, fault=None, log=None):
 
 
 def contents(folder):
-    """But of run.json, which tells of times and machines, only that it is there."""
+    """Returns {path: bytes} of a folder; for run.json, which contains times and machines, only its existence."""
     return {str(f.relative_to(folder)): b"" if f.name.endswith("run.json") and not f.name.endswith("as-run.json") else f.read_bytes()
             for f in sorted(folder.rglob("*")) if f.is_file()}
 
 
 def signature(folder):
-    """What the next run finds, so that a folder which an earlier one could go on from need not be tried again."""
+    """Returns a hash of the folder that the next run finds, so that equal folders are tried only once."""
     def told(name, data):
         return re.sub(rb"[\d.]+", b"0", data) if name.endswith("run.json") and not name.endswith("as-run.json") else data
 
@@ -112,7 +112,8 @@ def prepare(folder, before):
 
 
 def different(found, wanted, forgiven=()):
-    """In words; empty where both are the same. The lock of a folder is no result: the kernel lets it go."""
+    """Describes the differences of two folders; empty if they are equal. A remaining lock file is ignored, because the
+    kernel releases the lock."""
     return ", ".join([f"{n} is missing" for n in wanted if n not in found] +
                      [f"{n} is too much" for n in found if n not in wanted and not n.endswith(".lock") and
                       n not in forgiven] +
@@ -120,12 +121,12 @@ def different(found, wanted, forgiven=()):
 
 
 class Disturbed:
-    """The state that all disturbed runs of one command share."""
+    """The shared state of all disturbed runs of one command."""
 
     def __init__(self, name, scratch, first, stride):
         self.name, self.run, self.first, self.stride = name, RUNS[name], first, stride
         self.before = None
-        self.tried = {}  # what was wrong after the next run, by the signature of the folder that it found
+        self.tried = {}  # result of the next run, by signature of the folder that it found
         if self.run.before:
             self.before = scratch / f"{name}.before"
             self.before.mkdir()
@@ -157,7 +158,8 @@ class Disturbed:
         return number % (5 if kind in ALIKE else self.stride) == 0
 
     def problem(self, fault, scratch):
-        """What is wrong after this call failed, with what failed and what was said; None where nothing is."""
+        """Returns a description of the problem after this call failed, with the failed call and the messages; None
+        without a problem."""
         with tempfile.TemporaryDirectory(dir=scratch) as folder_name:
             folder = pathlib.Path(folder_name)
             log = folder / "fault.log"
@@ -179,8 +181,8 @@ class Disturbed:
                 return f"says \"{word}\""
         made = folder / self.run.made
         if code == 0:
-            # A checkpoint that could not be removed, or may be another run's, is trusted by none but --resume, which
-            # checks it.
+            # A remaining checkpoint that could not be removed, or may belong to another run, is allowed: only --resume
+            # reads it, and --resume checks it.
             forgiven = ["checkpoint"] if "cannot remove" in message or fault.startswith("lock:") else []
             missing = different(contents(made), self.wanted, forgiven)
             return f"ends with 0, but {missing}" if missing else None
@@ -190,7 +192,7 @@ class Disturbed:
         if self.name != "update" and len(errors) != 1:
             return f"{len(errors)} lines of error"
         if not contents(made):
-            return None  # nothing is left that could be trusted
+            return None  # without files, there is nothing that a later run could trust
         found = signature(folder)
         if found not in self.tried:
             self.tried[found] = self.next_run(folder)

@@ -10,7 +10,7 @@
 namespace simreel::fuzz {
 namespace {
 
-/// The run that the seeds are of.
+/// Returns the run information that the seed files contain.
 frame::RunInfo run() {
   return {.title = "t",
           .sceneHash = "s",
@@ -23,7 +23,7 @@ frame::RunInfo run() {
           .driver = "d"};
 }
 
-/// The hash of all before it, at the end.
+/// Updates the hash at the end, which covers all bytes before it.
 void mendCheckpoint(std::string& bytes) {
   if (bytes.size() < hashDigits) return;
   const std::size_t body = bytes.size() - hashDigits;

@@ -1,4 +1,4 @@
-// glTF with bones.
+// Fuzzes the reader of glTF files with a skeleton.
 #include "sim/body/figure.hpp"
 
 #include "base/error.hpp"

@@ -1,4 +1,4 @@
-// A macrocell pattern that is read, told as RLE and read again has the same cells.
+// A valid macrocell pattern, written as RLE and read again, must have the same cells.
 #include "sim/life/macrocell.hpp"
 
 #include "base/error.hpp"
@@ -11,12 +11,12 @@
 namespace simreel::fuzz {
 namespace {
 
-/// A few lines may say more cells than there is memory for.
+/// A few lines can describe more cells than fit into memory.
 constexpr std::size_t maxCells = std::size_t{1} << 16;
-/// Grids that are written out.
+/// Size limit of grids that are written out.
 constexpr long maxBytes = 1 << 18;
 
-/// By rows, each from the left, joined where one follows the other.
+/// Returns the runs sorted by row and then from the left, with adjacent runs joined.
 std::vector<sim::CellPattern::Run> sortedRuns(std::vector<sim::CellPattern::Run> runs) {
   std::sort(runs.begin(), runs.end(),
             [](const auto& a, const auto& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
@@ -40,7 +40,7 @@ void readMacrocell(std::string_view bytes) {
     const auto& run = runs[i];
     SIMREEL_CHECK(run.x >= 0 && run.y >= 0 && run.length > 0 && run.x + run.length <= pattern.size.x &&
                   run.y < pattern.size.y && run.state > 0 && run.state <= pattern.highest);
-    // Nothing is there twice.
+    // Checks that runs do not overlap.
     if (i > 0 && runs[i - 1].y == run.y) SIMREEL_CHECK(runs[i - 1].x + runs[i - 1].length <= run.x);
   }
   const long rowBytes = sim::StateRows::rowBytes(pattern.size.x);

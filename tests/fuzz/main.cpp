@@ -1,4 +1,4 @@
-// What libFuzzer calls, for the harness that --reader=NAME asks for.
+// The functions that libFuzzer calls; they use the harness named by --reader=NAME.
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "fuzz/reader.hpp"
@@ -12,8 +12,8 @@
 
 using namespace simreel;
 
-// What a harness writes need not outlast a power cut: waiting for the disk would take nearly all of the
-// time.
+// Files of a harness need not survive a power failure, and waiting for the disk would take nearly all of
+// the time.
 extern "C" int fsync(int /*descriptor*/) {
   return 0;
 }
@@ -28,9 +28,9 @@ namespace {
 
 const Reader* readers = nullptr;
 const Reader* asked = nullptr;
-std::size_t accepted = 0;  // inputs that were not refused
+std::size_t accepted = 0;  // number of inputs that were not refused
 
-/// One line, unless it is a report with a line for each mistake.
+/// Checks that a message is one line, unless it is a report with a line for each error.
 void checkMessage(const UserError& error) {
   const std::string message = error.what();
   SIMREEL_CHECK(!message.empty());
@@ -47,7 +47,7 @@ Reader::Reader(const char* name, Read read, Mend mend) : name(name), read(read),
 
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
   setVerbosity(Verbosity::quiet);
-  constexpr std::string_view option = "--reader=";  // libFuzzer leaves what begins with two dashes alone
+  constexpr std::string_view option = "--reader=";  // libFuzzer ignores options that begin with two dashes
   for (int i = 1; i < *count; ++i)
     if (const std::string_view argument = (*arguments)[i]; argument.starts_with(option))
       for (fuzz::asked = fuzz::readers; fuzz::asked && fuzz::asked->name != argument.substr(option.size());)

@@ -1,4 +1,4 @@
-// OBJ, PLY, glTF and GLB, told apart by how they begin.
+// OBJ, PLY, glTF and GLB, distinguished by their first bytes.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "fuzz/reader.hpp"

@@ -1,4 +1,4 @@
-// -D: each line of the input changes one value of a scene that has something of everything.
+// Fuzzes -D: each line of the input changes one value of a scene that uses every feature.
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
 #include "scene/load.hpp"
@@ -19,7 +19,7 @@ constexpr const char* whole = R"({"version": 1, "title": "t", "seed": 7,
  "test": {"frames": [0]}, "checks": [{"what": "no-nan"}]})";
 constexpr std::size_t maxLines = 8;
 
-/// As it stands it is a scene: or every input would be refused for what is wrong here.
+/// True if the unchanged scene is valid; otherwise every input would be refused.
 bool good() {
   try {
     static_cast<void>(scene::parseScene(whole, "fuzz.json", {}, sim::kinds()));

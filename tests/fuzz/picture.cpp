@@ -1,4 +1,4 @@
-// Pictures as assets: PNG, PNM and whatever else the bytes may claim to be.
+// Pictures as assets: PNG, PNM and any other format that the bytes declare.
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
 #include "sim/grid/picture_file.hpp"

@@ -1,4 +1,5 @@
-// The strict reader of pictures to compare: what it accepts is decoded, encoded and the same again.
+// The strict reader of pictures for comparisons: an accepted picture is decoded, encoded, and must decode
+// to the same pixels.
 #include "golden/files/png_check.hpp"
 
 #include "base/error.hpp"
@@ -19,7 +20,7 @@ std::uint32_t bigEndian(const char* at) {
   return value;
 }
 
-/// Right checksums for every chunk.
+/// Updates the checksums of all chunks.
 void mendPngCheck(std::string& bytes) {
   for (std::size_t at = signature; at + 12 <= bytes.size();) {
     const std::size_t length = bigEndian(&bytes[at]);

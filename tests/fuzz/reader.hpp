@@ -4,22 +4,22 @@
 
 namespace simreel::fuzz {
 
-/// What a harness defines, once, as a constant of its file: how a reader of the program meets damaged
-/// bytes.
+/// A harness, defined once as a constant of its file: tests one reader of the program with damaged bytes.
 struct Reader {
-  /// Reads the bytes as the program would. A UserError is a refusal, which is fine and has its message
-  /// checked; anything else that is thrown, and a broken SIMREEL_CHECK, is a finding.
+  /// Reads the bytes as the program would. A UserError is a valid refusal, and its message is checked. Any
+  /// other exception, or a failed SIMREEL_CHECK, is a finding.
   using Read = void (*)(std::string_view bytes);
-  /// Makes a mutated input whole again where a checksum would end its way at once; never makes it longer.
+  /// Repairs the checksum of a mutated input, so that the reader gets past it; never makes the input
+  /// longer.
   using Mend = void (*)(std::string& bytes);
 
-  /// From here on `--reader=NAME` means this one.
+  /// Registers this harness under `name` for `--reader=NAME`.
   Reader(const char* name, Read read, Mend mend = nullptr);
 
   const char* name;
   Read read;
   Mend mend;
-  const Reader* next;  // of those there are, in no order
+  const Reader* next;  // next harness in the list of all harnesses
 };
 
 }  // namespace simreel::fuzz

@@ -1,4 +1,4 @@
-// report.json, and what is made of one.
+// report.json, and all outputs made from one.
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
 #include "golden/report/github.hpp"

@@ -1,4 +1,4 @@
-// A pattern in any format that is read, written as RLE and read again is the same.
+// A valid pattern in any format, written as RLE and read again, must be the same.
 #include "sim/life/rle.hpp"
 
 #include "base/error.hpp"
@@ -7,11 +7,11 @@
 namespace simreel::fuzz {
 namespace {
 
-/// Cells of a written file are checked where the grid takes no more than this.
+/// Written files are read back only if the grid is not larger than this.
 constexpr long maxWords = 1 << 16;
 
 void readRle(std::string_view bytes) {
-  if (bytes.starts_with("[M2]")) return;  // macrocell.cpp, which bounds what few lines may unfold to
+  if (bytes.starts_with("[M2]")) return;  // macrocell.cpp tests these, with a limit on unfolded cells
   const sim::CellPattern pattern = sim::parsePattern(bytes, "fuzz.rle");
   const long rowWords = sim::CellRows::rowWords(pattern.size.x);
   for (const auto& run : pattern.runs)

@@ -1,4 +1,5 @@
-// A rule that is read is a function of every neighbourhood: all ways through its diagram end in a state.
+// A valid rule must be a function of every neighbourhood: all paths through its decision diagram end in a
+// state.
 #include "base/error.hpp"
 #include "fuzz/reader.hpp"
 #include "sim/automata/file/rule_file.hpp"

@@ -8,7 +8,7 @@
 
 namespace simreel::fuzz {
 
-/// A folder of this process in memory, for readers that take a path; gone when the process ends.
+/// Returns a folder in memory for readers that take a path; removed when the process ends.
 inline const std::filesystem::path& scratchFolder() {
   struct Folder {
     std::filesystem::path path;

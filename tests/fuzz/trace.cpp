@@ -1,4 +1,4 @@
-// steps.bin: what is accepted is written as the same bytes.
+// steps.bin: an accepted file must be written as the same bytes.
 #include "golden/trace/trace.hpp"
 
 #include "base/error.hpp"
@@ -12,7 +12,7 @@
 namespace simreel::fuzz {
 namespace {
 
-/// The hash at the end.
+/// Updates the hash at the end of a mutated file.
 void mendTrace(std::string& bytes) {
   if (bytes.size() < hashDigits) return;
   const std::string hash = hashHex(std::string_view(bytes).substr(0, bytes.size() - hashDigits));

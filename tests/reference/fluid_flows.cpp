@@ -74,7 +74,7 @@ double Wake::frequency(double seconds) const {
 
 Cylinder schaeferTurek(int n) {
   Cylinder c;
-  const double metre = 10.0 * n;  // cells
+  const double metre = 10.0 * n;  // cells per metre
   sim::FluidParameters& p = c.parameters;
   p.size = {22 * n, static_cast<int>(std::lround(4.1 * n))};
   p.strokes.clear();

@@ -46,7 +46,7 @@ class FluidTwin {
   struct Level {
     glm::ivec2 cells;
     bool wrapsX, wrapsY;
-    std::vector<glm::vec2> faces;  ///< (cells.x + 1) x (cells.y + 1)
+    std::vector<glm::vec2> faces;  ///< face weights, (cells.x + 1) x (cells.y + 1)
     std::vector<float> rhs, value;
 
     [[nodiscard]] std::size_t index(int x, int y) const {

@@ -11,7 +11,7 @@
 /// CPU twin of ambient occlusion: the shader files as C++, row by row over pixels of half resolution.
 struct OcclusionTwin {
   simreel::shader::ExactView view;
-  glm::vec3 reach{0};  ///< draw::reachOnPicture()
+  glm::vec3 reach{0};  ///< result of draw::reachOnPicture()
   int slices = 2, steps = 5;
   std::vector<float> nearness;  ///< 1/depth of half-resolution pixels (1/m)
 

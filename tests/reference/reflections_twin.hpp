@@ -10,7 +10,7 @@
 /// CPU twin of reflections: the shader files as C++, for perspective cameras.
 struct ReflectionsTwin {
   simreel::shader::ExactView view;
-  glm::vec2 reach{0};  ///< draw::Reflections::reachOf()
+  glm::vec2 reach{0};  ///< result of draw::Reflections::reachOf()
 
   /// Stores the nearness (1/m) of half-resolution pixels and the light of full-size pixels, row by row, and
   /// builds their mip levels.

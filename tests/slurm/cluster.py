@@ -1,4 +1,4 @@
-"""A Slurm cluster of three nodes on this machine: daemons of this user, everything below one folder."""
+"""A Slurm cluster of three nodes on this machine: its daemons run as this user, with all files below one folder."""
 import os
 import pathlib
 import shutil
@@ -9,7 +9,7 @@ import time
 
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol", "scancel", "sinfo")
 NODES = ("n1", "n2", "n3")
-# Where Debian keeps daemons.
+# Adds the folders where Debian installs daemons.
 PATH = os.environ.get("PATH", "") + ":/usr/sbin:/sbin"
 
 
@@ -18,7 +18,7 @@ def missing_programs():
 
 
 def free_ports(count):
-    """Ports that nobody has now, in a row."""
+    """Returns consecutive ports that are currently unused."""
     for _ in range(50):
         with socket.socket() as first:
             first.bind(("127.0.0.1", 0))
@@ -114,7 +114,7 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=600 State=UP
                                                   stdin=subprocess.DEVNULL, start_new_session=True)
 
     def stop(self):
-        """Jobs first, then daemons in reverse; each by its own process id."""
+        """Ends jobs first, then daemons in reverse order, each by its own process id."""
         if "slurmctld" in self.daemons:
             subprocess.run(["scancel", "--state=RUNNING,PENDING", "-u", str(os.getuid())], env=self.environment,
                            capture_output=True, timeout=600)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Sweeps and pieces on a real Slurm of three nodes, all on this machine (cluster.py).
+"""Tests sweeps and pieces on a real Slurm of three nodes, all on this machine (cluster.py).
 
-Skips with 77 where Slurm or munge are not installed; fails then where $SIMREEL_REQUIRE_SLURM is set.
+Skipped with exit code 77 if Slurm or munge is not installed; fails instead if $SIMREEL_REQUIRE_SLURM is set.
 """
 import os
 import pathlib
@@ -20,7 +20,7 @@ from common import PROGRAM, SLOW, Case, with_values  # noqa: E402
 
 DISH = {"version": 1, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30, "duration": 0.1},
         "objects": {"dish": {"grayScott": {"size": [48, 48], "steps": 20}}}, "checks": [{"what": "no-nan"}]}
-# Drawing takes longer than all else: a piece of 25 frames about a second.
+# Drawing takes most of the time: a piece of 25 frames takes about a second.
 FLAG = with_values(SLOW | {"render.size": [640, 360], "render.samples": 4, "time.duration": 5, "objects.flag.cloth.substeps": 16})
 
 
@@ -29,7 +29,7 @@ def parent(pid):
 
 
 def is_held(process):
-    """Whether the process is still stopped, and nobody has asked it to end yet."""
+    """True if the process is still stopped and has no pending signal to end."""
     try:
         status = pathlib.Path(f"/proc/{process}/status").read_text()
     except OSError:
@@ -39,7 +39,7 @@ def is_held(process):
 
 
 def numbers(text):
-    """The frames that run.json means by 0-3,5,8-12x2."""
+    """Returns the frames that run.json abbreviates as 0-3,5,8-12x2."""
     found = []
     for part in text.split(","):
         first, last, step = re.fullmatch(r"(\d+)(?:-(\d+)(?:x(\d+))?)?", part).groups()
@@ -48,7 +48,7 @@ def numbers(text):
 
 
 def sent(process, number):
-    """Whether there was somebody to get the signal."""
+    """Sends a signal; True if the process existed."""
     try:
         os.kill(process, number)
         return True
@@ -71,12 +71,12 @@ class OnCluster(Case):
         return done.err + done.stdout.decode()
 
     def queue(self, states=""):
-        """[job, node] of each that waits or runs."""
+        """Returns [job, node, state, name] of each waiting or running job."""
         extra = ["-t", states] if states else []
         return [line.split("|") for line in self.cluster.call("squeue", "-h", "-r", "-o", "%i|%N|%T|%j", *extra).splitlines()]
 
     def start_waiting(self):
-        """Slurm lets what it has requeued wait for two minutes."""
+        """Starts requeued jobs at once, because Slurm delays them for two minutes."""
         for job, _, state, _ in self.queue("PENDING"):
             reason = self.cluster.call("squeue", "-h", "-r", "-j", job, "-o", "%r").strip()
             if reason == "BeginTime":
@@ -93,7 +93,7 @@ class OnCluster(Case):
         return "".join(f"{p.name}: {p.read_text()}" for p in sorted((self.folder / folder / "slurm").glob("*.log")))
 
     def test_sweep_and_a_full_disk(self):
-        """24 jobs in two arrays; one node's own disk is full at first."""
+        """24 jobs in two arrays; the scratch disk of one node is full at first."""
         self.write("dish.json", DISH)
         small = self.place / "scratch/n2"
         small.mkdir(parents=True)
@@ -123,7 +123,7 @@ class OnCluster(Case):
         self.assertEqual(len(table), 25)
         for name in ("sheet.png", "index.html"):
             self.assertTrue((self.folder / "sweep" / name).exists())
-        # Its job is the run that a user would make by hand.
+        # A job equals the run that a user would start by hand.
         self.good("render", "dish.json", "-o", "alone/", "-D", "objects.dish.grayScott.feed=0.03", "-D",
                   "objects.dish.grayScott.kill=0.065")
         job, alone = self.content("sweep/jobs/0008"), self.content("alone")
@@ -131,7 +131,7 @@ class OnCluster(Case):
         self.assertEqual(sorted(set(job) - set(alone)), ["job.json", "result.json"])
 
     def drawing(self):
-        """{piece: (process, frames there)} of those that are being drawn."""
+        """Returns {piece: (process, existing frames)} of the pieces being drawn."""
         folder = self.folder / "out/pieces"
         found = {}
         for process in pathlib.Path("/proc").glob("[0-9]*"):
@@ -144,12 +144,13 @@ class OnCluster(Case):
         return found
 
     def catch_one(self, on=None):
-        """(piece, process, Slurm's job) of one that is being drawn, perhaps on a certain node; the process is stopped, or it
-        might have ended before Slurm has said whose it is."""
+        """Stops a piece that is being drawn, perhaps on a certain node, and returns (piece, process, Slurm job). The
+        process is stopped, because it might end before Slurm reports its job."""
         end = time.monotonic() + 3000
         first, asked = {}, 0
         while time.monotonic() < end:
-            # Frames may be left of an earlier attempt: one more is its own. Some have to be left to draw, or nothing goes on.
+            # Earlier attempts may have left frames, so one more frame proves that this process draws. Some frames must
+            # be left, so that the piece can continue.
             held = [(piece, process) for piece, (process, frames) in self.drawing().items()
                     if frames < 20 and frames != first.setdefault(process, frames) and sent(process, signal.SIGSTOP)]
             running = self.queue("RUNNING") if held else []
@@ -173,17 +174,17 @@ class OnCluster(Case):
         self.simreel(0, *pieces)
         self.assertIn("0 done, 6 queued or being drawn, states under way", self.simreel(7, "pieces", "status", "out/pieces"))
         self.assertIn("the cluster still has jobs of these pieces", self.simreel(2, *pieces, "--resume"))
-        # A node dies with what it does: Slurm finds out, and starts that elsewhere.
+        # A node fails together with its processes: Slurm detects the failure and restarts the job elsewhere.
         piece, process, job = self.catch_one("n3")
         step = parent(process)
         self.cluster.daemons["n3"].kill()
         self.cluster.daemons.pop("n3").wait()
         os.kill(step, signal.SIGKILL)
         os.kill(process, signal.SIGKILL)
-        # A requeue: the program hears of it, and goes on from what it has left.
+        # A requeue: the program gets the signal, and the new run continues from the existing frames.
         piece, process, job = self.catch_one()
         (path,) = (self.folder / "out/pieces/slurm").glob(f"draw.*_{piece}.log")
-        log = self.enterContext(path.open())  # its name is gone once the pieces are joined
+        log = self.enterContext(path.open())  # the path is removed once the pieces are joined
         self.cluster.call("scontrol", "requeue", job)
         self.wait_for(lambda: not is_held(process))
         sent(process, signal.SIGCONT)
@@ -193,7 +194,7 @@ class OnCluster(Case):
         self.assertTrue((self.folder / "out/manifest.json").exists(), self.logs("out/pieces"))
         self.assertEqual(self.content("out"), self.content("whole"))
         self.assertIn("going on from the checkpoint of frame", log.read())
-        # A frame is noted by the process that drew it last, and by no other.
+        # Each frame is recorded only for the process that drew it last.
         noted = [frame for run in self.runs("out") for frame in numbers(run["frames"])]
         self.assertEqual(sorted(noted), list(range(150)))
 

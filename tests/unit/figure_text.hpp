@@ -14,7 +14,7 @@ namespace simreel::test {
 
 class GltfText {
  public:
-  /// Numbers of one type one behind the other, and the accessor that reads them.
+  /// Adds an array of numbers and an accessor; returns the accessor's index.
   template <class T>
   std::size_t add(const std::vector<T>& numbers, int component, const char* type, std::size_t width,
                   bool normalized = false) {
@@ -33,7 +33,7 @@ class GltfText {
     return add(numbers, 5126, type, width);
   }
 
-  nlohmann::json document;  ///< all but accessors, views and buffers
+  nlohmann::json document;  ///< the document without accessors, views and buffers
 
   [[nodiscard]] std::string text() const {
     nlohmann::json all = document;
@@ -62,19 +62,19 @@ class GltfText {
   nlohmann::json views_ = nlohmann::json::array(), accessors_ = nlohmann::json::array();
 };
 
-/// What may be wrong with the tube below.
+/// Errors to insert into the tube below.
 struct TubeFaults {
   bool noSkin = false, noWeights = false, noJoints = false;
   float weightSum = 1;
-  std::uint8_t joint = 1;  ///< that its upper half follows
+  std::uint8_t joint = 1;  ///< index of the joint that moves the upper half
   std::vector<float> times = {0, 0.5F, 1};
 };
 
-/// A tube of radius 0.1 m and length 1 m along y, with "low" at its foot, "high" at its middle, which the
-/// upper half follows with a soft border, and "tip" at its end, which moves nothing. Motions, of "high" but
-/// the first: "bend" turns it about z by 0, 90, 0 degrees at 0, 0.5 and 1 s, and moves "low" along x by 0,
-/// 1, 0 m; "step" by STEP; "curve" moves "high" by CUBICSPLINE with the tangents (1, 2, 3) per second
-/// throughout.
+/// A tube of radius 0.1 m and length 1 m along y. Its joints are "low" at the foot, "high" at the middle,
+/// which moves the upper half with a soft transition, and "tip" at the end, which moves nothing.
+/// Animations: "bend" rotates "high" about z by 0, 90, 0 degrees at 0, 0.5 and 1 s, and moves "low" along x
+/// by 0, 1, 0 m; "step" moves "high" by STEP; "curve" moves "high" by CUBICSPLINE with constant tangents
+/// (1, 2, 3) per second.
 inline GltfText tubeText(const TubeFaults& faults = {}) {
   constexpr int around = 24;
   constexpr int rings = 41;

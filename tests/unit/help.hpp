@@ -7,19 +7,19 @@
 
 #include <doctest/doctest.h>
 
-/// What tests of several parts need.
+/// Helpers shared by several test folders.
 namespace simreel::test {
 
 [[nodiscard]] inline bool has(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-/// Fails its test with both texts.
+/// Fails the test and prints both texts if `part` is missing.
 inline void checkHas(const std::string& text, const std::string& part) {
   CHECK_MESSAGE(has(text, part), "\"", text, "\" lacks \"", part, "\"");
 }
 
-/// A file in the system's temporary folder that goes away with its test.
+/// Creates a file in the system's temporary folder and removes it in the destructor.
 class TemporaryFile {
  public:
   TemporaryFile(const std::string& name, const std::string& contents)

@@ -1,6 +1,6 @@
-// Cloth substeps on the device beside the CPU twin on one thread and on all. Items are particles, so
-// items_per_second reads as particle-steps/s. Traffic of a substep with springs: every particle reads its
-// position (neighbours come from the cache) and velocity and writes both, 64 bytes.
+// Measures cloth substeps on the device and by the CPU twin, on one thread and on all threads. Items are
+// particles, so items_per_second is particle-steps/s. A substep with springs moves 64 bytes per particle:
+// it reads position (those of neighbours come from the cache) and velocity and writes both.
 #include "gl/context.hpp"
 #include "reference/cloth_twin.hpp"
 #include "sim/world/list.hpp"
@@ -17,7 +17,8 @@ using namespace simreel;
 
 namespace {
 
-int substeps = 8;  ///< a frame, after which the device is waited for: --substeps N
+int substeps =
+    8;  ///< substeps per frame, --substeps N; the benchmark waits for the device after each frame
 
 sim::ClothParameters sheet(int side) {
   sim::ClothParameters p;

@@ -1,5 +1,5 @@
-// Comparing 1920x1080 pictures: pairs of encoded files, and the metrics of a pair that differs. Bar: a pair
-// of files with identical pixels takes under 5 ms.
+// Measures the comparison of 1920x1080 pictures: pairs of encoded files, and the metrics of a pair that
+// differs. Bar: under 5 ms for a pair of files with identical pixels.
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
@@ -28,14 +28,14 @@ namespace {
 
 constexpr int width = 1920, height = 1080;
 
-/// Integer hash of a pixel (PCG), 0 to 255.
+/// Returns an integer hash (PCG) of a pixel, 0 to 255.
 int noise(int x, int y) {
   std::uint32_t state = std::uint32_t(y * width + x) * 747796405u + 2891336453u;
   state = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
   return int(((state >> 22u) ^ state) & 255u);
 }
 
-/// A woven cloth with some grain: textured, so that the encoder has work.
+/// Returns a picture of woven cloth with grain, which is hard to compress.
 frame::Image picture(int shift) {
   frame::Image image{width, height, {}};
   image.bytes.reserve(std::size_t(width) * height * 4);
@@ -54,13 +54,13 @@ const frame::Image& first() {
   static const frame::Image image = picture(0);
   return image;
 }
-/// Differs in nearly every pixel.
+/// Returns a picture that differs from first() in nearly every pixel.
 const frame::Image& second() {
   static const frame::Image image = picture(3);
   return image;
 }
 
-/// A folder of files, removed at the end.
+/// Creates a folder of files and removes it at the end.
 class Files {
  public:
   Files() : folder_(std::filesystem::temp_directory_path() / "simreel-bench-compare") {
@@ -84,7 +84,7 @@ class Files {
   std::filesystem::path folder_;
 };
 
-/// The same pixels as stock stb_image_write encodes them, with alpha.
+/// Returns the same pixels encoded by stock stb_image_write, with alpha.
 std::vector<std::byte> otherEncoder(const frame::Image& image) {
   int size = 0;
   unsigned char* png =
@@ -124,12 +124,12 @@ void measureEqual(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(golden::measure(first(), copy, exact()));
 }
 
-/// Nearly every pixel differs.
+/// Measures a pair that differs in nearly every pixel.
 void measureDiffering(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(golden::measure(first(), second(), exact()));
 }
 
-/// One small area differs, as when an edge moved.
+/// Measures a pair that differs in one small area, as after a small motion of an edge.
 void measureSmallArea(benchmark::State& state) {
   frame::Image changed = first();
   for (int y = 500; y < 540; ++y)

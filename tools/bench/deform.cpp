@@ -1,6 +1,6 @@
-// The five techniques on the 401x401 grid with the ripple: milliseconds of a frame's deformation up to
-// where drawing could begin, and its stages. "compute" once more with the readback. Run it on a quiet
-// machine.
+// Compares the five deformation techniques on a 401x401 grid with the ripple: milliseconds of a frame's
+// deformation up to the start of drawing, and its stages. "compute" runs a second time with readback. Run
+// on an idle machine.
 #include "gl/context.hpp"
 #include "sim/mesh/parameters.hpp"
 #include "sim/world/list.hpp"

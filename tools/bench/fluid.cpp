@@ -1,20 +1,20 @@
-// Fluids against flows that others have computed or measured.
+// Compares fluids with flows that others have computed or measured.
 //
-//   bench_fluid cylinder [CELLS [SECONDS]]   2D-2 of Schaefer and Turek, so many cells a diameter (40)
+//   bench_fluid cylinder [CELLS [SECONDS]]   2D-2 of Schaefer and Turek, CELLS per diameter (40)
 //   bench_fluid wide [CELLS [SECONDS]]       a cylinder at Re 100 in a channel of 30 diameters (12)
 //   bench_fluid cavity [CELLS [RE]]          Ghia, Ghia and Shin, 128 cells, Re 1000; and Botella and
 //                                            Peyret at Re 1000
-//   bench_fluid quick                        all of them coarse, in a few seconds
+//   bench_fluid quick                        all of them at low resolution, in a few seconds
 //
-// and how fast they are on this device, one figure a process: whole steps of a cell a second, bytes moved
-// beside what copying moves, every buffer in bytes a cell.
+// Also measures the speed on this device, one case per process: cell-steps per second, bytes moved compared
+// with copying, and the bytes per cell of every buffer.
 //
-//   bench_fluid speed [SIDE [CYCLES [PATH]]] a fluid, SIDE 4096 on a GPU, 512 on a software driver; at most
-//                                            CYCLES a projection: what those cost that are empty (0: as it
-//                                            is); of the memory path "storage" or "texel"
+//   bench_fluid speed [SIDE [CYCLES [PATH]]] a fluid, SIDE 4096 on a GPU, 512 on a software driver; at
+//                                            most CYCLES per projection (0: the default), for the cost
+//                                            of empty cycles; PATH: memory path "storage" or "texel"
 //   bench_fluid water [SIDE]                 water, SIDE 8192 on a GPU, 1024 on a software driver
 //
-// Exits with 1 where a figure is beyond its bar.
+// The exit code is 1 if a figure is beyond its bar.
 #include "beside/memory.hpp"
 #include "beside/subject.hpp"
 #include "gl/context.hpp"

@@ -1,10 +1,10 @@
-// A step of gravity by the tree: milliseconds a phase by timer queries, beside the CPU twin on one thread
-// and on all, and the error against all pairs in double on 512 bodies.
+// Measures a step of gravity by the tree: milliseconds per phase by timer queries, compared with the CPU
+// twin on one thread and on all, and the error relative to all pairs in double precision for 512 bodies.
 //
 //     bench_gravity_tree [N...]     default 16384 on software drivers, 1048576 on GPUs
 //
-// What a step has to do is counted with it: operations and bytes as src/sim/particles/gravity_tree.cpp
-// states them for the walk; sorting moves 12 passes of 48 bytes a body, building about 100.
+// Also counts the work of a step: operations and bytes of the walk as src/sim/particles/gravity_tree.cpp
+// states them; sorting moves 12 passes of 48 bytes per body, building about 100 bytes per body.
 #include "sim/particles/gravity_tree.hpp"
 
 #include "gl/context.hpp"
@@ -26,7 +26,8 @@ constexpr float gravity = 1;
 constexpr float softening = 0.01F;
 
 struct Phases {
-  double sort, build, walk, total;  ///< ms; total: the whole step by the clock, until the device is done
+  double sort, build, walk,
+      total;  ///< ms; total: wall-clock time of the whole step until the device is done
 };
 
 double milliseconds(const auto& work) {
@@ -35,7 +36,7 @@ double milliseconds(const auto& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// By timer query; software drivers answer it with zero, so there by the clock.
+/// Measures with a timer query. Software drivers return zero for these, so on them with the clock.
 double deviceMilliseconds(const auto& work) {
   if (gl::softwareDriver())
     return milliseconds([&] {
@@ -49,7 +50,7 @@ double deviceMilliseconds(const auto& work) {
   return timer.nanoseconds() * 1e-6;
 }
 
-/// The least of several steps, after one that is not counted.
+/// Returns the minimum of several steps, after one warm-up step.
 Phases measure(sim::GravityTree& tree, const gl::Vec4Array& positions, const gl::Vec4Array& accelerations,
                int count, float opening, int steps) {
   const double max = std::numeric_limits<double>::max();

@@ -1,15 +1,15 @@
-// Gray-Scott steps on the device, cut up in several ways, beside the CPU twin on one thread and on all.
-// Items are cell-steps. A pass reads and writes u and v of every cell, 16 bytes; a step is 16 operations
-// for two Laplacians with shared side sums (8 each: 4 additions, 3 multiplications or so), 3 for the
-// reaction, 12 for the two sums and 4 for the bounds: 35. Several steps a pass divide the bytes and repeat
-// the border of a strip.
+// Measures Gray-Scott steps on the device with several partitions of the work, compared with the CPU twin
+// on one thread and on all. Items are cell-steps. A pass reads and writes u and v of every cell, 16 bytes.
+// A step is 35 operations: 16 for two Laplacians with shared side sums (8 each: about 4 additions and 3
+// multiplications), 3 for the reaction, 12 for the two sums and 4 for the bounds. Several steps per pass
+// divide the bytes and repeat the border of a strip.
 //
 //   bench_gray_scott [SIDE]     8192 on a GPU, 512 on a software driver
 //
-// For a figure name one line by --benchmark_filter: on NVIDIA's driver large arrays made after others were
-// freed are slower, by up to a half.
+// Measure one line at a time with --benchmark_filter: on NVIDIA's driver, large arrays that are created
+// after others were freed are up to a half slower.
 //
-// With --patterns: what each preset has grown after 10,000 steps on 129x127, as the table of
+// With --patterns, prints the result of each preset after 10,000 steps on 129x127, as in the table of
 // src/sim/README.md.
 #include "gl/context.hpp"
 #include "reference/gray_scott_twin.hpp"

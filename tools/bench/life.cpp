@@ -1,8 +1,9 @@
-// Generations of B3/S23 on a torus: a loop over bytes, the bit-sliced CPU twin on one thread and on all,
-// and the kernel cut in several ways, each over the same grid. Figures are cells/s; the ratio is to the
-// plain loop.
+// Measures generations of B3/S23 on a torus: a loop over bytes, the bit-sliced CPU twin on one thread and
+// on all, and the kernel with several partitions of the work, all on the same grid. Figures are cells/s;
+// the ratio is relative to the plain loop.
 //   bench_life [WIDTH HEIGHT [STEPS [plain]]]     defaults 4096 4096 64; "plain": no CPU loops
-// Memory is 2 bits a cell; one pass reads and writes 2 bits a cell, however many generations it takes.
+// A grid takes 2 bits per cell; a pass reads and writes 2 bits per cell, whatever its number of
+// generations.
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 #include "plain/plain.hpp"
@@ -30,13 +31,14 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Cells/s by the clock, and by processor time of all threads, which a busy machine changes less.
+/// Cells/s by wall-clock time, and by processor time of all threads; other load on the machine affects the
+/// latter less.
 struct Rate {
   double wall = 0;
   double processor = 0;
 };
 
-/// Runs `body`, which does `cells` cell updates, at least twice and for 0.4 s; the best rates.
+/// Runs `body`, which does `cells` cell updates, at least twice and for 0.4 s; returns the best rates.
 template <class Body>
 Rate rate(double cells, const Body& body) {
   Rate best;
@@ -67,7 +69,8 @@ void print(const std::string& name, Rate found, Rate plain) {
   std::fflush(stdout);
 }
 
-/// The loops over bytes and the twin, on a grid that fits a CPU. Returns the plain loop's rate.
+/// Measures the loops over bytes and the twin, on a grid small enough for a CPU. Returns the plain loop's
+/// rate.
 Rate onCpu(glm::ivec2 size) {
   const double cells = static_cast<double>(size.x) * size.y;
   sim::LifeParameters parameters;
@@ -88,7 +91,7 @@ Rate onCpu(glm::ivec2 size) {
   return plain;
 }
 
-/// A soup that is the same in each of several bands, so that huge grids need no huge loop.
+/// Returns a soup that repeats one random band, so that a huge grid is filled quickly.
 std::vector<glm::uvec4> soup(glm::ivec2 size) {
   sim::LifeParameters parameters;
   parameters.size = {size.x, std::min(size.y, std::max(1, (1 << 22) / size.x))};

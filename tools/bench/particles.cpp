@@ -1,7 +1,7 @@
-// All-pairs gravity on the device, exact and fast, beside plain loops on the CPU in the same run: rates in
-// interactions/s (one body pulled by one body), best of several runs. Then particles that do not attract
-// each other, in particle-steps/s. With particles/pairs.cu built in (where nvcc is found), a plain CUDA
-// kernel beside them.
+// Measures all-pairs gravity on the device, exact and fast, and plain loops on the CPU in the same run:
+// interactions/s (one body attracted by one body), best of several runs. Then particles without mutual
+// attraction, in particle-steps/s. If particles/pairs.cu is built in (nvcc was found), also a plain CUDA
+// kernel.
 //   bench_particles [bodies] [free particles]
 #include "sim/particles/particles.hpp"
 
@@ -26,17 +26,18 @@
 
 using namespace simreel;
 
-/// particles/soa.cpp: vectorised by the compiler for this machine; three floats a target into `sums`.
+/// particles/soa.cpp: vectorised by the compiler for this machine; writes three floats per target into
+/// `sums`.
 void soaPairs(const float* x, const float* y, const float* z, const float* mass, int count, int first,
               int end, float softening, float* sums);
 
-/// particles/native.cpp: the plain loop for this machine's instructions; xyzw a body.
+/// particles/native.cpp: the plain loop with this machine's instruction set; xyzw per body.
 void nativePairs(const float* bodies, float* accelerations, int count, int first, int end, float gravity,
                  float softening);
 
 #ifdef SIMREEL_BENCH_CUDA
-/// particles/pairs.cu: seconds of the best of `runs`, negative without a device; sums into xyzw of
-/// `accelerations`.
+/// particles/pairs.cu: returns the seconds of the best of `runs`, negative without a device; writes xyzw
+/// per body into `accelerations`.
 double cudaPairs(const float* bodies, float* accelerations, int count, float gravity, float softening,
                  int runs);
 #endif
@@ -56,11 +57,11 @@ std::vector<glm::vec4> cloud(int count) {
   return bodies;
 }
 
-/// Processor seconds of all threads in the cheapest run of the last best(): what others on a shared machine
-/// take away does not count.
+/// Minimum processor seconds of all threads over the runs of the last best(). Other load on a shared
+/// machine does not count.
 double processorSeconds = 0;
 
-/// Seconds of the shortest of some runs, at least three and half a second of them.
+/// Returns the seconds of the fastest run; runs at least three times and for half a second.
 double best(const std::function<void()>& body) {
   double shortest = 1e300;
   processorSeconds = 1e300;
@@ -78,7 +79,7 @@ double best(const std::function<void()>& body) {
   return shortest;
 }
 
-/// Separate arrays of each coordinate.
+/// Bodies with one array per coordinate.
 struct Soa {
   std::vector<float> x, y, z, mass;
   explicit Soa(const std::vector<glm::vec4>& bodies) {
@@ -91,7 +92,7 @@ struct Soa {
   }
 };
 
-/// Shares targets 0..count-1 out to threads.
+/// Distributes targets 0..count-1 over threads.
 void shared(int count, unsigned threads, const std::function<void(int, int)>& part) {
   const auto bound = [&](unsigned i) {
     return static_cast<int>(static_cast<long long>(count) * i / threads);
@@ -120,7 +121,7 @@ void soaLoop(const Soa& bodies, std::vector<glm::vec4>& out, unsigned threads) {
     out[i] = glm::vec4(sums[i * 3], sums[i * 3 + 1], sums[i * 3 + 2], 0) * gravity;
 }
 
-/// In doubles, to see how far each is off.
+/// Returns reference sums in double precision, for the errors of the implementations.
 std::vector<glm::vec4> exactSums(const std::vector<glm::vec4>& bodies, std::size_t targets) {
   std::vector<glm::vec4> out;
   for (std::size_t i = 0; i < targets; ++i) {
@@ -135,7 +136,8 @@ std::vector<glm::vec4> exactSums(const std::vector<glm::vec4>& bodies, std::size
   return out;
 }
 
-/// Greatest difference as a fraction of the greatest acceleration: all must have solved the same problem.
+/// Returns the maximum difference relative to the maximum acceleration, to check that all implementations
+/// solve the same problem.
 double difference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
   float max = 0;
   float scale = 0;

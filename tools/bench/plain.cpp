@@ -1,12 +1,12 @@
-// Every simulation beside the loop that one would write oneself (tools/bench/plain/, one thread, -O3,
-// nothing exact) and beside its CPU twin on one thread: rates by the clock and per processor second, and
-// both as ratios to the plain loop. The three take turns, round after round, so that a busy machine hits
-// all alike; medians of the rounds' rates and ratios. For software drivers; a GPU's figures come from the
-// other benches. Where what an item takes at least has been counted, the last columns have what that would
-// allow a processor, and how much of it the kernel reaches.
+// Compares every simulation with a straightforward loop (tools/bench/plain/, one thread, -O3, not exact)
+// and with its CPU twin on one thread: rates by wall-clock time and per processor second, and the ratios of
+// both to the plain loop. The three run in turns, so that other load affects all alike; figures are medians
+// over the rounds. For software drivers; other benchmarks give the figures of a GPU. If the minimum work
+// per item is counted, the last columns show the limit that this implies for one processor, and the
+// fraction of it that the kernel reaches.
 //
-//   bench_plain [NAME [SECONDS]]     only those whose name contains NAME; SECONDS: nothing but the kernel,
-//   for profilers
+//   bench_plain [NAME [SECONDS]]     only cases whose name contains NAME; SECONDS: runs only the kernel,
+//                                    for profilers
 #include "plain/plain.hpp"
 
 #include "base/processor.hpp"
@@ -105,7 +105,7 @@ Parameters field(int side) {
   return p;
 }
 
-/// A tenth is infected when it has settled.
+/// A tenth of the cells is infected in the steady state.
 Subject epidemic() {
   constexpr int side = 1024;
   auto p = field<sim::EpidemicParameters>(side);
@@ -129,7 +129,7 @@ Subject epidemic() {
           frames(onDevice("epidemic", p), sim::StepWatch{})};
 }
 
-/// `across` times as many fires, which grow.
+/// `across` times as many growing fires.
 Subject wildfire(int across) {
   constexpr int side = 1024;
   auto p = field<sim::WildfireParameters>(side);
@@ -239,7 +239,7 @@ Subject deform() {
           frames(device, sim::StepWatch{})};
 }
 
-/// A cave's map, from noise to walls: all of it each time.
+/// A cave's map from noise to walls, rebuilt each time.
 Subject walls() {
   constexpr int side = 1024;
   sim::CaveParameters p;

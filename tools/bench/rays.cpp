@@ -1,7 +1,7 @@
-// Rays a processor second through 320,000 triangles of a waving sheet and through as many strewn about: by
-// the kernel of render.quality "high", by the same way written as a plain loop, and by Embree, where its
-// library is installed. The same rays for all: from places on the sheet into the hemisphere (the rays that
-// light is found by), side by side as a picture's are.
+// Measures rays per processor second through 320,000 triangles of a waving sheet, and through as many
+// randomly placed ones: by the kernel of render.quality "high", by the same algorithm as a plain loop, and
+// by Embree if its library is installed. All trace the same rays: from points on the sheet into the
+// hemisphere (as for lighting), in the order of a picture's pixels.
 #include "base/hash.hpp"
 #include "draw/exact/rays/bindings.hpp"
 #include "draw/exact/rays/hierarchy.hpp"
@@ -33,8 +33,8 @@ namespace {
 
 struct Soup {
   const char* name;
-  std::vector<glm::vec4> places;  ///< three of each triangle
-  std::vector<glm::vec4> rays;    ///< origin; unit direction, how far
+  std::vector<glm::vec4> places;  ///< vertices, three per triangle
+  std::vector<glm::vec4> rays;    ///< two vectors per ray: origin; unit direction and maximum distance
 };
 
 using Random = std::minstd_rand;
@@ -95,7 +95,7 @@ double processorSeconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Runs it until a second of processor time is over; prints rays a second. Returns those a processor
+/// Runs `f` until a second of processor time is over and prints rays per second. Returns rays per processor
 /// second.
 template <class F>
 double measure(const char* name, std::size_t rays, const F& f) {
@@ -115,7 +115,7 @@ double measure(const char* name, std::size_t rays, const F& f) {
   return each;
 }
 
-/// The soup on the device, with its hierarchy.
+/// The triangles on the device, with their BVH.
 struct Stage {
   explicit Stage(const Soup& soup) {
     places = gl::Buffer::of<glm::vec4>("places", soup.places);

@@ -1,13 +1,13 @@
-// Steps of a rule that a scene wrote (Gray-Scott's equations as expressions) beside the hand-written
-// kernels of the same stencil, its evaluator on the CPU, a plain loop and what memory alone would allow.
-// Items are cell-steps; a pass reads and writes two numbers a cell, 16 bytes.
+// Compares steps of a rule that a scene defines (Gray-Scott's equations as expressions) with the
+// hand-written kernels of the same stencil, the expression evaluator on the CPU, a plain loop, and the
+// limit of memory bandwidth. Items are cell-steps; a pass reads and writes two floats per cell, 16 bytes.
 //
 //   bench_reaction [SIDE]     8192 on a GPU, 512 on a software driver
 //
-// "volume": the same in a volume of as many cells or fewer, 64 along each side or 256 on a GPU.
+// "volume": the same in a volume of at most as many cells, 64 per side, or 256 on a GPU.
 //
-// Before that: what the kernels of each preset take from their text to their first steps, the driver's
-// cache left out where MESA_SHADER_CACHE_DISABLE=1.
+// Before that, prints the time of each preset's kernels from their text to their first steps; set
+// MESA_SHADER_CACHE_DISABLE=1 to exclude the driver's cache.
 #include "gl/context.hpp"
 #include "plain/plain.hpp"
 #include "sim/gray_scott/kernels.hpp"
@@ -38,7 +38,7 @@ sim::GrayScottPlan byHand(int side) {
   return {p, "dish", 1, frameSeconds};
 }
 
-/// The same equations; 0.3 of their diffusion is the Laplacian that expressions have.
+/// The same equations; 0.3 of their diffusion is the Laplacian available in expressions.
 sim::ReactionPlan asRule(int side) {
   sim::ReactionParameters p;
   p.size = {side, side};
@@ -72,7 +72,7 @@ sim::ReactionPlan closed(int side) {
   return {p, "dish", 1, frameSeconds};
 }
 
-/// Each is displaced by the next (May and Leonard 1975).
+/// A cycle of species, each displaced by the next (May and Leonard 1975).
 sim::ReactionPlan inCircle(int side, int species) {
   sim::ReactionParameters p;
   p.size = {side, side};
@@ -148,7 +148,7 @@ void plainLoop(benchmark::State& state) {
   report(state, side, 1);
 }
 
-/// Four planes copied by the processor: the bytes of a step and nothing else.
+/// Copies four planes on the processor: moves the bytes of a step without computing.
 void bytesAlone(benchmark::State& state, bool volume) {
   const int side = static_cast<int>(state.range(0)), depth = volume ? side : 1;
   const std::size_t cells =

@@ -1,10 +1,10 @@
-// What cloth should do however it is cut: figures that stay when the grid gets finer, energy that stays.
+// Checks that cloth behaves the same at every resolution: figures must not change on finer grids, and
+// energy must be conserved.
 //
-//   bench_studies resolution [SECONDS]   flag.json with 48, 96 and 192 columns: folds at the fly edge,
-//   stretch
-//   bench_studies energy [SECONDS]       swings without damping: drift, and whether the mean ever rises
+//   bench_studies resolution [SECONDS]   flag.json with 48, 96 and 192 columns: folds, stretch
+//   bench_studies energy [SECONDS]       swings without damping: drift, and rise of the mean
 //
-// Exits with 1 where a figure is beyond its bar.
+// The exit code is 1 if a figure is beyond its bar.
 #include "beside/subject.hpp"
 #include "gl/context.hpp"
 #include "reference/swing.hpp"
@@ -32,10 +32,10 @@ using namespace simreel;
 namespace {
 
 constexpr double degrees = 57.29577951308232;
-constexpr double flagWidth = 95 * 0.0215, flagHeight = 63 * 0.0215;  // m, of flag.json
+constexpr double flagWidth = 95 * 0.0215, flagHeight = 63 * 0.0215;  // m, size of the cloth in flag.json
 constexpr int coarsest = 48;
 
-/// A mean over time, and how far off it may be: from means of a second each.
+/// A mean over time with its standard error, estimated from the means of single seconds.
 class Mean {
  public:
   void add(double squared, int frame) {
@@ -44,7 +44,7 @@ class Mean {
     seconds_[second] += squared / 60;
   }
   [[nodiscard]] double rms() const { return std::sqrt(mean()); }
-  /// Standard error of rms().
+  /// Returns the standard error of rms().
   [[nodiscard]] double error() const {
     double sum = 0;
     for (const double s : seconds_) sum += (s - mean()) * (s - mean());
@@ -61,16 +61,16 @@ class Mean {
   std::vector<double> seconds_;
 };
 
-/// Angles between neighbouring chords, rms in degrees: of the fly edge itself and of the rows' last tenth;
-/// chords as long as a link of the coarsest, and twice that.
+/// Angles between neighbouring chords, rms in degrees: along the fly edge, and along the last tenth of the
+/// rows; for chords as long as a link of the coarsest grid, and twice as long.
 struct Flag {
   int columns = 0, substeps = 0;
   std::array<Mean, 2> alongEdge, toEdge;
-  double stretch = 0;   ///< largest of all frames
-  double strained = 0;  ///< links more than 5% beyond their length, a frame
-  double reach = 0;     ///< m from the pole to the fly edge, along x
-  double height = 0;    ///< m, of the fly edge
-  double kinetic = 0;   ///< J
+  double stretch = 0;   ///< maximum stretch over all frames
+  double strained = 0;  ///< links more than 5% beyond their length, per frame
+  double reach = 0;     ///< distance (m) from the pole to the fly edge, along x
+  double height = 0;    ///< height (m) of the fly edge
+  double kinetic = 0;   ///< kinetic energy, J
 };
 
 /// Mean squared angle between chords of `pace` links along lines of particles.
@@ -88,8 +88,8 @@ struct Angles {
   [[nodiscard]] double mean() const { return sum / static_cast<double>(count); }
 };
 
-/// The same flag with so many columns. Angles are of the same pieces of cloth however many links those
-/// have. Begins to look after 3 s.
+/// Runs the flag with the given number of columns. Angles are measured over the same lengths of cloth,
+/// whatever the length of a link. Measuring starts after 3 s.
 Flag flagOf(int columns, int seconds, const std::vector<scene::Override>& more) {
   const double spacing = flagWidth / (columns - 1);
   const int rows = static_cast<int>(std::lround(flagHeight / spacing)) + 1;
@@ -172,7 +172,7 @@ bool resolution(int seconds, const std::vector<scene::Override>& more) {
   return spread(&Flag::alongEdge, 0) <= 20 && spread(&Flag::alongEdge, 1) <= 20;
 }
 
-/// The device steps, so this may be long and fine.
+/// Runs on the device, so the study may be long and fine.
 bool energy(int seconds) {
   fmt::print("{:<20} {:>8} {:>8} {:>9} {:>11} {:>11}   of the energy of the swing, {} s\n", "", "degrees",
              "spacing", "substeps", "drift", "rise", seconds);

@@ -1,4 +1,4 @@
-"""What of a scene tools/cycles carries over to Blender; anything else is refused by name."""
+"""Lists the parts of a scene that tools/cycles transfers to Blender; any other part is refused by name."""
 
 SOLID = {"position", "rotation", "radius", "collides", "visible", "grip", "friction"}
 KNOWN = {
@@ -15,13 +15,13 @@ KNOWN = {
     "objects.*.capsule": SOLID | {"length"},
     "objects.*.material": {"color", "texture", "roughness", "metallic", "translucency"},
 }
-# What Blender cannot take from simreel's defaults, as there it is a scene's own.
+# Values that a scene must set itself, because simreel's defaults for them are not available in Blender.
 NEEDED = {"camera": ("position", "target", "fieldOfView"), "sun": ("direction", "color", "intensity"),
           "ground": ("height", "color", "roughness", "fadeStart", "fadeEnd"), "render": ("size",)}
 
 
 def refusals(scene):
-    """Lines that say what is in the way; none: all of it is carried over."""
+    """Returns lines that name the parts which cannot be transferred; empty if the whole scene can be."""
     found = []
 
     def look(path, pattern, given):
@@ -64,10 +64,10 @@ def refusals(scene):
 
 
 def is_baked(thing):
-    """Whether `simreel bake` writes its geometry."""
+    """True if the geometry comes from a file of `simreel bake`."""
     return "mesh" in thing or "cloth" in thing
 
 
 def flat_color(number):
-    """Linear light by which an object is told from 25 others; 0 is black."""
+    """Returns a linear colour that identifies an object among 26; number 0 is black."""
     return [(0.0, 0.25, 1.0)[number // 3 ** k % 3] for k in range(3)]

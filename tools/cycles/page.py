@@ -1,4 +1,5 @@
-"""A page of pairs: of each scene a row of pictures, draft, standard, high and Cycles, and what they took. Needs python3-pil."""
+"""Makes a page of pairs: for each scene a row of pictures (draft, standard, high and Cycles) with their times. Needs
+python3-pil."""
 import io
 import pathlib
 
@@ -10,7 +11,7 @@ MAX_BYTES, GAP, LABEL, WIDTH = 100_000, 4, 22, 320
 
 
 def row(measured, folder):
-    """PNG in a palette, as large as there is room for."""
+    """Returns a PNG with a palette, in the largest width that fits into MAX_BYTES."""
     for width in (WIDTH, 280, 240, 200, 160):
         height = width * measured["size"][1] // measured["size"][0]
         page = Image.new("RGB", (4 * width + 3 * GAP, height + LABEL), "white")

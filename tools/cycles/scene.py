@@ -1,6 +1,7 @@
-"""For Blender: a frame of a simreel scene by Cycles with as many bounces as render.quality "high" has. blender -b --python scene.py --
-SCENE.json FOLDER PICTURE.png SAMPLES; FOLDER has what `simreel bake` writes of the frame. SAMPLES 0: each object in the colour that
-flat_color gives its number (from 1; of the ground 0), and nothing of light, for comparing places. carried.py has what is carried over."""
+"""Script for Blender: renders a frame of a simreel scene with Cycles, with as many bounces as render.quality "high".
+blender -b --python scene.py -- SCENE.json FOLDER PICTURE.png SAMPLES; FOLDER holds the files of `simreel bake` for the
+frame. SAMPLES 0: draws each object unlit in the colour flat_color(number), with numbers from 1 and 0 for the ground,
+for comparing positions. carried.py lists the parts of a scene that are transferred."""
 import array
 import json
 import math
@@ -18,7 +19,7 @@ ASSETS = pathlib.Path(__file__).resolve().parents[2] / "assets"
 
 
 def place(p):
-    """From y up to z up."""
+    """Converts a point from y-up to z-up coordinates."""
     return Vector((p[0], -p[2], p[1]))
 
 
@@ -48,8 +49,9 @@ def times(nodes, links, color, texture):
 
 
 def material(name, given, folder):
-    """A GGX lobe of F0 0.04 over a matt surface that gets what the lobe leaves (glsl/draw/exact/rays/facet.glsl); a metal: the lobe
-    alone. Of a texture v counts from below, as in what is baked."""
+    """Makes a material: a GGX lobe of F0 0.04 over a diffuse surface that receives the energy the lobe leaves
+    (glsl/draw/exact/rays/facet.glsl); for a metal only the lobe. The v coordinate of a texture starts at the bottom, as
+    in baked files."""
     made = bpy.data.materials.new(name)
     made.use_nodes = True
     nodes, links = made.node_tree.nodes, made.node_tree.links
@@ -115,7 +117,7 @@ def material(name, given, folder):
 
 
 def flat(number):
-    """What has a colour whatever the light."""
+    """Makes a material of constant colour, independent of lights."""
     made = bpy.data.materials.new("flat")
     made.use_nodes = True
     nodes, links = made.node_tree.nodes, made.node_tree.links
@@ -127,7 +129,8 @@ def flat(number):
 
 
 def sphere_rows(radius, length):
-    """Of a ball, or a rod of that length along y with round ends: rows of (radius, y, slope of the normal as cosine and sine)."""
+    """Yields the profile of a sphere, or of a capsule along y with `length` between the centres of its caps: (radius,
+    y, cosine and sine of the normal's slope)."""
     half = 64
     for i in range(half + 1):
         angle = -math.pi / 2 + math.pi / 2 * i / half
@@ -138,7 +141,8 @@ def sphere_rows(radius, length):
 
 
 def turned_solid(given, length):
-    """Vertices, normals and faces in the scene's space, fine enough to be round."""
+    """Returns vertices, normals and faces of a solid of revolution in the scene's space, with enough segments to look
+    round."""
     rows, around = list(sphere_rows(given.get("radius", 1), length)), 256
     turn = Euler([math.radians(a) for a in given.get("rotation", (0, 0, 0))], "XYZ").to_matrix()
     middle = Vector(given.get("position", (0, 0, 0)))
@@ -157,7 +161,7 @@ def turned_solid(given, length):
 
 
 def baked(file):
-    """Vertices, normals, uv and triangles of a PLY file as simreel bake writes it."""
+    """Returns vertices, normals, uv and triangles of a PLY file written by simreel bake."""
     data = file.read_bytes()
     head, end = data.split(b"end_header\n")[0].decode(), data.index(b"end_header\n") + len(b"end_header\n")
     lines = [line.split() for line in head.splitlines()]
@@ -173,7 +177,7 @@ def baked(file):
 
 
 def add_mesh(name, places, normals, uv, faces):
-    """With the very normals of the scene, not those that Blender would find."""
+    """Adds a mesh with the scene's own normals, instead of normals computed by Blender."""
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata([place(p) for p in places], [], faces)
     mesh.polygons.foreach_set("use_smooth", [True] * len(faces))
@@ -188,8 +192,9 @@ def add_mesh(name, places, normals, uv, faces):
 
 
 def sky(given, folder):
-    """A picture, whose middle is towards -z before it is turned and Blender's towards +x; or glsl/draw/sky.glsl: zenith to horizon by
-    (1 - y)^6, below it to the ground's colour within a third."""
+    """Sets the sky. A picture's middle points towards -z before rotation, and towards +x in Blender. Without a picture,
+    the gradient of glsl/draw/sky.glsl: from zenith to horizon by (1 - y)^6, below the horizon to the ground's colour
+    within a third."""
     world = bpy.data.worlds.new("sky")
     bpy.context.scene.world = world
     world.use_nodes = True
@@ -226,7 +231,8 @@ def sky(given, folder):
 
 
 def add_light(kind, given):
-    """Watts of Blender: of a ball 4 pi for each cd, of a rectangle 4, as a radiance of P / (4 area) is what Cycles makes of them."""
+    """Adds a light with Blender's power in watts: 4 pi W per cd for a sphere, 4 W per unit for a rectangle, because
+    Cycles gives a lamp of power P the radiance P / (4 area)."""
     lamp = bpy.data.lights.new(kind, kind)
     lamp.color = given["color"] if kind == "SUN" else given.get("color", [1, 0.72, 0.42])
     thing = bpy.data.objects.new(kind, lamp)
@@ -253,7 +259,7 @@ def face(thing, target):
 
 
 def add_ground(given, target):
-    """Out to where it is gone."""
+    """Adds the ground as a disc out to the distance where it has faded out."""
     bpy.ops.mesh.primitive_circle_add(vertices=512, radius=given["fadeEnd"], fill_type="NGON",
                                       location=place((target[0], given["height"], target[2])))
     return bpy.context.object

@@ -1,4 +1,4 @@
-// Prints the man page or a shell's completions, from the declarations that --help prints:
+// Prints the man page or a shell's completions, from the same declarations as --help:
 //
 //   simreel_manual man|bash|zsh|fish
 #include "base/version.hpp"
@@ -22,7 +22,7 @@ using Flag = simreel::cli::OptionText;
 
 struct Command {
   std::string name, doc, footer;
-  std::string arguments;  ///< "scenes..."
+  std::string arguments;  ///< positional arguments, such as "scenes..."
   std::vector<Flag> flags;
 
   [[nodiscard]] std::vector<std::string> flagNames() const {
@@ -51,7 +51,7 @@ Command commandOf(const CLI::App& app) {
   return command;
 }
 
-/// With those below it: "report merge reports..." is told as one.
+/// Returns a command merged with its subcommands: "report merge reports..." becomes one entry.
 Command wholeCommandOf(const CLI::App& app) {
   Command command = commandOf(app);
   for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -63,7 +63,8 @@ Command wholeCommandOf(const CLI::App& app) {
   return command;
 }
 
-/// The program's own flags, which go anywhere, as a command without a name; then its commands.
+/// Returns the program's own flags, which are allowed anywhere, as a command without a name; then its
+/// commands.
 std::vector<Command> commandsOf(const CLI::App& app) {
   std::vector<Command> all = {commandOf(app)};
   all.front().name.clear();
@@ -72,8 +73,8 @@ std::vector<Command> commandsOf(const CLI::App& app) {
   return all;
 }
 
-// groff(7): a backslash begins an escape, a dot or quote at the start of a line a request, and a bare - is
-// a hyphen.
+// Escapes text for groff(7): a backslash begins an escape, a dot or quote at the start of a line begins a
+// request, and a bare - is a hyphen.
 std::string roff(const std::string& text) {
   std::string safe = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
   safe = replaced(replaced(safe, "\n.", "\n\\&."), "\n'", "\n\\&'");
@@ -124,7 +125,7 @@ std::vector<std::string> namesOf(const std::vector<Command>& commands) {
   return names;
 }
 
-/// Files are what the shell completes where this has no answer.
+/// Returns the completion script for bash. If the script has no completion, the shell completes file names.
 std::string bash(const std::vector<Command>& commands) {
   const auto names = namesOf(commands);
   std::string values, flags;
@@ -159,7 +160,7 @@ complete -o default -F _simreel simreel
                      fmt::join(names, "|"), values, flags, fmt::join(names, " "));
 }
 
-/// For _arguments of zsh: what a description may not hold is escaped.
+/// Returns flags for _arguments of zsh, with its special characters in descriptions escaped.
 std::string zshFlags(const Command& command) {
   std::string text;
   for (const Flag& flag : command.flags) {

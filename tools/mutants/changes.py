@@ -1,4 +1,4 @@
-"""Changes of one constant or operator of the shaders."""
+"""Mutants of the shaders: changes of one constant or operator."""
 import collections
 import os
 import pathlib
@@ -12,7 +12,7 @@ from mutants.equivalent import EQUIVALENT
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GLSL = ROOT / "glsl"
-# Files of numbers of places to bind and of memory's layout.
+# Files of binding numbers and of memory layout.
 NOT_MUTATED = re.compile(r"(bindings|types)\.glsl$")
 SWAPS = {
     "+": ["-"], "-": ["+"], "*": ["+"], "<": [">", "<="], ">": ["<", ">="], "<=": ["<", ">="], ">=": [">", "<="],
@@ -40,11 +40,11 @@ class Mutant:
         return f"{self.before.strip()}   ->   {self.after.strip()}"
 
     def changes_nothing(self):
-        """Whether that is known."""
+        """True if the mutant is known to be equivalent."""
         return (self.file, self.after.strip()) in EQUIVALENT or is_same_float(self.old, self.new)
 
     def written(self, folder, text=None):
-        """A copy of the shaders with the change (or with `text` in its place)."""
+        """Writes a copy of the shaders with the change (or with `text` in its place) and returns its folder."""
         copy = pathlib.Path(folder) / "glsl"
         copy.parent.mkdir(exist_ok=True)
         if not copy.exists():
@@ -57,7 +57,7 @@ class Mutant:
 
 
 def changed_number(word, rng):
-    """Other numbers in place of a literal."""
+    """Returns other numbers to replace a literal."""
     if word.startswith("0x"):
         return [f"0x{int(word.rstrip('u'), 16) ^ 1 << rng.randrange(8):x}{'u' if word.endswith('u') else ''}"]
     if "." in word or "e" in word.lower():
@@ -71,7 +71,7 @@ def changed_number(word, rng):
 
 
 def is_same_float(a, b):
-    """Whether two literals are one number of 32 bits."""
+    """True if two literals are the same 32-bit float."""
     try:
         return struct.pack("f", float(a.rstrip("f"))) == struct.pack("f", float(b.rstrip("f")))
     except ValueError:
@@ -79,17 +79,18 @@ def is_same_float(a, b):
 
 
 def is_unary(line, at):
-    """Whether the + or - there is a sign."""
+    """True if the + or - at this position is a sign."""
     before = line[:at].rstrip()
     return not before or before[-1] in "(,=<>*/+-&|?:;{[" or before.endswith("return")
 
 
 def mutants_of(file, seed, every=False):
-    """A mutant (or every one) for each place of the file that has some, and its lot, which nothing but its line and the seed decides: whatever
-    is changed elsewhere, or moved to another folder, the same ones come first."""
+    """Returns (lot, mutant) for each position of the file that can be changed: one random mutant, or every one. The lot
+    is a random number that orders the mutants. It depends only on the line and the seed, so changes elsewhere, or a
+    move of the file to another folder, keep the order."""
     found = []
-    met = collections.Counter()  # lines that are the same words
-    inside = False  # of a declaration that is no code
+    met = collections.Counter()  # number of earlier lines with the same text
+    inside = False  # inside a declaration that is not code
     for number, line in enumerate((GLSL / file).read_text(encoding="utf-8").split("\n"), 1):
         code = line.split("//")[0]
         if inside:
@@ -119,19 +120,19 @@ def mutants_of(file, seed, every=False):
 
 
 def all_files():
-    """Those that have places."""
+    """Returns the files that can be changed."""
     names = sorted(str(file.relative_to(GLSL)) for file in GLSL.rglob("*") if file.suffix in (".glsl", ".comp", ".vert", ".frag"))
     return [file for file in names if code.chosen.has(file) and not NOT_MUTATED.search(file)]
 
 
 def drawn_lots(files, seed, every=False):
-    """Mutants in the order in which they are taken, of all files but those of NOT_MUTATED."""
+    """Returns the mutants of the files in the order of their lots, except files that match NOT_MUTATED."""
     lots = [lot for file in files if not NOT_MUTATED.search(file) for lot in mutants_of(file, seed, every)]
     return [mutant for _, mutant in sorted(lots, key=lambda lot: lot[0])]
 
 
 def reported(report):
-    """The mutants of a report as {mutant: (kind, by what, test)}, without those that are not there any more."""
+    """Returns the mutants of a report as {mutant: (kind, caught by, test)}, without those whose line is gone."""
     found, names, last = {}, set(), None
     for line in pathlib.Path(report).read_text(encoding="utf-8").splitlines():
         match = re.match(r"(caught|survived|equivalent) {2,}(\S*)( \w+| \(test\)|) +glsl/(\S+):(\d+)  (.*)   ->   (.*)", line)
@@ -151,7 +152,7 @@ def reported(report):
         head = len(os.path.commonprefix([before, after]))
         tail = len(os.path.commonprefix([before[head:][::-1], after[head:][::-1]]))
         mutant = Mutant(file, number, text, at + head, before[head:len(before) - tail], after[head:len(after) - tail])
-        if mutant.name() not in names:  # survivors stand below the report's last line, too
+        if mutant.name() not in names:  # the report repeats survivors after its last line
             names.add(mutant.name())
             last = mutant
             found[last] = (kind, by + what, "")

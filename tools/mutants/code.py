@@ -1,13 +1,14 @@
-"""Which shaders are changed, and which tests know them."""
+"""The groups of shaders that can be mutated, and the tests of each group."""
 import dataclasses
 
 
 @dataclasses.dataclass(frozen=True)
 class Code:
-    folders: tuple  # below glsl
-    others: bool    # all folders but these
-    tests: tuple    # of drawing: arguments of test_gpu, of each group of tests; the first is asked before all scenes were
-    bar: float      # of the mutants that have to be caught
+    folders: tuple  # folders below glsl
+    others: bool    # True if the group is all folders except `folders`
+    # for drawing: arguments of test_gpu for each group of tests; the first group runs before all scenes are drawn
+    tests: tuple
+    bar: float      # fraction of mutants that must be caught
 
     def has(self, file):
         return file.startswith(self.folders) != self.others

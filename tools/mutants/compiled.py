@@ -1,5 +1,5 @@
-"""Which lines of the shaders a driver is given to compile: of sources as Mesa leaves them in MESA_SHADER_DUMP_PATH, what their
-conditions leave. Other drivers tell nothing, nor does a machine without cpp."""
+"""Finds the lines of the shaders that a driver compiles: the lines that remain after preprocessing of the sources that
+Mesa writes to MESA_SHADER_DUMP_PATH. Other drivers, and machines without cpp, give no lines."""
 import pathlib
 import re
 import shutil
@@ -10,8 +10,8 @@ from mutants.changes import GLSL
 
 
 def pasted(text):
-    """The files in a source, by the number that #line gives each, as {number: {line: words}}; where each line of the source
-    is from, as (number, line); and the source for cpp."""
+    """Splits a dumped source. Returns {number: {line: words}} for the files by their number in #line; the origin of
+    each line of the source as (number, line); and the source for cpp."""
     found, places, for_cpp = {}, [], []
     number, line = None, 0
     for words in text.split("\n"):
@@ -25,7 +25,7 @@ def pasted(text):
 
 
 def unused_macros(source):
-    """Those that nothing names but macros that are unused, too: what they say is not compiled."""
+    """Returns macros that are unused, or used only by unused macros; their contents are not compiled."""
     named, bodies = set(), {}
     for line in re.sub(r"\\\n|//.*", " ", source).split("\n"):
         if match := re.match(r"\s*#\s*define\s+(\w+)(.*)", line):
@@ -41,7 +41,7 @@ def unused_macros(source):
 
 
 def kept(source):
-    """Lines of the source that conditions leave, of macros that are used the first ones."""
+    """Returns the lines of the source that remain after preprocessing, including the first line of each used macro."""
     unused = unused_macros(source)
     done = subprocess.run(["cpp", "-undef", "-nostdinc", "-w", "-dD", "-x", "c", "-std=gnu99", "-"], input=source, text=True,
                           capture_output=True, check=True)
@@ -58,7 +58,7 @@ def kept(source):
 
 
 class Files:
-    """The shaders, found by what is pasted of them."""
+    """The shader files, found by lines pasted from them."""
 
     def __init__(self):
         self.lines = {str(file.relative_to(GLSL)): file.read_text(encoding="utf-8").split("\n")
@@ -69,21 +69,22 @@ class Files:
                 self.having.setdefault(line, []).append(name)
 
     def named(self, there):
-        """The file that has these lines, {line: words}, or nothing of what the program adds."""
+        """Returns the name of the file that has these lines, {line: words}; None for text that the program adds."""
         there = {line for line in there.items() if not re.match(r"#endif$|\s*$", line[1])}
         some = min(there, key=lambda line: len(self.having.get(line, ())), default=None)
         return next((name for name in self.having.get(some, ()) if all(name in self.having.get(line, ()) for line in there)), None)
 
 
 def lines_of(folder, files, known):
-    """{(file, line)} of the chosen code that sources in `folder` compile; `known` keeps what is found of a source."""
+    """Returns {(file, line)} of the chosen code that the sources in `folder` compile. `known` caches the result of each
+    source."""
     found = set()
     for source in pathlib.Path(folder).glob("*.glsl") if shutil.which("cpp") else ():
         if source.name not in known:
             chunks, places, for_cpp = pasted(source.read_text(encoding="utf-8"))
             names = {number: files.named(lines) for number, lines in chunks.items()}
             here = {(names.get(places[at - 1][0]), places[at - 1][1]) for at in kept(for_cpp)}
-            for name, line in list(here):  # a macro's further lines
+            for name, line in list(here):  # adds the continuation lines of a macro
                 lines = files.lines.get(name, ())
                 while line < len(lines) and lines[line - 1].endswith("\\"):
                     line += 1

@@ -1,4 +1,4 @@
-"""Who notices a mutant: pictures, tests, baselines."""
+"""Decides if pictures, tests or baselines catch a mutant."""
 import concurrent.futures
 import functools
 import importlib.machinery
@@ -19,14 +19,14 @@ from mutants import code, compiled, selection
 from mutants.changes import GLSL, ROOT
 from mutants.processes import run
 
-FIRST_SCENES = 5  # are drawn before the first group of tests, which takes as long as ten, runs
-FRAME = 8  # of the small pictures
-PATIENCE = 120  # s that a picture may take: a mutant that never ends is caught
-ARGUMENTS = []  # a variant's
+FIRST_SCENES = 5  # number of scenes drawn before the first group of tests; the group takes as long as ten scenes
+FRAME = 8  # frame number of the small pictures
+PATIENCE = 120  # s per picture; a mutant that takes longer counts as caught
+ARGUMENTS = []  # arguments that select the driver variant
 
 
 def drivers():
-    """tools/drivers."""
+    """Loads tools/drivers as a module."""
     loader = importlib.machinery.SourceFileLoader("drivers", str(ROOT / "tools/drivers"))
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader("drivers", loader))
     sys.dont_write_bytecode = True
@@ -35,7 +35,7 @@ def drivers():
 
 
 def variants():
-    """Names of all variants that tools/drivers knows on a machine without a card."""
+    """Returns the names of all variants of tools/drivers on a machine without a graphics card."""
     found = drivers().variants("storage")
     try:
         mesa = "Mesa " + drivers().newer_mesa()[0].split("-")[0]
@@ -47,7 +47,7 @@ def variants():
 
 
 def take_variant(name):
-    """From here on programs run as tools/drivers' variant of this name does."""
+    """Makes all programs started from now on run as this variant of tools/drivers."""
     env = {}
     wanted = name
     if name.startswith("Mesa "):
@@ -67,14 +67,15 @@ def take_variant(name):
 
 
 def looked_through(folder, program, scene, frame):
-    """The scene's exact picture, the files of the chosen code that it is made with, how long it takes (s), and a folder with
-    what the driver compiles for it."""
+    """Draws a scene. Returns its exact picture, the files of the chosen code that it reads, the time (s), and a folder
+    with the sources that the driver compiles."""
     copy, sources = pathlib.Path(folder) / scene, pathlib.Path(folder) / f"{scene}-sources"
     shutil.copytree(GLSL, copy)
     sources.mkdir()
     files = [file for file in copy.rglob("*") if file.is_file()]
     for file in files:
-        os.utime(file, (0, time.time()))  # a first look shows, however seldom the file system notes them
+        # sets the access time to 0, so that a read is visible even if the file system updates access times rarely
+        os.utime(file, (0, time.time()))
     begin = time.monotonic()
     entry = exact_pictures.drawn(program, scene, frame, *ARGUMENTS,
                                  env={"SIMREEL_GLSL": str(copy), "MESA_SHADER_DUMP_PATH": str(sources)})
@@ -87,22 +88,22 @@ def looked_through(folder, program, scene, frame):
 
 
 class Scenes:
-    """What each shipped scene (or those of `names`) compiles, and how it looks."""
+    """For each shipped scene (or those in `names`): the shader lines that it compiles, and its unchanged picture."""
 
     def __init__(self, program, jobs, names=None):
         self.program = program
-        self.compiled = {}  # of mutants: whether a scene compiles the place
+        self.compiled = {}  # {mutant: True if a scene compiles its line}
         names = selection.scenes(exact_pictures.scenes()) if names is None else sorted(names)
         with tempfile.TemporaryDirectory(prefix="simreel-mutate-") as folder, \
                 concurrent.futures.ThreadPoolExecutor(jobs) as pool:
             found = dict(zip(names, pool.map(lambda scene: looked_through(folder, program, scene, FRAME), names)))
             files, known = compiled.Files(), {}
-            # Of drivers that do not say which lines they compile, nothing.
+            # The value is `None` if the driver does not report the lines that it compiles.
             self.lines = {scene: compiled.lines_of(at, files, known) or None for scene, (_, _, _, at) in found.items()}
         self.unchanged = {scene: entry for scene, (entry, _, _, _) in found.items()}
         if wrong := [f"{scene} {entry}" for scene, entry in self.unchanged.items() if "pixels" not in entry]:
             sys.exit(f"without a change, too, pictures cannot be drawn: {', '.join(wrong)}")
-        self.lock, self.sound = threading.Lock(), set()  # scenes that are as their baselines
+        self.lock, self.sound = threading.Lock(), set()  # scenes checked to match their baselines
         self.quickest = sorted(found, key=lambda scene: found[scene][2])
         self.read = {scene: read for scene, (_, read, _, _) in found.items()}
 
@@ -113,12 +114,13 @@ class Scenes:
         return [scene for scene in self.quickest if file in self.read[scene]]
 
     def of(self, mutant):
-        """Scenes that may compile the place."""
+        """Returns the scenes that may compile the mutant's line."""
         return [scene for scene in self.reading(mutant.file) if
                 (self.lines[scene] is None or (mutant.file, mutant.number) in self.lines[scene])]
 
     def drawn(self, scene, glsl):
-        """What is drawn instead of the picture, or nothing; and whether a shader does not compile."""
+        """Draws the scene with changed shaders. Returns the differing picture's entry, or None if it is equal; and True
+        if a shader does not compile."""
         try:
             entry = exact_pictures.drawn(self.program, scene, FRAME, *ARGUMENTS, env={"SIMREEL_GLSL": str(glsl)}, timeout=PATIENCE)
         except subprocess.TimeoutExpired:
@@ -129,17 +131,18 @@ class Scenes:
         return words and "failed", words is not None and re.search(r"does not (compile|link)|syntax error|glsl/", words) is not None
 
     def baseline_differs(self, scene, glsl):
-        """Whether its tested frames are not those of its baseline, at another size and at later times than above."""
+        """True if the scene's tested frames differ from its baseline. They have another size than the small pictures
+        and later times."""
         with self.lock:
             if scene not in self.sound and tested_frames_differ(self.program, scene, GLSL):
                 print(f"without a change, too, {scene} is not as its baseline", file=sys.stderr, flush=True)
                 os._exit(2)
             self.sound.add(scene)
-        # The first of them tells most.
+        # The first tested frame catches most mutants, so it is tested alone first.
         return tested_frames_differ(self.program, scene, glsl, 1) or tested_frames_differ(self.program, scene, glsl)
 
     def reads(self, mutant, folder):
-        """Whether a scene compiles the place."""
+        """True if a scene compiles the mutant's line."""
         names = self.of(mutant)
         if any(self.lines[scene] for scene in names):
             return True
@@ -150,11 +153,11 @@ class Scenes:
 
 
 def tested_frames_differ(program, scene, glsl, frames=None):
-    """Whether `simreel test` fails, of the scene or of so many frames of it."""
+    """True if `simreel test` fails for the scene, or for its first `frames` tested frames."""
     with tempfile.TemporaryDirectory(prefix="tested-") as folder:
         file = ROOT / f"assets/scenes/{scene}.json"
         if frames is not None:
-            # A string is kept, a comment goes.
+            # Keeps strings and removes comments.
             text = json.loads(re.sub(r'("(?:\\.|[^"\\])*")|//[^\n]*', lambda m: m.group(1) or "", file.read_text(encoding="utf-8")))
             text["test"]["frames"] = text["test"]["frames"][:frames]
             file = pathlib.Path(folder) / file.name
@@ -167,12 +170,12 @@ def tested_frames_differ(program, scene, glsl, frames=None):
 
 @functools.cache
 def groups_of_tests():
-    """Arguments of test_gpu for each."""
+    """Returns the arguments of test_gpu for each group of tests."""
     return [[*group, *selection.without(group)] for group in code.chosen.tests]
 
 
 def check_tests(names=None):
-    """They (or those of `names`) notice nothing where nothing is changed."""
+    """Checks that the tests (or those in `names`) pass with unchanged shaders."""
     folder = tempfile.gettempdir()
     groups = groups_of_tests() if names is None else [["--test-case=" + ",".join(map(pattern, names))]]
     for group in groups:
@@ -181,12 +184,12 @@ def check_tests(names=None):
 
 
 def pattern(test):
-    """The name as test_gpu takes it."""
+    """Returns the test's name escaped for test_gpu's filter."""
     return re.sub(r"[,*]", "?", test)
 
 
 def test_that_fails(folder, glsl, *files, env=None):
-    """The name of the first test that notices, or nothing."""
+    """Returns the name of the first failing test, or None."""
     done, words = run([pathlib.Path(tempfile.gettempdir()) / "test_gpu", *files, "--no-colors", "--abort-after=1"], 6 * PATIENCE, cwd=folder,
                       env=env or {**os.environ, "SIMREEL_GLSL": str(glsl), "TMPDIR": folder})
     if done == 0:
@@ -196,7 +199,8 @@ def test_that_fails(folder, glsl, *files, env=None):
 
 
 def confirmed(mutant, by, test, scenes):
-    """Of what caught it before: by the same test, or the same other picture; "survived" where that shows nothing."""
+    """Runs again only the test or scene that caught the mutant before; returns "survived" if the test passes or the
+    picture is equal."""
     with tempfile.TemporaryDirectory(prefix="mutant-") as folder:
         glsl = mutant.written(folder)
         if test:
@@ -209,7 +213,8 @@ def confirmed(mutant, by, test, scenes):
 
 
 def outcome(mutant, scenes, with_tests):
-    """"caught", "survived", "equivalent", "not compiled" or "not reached"; by what; and a test's name."""
+    """Returns "caught", "survived", "equivalent", "not compiled" or "not reached"; the scene or program that caught the
+    mutant; and the test's name."""
     names = scenes.of(mutant)
     if not names:
         return "not reached", "", ""

@@ -1,4 +1,4 @@
-"""Programs that end, with all that they have started, when this one does or when they take too long."""
+"""Runs programs that end, with all their child processes, when this program ends or when they exceed a time limit."""
 import ctypes
 import os
 import pathlib
@@ -12,12 +12,12 @@ PR_SET_PDEATHSIG = 1
 
 
 def dies_with_us():
-    """In a child: ends when this program does, however that is ended."""
+    """Runs in a child process: makes the child end when this program ends for any reason."""
     LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
 
 
 def children(process):
-    """All processes below this one."""
+    """Returns all descendants of a process."""
     below = {}
     for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
         try:
@@ -41,14 +41,15 @@ def kill_all(processes):
 
 
 def interrupted(number, _frame):
-    """Leaves neither processes nor files."""
+    """Signal handler: ends all child processes and removes temporary files."""
     kill_all(children(os.getpid()))
     shutil.rmtree(tempfile.gettempdir(), ignore_errors=True)
     os._exit(128 + number)
 
 
 def run(command, timeout, stderr=subprocess.DEVNULL, **options):
-    """Ends with all its children where it takes longer. Returns (exit code or None then, stdout)."""
+    """Runs a command and ends it with all its children after `timeout` seconds. Returns (exit code, or None after a
+    timeout; stdout)."""
     with subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=stderr, text=True, errors="replace",
                           preexec_fn=dies_with_us, **options) as process:  # pylint: disable=subprocess-popen-preexec-fn
         try:

@@ -1,5 +1,5 @@
-"""Scenes and cases of test_gpu in a selection of tools/test. Entries on another memory path or by another rasterizer run the
-same cases, and do not count."""
+"""Scenes and test_gpu cases in a selection of tools/test. Entries on another memory path or rasterizer run the same
+cases and are not counted."""
 import json
 import pathlib
 import re
@@ -8,7 +8,7 @@ import subprocess
 from mutants.changes import ROOT
 
 LABELS = {"quick": ["-L", "^quick$"], "ci": ["-LE", "^long$"], "all": []}
-chosen = None  # (scenes, names of cases); nothing: all
+chosen = None  # the selection as (scenes, names of cases); None: everything
 
 
 def cases(program, *arguments):
@@ -17,7 +17,7 @@ def cases(program, *arguments):
 
 
 def take(name):
-    """Lets mutants meet only this selection from here on."""
+    """Restricts the scenes and tests that mutants run to this selection from now on."""
     global chosen  # pylint: disable=global-statement
     if name == "all":
         return
@@ -46,7 +46,7 @@ def tests(names):
 
 
 def without(arguments):
-    """An argument for test_gpu that leaves out all other cases."""
+    """Returns an argument that makes test_gpu leave out the cases outside the selection."""
     if chosen is None:
         return []
     other = sorted(cases(ROOT / "build/tests/test_gpu", *arguments) - chosen[1])

@@ -1,5 +1,5 @@
-"""Who notices a mutant of a kernel that steps: states of shipped scenes at their last tested frame, tests of test_gpu, and
-last the scenes' baselines. Each is asked only where it compiles the line, the quickest first."""
+"""Decides what catches a mutant of a simulation kernel: states of shipped scenes at their last tested frame, tests of
+test_gpu, and last the scenes' baselines. Each runs only if it compiles the mutated line, the quickest first."""
 import concurrent.futures
 import hashlib
 import json
@@ -20,7 +20,7 @@ from mutants.processes import run
 
 
 def shaders_hash():
-    """Of the shaders below the chosen folders and of the shipped scenes."""
+    """Returns a hash of the shaders in the chosen folders and of the shipped scenes."""
     whole = hashlib.sha256()
     for file in sorted([*GLSL.rglob("*.glsl"), *GLSL.rglob("*.comp"), *(ROOT / "assets/scenes").glob("*.json")]):
         if not file.is_relative_to(GLSL) or code.chosen.has(str(file.relative_to(GLSL))):
@@ -33,13 +33,14 @@ def scene_file(scene):
 
 
 def last_tested_frame(scene):
-    """A string is kept, a comment goes."""
+    """Returns the last frame that the scene's test compares. Removes comments from the scene's text, but keeps
+    strings."""
     text = re.sub(r'("(?:\\.|[^"\\])*")|//[^\n]*', lambda m: m.group(1) or "", scene_file(scene).read_text(encoding="utf-8"))
     return max(json.loads(text)["test"]["frames"])
 
 
 class Watchers:
-    """All of them, what each compiles, and how long it takes."""
+    """All scenes and tests, the lines that each compiles, and the time that each takes."""
 
     def __init__(self, program, jobs, kept, with_tests):
         self.program = program
@@ -48,7 +49,7 @@ class Watchers:
         self.all, of = [], shaders_hash()
         if kept and kept.exists():
             stored = json.loads(kept.read_text(encoding="utf-8"))
-            # Of other shaders, lines and states are others.
+            # If the shaders changed, the stored lines and states are discarded.
             self.all = stored["watchers"] if stored["shaders"] == of else []
         known = {(watcher["kind"], watcher["name"]) for watcher in self.all}
         names = [("trace", scene) for scene in selection.scenes(exact_pictures.scenes())]
@@ -84,7 +85,8 @@ class Watchers:
         return {"kind": kind, "name": name, "seconds": time.monotonic() - begin, "words": words}, sources
 
     def said(self, kind, name, glsl, env=None):
-        """A state's hash or that the test passes; else why not, after "failed"."""
+        """Runs one scene or test. Returns the state's hash or that the test passed; after a failure "failed" and the
+        reason."""
         environment = {**os.environ, "SIMREEL_GLSL": str(glsl), "SIMREEL_ASSETS": str(ROOT / "assets"), **(env or {})}
         if kind == "trace":
             done, words = run([self.program, "trace", scene_file(name), "--frames", last_tested_frame(name), *look.ARGUMENTS],
@@ -110,7 +112,7 @@ class Watchers:
         return look.tested_frames_differ(self.program, scene, glsl)
 
     def outcome(self, mutant):
-        """As look.outcome."""
+        """Returns the same values as look.outcome()."""
         asked = self.of(mutant)
         if not asked:
             return "not reached", "", ""
@@ -131,7 +133,7 @@ class Watchers:
         return ("equivalent" if mutant.changes_nothing() else "survived"), "", ""
 
     def compiles(self, watcher, glsl):
-        """A test says only that it fails; what its kernels are made of says why not."""
+        """True if the watcher's kernels compile. A test reports only its failure, so the error text is searched."""
         if watcher["kind"] == "trace":
             return True
         done, words = run([pathlib.Path(tempfile.gettempdir()) / "test_gpu", f"--test-case={look.pattern(watcher['name'])}",
@@ -141,7 +143,7 @@ class Watchers:
 
 
 def tests():
-    """Names of test_gpu's that step: all but those of drawing."""
+    """Returns the names of test_gpu's simulation tests: all tests except those of drawing."""
     done, words = run([pathlib.Path(tempfile.gettempdir()) / "test_gpu", "--list-test-cases", "--no-colors",
                        "--source-file-exclude=*gpu/draw/*"], look.PATIENCE)
     if done != 0:

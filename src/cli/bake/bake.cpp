@@ -1,4 +1,4 @@
-// `simreel bake`: what a simulation computed, as files for other programs.
+// `simreel bake`: writes the results of a simulation to files that other programs read.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
@@ -37,16 +37,17 @@ struct BakeOptions {
   gl::ContextOptions on;
   std::optional<std::string> frames;
   bool overwrite = false;
-  bool sequence = false;  ///< all frames in one file
+  bool sequence = false;  ///< True if all frames go into one file per object.
 };
 
-/// One of the files that a frame gives.
+/// One file of each baked frame: the object's index, the file's name and its format.
 struct BakedFile {
   std::size_t object;
   std::string name, format;
 };
 
-/// Of the object asked for, or of all that can be written.
+/// Returns the files of the object `o.object`, or of every object that has something to write in the
+/// format. Throws UserError(usage) if no file results.
 std::vector<BakedFile> bakedFiles(const sim::World& world, const BakeOptions& o) {
   std::vector<BakedFile> files;
   std::string names, all;
@@ -77,7 +78,8 @@ fs::path fileOf(const BakeOptions& o, const BakedFile& baked, int frame) {
   return fs::path(o.output) / fmt::format("{}_{:06}.{}", baked.name, frame, baked.format);
 }
 
-/// Checks --sequence against the format, which stands for it or is chosen by it.
+/// Checks --sequence against --format: a sequence format implies --sequence, and --sequence without
+/// --format picks the first sequence format.
 void settleSequence(BakeOptions& o) {
   const auto& formats = frame::sequenceFormats;
   const bool known = std::find(formats.begin(), formats.end(), o.format) != formats.end();
@@ -87,7 +89,7 @@ void settleSequence(BakeOptions& o) {
   o.sequence = o.sequence || (known && o.format != "glb");
 }
 
-/// Lines about an object at the present frame.
+/// Returns the comment lines about an object at the current frame.
 std::vector<std::string> commentsOn(const scene::Scene& scene, const sim::World& world,
                                     std::size_t object) {
   std::vector<std::string> comments = {
@@ -134,7 +136,8 @@ void bake(BakeOptions o) {
   frame::catchInterrupts();
   const gl::Context context(o.on);
   sim::World world(scene);
-  static_cast<void>(world.grow());  // what there is, is asked of whole meshes
+  static_cast<void>(
+      world.grow());  // allocates whole meshes, so that each object reports all that it can write
   const auto all = bakedFiles(world, o);
   if (!o.sequence) return bakeFrames(o, scene, world, all, frames);
   std::vector<std::size_t> objects;

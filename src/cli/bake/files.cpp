@@ -19,7 +19,7 @@ namespace simreel::cli {
 
 namespace {
 
-/// The field of that name that is published at present, or null.
+/// Returns the published field with this name, or null.
 const sim::Field* fieldOf(const sim::Drawables& drawables, const std::string& name) {
   for (const sim::Field& field : drawables.fields)
     if (*field.name == name) return &field;
@@ -30,7 +30,7 @@ bool isContourFormat(const std::string& format) {
   return format == "svg" || format == "geojson";
 }
 
-/// Of meshes alone.
+/// True for the formats that hold meshes only (ply also holds points).
 bool isMeshFormat(const std::string& format) {
   return format == "obj" || format == "glb" || format == "pc2" || format == "mdd";
 }
@@ -44,11 +44,11 @@ std::vector<std::byte> bytesOf(const std::string& text) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// Position, normal and, where there are, uv and what else is known of the points that are its vertices;
-/// then the triangles.
+/// Encodes a mesh as PLY: for each vertex its position, its normal, its uv if the mesh has uvs, and the
+/// other columns of `points`, whose rows are the vertices; then the triangles.
 std::vector<std::byte> meshPly(const sim::MeshTable& mesh, const sim::PointTable& points,
                                std::span<const std::string> comments) {
-  constexpr std::size_t own = 3;  // x, y and z stand there already
+  constexpr std::size_t own = 3;  // the first columns of `points` are x, y and z, already written
   std::vector<const char*> columns = {"x", "y", "z", "nx", "ny", "nz"};
   if (!mesh.uvs.empty()) columns.insert(columns.end(), {"s", "t"});
   const std::size_t width = points.columns.size();
@@ -62,7 +62,8 @@ std::vector<std::byte> meshPly(const sim::MeshTable& mesh, const sim::PointTable
     const glm::vec3& p = mesh.positions[i];
     const glm::vec3& n = mesh.normals[i];
     values.insert(values.end(), {p.x, p.y, p.z, n.x, n.y, n.z});
-    if (!mesh.uvs.empty()) values.insert(values.end(), {mesh.uvs[i].x, 1 - mesh.uvs[i].y});  // v as in OBJ
+    // flips v, because PLY gets v pointing up as in OBJ
+    if (!mesh.uvs.empty()) values.insert(values.end(), {mesh.uvs[i].x, 1 - mesh.uvs[i].y});
     for (std::size_t k = own; k < width; ++k) values.push_back(points.values[i * width + k]);
   }
   return frame::encodePly(columns, values, mesh.indices, comments);

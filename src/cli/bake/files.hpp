@@ -9,27 +9,27 @@
 
 namespace simreel::cli {
 
-/// Formats of `simreel bake` that hold one object's state at one frame. ply: points, or a mesh; obj, glb: a
-/// mesh; svg, geojson: contours; npy, pfm: the values of a field; rle: cells of automata.
+/// Formats of `simreel bake` that hold one object's state at one frame. ply: points or a mesh; obj, glb: a
+/// mesh; svg, geojson: contours; npy, pfm: the values of a field; rle: the cells of an automaton.
 inline constexpr std::array<const char*, 8> stateFormats = {"ply", "obj", "glb",     "svg",
                                                             "npy", "pfm", "geojson", "rle"};
 
-/// The format in which an object is written: the one asked for, or with "" what suits it best; "" when it
-/// has nothing for that.
+/// Returns the format to write an object in: `wanted`, or if `wanted` is "" the first of rle, ply and npy
+/// that the object has. Returns "" if the object has nothing in that format.
 [[nodiscard]] std::string formatFor(const sim::World& world, std::size_t object, const std::string& wanted);
-/// What a format holds, for messages: "points or a mesh", "cells", ...; of "": "state".
+/// Returns what a format holds, for messages: "points or a mesh", "cells", ...; "state" for "".
 [[nodiscard]] const char* contentsOf(const std::string& format);
-/// What its files are called, one each: the object, and of fields NAME.u as well. `format` is one that
-/// formatFor gave.
+/// Returns the names of an object's files, one name per file. A field format gives one file per field
+/// ("NAME", "NAME.u"); other formats give one file. `format` is a result of formatFor().
 [[nodiscard]] std::vector<std::string> fileNames(const sim::World& world, std::size_t object,
                                                  const std::string& format);
-/// The file of that name. `comments` are written where the format has room for them.
+/// Returns the contents of the file `name`. `comments` are written if the format has room for comments.
 [[nodiscard]] std::vector<std::byte> stateFile(const sim::World& world, std::size_t object,
                                                const std::string& name, const std::string& format,
                                                std::span<const std::string> comments);
 
-/// Simulates up to a frame, the only one that is looked at. After an interrupt false, having said that so
-/// many files are whole, or none was written.
+/// Simulates up to `frame` without drawing the frames before. Returns false after an interrupt; the message
+/// then says that the `files` files written so far are whole.
 [[nodiscard]] bool simulateTo(sim::World& world, int frame, int files);
 
 }  // namespace simreel::cli

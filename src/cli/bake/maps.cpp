@@ -32,9 +32,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int largestSide = 8192;  // texels; more would take gigabytes while they are encoded
+constexpr int largestSide =
+    8192;  // texels per side; larger maps would take gigabytes while they are encoded
 
-/// Options hold the scene, whose render.size is that of the maps when --size is given.
+/// Returns the size of the maps, or nothing without --size. --size overrides render.size, so the size is
+/// read from the scene.
 std::optional<glm::ivec2> mapSize(const MapsOptions& o, const scene::Scene& scene) {
   if (!o.scene.size) return std::nullopt;
   const glm::ivec2 size = scene.render.size;
@@ -44,7 +46,7 @@ std::optional<glm::ivec2> mapSize(const MapsOptions& o, const scene::Scene& scen
   return size;
 }
 
-/// --look makes a skin of a field that nothing wears: the field wears it itself.
+/// Applies --look: adds a skin with that look to a field that no object wears, on the field's own object.
 void wearOwnField(const MapsOptions& o, scene::Scene& scene) {
   static const std::array<std::string, 4> looks = {"leather", "spots", "cracks", "map"};
   const auto* const look = std::find(looks.begin(), looks.end(), o.look);
@@ -65,7 +67,7 @@ void wearOwnField(const MapsOptions& o, scene::Scene& scene) {
          scene::suggestion(o.object, fields));
 }
 
-/// Objects whose skin is baked: the one asked for, or all.
+/// Returns the objects whose skins are baked: the one given by --object, or all with a skin.
 std::vector<const scene::Object*> bakedSkins(const MapsOptions& o, const scene::Scene& scene) {
   std::vector<const scene::Object*> found;
   std::vector<std::string> names;
@@ -83,7 +85,7 @@ std::vector<const scene::Object*> bakedSkins(const MapsOptions& o, const scene::
   return found;
 }
 
-/// Radiance at most; black for looks that do not glow.
+/// Returns the maximum emitted radiance; black for looks that do not emit.
 glm::vec3 glowOf(const scene::Skin& skin) {
   return skin.look == scene::Skin::Look::cracks ? draw::lookOf(skin).high : glm::vec3(0);
 }

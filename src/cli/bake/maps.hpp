@@ -7,17 +7,18 @@
 
 namespace simreel::cli {
 
-/// What `simreel bake --format maps` is asked for.
+/// Options of `simreel bake --format maps`.
 struct MapsOptions {
-  SceneOptions scene;  ///< its size is that of the maps; none: as many texels as the field has cells
+  SceneOptions scene;  ///< `scene.size` is the size of the maps; if absent, a map has one texel per cell of
+                       ///< the field
   std::string output, object, look;
   gl::ContextOptions on;
-  std::optional<std::string> frames;  ///< none: the last one
+  std::optional<std::string> frames;  ///< frames to bake; if absent, the last frame
   bool overwrite = false;
 };
 
-/// Writes the maps of every skin of the scene, or of one, or of a field with a look, as
-/// OUTPUT/NAME_000000_albedo.png and so on. Throws UserError.
+/// Writes the maps of one skin or of every skin in the scene, or of a field given a look, as
+/// OUTPUT/NAME_000000_albedo.png etc. Throws UserError.
 void bakeMaps(const MapsOptions& options);
 
 }  // namespace simreel::cli

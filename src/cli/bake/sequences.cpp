@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file of one object, and the first frame beside it where it holds no triangles itself.
+/// Writes the mesh sequence of one object. Formats without triangles (pc2, mdd) get an OBJ file of the
+/// first frame beside the sequence.
 class ObjectSequence {
  public:
   ObjectSequence(const sim::World& world, std::size_t object, const SequencesOptions& o)
@@ -28,7 +29,7 @@ class ObjectSequence {
     if (options_.format != "glb") all.push_back(place("obj"));
     return all;
   }
-  /// At each of the frames in turn.
+  /// Appends the object's current mesh; called once per baked frame, in order.
   void add() {
     const sim::MeshTable mesh = world_.object(object_).mesh().value();
     if (!sequence_) {

@@ -8,20 +8,20 @@
 
 namespace simreel::cli {
 
-/// What `simreel bake` is asked for where all frames of an object go into one file.
+/// Options of `simreel bake` if all frames of an object go into one file.
 struct SequencesOptions {
-  std::string format;                ///< of frame::sequenceFormats
-  std::filesystem::path output;      ///< folder
-  std::vector<std::size_t> objects;  ///< which have meshes
+  std::string format;                ///< file format, one of frame::sequenceFormats
+  std::filesystem::path output;      ///< output folder
+  std::vector<std::size_t> objects;  ///< indices of the objects to write; each object has a mesh
   std::vector<int> frames;
   double fps = 30;
   bool overwrite = false;
-  /// Lines about an object at the present frame, for files that have room for them.
+  /// Returns the comment lines about an object at the current frame, for formats with room for comments.
   std::function<std::vector<std::string>(std::size_t object)> comments;
 };
 
-/// Writes OUTPUT/NAME.glb, or .pc2 or .mdd with OUTPUT/NAME.obj, the first frame, beside it. Throws
-/// UserError; after an interrupt or a mistake no frame's file is there that is not whole.
+/// Writes OUTPUT/NAME.glb, or OUTPUT/NAME.pc2 or .mdd with the first frame beside it as OUTPUT/NAME.obj.
+/// Throws UserError. An interrupt or an error leaves no partly written file.
 void bakeSequences(sim::World& world, const SequencesOptions& options);
 
 }  // namespace simreel::cli

@@ -1,4 +1,5 @@
-// simreel bench: where the time of a frame goes, for one scene or several variants of it.
+// simreel bench: measures the time of each stage of a frame, for one scene or several variants of the
+// scene.
 #include "frame/bench.hpp"
 
 #include "base/error.hpp"
@@ -53,7 +54,7 @@ void checkCounts(const BenchOptions& o) {
   within("--rounds", o.rounds, 1);
 }
 
-/// Nobody wants to learn after ten minutes that the file cannot be written.
+/// Checks that the output files can be written, before the measurement takes minutes.
 void checkFiles(const BenchOptions& o) {
   if (!o.chart.empty() && std::filesystem::path(o.chart).extension() != ".svg")
     fail(ExitCode::usage,
@@ -63,7 +64,8 @@ void checkFiles(const BenchOptions& o) {
     if (!file.empty() && file != "-") checkWritable(file);
 }
 
-/// The scenes of all rows; every mistake in a value shows before a device starts.
+/// Returns one row per case and fills `scenes` with their scenes. Errors in values are thrown here, before
+/// a device starts.
 std::vector<BenchRow> rowsOf(const BenchOptions& o, std::vector<scene::Scene>& scenes) {
   std::vector<std::vector<BenchChoice>> lists;
   if (!o.technique.empty())
@@ -84,7 +86,7 @@ frame::Timing timingOf(const BenchOptions& o) {
                                : frame::Timing::whole;
 }
 
-/// A mistake is the row's: the message says whose.
+/// Runs `work` for a row. If there are several rows, an error message is prefixed with the row's name.
 template <class Work>
 void ofRow(const BenchReport& report, const BenchRow& row, frame::Progress& progress, Work work) {
   try {
@@ -96,10 +98,11 @@ void ofRow(const BenchReport& report, const BenchRow& row, frame::Progress& prog
   }
 }
 
-/// Rows take turns, so that a noisy minute of the machine hits all of them.
+/// Measures the rows in turns, so that a disturbance of the machine affects all rows alike.
 void measure(BenchReport& report, std::vector<scene::Scene> scenes, const gl::Context& context,
              frame::Progress& progress) {
-  constexpr int refill = 3;  // frames until the caches and the pipeline are a row's own again
+  constexpr int refill =
+      3;  // warm-up frames until the caches and the pipeline hold only this row's data again
   std::vector<frame::BenchRun> runs;
   const int rounds = std::min(report.rounds, report.frames);
   const int rows = static_cast<int>(report.rows.size());

@@ -14,7 +14,7 @@ namespace {
 constexpr double width = 960, top = 76, rightColumn = 190, barHeight = 20;
 constexpr const char* restColor = "#e4e4e1";
 
-/// Text of a scene may hold anything; XML allows no control characters.
+/// Escapes text for XML and removes control characters, which XML does not allow.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -42,7 +42,8 @@ struct Color {
   }
 };
 
-/// A stage has its colour in every chart; steps of objects take turns with blues and greens.
+/// Returns the colour of a stage. Named stages have the same colour in every chart; the steps of objects
+/// cycle through blues and greens by `number`.
 Color colorOf(const std::string& stage, int number) {
   struct Named {
     const char* name;
@@ -62,13 +63,13 @@ Color colorOf(const std::string& stage, int number) {
   return steps[static_cast<std::size_t>(number) % steps.size()];
 }
 
-/// One coloured piece of a bar; "" : the stage, else a part of it.
+/// One coloured piece of a bar: a whole stage if `part` is "", else one part of the stage.
 struct Key {
   std::string stage, part, color;
   [[nodiscard]] std::string label() const { return part.empty() ? stage : stage + ": " + part; }
 };
 
-/// What the legend lists: stages, those with parts piece by piece.
+/// Returns the entries of the legend: all shown stages, each followed by its parts.
 std::vector<Key> keysOf(const std::vector<RowFigures>& rows) {
   std::vector<Key> keys;
   int number = 0;
@@ -87,7 +88,7 @@ std::vector<Key> keysOf(const std::vector<RowFigures>& rows) {
   return keys;
 }
 
-/// Length of a piece in ms: of a stage with parts what the parts leave.
+/// Returns the length of a piece in ms. A stage with parts gets what its parts leave over.
 double lengthOf(const RowFigures& row, const Key& key, double StageFigures::*side) {
   for (const StageFigures& stage : row.stages) {
     if (stage.name != key.stage) continue;
@@ -102,7 +103,7 @@ double lengthOf(const RowFigures& row, const Key& key, double StageFigures::*sid
   return 0;
 }
 
-/// 1, 2 or 5 times a power of ten, so that about six fit.
+/// Returns the distance of the axis ticks: 1, 2 or 5 times a power of ten, for about six ticks up to `max`.
 double tickStep(double max) {
   const double rough = std::max(max, 1e-6) / 6;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -224,7 +225,7 @@ class Chart {
     text(column, middle + 12, figures.bound, "fill=\"#63676d\" font-size=\"11\"");
   }
 
-  /// Returns where it ends.
+  /// Draws the legend and returns the y position of its end.
   double legend() {
     double atX = 24;
     double y = bottom_ + 44;

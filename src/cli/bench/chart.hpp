@@ -5,8 +5,9 @@
 
 namespace simreel::cli {
 
-/// The report as an SVG picture: for each row a bar of its stages' medians (on a GPU one for the GPU and
-/// one for the CPU), up to the median frame, with whiskers from the 5th to the 95th percentile.
+/// Returns the report as an SVG picture. Each row has a bar of its stages' medians (on a GPU one bar for
+/// the GPU and one for the CPU), filled up to the median frame time, with whiskers from the 5th to the 95th
+/// percentile.
 [[nodiscard]] std::string benchChart(const BenchReport& report);
 
 }  // namespace simreel::cli

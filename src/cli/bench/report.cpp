@@ -19,7 +19,8 @@ constexpr std::array timingNames = {"wait", "query", "whole"};
 
 using Lines = std::vector<std::vector<std::string>>;
 
-/// Columns aligned: the first to the left, the last as it is when `tail`, the others to the right.
+/// Aligns the columns of a table: the first to the left, the others to the right. With `tail`, the last
+/// column is left as it is.
 std::string aligned(const Lines& lines, bool tail) {
   std::vector<std::size_t> width;
   for (const auto& line : lines) {
@@ -44,7 +45,7 @@ std::string aligned(const Lines& lines, bool tail) {
   return text;
 }
 
-/// Three digits that count, so microseconds on a GPU show as well.
+/// Formats a time with three significant digits, so that microseconds on a GPU are visible too.
 std::string ms(double value) {
   return value >= 100  ? fmt::format("{:.0f}", value)
          : value >= 10 ? fmt::format("{:.1f}", value)
@@ -77,7 +78,7 @@ std::string frameTable(const BenchReport& report, const std::vector<RowFigures>&
   return aligned(lines, true);
 }
 
-/// Columns of the stage table: a stage, then its parts.
+/// One column of the stage table: a stage if `part` is "", else one part of the stage.
 struct Column {
   std::string stage, part;
 };
@@ -101,7 +102,8 @@ std::string cell(const RowFigures& row, const Column& column, double StageFigure
   for (const StageFigures& stage : row.stages) {
     if (stage.name != column.stage) continue;
     if (column.part.empty()) return ms(stage.*side);
-    // A step tells its parts once; they stand on the side that worked longer.
+    // A step reports its parts once. The table shows the parts on the side (CPU or GPU) with the longer
+    // time.
     if (stage.*side < std::max(stage.cpu, stage.gpu)) return "";
     for (const auto& [name, value] : stage.parts)
       if (name == column.part) return ms(value);
@@ -137,7 +139,7 @@ std::string stageTable(const BenchReport& report, const std::vector<RowFigures>&
   return "\n" + aligned(lines, false);
 }
 
-/// Nanoseconds are as fine as the clocks are.
+/// Rounds milliseconds to nanoseconds, the resolution of the clocks.
 double rounded(double value) {
   return std::round(value * 1e6) / 1e6;
 }
@@ -192,7 +194,8 @@ ordered_json rowJson(const BenchRow& row, const BenchReport& report) {
           {"samples", {{"frame", row.times.frames}, {"ms", samples}}}};
 }
 
-/// Of pictures of quality "high": what the stage that shades them follows.
+/// Returns the line with ray counts of pictures of quality "high"; the time of their shading stage follows
+/// the number of rays.
 std::string raysText(const BenchReport& report, const std::vector<RowFigures>& rows) {
   std::string text;
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -12,76 +12,77 @@
 
 namespace simreel::cli {
 
-/// One case that was run.
+/// One measured case of the benchmark.
 struct BenchRow {
   BenchCase asked;
-  glm::ivec2 size{0, 0};  ///< pixels
+  glm::ivec2 size{0, 0};  ///< picture size in pixels
   std::string sceneHash;
   frame::FrameTimes times;
 };
 
 struct BenchReport {
-  std::string scene;  ///< file
+  std::string scene;  ///< path of the scene file
   std::string device, driver, memoryPath;
   bool software = false;
-  std::size_t processors = 1;  ///< that this process may use
+  std::size_t processors = 1;  ///< number of processors that this process may use
   frame::Timing timing = frame::Timing::wait;
-  int frames = 0, warmUp = 0, rounds = 0;  ///< asked for
+  int frames = 0, warmUp = 0, rounds = 0;  ///< numbers requested by the user
   bool interrupted = false;
   std::vector<BenchRow> rows;
 };
 
-/// A stage's medians, ms.
+/// Median times of one stage, in ms.
 struct StageFigures {
   std::string name;
-  double cpu = 0;  ///< with Timing::wait: all of its work
+  double cpu = 0;  ///< median time on the CPU; with Timing::wait the stage's whole time
   double gpu = 0;
   std::vector<std::pair<std::string, double>> parts;
 };
 
-/// What is said of a row.
+/// Statistics of one row of the benchmark.
 struct RowFigures {
-  frame::Statistics frame;  ///< ms
+  frame::Statistics frame;  ///< statistics of frame times, ms
   frame::Outliers outliers;
-  double perSecond = 0;   ///< frames, outliers included
-  double processors = 0;  ///< busy with this process on average
+  double perSecond = 0;   ///< frames per second, outliers included
+  double processors = 0;  ///< average number of processors kept busy by this process
   std::vector<StageFigures> stages;
-  double cpu = 0, gpu = 0;  ///< sums of the stages, ms
-  /// What bounded it: "surfaces, 61%", "GPU: shadow, 40%", "CPU: step a, 90%", "waiting", or "" where
-  /// stages were not timed. Shares are of the median frame.
+  double cpu = 0, gpu = 0;  ///< sum of the stages' median times, ms
+  /// The limit of the frame time: "surfaces, 61%", "GPU: shadow, 40%", "CPU: step a, 90%" or "waiting"; ""
+  /// if stages were not timed. Percentages are relative to the median frame.
   std::string bound;
 };
 
 [[nodiscard]] RowFigures figuresOf(const frame::FrameTimes& times, frame::Timing timing);
 
-/// Stages worth a column: at least 0.5% of the frame somewhere; in the order in which they run.
+/// Returns the stages that take at least 0.5% of the frame in some row, in execution order.
 [[nodiscard]] std::vector<std::string> shownStages(const std::vector<RowFigures>& rows);
 
-/// Two tables: frames, and what their stages took. Ends in a newline.
+/// Returns two tables as text: frame times, and stage times. Ends in a newline.
 [[nodiscard]] std::string benchText(const BenchReport& report);
 
-/// The same and all samples. Times are milliseconds; a "spread" is {"median", "p5", "p95", "mean", "least",
-/// "most"}:
+/// Returns the statistics and all samples as JSON. Times are milliseconds; a "spread" is {"median", "p5",
+/// "p95", "mean", "least", "most"}:
 ///
-///     "bench": 1                      this format
+///     "bench": 1                      version of this format
 ///     "version", "scene", "device", "driver", "memoryPath", "command"
-///     "software": true                the driver draws on the CPU
-///     "processors": n                 that this process may use
+///     "software": true                true if the driver draws on the CPU
+///     "processors": n                 number of processors that this process may use
 ///     "timing": "wait", "query" or "whole"   wait: "gpu" is null; whole: "stages" is empty
 ///     "framesAsked", "warmUp", "rounds", "interrupted"
 ///     "rows": [{
 ///       "name", "set": {path: value}, "size": [w, h], "sceneHash",
-///       "frames": n                   measured; fewer than asked for when interrupted
+///       "frames": n                   measured; fewer than requested if interrupted
 ///       "framesPerSecond", "frame": spread, "waited": spread,
 ///       "processor": spread           user and system time of all threads
-///       "processorsBusy"              fraction: that over "frame" times "processors"
+///       "processorsBusy"              fraction: "processor" over "frame" times "processors"
 ///       "outliers": {"bound", "count", "worst": {"frame", "ms"} or null},   beyond 3 medians
 ///       "boundBy",
 ///       "stages": [{"name", "cpu": spread, "gpu": spread or null, "parts": {name: spread}}],
 ///       "samples": {"frame": [number...], "ms": [...]}}]
 ///
-/// Means add up: those of "cpu" are together at most the mean of "frame", and so are those of "gpu"; with
-/// "query" but for the two frames that are under way where measuring begins and ends.
+/// The means of "cpu" over all stages sum to at most the mean of "frame"; the same holds for "gpu". With
+/// "query" the sums can be off by the two frames that are in flight at the start and the end of the
+/// measurement.
 [[nodiscard]] nlohmann::ordered_json benchJson(const BenchReport& report);
 
 }  // namespace simreel::cli

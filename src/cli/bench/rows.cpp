@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t maxCases = 64;
 
-/// At commas outside of brackets, braces and quotes.
+/// Splits text at commas outside brackets, braces and quotes.
 std::vector<std::string> split(std::string_view text) {
   std::vector<std::string> parts(1);
   int depth = 0;

@@ -8,29 +8,29 @@
 
 namespace simreel::cli {
 
-/// One line of a benchmark: a scene with some values changed.
+/// One row of a benchmark: a scene with some values changed.
 struct BenchCase {
-  std::string name;                      ///< "jobs"; "substeps=4, samples=1"
-  std::vector<scene::Override> changes;  ///< on top of -D
+  std::string name;                      ///< name of the case: "jobs", or "substeps=4, samples=1"
+  std::vector<scene::Override> changes;  ///< overrides of the case, applied after -D
 };
 
-/// One value of a --vary or --technique, and what sets it.
+/// One value of --vary or --technique, and the overrides that set it.
 struct BenchChoice {
   std::string name;
   std::vector<scene::Override> changes;
 };
 
-/// "path=a,b,c": one choice for each value. Commas within brackets, braces and quotes belong to a value.
-/// Throws UserError(usage).
+/// Parses "path=a,b,c" into one choice per value. Commas within brackets, braces and quotes belong to a
+/// value. Throws UserError(usage).
 [[nodiscard]] std::vector<BenchChoice> parseVary(const std::string& text);
 
-/// "all", or words with commas: one choice for each, set in every object whose kind has a choice
-/// "technique" that knows the word. Throws UserError(usage) where no object does.
+/// Parses "all" or words separated by commas into one choice per technique. A choice sets "technique" in
+/// every object whose kind has that value. Throws UserError(usage) if no object has it.
 [[nodiscard]] std::vector<BenchChoice> parseTechniques(const std::string& text, const scene::Scene& scene,
                                                        std::span<const scene::Kind> kinds);
 
-/// Every combination, the last list running fastest; one case named `plain` for no lists. Throws
-/// UserError(usage) beyond 64.
+/// Returns every combination of the lists' choices; the last list varies fastest. Empty `lists` give one
+/// case named `plain`. Throws UserError(usage) for more than 64 cases.
 [[nodiscard]] std::vector<BenchCase> combine(std::span<const std::vector<BenchChoice>> lists,
                                              const std::string& plain);
 

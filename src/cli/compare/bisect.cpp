@@ -1,4 +1,4 @@
-// simreel bisect: where two builds or two drivers stop agreeing.
+// simreel bisect: finds the first place where two builds or two drivers differ.
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/process.hpp"
@@ -47,7 +47,8 @@ golden::BisectSide side(const char* name, const std::string& command, const Bise
   return result;
 }
 
-/// The simulation knows what its elements are called; the children's contexts have gone by now.
+/// Returns the simulation's name of an element, "particle (12, 30)". Creates its own context because the
+/// contexts of the child processes are gone by now.
 std::string elementName(const BisectOptions& o, const scene::Scene& scene, const std::string& object,
                         long element) {
   const gl::Context context(o.on);

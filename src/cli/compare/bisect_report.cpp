@@ -65,12 +65,13 @@ std::string differenceText(const BisectReport& report) {
   return text;
 }
 
-/// "pass shadow (sun)"
+/// Returns the name of the differing pass: "pass shadow (sun)".
 std::string passName(const golden::PassDifference& found) {
   return found.pass + (found.part.empty() ? "" : fmt::format(" ({})", found.part));
 }
 
-/// A key, a channel of light, or red, green and blue in a word's bytes from the lowest on.
+/// Formats one word of a pass: a depth key, a channel of light, or red, green and blue from the lowest
+/// bytes of a word.
 std::string wordText(const golden::PassDifference& found, std::uint32_t word) {
   if (found.pass == "picture")
     return fmt::format("{} {} {}", word & 255U, word >> 8U & 255U, word >> 16U & 255U);
@@ -78,7 +79,7 @@ std::string wordText(const golden::PassDifference& found, std::uint32_t word) {
   return value ? fmt::format("{:.9g} (0x{:08x})", *value, word) : std::string("nothing");
 }
 
-/// The names of a pass's words, from the first.
+/// Returns the names of a pass's words, in order.
 std::array<const char*, 4> wordNames(const golden::PassDifference& found) {
   if (found.light) return {"red", "green", "blue", "coverage"};
   return {found.pass == "picture" ? "bytes" : "nearness", "", "", ""};
@@ -128,7 +129,7 @@ Json valuesJson(const std::array<std::uint32_t, 4>& words) {
   Json values = Json::array();
   Json bits = Json::array();
   for (const std::uint32_t word : words) {
-    values.push_back(std::bit_cast<float>(word));  // NaN and infinity become null
+    values.push_back(std::bit_cast<float>(word));  // JSON writes NaN and infinity as null
     bits.push_back(fmt::format("0x{:08x}", word));
   }
   return {{"values", values}, {"bits", bits}};
@@ -148,7 +149,7 @@ Json passSideJson(const golden::PassDifference& found, const golden::SeenThing& 
       for (const unsigned shift : {0U, 8U, 16U}) values.push_back(words[i] >> shift & 255U);
     } else {
       const auto value = found.light ? std::bit_cast<float>(words[i]) : golden::nearnessOf(words[i]);
-      values.push_back(value ? Json(*value) : Json());  // NaN and infinity become null
+      values.push_back(value ? Json(*value) : Json());  // JSON writes NaN and infinity as null
     }
   }
   return {{"object", seen.object}, {"primitive", seen.primitive}, {"values", values}, {"bits", bits}};

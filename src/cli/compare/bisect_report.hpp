@@ -6,17 +6,17 @@
 
 namespace simreel::cli {
 
-/// What the result of `simreel bisect` is told with, beside the result.
+/// Result of `simreel bisect` with the texts that its report needs.
 struct BisectReport {
   golden::BisectResult result;
   std::string commandHere, commandThere;
-  /// What a user calls the first element that differs, "particle (12, 30)"; empty where none is known.
+  /// Name of the first differing element, "particle (12, 30)"; empty if it has no name.
   std::string element;
 };
 
-/// For people; ends in a newline.
+/// Returns the report as text for people; ends in a newline.
 [[nodiscard]] std::string bisectText(const BisectReport& report);
-/// As JSON, pretty-printed; ends in a newline.
+/// Returns the report as indented JSON; ends in a newline.
 [[nodiscard]] std::string bisectJson(const BisectReport& report);
 
 }  // namespace simreel::cli

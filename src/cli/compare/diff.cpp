@@ -1,4 +1,4 @@
-// simreel diff A B: two pictures, or two sequences of them.
+// simreel diff A B: compares two pictures, or two sequences of pictures.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
@@ -55,7 +55,7 @@ golden::PairTerms termsFor(const DiffOptions& options, const scene::Tolerance& t
           options.quick ? golden::Measures::quick : golden::Measures::all};
 }
 
-/// Writing over what is compared would be a slip of the finger.
+/// Fails if the output would overwrite one of the compared files.
 void checkOutput(const fs::path& output, const fs::path& a, const fs::path& b) {
   for (const fs::path& input : {a, b}) {
     std::error_code unknown;
@@ -65,7 +65,7 @@ void checkOutput(const fs::path& output, const fs::path& a, const fs::path& b) {
   }
 }
 
-/// File names may hold bytes that are not UTF-8; JSON may not.
+/// Prints JSON. Replaces invalid UTF-8, because file names may hold any bytes.
 void printJson(const nlohmann::ordered_json& json) {
   printText(json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }

@@ -28,7 +28,7 @@ std::string verdict(const PairResult& result) {
 }
 
 ordered_json metricsJson(const Metrics& m) {
-  // JSON has no infinity, and null says that nothing was measured, too.
+  // JSON has no infinity, so an infinite PSNR becomes null, as does a metric that was not measured.
   const auto measured = [](const std::optional<double>& value) {
     return value ? ordered_json(*value) : ordered_json(nullptr);
   };
@@ -50,7 +50,8 @@ ordered_json metricsJson(const Metrics& m) {
           {"movedPixels", m.movedPixels}};
 }
 
-/// The members that a pair has by itself and in a sequence. "within" is the word of a program's switch.
+/// Adds the members that a single pair and a pair of a sequence share. JSON writes "within" for pairs that
+/// differ within tolerance.
 void addResult(ordered_json& json, const PairResult& result) {
   json["result"] =
       result.outcome == PairResult::Outcome::within ? "within" : golden::outcomeName(result.outcome);
@@ -69,7 +70,7 @@ std::string onlyLine(const std::vector<std::string>& names, const std::string& p
   return oneLine(fmt::format("only in {}: {}", place, fmt::join(names, ", "))) + "\n";
 }
 
-/// What of the pixels did not count, each in a line.
+/// Returns one line for each kind of pixel that was excluded from the comparison.
 std::string excusedText(const Metrics& m) {
   std::string text;
   for (const auto& [count, what] :

@@ -10,14 +10,14 @@
 
 namespace simreel::cli {
 
-/// What `simreel diff` prints for two pictures: a line for each metric, then the verdict.
+/// Returns the output of `simreel diff` for two pictures: one line per metric, then the verdict.
 [[nodiscard]] std::string pairText(const golden::PairResult& result, const scene::Tolerance& tolerance);
 [[nodiscard]] nlohmann::ordered_json pairJson(const std::string& a, const std::string& b,
                                               const golden::PairResult& result);
-/// The line of a pair in a sequence; empty when the pair is equal.
+/// Returns the line of one pair in a sequence; empty if the pair is equal.
 [[nodiscard]] std::string pairLine(const golden::Pair& pair, const golden::PairResult& result);
 
-/// What is known of a sequence so far.
+/// Collected results of a sequence of pairs.
 struct SequenceReport {
   using Outcome = golden::PairResult::Outcome;
 
@@ -28,7 +28,7 @@ struct SequenceReport {
   void add(const golden::Pair& pair, const golden::PairResult& result);
   [[nodiscard]] int count(Outcome outcome) const;
   [[nodiscard]] bool differs() const;
-  /// Names in only one, then a line with the counts.
+  /// Returns the names that only one side has, then a line with the counts.
   [[nodiscard]] std::string summary(const std::string& a, const std::string& b) const;
   [[nodiscard]] nlohmann::ordered_json json(const std::string& a, const std::string& b) const;
 };

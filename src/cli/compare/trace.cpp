@@ -1,4 +1,4 @@
-// simreel trace: hashes of the state, frame by frame or step by step, and the state itself.
+// simreel trace: prints hashes of the state for each frame or step, or dumps the state itself.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
@@ -54,7 +54,8 @@ void checkFrame(int frame, int first) {
     fail(ExitCode::usage, "frame {} is above the largest, {}", frame, frame::largestFrame);
 }
 
-/// "all", "7", "0-99", "-30-99" or "start-99"; frames before 0 are the pre-roll's.
+/// Parses a frame range: "all", "7", "0-99", "-30-99" or "start-99". Frames before 0 belong to the
+/// pre-roll.
 Range parseRange(const std::string& text, int firstFrame, int frameCount) {
   if (text == "all") return {firstFrame, frameCount - 1};
   std::string_view rest = text;
@@ -79,7 +80,7 @@ Range parseRange(const std::string& text, int firstFrame, int frameCount) {
   return {*first, *last};
 }
 
-/// The frame of "37:passes".
+/// Returns the frame of "37:passes", or nothing for other text.
 std::optional<int> parsePasses(const std::string& text) {
   std::string_view rest = text;
   const auto frame = takeInteger(rest);
@@ -88,7 +89,7 @@ std::optional<int> parsePasses(const std::string& text) {
   return frame;
 }
 
-/// "37:4"
+/// Parses "37:4" into frame and step.
 std::pair<int, int> parseStep(const std::string& text, int firstFrame) {
   const auto frameAndStep = integerPair(text, ':');
   if (!frameAndStep)
@@ -97,7 +98,8 @@ std::pair<int, int> parseStep(const std::string& text, int firstFrame) {
   return *frameAndStep;
 }
 
-/// Writes at once. False where the reader has gone: then nobody wants the rest.
+/// Writes bytes to standard output without buffering. Returns false if the reader closed the pipe; the
+/// caller then stops writing.
 bool putOut(std::span<const std::byte> bytes) {
   const int error = frame::writeAll(STDOUT_FILENO, bytes);
   if (error == 0) return true;

@@ -3,14 +3,14 @@
 
 namespace simreel::cli {
 
-/// One exit code as users read it.
+/// One exit code as documented for users.
 struct ExitMeaning {
   const char* code;
-  const char* meaning;  ///< short, for `simreel --help`
-  const char* cure;     ///< what a user does about it
+  const char* meaning;  ///< short meaning, for `simreel --help`
+  const char* cure;     ///< what the user can do about it
 };
 
-/// All exit codes, in ascending order.
+/// Returns all exit codes in ascending order.
 [[nodiscard]] std::span<const ExitMeaning> exitMeanings();
 
 }  // namespace simreel::cli

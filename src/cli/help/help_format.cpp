@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t optionColumn = 28;
 constexpr std::size_t commandColumn = 14;
 
-/// Lines that begin with a space are examples and stay as they are.
+/// Wraps each line to `width` columns. Lines that begin with a space are examples and stay unwrapped.
 std::string wrappedLines(const std::string& text, std::size_t width) {
   std::string out;
   for (const std::string& line : CLI::detail::split(text, '\n'))

@@ -18,7 +18,8 @@ namespace simreel::cli {
 
 namespace {
 
-/// The command that was typed, as far as it is known: `report merge`, or the program itself.
+/// Returns the innermost command that was recognized in the command line: `report merge`, or the program
+/// itself.
 const CLI::App& typedCommand(const CLI::App& app) {
   const CLI::App* command = &app;
   while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
@@ -26,11 +27,11 @@ const CLI::App& typedCommand(const CLI::App& app) {
 }
 
 struct KnownFlag {
-  std::string name;  ///< without dashes
+  std::string name;  ///< name of the flag without dashes
   const CLI::Option* option;
 };
 
-/// Long names of a command's options and of the program's own.
+/// Returns the long names of the options of a command and of its parents.
 std::vector<KnownFlag> flagsOf(const CLI::App& command) {
   std::vector<KnownFlag> flags;
   for (const CLI::App* one = &command; one != nullptr; one = one->get_parent())
@@ -39,7 +40,8 @@ std::vector<KnownFlag> flagsOf(const CLI::App& command) {
   return flags;
 }
 
-/// The flag that `word` (without dashes) is a slip of, or the only one that it begins; null: none.
+/// Returns the flag that `word` (without dashes) is a misspelling of, or the only flag that begins with
+/// `word`; null if no flag matches.
 const KnownFlag* nearestFlag(const std::string& word, const std::vector<KnownFlag>& flags) {
   if (word.size() < 2) return nullptr;
   std::vector<std::string> names;
@@ -97,7 +99,7 @@ std::string unknownCommand(const CLI::App& app, const CLI::App& command, const s
                      listEntry(*near, meant->get_description(), 14, textWidth()), page);
 }
 
-/// Arguments and options that the command needs and did not get.
+/// Returns the message about required arguments and options that are missing; empty if none is.
 std::string missing(const CLI::App& command) {
   std::string lines, names;
   for (const CLI::Option* option : command.get_options()) {
@@ -111,7 +113,7 @@ std::string missing(const CLI::App& command) {
                      usageOf(command), wordsOf(command));
 }
 
-/// A flag that was given without its value; empty: the mistake is another.
+/// Returns the message about a flag that was given without its value; empty if the error is another.
 std::string valueless(const CLI::App& command, const std::string& what) {
   const std::string name = what.substr(0, what.find(':'));
   for (const CLI::App* one = &command; one != nullptr; one = one->get_parent())
@@ -127,7 +129,8 @@ std::string valueless(const CLI::App& command, const std::string& what) {
 std::string explainMistake(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = typedCommand(app);
   const auto unknown = app.remaining(true);
-  // Before what is missing: a mistyped option is why it is.
+  // Unknown flags are reported before missing arguments, because a mistyped option is often the cause of a
+  // missing one.
   const auto flag = std::find_if(unknown.begin(), unknown.end(), [](const std::string& word) {
     return word.size() > 1 && word.starts_with('-') && word != "--";
   });

@@ -8,8 +8,8 @@ class ParseError;
 
 namespace simreel::cli {
 
-/// Message about a command line that cannot be read: the mistake, what may have been meant, and that
-/// option's line of help. Several lines, without a newline at the end.
+/// Returns the message about a command line that cannot be parsed: the error, a suggestion, and the help of
+/// the option meant. Several lines without a final newline.
 [[nodiscard]] std::string explainMistake(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace simreel::cli

@@ -10,7 +10,7 @@ namespace simreel::cli {
 
 namespace {
 
-/// "" where the type says nothing of the range.
+/// Returns the range in the type's description, or "" if the type has none.
 std::string rangeIn(const std::string& type) {
   const auto open = type.find(" in [");
   const auto close = type.rfind(']');
@@ -20,7 +20,7 @@ std::string rangeIn(const std::string& type) {
   return fmt::format("{} to {:.15g}", bounds[0], std::stod(bounds[2]));
 }
 
-/// The placeholder for the text that an option of this name takes.
+/// Returns the placeholder for the value of an option with these long names.
 std::string placeholder(const std::vector<std::string>& longs) {
   static const std::map<std::string, std::string> words = {
       {"output", "PATH"},
@@ -66,7 +66,7 @@ void takeValue(const CLI::Option& option, OptionText& text) {
   const std::string type = option.get_type_name();
   const auto open = type.find('{');
   const auto close = type.rfind('}');
-  if (open != std::string::npos && close != std::string::npos) {  // CLI::IsMember
+  if (open != std::string::npos && close != std::string::npos) {  // the type is CLI::IsMember
     text.choices = CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
     text.value = fmt::format("{}", fmt::join(text.choices, "|"));
     return;

@@ -9,28 +9,28 @@ class Option;
 
 namespace simreel::cli {
 
-/// One option, or one argument without a name, as help, man page and reference print it.
+/// One option, or one positional argument, as help, man page and reference print it.
 struct OptionText {
-  std::vector<std::string> shorts, longs;  ///< without their dashes
-  std::string argument;                    ///< of an argument: its name; empty: an option
-  std::string doc;                         ///< with default and range
-  std::string value;                       ///< placeholder of what it takes; empty: nothing
-  std::vector<std::string> choices;        ///< the words it takes, where only some are allowed
+  std::vector<std::string> shorts, longs;  ///< names of the option without dashes
+  std::string argument;                    ///< name of a positional argument; empty for an option
+  std::string doc;                         ///< description of the option, with default and range
+  std::string value;                       ///< placeholder of the value; empty for a flag without a value
+  std::vector<std::string> choices;        ///< the allowed words; empty if any value is allowed
   bool required = false;
-  bool several = false;  ///< an argument that takes more than one value
+  bool several = false;  ///< true for an argument that takes more than one value
 
-  /// "-o", "--output"
+  /// Returns the names with dashes: "-o", "--output".
   [[nodiscard]] std::vector<std::string> names() const;
-  /// "-o, --output PATH", or "scenes..."
+  /// Returns the heading: "-o, --output PATH", or "scenes...".
   [[nodiscard]] std::string head() const;
 };
 
 [[nodiscard]] OptionText textOf(const CLI::Option& option);
-/// The words that a user types for a command: "simreel report merge".
+/// Returns the words that a user types for a command: "simreel report merge".
 [[nodiscard]] std::string wordsOf(const CLI::App& command);
-/// "simreel render [OPTIONS] scene"
+/// Returns the usage line: "simreel render [OPTIONS] scene".
 [[nodiscard]] std::string usageOf(const CLI::App& command);
-/// Its subcommands, in order.
+/// Returns the subcommands of a command, in order.
 [[nodiscard]] std::vector<const CLI::App*> commandsBelow(const CLI::App& command);
 
 }  // namespace simreel::cli

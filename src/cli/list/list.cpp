@@ -1,4 +1,5 @@
-// simreel list: the pages about kinds of objects and sections of a scene, one parameter, a search.
+// simreel list: prints pages about kinds of objects, sections of a scene or one parameter, and searches
+// them.
 #include "sim/world/list.hpp"
 
 #include "base/error.hpp"

@@ -4,15 +4,15 @@
 
 namespace simreel::cli {
 
-/// A message that users meet often.
+/// A common message with the advice that goes with it.
 struct Message {
-  std::string_view code;  ///< exit code; "warning": none
-  const char* shown;      ///< as it is printed, with capital words for names and numbers
-  const char* source;     ///< a part of it as the source code has it
+  std::string_view code;  ///< exit code; "warning" for a warning, which has none
+  const char* shown;      ///< the message as printed, with names and numbers replaced by capital words
+  const char* source;     ///< a part of the message as it stands in the source code
   const char* cure;
 };
 
-/// By exit code, in ascending order; warnings last.
+/// Returns the messages by exit code in ascending order, warnings last.
 [[nodiscard]] std::span<const Message> messages();
 
 }  // namespace simreel::cli

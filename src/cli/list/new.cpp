@@ -1,4 +1,4 @@
-// simreel new KIND: a commented scene to start from.
+// simreel new KIND: prints a commented scene to start from.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"

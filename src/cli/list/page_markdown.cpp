@@ -1,4 +1,4 @@
-// simreel list --format markdown.
+// simreel list --format markdown: the pages as Markdown.
 #include "cli/list/kind_notes.hpp"
 #include "cli/list/pages.hpp"
 #include "sim/world/list.hpp"
@@ -14,7 +14,7 @@ namespace {
 using scene::HelpPage;
 using scene::HelpRow;
 
-/// For a cell of a table.
+/// Escapes text for a cell of a Markdown table.
 std::string cell(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -31,7 +31,7 @@ std::string code(const std::string& text) {
   return "`" + safe + "`";
 }
 
-/// JSON as code, words as words.
+/// Formats a default value for a table cell: JSON values as code, words as plain text.
 std::string standardCell(const std::string& text) {
   const bool isCode =
       !text.empty() && (text[0] == '"' || text[0] == '[' || text[0] == '{' || text[0] == '-' ||
@@ -49,7 +49,7 @@ std::string rowsTable(const std::vector<HelpRow>& rows) {
   return out;
 }
 
-/// One table for the parameters without a prefix, one for each prefix.
+/// Returns one table for the parameters without a prefix and one table for each prefix.
 std::string parameterTables(const HelpPage& page) {
   std::vector<HelpRow> plain;
   for (const HelpRow& row : page.rows)

@@ -33,11 +33,12 @@ std::vector<std::string> split(std::string_view text, char between) {
   return parts;
 }
 
-/// The values that `path` leads to from `node`, through all items of lists.
+/// Collects the values at `path` below `node`; the path passes through all items of lists.
 void collectValues(const Node& node, const std::vector<std::string>& path, std::size_t at,
                    std::vector<const Node*>& found) {
   if (at == path.size()) return found.push_back(&node);
-  const bool named = path[at].ends_with(">") || path[at] == "light";  // a name that the scene chooses
+  const bool named =
+      path[at].ends_with(">") || path[at] == "light";  // true for a key that the scene's author chooses
   for (const Node& child : node.children)
     if (node.kind == Node::Kind::list)
       collectValues(child, path, at, found);
@@ -45,7 +46,7 @@ void collectValues(const Node& node, const std::vector<std::string>& path, std::
       collectValues(child, path, at + 1, found);
 }
 
-/// On one line, with single spaces.
+/// Returns JSON text on one line, with single spaces between tokens.
 std::string onOneLine(std::string_view text) {
   std::string out;
   bool quoted = false;
@@ -61,7 +62,7 @@ std::string onOneLine(std::string_view text) {
   return out;
 }
 
-/// A value that fits the range, for parameters that no shipped scene gives.
+/// Returns a value within the parameter's range, for parameters that no shipped scene sets.
 std::string madeUpValue(const HelpRow& row) {
   if (row.group) return row.range.starts_with("up to") && row.standard != "{}" ? "[{...}]" : "{...}";
   const auto standard = nlohmann::json::parse(row.standard, nullptr, false);
@@ -76,7 +77,7 @@ std::string madeUpValue(const HelpRow& row) {
   return "\"" + row.range.substr(0, row.range.find(',')) + "\"";
 }
 
-/// As a member of the thing it belongs to.
+/// Returns an example of a parameter as a JSON member: "name": value.
 std::string exampleText(const HelpPage& page, const HelpRow& row) {
   const std::string member = row.name.substr(row.name.rfind('.') + 1);
   if (const auto shipped = shippedValue(page, row.name))
@@ -89,7 +90,7 @@ std::string exampleText(const HelpPage& page, const HelpRow& row) {
   return fmt::format("\"{}\": {}", member, madeUpValue(row));
 }
 
-/// "objects.NAME.cloth.pins.0.every"
+/// Returns the path of a parameter for -D: "objects.NAME.cloth.pins.0.every".
 std::string overridePath(const HelpPage& page, const HelpRow& row) {
   std::string path = page.isKind               ? "objects.NAME." + page.name + "."
                      : page.name == "scene"    ? ""
@@ -189,7 +190,7 @@ std::string searchText(const std::string& words, std::size_t width) {
   for (scene::HelpTitle& section : scene::sectionTitles()) titles.push_back(std::move(section));
   for (const scene::HelpTitle& title : titles) {
     if (holds(title.name + " " + title.doc, wanted)) found.push_back(title);
-    if (title.name == "scene") continue;  // the sections have it all
+    if (title.name == "scene") continue;  // the pages of the sections already hold these rows
     const HelpPage page = scene::helpPage(title.name, sim::kinds().list);
     for (const HelpRow& row : page.rows) {
       const std::string name = page.name + "." + row.name;

@@ -1,4 +1,4 @@
-// simreel list --reference FOLDER.
+// simreel list --reference FOLDER: writes the reference as Markdown files.
 #include "cli/list/reference.hpp"
 
 #include "base/file.hpp"

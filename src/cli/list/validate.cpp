@@ -1,4 +1,4 @@
-// simreel validate and simreel schema.
+// simreel validate: checks scenes; simreel schema: prints their JSON schema.
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/text.hpp"
@@ -30,11 +30,11 @@ namespace {
 
 struct ValidateOptions {
   std::vector<std::string> files, overrides, assets;
-  std::string device;  ///< empty: none is used
+  std::string device;  ///< device to validate on; empty: no device is used
   gl::ContextOptions on;
 };
 
-/// What only a device can tell: its limits, and the first frame.
+/// Checks what needs a device: the scene against the device's limits, and the first frame.
 void checkOnDevice(const scene::Scene& scene, const sim::Numerics& numerics) {
   sim::requireExact(scene, numerics);
   sim::World world(scene);
@@ -43,12 +43,12 @@ void checkOnDevice(const scene::Scene& scene, const sim::Numerics& numerics) {
   frame::checkState(world);
 }
 
-/// The mistakes of one scene; none: it can be used.
+/// Returns the errors of one scene; empty if the scene is usable.
 std::vector<UserError> problemsOf(const std::string& file, const ValidateOptions& o,
                                   const std::optional<sim::Numerics>& numerics) {
   std::vector<UserError> problems;
   try {
-    const auto scene =  // with what stands beside it
+    const auto scene =  // loadTestScene() also reads the test settings in the file beside the scene
         scene::loadTestScene(file, parseOverrides(o.overrides), sim::kinds(), assetFolders(o.assets));
     for (const std::string& remark : scene.remarks) warnLinesOnce(remark);
     problems = sim::findProblems(scene);
@@ -61,7 +61,7 @@ std::vector<UserError> problemsOf(const std::string& file, const ValidateOptions
   return problems;
 }
 
-/// A scene's sentences begin with its name, as the lines of its reports do.
+/// Prints an error with the scene's file name in front; a report already names the file on its lines.
 void printProblem(const std::string& file, const UserError& error) {
   if (error.form() == UserError::Form::report)
     printError(error);
@@ -90,7 +90,8 @@ void validate(ValidateOptions o) {
     ++bad;
     std::fflush(stdout);
     for (const UserError& problem : problems) printProblem(file, problem);
-    if (o.files.size() == 1) code = problems.front().code();  // that of rendering it
+    if (o.files.size() == 1)
+      code = problems.front().code();  // the same code as rendering the scene would give
   }
   if (bad > 0)
     fail(code, "{} of {} scene{} cannot be used", bad, o.files.size(), o.files.size() == 1 ? "" : "s");

@@ -8,7 +8,7 @@ class App;
 
 namespace simreel::cli {
 
-/// What pictures may differ in, as flags.
+/// Flags for differences that a comparison of pictures ignores.
 struct AllowanceOptions {
   bool ignoreAntialiased = false;
   std::optional<int> searchRadius;

@@ -7,9 +7,9 @@ class App;
 
 namespace simreel::cli {
 
-/// --device and --memory-path.
+/// Adds --device and --memory-path.
 void addDevice(CLI::App& command, gl::ContextOptions& options);
-/// The same of a command whose processes each may have another device: "0,1".
+/// Adds the same flags for a command with several processes; --device may then be a list such as "0,1".
 void addDevices(CLI::App& command, gl::ContextOptions& options);
 
 }  // namespace simreel::cli

@@ -6,9 +6,9 @@
 
 namespace simreel::cli {
 
-/// --jobs: a number, or "auto": one a processor. Throws UserError(usage).
+/// Parses --jobs: a number, or "auto" for one job per processor. Throws UserError(usage).
 [[nodiscard]] std::size_t jobCount(const std::string& jobs);
-/// The same, and no fewer than devices are listed.
+/// Parses --jobs and returns at least the number of listed devices.
 [[nodiscard]] std::size_t jobCount(const std::string& jobs, const gl::ContextOptions& on);
 
 }  // namespace simreel::cli

@@ -12,7 +12,7 @@ namespace simreel::cli {
 
 namespace {
 
-/// "1280x720" -> "[1280,720]".
+/// Returns a size as JSON: "1280x720" -> "[1280,720]".
 std::string sizeValue(const std::string& text) {
   const auto size = integerPair(text, 'x');
   if (!size || size->first < 1 || size->second < 1)

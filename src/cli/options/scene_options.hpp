@@ -12,34 +12,34 @@ class App;
 
 namespace simreel::cli {
 
-/// Options of every command that reads a scene to run it.
+/// Options of every command that reads a scene in order to run it.
 struct SceneOptions {
   std::string file;
-  bool shipped = false;                ///< whether `file` was found by the name of a shipped scene
-  std::vector<std::string> overrides;  ///< -D path=value
+  bool shipped = false;                ///< true if `file` was found by the name of a shipped scene
+  std::vector<std::string> overrides;  ///< values of -D, each "path=value"
   std::optional<int> seed;
-  std::optional<std::string> size;  ///< WxH
+  std::optional<std::string> size;  ///< value of --size, "WxH"
   std::optional<double> fps;
   std::optional<int> samples;
   std::optional<std::string> rasterizer;
-  std::vector<std::string> assets;  ///< folders that the scene may read, too
+  std::vector<std::string> assets;  ///< further folders that the scene may read from
   void add(CLI::App& command);
-  /// The same for a command that can do without a scene: `file` is empty then.
+  /// Adds the options to a command whose scene is optional; without a scene `file` is empty.
   void addOptional(CLI::App& command);
-  /// All of them as overrides. Throws UserError(usage).
+  /// Returns all options as overrides. Throws UserError(usage).
   [[nodiscard]] std::vector<scene::Override> changes() const;
-  /// Reads the scene with all of them applied. --size, --fps, --samples and --seed are shorthands of -D, so
-  /// the scene's hash tells them apart. `more` comes last.
+  /// Reads the scene with all options applied, then `more`. --size, --fps, --samples and --seed are
+  /// shorthands of -D, so they change the scene's hash.
   [[nodiscard]] scene::Scene load(const std::vector<scene::Override>& more = {}) const;
-  /// The same as words of a command line.
+  /// Returns all options as words of a command line.
   [[nodiscard]] std::vector<std::string> arguments() const;
 };
 
-/// --assets, repeatable.
+/// Adds --assets, which may be repeated.
 void addAssets(CLI::App& command, std::vector<std::string>& folders);
-/// They as paths. Throws UserError(usage) for one that is no folder.
+/// Returns the asset folders as paths. Throws UserError(usage) for a path that is not a folder.
 [[nodiscard]] std::vector<std::filesystem::path> assetFolders(const std::vector<std::string>& folders);
-/// Each "path=value" of -D. Throws UserError(usage).
+/// Parses each "path=value" of -D. Throws UserError(usage).
 [[nodiscard]] std::vector<scene::Override> parseOverrides(const std::vector<std::string>& texts);
 
 }  // namespace simreel::cli

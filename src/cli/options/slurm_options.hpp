@@ -11,18 +11,18 @@ class App;
 
 namespace simreel::cli {
 
-/// --slurm, --sbatch and --scratch: of commands whose work many machines can share.
+/// --slurm, --sbatch and --scratch, for commands whose work several machines can share.
 struct SlurmOptions {
   bool slurm = false;
   std::vector<std::string> sbatch;
   std::string scratch;
 
   void add(CLI::App& command);
-  /// --scratch alone, for the commands that the jobs run.
+  /// Adds only --scratch, for the commands that the cluster's jobs run.
   void addScratch(CLI::App& command);
-  /// Throws UserError(usage).
+  /// Returns the cluster settings. Throws UserError(usage).
   [[nodiscard]] batch::Slurm cluster(const std::filesystem::path& folder) const;
-  /// What of it the jobs are told.
+  /// Returns the options that are passed on to the cluster's jobs.
   [[nodiscard]] std::vector<std::string> arguments() const;
 };
 

@@ -33,7 +33,7 @@ std::map<std::string, double> ToleranceOptions::given() const {
     const double value = *found->second;
     const scene::Range& range = bound.spec.range;
     const bool whole = std::holds_alternative<int*>(bound.member);
-    // NaN is outside every range.
+    // Written as !(in range), so that NaN is rejected too.
     if (!(value >= range.min && value <= range.max) || (whole && value != std::floor(value)))
       fail(ExitCode::usage, "{} takes a {} from {:g} to {:g}, not {}", flagName(bound.name),
            whole ? "whole number" : "number", range.min, range.max, value);

@@ -9,11 +9,12 @@ class App;
 
 namespace simreel::cli {
 
-/// The bounds of a comparison as flags: --max-channel-diff and so on.
+/// Tolerances of a comparison as flags: --max-channel-diff etc.
 struct ToleranceOptions {
-  std::map<std::string, std::optional<double>> values;  ///< by field name
+  std::map<std::string, std::optional<double>> values;  ///< values by name of the tolerance's field
   void add(CLI::App& command);
-  /// Those on the command line, by field name. Throws UserError(usage) for one outside its range.
+  /// Returns the tolerances given on the command line, by field name. Throws UserError(usage) for a value
+  /// outside its range.
   [[nodiscard]] std::map<std::string, double> given() const;
 };
 

@@ -1,4 +1,5 @@
-// What follows a plan: status, retry, collect, and the single job that a cluster runs.
+// Subcommands that work on an existing sweep plan: status, retry, collect, and the single job that a
+// cluster runs.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
@@ -54,16 +55,16 @@ fs::path slurmFolder(const batch::SweepPlan& plan) {
 }
 constexpr const char* slurmWork = "sweep";
 
-/// Of what nobody is at the cluster may still have something.
+/// Returns `queued` for a missing or aborted job that is still in the cluster's queue, else `state`.
 batch::JobState stateIn(const batch::SlurmQueue& queue, std::size_t job, batch::JobState state) {
   const bool idle = state == batch::JobState::missing || state == batch::JobState::aborted;
   return idle && queue.has(slurmWork, job) ? batch::JobState::queued : state;
 }
 
-/// A line for each job that is not well, and the sum.
+/// Prints a line for each job that is not done, and the totals.
 void status(const FollowerOptions& o) {
   const batch::SweepPlan plan = batch::readSweepPlan(o.folder);
-  // Before the jobs, which may begin in between.
+  // The queue is read before the jobs, because a job may start between the two reads.
   const batch::SlurmQueue queue(slurmFolder(plan));
   auto sweep = batch::collect(plan);
   for (std::size_t i = 0; i < sweep.jobs.size(); ++i)
@@ -107,7 +108,7 @@ void writeCollected(const FollowerOptions& o) {
   setExitCode(tally.exitCode());
 }
 
-/// In this process, one after the other.
+/// Runs the given jobs in this process, one after another.
 void job(const FollowerOptions& o) {
   const batch::SweepPlan plan = batch::readSweepPlan(o.folder);
   batch::checkProgram(plan);
@@ -161,14 +162,14 @@ void SweepRunOptions::add(CLI::App& command) {
 
 namespace {
 
-/// The jobs as arrays of a cluster, which runs `simreel sweep job` for each.
+/// Submits the jobs as Slurm job arrays; the cluster runs `simreel sweep job` for each.
 void submitSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs,
                  const SweepRunOptions& how) {
   batch::Slurm slurm = how.cluster.cluster(slurmFolder(plan));
   if (jobs.empty()) return;
   batch::Slurm::Work work{.name = slurmWork, .arguments = {"sweep", "job"}, .numbers = jobs};
   const std::string folder = fs::absolute(plan.folder).lexically_normal().string();
-  work.however = true;  // jobs can do without what they share
+  work.however = true;  // jobs can run without the shared work, so they start even if it failed
   if (how.on.deviceCount() > 1)
     fail(ExitCode::usage, "--device {}: with --slurm the cluster gives each job its device", how.on.device);
   if (jobs.size() > 1 && batch::lacksShared(plan))
@@ -189,7 +190,7 @@ void runSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs
   batch::checkProgram(plan);
   std::vector<std::size_t> waiting;
   std::size_t queued = 0;
-  // What the cluster has already it is not given again; here it may be made meanwhile.
+  // With --slurm, jobs already in the cluster's queue are not submitted again; without, they run here.
   const batch::SlurmQueue queue(how.cluster.slurm ? slurmFolder(plan) : fs::path());
   for (const std::size_t number : jobs) {
     const auto state = stateIn(queue, number, batch::statusOf(plan, number).state);

@@ -1,4 +1,4 @@
-// simreel sweep SCENE --vary ...: a plan, and the runs that it asks for.
+// simreel sweep SCENE --vary ...: writes a plan and runs its jobs.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
@@ -64,7 +64,8 @@ batch::SweepPlan planOf(const SweepOptions& o, const std::string& text) {
   return plan;
 }
 
-/// Of a folder that holds a plan already it has to be this one.
+/// Writes the plan and the scene into the folder. If the folder already holds a plan, it must be the same
+/// plan unless `overwrite` is set.
 void store(const batch::SweepPlan& plan, const std::string& scene, bool overwrite) {
   const std::string text = planText(plan);
   if (pathExists(plan.planFile())) {

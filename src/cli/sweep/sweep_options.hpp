@@ -15,7 +15,7 @@ class App;
 
 namespace simreel::cli {
 
-/// How the jobs of a sweep are run: of `simreel sweep SCENE` and `sweep retry`.
+/// Options for running the jobs of a sweep, shared by `simreel sweep SCENE` and `sweep retry`.
 struct SweepRunOptions {
   std::string jobs = "1";
   gl::ContextOptions on;
@@ -37,11 +37,12 @@ struct SweepOptions {
   SweepRunOptions run;
 };
 
-/// Runs those of the jobs that are not done, here or by Slurm, and sets the exit code by all jobs.
+/// Runs the `jobs` that are not done yet, locally or by Slurm, and sets the exit code from the state of all
+/// jobs.
 void runSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs,
               const SweepRunOptions& how);
 
-/// status, retry, collect and job, below `sweep`.
+/// Adds status, retry, collect and job below `sweep`.
 void addSweepFollowers(CLI::App& sweep);
 
 }  // namespace simreel::cli

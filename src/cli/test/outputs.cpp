@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What accept reads is inside the report's folder; a JSON report elsewhere points nowhere.
+/// Removes the paths of pictures from a result, for a JSON report outside the report's folder. The command
+/// accept reads only files inside that folder.
 golden::SuiteResult forElsewhere(golden::SuiteResult suite) {
   for (golden::SceneResult& scene : suite.scenes) {
     scene.candidate.clear();
@@ -40,13 +41,14 @@ golden::SuiteResult forElsewhere(golden::SuiteResult suite) {
   return suite;
 }
 
-/// From the root, without a slash at its end; empty is the current folder.
+/// Returns the absolute path of a folder without a trailing slash; empty means the current folder.
 fs::path wholePath(const fs::path& folder) {
   const fs::path whole = (fs::current_path() / folder).lexically_normal();
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-/// What stands in the src of images, of pictures that the report has in `folder`.
+/// Returns the function that makes the `src` attribute of an image, for pictures that the report stores in
+/// `folder`.
 golden::PictureAddress pictureAddress(const std::string& how, const fs::path& folder,
                                       const fs::path& from) {
   if (how == "none") return {};
@@ -61,7 +63,8 @@ golden::PictureAddress pictureAddress(const std::string& how, const fs::path& fo
   return [before](const std::string& picture) { return before + golden::addressOf(picture); };
 }
 
-/// The report's folder as GitLab and Jenkins have it: relative to that of the project, where it is below.
+/// Returns the report's folder relative to the project's folder on GitLab and Jenkins; the absolute path if
+/// it is outside.
 fs::path folderInProject(const fs::path& folder) {
   fs::path project;
   for (const char* name : {"WORKSPACE", "CI_PROJECT_DIR"})
@@ -73,13 +76,13 @@ fs::path folderInProject(const fs::path& folder) {
 }
 
 void writeGithub(const golden::SuiteResult& suite, const golden::PictureAddress& address) {
-  // The one text that is made of commands.
+  // Written with fwrite, because printText() would escape the annotation commands.
   const std::string commands = golden::githubAnnotations(suite);
   static_cast<void>(std::fwrite(commands.data(), 1, commands.size(), stdout));
   // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
   const char* place = std::getenv("GITHUB_STEP_SUMMARY");
   if (place == nullptr || *place == '\0') return;
-  // Earlier steps of the job may have written there.
+  // Opened for appending, because earlier steps of the job may have written to the summary.
   std::FILE* file = std::fopen(place, "a");
   const std::string text = golden::markdownSummary(suite, address);
   const bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
@@ -91,7 +94,7 @@ bool colored() {
   return ::isatty(STDOUT_FILENO) == 1;
 }
 
-/// The folder above all scenes that lie outside of this one; empty: none does.
+/// Returns the common folder of all scenes that lie outside the current folder; empty if no scene does.
 fs::path folderOutside(const golden::SuiteResult& suite) {
   fs::path common;
   for (const golden::SceneResult& scene : suite.scenes) {
@@ -103,7 +106,8 @@ fs::path folderOutside(const golden::SuiteResult& suite) {
   return common;
 }
 
-/// What accepts a run whose baselines are not below the folder that it ran in has to be told their folder.
+/// Returns the command line that accepts this run. Baselines outside the current folder need --expected,
+/// scenes outside need --scenes.
 std::string acceptCommand(const golden::SuiteResult& suite, const std::string& reportFile) {
   std::string command = "simreel accept " + inShellQuotes(reportFile);
   if (const fs::path expected = suite.expected;
@@ -202,7 +206,7 @@ void TestOutputs::write(golden::SuiteResult& suite) const {
     const auto address = pictureAddress(pictures.empty() ? "files" : pictures, place, beside);
     writeFileAtomically(markdown, golden::markdownSummary(suite, address));
   }
-  // A summary has no files beside it.
+  // A job summary has no files beside it, so pictures are embedded by default.
   if (github)
     writeGithub(suite, pictureAddress(pictures.empty()      ? "data"
                                       : pictures == "files" ? "none"

@@ -10,29 +10,29 @@ class App;
 
 namespace simreel::cli {
 
-/// Where the results of a test go.
+/// Output files of a test run.
 struct TestOutputs {
   std::string report, junit, json, markdown;
-  /// How pictures get into Markdown: "files", "data", "none" or an address that the report is served at;
-  /// empty: files, and data in a job summary.
+  /// Picture references in Markdown: "files", "data", "none" or a URL that serves the report's folder.
+  /// Empty: "files", but "data" in a job summary.
   std::string pictures;
   bool github = false;
   void add(CLI::App& command);
-  /// All of them but the report's folder.
+  /// Adds all options except --report.
   void addFiles(CLI::App& command);
 
-  /// Of report.json, which the paths of images are relative to; empty: images are not kept.
+  /// Returns the folder of report.json; the paths of images are relative to it. Empty: images are not kept.
   [[nodiscard]] std::filesystem::path folder() const;
-  /// Where pictures of failures go: <report>/files, or beside the JSON report or the Markdown; empty:
-  /// nowhere.
+  /// Returns the folder for pictures of failures: <report>/files, or a folder beside the JSON report or the
+  /// Markdown file. Empty: pictures are not written.
   [[nodiscard]] std::filesystem::path artifacts() const;
-  /// Removes an earlier report. Throws UserError(usage) for a folder that holds something else.
+  /// Removes an earlier report. Throws UserError(usage) if the folder holds something else.
   void prepare() const;
-  /// Prints a result as it comes.
+  /// Prints one result as soon as it is known.
   void show(const golden::SceneResult& scene, const std::string& unit, bool allowFlaky) const;
-  /// Throws UserError(usage).
+  /// Checks the options. Throws UserError(usage).
   void check() const;
-  /// Writes all that was asked for and prints the closing lines.
+  /// Writes all requested files and prints the closing lines.
   void write(golden::SuiteResult& suite) const;
 };
 

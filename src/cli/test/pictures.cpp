@@ -1,5 +1,5 @@
-// simreel test --expected DIR (--actual DIR | --run COMMAND): pictures of any program against their
-// baselines.
+// simreel test --expected DIR (--actual DIR | --run COMMAND): compares pictures made by any program with
+// their baselines.
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -32,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that goes when it does.
+/// Creates a temporary folder and removes it in the destructor.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -97,7 +97,7 @@ void checkOptions(const TestOptions& o) {
              "--update=prune has to know all scenes, and {} is one of them; give their folder", path);
 }
 
-/// The rules of the file and, stronger, of the command line.
+/// Returns the rules of the file, followed by the rules of the command line, which take precedence.
 std::vector<golden::Rule> rulesOf(const TestOptions& o) {
   std::vector<golden::Rule> rules;
   if (!o.rules.empty()) rules = golden::readRules(o.rules);
@@ -122,7 +122,7 @@ bool chosen(const TestOptions& o, const std::string& name) {
          });
 }
 
-/// One run of the test.
+/// Runs one test of pictures.
 class PictureRun {
  public:
   explicit PictureRun(const TestOptions& o) : o_(o), begin_(Clock::now()) {
@@ -186,7 +186,7 @@ class PictureRun {
     takeShard(scenes_, "scene");
   }
 
-  /// The part of this run.
+  /// Reduces `all` to the items of this run's shard.
   template <class Item>
   void takeShard(std::vector<Item>& all, const char* unit) {
     if (o_.shard.empty()) return;
@@ -222,7 +222,7 @@ class PictureRun {
     }
   }
 
-  /// Tries of a scene's command that failed.
+  /// Adds the failed attempts of a scene's command to its result.
   void addFailures(std::size_t scene, golden::SceneResult& result) const {
     std::vector<golden::Attempt> attempts;
     for (const std::string& message : ends_[scene].failures)
@@ -230,7 +230,8 @@ class PictureRun {
     golden::addAttempts(std::move(attempts), result);
   }
 
-  /// The scene that a picture is rendered from, by index; nothing where no command of this run makes it.
+  /// Returns the index of the scene that a picture is rendered from; nothing if no command of this run
+  /// makes the picture.
   [[nodiscard]] std::optional<std::size_t> sceneOf(const std::string& picture) const {
     if (o_.run.empty()) return std::nullopt;
     if (!command_.eachScene()) return 0;
@@ -240,7 +241,8 @@ class PictureRun {
   }
 
   [[nodiscard]] golden::PictureSet pairs() const {
-    // Baselines without a scene are stale where all scenes are known: of whole folders.
+    // Baselines without a scene can only be reported as stale if the run covers whole folders, without
+    // filter or shard.
     std::error_code unknown;
     const bool whole = o_.globs.empty() && o_.shard.empty() &&
                        std::all_of(o_.paths.begin(), o_.paths.end(), [&](const std::string& path) {
@@ -253,7 +255,7 @@ class PictureRun {
     });
   }
 
-  /// Chosen pictures of rendered scenes.
+  /// Returns the chosen pictures of the scenes that were rendered.
   std::vector<golden::PictureCase> cases() {
     golden::PictureSet set = pairs();
     if (!set.passedOver.empty())
@@ -274,7 +276,7 @@ class PictureRun {
     if (all.empty() && suite_.scenes.empty() && !emptyShard_)
       fail(ExitCode::nothingRan, "no picture to test: neither {} nor {} has one{}", o_.expected,
            folder_.string(), o_.globs.empty() ? "" : " that matches --filter");
-    // An updated picture is not tried again.
+    // A picture whose baseline is being updated is not retried.
     const bool retries = o_.retries > 0 && options_.update == golden::Update::none;
     std::vector<golden::SceneResult> results;
     golden::testPictures(all, options_, [&](golden::SceneResult&& result) {
@@ -287,7 +289,7 @@ class PictureRun {
     for (golden::SceneResult& result : results) tell(std::move(result));
   }
 
-  /// Renders scenes again whose pictures fail, and compares those.
+  /// Renders the scenes of failed pictures again and compares those pictures again.
   void retry(std::vector<golden::SceneResult>& results) {
     std::vector<golden::SceneResult*> failed;
     std::vector<std::size_t> chosen;
@@ -328,7 +330,8 @@ class PictureRun {
     add(std::move(result));
   }
 
-  /// What a picture was rendered from. A picture in a temporary folder is called after what lasts.
+  /// Sets the scene of a picture's result. A picture in a temporary folder is reported under the path of
+  /// its baselines or scene, which persist.
   void nameScene(std::optional<std::size_t> scene, golden::SceneResult& result) const {
     if (temporary_) result.file = result.baselines;
     if (!scene || !command_.eachScene()) return;
@@ -350,7 +353,7 @@ class PictureRun {
     if (!shardNote_.empty()) suite_.notes.push_back(shardNote_);
     o_.outputs.write(suite_);
     if (signal != 0) info("simreel: interrupted after {} pictures", suite_.scenes.size());
-    // A part that no picture falls into is tested well: the other parts have them.
+    // A shard without pictures counts as passed, because the other shards contain them.
     const ExitCode code = emptyShard_ && suite_.scenes.empty() ? ExitCode::ok : tally_.exitCode();
     setExitCode(signal != 0 ? 128 + signal : static_cast<int>(code));
   }
@@ -361,10 +364,10 @@ class PictureRun {
   golden::PictureOptions options_;
   golden::RenderCommand command_;
   std::optional<TemporaryFolder> temporary_;
-  fs::path folder_;  ///< of the pictures
+  fs::path folder_;  ///< folder that contains the tested pictures
   std::vector<golden::SceneFile> scenes_;
-  std::map<std::string, golden::Inputs> inputs_;  ///< by scene
-  std::vector<golden::CommandEnd> ends_;          ///< of each scene's command
+  std::map<std::string, golden::Inputs> inputs_;  ///< input files of each scene, by scene name
+  std::vector<golden::CommandEnd> ends_;          ///< results of each scene's command
   bool emptyShard_ = false;
   std::string shardNote_;
   golden::Tally tally_;

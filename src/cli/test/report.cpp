@@ -1,4 +1,4 @@
-// simreel report merge: one report of several.
+// simreel report merge: combines several reports into one.
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "cli/commands.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is merged must not lie where the result goes: that is emptied first.
+/// Fails if an input lies in the output folder, because the output folder is emptied first.
 void checkApart(const fs::path& report, const fs::path& folder) {
   std::error_code unknown;
   const fs::path file = fs::weakly_canonical(report, unknown),

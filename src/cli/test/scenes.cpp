@@ -1,4 +1,4 @@
-// simreel test SCENES: scenes against their baselines, one after the other or in several processes.
+// simreel test SCENES: compares scenes with their baselines, one after another or in several processes.
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -37,7 +37,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A profile is a folder beside the scenes.
+/// Checks that a profile is a valid folder name, because a profile's baselines are stored in a folder of
+/// that name.
 void checkProfile(const std::string& name) {
   constexpr const char* plain = "abcdefghijklmnopqrstuvwxyz0123456789-";
   if (name.find_first_not_of(plain) != std::string::npos || name.size() > 64)
@@ -64,7 +65,7 @@ void setEnvironment(const golden::Device& device, golden::SuiteResult& result) {
   result.memoryPath = device.memoryPath;
 }
 
-/// One run of the test.
+/// Runs one test of scenes.
 class SceneRun {
  public:
   explicit SceneRun(const TestOptions& o) : o_(o) {
@@ -105,7 +106,7 @@ class SceneRun {
     result_.allowFlaky = o_.allowFlaky;
     result_.strict = o_.strict;
     jobs_ = std::min(jobs_, scenes_.size());
-    // Only a process can be ended in the middle of a scene.
+    // A timeout needs a child process, because only a process can be stopped in the middle of a scene.
     if (jobs_ == 1 && o_.timeout == 0)
       testHere();
     else if (jobs_ > 0)
@@ -135,7 +136,7 @@ class SceneRun {
     result_.notes.push_back(golden::shardNote(o_.shard, scenes_.size(), whole, "scene"));
   }
 
-  /// In this process, on all processors.
+  /// Tests all scenes in this process, with all processors.
   void testHere() {
     const gl::Context context(o_.on.ofWorker(0));
     const golden::Device device = describeDevice(context, o_.profile);
@@ -164,7 +165,8 @@ class SceneRun {
     };
     force.done = [this](std::size_t item, const std::string& text) {
       golden::Outcome outcome = golden::parseOutcome(text);
-      nameScene(scenes_[item], outcome.scene);  // what JSON does not hold: bytes that are no UTF-8
+      nameScene(scenes_[item], outcome.scene);  // set again here because JSON cannot hold names that are
+                                                // not valid UTF-8
       golden::addLosses(losses_[item], outcome);
       take(std::move(outcome));
     };
@@ -183,7 +185,8 @@ class SceneRun {
       take(std::move(outcome));
     };
     force.patience = o_.timeout;
-    // A renamed scene takes its baseline from those that have no scene: the first in order has to get it.
+    // A renamed scene takes over the baseline of a scene that is gone. Such scenes run alone, in order, so
+    // that the first one gets the baseline.
     const bool mayMove = options_.update != golden::Update::none && !options_.orphans.empty();
     force.alone = [this, mayMove](std::size_t item) {
       return mayMove && !pathExists(golden::baselineFolder(scenes_[item].file));
@@ -224,7 +227,7 @@ class SceneRun {
     result_.scenes.push_back(std::move(outcome.scene));
   }
 
-  /// Those that no scene took over.
+  /// Reports baselines of scenes that are gone and that no renamed scene took over.
   void addOrphans() {
     for (const fs::path& folder : options_.orphans) {
       if (!pathExists(folder)) continue;
@@ -246,7 +249,7 @@ class SceneRun {
     o_.outputs.write(result_);
     if (signal_ != 0)
       info("simreel: interrupted after {} of {} scenes", result_.scenes.size(), scenes_.size());
-    // A part that no scene falls into is tested well: the other parts have them.
+    // A shard without scenes counts as passed, because the other shards contain them.
     const ExitCode code = scenes_.empty() ? ExitCode::ok : tally_.exitCode();
     setExitCode(signal_ != 0 ? 128 + signal_ : static_cast<int>(code));
   }
@@ -255,7 +258,8 @@ class SceneRun {
   golden::SuiteOptions options_;
   std::size_t jobs_ = 1;
   std::vector<golden::SceneFile> scenes_;
-  std::map<std::size_t, std::vector<std::string>> losses_;  ///< of scenes that were done again
+  /// messages about processes lost while testing a scene, by scene index
+  std::map<std::size_t, std::vector<std::string>> losses_;
   golden::Tally tally_;
   golden::SuiteResult result_;
   int signal_ = 0;

@@ -30,20 +30,20 @@ struct TestOptions {
   gl::ContextOptions on;
   bool list = false;
   ToleranceOptions tolerance;
-  // Of pictures:
+  // Options that apply to pictures, not to scenes:
   std::string expected, actual, run, rules;
   AllowanceOptions allowance;
-  std::string command;  ///< as typed
+  std::string command;  ///< command line as typed
 
   [[nodiscard]] golden::Update updateMode() const;
-  /// Throws UserError(usage).
+  /// Returns the selected metrics. Throws UserError(usage).
   [[nodiscard]] golden::Measures measures() const;
 };
 
-/// `simreel test SCENES`.
+/// Runs `simreel test SCENES`.
 void testScenes(const TestOptions& options);
 
-/// `simreel test --expected DIR ...`: pictures that other programs made. Needs no device.
+/// Runs `simreel test --expected DIR ...` on pictures that other programs made. Needs no device.
 void testPictures(const TestOptions& options);
 
 }  // namespace simreel::cli

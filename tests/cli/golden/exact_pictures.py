@@ -1,4 +1,4 @@
-"""Pictures of the shipped scenes that the exact rasterizer draws, small and early, and their hashes: for tests of the program,
+"""Small, early pictures of the shipped scenes by the exact rasterizer, and their hashes: for tests of the program,
 tools/pictures and tools/mutate."""
 import concurrent.futures
 import hashlib
@@ -18,7 +18,7 @@ def scenes():
 
 
 def render(program, scene, output, *arguments, size=None, env=None, timeout=PATIENCE):
-    """`simreel render` of a shipped scene; `output` is a file, or - for bytes of RGBA in stdout."""
+    """Runs `simreel render` on a shipped scene; `output` is a file, or - for RGBA bytes on stdout."""
     environment = {**os.environ, "SIMREEL_ASSETS": str(SOURCE / "assets"), **(env or {})}
     return subprocess.run([program, "render", SOURCE / f"assets/scenes/{scene}.json", "-o", output, "--size", size or SIZE, "-q",
                            "--overwrite", "--no-counts", *map(str, arguments)], env=environment, capture_output=True,
@@ -26,7 +26,7 @@ def render(program, scene, output, *arguments, size=None, env=None, timeout=PATI
 
 
 def pixels_hash(file):
-    """Of width, height and RGB bytes, whatever the file's filters and texts are."""
+    """Returns a hash of width, height and RGB bytes, independent of the file's filters and text chunks."""
     width, height, filtered = png_rows(file.read_bytes())
     if len(filtered) != height * (3 * width + 1):
         raise ValueError(f"{file.name} is not of 8-bit RGB")
@@ -35,7 +35,7 @@ def pixels_hash(file):
 
 
 def drawn(program, scene, frame, *arguments, env=None, timeout=PATIENCE):
-    """The entry of a scene as this program makes it; with "failed" the last line where there is none."""
+    """Returns the entry of a scene as this program draws it; after a failure, {"failed": last line of the messages}."""
     with tempfile.TemporaryDirectory(prefix="simreel-exact-") as folder:
         file = pathlib.Path(folder) / "picture.png"
         done = render(program, scene, file, "--rasterizer", "exact", "--frames", frame, *arguments, env=env,
@@ -47,14 +47,14 @@ def drawn(program, scene, frame, *arguments, env=None, timeout=PATIENCE):
 
 
 def drawn_all(program, frames, *arguments, env=None):
-    """Entries of these scenes, each at its frame."""
+    """Returns the entries of these scenes, each at its frame."""
     with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
         return dict(zip(frames, pool.map(
             lambda name: drawn(program, name, frames[name], *arguments, env=env), frames)))
 
 
 def difference(wanted, entry):
-    """What is wrong with the entry in a few words, or nothing."""
+    """Returns a short description of the difference between two entries, or None."""
     if wanted == entry:
         return None
     return f"cannot be drawn: {entry['failed']}" if "failed" in entry else "has other pixels"

@@ -1,5 +1,6 @@
-"""LDR-FLIP written straight from its definition (Andersson et al. 2020, sections 4 and 5), to check the renderer's
-against: two-dimensional filters, convolved directly, in double precision. Slow: for pictures of a few hundred pixels.
+"""LDR-FLIP implemented directly from its definition (Andersson et al. 2020, sections 4 and 5), as a reference for the
+renderer's implementation: two-dimensional filters, direct convolution, double precision. Slow: for pictures of a few
+hundred pixels.
 
 A picture is a list of rows of (r, g, b), 0 to 255."""
 import math
@@ -17,7 +18,7 @@ def product(matrix, vector):
 
 
 def solve(matrix, right):
-    """Cramer's rule for three unknowns."""
+    """Solves three linear equations by Cramer's rule."""
     def det(m):
         return (m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
                 + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]))
@@ -38,7 +39,7 @@ def ycxcz(pixel):
 
 
 def filtered_rgb(colour):
-    """Opponent colour -> linear RGB inside the unit cube."""
+    """Converts an opponent colour to linear RGB, clamped to the unit cube."""
     y = (colour[0] + 16) / 116
     xyz = [y + colour[1] / 500, y, y - colour[2] / 200]
     return [min(1, max(0, c)) for c in solve(TO_XYZ, [value * white for value, white in zip(xyz, WHITE)])]
@@ -83,7 +84,7 @@ def feature_filter(kind, along):
 
 
 def convolved(plane, kernel):
-    """Sums over the kernel; outside, the border's values go on."""
+    """Convolves a plane with a kernel; the border values are repeated outside."""
     height, width = len(plane), len(plane[0])
     reach = max(x for x, _ in kernel)
     wide = [[plane[min(max(y, 0), height - 1)][min(max(x, 0), width - 1)] for x in range(-reach, width + reach)]
@@ -94,7 +95,7 @@ def convolved(plane, kernel):
 
 
 class Seen:
-    """A picture's filtered colours and the strength of its edges and points, by pixel."""
+    """The filtered colours of a picture, and the strength of its edges and points per pixel."""
 
     def __init__(self, picture):
         planes = list(zip(*[list(zip(*[ycxcz(pixel) for pixel in row])) for row in picture]))

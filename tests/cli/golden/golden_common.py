@@ -1,4 +1,4 @@
-"""What the tests of `simreel test` and `simreel accept` share."""
+"""Shared helpers of the tests of `simreel test` and `simreel accept`."""
 import ctypes
 import json
 import os
@@ -11,16 +11,16 @@ from common import PATIENCE, SCENE, SOURCE, Case, png_rows, unfiltered, with_val
 
 OTHER_PROCESSOR = "Testium 3, family 6 model 1 stepping 0"
 
-# 9x7 particles, three tested frames, quick.
+# A quick scene: 9x7 particles, three tested frames.
 TESTED = with_values({"test": {"frames": [0, 3, 5], "size": [64, 36], "samples": 1}})
 
 RED = {"objects.flag.material": {"color": [0.9, 0.1, 0.1]}}
-# Another green by a hair: pixels differ by a few units, state does not.
+# A slightly different green: pixels differ by a few units, state is equal.
 HAIR = {"objects.flag.material": {"color": [0.8, 0.705, 0.6]}}
 
 
 def png(width, height, rows, depth=8, kind=2):
-    """A PNG file of raw rows (without filter bytes)."""
+    """Returns a PNG file of raw rows (without filter bytes)."""
     def chunk(name, body):
         return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
     header = struct.pack(">IIBBBBB", width, height, depth, kind, 0, 0, 0)
@@ -30,7 +30,7 @@ def png(width, height, rows, depth=8, kind=2):
 
 
 class GoldenCase(Case):
-    """A folder `scenes` with one scene, `a`, and its baselines."""
+    """Base class with a folder `scenes` that contains one scene, `a`, and its baselines."""
     rasterizer = "exact"
 
     def setUp(self):
@@ -48,7 +48,7 @@ class GoldenCase(Case):
         return done
 
     def run_suite(self, code, *arguments, **options):
-        """Runs `simreel test scenes`, expects the code if one is given, returns the report."""
+        """Runs `simreel test scenes`, checks the exit code if one is given, and returns the report."""
         done = self.run_program("test", "scenes", "--json", "report.json", *arguments, **options)
         out = done.stdout.decode("utf-8", "replace") if done.stdout else ""
         if code is not None:
@@ -58,7 +58,7 @@ class GoldenCase(Case):
         return report, done
 
     def one(self, code, *arguments, **options):
-        """The same for the one scene; returns its part of the report."""
+        """Runs the suite with its one scene and returns that scene's part of the report."""
         report, done = self.run_suite(code, *arguments, **options)
         self.assertEqual(len(report["scenes"]), 1)
         scene = report["scenes"][0]
@@ -71,21 +71,22 @@ class GoldenCase(Case):
         path.write_text(json.dumps(content), encoding="utf-8")
 
     def pretend_other_numerics(self):
-        """As if another driver had made the pictures: tolerances count from here on."""
+        """Changes the baselines as if another driver had made the pictures, so that tolerances apply."""
         def change(baseline):
             for frame in baseline["frames"].values():
                 frame["fingerprint"] = "0123456789abcdef"
         self.edit_json(self.golden("a/any/baseline.json"), change)
 
     def pretend_another_machine(self):
-        """As if a machine with another processor and the same numerics had made the pictures."""
+        """Changes the baselines as if a machine with another processor and equal numerics had made the pictures."""
         def change(baseline):
             for frame in baseline["frames"].values():
                 frame["machine"]["processor"] = OTHER_PROCESSOR
         self.edit_json(self.golden("a/any/baseline.json"), change)
 
     def pixel_hash(self, picture):
-        """What the program takes for the hash of a PNG's pixels: that of a frame it finds, which says that it is of the scene."""
+        """Returns the program's hash of a PNG's pixels: puts the PNG, with the scene's text chunks, into a folder in
+        place of a frame and reads the manifest after --skip-existing."""
         shutil.rmtree(self.folder / "found", ignore_errors=True)
         size = "{}x{}".format(*struct.unpack(">II", picture[16:24]))
         render = ("render", "scenes/a.json", "-o", "found/", "--frames", "0", "--size", size)
@@ -98,7 +99,7 @@ class GoldenCase(Case):
         return self.manifest("found")["frames"][0]["pixels"]
 
     def change_baseline(self, frame, x, y, step):
-        """One channel of one pixel of a baseline picture, by `step`."""
+        """Changes one channel of one pixel of a baseline picture by `step`."""
         path = self.golden(f"a/any/{frame:06}.png")
         width, height, data = png_rows(path.read_bytes())
         rows = [bytearray(row) for row in unfiltered(data, 3 * width, 3)]
@@ -110,12 +111,12 @@ class GoldenCase(Case):
         self.edit_json(self.golden("a/any/baseline.json"), lambda b: b["frames"][str(frame)].update(pixels=listed))
 
     def tree(self, folder):
-        """Bytes of every file below a folder, by path."""
+        """Returns the bytes of every file below a folder, by path."""
         root = self.folder / folder
         return {str(p.relative_to(root)): p.read_bytes() for p in sorted(root.rglob("*")) if p.is_file()}
 
     def mutated_glsl(self, name, old, new):
-        """A copy of the shaders with one place of one file changed, for $SIMREEL_GLSL."""
+        """Copies the shaders with one place of one file changed, for $SIMREEL_GLSL."""
         folder = self.folder / "glsl"
         if not folder.exists():
             shutil.copytree(SOURCE / "glsl", folder)
@@ -123,13 +124,13 @@ class GoldenCase(Case):
         self.assertEqual(text.count(old), 1, f"{old!r} stands once in glsl/{name}")
         part = folder / (name + ".part")
         part.write_text(text.replace(old, new), encoding="utf-8")
-        part.replace(folder / name)  # at once: the program may be reading it
+        part.replace(folder / name)  # atomic, because the program may be reading the file
         return {"SIMREEL_GLSL": str(folder)}
 
 
 class Readings:
-    """How often a file was read to its end, as the kernel tells."""
-    READ = 0x10  # IN_CLOSE_NOWRITE
+    """Counts how often a file was closed after reading, with inotify."""
+    READ = 0x10  # inotify's IN_CLOSE_NOWRITE: a file opened for reading was closed
 
     def __init__(self, path):
         libc = ctypes.CDLL(None, use_errno=True)
@@ -144,7 +145,8 @@ class Readings:
         os.close(self.descriptor)
 
     def wait(self, seconds=PATIENCE):
-        """How many there have been since the last call, at least one; none only where none comes for so long."""
+        """Returns the number of reads since the last call; waits for at least one, and returns 0 only after a
+        timeout."""
         if not select.select([self.descriptor], [], [], seconds)[0]:
             return 0
         events, at, count = os.read(self.descriptor, 65536), 0, 0

@@ -1,5 +1,6 @@
-"""SSIM straight from its definition (Wang, Bovik, Sheikh, Simoncelli 2004, equations 13 to 16), for any window. With
-ffmpeg's window it is compared with ffmpeg, with the Gaussian one with scikit-image, and the renderer's with that.
+"""SSIM implemented directly from its definition (Wang, Bovik, Sheikh, Simoncelli 2004, equations 13 to 16), for any
+window. With ffmpeg's window it is compared with ffmpeg, with the Gaussian window with scikit-image and with the
+renderer.
 
 A picture is a list of rows of (r, g, b), 0 to 255."""
 import math
@@ -8,25 +9,25 @@ C1, C2 = (0.01 * 255) ** 2, (0.03 * 255) ** 2
 
 
 def gaussian_window():
-    """11x11, sigma 1.5, sum 1."""
+    """Returns an 11x11 Gaussian window with sigma 1.5 and sum 1."""
     weights = {(x, y): math.exp(-(x * x + y * y) / (2 * 1.5 ** 2)) for x in range(-5, 6) for y in range(-5, 6)}
     total = sum(weights.values())
     return {at: weight / total for at, weight in weights.items()}
 
 
 def block_window():
-    """8x8, all alike."""
+    """Returns an 8x8 window of equal weights."""
     return {(x, y): 1 / 64 for x in range(8) for y in range(8)}
 
 
 def mirrored(i, count):
-    """c b a | a b c | c b a, as scipy.ndimage's "reflect"."""
+    """Mirrors an index at the borders, c b a | a b c | c b a, as scipy.ndimage's "reflect"."""
     i %= 2 * count
     return min(i, 2 * count - 1 - i)
 
 
 def local_ssim(a, b, channel, at, window, variance_scale):
-    """Around (or from) one pixel; outside, the picture is mirrored."""
+    """Returns the SSIM in a window around (or from) one pixel; the picture is mirrored outside."""
     height, width = len(a), len(a[0])
 
     def mean(value):
@@ -49,16 +50,17 @@ def mean_ssim(a, b, places, window, variance_scale=1):
 
 
 def middles(side):
-    """Where scikit-image looks: not within 5 of the border. It refuses sides below 11; there, everywhere."""
+    """Returns the positions that scikit-image uses: at least 5 from the border. For sides below 11, which scikit-image
+    refuses, all positions."""
     return range(5, side - 5) if side > 10 else range(side)
 
 
 def gaussian_ssim(a, b):
-    """scikit-image's structural_similarity with gaussian_weights, sigma 1.5 and use_sample_covariance=False."""
+    """Equals scikit-image's structural_similarity with gaussian_weights, sigma 1.5 and use_sample_covariance=False."""
     return mean_ssim(a, b, [(x, y) for y in middles(len(a)) for x in middles(len(a[0]))], gaussian_window())
 
 
 def ffmpeg_ssim(a, b):
-    """ffmpeg's: 8x8 blocks every 4 pixels, wholly inside a size rounded down to 4; variances of a sample."""
+    """Equals ffmpeg's ssim: 8x8 blocks every 4 pixels, completely inside a size rounded down to 4; sample variances."""
     places = [(x, y) for y in range(0, len(a) // 4 * 4 - 7, 4) for x in range(0, len(a[0]) // 4 * 4 - 7, 4)]
     return mean_ssim(a, b, places, block_window(), 64 / 63)

@@ -1,5 +1,5 @@
-"""simreel trace and simreel bisect. Another build is imitated by changed shaders ($SIMREEL_GLSL), or by a script that
-calls the program with something added."""
+"""Tests simreel trace and simreel bisect. Changed shaders ($SIMREEL_GLSL), or a script that calls the program with
+further arguments, stand in for another build."""
 import array
 import json
 import os
@@ -17,7 +17,7 @@ GRAVITY = ("cloth/model.glsl", "force * here.w + vec3(stepData.gravity);",
            "force * here.w + vec3(stepData.gravity) * 1.01f;")
 PUSH = ("collide/model.glsl", "precise vec3 pushed = m.position + normal * touch.depth - slid * held;",
         "precise vec3 pushed = m.position + normal * (touch.depth * 1.01f);")
-# Falls flat but for its jitter, so particles reach the ground one after another.
+# A sheet that falls flat except for its jitter, so particles reach the ground one after another.
 HEIGHT, MARGIN = 0.5, 0.01
 FALLING = with_values({"ground": {"height": HEIGHT}, "time.duration": 0.6, "objects.flag.cloth.pins": [],
                        "objects.flag.cloth.position": [0, 0.8, 0], "objects.flag.cloth.rotation": [0, 0, 0],
@@ -26,7 +26,7 @@ PROGRAM_WORD = shlex.quote(str(pathlib.Path(PROGRAM).resolve()) if os.sep in PRO
 
 
 def read_dump(data):
-    """Header, and by name the 32-bit words of each array."""
+    """Returns the header, and the 32-bit words of each array by name."""
     head, _, body = data.partition(b"\n")
     header = json.loads(head)
     arrays = {}
@@ -43,7 +43,7 @@ def as_float(word):
 
 
 def place(word):
-    """Of a float on the line of all floats."""
+    """Maps the bits of a float to an integer in numerical order, for distances in ulps."""
     return -(word & 0x7fffffff) if word >> 31 else word
 
 
@@ -55,12 +55,12 @@ class BisectCase(GoldenCase):
         return read_dump(self.good("trace", "scene.json", f"--dump={frame}:{step}", "-o", "-", **options).stdout)[1]
 
     def mutated(self, mutation):
-        """Environment of the other build, and its command."""
+        """Returns the environment and the command of another build."""
         env = self.mutated_glsl(*mutation)
         return env, f"env SIMREEL_GLSL={shlex.quote(env['SIMREEL_GLSL'])} {PROGRAM_WORD}"
 
     def script(self, text):
-        """A command that stands for another simreel."""
+        """Returns a command that stands in for another simreel."""
         path = self.write("other simreel", "#!/bin/sh\n" + text + "\n")
         path.chmod(0o755)
         return shlex.quote(str(path))
@@ -71,7 +71,8 @@ class BisectCase(GoldenCase):
         return json.loads(done.stdout)
 
     def check_against_dumps(self, found, env):
-        """The difference is what two dumps hold, and one step earlier there is none."""
+        """Checks that the reported difference agrees with dumps of both sides, and that the dumps of the previous step
+        are equal."""
         frame, step = found["frame"], found["step"]
         before = (frame, step - 1) if step > 1 else (frame - 1, found["steps"])
         if before[0] == 0:
@@ -157,7 +158,7 @@ class Trace(BisectCase):
         self.bad(6, "nowhere/x", *trace, "--dump=1:1", "-o", "nowhere/x")
 
     def test_a_reader_that_leaves_ends_it(self):
-        """A day of simulation, of which two lines are read."""
+        """The simulation would take a day; the reader closes the pipe after two lines."""
         with subprocess.Popen([PROGRAM, "trace", "scene.json", "--frames=0-2000000"], cwd=self.folder,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
             self.assertIn(b'"trace"', process.stdout.readline())
@@ -171,7 +172,7 @@ class Trace(BisectCase):
             self.bad(6, "standard output", "trace", "scene.json", stdout=full)
 
     def test_a_lost_state(self):
-        """The frames before it are printed; then the device's error comes."""
+        """The frames before the lost state are printed, then the device error."""
         lost = ["-D", "objects.flag.cloth.stiffness=1e7", "-D", "objects.flag.cloth.mass=0.01"]
         done = self.bad(4, "blew up", "trace", "scene.json", *lost)
         self.assertIn(b'"frame":0', done.stdout)
@@ -217,14 +218,14 @@ class Bisect(BisectCase):
         found = self.bisect(1, "--against", against)["difference"]
         self.assertGreater(found["frame"], 2)
         self.assertEqual(found["array"], "positions")
-        self.assertLess(found["arrays"][0]["differing"], 63)  # one after another
+        self.assertLess(found["arrays"][0]["differing"], 63)  # the particles reach the ground one after another
         here = self.check_against_dumps(found, env)
         step = (found["frame"], found["step"] - 1) if found["step"] > 1 else (found["frame"] - 1, 4)
         before = self.dump(*step)
         lowest = HEIGHT + MARGIN - 1e-6
         self.assertTrue(all(as_float(y) > lowest for y in before["flag.positions"][1::4]))
         self.assertAlmostEqual(as_float(here["flag.positions"][4 * found["element"] + 1]), HEIGHT + MARGIN, 6)
-        # Fewer frames than it takes: the same.
+        # With fewer frames than up to the difference, both sides are equal.
         self.bisect(0, "--against", against, "--frames", str(found["frame"]))
         self.bisect(1, "--against", against, "--frames", str(found["frame"] + 1))
 
@@ -241,7 +242,7 @@ class Bisect(BisectCase):
         self.assertIn(b"the first state, before any step: flag.positions, particle (", done.stdout)
 
     def test_of_two_objects_the_earlier(self):
-        """The second in the scene differs; the first does not."""
+        """The scene's second object differs; its first does not."""
         cloth = SCENE["objects"]["flag"]["cloth"]
         self.write("scene.json", with_values({"objects.sail": {"cloth": {**cloth, "substeps": 7, "mass": 2}}}))
         against = self.script(f'exec {PROGRAM_WORD} "$@" -D objects.sail.cloth.damping=4.9')
@@ -305,7 +306,7 @@ class Failures(BisectCase):
         self.bad_side(6, ["the other side", "status 3", "went wrong"], "echo something went wrong >&2; exit 3")
 
     def test_a_lost_state(self):
-        """Both lose it at the same step: the error of this side."""
+        """Both sides lose the state at the same step: the error is reported for this side."""
         lost = ["-D", "objects.flag.cloth.stiffness=1e7", "-D", "objects.flag.cloth.mass=0.01"]
         self.bad(4, ["this side", "blew up"], "bisect", "scene.json", *lost)
 
@@ -332,7 +333,7 @@ class Failures(BisectCase):
         return False
 
     def waiting_pid(self, *names):
-        """Process ids that scripts wrote."""
+        """Returns process ids that the scripts wrote into files."""
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             texts = [(self.folder / name).read_text() if (self.folder / name).exists() else "" for name in names]
@@ -342,7 +343,7 @@ class Failures(BisectCase):
         self.fail("the script did not start")
 
     def test_no_child_is_left_after_an_error(self):
-        """The other side has a child of its own that would sleep on."""
+        """The other side starts a child process that would keep sleeping."""
         against = self.script("sleep 100000 &\necho $! > sleeping\necho hello\nwait")
         self.bad(6, "prints no trace", "bisect", "scene.json", "--against", against)
         self.assertTrue(self.gone(*self.waiting_pid("sleeping")))

@@ -1,4 +1,5 @@
-"""What CI servers show of a test: annotations, Markdown with pictures, attachments of JUnit; and the steps of tools/ci."""
+"""Tests the results that CI servers display: annotations, Markdown with pictures, JUnit attachments; and the steps of
+tools/ci."""
 import base64
 import os
 import re
@@ -10,7 +11,7 @@ import xml.etree.ElementTree as ElementTree
 from common import PROGRAM, SOURCE, main, png_rows
 from golden_common import RED, GoldenCase, png
 
-# Variables that a server running these tests sets itself.
+# Clears variables that a server running these tests sets itself.
 SERVER = {"GITHUB_ACTIONS": "", "GITHUB_STEP_SUMMARY": "", "CI_PROJECT_DIR": "", "WORKSPACE": ""}
 
 
@@ -45,11 +46,11 @@ class Servers(GoldenCase):
         self.write("scenes/f.test.json", '{\n "test": {"frames": [0], "size": [64, 36], "samples": 1}}')
         found = {title.split()[-2]: (file, int(line)) for _, file, line, title, _ in self.annotations()}
         self.assertEqual(found, {
-            "a": ("scenes/a.json", self.line_of("scenes/a.json", '"flag"')),  # whose picture differs
-            "b": ("scenes/b.json", self.line_of("scenes/b.json", '"mass"') - 1),  # the check
+            "a": ("scenes/a.json", self.line_of("scenes/a.json", '"flag"')),  # scene a: the picture differs
+            "b": ("scenes/b.json", self.line_of("scenes/b.json", '"mass"') - 1),  # scene b: the check fails
             "c": ("scenes/c.json", 3),
             "d": ("scenes/d.json", self.line_of("scenes/d.json", '"test"')),
-            "e": ("scenes/e.json", self.line_of("scenes/e.json", '"flag"')),  # whose state differs
+            "e": ("scenes/e.json", self.line_of("scenes/e.json", '"flag"')),  # scene e: the state differs
             "f": ("scenes/f.test.json", 2)})
 
     def test_nine_annotations_and_one_that_counts(self):
@@ -63,7 +64,7 @@ class Servers(GoldenCase):
         self.assertEqual(made[8][1], "scenes/s08.json")
 
     def pictures(self):
-        """x.png, drawn otherwise than its baseline."""
+        """Makes x.png, which differs from its baseline."""
         def picture(value):
             return png(320, 20, [b"".join(bytes([value, x % 251, 9]) for x in range(320))] * 20)
         self.write("old/x.png", picture(10))
@@ -76,16 +77,16 @@ class Servers(GoldenCase):
     def test_markdown(self):
         self.pictures()
         read = lambda name: (self.folder / name).read_text(encoding="utf-8")
-        # Files: the page shows small those of the report.
+        # Picture files: the page shows the report's pictures in small size.
         self.compare(1, "--markdown", "deep/s.md", "--report", "r & d")
         images = self.images(read("deep/s.md"))
         self.assertEqual([what for _, what in images], ["before", "after", "difference"])
         for address, _ in images:
             self.assertTrue((self.folder / "deep" / urllib.parse.unquote(address)).is_file(), address)
-        # Alone it keeps the pictures beside it.
+        # Without a report, the pictures are stored beside the Markdown file.
         self.compare(1, "--markdown", "s.md")
         self.assertEqual([(self.folder / address).is_file() for address, _ in self.images(read("s.md"))], [True] * 3)
-        # Within the text, as in a job summary; an address; none.
+        # Pictures embedded in the text, as in a job summary; at an address; none.
         summary = self.write("summary", "earlier\n")
         self.compare(1, "--report", "r", "--github", GITHUB_STEP_SUMMARY=str(summary))
         self.assertTrue(read("summary").startswith("earlier\n"))
@@ -107,20 +108,20 @@ class Servers(GoldenCase):
         self.assertEqual([path.rpartition("/")[2] for path in paths], ["actual.png", "expected.png", "difference.png"])
         for path in paths:
             self.assertTrue((self.folder / path).is_file(), path)
-        # The project's folder, where the server says it; else the one that it ran in.
+        # Paths are relative to the project's folder if the server names it, else to the working folder.
         for name in ("CI_PROJECT_DIR", "WORKSPACE"):
             self.compare(1, "--report", "out/r", "--junit", "j.xml", **{name: str(self.folder / "out")})
             self.assertEqual(self.attachments("j.xml")[0], paths[0].removeprefix("out/"))
             self.compare(1, "--report", "out/r", "--junit", "j.xml", **{name: "/nowhere"})
             self.assertEqual(self.attachments("j.xml")[0], str(self.folder / paths[0]))
-        # Nothing that is not kept.
+        # Pictures that are not kept are not attached.
         self.compare(1, "--junit", "j.xml")
         self.assertNotIn("ATTACHMENT", (self.folder / "j.xml").read_text(encoding="utf-8"))
 
 
 def shell_steps(text):
-    """{job: its shell steps in order} of a workflow of GitHub Actions or GitLab, read by indentation; those of what a job extends
-    come first. A step is (its own environment, script)."""
+    """Returns {job: its shell steps in order} of a GitHub Actions or GitLab workflow, parsed by indentation; steps of
+    an extended job come first. A step is (its own environment, script)."""
     jobs, job, steps, bases, env = {}, None, [], {}, {}
     lines = [line for line in text.split("\n") if line.strip() and not line.strip().startswith("#")]
     github = "jobs:" in lines
@@ -158,8 +159,8 @@ def shell_steps(text):
 
 
 class Workflows(GoldenCase):
-    """The shell steps of tools/ci/github.yml and gitlab.yml in a repository that has scenes and nothing of simreel's, on machines
-    that have no simreel until they have installed the package."""
+    """Runs the shell steps of tools/ci/github.yml and gitlab.yml in a repository that contains scenes but no simreel,
+    on machines without simreel until a step installs the package."""
 
     def setUp(self):
         super().setUp()
@@ -167,7 +168,7 @@ class Workflows(GoldenCase):
         self.make_baselines()
         self.set_scene(RED, "b")
         package = self.write("package.deb", "the package")
-        # What fetches and installs: curl gives the package, apt-get installs what it is given and knows.
+        # Stubs: curl copies the package, apt-get installs given files and known packages.
         self.tools = self.folder / "tools"
         self.machines = 0
         stubs = {"curl": f'[ "$1 $2 $4" = "-fsSL -o https://example.com/simreel_amd64.deb" ] && cp "{package}" "$3"',
@@ -178,8 +179,8 @@ class Workflows(GoldenCase):
             self.write(f"tools/{name}", "#!/bin/sh\n" + text.replace("/tmp/simreel.deb", str(self.folder / "fetched.deb")) + "\n").chmod(0o755)
 
     def run_job(self, steps, values, reports, **env):
-        """In a fresh clone on a fresh machine, as far as its own programs go; returns the code of its last step and what it said.
-        Reports of jobs before are put there, and taken from there, as their artifacts are."""
+        """Runs a job in a fresh clone with its own program folder; returns the last step's exit code and the output.
+        Copies reports of earlier jobs in and new reports out, like a server's artifacts."""
         self.machines += 1
         clone, binaries = (self.folder / f"{kind}{self.machines}" for kind in ("clone", "bin"))
         binaries.mkdir()
@@ -195,7 +196,7 @@ class Workflows(GoldenCase):
                 own = {key: text.replace(name, value) for key, text in own.items()}
             script = script.replace("/tmp/simreel.deb", str(self.folder / "fetched.deb"))
             self.assertNotIn("${{", script + "".join(own.values()))
-            if "MESA_SHADER_CACHE_DIR=" in script:  # the cache of this machine's tests does as well, and is full
+            if "MESA_SHADER_CACHE_DIR=" in script:  # uses the tests' own shader cache, which is already filled
                 script = script.replace(script[script.index("export MESA"):].split("\n")[0], ":")
             done = subprocess.run(["bash", "-e", "-c", script], cwd=clone, env={**whole, **own}, capture_output=True, text=True, check=False)
             said += done.stdout + done.stderr
@@ -229,7 +230,7 @@ class Workflows(GoldenCase):
             shutil.rmtree(reports / "all")
         shutil.rmtree(reports / "3")
         code, said = self.run_job(jobs["merge"], {"${{ vars.REPORT_URL }}": ""}, reports, GITHUB_STEP_SUMMARY=str(summary))
-        self.assertIn("no report of shard 3/4", said)  # its machine was lost
+        self.assertIn("no report of shard 3/4", said)  # the machine that ran this shard was lost
 
     def test_gitlab(self):
         text = (SOURCE / "tools/ci/gitlab.yml").read_text(encoding="utf-8")

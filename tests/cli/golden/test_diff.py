@@ -1,4 +1,4 @@
-"""simreel diff: metrics against other programs and definitions, tolerances, sequences, broken files."""
+"""Tests simreel diff: metrics compared with other programs and definitions, tolerances, sequences, broken files."""
 import json
 import math
 import random
@@ -25,7 +25,7 @@ def chunk(kind, body):
 
 
 def png(rows, depth=8, colour=2, interlace=0, extra=b"", level=6, size=None, raw=None):
-    """Rows of pixels (numbers or tuples) as a PNG file, unfiltered."""
+    """Returns rows of pixels (numbers or tuples) as an unfiltered PNG file."""
     if raw is None:
         raw = b"".join(b"\0" + bytes(c for pixel in row for c in (pixel if isinstance(pixel, tuple) else (pixel,)))
                        for row in rows)
@@ -70,7 +70,7 @@ BASE = picture(20, 12, ramp)
 
 
 def changed(pixels, rows=None):
-    """A copy with some pixels ((x, y): colour) set."""
+    """Returns a copy with some pixels ((x, y): colour) changed."""
     return [[pixels.get((x, y), pixel) for x, pixel in enumerate(row)] for y, row in enumerate(rows or BASE)]
 
 
@@ -100,7 +100,7 @@ class Metrics(DiffCase):
                 self.assertAlmostEqual(self.metrics(a, b)["flipMean"], flip_mean(a, b), delta=1e-4)
 
     def ffmpeg(self, name, pattern):
-        """What ffmpeg's filter says of a.png and b.png, compared as RGB."""
+        """Returns the value that an ffmpeg filter prints for a.png and b.png, compared as RGB."""
         graph = f"[0:v]format=gbrp[a];[1:v]format=gbrp[b];[a][b]{name}"
         done = subprocess.run(["ffmpeg", "-nostdin", "-i", "a.png", "-i", "b.png", "-lavfi", graph, "-f", "null", "-"],
                               cwd=self.folder, stderr=subprocess.PIPE, check=True)
@@ -132,7 +132,7 @@ class Metrics(DiffCase):
         for name, (a, b) in PAIRS.items():
             with self.subTest(name):
                 self.write_pair(a, b)
-                # ffmpeg rounds C1 and C2 to whole numbers.
+                # ffmpeg rounds C1 and C2 to integers.
                 self.assertAlmostEqual(ffmpeg_ssim(a, b), self.ffmpeg("ssim", r" All:([0-9.]+)"), delta=1e-4)
 
     @unittest.skipUnless(shutil.which("compare"), "ImageMagick's compare is not installed (tools/setup does)")
@@ -166,7 +166,7 @@ class Pictures(DiffCase):
         self.assertTrue(done.out.endswith("\nequal\n"), done.out)
         for word in ("0 differ", "PSNR            infinite", "SSIM            1.000000", "FLIP mean       0.000000"):
             self.assertIn(word, done.out)
-        # Another encoder and other texts: the same pixels.
+        # Another encoder and other text chunks with the same pixels.
         self.write("b.png", png(BASE, level=0, extra=chunk(b"tEXt", b"Software\0another")))
         self.diff(0, "a.png", "b.png")
         result = self.json(0, "a.png", "b.png")
@@ -195,7 +195,8 @@ class Pictures(DiffCase):
         self.assertEqual(self.diff(1, "a.png", "b.png", "-q").out, "")
 
     def test_bounds(self):
-        self.write_pair(BASE, changed({(2, 2): (55, 44, 190), (9, 9): (88, 93, 155)}))  # by 5 and 3
+        # two pixels differ, by 5 and by 3
+        self.write_pair(BASE, changed({(2, 2): (55, 44, 190), (9, 9): (88, 93, 155)}))
         for code, flags in ((0, ["--max-channel-diff", "5"]), (1, ["--max-channel-diff", "4"]),
                             (0, ["--max-diff-pixels", "2"]), (1, ["--max-diff-pixels", "1"]),
                             (0, ["--max-channel-diff", "4", "--max-diff-pixels", "1"]),
@@ -258,7 +259,7 @@ class Sizes(DiffCase):
         self.assertEqual((found["width"], found["height"], found["metrics"]["ratioBeyond"]), (8, 8, 1))
 
     def test_long_pictures(self):
-        """More than 16384 on a side, of 8 and of 16 bits."""
+        """Pictures with a side above 16384, with 8 and 16 bits."""
         for depth, pixel in ((8, b"\1\2\3"), (16, b"\0\1\0\2\0\3")):
             row = b"\0" + 2 * pixel
             self.write("a.png", png(None, depth=depth, size=(2, 20000), raw=20000 * row))
@@ -266,7 +267,7 @@ class Sizes(DiffCase):
             self.assertEqual(self.json(0, "a.png", "a.png")["height"], 20000)
             metrics = self.json(1, "a.png", "b.png", "--quick")["metrics"]
             self.assertEqual((metrics["differentPixels"], metrics["worstX"], metrics["worstY"]), (1, 1, 19999))
-        # The pixels count: a small file does not take all memory.
+        # The limit applies to the number of pixels: a small file must not allocate all memory.
         self.write("a.png", png(None, size=(100000, 100000), raw=bytes(10000)))
         self.bad(6, ["100000x100000", "million pixels"], "diff", "a.png", "b.png")
 
@@ -302,7 +303,7 @@ class BrokenFiles(DiffCase):
         self.refused(["animated"], png(BASE, extra=chunk(b"acTL", bytes(8))))
 
     def test_pixels_are_missing_inside(self):
-        """Also of two files that are byte for byte the same."""
+        """Refused even if both files are equal byte for byte."""
         self.write("a.png", png(BASE))
         self.write("b.png", png(None, size=(20, 12), raw=bytes(100)))
         self.bad(6, ["b.png"], "diff", "a.png", "b.png")
@@ -334,7 +335,7 @@ class BrokenFiles(DiffCase):
             self.assertEqual(self.json(0, "a.png", "b.png")["result"], "equal")
         self.write("b.png", png([[(g, g, g, 254) for g in row] for row in grey], colour=6))
         self.assertEqual(self.json(1, "a.png", "b.png")["metrics"]["differentPixels"], 24)
-        # Adam7 of a single pixel is that pixel.
+        # Adam7 interlacing of a single pixel is that pixel.
         self.write("a.png", png([[(1, 2, 3)]]))
         self.write("b.png", png([[(1, 2, 3)]], interlace=1))
         self.diff(0, "a.png", "b.png")

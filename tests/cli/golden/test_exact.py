@@ -1,5 +1,5 @@
-"""Pictures of the exact rasterizer: the same bytes on both memory paths, near the driver's; what it refuses. The baselines
-hold their bytes on every machine (`simreel test`)."""
+"""Tests pictures of the exact rasterizer: equal bytes on both memory paths, close to the driver's rasterizer, and
+refused settings. Baselines hold the exact bytes on every machine (`simreel test`)."""
 import concurrent.futures
 import json
 import os
@@ -11,17 +11,17 @@ from common import PROGRAM, Case, main
 
 BOTH_PATHS = ["flag", "ripple", "sparks"]
 
-# Both rasterizers draw pictures so many times as large, and means of so many by so many pixels are compared: at this size itself
-# edges alone, with samples at other places, come to more than the bound. (width, height, times)
+# (width, height, factor): both rasterizers draw pictures larger by this factor, and means over factor x factor pixels
+# are compared. At the original size, edges alone exceed the bound, because the sample positions differ.
 SIZE = (150, 84, 4)
-# Scenes of blades, crests, darts and grains that are narrower than the distance of samples even then.
+# Scenes with details (blades, crests, darts, grains) that are narrower than the sample spacing even at that size.
 FINE = (75, 42, 16)
 FINE_SCENES = {"cascade", "cave", "cave_map", "leather", "meadow", "raft", "sparks", "swarm", "waves"}
 FLIP = 0.01
-# Surfaces with textures, fields, glows; all scenes where SIMREEL_LONG says so.
+# Scenes with surfaces with textures, fields and glows; with SIMREEL_LONG all scenes.
 FEW = ["contour", "flag", "sparks"]
 LONG = os.environ.get("SIMREEL_LONG") == "1"
-# Frames of scenes that show little in their first.
+# Later frames for scenes whose first frame shows little.
 LATER = dict.fromkeys(("collision", "contour", "raft", "ripple", "snow", "tablecloth", "waves"), 8)
 
 
@@ -36,7 +36,7 @@ class Pictures(Case):
     def mean_picture(self, scene, frame, rasterizer):
         columns, rows, times = FINE if scene in FINE_SCENES else SIZE
         width, height = times * columns, times * rows
-        # The driver's draws drafts alone.
+        # The driver's rasterizer supports only drafts.
         done = exact_pictures.render(PROGRAM, scene, "-", "--rasterizer", rasterizer, "--frames", frame, "-D", "render.quality=draft",
                                      size=f"{width}x{height}")
         self.assertEqual((done.returncode, len(done.stdout)), (0, 4 * width * height), done.stderr)

@@ -1,5 +1,5 @@
-"""`simreel test` in several processes and on several machines: --jobs, --shard, `simreel report merge`, and accepting what
-they made."""
+"""Tests `simreel test` in several processes and on several machines: --jobs, --shard, `simreel report merge`, and
+accepting merged results."""
 import json
 import os
 import pathlib
@@ -10,7 +10,7 @@ import signal
 from common import PATIENCE, SLOW, main
 from golden_common import HAIR, RED, TESTED, GoldenCase, with_values
 
-# A scene that takes hours.
+# A scene that would take hours.
 LONG = with_values({**SLOW, "time.duration": 3000, "test": {"frames": [89999], "size": [64, 36], "samples": 1}}, TESTED)
 TIMES = re.compile(rb'"(seconds|simulateSeconds)": ?[0-9.e+-]+|"(command|acceptCommand)": ?"[^"]*"')
 
@@ -23,8 +23,8 @@ def alive(pid):
 
 
 class Several(GoldenCase):
-    """Four scenes that are the same, and nobody changes one by running it."""
-    made = {}  # the baselines of one, made once
+    """Base class with four equal scenes that no test run modifies."""
+    made = {}  # baselines of one scene, made once for all tests
 
     def setUp(self):
         super().setUp()
@@ -40,24 +40,25 @@ class Several(GoldenCase):
                 self.write(f"scenes/golden/{name}/{path}", content)
 
     def same_but_times(self, one, other):
-        """Two report folders. The page is made of report.json alone, which it holds packed, with times and commands."""
+        """Compares two report folders. index.html is compared only through report.json, because it contains report.json
+        compressed, with times and commands."""
         def told(name):
-            # A picture's bytes may hold the folder's name by chance.
+            # A picture's bytes may contain the folder's name by chance.
             return {path: content if path.endswith(".png") else TIMES.sub(b"", content.replace(name.encode(), b"R"))
                     for path, content in self.tree(name).items()}
         one, other = told(one), told(other)
         self.assertEqual(sorted(one), sorted(other))
-        # Not their bytes, of which a difference takes minutes to print.
+        # Compares names instead of bytes, because printing a difference of bytes would take minutes.
         self.assertEqual([name for name in one if one[name] != other[name] and name != "index.html"], [])
 
     def workers_of(self, process):
         return [int(word) for word in pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()]
 
     def wait_for_the_last(self, process):
-        """The one worker that is left, after the program has seen another one end."""
+        """Waits until the program has seen a worker end, and returns the remaining worker."""
         def only():
             found = self.workers_of(process)
-            # Faults of pages are counted for children that were waited for.
+            # The kernel counts page faults of children that were waited for.
             ended = int(pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()[8])
             return found if len(found) == 1 and ended > 0 else None
         found = self.wait_until(only, process)
@@ -67,7 +68,7 @@ class Several(GoldenCase):
 
 class Jobs(Several):
     def test_reports_are_the_same(self):
-        """Of scenes that pass, fail, are missing, are no scenes, and of baselines without a scene."""
+        """Covers scenes that pass, fail, are missing or invalid, and baselines without a scene."""
         self.make_baselines()
         self.set_scene(RED, "b")
         self.set_scene({"checks": [{"what": "mass", "max": 0.001}]}, "d")
@@ -94,7 +95,7 @@ class Jobs(Several):
         shutil.rmtree(self.golden())
         self.good("test", "scenes", "--update", "--repeat", "1", "--jobs", "4")
         self.assertEqual(self.tree("scenes/golden"), one)
-        # Of two new scenes that look like one that is gone, the first takes its baseline: whoever is quicker.
+        # Two new scenes look like a removed one: the first in order takes its baseline, whichever finishes first.
         (self.folder / "scenes/b.json").unlink()
         for name in ("m", "n", "o"):
             self.set_scene(RED, name)
@@ -106,7 +107,7 @@ class Jobs(Several):
         self.make_baselines()
         self.write("scenes/b.json", LONG)
         process = self.start("test", "scenes", "--jobs", "2", "--report", "r", "--repeat", "1")
-        for worker in self.wait_for_the_last(process):  # the long scene's
+        for worker in self.wait_for_the_last(process):  # the remaining worker has the long scene
             os.kill(worker, signal.SIGKILL)
         process.communicate(timeout=PATIENCE)
         self.assertEqual(process.returncode, 4)
@@ -120,7 +121,7 @@ class Jobs(Several):
         self.write("scenes/b.json", LONG)
         process = self.start("test", "scenes", "--jobs", "2", "--report", "r", "--repeat", "1", "--retries", "1")
         first = self.wait_for_the_last(process)
-        # By the second try it is a scene that passes.
+        # The second attempt runs a scene that passes.
         self.set_scene({}, "b")
         os.kill(first[0], signal.SIGKILL)
         process.communicate(timeout=PATIENCE)
@@ -133,7 +134,8 @@ class Jobs(Several):
         self.assertRegex(tried["messages"][0], "^passed on try 2; before that: .*signal 9")
 
     def test_a_scene_that_takes_too_long_is_ended(self):
-        """Others go on: `unit: base/workers`, by processes that take no time."""
+        """Only the timeout is tested here; `unit: base/workers` tests with fast processes that other workers
+        continue."""
         self.write("scenes/b.json", LONG)
         done = self.run_program("test", "scenes/b.json", "--report", "r", "--repeat", "1", "--timeout", "2")
         self.assertEqual(done.returncode, 4, done.err)
@@ -173,7 +175,7 @@ class Jobs(Several):
         self.bad(2, "--timeout", "test", "--expected", "scenes", "--actual", "scenes/golden", "--timeout", "9")
 
     def test_commands_run_at_once(self):
-        """Each waits for the other."""
+        """Each command waits for a file of the other, so the test only ends if both run at once."""
         for name in ("x", "y"):
             self.write(f"in/{name}.txt", name)
         command = ("cp scenes/golden/a/any/000000.png {output}; touch here-$(basename {scene}); "
@@ -335,7 +337,8 @@ class Accepting(Several):
         self.bad(1, "in/x.txt has changed since that run", "accept", "r")
 
     def test_two_runs_at_once(self):
-        """Who writes the same baselines may be stopped by the other: every file is whole, and once more mends the rest."""
+        """One run may stop with an error because the other writes the same baselines: every file stays complete, and a
+        further run repairs the rest."""
         both = [self.start("test", "scenes/a.json", "scenes/b.json", "--repeat", "1", "--update", "--jobs", "2", "--report", f"r{i}") for i in range(2)]
         for process in both:
             self.assertIn(process.wait(timeout=PATIENCE), (0, 6))

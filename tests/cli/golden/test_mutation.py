@@ -1,5 +1,6 @@
-"""The shipped scenes guard the shipped simulations: one constant of a simulation 1 % off, and `simreel test` fails
-for every scene that has one. A simulation that is not listed here has its first number with a point put 1 % off."""
+"""Checks that the shipped scenes detect errors in the shipped simulations: with one constant of a simulation changed by
+1 %, `simreel test` must fail for every scene that contains that simulation. For a simulation without an entry here, the
+first decimal number in its code is changed by 1 %."""
 import json
 import os
 import pathlib
@@ -9,7 +10,7 @@ import shutil
 from common import SOURCE, main
 from golden_common import GoldenCase
 
-# kind of object: (file, text that stands there once, the text with one constant 1 % off)
+# kind of object: (file, text that occurs there once, the text with one constant changed by 1 %)
 MUTATIONS = {
     "cloth": ("cloth/model.glsl", "precise vec3 v = (velocity + acceleration * stepData.dt) * stepData.kept;",
               "precise vec3 v = (velocity + acceleration * (stepData.dt * 1.01f)) * stepData.kept;"),
@@ -23,34 +24,35 @@ MUTATIONS = {
               "precise vec2 start = p - velocity * (stepData.dt * 1.01f);"),
     "grayScott": ("gray_scott/model.glsl", "rates.feed * (1.0f - u)", "rates.feed * (1.01f - u)"),
     "reaction": ("reaction/grid.glsl", "precise vec4 rest = raised - grain;", "precise vec4 rest = (raised - grain) * 1.01;"),
-    # Counts have no percent: a carry of the adder is wrong.
+    # Life has only integer counts, so a carry of the adder is wrong instead.
     "life": ("life/model.glsl", "WORD carry = highs.low & lows.high;", "WORD carry = highs.low & ~lows.high;"),
     "epidemic": ("spread/epidemic/step.comp", "uvec4 threshold = mix(infection,",
                  "uvec4 threshold = mix(infection / 100u * 101u,"),
-    # Products of users' kernels.
+    # Users' kernels: their multiplication is 1 % off.
     "kernels": ("kernels/numbers.glsl", "precise float p = a * b;", "precise float p = a * b * 1.01;"),
     "image": ("kernels/numbers.glsl", "precise float p = a * b;", "precise float p = a * b * 1.01;"),
-    # Of nine cells, one that counts for nothing.
+    # Caves: one of the nine cells is ignored.
     "cave": ("cave/model.glsl", "return three | (exactlyTwo & ones.one);", "return three | (exactlyTwo & above.one);"),
     "contour": ("contour/classify.comp", "value >= levels[i] ?", "value >= levels[i] * 1.01 ?"),
     "wildfire": ("spread/wildfire/step.comp", "uint weight = fuelWeight(byteOf(fuel, k));",
                  "uint weight = fuelWeight(byteOf(fuel, k)) * 99u / 100u;"),
 }
-# Scenes that other shaders of their kind run.
+# Scenes whose kind runs other shaders than usual.
 OTHERS = {"wireworld": ("life", ("automata/step.comp", "node = child(node, cellOf(here, j + 1));", "node = child(node, cellOf(here, j));"))}
-SCENERY = {"sphere", "capsule", "plane", "text", "chart"}  # nothing of theirs is simulated
-FRAMES = 3  # after the first one
-LATER = {"cave_map": 24, "wireworld": 24}  # rock that is still for some time, electrons far from each other
-# Simulations of particles, of cells and of a grid of numbers, a listed mutation and a derived one; all of them, and all that have
-# a kind, where SIMREEL_LONG says so.
+SCENERY = {"sphere", "capsule", "plane", "text", "chart"}  # kinds of objects that are not simulated
+FRAMES = 3  # number of the frame that is compared, after frame 0
+LATER = {"cave_map": 24, "wireworld": 24}  # rock changes late in cave_map; electrons are far apart in wireworld
+# Simulations of particles, of cells and of a grid of numbers, with a listed mutation and a derived one; with
+# SIMREEL_LONG all scenes and kinds.
 FEW = {"contour", "epidemic", "flag", "rain", "sparks"}
 EVERY = os.environ.get("SIMREEL_LONG") == "1"
-# Seconds to their first frame where there is no GPU; each has kinds that other scenes have, too.
+# Scenes that take seconds to their first frame without a GPU; other scenes contain the same kinds.
 LONG_SCENES = set((SOURCE / "tests/long_scenes.txt").read_text(encoding="utf-8").split())
 
 
 def derived_mutation(kind):
-    """The first decimal number in the code of the kind's shader folder, model.glsl first, or nothing."""
+    """Returns a mutation of the first decimal number in the code of the kind's shader folder, model.glsl first; None if
+    there is no number."""
     folder = SOURCE / "glsl" / re.sub(r"[A-Z]", lambda m: "_" + m[0].lower(), kind)
     files = [*folder.glob("*.glsl"), *folder.glob("*.comp")]
     for file in sorted(files, key=lambda f: (f.name != "model.glsl", f.name)):
@@ -71,13 +73,13 @@ class Mutation(GoldenCase):
         return [f for f in self.shipped() if EVERY or f.stem in FEW]
 
     def read(self, file):
-        # A string is kept, a comment goes.
+        # Removes comments but keeps strings.
         text = re.sub(r'("(?:\\.|[^"\\])*")|//[^\n]*', lambda m: m.group(1) or "", file.read_text(encoding="utf-8"))
         return json.loads(text)
 
     def shortened(self, file):
-        """The scene's first frames from the moment that its simulations start; pictures are tiny, what is 1 % off shows in
-        the state. A whole run of the scene begins with the same steps, so its own baselines notice the same."""
+        """Shortens a scene to its first frames, without pre-roll. Pictures are tiny, because a change of 1 % shows in
+        the state. A full run of the scene starts with the same steps, so its baselines detect the change too."""
         scene = self.read(file)
         scene["time"]["start"] = 0
         scene["test"] = {"frames": [0, LATER.get(file.stem, FRAMES)], "size": [16, 9]}
@@ -86,7 +88,8 @@ class Mutation(GoldenCase):
 
     def has_kind(self, file, kind):
         things = [thing[kind] for thing in self.read(file)["objects"].values() if kind in thing]
-        return any(kind != "mesh" or "deform" in thing for thing in things)  # without, a mesh is scenery
+        # a mesh without deformation is not simulated
+        return any(kind != "mesh" or "deform" in thing for thing in things)
 
     def mutations(self):
         simulations = self.good("list").stdout.decode().split("\n\n")[0]

@@ -1,5 +1,5 @@
-"""The passes of exact pictures: `simreel trace --passes`, `bisect --passes`, and what `simreel test` says of a picture
-that differs. Another build is imitated by a copy of the shaders with one constant changed."""
+"""Tests the passes of exact pictures: `simreel trace --passes`, `bisect --passes`, and the messages of `simreel test`
+about a differing picture. A copy of the shaders with one constant changed stands in for another build."""
 import array
 import json
 import os
@@ -25,7 +25,7 @@ SCENE = with_values({
     "test": {"frames": [0, 2], "size": [WIDTH, HEIGHT], "samples": SAMPLES},
 }, TESTED)
 
-# Pass: (file, text that stands there once, the text with another constant)
+# Pass: (file, text that occurs there once, the text with another constant)
 CHANGES = {
     "visibility": ("draw/exact/triangles/triangle.glsl", "v.x * perDepth * 256.0f + 0.5f", "v.x * perDepth * 256.0f + 9.5f"),
     "shadow": ("draw/exact/triangles/vertices.comp", "precise float near = 1.0f - place.z;",
@@ -39,7 +39,7 @@ PROGRAM_WORD = shlex.quote(str(pathlib.Path(PROGRAM).resolve()) if os.sep in PRO
 
 
 def read_passes(data):
-    """Header, and of each part of a pass its 32-bit words, item by item."""
+    """Returns the header, and the 32-bit words of each part of a pass, item by item."""
     head, _, body = data.partition(b"\n")
     header = json.loads(head)
     items = {}
@@ -58,7 +58,7 @@ class PassCase(GoldenCase):
         self.write("scene.json", SCENE)
 
     def changed(self, change):
-        """Environment of the other build, and its command."""
+        """Returns the environment and the command of another build."""
         env = self.mutated_glsl(*change)
         return env, f"env SIMREEL_GLSL={shlex.quote(env['SIMREEL_GLSL'])} {PROGRAM_WORD}"
 
@@ -82,7 +82,7 @@ class Trace(PassCase):
             self.assertEqual(list(line["passes"]), PASSES)
             for text in line["passes"].values():
                 self.assertRegex(text, r"\A[0-9a-f]{16}\Z")
-        for name in ("visibility", "light", "picture"):  # the cloth falls
+        for name in ("visibility", "light", "picture"):  # these passes differ between frames because the cloth falls
             self.assertEqual(len({line["passes"][name] for line in lines}), 3, name)
         for path in ("storage", "texel"):
             self.assertEqual(self.lines("--frames=0-2", "--memory-path", path), lines)
@@ -124,7 +124,7 @@ class Bisect(PassCase):
         self.good("bisect", "still.json", "--passes", "--frames=1")
 
     def preferred(self, pixels, drawn):
-        """The first that shows one thing only, or else of all."""
+        """Returns the first pixel that shows only one object, or else the first pixel."""
         header, items = drawn
         firsts = [one["first"] for one in header["things"]]
 
@@ -134,7 +134,7 @@ class Bisect(PassCase):
         return (alone or pixels)[0]
 
     def check(self, found, here, there):
-        """What was found is the first that differs of two dumps."""
+        """Checks that the reported difference is the first one in dumps of both sides."""
         (header, ours), (_, theirs) = here, there
         for part, items in ours.items():
             if PASSES.index(part[0]) < PASSES.index(found["pass"]):
@@ -258,7 +258,7 @@ class Test(PassCase):
         self.assertIn("not known to the baseline", place["message"])
 
     def test_updating_renews_hashes_alone(self):
-        """Where a pass is not as it was and the picture is."""
+        """Covers a pass whose hash changed while the picture is unchanged."""
         before, files = self.baseline(), self.tree("scenes/golden")
         self.edit_json(self.golden("a/any/baseline.json"), lambda b: b["frames"]["2"]["passes"].update(light="0" * 16))
         self.assertIn("wrote hashes of passes", self.one(0, "--update")["notes"][0])

@@ -1,4 +1,5 @@
-"""simreel test --expected DIR: pictures of any program, their baselines, rules, and commands that make them."""
+"""Tests simreel test --expected DIR: pictures of any program, their baselines, rules, and commands that make
+pictures."""
 import json
 import math
 import shutil
@@ -32,13 +33,13 @@ def changed(pixels, at=ramp, **options):
 
 
 def with_chunk(data, name, body):
-    """A PNG with one more chunk before its pixels."""
+    """Returns a PNG with one more chunk before its pixels."""
     made = struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
     return data[:33] + made + data[33:]
 
 
 def radiance(rows):
-    """Flat RGBE scanlines."""
+    """Returns a Radiance file with uncompressed RGBE scanlines."""
     return (f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {len(rows)} +X {len(rows[0])}\n".encode()
             + b"".join(bytes(pixel) for row in rows for pixel in row))
 
@@ -54,7 +55,7 @@ class PicturesCase(Case):
         self.write(f"actual/{name}", expected if actual is None else actual)
 
     def suite(self, code, *arguments, actual=("--actual", "actual"), **options):
-        """Runs the test, expects the code, returns the results by name and the run."""
+        """Runs the test, checks the exit code, and returns the results by name and the run."""
         done = self.run_program("test", "--expected", "expected", *actual, "--json", "report.json", *arguments, **options)
         done.out = done.stdout.decode("utf-8", "replace")
         self.assertEqual(done.returncode, code, (arguments, done.err, done.out))
@@ -75,7 +76,8 @@ class Kinds(PicturesCase):
         for name, data, other in (
                 ("rgb.png", picture(), changed({(3, 4): (0, 0, 0)})),
                 ("deep.png", picture(lambda x, y: (x * 2000, y * 3000, 7), depth=16),
-                 picture(lambda x, y: (x * 2000 + (x == 3), y * 3000, 7), depth=16)),  # by 1 of 65535
+                 # 16-bit pictures that differ by 1 of 65535
+                 picture(lambda x, y: (x * 2000 + (x == 3), y * 3000, 7), depth=16)),
                 ("grey.png", picture(grey, kind=0), changed({(0, 0): (9,)}, grey, kind=0)),
                 ("deep grey.png", picture(lambda x, y: (x * 999,), depth=16, kind=0),
                  picture(lambda x, y: (x * 999 + (y == 1),), depth=16, kind=0)),
@@ -83,7 +85,7 @@ class Kinds(PicturesCase):
                 ("sub folder/alpha.png", picture(lambda x, y: (*ramp(x, y), 255), kind=6),
                  picture(lambda x, y: (*ramp(x, y), 255 - (x == 2)), kind=6)),
                 ("grey alpha.png", picture(lambda x, y: (x, 200), kind=4), picture(lambda x, y: (x, 200 - (y == 3)), kind=4)),
-                # What nobody sees is compared as well.
+                # Colours of transparent pixels are compared too.
                 ("under.png", picture(lambda x, y: (1, 2, 3, 0), kind=6), picture(lambda x, y: (9, 2, 3, 0), kind=6))):
             with self.subTest(name):
                 self.both(name, data)
@@ -107,7 +109,7 @@ class Kinds(PicturesCase):
         self.good("diff", "expected/a.png", "expected/a.png")
 
     def test_differences_below_an_eighth_bit(self):
-        """By 1 of 65535, which 8 bits do not show: told, measured and failed."""
+        """A difference of 1 of 65535, invisible in 8 bits, is reported, measured and fails."""
         self.both("a.png", picture(lambda x, y: (x * 2000, 0, 7), depth=16), picture(lambda x, y: (x * 2000 + 1, 0, 7), depth=16))
         results, _ = self.suite(1)
         metrics = results["a.png"]["frames"][0]["metrics"]
@@ -142,7 +144,7 @@ class Kinds(PicturesCase):
         results, _ = self.suite(1)
         metrics = results["a.hdr"]["frames"][0]["metrics"]
         self.assertEqual((metrics["differentPixels"], metrics["worstX"], metrics["worstY"]), (1, 5, 2))
-        # Two that are cut off alike are not equal.
+        # Two files truncated at the same place are not equal.
         for folder in ("expected", "actual"):
             self.write(f"{folder}/a.hdr", radiance(rows)[:-3])
         results, _ = self.suite(6)
@@ -195,13 +197,13 @@ class Kinds(PicturesCase):
 
 
 class Layers(PicturesCase):
-    """Channels of OpenEXR files that no screen shows."""
+    """Channels of OpenEXR files that are not displayed."""
     SIZE = (6, 4)
     COUNT = SIZE[0] * SIZE[1]
     MATTE = {"cryptomatte/0123456/name": "Crypto"}
 
     def exr(self, changes=None, without=(), more=None, part=None, display=None):
-        """With values of some channels changed: {"Z": {pixel: value}}."""
+        """Returns an OpenEXR file with values of some channels changed: {"Z": {pixel: value}}."""
         channels = {"R": (1, [0.25] * self.COUNT), "G": (1, [0.5] * self.COUNT), "B": (1, [0.75] * self.COUNT),
                     "Z": (2, [3.0 + i for i in range(self.COUNT)]), "N.X": (2, [0.5] * self.COUNT), "id": (0, list(range(self.COUNT))),
                     "Crypto00.R": (2, [1e-30] * self.COUNT), "Crypto00.G": (2, [1.0] * self.COUNT), **(more or {})}
@@ -238,16 +240,16 @@ class Layers(PicturesCase):
         self.assertEqual((self.folder / "expected/a.exr").read_bytes(), (self.folder / "actual/a.exr").read_bytes())
 
     def test_bounds_and_masks(self):
-        self.both("a.exr", self.exr(), self.exr({"Z": {8: 11.01}}))  # 2.55 of 255
+        self.both("a.exr", self.exr(), self.exr({"Z": {8: 11.01}}))  # channel Z differs by 2.55 of 255
         for bound, code in (("2", 1), ("3", 0)):
             self.suite(code, "--max-channel-diff", bound)
         self.write("mask.png", picture(lambda x, y: ((255,) if (x, y) == (2, 1) else (0,)), size=self.SIZE, kind=0))
         self.suite(0, "--mask", "mask.png")
         self.write("actual/a.exr", self.exr({"Crypto00.R": {3: 2e-30}}))
-        self.suite(1, "--max-channel-diff", "254")  # another object is another object
+        self.suite(1, "--max-channel-diff", "254")  # a tolerance does not apply to object ids
 
     def test_what_has_no_size(self):
-        """No bound excuses it."""
+        """No tolerance allows different sets of channels."""
         more = {"depth": (2, [1.0] * self.COUNT)}
         for a, b, words in ((self.exr(), self.exr(without=("Z", "id")), "only the baseline has Z, id"),
                             (self.exr(), self.exr(more=more), "only the picture has depth"),
@@ -287,9 +289,9 @@ class Differences(PicturesCase):
         self.assertIn(f"the picture is {WIDTH - 4}x{HEIGHT + 2}, its baseline {WIDTH}x{HEIGHT}; compared as "
                       f"{WIDTH}x{HEIGHT + 2}, padded", done.out)
         frame = results["a.png"]["frames"][0]
-        # 4 columns of the baseline, 2 rows of the picture.
+        # Counts 4 columns that only the baseline has, and 2 rows that only the picture has.
         self.assertEqual(frame["metrics"]["differentPixels"], 4 * HEIGHT + 2 * (WIDTH - 4))
-        self.suite(1, "--max-diff-ratio", "1")  # no bound excuses it
+        self.suite(1, "--max-diff-ratio", "1")  # no tolerance applies to different sizes
 
     def test_missing_and_renamed(self):
         self.both("same.png", picture())
@@ -324,7 +326,7 @@ class Differences(PicturesCase):
         self.assertEqual(self.statuses(0, "--update"), {"a.png": "updated"})
         self.assertEqual([p.relative_to(self.folder).as_posix() for p in self.folder.glob("expected/**/*.png") if "report/" not in str(p)],
                          ["expected/a.png"])
-        # Nor are those of a folder within the other.
+        # A folder within the other one is refused too.
         self.usage(["actual/golden lies below actual"], "--expected", "actual/golden", "--actual", "actual", "--update")
         (self.folder / "expected/new").mkdir()
         self.usage(["expected/new lies below expected"], "--expected", "expected", "--actual", "expected/new")
@@ -349,7 +351,8 @@ class Differences(PicturesCase):
         results, _ = self.suite(0)
         self.assertIn("gamma 1", results["a.png"]["notes"][0])
         self.assertIn("note: ", self.good("diff", "expected/a.png", "actual/a.png").stdout.decode())
-        self.write("expected/a.png", with_chunk(picture(), b"gAMA", struct.pack(">I", 45455)))  # what sRGB is
+        # a gAMA chunk with the value of sRGB
+        self.write("expected/a.png", with_chunk(picture(), b"gAMA", struct.pack(">I", 45455)))
         self.write("actual/a.png", with_chunk(picture(), b"sRGB", b"\0"))
         results, _ = self.suite(0)
         self.assertEqual(results["a.png"]["notes"], [])
@@ -402,7 +405,7 @@ class Differences(PicturesCase):
 
 class Allowances(PicturesCase):
     def test_rules_by_folder_and_name(self):
-        self.both("ui/a.png", picture(), changed({(3, 4): (23, 37, 8)}))  # by 2
+        self.both("ui/a.png", picture(), changed({(3, 4): (23, 37, 8)}))  # one pixel differs by 2
         self.both("b.png", picture(), changed({(3, 4): (23, 37, 8)}))
         self.write("rules.json", """{ // what holds for all, then for some
             "tolerance": {"maxChannelDiff": 1},
@@ -411,7 +414,7 @@ class Allowances(PicturesCase):
         self.assertEqual((results["ui/a.png"]["status"], results["b.png"]["status"]), ("pass", "fail"))
         self.assertEqual(results["ui/a.png"]["tolerance"]["maxChannelDiff"]["origin"], 'rules.json, "ui/"')
         self.assertIn('rules.json, "none*" matches no picture', done.out)
-        self.suite(0, "--rules", "rules.json", "--max-channel-diff", "2")  # the command line is stronger
+        self.suite(0, "--rules", "rules.json", "--max-channel-diff", "2")  # the command line overrides the rules
         self.write("rules.json", '{"pictures": [{"match": "b.png", "xfail": "known"}, {"match": "ui/a", "xfail": "gone"}]}')
         self.assertEqual(self.statuses(0, "--rules", "rules.json"), {"ui/a.png": "xfail", "b.png": "xfail"})
         self.write("actual/b.png", picture())
@@ -457,7 +460,7 @@ class Allowances(PicturesCase):
         self.suite(1, "--search-radius", "1")
         results, _ = self.suite(0, "--search-radius", "2")
         self.assertEqual(results["a.png"]["frames"][0]["metrics"]["movedPixels"], 20)
-        # What is not there at all is not excused.
+        # Content that is missing entirely is not found by the search.
         self.write("actual/a.png", picture(lambda x, y: (0, 0, 0)))
         self.suite(1, "--search-radius", "2")
 
@@ -471,7 +474,7 @@ class Allowances(PicturesCase):
         self.suite(1)
         results, _ = self.suite(0, "--ignore-antialiased")
         self.assertGreater(results["a.png"]["frames"][0]["metrics"]["antialiasedPixels"], 0)
-        self.write("actual/a.png", slope(8, False))  # another edge
+        self.write("actual/a.png", slope(8, False))  # the edge is at another place
         self.suite(1, "--ignore-antialiased")
 
 
@@ -494,7 +497,7 @@ class Commands(PicturesCase):
         self.assertIn("made no picture", results["one"]["messages"][0])
 
     def test_one_of_the_scenes(self):
-        """What was not named is neither tested, nor removed, nor taken for renamed."""
+        """Pictures of scenes that were not named are not tested, removed or treated as renamed."""
         for name in ("one", "two", "three"):
             self.write(f"in/{name}.txt", changed({(1, 1): (len(name), 1, 1)}))
         run = ("--run", "cp {scene} {output}")
@@ -503,10 +506,10 @@ class Commands(PicturesCase):
         self.assertEqual(self.statuses(0, "in/one.txt", actual=run), {"one.png": "pass"})
         self.bad(2, ["--update=prune has to know all scenes, and in/one.txt is one of them"], "test", "--expected", "expected", *run,
                  "in/one.txt", "--update=prune")
-        self.write("in/new.txt", baselines["two.png"])  # the pixels of a scene that is not tested here
+        self.write("in/new.txt", baselines["two.png"])  # same pixels as a scene that is not tested here
         self.assertEqual(self.statuses(0, "in/new.txt", "--update", actual=run), {"new.png": "updated"})
         self.assertEqual(self.content("expected"), {**baselines, "new.png": baselines["two.png"]})
-        # Of the whole folder: what is gone is stale.
+        # The whole folder is tested, so a baseline without a scene is stale.
         (self.folder / "in/two.txt").unlink()
         (self.folder / "in/new.txt").unlink()
         self.assertEqual(self.statuses(1, "in", actual=run)["two.png"], "fail")
@@ -514,7 +517,7 @@ class Commands(PicturesCase):
         self.assertEqual(sorted(self.content("expected")), ["one.png", "three.png"])
 
     def test_names_are_no_commands(self):
-        """Wherever a placeholder stands, a file's name is one argument or refused."""
+        """Wherever the placeholder stands, a file's name is passed as one argument or refused."""
         names = ["a$(touch PWNED)", "b`touch PWNED`", "c';touch PWNED;'", 'd";touch PWNED;"', "e f", "g\\", "h&touch PWNED&", "i\nj"]
         for name in names:
             self.write(f"in/{name}.txt", picture())
@@ -530,7 +533,7 @@ class Commands(PicturesCase):
                 for result in results.values():
                     self.assertIn('write "$SIMREEL_SCENE" there instead of {scene}', result["messages"][0])
         self.assertEqual([str(p) for p in self.folder.rglob("PWNED*")], [])
-        # A name that no shell takes for anything else may stand there.
+        # A name without special characters is allowed inside a shell string.
         shutil.rmtree(self.folder / "expected")
         self.write("plain/one.txt", picture())
         self.assertEqual(self.statuses(0, "plain", "--update", actual=("--run", "sh -c 'cp {scene} {output}'")), {"one.png": "updated"})
@@ -604,7 +607,7 @@ class Reports(PicturesCase):
         self.good("accept", "out")
         self.assertEqual((self.folder / "expected/a.png").read_bytes(), (self.folder / "actual/a.png").read_bytes())
         self.assertIn("already accepted", self.good("accept", "out").stdout.decode())
-        # Somebody was faster.
+        # Someone else changes the baseline after the test.
         self.write("expected/a.png", changed({(9, 9): (255, 0, 0)}))
         done = self.run_program("accept", "out")
         self.assertEqual(done.returncode, 1)

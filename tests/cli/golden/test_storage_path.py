@@ -1,6 +1,7 @@
-"""Shipped scenes on the storage path, the way GPUs read memory: the same state as in their baselines, and exact pictures
-equal in every byte. One of each kind of simulation, at its second tested frame: arithmetic is the texel path's, whose test
-goes to the last one of all; what differs is how each kernel reads and writes. All of them: tools/drivers."""
+"""Tests shipped scenes on the storage path, the memory path of GPUs: the state must equal the baselines, and exact
+pictures must be equal in every byte. Tests one scene of each kind of simulation, at its second tested frame: both paths
+share their arithmetic, and the test of the texel path runs to the last frame; only the kernels' memory accesses differ.
+tools/drivers tests all scenes."""
 import json
 import re
 import shutil
@@ -8,7 +9,7 @@ import shutil
 from common import SOURCE, Case, main
 
 LONG = set((SOURCE / "tests/long_scenes.txt").read_text(encoding="utf-8").split())
-# Cheap ones, and two in standard quality: ambient occlusion on this path is tested here. Others follow by name.
+# Cheap scenes, and two in standard quality, which cover ambient occlusion on this path. Further scenes follow by name.
 FIRST = ["cape", "cascade", "cave_map", "crystal", "ripple", "street"]
 
 
@@ -23,7 +24,7 @@ class StoragePath(Case):
         chosen, qualities = [], set()
         for name in names:
             text = (SOURCE / f"assets/scenes/{name}.json").read_text(encoding="utf-8")
-            # A string is kept, a comment goes.
+            # Removes comments but keeps strings.
             scene = json.loads(re.sub(r'("(?:\\.|[^"\\])*")|//[^\n]*', lambda m: m.group(1) or "", text))
             new = kinds & {kind for thing in scene["objects"].values() for kind in thing}
             if not new:

@@ -1,4 +1,4 @@
-"""Verdicts of `simreel test`, and `simreel accept`, as a user meets them."""
+"""Tests the verdicts of `simreel test`, and `simreel accept`, through the command line."""
 import json
 import shutil
 
@@ -55,7 +55,7 @@ class Baselines(GoldenCase):
         report, _ = self.run_suite(1)
         self.assertEqual([s["status"] for s in report["scenes"]], ["fail", "missing"])
         kept = {f["frame"]: (self.folder / f["actualImage"]).read_bytes() for f in report["scenes"][0]["frames"]}
-        # Nothing is rendered: the program runs where no device can be had.
+        # accept renders nothing, so it works without a device.
         done = self.good("accept", "report.json", "--only", "a", "--reason", "red is in",
                          env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nothing"})
         self.assertEqual(done.stdout.decode(), "accepted  a\n")
@@ -69,7 +69,8 @@ class Baselines(GoldenCase):
         self.bad(2, ["scenes/a.json is no report of `simreel test`", "--report"], "accept", "scenes/a.json")
 
     def test_accept_stays_below(self):
-        """A report from elsewhere names no scene out of this folder, by "..", from the root or over a link."""
+        """A report from elsewhere cannot name a scene outside this folder, whether by "..", an absolute path or a
+        link."""
         self.make_baselines()
         self.set_scene(RED)
         report, done = self.run_suite(1)
@@ -88,7 +89,7 @@ class Baselines(GoldenCase):
         (self.folder / "scenes/golden").symlink_to(outside)
         self.write("report.json", json.dumps(report))
         self.bad(1, ["which is not below this folder"], "accept", "report.json")
-        # Whoever tests there is told how to accept, and may.
+        # A test of scenes outside prints a command that accepts them, and the command works.
         done = self.run_program("test", str(outside), "--json", "there.json")
         words = f"simreel accept there.json --scenes {outside}"
         self.assertIn(f"To accept: {words}\n", done.stdout.decode())
@@ -105,7 +106,7 @@ class Baselines(GoldenCase):
         self.good("test", "scenes", "--update")
         self.set_scene(RED)
         self.bad(1, ["a:", "frame 0 has changed since"], "accept", "old.json")
-        # A picture that is not the one of that run.
+        # The stored picture does not belong to the report's run.
         self.set_scene(RED)
         self.run_suite(1)
         picture = next((self.folder / "report-files").rglob("candidate/any/000003.png"))
@@ -132,7 +133,7 @@ class Baselines(GoldenCase):
         report, _ = self.run_suite(3, "--update=changed")
         self.assertEqual([s["status"] for s in report["scenes"]], ["updated", "missing"])
         self.assertFalse(self.golden("b").exists())
-        # Only what differs: the state is the same, so its files stay as they were.
+        # Only differing files are replaced: the state is equal, so its files stay unchanged.
         after = self.tree("scenes/golden")
         self.assertEqual(after["a/state.json"], before["a/state.json"])
         self.assertNotEqual(after["a/any/000000.png"], before["a/any/000000.png"])
@@ -149,7 +150,7 @@ class Baselines(GoldenCase):
         self.assertEqual({(s["path"], s["removed"]) for s in report["stale"]}, {(path, True) for path in stale})
         self.assertEqual(sorted(p.name for p in self.golden("a/any").glob("*.png")), ["000000.png", "000003.png"])
         self.assertEqual(self.run_suite(0, "--strict")[0]["stale"], [])
-        # What an update writes anew keeps nothing of them.
+        # Files written by an update replace all earlier ones.
         self.set_scene({"test.frames": [0, 4]})
         self.one(0, "--update")
         self.assertEqual(sorted(p.name for p in self.golden("a/any").glob("*.png")), ["000000.png", "000004.png"])
@@ -170,7 +171,7 @@ class Baselines(GoldenCase):
         self.set_scene(shades[3])
         self.run_suite(1)
         self.bad(1, ["3 alternates already"], "accept", "report.json", "--alternate")
-        # As the baseline it replaces all of them.
+        # Accepting without --alternate replaces the baseline and removes all alternates.
         self.good("accept", "report.json")
         self.one(0)
         self.assertEqual(len(list(self.golden("a/any").glob("*.png"))), 3)
@@ -199,7 +200,7 @@ class Exact(GoldenCase):
             scene = self.one(1)
             self.assertEqual([f["status"] for f in scene["frames"]], ["pass", "fail", "pass"])
             self.assertIn(f"1 pixels differ, by {step} at most; of exact pictures none may", scene["text"])
-        # No bound excuses it, and whoever gave one is told.
+        # No tolerance applies to exact pictures, and a given tolerance causes a note.
         self.set_scene({"test.tolerance": {"maxDiffRatio": 1}})
         scene = self.one(1, "--max-channel-diff", "255")
         self.assertEqual(scene["notes"], ["tolerance without need: maxChannelDiff (--max-channel-diff), exact pictures have to be equal",
@@ -249,10 +250,10 @@ class Ladder(GoldenCase):
         self.assertEqual((divergence["frame"], divergence["step"], divergence["steps"]), (1, 1, 4))
         self.assertEqual(divergence["object"], "flag")
         self.assertIn("frame 1, step 1 of 4", scene["text"])
-        # The state of exact numerics is everybody's: another fingerprint does not excuse it.
+        # Exact state is equal on every driver, so another fingerprint does not excuse a difference.
         self.pretend_other_numerics()
         self.assertEqual(self.one(1, env=mutated)["frames"][1]["state"], "different")
-        # Accepting takes state and steps along.
+        # accept also takes state and steps.
         self.good("accept", "report.json")
         self.assertEqual(self.one(0, env=mutated)["status"], "pass")
         self.one(1)
@@ -288,7 +289,7 @@ class Ladder(GoldenCase):
         self.change_baseline(3, 20, 10, 3)
         scene = self.one(1)
         self.assertIn("frame 3: the pixel at x 20, y 10 differs by 3 (on another machine by 2 at most)", scene["text"])
-        # State has to be equal everywhere.
+        # State must be equal everywhere.
         mutated = self.mutated_glsl("cloth/model.glsl", "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;",
                                     "(1.0f - restLength * exactInverseSqrt(squared) * 1.01f) * stiffness;")
         self.assertEqual(self.one(1, env=mutated)["frames"][1]["state"], "different")
@@ -313,7 +314,7 @@ class Ladder(GoldenCase):
             self.assertIn(frame["machine"]["driver"].split(", OpenGL")[0], done)
             self.assertIn(f"Drawing fingerprint: {frame['drawing']}\n", done)
             self.assertIn(f"Numerics fingerprint: {frame['fingerprint']}\n", done)
-        # A processor that software drivers take for another one is another one.
+        # An option that changes the software driver's target processor counts as another processor.
         self.assertEqual(self.one(0, env={"GALLIVM_PERF": "nopt"})["asked"], "near")
 
     def test_other_numerics_have_a_tolerance(self):
@@ -341,10 +342,10 @@ class Ladder(GoldenCase):
             self.assertEqual(scene["tolerance"][field]["origin"], "scenes/a.json")
         self.set_scene({**HAIR, "test.tolerance": {"maxChannelDiff": 0, "maxDiffRatio": 1}})
         self.one(0)
-        # The command line wins over the scene, and a baseline's own tolerance over the scene's.
+        # The command line takes precedence over the scene, and a baseline's own tolerance over the scene's.
         self.assertEqual(self.one(1, "--max-diff-ratio", "0")["tolerance"]["maxDiffRatio"],
                          {"value": 0, "origin": "--max-diff-ratio"})
-        for name in ("max_diff_ratio", "maxDiffRatio"):  # the first is how it was spelt before
+        for name in ("max_diff_ratio", "maxDiffRatio"):  # the first name is an earlier spelling of the second
             self.edit_json(self.golden("a/any/baseline.json"), lambda b: b.update(tolerance={name: 0}))
             self.assertEqual(self.one(1)["tolerance"]["maxDiffRatio"]["origin"], "scenes/golden/a/any/baseline.json")
 
@@ -365,7 +366,7 @@ class Ladder(GoldenCase):
         self.make_baselines()
         self.pretend_other_numerics()
         self.set_scene(RED)
-        # Another driver's baseline is left alone: this one's goes beside it, complete.
+        # Another driver's baseline stays unchanged; a complete baseline of this driver is added beside it.
         before = self.golden("a/any/baseline.json").read_bytes()
         scene = self.one(0, "--update")
         self.assertNotEqual(scene["profile"], "any")

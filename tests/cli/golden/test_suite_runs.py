@@ -1,4 +1,4 @@
-"""Which scenes `simreel test` runs, how runs end, what it writes, and what bad input does to it."""
+"""Tests the choice of scenes of `simreel test`, how runs end, the written files, and bad input."""
 import json
 import os
 import shutil
@@ -24,12 +24,13 @@ class Running(GoldenCase):
         self.assertEqual(listed("scenes", "--filter", "[ab]", "--filter", "c"), ["a", "b", "c"])
         self.assertEqual(listed("scenes/b.json", "scenes/deep"), ["b", "d"])
         self.assertEqual(listed("scenes", "--shard", "1/2") + listed("scenes", "--shard", "2/2"), ["a", "c", "b", "deep/d"])
-        # Two of one name: told apart by their paths, and never a way out of the report's folder.
+        # Two scenes with the same name are distinguished by their paths, and no path leads out of the report's folder.
         self.write("more/a.json", TESTED)
         self.assertEqual(listed("scenes/a.json", self.folder / "more/a.json"),
                          sorted([str(self.folder / "more/a")[1:], "scenes/a"]))
         self.bad(5, "no scene to test", "test", "scenes", "--filter", "nobody")
-        self.assertEqual(listed("scenes", "--shard", "9/9"), [])  # the other parts have them
+        # this shard has no scenes, the other shards contain them
+        self.assertEqual(listed("scenes", "--shard", "9/9"), [])
         self.bad(2, "nowhere", "test", "nowhere")
         for shard in ("0/2", "3/2", "x", "1/", "1/2/3", ""):
             self.bad(2, "--shard", "test", "scenes", f"--shard={shard or 'x'}")
@@ -55,7 +56,7 @@ class Running(GoldenCase):
         self.assertIn("blew up", report["scenes"][0]["messages"][-1])
 
     def changed_after(self, readings, path, change):
-        """A thread that makes the change once the file has been read so often."""
+        """Starts a thread that makes the change once the file has been read `readings` times."""
         watched = Readings(path)
         def look():
             with watched:
@@ -68,7 +69,7 @@ class Running(GoldenCase):
         self.addCleanup(thread.join)
 
     def readings(self, path, env, *arguments):
-        """How often a try reads the file, at least: the kernel may tell of two at once as of one."""
+        """Returns a lower bound for the number of reads of the file in one attempt: the kernel may merge two events."""
         with Readings(path) as watched:
             self.run_suite(None, *arguments, env=env)
             found = watched.wait(0)
@@ -76,9 +77,11 @@ class Running(GoldenCase):
         return found
 
     def stiffer(self, by):
-        """$SIMREEL_GLSL, whose springs are so much longer; the file is replaced while others may read it."""
+        """Returns $SIMREEL_GLSL with springs longer by this factor; the file is replaced atomically, because others may
+        be reading it."""
         text = "(1.0f - restLength * exactInverseSqrt(squared)) * stiffness;"
-        # With one thread no kernel is compiled ahead, which reads files as often as the driver's cache lacks them.
+        # With one thread no kernel is compiled ahead; compiling ahead would make the number of reads depend on the
+        # driver's cache.
         return self.mutated_glsl("cloth/model.glsl", text, text.replace("(squared)", f"(squared){by}")) | {"LP_NUM_THREADS": "1"}
 
     def test_nondeterministic(self):
@@ -101,7 +104,8 @@ class Running(GoldenCase):
             scene = self.one(code, "--retries", "20", *arguments, env=env)
             self.assertEqual(scene["status"], "flaky")
             self.assertGreaterEqual(len(scene["attempts"]), 1)
-            self.assertLessEqual({a["status"] for a in scene["attempts"]}, {"fail", "nondeterministic"})  # by whether it changed within a try
+            # depends on whether the shader changed within an attempt
+            self.assertLessEqual({a["status"] for a in scene["attempts"]}, {"fail", "nondeterministic"})
 
     def test_interrupt(self):
         for k in range(40):
@@ -127,7 +131,7 @@ class Outputs(GoldenCase):
         report = json.loads((self.folder / "out/report.json").read_text())
         for frame in report["scenes"][0]["frames"]:
             self.assertTrue((self.folder / "out" / frame["actualImage"]).exists())
-        # A second run replaces it; a folder of somebody else's is left alone.
+        # A second run replaces the report; a folder with other content is left unchanged.
         self.set_scene({})
         self.good("test", "scenes", "--report", "out")
         self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()), ["index.html", "report.json"])
@@ -165,10 +169,10 @@ class Outputs(GoldenCase):
 
 
 class BadInput(GoldenCase):
-    rasterizer = "driver"  # whose baselines hold the most
+    rasterizer = "driver"  # baselines of the driver's rasterizer consist of the most files
 
     def test_pictures(self):
-        """One clear line each, and the others go on."""
+        """Each damaged file gives one clear line, and other scenes continue."""
         self.make_baselines()
         self.write("scenes/b.json", TESTED)
         self.good("test", "scenes", "--update")
@@ -227,7 +231,7 @@ class BadInput(GoldenCase):
         self.assertIn("state.json", self.one(6)["messages"][0])
         self.one(0, "--update")
         self.assertEqual(self.one(0)["status"], "pass")
-        # What is damaged is named where the state is equal, too: one day it will be needed.
+        # A damaged file is reported even if the state is equal, because it will be needed later.
         self.golden("a/steps.bin").write_bytes(b"nonsense")
         self.assertIn("steps.bin", self.one(1)["messages"][0])
 

@@ -1,4 +1,5 @@
-"""Pages for users: every example runs, links lead somewhere, and texts and pictures are as short as they may be."""
+"""Tests the pages for users: every example runs, links have targets, and texts and pictures stay within their size
+limits."""
 import os
 import pathlib
 import re
@@ -13,7 +14,7 @@ from common import PATIENCE, PROGRAM, SOURCE, main
 GUIDE = SOURCE / "assets/guide"
 README = SOURCE / "README.md"
 PAGES = [README, *sorted(GUIDE.rglob("*.md"))]
-LONGEST_PARAGRAPH = 120  # words
+LONGEST_PARAGRAPH = 120  # maximum length of a paragraph in words
 README_LINES, README_WORDS = 150, 1200
 PICTURE_BYTES, PICTURE_SIZE = 100 * 1024, (720, 720)
 
@@ -37,14 +38,14 @@ simreel render flag -o out/ --frams 0
 
 
 def without_code(text):
-    """The text with as many lines, but without what stands in code blocks and code spans."""
+    """Returns the text with code blocks and code spans removed, with the same number of lines."""
     text = re.sub(r"^```.*?^```[ \t]*$", lambda m: "\n" * m[0].count("\n"), text, flags=re.M | re.S)
     text = re.sub(r"^(?: {4}|\t)[^\n]*$", "", text, flags=re.M)
     return re.sub(r"`[^`\n]*`", "code", text)
 
 
 def anchors(path):
-    """Names of a page's headings, as GitHub makes them, and of <a id=...>."""
+    """Returns the anchors of a page's headings, as GitHub makes them, and of <a id=...>."""
     text = path.read_text(encoding="utf-8")
     bare = re.sub(r"^```.*?^```[ \t]*$", "", text, flags=re.M | re.S)
     names, seen = set(re.findall(r'<a (?:id|name)="([^"]+)"', bare)), {}
@@ -57,7 +58,7 @@ def anchors(path):
 
 
 def links(path):
-    """(line, target) of each link and picture of a page that leads to a file or a heading."""
+    """Yields (line, target) of each link and picture of a page that leads to a file or a heading."""
     text = without_code(path.read_text(encoding="utf-8"))
     for m in re.finditer(r"\]\(<?([^)\s>]+)>?(?: \"[^\"]*\")?\)|^\[[^\]]+\]: +(\S+)|(?:src|href)=\"([^\"]+)\"", text, re.M):
         target = m[1] or m[2] or m[3]
@@ -66,7 +67,7 @@ def links(path):
 
 
 def paragraphs(path):
-    """(line, number of words) of each paragraph and list item."""
+    """Yields (line, number of words) of each paragraph and list item."""
     start, words = 0, 0
     for i, line in enumerate(without_code(path.read_text(encoding="utf-8")).splitlines() + [""], 1):
         bare = line.strip()

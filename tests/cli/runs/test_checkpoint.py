@@ -1,4 +1,5 @@
-"""Checkpoints: a run that ends early goes on from its last one, and its folder is that of an undisturbed run."""
+"""Tests checkpoints: a run that ends early continues from its last checkpoint, and its folder equals that of an
+undisturbed run."""
 import json
 import re
 import signal
@@ -16,7 +17,7 @@ FIELDS = {
 
 
 class Checkpoints(Case):
-    undisturbed = {}  # by the command: what it leaves, rendered once for all tests
+    undisturbed = {}  # files of an undisturbed run by command, rendered once for all tests
 
     def setUp(self):
         super().setUp()
@@ -29,12 +30,12 @@ class Checkpoints(Case):
         return messages
 
     def stored_frame(self):
-        """The frame of the checkpoint, -1 where there is none."""
+        """Returns the frame of the checkpoint, -1 without a checkpoint."""
         found = self.checkpoint.exists() and re.search(rb'"frame":(\d+)', self.checkpoint.read_bytes()[:1000])
         return int(found[1]) if found else -1
 
     def resumed(self, *arguments):
-        """Where the run went on from, or nothing."""
+        """Resumes a run and returns the frame of the checkpoint that it continued from, or None."""
         done = self.good("render", *arguments, "--resume")
         found = re.search(r"going on from the checkpoint of frame (\d+)", done.err)
         return int(found[1]) if found else None
@@ -44,7 +45,7 @@ class Checkpoints(Case):
             self.good("render", *arguments, "-o", "whole/")
             self.undisturbed[arguments] = self.content("whole")
         out, whole = self.content("out"), self.undisturbed[arguments]
-        self.assertEqual(sorted(out), sorted(whole))  # the checkpoint is gone, too
+        self.assertEqual(sorted(out), sorted(whole))  # a finished run removes its checkpoint
         self.assertEqual([name for name in whole if out[name] != whole[name]], [])
 
     def test_kill(self):
@@ -107,7 +108,7 @@ class Checkpoints(Case):
         self.assertIsNotNone(self.resumed("fields.json", "-o", "out/"))
 
     def test_one_far_frame(self):
-        # Frames before it displace no mesh, but what is stored of one of them is its state.
+        # Frames between the rendered ones do not displace the mesh, but their stored state must be complete.
         self.write("sea.json", with_values(SLOW | {"objects.sea": {"mesh": {
             "shape": "plane", "resolution": [61, 47], "deform": [{"waves": [{"length": 1.5, "amplitude": 0.05}]}]}}}))
         run = ("sea.json", "-o", "out/", "--frames", "0,59", "--checkpoint", "0.000001")

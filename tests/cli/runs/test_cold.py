@@ -1,4 +1,4 @@
-"""First pictures with an empty shader cache: the same bytes, whoever compiles the kernels."""
+"""Tests first pictures with an empty shader cache: the bytes do not depend on which thread compiles the kernels."""
 import os
 import unittest
 
@@ -12,7 +12,7 @@ class Cold(Case):
 
     @unittest.skipIf(len(os.sched_getaffinity(0)) < 2, "one processor compiles nothing ahead")
     def test_kernels_compiled_ahead(self):
-        """On a device with a driver of its own nothing is compiled ahead."""
+        """On a device with a hardware driver no kernel is compiled ahead."""
         cache = {"MESA_SHADER_CACHE_DIR": str(self.folder / "cache")}
         cold, first = self.render("cold", **cache)
         _, second = self.render("warm", **cache)

@@ -1,4 +1,4 @@
-"""Exit codes 4 (device, limit, lost state) and 6 (input and output)."""
+"""Tests exit codes 4 (device, limit, lost state) and 6 (input and output)."""
 import ctypes
 import os
 import resource
@@ -10,7 +10,7 @@ from common import PROGRAM, SOURCE, Case, main, with_values
 
 
 def png(size, raw, extra=b"IEND"):
-    """A colour PNG of 8 bits, whatever its pixels; `extra` is the kind of a last, empty chunk."""
+    """Returns an 8-bit colour PNG with raw rows `raw`; `extra` is the kind of a last, empty chunk."""
     def chunk(kind, body):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
     return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", *size, 8, 2, 0, 0, 0)) +
@@ -18,7 +18,8 @@ def png(size, raw, extra=b"IEND"):
 
 
 def packed(raw):
-    """Of a number so many zeros, which are not all in memory at once: a child begins with the largest size its parent had."""
+    """Compresses bytes, or `raw` zero bytes. The zeros are compressed in pieces, because a child process starts with
+    its parent's peak memory size."""
     if isinstance(raw, bytes):
         return zlib.compress(raw, 9)
     packer, piece = zlib.compressobj(9), bytes(1_000_000)
@@ -37,11 +38,11 @@ class Device(Case):
         self.assertFalse((self.folder / "out").exists())
 
     def test_a_small_stack(self):
-        """As much as drivers and threads need is taken, or it is said."""
+        """The program raises the stack limit to what drivers and threads need, or reports that it cannot."""
         def limited(size, hard):
             return lambda: resource.setrlimit(resource.RLIMIT_STACK, (size << 10, hard))
         self.good("render", "scene.json", "-o", "out/", "--frames", "0", preexec_fn=limited(64, resource.RLIM_INFINITY))
-        # Nobody may have more: as another user than root.
+        # No process may raise its limit: runs as if not root.
         done = subprocess.run(["setpriv", "--bounding-set=-sys_resource", "--inh-caps=-sys_resource", "prlimit", f"--stack={64 << 10}:{64 << 10}",
                                PROGRAM, "list"], cwd=self.folder, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 4, done.stderr)
@@ -50,7 +51,7 @@ class Device(Case):
     def test_no_driver(self):
         for env in ({"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"}, {"__EGL_VENDOR_LIBRARY_DIRS": str(self.folder)}):
             self.bad(4, ["install a driver", "simreel doctor"], "render", "scene.json", "-o", "out/", env=env)
-        # What the environment chooses is named first.
+        # The message names environment variables that select the driver first.
         for name, value in (("GALLIUM_DRIVER", "softpipe"), ("MESA_GL_VERSION_OVERRIDE", "3.3"), ("__EGL_VENDOR_LIBRARY_FILENAMES", "/nothing")):
             words = f"{name}={value} in the environment changes which driver there is: unset that first, or install a driver"
             self.bad(4, [words], "render", "scene.json", "-o", "out/", env={name: value})
@@ -67,7 +68,7 @@ class Device(Case):
         self.assertEqual(list(self.folder.glob("out/*")), [])
 
     def test_cloth_beyond_the_limits(self):
-        """Says so at once, and before it takes gigabytes."""
+        """The error comes at once, before gigabytes are allocated."""
         limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (3 << 30, 3 << 30))
         for size in ([16384, 16384], [5000, 5000]):
             self.bad(4, ["flag", "16384x16384" if size[0] > 9999 else "5000x5000", "GL_MAX_SHADER_STORAGE_BLOCK_SIZE"],
@@ -87,7 +88,7 @@ class Device(Case):
         self.assertGreaterEqual(len(frames), 1)
 
     def test_auto_takes_no_fewer_substeps_than_it_needs(self):
-        """It names the number and the solver that has no such limit, which then renders."""
+        """The message gives the number of substeps and the solver without such a limit, which then renders."""
         self.write("stiff.json", with_values({"objects.flag.cloth": {"size": [9, 7], "stiffness": 1e7, "mass": 0.01,
                                                                      "substeps": "auto"}}))
         self.bad(2, ["\"auto\" would take 1142 a frame", "1024", "\"solver\": \"constraints\""],
@@ -104,7 +105,7 @@ class Device(Case):
 
 
 class Scarce(Case):
-    """Hardly any thread, hardly any address space: it takes longer, and the pictures are the same."""
+    """Tests with few threads or little address space: rendering is slower, and the pictures are equal."""
 
     def setUp(self):
         super().setUp()
@@ -156,7 +157,7 @@ class InputOutput(Case):
         out = self.folder / "out"
         out.mkdir()
         out.chmod(0o555)
-        # Root may write everywhere, but not without this capability (prctl 24: drop it, number 1).
+        # Root may write everywhere unless this capability is dropped (prctl 24: drop, number 1).
         preexec = (lambda: LIBC.prctl(24, 1, 0, 0, 0)) if os.geteuid() == 0 else None
         self.bad(6, ["cannot create out/"], "render", "scene.json", "-o", "out/", preexec_fn=preexec)
 
@@ -172,13 +173,14 @@ class InputOutput(Case):
         if not mounted:
             self.skipTest("a small file system can be mounted by root only")
         try:
-            # 24 pages: one is gone already, eight are held back for the manifest, and each frame takes one.
+            # The file system has 24 pages: one is already used, eight are reserved for the manifest, and each frame
+            # takes one.
             self.write("disk/other", "x")
             arguments = ("render", "scene.json", "-o", "disk/", "-D", "time.duration=2")
             self.bad(6, ["disk/0000", "No space left"], *arguments)
             frames = self.assert_manifest_is_whole("disk")
             self.assertGreaterEqual(len(frames), 8)
-            # Whatever was written is listed, and nothing else lies about, no .part either.
+            # All written files are listed, and no other file remains, not even a .part file.
             listed = [frame["file"] for frame in self.manifest("disk")["frames"]]
             self.assertEqual(sorted(p.name for p in disk.iterdir()), sorted([*listed, "as-run.json", "manifest.json", "other", "run.json"]))
             times = {name: (disk / name).stat().st_mtime_ns for name in listed}
@@ -204,7 +206,7 @@ class InputOutput(Case):
         for magic, channels in ((b"P5", 1), (b"P6", 3)):
             self.write("t.png", magic + b" 64 64 65535\n" + bytes(64 * 64 * 2 * channels))
             self.bad(6, ["t.png", "PNM picture of 16 bits", "use PNG"], "render", "scene.json", "-o", "out/")
-        # A header that promises far more than a device can hold is refused before memory is taken.
+        # A header that declares a size beyond the device's limit is refused before memory is allocated.
         self.write("t.png", png((20000, 10000), b"x"))
         self.bad(4, ["t.png", "20000x10000", "limit of 16384"], "render", "scene.json", "-o", "out/")
         for promise in (png((16000, 16000), bytes(16001 * 3)), b"P5 16000 16000 255 x"):
@@ -213,13 +215,13 @@ class InputOutput(Case):
         for flat in (b"P5 2 P5 255 abcd", b"P6 0 2 255 x"):
             self.write("t.png", flat)
             self.bad(6, ["t.png", "PNG or JPEG"], "render", "scene.json", "-o", "out/")
-        # A reason may quote the file, but not break the line.
+        # The message may quote the file, but must stay on one line.
         self.write("t.png", png((1, 1), bytes(4), extra=b"\n\x1bLT"))
         self.bad(6, ["t.png", "PNG or JPEG"], "render", "scene.json", "-o", "out/")
         self.assertEqual(list(self.folder.glob("out/*")), [])
 
     def test_picture_that_inflates(self):
-        """600 MB of zeros behind a picture of 64 pixels are not made."""
+        """600 MB of zeros after a picture of 64 pixels are not decompressed."""
         self.write("scene.json", with_values({"objects.flag.material": {"texture": "t.png"}}))
         self.write("t.png", png((64, 1), 600_000_000))
         ran = subprocess.Popen([PROGRAM, "render", "scene.json", "-o", "out/"], cwd=self.folder, stderr=subprocess.PIPE)
@@ -228,7 +230,7 @@ class InputOutput(Case):
         ran.stderr.close()
         ran.returncode = os.waitstatus_to_exitcode(status)
         self.assertEqual(ran.returncode, 6, message)
-        self.assertLess(usage.ru_maxrss, 400_000)  # KiB; the driver takes most of it
+        self.assertLess(usage.ru_maxrss, 400_000)  # peak memory in KiB; most of it belongs to the driver
 
     def test_no_ffmpeg(self):
         self.bad(6, ["ffmpeg is not installed", "apt install ffmpeg"], "render", "scene.json", "-o", "a.mp4",

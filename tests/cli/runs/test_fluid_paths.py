@@ -1,10 +1,11 @@
-"""A fluid's memory lies otherwise on a graphics card. What leaves it does not: pictures, raw fields, traces and the state in
-checkpoints of both memory paths are equal in every byte, and either goes on from the other's."""
+"""A fluid's memory layout is different on a graphics card. Results must not differ: pictures, raw fields, traces and
+the state in checkpoints of both memory paths are equal in every byte, and each path can continue from the other's
+checkpoint."""
 import json
 
 from common import Case, main
 
-# An odd number of dispatches carry dye along in a frame, so it lies at either end of its memory in turn.
+# The number of dye dispatches per frame is odd, so dye ends alternately in the first and the second buffer.
 BATH = {
     "version": 1, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30, "duration": 1},
     "objects": {
@@ -22,7 +23,8 @@ OTHER = {"texel": "storage", "storage": "texel"}
 
 
 def parts_of(checkpoint):
-    """By object and name; the solver's tell of the work groups of a path."""
+    """Returns the parts of a checkpoint by object and name, without the solver's parts that depend on a path's
+    workgroups."""
     header, payload = checkpoint.split(b"\n", 1)
     header = json.loads(header)
     at, parts = header["counts"], {}
@@ -74,7 +76,8 @@ class FluidPaths(Case):
                            for what in (["--frames=start-3"], ["--steps-of=3"], ["--dump=3:1", "-o", "-"])]
         for texel, storage in zip(lines["texel"], lines["storage"]):
             self.assertGreater(len(texel), 100)
-            self.assertEqual(texel.split(b"\n", 1)[1], storage.split(b"\n", 1)[1])  # the header tells of the driver
+            # headers are excluded, because they name the driver
+            self.assertEqual(texel.split(b"\n", 1)[1], storage.split(b"\n", 1)[1])
 
 
 if __name__ == "__main__":

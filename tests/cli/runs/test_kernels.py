@@ -1,4 +1,4 @@
-"""simreel kernels and scenes that run compute shaders of a user."""
+"""Tests simreel kernels and scenes that run a user's compute shaders."""
 import json
 
 from common import Case, main
@@ -38,7 +38,7 @@ class Kernels(Case):
         for text in (entries[0].read_text(), "{}", "\0damaged"):
             entries[0].write_text(text)
             self.good("validate", "k.json", env=env)
-        # A file that has changed is compiled again.
+        # A changed file is compiled again.
         self.scene(BLUR.replace("lerp(", "lrp("))
         self.bad(2, "a.compute:8:19: error: ", "validate", "k.json", env=env)
 

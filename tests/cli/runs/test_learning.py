@@ -1,4 +1,5 @@
-"""What a user learns the program by: help, lists, starter scenes, shipped scenes, explanations and the reference."""
+"""Tests the parts of the program for new users: help, lists, starter scenes, shipped scenes, explanations and the
+reference."""
 import json
 import re
 import shutil

@@ -1,4 +1,4 @@
-"""Sequences in pieces, kept checkpoints: the same bytes as one run."""
+"""Tests sequences rendered in pieces, and kept checkpoints: the bytes equal those of one run."""
 import json
 import signal
 import time
@@ -25,9 +25,10 @@ class Pieces(Case):
         self.assertEqual(self.content(folder), self.whole[more])
 
     def test_the_same_bytes(self):
-        """Pictures, fields, counts with a pre-roll, manifest; nothing else is left."""
+        """Covers pictures, fields, counts with a pre-roll, and the manifest; no other files remain."""
         done = self.good("render", "town.json", "-o", "out/", "--pieces", "4", "--device", "0,none", "--fields", "npy")
-        self.assertIn("no device matches --device none", done.err)  # which a second process was for
+        # the message of the second process, whose device does not exist
+        self.assertIn("no device matches --device none", done.err)
         self.assert_whole("out", "--fields", "npy")
         runs = self.runs("out")
         self.assertEqual(sorted(run["frames"] for run in runs), ["0-2", "11-14", "3-6", "7-10"])
@@ -57,7 +58,7 @@ class Pieces(Case):
         self.bad(6, "use --resume or --overwrite", "render", "slow.json", "-o", "out/", "--pieces", "3")
         self.bad(2, "cannot resume", "render", "slow.json", "-o", "out/", "--pieces", "4", "--resume")
         self.bad(3, "piece 0", "pieces", "join", folder)
-        # The simulation ends early, and goes on; so does a piece, killed or not.
+        # The simulation is stopped early and continues; a piece is stopped or killed and continues.
         self.good("pieces", "simulate", folder)
         self.assertEqual(sorted(p.name for p in (self.folder / folder).glob("checkpoint*")), ["checkpoint.000020", "checkpoint.000040"])
         code, _ = self.signal_after(3, "out/pieces/0001", signal.SIGTERM, "pieces", "draw", folder, "1")
@@ -68,7 +69,7 @@ class Pieces(Case):
         self.assertEqual(done.returncode, 3)
         self.assertIn("3 pieces: 0 done, states there", done.stdout.decode())
         self.good("pieces", "draw", folder, "2", "1", "0")
-        # What was changed behind its back is noticed, and nothing has been moved.
+        # Files changed between the steps are detected, and no file has been moved.
         picture = self.folder / folder / "0001/000023.png"
         bytes_of = picture.read_bytes()
         picture.write_bytes(bytes_of[:-20] + b"x" * 20)
@@ -86,7 +87,7 @@ class Pieces(Case):
         self.good("pieces", "join", folder)
         self.good("render", "slow.json", "-o", "whole/")
         self.assertEqual(self.content("out"), self.content("whole"))
-        # Nothing is left to do, and that is said.
+        # No work is left, and a message says so.
         self.assertIn("joined: out/manifest.json", self.good("pieces", "status", folder).stdout.decode())
         made = (self.folder / "out/000030.png").stat().st_ino
         self.assertIn("all 60 frames are there", self.good("render", "slow.json", "-o", "out/", "--pieces", "3", "--resume").err)
@@ -107,14 +108,14 @@ class Pieces(Case):
             found, text = told("--pieces", pieces)
             self.assertEqual(found, one, pieces)
             self.assertNotIn("not judged", text)
-        # What a drift is counted from was before its time: said, not guessed.
+        # A drift's reference lies before this run's first frame: the program reports that it cannot judge the drift.
         self.good("render", "checked.json", "-o", "kept/", "--frames", "none", "--checkpoint-at", "6")
         done = self.good("render", "checked.json", "-o", "late/", "--frames", "6-14", "--from", "kept/checkpoint.000006", "--progress", "ndjson")
         self.assertIn("drift of energy of flag is not judged: this run did not begin before frame 1", done.err)
         self.assertEqual([line for line in done.err.splitlines() if '"check"' in line and "energy" in line], [])
 
     def test_beside_other_frames_and_a_damaged_state(self):
-        """Of the same run: they stay in its manifest and log."""
+        """Frames of the same run keep their entries in its manifest and log."""
         self.good("render", "town.json", "-o", "out/", "--frames", "0-5")
         beside = ("render", "town.json", "-o", "out/", "--frames", "6-14", "--pieces", "3")
         folder = self.folder / "out/pieces"
@@ -126,7 +127,7 @@ class Pieces(Case):
         self.bad(2, ["checkpoint.000009 cannot be used", "`simreel pieces simulate out/pieces` makes it again"], "pieces", "draw", "out/pieces", "1")
         self.good("pieces", "simulate", "out/pieces")
         self.assertEqual(state.read_bytes(), whole)
-        # Two at one piece, one of them on a disk of its own.
+        # Two processes draw the same piece, one of them on a scratch disk.
         process = self.start("pieces", "draw", "out/pieces", "1", "--scratch", str(self.folder / "disk"))
         while not list(self.folder.glob("disk/*")) and process.poll() is None:
             time.sleep(0.002)
@@ -141,7 +142,7 @@ class Pieces(Case):
         self.assertLessEqual({"0-5", "9-11", "12-14"}, {run["frames"] for run in self.runs("out")})
 
     def test_pieces_of_several_machines(self):
-        """Of exact pictures nobody asks; those that a driver draws are one machine's."""
+        """Exact pictures may come from several machines; pictures of a driver must come from one."""
         for rasterizer in ("exact", "driver"):
             out = f"{rasterizer}/"
             made = self.start("render", "town.json", "-o", out, "--pieces", "2", "--rasterizer", rasterizer)
@@ -151,14 +152,14 @@ class Pieces(Case):
             while not run.exists() and process.poll() is None:
                 time.sleep(0.005)
             process.send_signal(signal.SIGSTOP)
-            if not run.exists():  # it was faster
+            if not run.exists():  # the process ended before it could be stopped
                 process.send_signal(signal.SIGCONT)
                 process.wait()
                 continue
             process.kill()
             process.wait()
             folder = f"{rasterizer}/pieces"
-            # The killed run's job ends a moment after it, and keeps its piece until then.
+            # The killed run's child ends shortly after it, and holds the lock of its piece until then.
             while (code := self.start("pieces", "draw", folder, "0", "1").wait(PATIENCE)) == 6:
                 time.sleep(0.05)
             self.assertEqual(code, 0)
@@ -178,7 +179,7 @@ class Pieces(Case):
         five, whole = self.content("from5"), self.content("from0")
         self.assertEqual(set(whole) - set(five), {f"{i:06}.png" for i in range(5)})
         self.assertEqual([name for name in five if name != "manifest.json" and five[name] != whole[name]], [])
-        # While pictures are drawn, and of another camera and size.
+        # Checkpoints are equal whether pictures are drawn or not, and for another camera and size.
         self.good("render", "town.json", "-o", "beside/", "--checkpoint-at", "5", "--frames", "0-3")
         self.assertEqual(self.content("beside")["checkpoint.000005"], self.content("keep")["checkpoint.000005"])
         small = ("--size", "32x18", "-D", "camera.position=[0,1,4]")

@@ -1,4 +1,4 @@
-"""simreel reproduce: a picture's frame again, from what lies beside it or is in it."""
+"""Tests simreel reproduce: renders a picture's frame again, from the files beside the picture or the data in it."""
 import json
 import shutil
 
@@ -11,7 +11,7 @@ class Reproduce(Case):
         self.good("render", "scene.json", "-o", "out/", "--seed", "3", "-D", "objects.flag.cloth.jitter=0.02", "-D", "title=it's")
 
     def test_from_what_lies_beside(self):
-        (self.folder / "scene.json").unlink()  # nothing else is needed
+        (self.folder / "scene.json").unlink()  # reproduce does not need the scene's file
         done = self.good("reproduce", "out/000003.png")
         self.assertEqual(done.stdout, b"out/000003.png: frame 3 is the same, in state and in every pixel\n")
         self.assertIn(b"frame 5 is the same", self.good("reproduce", "out").stdout)
@@ -30,7 +30,7 @@ class Reproduce(Case):
             self.assertIn(word, done.stdout.decode())
 
     def test_folders_of_run_json_are_not_read(self):
-        """It comes with the pictures: whoever made them does not choose what may be read here."""
+        """run.json may come from a stranger together with the pictures, so it must not choose folders that are read."""
         self.write("in/t.png", (self.folder / "out/000000.png").read_bytes())
         self.write("in/scene.json", with_values({"objects.flag.material": {"texture": "t.png"}}))
         self.good("render", "in/scene.json", "-o", "there/", "--frames", "0")

@@ -1,4 +1,4 @@
-"""Interrupts, --resume, --skip-existing, --overwrite, and determinism."""
+"""Tests interrupts, --resume, --skip-existing, --overwrite, and determinism."""
 import json
 import os
 import random
@@ -13,7 +13,7 @@ from common import FRAMES, PATIENCE, PROGRAM, SLOW, Case, main, with_values, wit
 
 
 class Interrupted(Case):
-    """Killed runs go on with --resume, and then equal a run that nobody disturbed, byte for byte."""
+    """Killed runs continue with --resume, and then equal an undisturbed run byte for byte."""
 
     def setUp(self):
         super().setUp()
@@ -54,14 +54,14 @@ class Interrupted(Case):
         process = self.start("render", "slow.json", "-o", output)
         try:
             process.wait(0.7)
-        except Exception:  # subprocess.TimeoutExpired: still at work, as it should be
+        except Exception:  # subprocess.TimeoutExpired: still running, as expected
             process.send_signal(signal.SIGINT)
         messages = process.communicate(timeout=PATIENCE)[1].decode()
         return process.returncode, messages
 
 
 class Signals(Case):
-    """Whatever the run is at, one signal ends it."""
+    """A single signal ends a run, whatever the run is doing."""
 
     def setUp(self):
         super().setUp()
@@ -89,7 +89,7 @@ class Signals(Case):
         self.bad(6, ["File too large"], "render", "slow.json", "-o", "out/", preexec_fn=limit)
 
     def ended(self, process, number=signal.SIGTERM):
-        """The signal ends what would go on for hours."""
+        """Sends the signal to a process that would run for hours, and checks that it ends."""
         process.send_signal(number)
         messages = process.communicate(timeout=PATIENCE)[1].decode()
         self.assertEqual(process.returncode, 128 + number, messages)
@@ -138,7 +138,7 @@ class Resume(Case):
         return self.folder / f"out/{frame:06}.png"
 
     def damage(self):
-        """A truncated, a tampered, a foreign, an empty and a missing frame."""
+        """Makes a truncated, a modified, a foreign, an empty and a missing frame."""
         self.path(0).write_bytes(self.whole["000000.png"][:-40])
         changed = bytearray(self.whole["000001.png"])
         changed[len(changed) // 2] ^= 0xFF
@@ -183,7 +183,7 @@ class Resume(Case):
         self.change_manifest(old, new, "run.json")
 
     def test_another_machine(self):
-        """Exact pictures are everybody's: whoever drew some, the others are the same."""
+        """Exact pictures are equal on every machine, so a run may continue on another one."""
         self.assertEqual(self.manifest("out")["rasterizer"], "exact")
         for word in ("fingerprint", "driver", "processor", "machine"):
             self.assertNotIn(word, self.manifest("out"))
@@ -202,7 +202,7 @@ class Resume(Case):
                  "scene.json", "-o", "out/", "--resume")
 
     def test_another_machine_of_drivers(self):
-        """Its pictures stay, as those of another machine; the new ones are this one's."""
+        """Pictures of a driver stay when a run continues on another machine, and run.json lists both machines."""
         self.write("scene.json", with_values({"render.rasterizer": "driver"}))
         self.good("render", "scene.json", "-o", "out/", "--overwrite")
         self.whole = self.content("out")
@@ -214,22 +214,22 @@ class Resume(Case):
         self.assertEqual([(r["processor"], r["frames"]) for r in self.runs("out")],
                          [("Testium 3", "0-3,5"), (processor, "4")])
         self.assertEqual(self.content("out"), self.whole)
-        # Back where they were drawn: nothing of theirs is strange any more.
+        # Back on the first machine, its pictures are no longer reported as another machine's.
         self.change_run("Testium 3", processor)
         (self.folder / "out/000004.png").unlink()
         done = self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertNotIn("another machine", done.err)
         self.assertEqual(self.content("out"), self.whole)
-        # Where nothing tells of machines.
+        # run.json is unreadable, so no machine is known.
         self.write("out/run.json", "{")
         done = self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertNotIn("another machine", done.err)
-        # Numerics that differ are another matter.
+        # Different numerics make resuming an error.
         self.change_manifest('"fingerprint": "', '"fingerprint": "0')
         self.bad(2, ["cannot resume", "fingerprint"], "render", "scene.json", "-o", "out/", "--resume")
 
     def test_malformed_manifests(self):
-        """Nothing can be trusted then: all starts over, and says so."""
+        """A malformed manifest makes the run start over, with a message."""
         whole = self.whole["manifest.json"].decode()
         for text in ("", "{", "[]", "null", "{}", "\0\0", whole[:-30], whole.replace('"version": 4', '"version": 99'),
                      whole.replace('"frame":0', '"frame":"a"'), whole.replace('"frame":0', '"frame":1e99'),
@@ -241,7 +241,7 @@ class Resume(Case):
             self.assertEqual(self.content("out"), self.whole)
 
     def test_extra_chunks_are_not_kept(self):
-        """Of another program: the pixels are the same, the file is not."""
+        """The picture was written by another program: equal pixels, different file."""
         body = b"tEXtComment\0by another program"
         chunk = struct.pack(">I", len(body) - 4) + body + struct.pack(">I", zlib.crc32(body))
         data = self.whole["000002.png"]
@@ -262,7 +262,8 @@ class Resume(Case):
         self.bad(1, ["frame 3", "--overwrite"], "render", "scene.json", "-o", "out/", "--resume")
 
     def test_a_changed_digit_starts_over(self):
-        """One of a state before the checkpoint, which nothing simulates again, and one of pixels."""
+        """Covers a digit in the hash of a state before the checkpoint, which is not simulated again, and a digit in the
+        hash of pixels."""
         text = self.whole["manifest.json"].decode()
         for item in ("state", "pixels"):
             value = self.manifest("out")["frames"][1][item]
@@ -274,7 +275,7 @@ class Resume(Case):
     def test_skip_existing_keeps(self):
         self.damage()
         own = self.whole["000005.png"]
-        foreign = own[:33] + own[own.index(b"IDAT") - 4:]  # without texts
+        foreign = own[:33] + own[own.index(b"IDAT") - 4:]  # a foreign picture: without simreel's text chunks
         self.path(1).write_bytes(foreign)
         self.path(2).write_bytes(self.whole["000002.png"])
         done = self.good("render", "scene.json", "-o", "out/", "--skip-existing")
@@ -287,7 +288,7 @@ class Resume(Case):
         self.assertEqual(self.content("out"), self.whole)
 
     def test_skip_existing_draws_what_is_damaged(self):
-        """A changed byte, text in place of a picture, and a folder, which is in the way."""
+        """Covers a changed byte, text in place of a picture, and a folder in place of a picture."""
         changed = bytearray(self.whole["000001.png"])
         changed[len(changed) // 2] ^= 0xFF
         again = ("render", "scene.json", "-o", "out/", "--skip-existing")

@@ -1,4 +1,4 @@
-"""Exit code 0: what each command does when all is well."""
+"""Tests exit code 0: the results of each command without errors."""
 import json
 import os
 import re
@@ -68,7 +68,7 @@ class Success(Case):
         self.assertRegex(done.stdout, rb"\nRasterizer: (driver|exact), the default \(")
 
     def test_a_software_driver_gets_two_threads_for_each_processor_that_it_may_use(self):
-        """By affinity; a user's own LP_NUM_THREADS stays."""
+        """The processors come from the affinity mask; a user's own LP_NUM_THREADS is kept."""
         own = {"LP_NUM_THREADS": "3"}
         both = sorted(os.sched_getaffinity(0))[:2]
         for processors, env, threads in ((both[:1], {}, 2), (both, {}, 2 * len(both)), (None, own, 3)):
@@ -80,7 +80,8 @@ class Success(Case):
                     self.assertIn(f"Driver's threads: {threads} ", done.stdout)
 
     def test_the_drawing_fingerprint_is_of_the_driver(self):
-        """Whatever the probe draws differently changes it; the passes that scenes are drawn with do not."""
+        """The fingerprint changes if the driver draws the probe differently, and does not depend on the passes that
+        draw scenes."""
         def fingerprint(name, old, new):
             shutil.rmtree(self.folder / "glsl", ignore_errors=True)
             shutil.copytree(SOURCE / "glsl", self.folder / "glsl")
@@ -128,7 +129,8 @@ class Streams(Case):
         self.assertEqual(events[-1]["status"], "ok")
 
     def test_stage_times_of_frames_are_those_of_the_run(self):
-        """All that was simulated, drawn and read back is some frame's, also of frames that are passed over."""
+        """All time for simulating, drawing and reading back is assigned to a frame, including frames that are simulated
+        but not drawn."""
         self.write("scene.json", with_values({"objects.flag.cloth.substeps": 40}))
         for frames in ("0-5", "1,5"):
             done = self.good("render", "scene.json", "-o", "out/", "--progress", "ndjson", "-q", "--frames", frames, "--overwrite")
@@ -148,7 +150,7 @@ class Streams(Case):
         self.assert_words("the frames are not evenly spaced", done)
 
     def test_all_messages_are_json(self):
-        """Warnings, errors of every kind and the closing line."""
+        """Covers warnings, errors of every kind and the closing line."""
         def lines(*arguments):
             done = self.run_program("render", *arguments, "--progress", "ndjson", "-v")
             return [json.loads(line) for line in done.err.splitlines()]
@@ -187,7 +189,7 @@ class Streams(Case):
 
 
 class OddButRight(Case):
-    """What a nasty user may ask for, and get."""
+    """Tests unusual but valid input."""
 
     def test_names(self):
         scene = self.write("größe 图/scène ÿ.json", with_values({"title": "ein \"Titel\" 🏴\n"}))
@@ -231,7 +233,8 @@ class OddButRight(Case):
         self.assertEqual(self.assert_manifest_is_whole("out"), [3, 5, 20])
 
     def test_closed_standard_error(self):
-        """Nobody listens: the run goes on, and no message lands in a file that took over its descriptor."""
+        """With closed standard error the run continues, and no message is written into a file that got the
+        descriptor."""
         for closing in ("2>&-", ">&-", ">&- 2>&-", "<&-"):
             script = f'exec "$0" render scene.json -o out/ --overwrite {closing}'
             done = subprocess.run(["sh", "-c", script, self.program()], cwd=self.folder, timeout=PATIENCE, check=False,

@@ -1,4 +1,4 @@
-"""simreel sweep: plan, jobs, what becomes of them, and what is collected."""
+"""Tests simreel sweep: plan, jobs, the states of jobs, and collected results."""
 import contextlib
 import csv
 import json
@@ -31,7 +31,8 @@ class Sweep(Case):
         return json.loads((self.folder / f"sw/jobs/{job:04}/result.json").read_text())
 
     def test_what_a_cluster_still_has(self):
-        """By a squeue of ours: a plan of several submissions, one with an offset; jobs of others; no answer."""
+        """Uses a stub of squeue: a plan with several submissions, one with an offset; jobs of other users; no
+        answer."""
         self.good("sweep", "dish.json", "--vary", f"{FEED}=0.02:0.04:0.01", "-o", "sw/", "--plan-only")
         self.write("sw/slurm/submitted.txt", "shared 11 0\nsweep 12 0\nsweep 13 2\n")
         self.write("bin/squeue", "#!/bin/sh\nprintf '%s\\n' 11 12_1 13_0 12_7 14_0 112_0 12_x\n")
@@ -46,7 +47,7 @@ class Sweep(Case):
         done = self.run_program("sweep", "status", "sw", env={"PATH": "/nowhere"})
         self.assertEqual((done.returncode, done.stdout.decode().splitlines()[-1]), (3, "3 jobs: 2 done, 1 missing"))
         self.assertIn("squeue does not answer (No such file or directory)", done.err)
-        # Nobody waits for the cluster who makes it here.
+        # Local runs do not wait for the cluster.
         self.good("sweep", "retry", "sw", env=path)
         self.assertEqual(self.status(0), ["3 jobs: 3 done"])
 
@@ -55,10 +56,10 @@ class Sweep(Case):
         self.good("sweep", "dish.json", *vary, "-o", "sw/", "--plan-only")
         self.assertEqual(self.status(3), [f"{i:04}  missing  feed={f} kill={k}" for i, (f, k) in enumerate(
             (f, k) for f in ("0.02", "0.03", "0.04") for k in ("0.055", "0.06"))] + ["6 jobs: 0 done, 6 missing"])
-        self.good("sweep", "job", "sw", "5", "2")  # as somebody else's scheduler does
-        self.assertEqual(self.status(3)[-1], "6 jobs: 2 done, 4 missing")  # 2 and 5 stay below the check's bound
+        self.good("sweep", "job", "sw", "5", "2")  # runs jobs 5 and 2 one by one, as an external scheduler does
+        self.assertEqual(self.status(3)[-1], "6 jobs: 2 done, 4 missing")  # jobs 2 and 5 stay below the check's bound
         done = self.run_program("sweep", "dish.json", *vary, "-o", "sw/", "--jobs", "2", "--progress", "ndjson")
-        # A check fails where much has grown: the pictures are there all the same.
+        # A check fails for a strongly grown pattern; the pictures are written all the same.
         self.assertEqual(done.returncode, 1, done.err)
         events = [json.loads(line) for line in done.err.splitlines()]
         self.assertEqual(sorted(e["job"] for e in events if e["event"] == "job"), ["0000", "0001", "0003", "0004"])
@@ -67,7 +68,7 @@ class Sweep(Case):
         lines = self.status(1)
         self.assertRegex(lines[-1], r"^6 jobs: 6 done \(\d with failed checks\)$")
         self.assertIn("meanV of dish is 0.3", lines[0])
-        # A job is what render makes of its values.
+        # A job equals a render with its values.
         self.good("render", "dish.json", "-o", "alone/", "-D", f"{FEED}=0.04", "-D", f"{KILL}=0.055")
         job, alone = self.content("sw/jobs/0004"), self.content("alone")
         self.assertEqual({name: job[name] for name in alone}, alone)
@@ -97,10 +98,10 @@ class Sweep(Case):
         self.assertNotIn("http", page.replace("http-equiv", ""))
 
     def test_failed_aborted_and_missing(self):
-        self.write("slow.json", with_values(SLOW | {"time.duration": 3000}))  # hours
+        self.write("slow.json", with_values(SLOW | {"time.duration": 3000}))  # a scene that would take hours
         self.good("sweep", "slow.json", "--vary", "objects.flag.cloth.air.velocity=[1,0,0],[2,0,0],[3,0,0]", "-o", "sw/", "--plan-only",
                   "--frames", "0-89999")
-        # The first cannot be written; the second is interrupted; the third has not begun.
+        # The first job cannot be written; the second is interrupted; the third has not started.
         self.write("sw/jobs", "a file")
         self.bad(6, "sw/jobs/0000", "sweep", "job", "sw", "0")
         (self.folder / "sw/jobs").unlink()
@@ -123,7 +124,7 @@ class Sweep(Case):
         self.assertEqual(self.status(7)[-1], "3 jobs: 0 done, 1 aborted, 2 missing")
 
     def test_interrupted_and_retried_is_undisturbed(self):
-        """Also the results of checks made before the interrupt."""
+        """Also compares the results of checks made before the interrupt."""
         scene = with_values(SLOW | {"time.duration": 0.7})
         scene["checks"] = [{"what": "energy", "frames": [1, 2, 18], "drift": 9}, {"what": "not-blank", "frames": [1, 20]}]
         scene["test"] = {"frames": [1, 20]}
@@ -140,7 +141,7 @@ class Sweep(Case):
 
     def test_a_killed_process_costs_its_job_alone(self):
         self.write("slow.json", with_values(SLOW | {"time.duration": 0.5}))
-        for _ in range(20):  # until it does not end before the signal comes
+        for _ in range(20):  # repeats until the run is still active when the signal arrives
             process = self.start("sweep", "slow.json", "--vary", "seed=1,2", "-o", "sw/", "--overwrite")
             self.wait_until((self.folder / "sw/jobs/0000/run.json").exists, process)
             with contextlib.suppress(ProcessLookupError):
@@ -156,7 +157,7 @@ class Sweep(Case):
         self.assertEqual(self.status(0), ["2 jobs: 2 done"])
 
     def test_shared_work_is_done_once(self):
-        """A pre-roll, presteps and counts, and nothing that varies touches them."""
+        """Pre-roll, presteps and counts are independent of the varied values, so they run only once."""
         scene = with_values({"time.start": 0.5, "objects.dish.grayScott.presteps": 300}, DISH)
         self.write("dish.json", scene)
         vary = ("--vary", "camera.roll=0,10", "--vary", "render.exposure=0,1")
@@ -167,7 +168,8 @@ class Sweep(Case):
         self.good("render", "dish.json", "-o", "alone/", "-D", "camera.roll=10", "-D", "render.exposure=0")
         job, alone = self.content("sw/jobs/0002"), self.content("alone")
         self.assertEqual({name: job[name] for name in alone}, alone)
-        # A damaged one is made anew, or done without; so is that of a plan which is no more, whose jobs go.
+        # A damaged shared state is made again, or the jobs run without it. The shared state of an outdated plan is
+        # removed together with its jobs.
         state = self.folder / "sw/shared/checkpoint.000000"
         whole = state.read_bytes()
         (self.folder / "sw/jobs/0002/000001.png").unlink()
@@ -184,12 +186,12 @@ class Sweep(Case):
         self.assertEqual(self.run_program("-v", *again, "--overwrite").err.count(begins), 2)
         self.assertNotEqual(state.read_bytes(), whole)
         self.assertEqual(sorted(p.name for p in (self.folder / "sw/jobs").iterdir()), ["0000", "0001"])
-        # What varies is simulated.
+        # The varied value affects the simulation, so no state is shared.
         self.run_program("sweep", "dish.json", *vary, "--vary", f"{FEED}=0.03,0.04", "-o", "other/", "--plan-only")
         self.assertIsNone(json.loads((self.folder / "other/plan.json").read_text())["sharedFrame"])
 
     def test_scratch(self):
-        """On another file system, where there is one. A job that is drawn there is seen to be under way."""
+        """Uses another file system if available. A job that is drawn there counts as running."""
         disk = tempfile.mkdtemp(prefix="simreel-node-", dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None)
         self.addCleanup(shutil.rmtree, disk, True)
         scratch = ("--scratch", "$NODE/disk")
@@ -202,7 +204,7 @@ class Sweep(Case):
         self.assertEqual(list(self.content("sw/jobs/0000")), ["mine.txt"])
         (self.folder / "sw/jobs/0000/mine.txt").unlink()
         drawn = pathlib.Path(disk) / "disk"
-        for _ in range(20):  # until it does not end before it is stopped
+        for _ in range(20):  # repeats until the job is still active when it is stopped
             process = self.start("sweep", "job", "sw", "0", *scratch, env=env)
             self.wait_until(lambda: list(drawn.glob("*/*.png")), process)
             process.send_signal(signal.SIGSTOP)
@@ -214,8 +216,8 @@ class Sweep(Case):
         self.bad(6, "sw/jobs/0000 is being rendered", *sweep, "-o", "sw/", "--frames", "1", "--overwrite")
         process.kill()
         process.communicate()
-        self.assertEqual(len(left := list(drawn.iterdir())), 1)  # what it left there goes with the next attempt
-        # Interrupted, it brings its state home; once that is used it goes, there too.
+        self.assertEqual(len(left := list(drawn.iterdir())), 1)  # the next attempt removes the remaining files
+        # An interrupted job copies its state back; once used, the state is removed from both places.
         self.signal_when(lambda: [file for own in drawn.iterdir() if own not in left for file in own.glob("*.png")], "sw/jobs/0000",
                          signal.SIGTERM, "sweep", "job", "sw", "0", *scratch, env=env)
         self.assertTrue((self.folder / "sw/jobs/0000/checkpoint").exists())
@@ -234,18 +236,19 @@ class Sweep(Case):
         job = self.content("sw/jobs/0001")
         (self.folder / "sw/jobs/0001/000001.png").unlink()
         self.assertEqual(self.status(7)[0], "0001  aborted  feed=0.02  it was done, and 1 of its files is gone")
-        # Of two at it each does what the other does not.
+        # Two retries at once divide the jobs between them.
         both = [self.start("sweep", "retry", "sw") for _ in range(2)]
         for process in both:
             self.assertIn(process.wait(PATIENCE), (0, 7))
         self.assertEqual(self.content("sw/jobs/0001"), job)
-        # A job that is done is left alone.
+        # A finished job is left unchanged.
         before = (self.folder / "sw/jobs/0001/manifest.json").stat().st_ino
         self.good("sweep", "job", "sw", "1")
         self.assertEqual((self.folder / "sw/jobs/0001/manifest.json").stat().st_ino, before)
 
     def test_no_worker_outlives_a_killed_sweep(self):
-        """None goes on to finish its frame and keep its state, which the next run would wait for."""
+        """No worker continues to finish its frame and write its state, because the next run would have to wait for
+        it."""
         self.write("slow.json", with_values(SLOW))
         for arguments, places in ((("sweep", "slow.json", "--vary", "seed=1,2", "-o", "sw/", "--jobs", "2"), "sw/jobs/*"),
                                   (("render", "slow.json", "-o", "out/", "--pieces", "2", "--jobs", "2"), "out/pieces/*")):
@@ -259,14 +262,15 @@ class Sweep(Case):
             self.assertEqual(list(self.folder.glob(f"{places}/checkpoint")), [])
 
     def test_devices(self):
-        """One process a device, whatever --jobs says; a scene's test does the same."""
+        """Runs one process per device, whatever --jobs is; also in `simreel test`."""
         self.write("dish.json", with_values({"checks": []}, DISH))
         done = self.good("sweep", "dish.json", "--vary", f"{FEED}=0.02:0.0209:0.0001", "-o", "sw/", "--frames", "0", "--device", "0,none")
         self.assertIn("one process less to work in: it no device matches --device none", done.err.replace("was ended: ", ""))
         self.assertEqual(self.status(0), ["10 jobs: 10 done"])
 
     def test_a_thousand_jobs_are_planned_at_once(self):
-        """By processor time: a tenth of a second, where reading the scene for each would take a minute."""
+        """Measured in processor time: the plan takes a tenth of a second; reading the scene for every job would take a
+        minute."""
         begin = os.times()
         self.good("sweep", "dish.json", "--vary", f"{FEED}=0:0.0999:0.0001", "-o", "sw/", "--plan-only")
         used = os.times().children_user - begin.children_user + os.times().children_system - begin.children_system

@@ -1,4 +1,4 @@
-"""Nothing that comes from a file, a name or an argument steers the terminal; no failure goes without its line."""
+"""Text from files, names or arguments cannot send control sequences to the terminal; every failure prints its line."""
 import json
 import os
 import pathlib
@@ -15,16 +15,18 @@ ESC = "\x1b]0;owned\x07"
 C1 = "\x9b31m"
 BIDI = "\u202e"
 HOSTILE = f"a{ESC}{C1}{BIDI}\n::error::b\r\x7f"
-# Escape sequences, C0 but newline and tab, DEL, C1 and marks of direction, as they come out.
+# Escape sequences, C0 except newline and tab, DEL, C1 and direction marks, in unescaped form.
 RAW = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
 
 
 class Terminal(Case):
     def clean(self, code, *arguments, most=None, **options):
-        """Runs, expects the code, and looks for what would steer a terminal; `most`: lines of messages."""
+        """Runs the program, checks the exit code, and searches the output for control characters; `most` is the maximum
+        number of message lines."""
         done = self.run_program(*arguments, **options)
         self.assertEqual(done.returncode, code, (arguments, done.err))
-        for text in (done.stdout.decode("utf-8"), done.stderr.decode("utf-8")):  # valid UTF-8, too
+        # decoding also checks that the output is valid UTF-8
+        for text in (done.stdout.decode("utf-8"), done.stderr.decode("utf-8")):
             self.assertIsNone(RAW.search(text), text)
         if most is not None:
             self.assertLessEqual(len(done.err.splitlines()), most, done.err)
@@ -98,7 +100,7 @@ class Terminal(Case):
             self.clean(done.returncode, "render", "uses.json", "-o", "out/", "--frames", "0", most=1)
 
     def test_reports_on_the_terminal(self):
-        """Names, reasons and sources of scenes that are tested."""
+        """Covers names, reasons and sources of tested scenes."""
         hostile = with_values({"test": {"frames": [0], "size": [16, 9], "samples": 1, "xfail": HOSTILE}})
         self.write(f"scenes/{HOSTILE}.json", hostile)
         self.write("scenes/::error title=x::y.json", with_values({"test": {"frames": [0], "size": [16, 9]}}))
@@ -117,7 +119,7 @@ class Terminal(Case):
 
 class SetUp(unittest.TestCase):
     def test_a_failure_while_the_command_line_is_set_up_is_one_line(self):
-        """Arguments of 2 MB, and just enough memory to start without them."""
+        """The arguments have 2 MB, and memory is barely enough to start the program without them."""
         def run(megabytes, arguments):
             limit = int(megabytes * (1 << 20))
             return subprocess.run([PROGRAM, "list", *arguments], capture_output=True, check=False, timeout=PATIENCE,
@@ -130,7 +132,7 @@ class SetUp(unittest.TestCase):
             else:
                 least = middle
         long = ["x" * 100_000] * 18
-        done = run(enough + 2.5, long)  # the arguments themselves lie on the stack
+        done = run(enough + 2.5, long)  # more memory, because the arguments are on the stack
         self.assertEqual((done.returncode, done.stderr), (4, b"simreel: error: not enough memory\n"))
         self.assertEqual(run(enough + 200, long).returncode, 2)
 

@@ -1,4 +1,4 @@
-"""Two programs that write into one folder at the same time."""
+"""Tests two programs that write into one folder at the same time."""
 import signal
 
 from common import PATIENCE, SLOW, Case, main, with_values
@@ -11,7 +11,7 @@ class TwoRuns(Case):
         self.run_of_slow = ("render", "slow.json", "-o", "out/")
 
     def begin(self, *more):
-        """A run in the background that has stored its first frame."""
+        """Starts a run in the background and waits for its first frame."""
         process = self.start(*self.run_of_slow, *more)
         self.assertTrue(self.wait_until(lambda: list(self.folder.glob("out/*.png")), process))
         return process
@@ -25,7 +25,7 @@ class TwoRuns(Case):
         self.assertEqual(self.content("out"), self.content("whole"))
 
     def test_the_same_frames_are_refused(self):
-        long = ("-D", "time.duration=3000")  # hours
+        long = ("-D", "time.duration=3000")  # a duration that would take hours to render
         first = self.begin("--frames", "0-19,25-89999", *long)
         for more in (("--frames", "20-25"), ("--frames", "29", "--overwrite"), ("--resume",), ("--skip-existing",)):
             self.bad(6, ["being rendered into out by another simreel", "--frames"], *self.run_of_slow, *long, *more)
@@ -57,7 +57,7 @@ class TwoRuns(Case):
         self.assert_out_is_whole()
 
     def test_many_at_once(self):
-        """Who removes the lock meets who opens it."""
+        """Removing the lock file races with opening it."""
         self.write("tiny.json", with_values({"render.size": [8, 8], "time.duration": 0}))
         runs = [self.start("render", "tiny.json", "-o", "out/", "--frames", str(i)) for i in range(6)]
         for process in runs:

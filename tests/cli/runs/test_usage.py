@@ -1,4 +1,4 @@
-"""Exit code 2: mistakes on the command line and in the scene."""
+"""Tests exit code 2: errors on the command line and in the scene."""
 import json
 import os
 
@@ -25,7 +25,8 @@ class CommandLine(Case):
         self.usage(["clth", "did you mean \"cloth\"?"], "list", "clth")
 
     def test_mistyped_options(self):
-        """Named first, with the nearest of the command's, its help, and the command's page."""
+        """The message names the mistyped option first, then the command's nearest option, its help, and the command's
+        page."""
         for arguments, name, meant, command in (
                 (("render", "scene.json", "-o", "out/", "--frame", "3"), "--frame", "--frames", "render"),
                 (("render", "scene.json", "-o", "out/", "--frame=3"), "--frame", "--frames", "render"),
@@ -51,7 +52,7 @@ class CommandLine(Case):
         self.usage(["scene.json is no command; to render that scene: simreel render scene.json"], "scene.json")
 
     def test_outputs_are_tried_before_a_device_is(self):
-        """What cannot be written, or is there already, is told before anything is simulated to place a camera."""
+        """Existing or unwritable outputs are reported before anything is simulated to place a camera."""
         nothing = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nothing"}
         for output in ("scene.json/out/", "/proc/self/out/", "/proc/nowhere/a.mp4", "/proc/self/a_####.png"):
             self.bad(6, ["cannot create"], "render", "scene.json", "-o", output, env=nothing)
@@ -70,7 +71,7 @@ class CommandLine(Case):
         self.assertEqual(done.stdout, b"scene.json: ok\n")
 
     def override(self, message, caret, argument, *arguments):
-        """Expects one mistake of `-D argument`, with the caret line below it."""
+        """Expects one error in `-D argument`, with the caret line below it."""
         done = self.bad_scene([], "render", "scene.json", "-o", "out/", *(arguments or ("-D", argument)))
         self.assertEqual(done.err.splitlines(), [f"-D {argument}: error: {message}", "  " + argument, "  " + caret])
         self.assertFalse((self.folder / "out").exists(), argument)
@@ -147,12 +148,13 @@ class SceneMistakes(Case):
                           'no object is named "cve"', "smoke", "cave"):
                 self.assertIn(words, done.err)
             self.assertEqual(done.err.count("error: "), 7 + (command[0] == "validate"), done.err)
-        # One whose value could not be read, or whose object is none, names nothing.
+        # An object with an unreadable value or an unknown kind counts as existing, so references to it cause no further
+        # error.
         self.write("bad.json", '{"version": 1, "objects": {"flag": {"clth": {}}}, "camera": {"track": "flag"}}')
         self.assertEqual(self.run_program("validate", "bad.json").err.count("error: "), 2)
 
     def mistake(self, words, text):
-        """The same report from validate and from render."""
+        """Expects the same report from validate and from render."""
         self.write("bad.json", text)
         checked = self.bad(2, words, "validate", "bad.json")
         rendered = self.bad_scene(words, "render", "bad.json", "-o", "out/")
@@ -161,7 +163,7 @@ class SceneMistakes(Case):
         return rendered.err
 
     def only(self, head, caret, text):
-        """Expects one mistake, its head after "bad.json:", and the caret line below it."""
+        """Expects one error: its first line after "bad.json:", and the caret line below it."""
         lines = self.mistake([], text).splitlines()
         self.assertEqual([lines[0], *lines[2:]], ["bad.json:" + head, caret])
 

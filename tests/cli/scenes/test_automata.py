@@ -1,4 +1,5 @@
-"""Automata of every family beside Golly's bgolly, and --rule. The long comparison: tools/bench/automata."""
+"""Compares automata of every family with Golly's bgolly, and tests --rule. tools/bench/automata is the long
+comparison."""
 import pathlib
 import shutil
 import unittest
@@ -20,13 +21,13 @@ class Families(Case):
 
     def test_soups_of_every_family(self):
         for family in golly.FAMILIES + (golly.NEWER if golly.version() >= (4, 0) else []):
-            if not family.startswith("far"):  # thousands of cells around each
+            if not family.startswith("far"):  # the far families read thousands of cells around each cell
                 self.hold(golly.soups(family, 4, 1), 40)
         far = [case for case in golly.soups("farthest", 20, 1) if max(case["size"]) < 320]
         self.hold(far[:4], 3)
 
     def test_rules_that_live(self):
-        """Soups that have not died out or filled up after 60 generations."""
+        """Soups that still change after 60 generations."""
         self.hold([{"size": size, "rule": rule, "fill": fill, "border": border}
                    for rule, fill in (("B2-a/S12", 0.3), ("B3/S2-i34q", 0.3), ("B2/S34H", 0.3), ("B13/S012V", 0.3), ("/2/3", 0.3),
                                       ("345/2/4", 0.4), ("2-a/3n/8", 0.3), ("2/13/21", 0.3), ("R5,C0,M1,S34..58,B34..45,NM", 0.5),
@@ -42,7 +43,7 @@ class Families(Case):
                                                ("torus", [31, 20], [5, 0]), ("torus", [31, 20], [0, -7]))], 60)
 
     def test_rule_files(self):
-        """A table with bound variables, and one whose walls make a torus the cylinder that Golly does not have."""
+        """A table with bound variables, and one whose walls turn a torus into a cylinder, which Golly does not have."""
         self.write("Signal.rule", "@RULE Signal\n@TABLE\nn_states:5\nneighborhood:vonNeumann\nsymmetries:rotate4reflect\n"
                    "var a={0,1,2,3,4}\nvar b={1,2}\nvar c={0,3,4}\nvar d={a}\nvar e={a}\nvar f={a}\n"
                    "0,b,c,a,d,b\n1,2,a,d,e,3\n2,a,b,d,b,4\n3,b,a,d,e,b\n4,a,d,e,f,0\n3,a,d,e,f,1\n")
@@ -58,7 +59,7 @@ class Families(Case):
                               "time": {"fps": 10, "duration": 1.1}, "objects": {"cells": {"life": life}}})
         self.good("bake", "s.json", "-o", "out", "--frames", "0,10", "--format", "rle")
         start, end = (golly.read_rle((self.folder / f"out/cells_{f:06}.rle").read_text(encoding="ascii")) for f in (0, 10))
-        self.assertEqual(start[2], "B3/S23")  # Golly has no such grid
+        self.assertEqual(start[2], "B3/S23")  # the border's notation is dropped, because Golly has no such grid
         rows = ["".join(".A"[start[3].get((x, y), 0)] for x in range(width)) for y in range(height)]
         self.write("w.rle", f"x = {width}, y = {height + 1}, rule = WalledLife:T{width},{height + 1}\n"
                    + "$\n".join([*rows, "B" * width]) + "!\n")
@@ -70,7 +71,7 @@ class Families(Case):
 
 
 class Shapes(Case):
-    """Neighbourhoods that Golly 3 does not know, by their definitions: whether a cell (dx, dy) away counts in range r."""
+    """Neighbourhoods unknown to Golly 3, by their definition: True if a cell at offset (dx, dy) counts in range r."""
     DRAWN = {"2": lambda dx, dy, r: dx * dx + dy * dy <= r * r, "+": lambda dx, dy, r: dx * dy == 0,
              "X": lambda dx, dy, r: abs(dx) == abs(dy), "*": lambda dx, dy, r: dx * dy == 0 or abs(dx) == abs(dy),
              "#": lambda dx, dy, r: abs(dx) == 1 or abs(dy) == 1, "B": lambda dx, dy, r: (dx + dy) % 2 == 1,

@@ -1,4 +1,4 @@
-"""`simreel bake` as a user meets it."""
+"""Tests `simreel bake` through the command line."""
 import math
 import struct
 
@@ -6,7 +6,7 @@ from common import Case, main, png_rows, unfiltered, with_values
 
 
 def read_ply(data):
-    """(comments, column names, rows) of a binary PLY of floats."""
+    """Returns (comments, column names, rows) of a binary PLY of floats."""
     head, _, body = data.partition(b"end_header\n")
     lines = head.decode("ascii").splitlines()
     assert lines[:2] == ["ply", "format binary_little_endian 1.0"], lines
@@ -31,7 +31,7 @@ class Bake(Case):
         self.assertEqual(names, ["x", "y", "z", "nx", "ny", "nz", "s", "t", "vx", "vy", "vz"])
         self.assertEqual(len(rows), 9 * 7)
         self.assertIn("object flag frame 5 time 0.166667 s seed 1", comments)
-        # It falls from rest: lower in each frame, and faster.
+        # The sheet falls from rest: lower in each frame, with increasing speed.
         heights = [sum(row[1] for row in self.read(f"out/flag_{frame:06}.ply")[2]) for frame in range(6)]
         self.assertEqual(heights, sorted(heights, reverse=True))
         self.assertEqual({row[8:] for row in self.read("out/flag_000000.ply")[2]}, {(0.0, 0.0, 0.0)})
@@ -45,7 +45,7 @@ class Bake(Case):
         self.assertIn(b"element face 96\nproperty list uchar uint vertex_indices\n", head)
         rows = self.read("out/flag_000005.ply")[2]
         faces = [struct.unpack_from("<3I", body, len(rows) * 44 + 13 * i + 1) for i in range(96)]
-        # Faces and normals look the same way, and the faces are as large as the sheet.
+        # Faces and normals have the same orientation, and the total area of the faces equals the sheet's.
         area = 0
         for face in faces:
             a, b, c = (rows[i] for i in face)
@@ -54,11 +54,13 @@ class Bake(Case):
             area += 0.5 * math.sqrt(sum(x * x for x in cross))
             for i in face:
                 self.assertGreater(sum(x * n for x, n in zip(cross, rows[i][3:6])), 0)
-        self.assertAlmostEqual(area, 0.8 * 0.6, delta=0.1)  # it is in folds
-        self.assertEqual([rows[0][6:8], rows[8][6:8], rows[62][6:8]], [(0, 1), (1, 1), (1, 0)])  # a picture's first row is at 1
+        self.assertAlmostEqual(area, 0.8 * 0.6, delta=0.1)  # the tolerance allows for folds of the sheet
+        # uvs of three corners; a picture's first row is at v = 1
+        self.assertEqual([rows[0][6:8], rows[8][6:8], rows[62][6:8]], [(0, 1), (1, 1), (1, 0)])
 
     def test_what_was_baked_is_read_as_the_same_surface(self):
-        """Triangle by triangle; the order of the vertices is the reader's. Rotations by 0 are not exact."""
+        """Compares triangle by triangle, because the reader reorders vertices. Rotations are omitted, because even a
+        rotation by 0 would not be exact."""
         self.good("bake", "scene.json", "-o", "out", "--frames", "5")
         rows = self.read("out/flag_000005.ply")[2]
 
@@ -134,12 +136,12 @@ class Bake(Case):
         self.assertIn(b"element face 48\nproperty list uchar uint vertex_indices\n", head)
         self.assertEqual(len(body), 35 * 8 * 4 + 48 * 13)
         vertices = [tuple(map(float, line.split()[1:])) for line in lines if line.startswith("v ")]
-        for i, vertex in enumerate(vertices):  # both files hold the same floats
+        for i, vertex in enumerate(vertices):  # both files contain the same floats
             self.assertEqual(struct.pack("<3f", *vertex), body[i * 32:i * 32 + 12])
-        for x, y, z in vertices:  # the ripple at frame 5
+        for x, y, z in vertices:  # compares with the ripple's formula at frame 5
             self.assertAlmostEqual(y, 0.25 * math.sin(2 * 5 / 30 + 6 - math.hypot(x, z)), places=5)
         self.assertNotEqual(self.content("out")["sheet_000000.obj"], self.content("out")["sheet_000005.obj"])
-        # And back: what bake wrote is read as a mesh.
+        # A baked mesh can be read as a mesh again.
         self.write("again.json", with_values({"objects": {"m": {"mesh": {"shape": "file", "file": "out/sheet_000005.ply"}}}}))
         self.good("render", "again.json", "-o", "again.png", "--frames", "0")
 

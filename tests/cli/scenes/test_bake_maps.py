@@ -1,4 +1,4 @@
-"""`simreel bake --format maps` as a user meets it, and skins in scenes."""
+"""Tests `simreel bake --format maps` through the command line, and skins in scenes."""
 import struct
 
 from common import Case, main, png_rows, unfiltered, with_values
@@ -19,7 +19,7 @@ SKINNED = {
 
 
 def read_map(data):
-    """(width, height, rows of tuples) of an 8-bit RGB or a 16-bit grey PNG."""
+    """Returns (width, height, rows of tuples) of an 8-bit RGB or a 16-bit grey PNG."""
     width, height, rows = png_rows(data)
     depth, kind = data[24], data[25]
     if (depth, kind) == (16, 0):
@@ -50,8 +50,8 @@ class BakeMaps(Case):
             self.assertEqual(read_map(data)[:2], (SIDE, SIDE))
             self.assertIn(b"simreel:object\0ball", data)
         colours = {c for row in self.read("out/ball_000002_albedo.png")[2] for c in row}
-        self.assertIn((149, 108, 63), colours)  # (0.3, 0.15, 0.05) in sRGB
-        self.assertIn((89, 63, 39), colours)    # (0.1, 0.05, 0.02)
+        self.assertIn((149, 108, 63), colours)  # the colour (0.3, 0.15, 0.05) in sRGB
+        self.assertIn((89, 63, 39), colours)    # the colour (0.1, 0.05, 0.02) in sRGB
         normals = [n for row in self.read("out/ball_000002_normal.png")[2] for n in row]
         for x, y, z in normals:
             length = sum((c / 127.5 - 1) ** 2 for c in (x, y, z)) ** 0.5
@@ -60,7 +60,7 @@ class BakeMaps(Case):
         self.assertGreater(max(n[0] for n in normals), 160)
         self.assertEqual({c for row in self.read("out/ball_000002_roughness.png")[2] for c in row}, {(179, 179, 179)})
         heights = {h for row in self.read("out/ball_000002_height.png")[2] for (h,) in row}
-        self.assertGreater(len(heights), 600)  # more than 8 bits hold
+        self.assertGreater(len(heights), 600)  # more different heights than 8 bits can hold
 
     def test_normals_follow_the_heights_with_y_up(self):
         self.good("bake", "scene.json", "-o", "out", "--format", "maps")
@@ -73,7 +73,7 @@ class BakeMaps(Case):
                 rise_right = heights[y][(x + 1) % SIDE][0] - heights[y][x - 1][0]
                 rise_up = heights[y - 1][x][0] - heights[(y + 1) % SIDE][x][0]
                 for axis, rise in ((0, rise_right), (1, rise_up)):
-                    if abs(rise) > 3000:  # steep enough to be sure
+                    if abs(rise) > 3000:  # the slope is steep enough to compare its sign
                         count[axis] += 1
                         agree[axis] += (normals[y][x][axis] < 127.5) == (rise > 0)
         for axis in (0, 1):
@@ -81,8 +81,8 @@ class BakeMaps(Case):
             self.assertEqual(agree[axis], count[axis])
 
     def test_maps_tile(self):
-        """Steps across the border, their largest and 99th percentile, are such as lines inside have; at one, several
-        and less than one texel a cell."""
+        """Differences across the tile border, by maximum and 99th percentile, are like those between inner lines; with
+        one, several and fewer than one texel per cell."""
         for width, height in ((SIDE, SIDE), (201, 167), (45, 38)):
             self.good("bake", "scene.json", "-o", "out", "--format", "maps", "--overwrite", "--size",
                       f"{width}x{height}")
@@ -91,9 +91,9 @@ class BakeMaps(Case):
                 self.assertEqual((found, rows_found), (width, height))
                 across = [sorted(apart(row[x - 1], row[x]) for row in rows) for x in range(width)]
                 down = [sorted(apart(a, b) for a, b in zip(rows[y - 1], rows[y])) for y in range(height)]
-                for lines in (across, down):  # the first is the border
+                for lines in (across, down):  # the first line is the tile's border
                     for rank in (-1, len(lines[0]) * 99 // 100):
-                        # One of all lines has to have the largest step: 5 % of slack.
+                        # The maximum may occur at the border by chance: 5 % tolerance.
                         self.assertLessEqual(lines[0][rank], 1.05 * max(line[rank] for line in lines[1:]) + 1, name)
 
     def test_a_field_with_a_look(self):

@@ -1,5 +1,5 @@
-"""`simreel bake` of all frames into one file: glTF against the specification's rules, point caches against their
-formats, both against the frames baked one by one; Blender, where it is installed, has the last word."""
+"""Tests `simreel bake` of all frames into one file: glTF against the rules of its specification, point caches against
+their formats, and both against frames baked one by one. Blender, if installed, reads the files too."""
 import json
 import math
 import os
@@ -23,7 +23,7 @@ def single(value):
 
 
 def read_obj(path):
-    """Rows of v, vt and vn, and faces as triples of a number for all three, from 0."""
+    """Returns rows of v, vt and vn, and faces as triples of a single zero-based index."""
     rows = {"v": [], "vt": [], "vn": [], "f": []}
     for line in path.read_text(encoding="utf-8").splitlines():
         kind, *words = line.split()
@@ -37,7 +37,7 @@ def read_obj(path):
 
 
 class Glb:
-    """A binary glTF file, held to the rules of the glTF 2.0 specification; their sections stand behind them."""
+    """A binary glTF file, checked by the rules of the glTF 2.0 specification; comments give the sections."""
 
     def __init__(self, data):
         magic, version, total = struct.unpack_from("<4sII", data)
@@ -78,7 +78,7 @@ class Glb:
         self.need(view.get("target", VERTICES) in (VERTICES, INDICES), "target", "5.11")
 
     def values(self, index, target=None, bounded=False):
-        """Rows of an accessor after its own rules; `target`: what its view has to say."""
+        """Returns the rows of an accessor and checks its rules; `target` is the required target of its view."""
         self.used.add(index)
         accessor = self.document["accessors"][index]
         view = self.document["bufferViews"][accessor["bufferView"]]
@@ -142,7 +142,7 @@ class Glb:
             self.weights = [weights[i:i + len(self.targets)] for i in range(0, len(weights), len(self.targets))]
 
     def at(self, key, name):
-        """An attribute at a key of the animation: base + sum of weight x target (3.7.2.2)."""
+        """Returns an attribute at a key of the animation: base + sum of weight x target (3.7.2.2)."""
         rows = [list(row) for row in self.columns[name]]
         for weight, target in zip(self.weights[key], self.targets):
             if weight:
@@ -151,7 +151,7 @@ class Glb:
 
 
 def read_cache(data):
-    """(points, frame numbers or seconds, step or None, frames of rows) of a PC2 or MDD file."""
+    """Returns (points, frame numbers or seconds, step or None, frames of rows) of a PC2 or MDD file."""
     if data.startswith(b"POINTCACHE2\0"):
         version, points, start, step, frames = struct.unpack_from("<iiffi", data, 12)
         assert version == 1
@@ -197,7 +197,7 @@ class Sequence(Case):
         return self.good("bake", "scene.json", "-o", "out", *arguments)
 
     def frames(self, name, numbers):
-        """The frames baked one by one."""
+        """Returns the frames baked one by one."""
         self.good("bake", "scene.json", "-o", "frames", "--format", "obj", "--object", name, "--overwrite",
                   "--frames", ",".join(map(str, numbers)))
         return [read_obj(self.folder / f"frames/{name}_{frame:06}.obj") for frame in numbers]
@@ -214,7 +214,8 @@ class Sequence(Case):
             self.assertEqual(glb.times, [single(i / 30) for i in range(6)])
             self.assertEqual(glb.weights, [[float(i == k + 1) for k in range(5)] for i in range(6)])
             self.assertEqual(glb.columns["POSITION"], [tuple(map(single, p)) for p in frames[0]["v"]])
-            for (u, v), (x, y) in zip(glb.columns["TEXCOORD_0"], frames[0]["vt"]):  # OBJ counts v from below
+            # v points down in glTF and up in OBJ
+            for (u, v), (x, y) in zip(glb.columns["TEXCOORD_0"], frames[0]["vt"]):
                 self.assertEqual((u, round(v, 6)), (single(x), round(1 - y, 6)))
             self.assertEqual(glb.indices, [i for face in frames[0]["f"] for i in face])
             self.assertEqual(glb.document["meshes"][0]["extras"]["targetNames"], [f"frame {i}" for i in range(1, 6)])
@@ -317,7 +318,7 @@ class Sequence(Case):
         self.bake("--format", "pc2")
         self.bake("--format", "mdd", "--overwrite")
         self.write("look.py", BLENDER.format(frames=list(range(6))))
-        # It takes the first python3 of the path for its own, which may lack what it needs.
+        # Blender uses the first python3 in PATH as its own, and another one may lack modules that Blender needs.
         system = {**os.environ, "PATH": "/usr/bin:/bin"}
         done = subprocess.run([shutil.which("blender"), "--background", "--factory-startup", "--python-exit-code", "3", "--python", self.folder / "look.py",
                                "--", self.folder / "out"], cwd=self.folder, env=system, capture_output=True, timeout=PATIENCE, check=False)
@@ -326,7 +327,7 @@ class Sequence(Case):
         for kind in ("glb", "pc2", "mdd"):
             for got, frame in zip(found[kind], self.frames("flag", range(6)), strict=True):
                 for a, (x, y, z) in zip(got, frame["v"], strict=True):
-                    self.assertLess(math.dist(a, (x, -z, y)), 1e-6, kind)  # Blender's z is up
+                    self.assertLess(math.dist(a, (x, -z, y)), 1e-6, kind)  # Blender's z axis points up
 
 
 if __name__ == "__main__":

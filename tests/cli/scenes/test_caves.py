@@ -1,4 +1,4 @@
-"""Caves and contours as a user meets them: files for other programs, and one clear line for each mistake."""
+"""Tests caves and contours through the command line: files for other programs, and one clear line for each error."""
 import json
 import struct
 
@@ -6,7 +6,7 @@ from common import Case, main, with_values
 
 
 def read_glb(data):
-    """(document, binary chunk) of a binary glTF file."""
+    """Returns (document, binary chunk) of a binary glTF file."""
     magic, version, total = struct.unpack("<4sII", data[:12])
     assert (magic, version, total) == (b"glTF", 2, len(data)), (magic, version, total)
     chunks, at = [], 12
@@ -37,7 +37,7 @@ class Caves(Case):
         return self.folder / "out" / f"{name}_000000.{file_format}"
 
     def check_closed(self, positions, triangles):
-        """Every edge between two places is walked once each way."""
+        """Checks that every edge between two positions is used once in each direction."""
         edges = set()
         for triangle in triangles:
             places = [positions[i] for i in triangle]
@@ -55,14 +55,14 @@ class Caves(Case):
             indices = read_accessor(document, binary, primitive["indices"])
             positions = columns["POSITION"]
             self.assertEqual({len(column) for column in columns.values()}, {len(positions)})
-            self.assertEqual(set(indices), set(range(len(positions))))  # none that no triangle names
+            self.assertEqual(set(indices), set(range(len(positions))))  # checks that triangles use every position
             accessor = document["accessors"][primitive["attributes"]["POSITION"]]
             self.assertEqual(accessor["min"], [min(axis) for axis in zip(*positions)])
             self.assertEqual(accessor["max"], [max(axis) for axis in zip(*positions)])
             for normal in columns["NORMAL"]:
                 self.assertAlmostEqual(sum(x * x for x in normal), 1, places=5)
             self.check_closed(positions, [indices[i:i + 3] for i in range(0, len(indices), 3)])
-            # And back: what bake wrote is read as a mesh.
+            # A baked mesh can be read as a mesh again.
             self.write("again.json", with_values({"objects": {"m": {"mesh": {"shape": "file", "file": "out/c_000000.glb"}}}}))
             self.good("render", "again.json", "-o", f"again{ceiling}.png", "--frames", "0")
 
@@ -87,7 +87,7 @@ class Caves(Case):
         self.assertEqual(steps[at["entrance"][1] * width + at["entrance"][0]], 0)
         self.assertEqual(steps[at["exit"][1] * width + at["exit"][0]], max(steps))
         self.assertEqual(len(path), max(steps) + 1)
-        for y in range(height):  # a step more or less from each open cell to the next, or none
+        for y in range(height):  # step counts of neighbouring open cells differ by at most one
             for x in range(width - 1):
                 a, b = steps[y * width + x], steps[y * width + x + 1]
                 if a >= 0 and b >= 0:
@@ -111,7 +111,7 @@ class Caves(Case):
             self.assertAlmostEqual(room["area"], room["cells"] * 0.25)
             self.assertTrue(0 <= x <= 40 and -28 <= y <= 0)
         self.scene(fill=0.52, cell=0.5)
-        self.assertEqual(rooms(), separate)  # as they were before corridors joined them
+        self.assertEqual(rooms(), separate)  # the number of rooms before corridors joined them
 
     def test_levels_by_the_range_of_the_field(self):
         pattern = {"grayScott": {"size": [48, 32], "presteps": 50, "display": {"layer": "none", "low": 0.1, "high": 0.4}}}

@@ -1,5 +1,5 @@
-"""tools/cycles: what it hands over to Blender is where simreel draws it, and lit alike; what it cannot hand over it refuses. With Blender
-only in tools/test all (SIMREEL_LONG=1), and where it is installed."""
+"""Tests tools/cycles: objects transferred to Blender have the same position and lighting as in simreel, and parts that
+cannot be transferred are refused. Runs Blender only in tools/test all (SIMREEL_LONG=1), and only if it is installed."""
 import copy
 import json
 import os
@@ -63,7 +63,7 @@ class Cycles(Case):
 
     def cycles(self, samples):
         self.good("bake", "scene.json", "-o", "baked", "--format", "ply", "--frames", "3", "--overwrite")
-        # It takes the first python3 of the path for its own, which may lack what it needs.
+        # Blender uses the first python3 in PATH as its own, and another one may lack modules that Blender needs.
         done = subprocess.run([shutil.which("blender"), "-b", "--factory-startup", "--python-exit-code", "1", "--python", CYCLES / "scene.py", "--",
                                "scene.json", "baked", self.folder / "cycles.png", str(samples)], cwd=self.folder, env={**os.environ, "PATH": "/usr/bin:/bin"},
                               capture_output=True, timeout=PATIENCE, check=False)
@@ -90,12 +90,13 @@ class Cycles(Case):
         self.write("scene.json", scene)
         self.good("render", "scene.json", "-o", "ours.png", "--frames", "3")
         ours, theirs = self.pixels("ours.png"), self.pixels("cycles.png")
-        self.assertGreaterEqual(len({tuple(c // 40 for c in p) for p in ours.values()}), 5)  # all four, and the ground
+        # the picture shows all four objects and the ground
+        self.assertGreaterEqual(len({tuple(c // 40 for c in p) for p in ours.values()}), 5)
 
         def around(pixels, x, y):
             return [pixels[i, j] for i in (x - 1, x, x + 1) for j in (y - 1, y, y + 1) if (i, j) in pixels]
 
-        # A sample lies anywhere in its pixel there, in the middle here: at an edge either side may be seen.
+        # Cycles places a sample anywhere in its pixel, simreel at the centre: at an edge, either side may be visible.
         apart = [at for a, b in ((ours, theirs), (theirs, ours)) for at, p in a.items()
                  if not any(max(abs(c - d) for c, d in zip(p, q)) <= 4 for q in around(b, *at))]
         self.assertLess(len(apart), 6, apart[:20])

@@ -1,15 +1,16 @@
-"""Raw values of fields: `render --fields` beside the pictures, `bake --format`; files read with struct alone."""
+"""Tests raw values of fields: `render --fields` beside the pictures, and `bake --format`; reads the files with struct
+only."""
 import ast
 import struct
 import zlib
 
 from common import SCENE, Case, main, with_values
 
-ROWS = ["#....", "..#..", "....#", "##..#"]  # of the start: size 5 x 4, # is v = 0.5
+ROWS = ["#....", "..#..", "....#", "##..#"]  # start pattern of 5 x 4 cells; # marks v = 0.5
 
 
 def read_npy(data):
-    """(rows, columns, values) of an NPY 1.0 file of little-endian floats."""
+    """Returns (rows, columns, values) of an NPY 1.0 file of little-endian floats."""
     assert data[:8] == b"\x93NUMPY\x01\x00", data[:8]
     (length,) = struct.unpack("<H", data[8:10])
     assert (10 + length) % 64 == 0, length
@@ -58,7 +59,7 @@ class Fields(Case):
         rows, columns, values = read_npy(files["000000.dish.npy"])
         self.assertEqual((rows, columns), (4, 5))
         self.assertEqual(values, tuple(0.5 if c == "#" else 0.0 for row in ROWS for c in row))
-        # u is what v leaves of 1 at the start, and only then.
+        # u is 1 - v in frame 0, but not in later frames.
         self.assertEqual(read_npy(files["000000.dish.u.npy"])[2], tuple(1 - value for value in values))
         _, _, later = read_npy(files["000003.dish.npy"])
         self.assertNotEqual(read_npy(files["000003.dish.u.npy"])[2], tuple(1 - value for value in later))
@@ -77,7 +78,7 @@ class Fields(Case):
         self.assertEqual(baked["dish_000003.npy"], wanted)
 
     def test_what_is_held_to_0_to_1_is_said_once(self):
-        """Without feed and kill the sum of u and v stays, but for what is cut off above 1."""
+        """Without feed and kill the sum of u and v is conserved, except for values clamped to 1."""
         dish = {"size": [31, 24], "feed": 0, "kill": 0, "steps": 10, "seeds": {"count": 3, "radius": 4}}
         scene = with_values({"objects": {"dish": {"grayScott": dish}}, "time.duration": 1}, SCENE)
         self.write("scene.json", scene)
@@ -89,7 +90,7 @@ class Fields(Case):
             self.assertEqual(done.err.count("is held there"), 1, done.err)
             self.assertIn("grayScott \"dish\"", done.err)
             self.assertLess(mass(29), mass(0) - 0.1)
-        # The same where nothing is cut off.
+        # No message if no value is clamped.
         for values in ({"diffuseV": 0.21, "dt": 0.4}, {"feed": 0.03, "kill": 0.06}):
             scene["objects"]["dish"]["grayScott"] = {**dish, **values}
             self.write("scene.json", scene)
@@ -108,7 +109,7 @@ class Fields(Case):
         self.good(*self.render("--fields", "npy", "--overwrite"))
         whole = self.content("out")
         self.assertEqual(read_npy(whole["000002.dish.npy"])[:2], (4, 5))
-        # Resuming mends what is cut short or missing, and leaves the rest.
+        # Resuming repairs truncated or missing files, and leaves the others unchanged.
         (self.folder / "out/000001.dish.npy").write_bytes(whole["000001.dish.npy"][:-3])
         (self.folder / "out/000003.dish.npy").unlink()
         before = (self.folder / "out/000002.dish.npy").stat().st_mtime_ns
@@ -123,7 +124,7 @@ class Fields(Case):
         self.bad(2, "no object of the scene is a field", "render", "cloth.json", "-o", "out/", "--fields", "npy")
         self.bad(2, "no object of the scene has a field", "bake", "cloth.json", "-o", "out", "--format", "npy")
         self.bad(2, ["nobody", "dish"], "bake", "scene.json", "-o", "out", "--format", "pfm", "--object", "nobody")
-        # A folder is in the way: nothing can be written there.
+        # A folder with the file's name prevents writing.
         (self.folder / "out/000001.dish.npy").mkdir(parents=True)
         self.bad(6, "000001.dish.npy", *self.render("--fields", "npy", "--overwrite"))
 
@@ -140,7 +141,7 @@ class Fields(Case):
         self.assertEqual((self.folder / "out/000000.dish.npy").stat().st_mtime_ns, kept)
 
     def test_damaged_and_not_asked_for(self):
-        """The manifest does not call them whole."""
+        """The manifest does not list damaged files as complete."""
         self.good(*self.render("--fields", "npy"))
         (self.folder / "out/000002.dish.npy").write_bytes(b"")
         self.good(*self.render("--resume"))

@@ -1,4 +1,4 @@
-"""Pictures without a background, and light before the film as OpenEXR, of the command."""
+"""Tests pictures without a background, and linear light as OpenEXR, through the command line."""
 import json
 
 from common import SOURCE, Case, main, png_rows, unfiltered
@@ -9,7 +9,7 @@ SCENE = {"version": 1, "stage": False, "render": {"size": [97, 55]},
 
 
 def pixels(png):
-    """Of a whole PNG of 8 bits, and how many channels it has."""
+    """Returns the pixels of an 8-bit PNG, and its number of channels."""
     channels = {2: 3, 6: 4}[png[25]]
     width, _, rows = png_rows(png)
     data = b"".join(unfiltered(rows, width * channels, channels))
@@ -31,11 +31,11 @@ class Film(Case):
             alpha = after[3]
             counts["whole" if alpha == 255 else "part" if alpha > 0 else "none"] += 1
             if alpha == 255:
-                self.assertEqual(after[:3], before)  # what hides all is as it was
+                self.assertEqual(after[:3], before)  # pixels that an object covers fully are unchanged
             if alpha == 0:
                 self.assertEqual(after, [0, 0, 0, 0])
         self.assertGreater(min(counts.values()), 100)
-        # Four samples a pixel: quarters.
+        # Four samples per pixel give alpha in quarters.
         self.assertLessEqual({pixel[3] for pixel in cut}, {0, 64, 128, 191, 255})
 
     def test_glows_look_the_same_over_black(self):
@@ -45,7 +45,7 @@ class Film(Case):
         plain, _ = pixels((self.folder / "plain.png").read_bytes())
         cut, _ = pixels((self.folder / "cut.png").read_bytes())
         self.assertGreater(len({pixel[3] for pixel in cut}), 50)
-        # But for the sky, which is nearly black, and rounding.
+        # Equal except for the sky, which is nearly black, and rounding.
         apart = [abs(before[i] - after[i] * after[3] / 255) for before, after in zip(plain, cut) for i in range(3)]
         self.assertLessEqual(max(apart), 6)
         self.assertLess(sum(apart) / len(apart), 1.5)
@@ -71,10 +71,10 @@ class Film(Case):
                 data = b"".join(unfiltered(rows, width * 2 * channels, 2 * channels))
                 numbers = [256 * data[i] + data[i + 1] for i in range(0, len(data), 2)]
                 shown = [value for pixel in pixels(plain)[0] for value in pixel]
-                # But for the dither, which is half a step at most.
+                # Equal except for the dither, which is at most half a step.
                 self.assertLessEqual(max(abs(a / 257 - b) for a, b in zip(numbers, shown)), 1.01)
                 self.assertGreater(len(set(numbers)), 4 * len(set(shown)))
-        # Without a curve they are the light of OpenEXR, encoded as IEC 61966-2-1 says, and rounded.
+        # Without a tone curve, 16-bit values are the light of the OpenEXR file, encoded by IEC 61966-2-1 and rounded.
         dark = ("-D", "sky.ground=[0.002,0.01,0.003]", "-D", "render.tone=plain", "-D", "render.transparent=false")
         self.good(*see[:6], *dark, "-o", "deep.png", "--bits", "16")
         self.good(*see[:6], *dark, "-o", "light.exr", "--bits", "32")
@@ -104,7 +104,7 @@ class Film(Case):
         self.assertEqual([frame["file"] for frame in frames], ["0000.exr", "0003.exr"])
         self.good("render", "scene.json", "--layers", "depth,object,position,normal,albedo", "--frames", "0,3", "-o", "a/####.exr", "--resume")
         self.assertEqual(first, (self.folder / "a/0000.exr").read_bytes())
-        # The film is not in it.
+        # Tone and exposure do not affect OpenEXR.
         self.good(*see, "--frames", "0", "-o", "c.exr", "-D", "render.tone=plain", "-D", "render.exposure=3")
         self.good("diff", "b.exr", "c.exr")
         self.assertEqual(self.run_program("diff", "b.exr", "b.exr", "-q").returncode, 0)
@@ -148,7 +148,7 @@ class Film(Case):
         self.write("worded.json", {**SCENE, "objects": {**SCENE["objects"], "word": {"text": {"text": "A", "screen": {}}}}})
         self.assertEqual(self.good("render", "worded.json", "--frames", "0-2", "-o", "b/####.exr").err.count(said), 1)
         self.assertNotIn(said, self.good("render", "scene.json", "--frames", "0", "-o", "c.exr").err)
-        # A field over the whole picture.
+        # Renders a field that covers the whole picture.
         self.write("field.json", {"version": 1, "render": {"size": [16, 9]}, "objects": {"cells": {"life": {"size": [32, 18]}}}})
         self.good("render", "field.json", "--frames", "0", "-o", "d.exr")
         width, height, channels, _ = read_exr((self.folder / "d.exr").read_bytes())

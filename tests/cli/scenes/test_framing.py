@@ -1,11 +1,12 @@
-"""Cameras that a scene places nowhere, where only a run tells what there is to see: found by a first run."""
+"""Tests cameras without a position in the scene, if the visible content is known only after a run: a first run places
+them."""
 import shlex
 
 from common import Case, main
 
 
 class Framing(Case):
-    # A sheet that falls over a ball, lit by a sky of its own: no stage.
+    # A sheet that falls over a sphere, with its own sky, so there is no stage.
     SCENE = {"version": 1, "sky": {}, "time": {"duration": 0.5}, "render": {"size": [64, 36]},
              "objects": {"sheet": {"cloth": {"size": [12, 12], "pins": [], "position": [0, 1.5, 0]}}, "ball": {"sphere": {"radius": 0.4}}}}
 
@@ -35,7 +36,8 @@ class Framing(Case):
 
     def test_what_it_says_keeps_the_camera_there(self):
         stage = {key: value for key, value in self.SCENE.items() if key != "sky"}
-        far = {"sheet": {"cloth": {"size": [12, 12], "spacing": 0.004, "pins": []}}}  # so small that it is nearer than nearest
+        # a sheet so small that the camera would be nearer than its minimum distance
+        far = {"sheet": {"cloth": {"size": [12, 12], "spacing": 0.004, "pins": []}}}
         for name, scene in ("sky", self.SCENE), ("stage", stage), ("small", {**stage, "objects": far}):
             with self.subTest(name):
                 self.write("scene.json", scene)

@@ -1,4 +1,5 @@
-"""Automata as a user meets them: RLE in and out, and Golly's bgolly (Debian package golly) run beside the program."""
+"""Tests automata through the command line: RLE input and output, compared with Golly's bgolly (Debian package
+golly)."""
 import shutil
 import subprocess
 import unittest
@@ -8,7 +9,7 @@ from common import PATIENCE, SOURCE, Case, main
 
 
 def read_rle(text):
-    """(width, height, rule, set of living cells) of an RLE file of two states."""
+    """Returns (width, height, rule, set of living cells) of a two-state RLE file."""
     *said, cells = golly.read_rle(text)
     return *said, set(cells)
 
@@ -21,7 +22,7 @@ def scene(size, generations, **life):
 
 
 def with_object(**life):
-    """Nothing is said about the grid."""
+    """Returns a scene without a size of the grid."""
     values = scene([1, 1], 10)
     values["objects"]["cells"]["life"] = life
     return values
@@ -41,7 +42,7 @@ class Golly(Case):
         start, end = (read_rle(text) for text in texts)
         self.assertEqual(start[:3], (*size, f"{rule}:T{size[0]},{size[1]}"))
         self.assertLessEqual(max(map(len, texts[1].splitlines())), 70)
-        # Where Golly puts the grid follows from the start; then nothing may be moved any more.
+        # The first generation gives the offset of Golly's grid; later generations use the same offset.
         first = self.run_golly("out/cells_000000.rle", 0)
         left, top = (min(c[i] for c in first) - min(c[i] for c in start[3]) for i in (0, 1))
         self.assertEqual({(x - left, y - top) for x, y in first}, start[3])
@@ -81,12 +82,12 @@ class Golly(Case):
                 for frame, generations in ((0, 0), (10, 90)):
                     ours = read_rle((self.folder / f"out/cells_{frame:06}.rle").read_text(encoding="ascii"))
                     self.assertEqual(ours[2], ("B36" if "swapped" in name else "B3") + "/S23:P400,300")
-                    # bgolly needs a header.
+                    # bgolly reads the file with a header instead, because it requires one.
                     theirs = self.run_golly("gun.cells" if name == "bare.rle" else name, generations)
                     self.assertEqual(put(ours[3]), put(theirs))
 
     def test_a_bounded_grid_of_a_file(self):
-        """Dead borders tell where in the grid the pattern lies."""
+        """Dead borders reveal the pattern's position in the grid."""
         for border, rule in (("P", "P31,20"), ("T", "T40,33")):
             self.write("g.rle", f"x = 3, y = 3, rule = B3/S23:{rule}\nbo$2bo$3o!\n")
             self.write("s.json", with_object(patterns=[{"file": "g.rle"}], stepsPerSecond=70))
@@ -116,7 +117,8 @@ class Life(Case):
         self.assertIn("#C object cells frame 10 time 1 s seed 4", one)
 
     def test_a_loop_that_the_driver_ends_is_an_error(self):
-        """Many generations in one dispatch are many iterations; here as many again that do nothing."""
+        """Many generations in one dispatch need many loop iterations; the test doubles them with iterations that do
+        nothing."""
         shutil.copytree(SOURCE / "glsl", self.folder / "glsl")
         own = (SOURCE / "glsl/life/active.comp").read_text(encoding="utf-8")
         place = "  int reached = 0;\n"
@@ -151,7 +153,7 @@ class Life(Case):
         self.bad(2, ["torus.rle is for a grid of 32 x 31", "33 x 31"], "bake", "torus.json", "-o", "torus")
 
     def bright(self, name, width, height, *more):
-        """Pixels of frame 0 whose green is bright."""
+        """Returns the pixels of frame 0 with bright green."""
         data = self.good("render", name, "-o", "-", "--frames", "0", "--size", f"{width}x{height}", *more).stdout
         self.assertEqual(len(data), 4 * width * height)
         return [(i % width, i // width) for i in range(width * height) if data[4 * i + 1] > 150]
@@ -160,10 +162,10 @@ class Life(Case):
         shutil.copy(SOURCE / "assets/patterns/gosper_gun.rle", self.folder)
         self.write("s.json", {"version": 1, "objects": {"c": {"life": {"patterns": [{"file": "gosper_gun.rle"}]}}}})
         pixels = self.bright("s.json", 320, 180)
-        self.assertEqual(len(pixels), 36 * 16)  # 80 x 45 cells of 4 x 4 pixels
+        self.assertEqual(len(pixels), 36 * 16)  # the gun's 36 cells have 4 x 4 pixels each; the grid has 80 x 45 cells
         for axis, (least, most) in enumerate(((88, 231), (72, 107))):
             self.assertEqual((min(p[axis] for p in pixels), max(p[axis] for p in pixels)), (least, most))
-        # Another shape of picture: all of the grid is in it.
+        # A picture of another shape shows the whole grid.
         self.assertEqual(len(self.bright("s.json", 160, 160)), 36 * 4)
         listed = self.good("list", "life").stdout.decode()
         self.assertIn("[default [512,512], or fits the patterns;", " ".join(listed.split()))
@@ -175,7 +177,7 @@ class Life(Case):
             with self.subTest(file=name):
                 self.write(name, text)
                 self.good("validate", name)
-                # 48 x 27 cells of 4 x 4 pixels.
+                # The picture shows 48 x 27 cells of 4 x 4 pixels each.
                 self.assertEqual(len(self.bright(name, 192, 108, "-D", "render.bloom.strength=0")), 5 * 16)
         self.bad(2, ["unknown key \"trial\"", "\"trail\""], "validate", "g.rle", "-D", "objects.cells.life.trial=0")
         self.good("bake", "g.rle", "-o", "cells", "--frames", "0")
@@ -197,7 +199,7 @@ class Life(Case):
         self.bad_scene("needs \"file\"", "bake", "s.json", "-o", "out")
         self.write("p.rle", "x = 3, y = 1\n2oA!")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle"}]))
-        self.good("bake", "s.json", "-o", "two", "--frames", "0")  # A is alive
+        self.good("bake", "s.json", "-o", "two", "--frames", "0")  # letter A is state 1, a living cell
         self.write("p.rle", "x = 3, y = 1\n2oB!")
         self.bad(2, ["p.rle:2:3", "a cell of state 2, but the rule B3/S23 has the states 0 to 1"], "bake", "s.json", "-o", "out")
         self.write("s.json", scene([33, 31], 10, patterns=[{"file": "p.rle", "rotate": 45}]))
@@ -214,7 +216,7 @@ class Life(Case):
 
     def test_every_shipped_pattern_is_read(self):
         files = sorted((SOURCE / "assets/patterns").glob("*.rle"))
-        self.good("validate", SOURCE / "assets/patterns/parity.rle")  # its rule stands beside it
+        self.good("validate", SOURCE / "assets/patterns/parity.rle")  # the pattern's rule file is beside it
         files = [file for file in files if "WireWorld" not in file.read_text(encoding="ascii")]
         self.assertGreater(len(files), 4)
         patterns = [{"file": f"patterns/{file.name}", "at": [5, 45 * i]} for i, file in enumerate(files)]

@@ -1,4 +1,4 @@
-"""Materials of mesh files and of scenes: what is drawn, what is said, what is refused."""
+"""Tests materials of mesh files and of scenes: drawn features, messages, refused values."""
 import base64
 import json
 import struct
@@ -10,7 +10,7 @@ WORDS = "has what is not drawn: "
 
 
 def png(pixels, width=None):
-    """Rows of RGBA pixels; one without a width."""
+    """Returns a PNG of RGBA pixels, as rows of `width` pixels, or one row."""
     width = width or len(pixels)
     def chunk(name, data):
         return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
@@ -20,7 +20,7 @@ def png(pixels, width=None):
 
 
 def gltf(materials, images=(), textures=()):
-    """Two triangles of a square before the camera, one for each of the first two materials."""
+    """Returns two triangles of a square before the camera, one for each of the first two materials."""
     places = [(-1, 1, 0), (-1, -1, 0), (1, -1, 0), (1, 1, 0)]
     uvs = [(0, 0), (0, 1), (1, 1), (1, 0)]
     corners = struct.pack("<6H", 0, 1, 2, 0, 2, 3)
@@ -53,7 +53,7 @@ class Materials(Case):
                                    "objects": {"square": objects}})
 
     def picture(self, *more):
-        """Colours left below and right above the square's diagonal."""
+        """Returns the colours at the lower left and the upper right of the square's diagonal."""
         self.good("render", "square.json", "--frames", "0", "--size", "65x65", "-o", "out/", "--overwrite", *more)
         width, _, rows = png_rows((self.folder / "out/000000.png").read_bytes())
         data = b"".join(unfiltered(rows, width * 3, 3))
@@ -63,7 +63,8 @@ class Materials(Case):
         self.write("square.gltf", gltf([glowing([1, 0, 0]), glowing([0, 0, 1])]))
         self.scene("square.gltf")
         self.assertEqual(self.picture(), ((255, 0, 0), (0, 0, 255)))
-        self.scene("square.gltf", {"emission": [0, 1, 0], "color": [0, 0, 0]})  # the scene's own instead
+        # the scene's own emission replaces the file's
+        self.scene("square.gltf", {"emission": [0, 1, 0], "color": [0, 0, 0]})
         self.assertEqual(self.picture(), ((0, 255, 0), (0, 255, 0)))
 
     def test_what_of_a_file_is_not_drawn_is_said_once(self):
@@ -111,7 +112,7 @@ class Materials(Case):
         self.write("hole.png", png([(0, 0, 0, 255)]))
         left, right = self.picture()
         self.assertEqual(right, (0, 0, 0))
-        self.assertTrue(180 < left[1] < 195, left)  # half of the light
+        self.assertTrue(180 < left[1] < 195, left)  # the picture shows half of the light
         self.write("square.mtl", b"newmtl left\nmap_Kd gone.png\n")
         self.assertIn("gone.png (it is not there, or no plain file)",
                       self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "c/").err)
@@ -119,7 +120,7 @@ class Materials(Case):
         self.assertIn("square.mtl (it is not there", self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "d/").err)
 
     def square(self, library):
-        """An OBJ of one material, whose u and v are 0.32 and 0.68 where picture() looks."""
+        """Writes an OBJ with one material; at the points that picture() reads, u and v are 0.32 and 0.68."""
         self.write("square.obj", b"mtllib square.mtl\nv -1 1 0\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nvt 0 1\nvt 0 0\nvt 1 0\nvt 1 1\n"
                                  b"usemtl all\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
         self.write("square.mtl", b"newmtl all\nKd 0 0 0\n" + library)
@@ -151,10 +152,11 @@ class Materials(Case):
             self.assertIn(part, self.said())
             self.square(library + b"Kd 0 0 0\n")
             self.assertEqual(self.picture(), ((0, 255, 0), (0, 255, 0)))
-        self.square(b"Ke 0 1 0\naniso 0\nanisor 0\nPs 0\nTf 1 1 1\nmap_d -imfchan l -cc off gone.png\n")  # as Blender writes what there is not
+        # Blender writes these values for unused features
+        self.square(b"Ke 0 1 0\naniso 0\nanisor 0\nPs 0\nTf 1 1 1\nmap_d -imfchan l -cc off gone.png\n")
         self.assertIn("gone.png", self.said())
         self.assertNotIn("aniso", self.said())
-        self.square(b"map_Ke gone.png\n")  # no light without its picture
+        self.square(b"map_Ke gone.png\n")  # without its picture, a light source is dark
         self.assertEqual(self.picture(), ((0, 0, 0), (0, 0, 0)))
 
     def test_light_in_libraries_as_of_old(self):
@@ -175,7 +177,8 @@ class Materials(Case):
         holed = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "alphaMode": "MASK", "extensions": {"KHR_materials_unlit": {}, "KHR_materials_clearcoat": {"clearcoatFactor": 1}}}
         self.write("square.gltf", {**gltf([plain, holed], [leaf], [{"source": 0}]), "extensionsUsed": ["KHR_materials_unlit"]})
         self.scene("square.gltf")
-        self.assertEqual(self.picture(), ((0, 0, 255), (0, 0, 0)))  # its light is not that of "emissiveFactor"; a hole
+        # the light does not come from "emissiveFactor"; the second material is a hole
+        self.assertEqual(self.picture(), ((0, 0, 255), (0, 0, 0)))
         self.assertNotIn(WORDS, self.said())
         light = ("-D", "sun.intensity=9", "-D", "sun.direction=[0,0,1]")
         self.assertEqual(self.picture(*light)[0], (0, 0, 255))
@@ -187,7 +190,7 @@ class Materials(Case):
     def test_textures_that_a_gltf_moves(self):
         red, green, blue, white = (255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (255,) * 4
         across, down = png([red, red, green, green]), png([red, red, green, green, blue, blue, white, white], 1)
-        # What is looked at is u = 0.32, v = 0.68 and then u = 0.68, v = 0.32. A quarter turn: u' = v, v' = -u.
+        # picture() reads u = 0.32, v = 0.68 and then u = 0.68, v = 0.32. A quarter turn: u' = v, v' = -u.
         for image, transform, left, right in ((across, {}, red, green), (across, {"offset": [0.5, 0]}, green, red), (across, {"scale": [0.5, 1]}, red, red),
                                               (across, {"rotation": 1.5707963}, green, red), (down, {}, blue, green), (down, {"offset": [0, 0.25]}, white, blue),
                                               (down, {"rotation": 1.5707963}, blue, green), (down, {"rotation": 1.5707963, "offset": [0, 0.25], "scale": [2, 1]}, blue, white)):
@@ -197,13 +200,13 @@ class Materials(Case):
             self.assertEqual(self.picture(), (left[:3], right[:3]), transform)
             self.assertNotIn(WORDS, self.said())
         second = gltf([glowing([1, 1, 1], emissiveTexture={"index": 0, "texCoord": 1})], [across], [{"source": 0}])
-        for part in second["meshes"][0]["primitives"]:  # the other set is its places: u = 0.32 is at x = -0.36
+        for part in second["meshes"][0]["primitives"]:  # the second uv set is the positions: u = 0.32 is at x = -0.36
             part["attributes"]["TEXCOORD_1"] = 4
         second["accessors"].append({"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC2"})
         second["bufferViews"][0]["byteStride"] = 12
         self.write("square.gltf", second)
         self.scene("square.gltf")
-        self.assertEqual(self.picture(), ((0, 255, 0), (255, 0, 0)))  # u = x: -0.36, which is 0.64, and 0.36
+        self.assertEqual(self.picture(), ((0, 255, 0), (255, 0, 0)))  # u = x is -0.36, which wraps to 0.64, and 0.36
         self.assertNotIn(WORDS, self.said())
 
     def test_maps_of_a_scene(self):

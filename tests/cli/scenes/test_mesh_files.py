@@ -1,4 +1,4 @@
-"""Meshes given as scenes, and what files of meshes bring along: pictures, libraries, what is not drawn."""
+"""Tests meshes given as scenes, and files that mesh files refer to: pictures, libraries, unsupported features."""
 import json
 import struct
 
@@ -11,7 +11,8 @@ BMP = (b"BM" + struct.pack("<IIIIiiHHIIIIII", 58, 0, 54, 40, 1, 1, 1, 24, 0, 4, 
 
 class MeshFiles(Case):
     def said(self, obj, material=None, **files):
-        """What `validate` says of a scene with that OBJ, beside files whose names have _ for their dots."""
+        """Returns the messages of `validate` for a scene with this OBJ, beside files in whose names _ stands for a
+        dot."""
         self.write("m.obj", obj)
         for name, content in files.items():
             self.write(name.replace("_", "."), content)

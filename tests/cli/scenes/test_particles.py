@@ -1,4 +1,4 @@
-"""Particles as a user meets them: files that cannot be used, and a state that other programs can."""
+"""Tests particles through the command line: unusable files, and state that other programs can read."""
 from common import Case, main
 from test_bake import read_ply
 
@@ -37,17 +37,18 @@ class Particles(Case):
         _, names, rows = read_ply((self.folder / "out/p_000000.ply").read_bytes())
         self.assertEqual(names, ["x", "y", "z", "mass", "vx", "vy", "vz", "age"])
         self.assertEqual([row[:4] for row in rows], [(1, 0, 0, 2), (-1, 0, 0, 2), (0, 3, 0, 1)])
-        # Nothing pulls: straight on, 1/30 s a frame.
+        # Without forces a particle moves in a straight line, 1/30 s per frame.
         _, _, rows = read_ply((self.folder / "out/p_000002.ply").read_bytes())
         self.assertAlmostEqual(rows[0][1], 0.5 * 2 / 30, places=6)
-        # What was baked goes in again.
+        # Baked particles can be read as input again.
         (self.folder / "out/p_000002.ply").rename(self.folder / "b.ply")
         self.set_groups([{"shape": "file", "file": "b.ply"}], method="none")
         self.good("bake", "scene.json", "-o", "again", "--frames", "0")
         self.assertEqual(read_ply((self.folder / "again/p_000000.ply").read_bytes())[2], rows)
 
     def test_glows_look_the_same_blended_and_summed_up(self):
-        """From specks to such that cover the picture, before, in and behind a ball, and behind the eye."""
+        """Sizes from specks to glows that cover the picture; positions before, inside and behind a sphere, and behind
+        the camera."""
         rows = [(x, y, z, 8.0 ** (i % 5 - 2)) for i, (x, y, z) in enumerate(
             (0.37 * (i % 9) - 1.5, 0.29 * (i % 7) - 0.9, 0.41 * (i % 11) - 2.2) for i in range(83))]
         self.write("a.csv", "x,y,z,mass\n0.2,0.1,4.7,300\n" + "".join(

@@ -1,10 +1,11 @@
-"""Rules of a scene's own by the program: overrides, what time and noise leave to a resumed run, lost states, mistakes."""
+"""Tests a scene's own reaction rules through the program: overrides, time and noise in resumed runs, lost states,
+errors."""
 import struct
 import zlib
 
 from common import SCENE, Case, main, with_values
 
-# Everything that depends on the step's number, the model's time and the scene's time.
+# Uses every quantity that depends on the step number, the model's time or the scene's time.
 RULE = {"size": [37, 21], "steps": 5, "dt": 0.01, "presteps": 3, "method": "rk4",
         "parameters": {"p": 0.3, "q": {"keys": [[0, 1], [0.3, -1]]}}, "lets": {"w": "u - laplacian(u)"},
         "species": {"u": {"diffusion": 1, "start": "random(1)", "rate": "p*sin(t) + q*u - u^3 + noise(2)"},
@@ -39,7 +40,7 @@ class Reaction(Case):
         return ["render", "scene.json", "-o", "out/", "--fields", "npy", *more]
 
     def test_fields_of_each_species_on_both_memory_paths_in_pieces_too(self):
-        # Beside one that reads it, and itself.
+        # A second object reads this object and itself.
         self.write_rule(RULE, reader={"size": [22, 30], "parameters": {"f": {"field": "r.v"}, "own": {"field": "reader"}},
                                       "show": "w + f", "species": {"w": {"rate": "f - w*own"}}})
         self.good(*self.render())
@@ -49,13 +50,13 @@ class Reaction(Case):
         self.assertEqual(names, {"png", "r.npy", "r.u.npy", "r.v.npy", "reader.npy", "reader.w.npy"})
         self.assertEqual(whole["000004.r.npy"], whole["000004.r.u.npy"])
         self.assertEqual(len(values_of(whole["000004.r.v.npy"])), 37 * 21)
-        # The stroke, of v alone.
+        # The stroke changes only v.
         self.assertEqual(values_of(whole["000003.r.v.npy"])[5 * 37 + 5], 0.5)
         for path in ("texel", "storage"):
             self.good(*self.render("--overwrite", "--memory-path", path))
             self.assertEqual({k: v for k, v in self.content("out").items() if k.endswith("npy")},
                              {k: v for k, v in whole.items() if k.endswith("npy")}, path)
-        # From a checkpoint, whose numbers of steps and times go on.
+        # Continues from a checkpoint; step numbers and times continue too.
         self.good("render", "scene.json", "-o", "kept/", "--checkpoint-at", "4", "--frames", "0-4")
         self.good("render", "scene.json", "-o", "more/", "--from", "kept/checkpoint.000004", "--fields", "npy", "--frames", "5-9")
         for name, data in self.content("more").items():
@@ -97,7 +98,7 @@ class Reaction(Case):
                     whole = files
                 self.assertEqual(files, whole)
         self.assertNotEqual(whole["000009.r.u.npy"], whole["000008.r.u.npy"])
-        # The first cell, and its step, is told from within a pass.
+        # The error names the first cell and its step, even within a pass of several steps.
         self.write_rule({**rule, "species": {"u": {"start": "1 + 0.3*random(1)", "rate": "u^3"}}})
         said = [self.bad(4, ["\"u\" of cell ("], *self.render("--overwrite", "--memory-path", path)).stderr for path in ("texel", "storage")]
         self.assertEqual(*said)
@@ -140,7 +141,7 @@ class Reaction(Case):
             self.assertAlmostEqual(c, 2 * a + b, delta=1e-5)
 
     def test_a_lost_state_names_species_cell_and_step(self):
-        # With 15 steps before the first frame, the one at t = 0.2 is of frame 2.
+        # With 15 steps before the first frame, the step at t = 0.2 belongs to frame 2.
         rule = {"size": [13, 9], "steps": 3, "dt": 0.1, "method": "euler", "species": {
             "calm": {}, "loud": {"rate": "if(x > 4 and x < 5 and y > 6 and y < 7, 1/step(t, 0.75), 0)"}}}
         self.write_rule(rule)
@@ -161,7 +162,7 @@ class Reaction(Case):
                             (["a stroke paints the species \"x\""], {"species": species, "strokes": [{"species": "x"}]})):
             self.write_rule({"size": [8, 8], **rule})
             self.bad_scene(words, *self.render())
-        # Stable no longer, which is no mistake but said.
+        # An unstable setting is not an error, but causes a message.
         self.write_rule({"size": [8, 8], "steps": 1, "dt": 1, "species": {"u": {"diffusion": 0.5}}})
         done = self.good(*self.render())
         self.assertIn("stable up to 0.375; lower dt to 0.75", done.err)

@@ -1,4 +1,5 @@
-"""Where scenes and what they name come from, and what of the command line is kept with the pictures."""
+"""Tests where scenes and the files that they name are found, and which parts of the command line are stored with the
+pictures."""
 import json
 import os
 import shutil
@@ -12,7 +13,7 @@ from exr_file import write_exr
 
 
 def png_texts(data):
-    """Keyword -> text of a PNG's tEXt chunks."""
+    """Returns keyword -> text of a PNG's tEXt chunks."""
     texts, at = {}, 8
     while at < len(data):
         length, kind = struct.unpack(">I4s", data[at:at + 8])
@@ -24,7 +25,7 @@ def png_texts(data):
 
 
 def png(width, height, rgba):
-    """A PNG of one colour."""
+    """Returns a PNG of one colour."""
     def chunk(kind, body):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
     rows = (b"\0" + bytes(rgba) * width) * height
@@ -45,7 +46,7 @@ class Overrides(Case):
         text = png_texts((self.folder / "changed/000000.png").read_bytes())["simreel:overrides"]
         self.assertEqual(text, "-D 'objects.flag.cloth.wind=[1, 0, 0]' -D seed=7 -D 'render.size=[32,18]' "
                                "-D time.fps=25 -D render.samples=1")
-        # What stands there makes the same picture again.
+        # The stored arguments render the same picture again.
         subprocess.run(f"{PROGRAM} render scene.json -o again/ --frames 0 {text}", shell=True, cwd=self.folder, check=True)
         self.assertEqual((self.folder / "again/000000.png").read_bytes(), (self.folder / "changed/000000.png").read_bytes())
 
@@ -75,7 +76,7 @@ class Folders(Case):
             self.bad_scene([], *command) if command[0] != "validate" else self.bad(2, [], *command)
             self.good(*command, "--assets", "project", "--assets", "there")
         tested = self.run_program("test", "project", "--assets", "there")
-        self.assertEqual(tested.returncode, 3, tested.err)  # no baseline, but it ran
+        self.assertEqual(tested.returncode, 3, tested.err)  # exit code 3: the scene has no baseline, but it ran
         self.write("project/scene.json", with_values({"objects.flag.material": {"texture": "../there/board.png"}}))
         self.bad_scene(["lies outside the folders a scene may read", "--assets DIR lets it read another"], "render",
                        "project/scene.json", "-o", "out/")
@@ -91,7 +92,7 @@ class Folders(Case):
 
 
 def gradient(width, height):
-    """A grey PNG, dark on its left."""
+    """Returns a grey PNG, dark on its left."""
     def chunk(kind, body):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
     rows = b"".join(b"\0" + bytes(255 * x // width for x in range(width)) for _ in range(height))
@@ -100,7 +101,7 @@ def gradient(width, height):
 
 
 class ValidateAndRender(Case):
-    """What render refuses, validate refuses: with the same words and the same code."""
+    """validate refuses what render refuses, with the same message and exit code."""
 
     def setUp(self):
         super().setUp()

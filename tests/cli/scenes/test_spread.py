@@ -1,4 +1,4 @@
-"""Epidemics and wildfires through the program: their counts as a table, and mistakes."""
+"""Tests epidemics and wildfires through the program: their counts as a table, and errors."""
 import csv
 import io
 import json
@@ -33,7 +33,7 @@ class SpreadCase(Case):
 
 class Strokes(SpreadCase):
     def warnings(self, kind, name, extra, *strokes):
-        """Lines that rendering says of further strokes."""
+        """Returns the warnings that rendering prints about further strokes."""
         scene = with_values({f"objects.{name}": {kind: {"size": [67, 35], **extra, "strokes": [
             {"from": [30, 20, 0], "radius": 3}, *strokes]}}}, FIRE)
         self.write("strokes.json", scene)
@@ -55,7 +55,7 @@ class Strokes(SpreadCase):
                 self.assertEqual(self.warnings(kind, name, bounded, stroke), [])
 
     def test_in_space(self):
-        """Of rules in volumes and on meshes."""
+        """Tests strokes in volumes and on meshes."""
         for space, stroke, said in (({"size": [8, 8], "depth": 8, "boundary": "no-flux"}, {"from": [4, 4, 19]},
                                      "lies wholly outside the volume of 8x8x8 cells"),
                                     ({"mesh": {"shape": "torus"}}, {"from": [0, 0, 0], "radius": 0.1},
@@ -73,7 +73,7 @@ class Counts(SpreadCase):
         self.good("render", "town.json", "-o", "out/")
         rows = self.rows("out/counts.csv")
         self.assertEqual(rows[0], ["step", "time", "town.susceptible", "town.infected", "town.recovered"])
-        # 11 frames lie between the first picture and the last, two steps each, after the start.
+        # The first row is the start; 11 frames with two steps each lie between the first picture and the last.
         self.assertEqual([int(row[0]) for row in rows[1:]], list(range(1 + 2 * (FRAMES - 1))))
         self.assertEqual([row[1] for row in rows[1:4]], ["0.000000", "0.016667", "0.033333"])
         for row in rows[1:]:
@@ -81,7 +81,7 @@ class Counts(SpreadCase):
         self.assertNotEqual(rows[1][2:], rows[-1][2:])
 
     def test_force_on_obstacles(self):
-        """A stream from the left pushes a disc along, and across it by much less."""
+        """A flow from the left pushes a disc downstream, with a much smaller force across."""
         disc = {"center": [20, 16, 0], "radius": 4}
         for measured in (False, True):
             self.write("flow.json", {"version": 1, "render": {"size": [64, 36]}, "time": {"fps": 30, "duration": 0.4}, "objects": {
@@ -91,11 +91,11 @@ class Counts(SpreadCase):
             self.good("render", "flow.json", "-o", "flow.png", "--frames", "8", "--overwrite")
             self.assertEqual(self.rows("flow.counts.csv")[0][10:], ["flow.drag", "flow.lift"] if measured else [])
         drag, lift = (float(value) for value in self.rows("flow.counts.csv")[-1][10:])
-        self.assertGreater(drag, 30 * 30)  # of an area of 8 cells: a coefficient above 1/4
+        self.assertGreater(drag, 30 * 30)  # the frontal size is 8 cells, so the drag coefficient is above 1/4
         self.assertLess(abs(lift), 0.2 * drag)
 
     def test_floats(self):
-        """What water measures of its floats, and its volume without what they displace."""
+        """Tests quantities of floating bodies, and the water volume without the displaced part."""
         box = {"shape": "box", "size": [0.5, 0.4, 0.5], "density": 500, "position": [0.1, 0, 0]}
         self.write("pool.json", {"version": 1, "render": {"size": [64, 36]}, "time": {"fps": 20, "duration": 0.2}, "objects": {
             "w": {"water": {"size": [16, 16], "cell": 0.1, "level": 0, "terrain": {"bed": -1}, "floats": [box]}}}})
@@ -178,7 +178,8 @@ class Counts(SpreadCase):
             for path in ("texel", "storage"):
                 self.good("render", scene, "-o", f"{scene}.{path}/", "--memory-path", path)
             texel, storage = (self.content(f"{scene}.{path}") for path in ("texel", "storage"))
-            # Of exact pictures the path is told in the fingerprint alone, and the one goes on where the other ended.
+            # For exact pictures, the memory path only appears in the fingerprint, and one path can continue the other's
+            # run.
             manifests = [json.loads(files.pop("manifest.json")) for files in (texel, storage)]
             self.assertEqual(*(manifest["frames"] for manifest in manifests))
             self.assertEqual(texel, storage)

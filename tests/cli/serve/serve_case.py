@@ -1,4 +1,5 @@
-"""What the tests of `simreel serve` share: servers that end with their test, and the pictures that `simreel render` makes."""
+"""Shared helpers of the tests of `simreel serve`: servers that end with their test, and pictures by `simreel
+render`."""
 import os
 import signal
 
@@ -27,8 +28,8 @@ class ServeCase(Case):
         self.assertNotIn("error", err)
 
     def rendered(self, frame, *arguments, file="scene.json", frames=None):
-        """What render makes of a frame. `frames`, "2-8": those that the test asks for, too, by one process; each is rendered
-        once."""
+        """Returns a frame as `simreel render` draws it. `frames`, such as "2-8", are rendered by the same process for
+        later calls; each frame is rendered once."""
         text = (self.folder / file).read_bytes()
         known = self.__dict__.setdefault("pictures", {})
         if (text, arguments, frame) not in known:

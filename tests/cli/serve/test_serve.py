@@ -1,4 +1,4 @@
-"""`simreel serve`: its pictures are those of `simreel render`, whatever is changed, saved, asked and painted."""
+"""Tests `simreel serve`: its pictures equal those of `simreel render` after any change, save, request and stroke."""
 import json
 import os
 import signal
@@ -31,7 +31,7 @@ class Pictures(ServeCase):
         viewer = server.viewer()
         viewer.send(do="seek", frame=12)
         viewer.rest(12)
-        if viewer.latest["status"].get("kept", {}).get("every", 1) <= 1:  # or it was told already
+        if viewer.latest["status"].get("kept", {}).get("every", 1) <= 1:  # unless the message has arrived already
             viewer.until(lambda kind, m: kind == "status" and m.get("kept", {}).get("every", 1) > 1)
         self.assertLessEqual(viewer.latest["status"]["kept"]["bytes"], 8 << 20)
         viewer.send(do="seek", frame=7)
@@ -46,7 +46,7 @@ class Pictures(ServeCase):
             self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, frames="0-4"), frame)
 
     def test_a_camera_that_a_first_run_places(self):
-        """Where the scene places none and a sheet falls: always where render has it."""
+        """If the scene does not place the camera and a sheet falls, the camera is always where render places it."""
         self.write("scene.json", {"version": 1, "render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30, "duration": 0.4},
                                   "objects": {"sheet": {"cloth": {"size": [9, 9], "pins": []}}, "ball": {"sphere": {"radius": 0.2}}}})
         server = self.serve()
@@ -65,7 +65,8 @@ class Pictures(ServeCase):
                     self.assertLess(time.monotonic(), end, path)
 
     def test_values_that_change(self):
-        """In place, with another renderer, another world or from the start: always what render makes of them."""
+        """Values changed in place, with a new renderer, with a new world or from the start: the picture always equals
+        render's."""
         server = self.serve()
         viewer = server.viewer()
         viewer.send(do="seek", frame=3)
@@ -93,7 +94,7 @@ class Pictures(ServeCase):
 
 
     def test_geometry_that_moves_the_stage(self):
-        """Camera, ground and lamps of a stage stand where the objects do."""
+        """Camera, ground and lamps of a stage depend on the objects."""
         scene = {"version": 1, "render": {"size": [48, 27], "samples": 1}, "objects": {"ball": {"sphere": {"radius": 0.5}}}}
         self.write("scene.json", scene)
         viewer = self.serve().viewer()
@@ -114,7 +115,7 @@ class Files(ServeCase):
         scene = viewer.until(lambda kind, message: kind == "scene" and message["mistakes"])
         self.assertRegex(scene["mistakes"], r'scene\.json:\d+:\d+: error: .*')
         self.assertIn("^", scene["mistakes"])
-        viewer.send(do="seek", frame=2)  # the last good one goes on
+        viewer.send(do="seek", frame=2)  # the server continues with the last valid scene
         self.assertEqual(self.pixels(viewer.rest(2)[1])[:2], (64, 36))
         self.write("scene.json", with_values({"sun.intensity": 1}))
         viewer.until(lambda kind, message: kind == "scene" and not message["mistakes"])
@@ -167,7 +168,7 @@ class Files(ServeCase):
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["scene.json"])
 
     def test_the_height_of_an_orthographic_camera_is_set_and_saved(self):
-        """What the mouse wheel sends of one: its height, and places that stay."""
+        """The mouse wheel changes the height of an orthographic camera; its positions stay."""
         camera = {"position": [0, 1, 3], "target": [0, 1, 0], "projection": "orthographic", "height": 2}
         self.write("scene.json", with_values({"camera": camera}))
         server = self.serve("--edit")

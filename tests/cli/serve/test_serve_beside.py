@@ -1,5 +1,5 @@
-"""`simreel serve` with two sides in step, and changes of a simulation that keep what they can: every picture is that of
-`simreel render` with the values of its side."""
+"""Tests `simreel serve` with two sides in step, and changes of a simulation that keep as many frames as possible: every
+picture equals that of `simreel render` with the values of its side."""
 import json
 import os
 import unittest
@@ -19,10 +19,10 @@ class TwoSides(ServeCase):
         return [self.pixels(file) for file in files_of(picture)]
 
     def shows(self, viewer, frame, left, right, file="scene.json", frames=None):
-        """Waits for both sides' pictures of the frame: those of render with these values."""
+        """Waits until both sides' pictures of the frame equal those of render with these values."""
         wanted = [self.rendered(frame, *left, frames=frames), self.rendered(frame, *right, file=file, frames=frames)]
         while (found := self.sides(viewer, frame))[:2] != wanted:
-            pass  # rest() ends it
+            pass  # the loop ends at the latest when rest() times out
         self.assertEqual(viewer.pictures[-1][0]["beside"]["different"], self.differing(*wanted))
         return found
 
@@ -33,7 +33,7 @@ class TwoSides(ServeCase):
         return sum(a[2][i:i + step] != b[2][i:i + step] for i in range(0, len(a[2]), step))
 
     def in_step(self, viewer):
-        """Every picture had both sides from the moment on when the second was there."""
+        """Checks that every picture contains both sides from the moment when the second side was ready."""
         both = ["beside" in about for about, _ in viewer.pictures]
         self.assertEqual(both, sorted(both))
 
@@ -45,7 +45,8 @@ class TwoSides(ServeCase):
             viewer.send(do="seek", frame=frame)
             self.shows(viewer, frame, left, right, frames="0-5")
         self.assertGreater(viewer.pictures[-1][0]["beside"]["different"], 0)
-        # What both have, the mouse's camera too, changes both; what the right has alone goes before.
+        # A change of a shared value, including the mouse's camera, affects both sides; values set only on the right
+        # take precedence there.
         viewer.send(do="camera", position=[0.5, 1, 3], target=[0, 1, 0])
         viewer.send(do="set", path="camera.fieldOfView", value=30)
         view = ["-D", "camera.position=[0.5,1,3]", "-D", "camera.target=[0,1,0]", "-D", "camera.fieldOfView=30"]
@@ -79,7 +80,7 @@ class TwoSides(ServeCase):
         for moving in (True, False):
             viewer.send(do="set", path="sun.intensity", value=9, moving=moving, beside=True)
         files = self.shows(viewer, 4, [], ["-D", "sun.intensity=9"])
-        self.assertEqual(files[2][:2], (64, 36))  # the difference
+        self.assertEqual(files[2][:2], (64, 36))  # the third picture is the difference
         self.assertGreater(viewer.pictures[-1][0]["beside"]["different"], 50)
         viewer.send(do="set", path=DAMPING, value=4, beside=True)
         self.shows(viewer, 4, [], ["-D", "sun.intensity=9", "-D", f"{DAMPING}=4"])
@@ -92,7 +93,8 @@ class TwoSides(ServeCase):
         viewer.send(do="beside", on=False)
         while "beside" in viewer.rest(4)[0]:
             pass
-        self.assertEqual(json.loads((self.folder / "scene.json").read_text()), SCENE)  # nothing of it is written
+        # changes on the right side are not written to the file
+        self.assertEqual(json.loads((self.folder / "scene.json").read_text()), SCENE)
 
     def test_two_scenes(self):
         other = with_values({"camera.position": [1, 1, 2], "time.duration": 0.1, "render.size": [48, 40], DAMPING: 2})
@@ -100,14 +102,15 @@ class TwoSides(ServeCase):
         server = self.serve("other.json", "--beside", "sun.intensity=1")
         viewer = server.viewer()
         viewer.send(do="seek", frame=5)
-        self.shows(viewer, 2, [], ["-D", "sun.intensity=1"], file="other.json")  # as far as both go
+        # both sides run up to the shorter duration
+        self.shows(viewer, 2, [], ["-D", "sun.intensity=1"], file="other.json")
         self.assertIsNone(viewer.pictures[-1][0]["beside"]["different"])
         viewer.send(do="camera", position=[0, 1, 4], target=[0, 1, 0], beside={"position": [2, 1, 2], "target": [0, 1, 0]})
         view = ["-D", "camera.target=[0,1,0]", "-D", "camera.fieldOfView=40"]
         viewer.until(lambda kind, m: kind == "scene" and m["edits"])
         self.shows(viewer, 2, ["-D", "camera.position=[0,1,4]", *view],
                    ["-D", "sun.intensity=1", "-D", "camera.position=[2,1,2]", *view], file="other.json")
-        self.write("other.json", "{")  # the last good one stays, beside what is wrong
+        self.write("other.json", "{")  # the last valid scene stays, and the error is reported
         viewer.until(lambda kind, m: kind == "scene" and "other.json:1" in m["beside"]["mistakes"])
         self.write("other.json", {**other, "ground": {"height": 0.2}})
         viewer.until(lambda kind, m: kind == "scene" and not m["beside"]["mistakes"])
@@ -117,10 +120,12 @@ class TwoSides(ServeCase):
 
 
 class Changes(ServeCase):
-    """Of a simulation: frames before the change stay; where nothing is known to stay, it runs to the frame on the screen."""
+    """Tests changes of a simulation: frames before the change are kept; if no frame is known to be unaffected, the
+    simulation runs again to the displayed frame."""
 
     def change(self, viewer, frame, edits, most):
-        """Gives these values at once; no picture but of that frame comes, and at most so many frames are simulated."""
+        """Sets these values at once; checks that only pictures of that frame arrive and that at most `most` frames are
+        simulated."""
         before = viewer.pictures[-1][0]["stepped"]
         for path, value in edits.items():
             viewer.send(do="set", path=path, value=value)
@@ -152,7 +157,7 @@ class Changes(ServeCase):
             self.assertEqual(self.pixels(viewer.rest(frame)[1]), self.rendered(frame, *given, frames="1-10"), frame)
 
     def test_a_first_stroke_of_a_fluid(self):
-        """Without any it is stirred from the start."""
+        """Without strokes before, the fluid is simulated again from the start."""
         self.write("scene.json", {**FIELD, "objects": {"pool": {"fluid": {"size": [32, 32], "sides": {"left": {"velocity": [1, 0, 0]}}}}}})
         server = self.serve()
         viewer = server.viewer()

@@ -1,5 +1,5 @@
-"""`simreel serve`: the files that a scene names are shown anew when they are written; a slider that is dragged gives its values
-to what goes on; the right side's own file, charts and baselines."""
+"""Tests `simreel serve`: files that a scene names are reloaded when written; a dragged slider's values apply to the
+continuing simulation; the right side's own file, charts and baselines."""
 import json
 import os
 import pathlib
@@ -20,7 +20,7 @@ BRUSSELATOR = {**FIELD, "objects": {"dish": {"reaction": {"preset": "brusselator
 
 
 def grey_png(value, size=8):
-    """Of one grey, but for its first pixel."""
+    """Returns a PNG of one grey value except for its first pixel."""
     def part(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     rows = b"".join(b"\0" + bytes([value] * size) for _ in range(size - 1))
@@ -41,7 +41,8 @@ class NamedFiles(ViewerCase):
         os.replace(self.folder / "new.png", self.folder / name)
 
     def becomes_rendered(self, viewer, frame, file="scene.json"):
-        self.__dict__.pop("pictures", None)  # they know a scene by its text
+        # discards cached pictures, because the cache knows scenes only by their text
+        self.__dict__.pop("pictures", None)
         wanted = self.rendered(frame, file=file)
         while self.pixels(viewer.rest(frame)[1]) != wanted:
             pass
@@ -57,7 +58,7 @@ class NamedFiles(ViewerCase):
         second = self.becomes_rendered(viewer, 3)
         self.assertNotEqual(second, first)
         self.assertGreaterEqual(viewer.pictures[-1][0]["stepped"], 8)
-        # What cannot be read says so, and the last picture stays.
+        # An unreadable file is reported, and the last picture stays.
         before = len(viewer.pictures)
         (self.folder / "start.png").write_bytes(b"no picture")
         self.assertIn("start.png", viewer.until(lambda kind, m: kind == "scene" and m["mistakes"])["mistakes"])
@@ -90,7 +91,7 @@ class NamedFiles(ViewerCase):
 
 class Dragged(ViewerCase):
     def test_a_dragged_value_goes_into_what_goes_on(self):
-        """The state of one frame with another value after five of before: that of keyframes which say so."""
+        """The state after five frames with the old value and one with the new: equal to a scene with such keyframes."""
         for scene, path, before, value in ((FIELD, FEED, 0.03, 0.05), (BRUSSELATOR, RATE, 7.5, 8.5)):
             self.write("scene.json", with_values({path: before}, scene))
             viewer = self.viewer()
@@ -98,7 +99,8 @@ class Dragged(ViewerCase):
             viewer.rest(5)
             carried = self.dragged(viewer, path, value)
             self.assertTrue(carried["draft"])
-            viewer.send(do="set", path=path, value=value, moving=False)  # made good, from the start
+            # at the end of the drag the simulation runs again from the start
+            viewer.send(do="set", path=path, value=value, moving=False)
             let_go = viewer.rest(5)
             self.assertEqual(self.pixels(let_go[1]), self.rendered(5, "-D", f"{path}={value}"))
             viewer.send(do="set", path=path, value={"keys": [[0, before], [4.5 / 30, before], [4.9 / 30, value]]})
@@ -108,12 +110,13 @@ class Dragged(ViewerCase):
 
 
     def dragged(self, viewer, path, value):
-        """The picture of frame 6 while the value moves; a quarter of a second later it has been made good."""
+        """Returns the picture of frame 6 during the drag; a quarter of a second after it, the full-quality picture
+        replaces it."""
         for _ in range(10):
             viewer.send(do="set", path=path, value=value, moving=True)
             try:
                 return viewer.until(lambda kind, m: kind == "picture" and m[0]["carried"] and m[0]["frame"] == 6, 6)[0]
-            except AssertionError:  # this machine was too busy to read it
+            except AssertionError:  # this machine was too busy to read the picture in time
                 viewer.send(do="forget")
                 viewer.rest(5)
         self.fail("no picture of a drag came")
@@ -142,9 +145,10 @@ class RightSide(ViewerCase):
         viewer.until(lambda kind, m: kind == "scene" and m["beside"]["scene"]["camera"]["position"] == [0, 1, 2] and not m["beside"]["edits"])
         written = json.loads((self.folder / "other.json").read_text().split("//")[0])
         self.assertEqual((written["camera"]["position"], written["sun"]["intensity"]), ([0, 1, 2], 4))
-        self.assertEqual((self.folder / "scene.json").read_text(), left)  # the mouse's camera is an edit there
+        # the mouse's camera is an edit of the right file
+        self.assertEqual((self.folder / "scene.json").read_text(), left)
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["other.json", "scene.json"])
-        # One that somebody has taken away is not made again.
+        # A removed file is not created again.
         (self.folder / "other.json").unlink()
         viewer.until(lambda kind, m: kind == "scene" and m["beside"]["mistakes"])
         viewer.send(do="set", path="sun.intensity", value=5, beside=True)
@@ -161,7 +165,7 @@ class RightSide(ViewerCase):
 
     def test_its_charts_and_baselines(self):
         viewer = self.begin("--edit")
-        if not viewer.latest.get("series", {}).get("beside"):  # or they were told already
+        if not viewer.latest.get("series", {}).get("beside"):  # unless the message has arrived already
             viewer.until(lambda kind, m: kind == "series" and m.get("beside"))
         self.assertEqual([one["name"] for one in viewer.latest["series"]["beside"]], [one["name"] for one in viewer.latest["series"]["series"]])
         viewer.send(do="compare", on=True, beside=True)

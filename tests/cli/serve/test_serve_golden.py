@@ -1,5 +1,5 @@
-"""`simreel serve`: a tested frame beside its golden baseline. What it says and shows is what `simreel test` comes to, and
-what it accepts passes there."""
+"""Tests `simreel serve` with a tested frame beside its golden baseline. Verdicts and pictures equal those of `simreel
+test`, and accepted baselines pass there."""
 import json
 import os
 import unittest
@@ -50,7 +50,7 @@ class Golden(ServeCase):
         viewer.send(do="set", path="sun.intensity", value=9)
         said = self.verdict(viewer, 3, "fail")
         self.assertRegex(said["words"], r"^\d+ of 1536 pixels differ \([\d.]+%\), by \d+ of 255 at most, at \(\d+, \d+\); mean FLIP error 0\.\d+, SSIM ")
-        # It is what the test says of a scene that has the value.
+        # The verdict equals the result of `simreel test` for a scene with the value.
         self.write("other.json", json.dumps(with_values({"sun.intensity": 9}, TESTED)))
         (self.folder / "golden/other").symlink_to("scene")
         self.run_program("test", "other.json", "--report", "report")
@@ -109,7 +109,7 @@ class Golden(ServeCase):
         viewer.send(do="accept")
         done = viewer.until(lambda kind, m: kind == "golden" and m["accept"] in ("done", "failed"))
         self.assertEqual(done["accept"], "done", done["said"])
-        if done["verdict"] != "pass":  # the new baseline may have been seen before its writer had ended
+        if done["verdict"] != "pass":  # the new baseline may have been read before its writer ended
             self.verdict(viewer, 0, "pass")
         self.good("test", "scene.json")
         self.assertEqual(json.loads((self.folder / "golden/scene/any/baseline.json").read_text())["reason"], "accepted in simreel serve")

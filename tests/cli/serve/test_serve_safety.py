@@ -1,4 +1,4 @@
-"""`simreel serve`: who may talk to it, what it does with those who talk badly, and how it is called."""
+"""Tests `simreel serve`: access rights, malformed requests, and command-line options."""
 import http.client
 import json
 import resource
@@ -84,7 +84,7 @@ class Safety(ServeCase):
                     while True:
                         viewer.receive(10)
             except OSError:
-                pass  # it hung up before all was sent
+                pass  # the server closed the connection before all was sent
             viewer.close()
         raw = socket.create_connection(("127.0.0.1", server.port))
         raw.settimeout(20)
@@ -100,7 +100,7 @@ class Safety(ServeCase):
         server = self.serve("--size", "320x180")
         quick, slow = server.viewer(), server.viewer(acknowledges=False)
         quick.rest(0)
-        for _ in range(5):  # gone in the middle of a picture
+        for _ in range(5):  # viewers that disconnect in the middle of a picture
             viewer = server.viewer()
             viewer.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")
             viewer.close()
@@ -111,24 +111,25 @@ class Safety(ServeCase):
         quick.send(do="pause")
         quick.send(do="seek", frame=3)
         last = quick.rest(3)[0]["number"]
-        # The slow viewer gets the two pictures under way, and the latest one when it acknowledges them.
+        # The slow viewer gets the two pictures in flight, and the latest one after acknowledging them.
         slow.send_frame(f"shown {last}".encode())
         slow.until(lambda kind, message: kind == "picture" and message[0]["number"] == last)
         self.assertLessEqual(len(slow.pictures), 3)
 
     def test_half_open_connections_hold_nobody(self):
-        """Those that never say what they want, of which none has shown the token."""
+        """Connections that never send a request or the token."""
         server = self.serve()
         held = [socket.create_connection(("127.0.0.1", server.port), timeout=60) for _ in range(200)]
         for one in held:
             try:
                 one.sendall(b"GET /")
             except OSError:
-                pass  # hung up already
+                pass  # the server has closed the connection already
         begin = time.monotonic()
         self.assertEqual(server.get(f"/{server.token}/app.js")[0], 200)
         held.append(server.viewer().socket)
-        self.assertLess(time.monotonic() - begin, 8)  # the others' time is up after 10
+        # the viewer is served before the other connections time out after 10 s
+        self.assertLess(time.monotonic() - begin, 8)
         for one in held:
             one.close()
 
@@ -157,7 +158,7 @@ class Safety(ServeCase):
             except (OSError, http.client.HTTPException):
                 self.assertLess(time.monotonic(), end)
                 time.sleep(0.2)
-        for _ in range(300):  # one after the other
+        for _ in range(300):  # many connections, one after another
             self.assertEqual(server.get("/")[0], 403)
 
     def test_one_editor(self):

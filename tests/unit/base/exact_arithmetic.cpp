@@ -1,5 +1,6 @@
-// glsl/common/exact.glsl and the film's curve against the C library in double precision, which is right to
-// all of a float's digits: densely, and where one power of two tells all of them, for every float of it.
+// Compares glsl/common/exact.glsl and the film's curve with the C library in double precision, which is
+// exact to all digits of a float. Arguments are sampled densely; if one power of two represents all of
+// them, every float of it is tested.
 #include "draw/picture_code.hpp"
 #include "sim/core/shader_code.hpp"
 
@@ -24,7 +25,7 @@ int bitsOf(float x) {
   return shader::floatBitsToInt(x);
 }
 
-/// Calls look(x) for every `step`-th float from `first` to `last`, both positive or zero.
+/// Calls look(x) for every `step`-th float from `first` to `last`; both must be non-negative.
 template <class Look>
 void sweep(float first, float last, int step, Look look) {
   for (int bits = bitsOf(first); bits <= bitsOf(last); bits += step) look(shader::intBitsToFloat(bits));
@@ -49,7 +50,7 @@ TEST_CASE("exact arithmetic: reciprocals and inverse roots of all floats") {
   CHECK(reciprocal < 3e-7);
   CHECK(inverse < 3e-7);
   CHECK(root < 3e-7);
-  // Other powers of two give the same digits: nothing else has to be tried.
+  // Other powers of two give the same digits, so few samples are enough.
   int others = 0;
   for (int power = -98; power <= 98; power += 2)
     sweep(1, 4, 99991, [&](float x) {
@@ -70,7 +71,7 @@ TEST_CASE("exact arithmetic: sine, cosine and exponential") {
   const auto both = [&](float x) {
     const auto wide = static_cast<double>(x);
     sine = std::max(sine, std::abs(static_cast<double>(shader::exactSin(x)) - std::sin(wide)));
-    // The quarter turn is added to the argument, and rounded there.
+    // exactCos adds a quarter turn to the argument and rounds the sum.
     const double rounded = 2e-7 + 6e-8 * std::abs(wide);
     cosine =
         std::max(cosine, std::abs(static_cast<double>(shader::exactCos(x)) - std::cos(wide)) / rounded);

@@ -29,7 +29,7 @@ TEST_CASE("files: what a link of the system's leads to is written into and keeps
   REQUIRE(::mkdtemp(folder.data()) != nullptr);
   const std::filesystem::path file = folder + "/a", other = folder + "/b";
   writeFileAtomically(file, std::string_view(""));
-  std::filesystem::create_hard_link(file, other);  // one file as long as nothing takes the name
+  std::filesystem::create_hard_link(file, other);  // the file keeps its inode unless it is replaced
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
   REQUIRE(descriptor >= 0);
   writeFileAtomically("/proc/self/fd/" + std::to_string(descriptor), std::string_view("told"));
@@ -52,7 +52,7 @@ TEST_CASE("files: two that write one file at once both write it whole") {
     PartFile first(file), second(file);
     first.append(bytes("first"));
     second.append(bytes("second one"));
-    CHECK_NOTHROW(checkWritable(file));  // takes nobody's part away
+    CHECK_NOTHROW(checkWritable(file));  // does not remove another writer's part file
     first.finish();
     CHECK(readFile(file, "text") == "first");
     PartFile third(file);

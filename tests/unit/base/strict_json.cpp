@@ -11,7 +11,7 @@ using namespace simreel;
 
 namespace {
 
-/// The message of the JsonError that `action` throws; empty: it throws none.
+/// Returns the message of the JsonError thrown by `action`; empty if it throws none.
 template <class Action>
 std::string mistake(const Action& action) {
   try {
@@ -32,7 +32,7 @@ std::string times(int count, const std::string& text) {
   return all;
 }
 
-/// What is wrong with the member "v" of such a value when it is read so.
+/// Returns the message about the member "v" with this value, read by `read`.
 template <class Read>
 std::string reading(const std::string& value, const Read& read) {
   const auto json = parseStrictJson(R"({"v": )" + value + "}");

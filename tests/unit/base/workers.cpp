@@ -16,11 +16,11 @@ using namespace simreel;
 namespace {
 
 struct Heard {
-  std::vector<std::string> said;  ///< in the order in which it was handed on
+  std::vector<std::string> said;  ///< answers in the order of delivery
   int ready = 0;
 };
 
-/// Answers "item 3", late for early items, unless `end` ends the process first.
+/// A work force that answers "item 3" etc., later for early items, unless `end` ends the process before.
 WorkForce force(
     std::size_t workers, std::size_t items, Heard& heard,
     const std::function<void(const Task&)>& end = [](const Task&) {}) {
@@ -136,7 +136,7 @@ TEST_CASE("workers: one that takes too long is ended with all that it started, t
   REQUIRE(::pipe(pipe) == 0);
   WorkForce hurried = force(2, 4, heard, [&](const Task& task) {
     if (task.item != 1) return;
-    if (::fork() == 0) ::pause();  // holds the pipe open for as long as it lives
+    if (::fork() == 0) ::pause();  // a child process that keeps the pipe open during its lifetime
     ::pause();
   });
   hurried.patience = 1.5;
@@ -145,7 +145,7 @@ TEST_CASE("workers: one that takes too long is ended with all that it started, t
                                                "item 2", "item 3"});
   ::close(pipe[1]);
   char none = 0;
-  CHECK(::read(pipe[0], &none, 1) == 0);  // at its end: nobody is left who could write
+  CHECK(::read(pipe[0], &none, 1) == 0);  // end of file: no writer is left
   ::close(pipe[0]);
 }
 

@@ -98,11 +98,13 @@ TEST_CASE("sweep: results keep every number, and what is missing or failed is to
   };
   result.hash = plan.jobs[0].hash;
   store(0, result);
-  CHECK(statusOf(plan, 0).state == JobState::missing);  // no manifest says what it left
+  CHECK(statusOf(plan, 0).state ==
+        JobState::missing);  // missing, because no manifest lists the job's files
   frame::Manifest manifest;
   manifest.frames[0].file = "000000.png";
   writeFileAtomically(plan.jobFolder(0) / "manifest.json", frame::manifestText(manifest));
-  CHECK(statusOf(plan, 0).state == JobState::missing);  // its picture is gone
+  CHECK(statusOf(plan, 0).state ==
+        JobState::missing);  // missing, because the picture's file does not exist
   writeFileAtomically(plan.jobFolder(0) / "000000.png", std::string("a picture"));
   CHECK(resultText(*statusOf(plan, 0).result) == resultText(result));
   result.hash = "of an earlier plan";
@@ -125,7 +127,7 @@ TEST_CASE("sweep: results keep every number, and what is missing or failed is to
                         "passed energy of flag,mass of dish (kg),lost,town.ill\n"
                         "0000,done,0.03,1,0.30000000000000004,yes,1e-300,,12\n"
                         "0001,missing,0.03,4,,,,,\n"));
-  // No spreadsheet runs what a scene's author wrote.
+  // Cells must not run as formulas in a spreadsheet, because the text comes from a scene's author.
   for (const auto& [value, cell] :
        {std::pair("=cmd|' /C calc'!A0", "'=cmd|' /C calc'!A0"), std::pair("@x,y", "\"'@x,y\""),
         std::pair("+x", "'+x"), std::pair("-1.5e3", "-1.5e3"), std::pair("-x", "'-x")}) {

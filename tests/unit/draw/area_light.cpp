@@ -1,5 +1,5 @@
-// Rectangles that shine, against integrals over them in double; lights that end, and the cells that know of
-// them.
+// Compares rectangular lights with integrals over them in double precision; also tests lights of limited
+// range, and the cells that list them.
 #include "draw/lights/lamp_values.hpp"
 #include "draw/picture_code.hpp"
 
@@ -33,7 +33,7 @@ struct Rectangle {
   glm::dvec3 middle, across, up;
 };
 
-/// The integral of cos(receiver) cos(light) / d^2 over the front, by many small pieces.
+/// Integrates cos(receiver) cos(light) / d^2 over the front side, by many small pieces.
 double integral(const Rectangle& r, glm::dvec3 p, glm::dvec3 normal, int pieces = 300) {
   const glm::dvec3 area = glm::cross(r.across, r.up) * (4.0 / (pieces * pieces));
   double sum = 0;
@@ -66,18 +66,18 @@ scene::Light endingAt(const char* name, float range, glm::vec3 place) {
 }  // namespace
 
 TEST_CASE("area light: a plate above a plate has the form factor of the tables") {
-  // Howell's catalogue, C-11 (differential element to a parallel rectangle by its corner), four of them.
+  // Howell's catalogue, C-11 (differential element to a parallel rectangle below its corner), four times.
   const double a = 0.7, b = 0.4, h = 0.9;
   const Rectangle plate{{0, h, 0}, {a, 0, 0}, {0, 0, b}};
   const double x = a / h, y = b / h;
   const double corner = (x / std::sqrt(1 + x * x) * std::atan(y / std::sqrt(1 + x * x)) +
                          y / std::sqrt(1 + y * y) * std::atan(x / std::sqrt(1 + y * y))) /
                         (2 * std::numbers::pi);
-  // Its front is down.
+  // The front side faces down.
   CHECK(glm::cross(plate.across, plate.up).y < 0);
   CHECK(shareOf(plate, {0, 0, 0}, {0, 1, 0}) ==
         doctest::Approx(4 * std::numbers::pi * corner).epsilon(1e-5));
-  CHECK(shareOf(plate, {0, 2, 0}, {0, -1, 0}) == 0);  // behind it
+  CHECK(shareOf(plate, {0, 2, 0}, {0, -1, 0}) == 0);  // a point behind the light receives nothing
 }
 
 TEST_CASE("area light: what a surface receives is the integral, the horizon included") {
@@ -105,7 +105,7 @@ TEST_CASE("area light: what a surface receives is the integral, the horizon incl
 }
 
 TEST_CASE("area light: from far away it is a point of its intensity, and near by half of the sky") {
-  const Rectangle r{{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}};  // front to +z
+  const Rectangle r{{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}};  // the rectangle's front side faces +z
   const double d = 30;
   CHECK(shareOf(r, {0, 0, d}, {0, 0, -1}) == doctest::Approx(0.04 / (d * d)).epsilon(1e-3));
   CHECK(shareOf(r, {0, 0, 1e-4}, {0, 0, -1}) == doctest::Approx(std::numbers::pi).epsilon(1e-3));
@@ -122,7 +122,7 @@ TEST_CASE("area light: the lobe looks at the mirrored place, or the nearest on t
 
 TEST_CASE(
     "area light: a lobe mirrors about what its integral over the rectangle says, at grazing angles, too") {
-  const Rectangle r{{0, 1.6, -2}, {1.1, 0, 0}, {0, 0.9, 0}};  // its front looks along +z
+  const Rectangle r{{0, 1.6, -2}, {1.1, 0, 0}, {0, 0.9, 0}};  // the rectangle's front side faces +z
   const glm::dvec3 normal(0, 1, 0);
   double worst = 0;
   for (const double roughness : {0.35, 0.5, 0.7, 0.9})
@@ -156,7 +156,7 @@ TEST_CASE(
         CAPTURE(roughness);
         CAPTURE(height);
         CAPTURE(p.x);
-        if (wanted < 0.004) continue;  // hardly seen
+        if (wanted < 0.004) continue;  // skips values that are hardly visible
         const double factor = found / wanted;
         worst = std::fmax(worst, std::fmax(factor, 1 / factor));
       }
@@ -225,5 +225,5 @@ TEST_CASE("range: cells know every lamp that reaches into them") {
     }
   }
   CHECK(reached > 1000);
-  CHECK(listed < 8 * reached);  // or they would be of no use
+  CHECK(listed < 8 * reached);  // cells must not list many more lights than reach them
 }

@@ -44,5 +44,6 @@ TEST_CASE("a field with scales leaves room for them") {
   CHECK(fieldView(display, {100, 50}, {1280, 720}, 0).part == glm::dvec4(0, 0, 1280, 656));
   display.down = sim::FieldDisplay::Axis{"k", 0.0F, 1.0F};
   CHECK(fieldView(display, {100, 50}, {1280, 720}, 0).part == glm::dvec4(92, 0, 1280, 656));
-  CHECK(axesMargin(display, {120, 90}) == glm::ivec2(0, 0));  // no letter could be read
+  CHECK(axesMargin(display, {120, 90}) == glm::ivec2(0, 0));  // no margin, because the picture is too small
+                                                              // for legible text
 }

@@ -1,4 +1,4 @@
-// The rows of a picture that the exact rasterizer draws at once.
+// The number of rows that the exact rasterizer draws at once.
 #include "draw/exact/scene/exact_scene.hpp"
 
 #include <doctest/doctest.h>
@@ -6,10 +6,11 @@
 namespace simreel::test::draw_bands {
 
 TEST_CASE("exact: a band has the rows whose visibility and glows there is room for, in whole tiles") {
-  constexpr std::size_t visible = std::size_t{32} << 20;      // samples in 256 MiB
-  constexpr std::int64_t software = std::int64_t{128} << 20;  // one buffer on llvmpipe
+  constexpr std::size_t visible = std::size_t{32}
+                                  << 20;  // number of samples whose visibility fits into 256 MiB
+  constexpr std::int64_t software = std::int64_t{128} << 20;  // maximum size of one buffer on llvmpipe
   CHECK(draw::rowsOfBands({1920, 1080}, 4, {visible, software}) == 1080);
-  // 24 bytes a pixel: 1456 rows of 3840, where the visibility of all 2160 has room.
+  // Glows need 24 bytes per pixel: 1456 rows of 3840 pixels fit, although visibility has room for all 2160.
   CHECK(draw::rowsOfBands({3840, 2160}, 4, {visible, software}) == 1456);
   CHECK(draw::rowsOfBands({3840, 2160}, 4, {visible, std::int64_t{1} << 30}) == 2160);
   CHECK(draw::rowsOfBands({3840, 2160}, 16, {visible, software}) == 544);

@@ -1,4 +1,4 @@
-// Pictures that a thread of its own copies on.
+// Pictures copied by a separate thread.
 #include "draw/screen/copy_thread.hpp"
 
 #include <array>

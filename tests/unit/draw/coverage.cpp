@@ -1,4 +1,4 @@
-// How much of each pixel polygons cover.
+// Coverage of pixels by polygons.
 #include "draw/overlay/coverage.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ TEST_CASE("coverage: a rectangle's pixels have the share of their area that it c
 }
 
 TEST_CASE("coverage: a triangle's slope gives each pixel its area, whichever way round it goes") {
-  // Under the line y = x / 2: pixel (x, 0) of 4.
+  // Below the line y = x / 2: pixel (x, 0) of 4.
   for (const bool back : {false, true}) {
     std::vector<Polygon> triangle = {{{0, 0}, {4, 0}, {4, 2}}};
     if (back) std::reverse(triangle[0].begin(), triangle[0].end());

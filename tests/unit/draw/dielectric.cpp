@@ -1,4 +1,4 @@
-// A clear surface: Fresnel's equations and Snell's law, against double.
+// A dielectric surface: Fresnel's equations and Snell's law, compared with double precision.
 #include "draw/picture_code.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 #undef precise
 #undef FUNCTION
 
-/// With the angles themselves: r = sin(a - b) / sin(a + b) and tan(a - b) / tan(a + b).
+/// Computes reflectance from the angles: r = sin(a - b) / sin(a + b) and tan(a - b) / tan(a + b).
 double mirrored(double angle, double eta) {
   const double sine = eta * std::sin(angle);
   if (sine >= 1) return 1;
@@ -38,13 +38,14 @@ TEST_CASE("clear surfaces: Fresnel's equations, from both sides") {
     for (int i = 0; i < 1800; ++i) {
       const double angle = i * 3.14159265358979 / 3600;
       const double critical = eta > 1 ? std::asin(1 / eta) : 2;
-      if (std::abs(angle - critical) < 2e-4) continue;  // it is steep there
+      if (std::abs(angle - critical) < 2e-4)
+        continue;  // skips the critical angle, where the curve is too steep
       const auto found = static_cast<double>(
           dielectric::dielectricFresnel(static_cast<float>(std::cos(angle)), static_cast<float>(eta)));
       worst = std::max(worst, std::abs(found - dielectric::mirrored(angle, eta)));
     }
   CHECK(worst < 2e-4);
-  // At Brewster's angle one half of what is mirrored is not.
+  // At Brewster's angle only one polarization is reflected.
   const double brewster = std::atan(1.5);
   const double across = std::cos(2 * brewster);
   CHECK(dielectric::dielectricFresnel(static_cast<float>(std::cos(brewster)), 1 / 1.5F) ==

@@ -1,4 +1,4 @@
-// Light from all around: what is made of a picture, and what shaders read of it.
+// Environment light: the data made from a picture, and the values that shaders read.
 #include "draw/environment.hpp"
 
 #include "base/error.hpp"
@@ -34,7 +34,7 @@ glm::vec4 environmentTexel(int i) {
 
 constexpr double pi = std::numbers::pi;
 
-/// Of the middle of a pixel, of a picture whose middle lies towards -z.
+/// Returns the direction of a pixel's centre, for a picture whose middle points towards -z.
 glm::dvec3 looksAt(int x, int y, glm::ivec2 size) {
   const double u = 2 * pi * ((x + 0.5) / size.x - 0.5), v = pi * (y + 0.5) / size.y;
   return {std::sin(v) * std::sin(u), std::cos(v), -std::sin(v) * std::cos(u)};
@@ -80,12 +80,12 @@ TEST_CASE("environment: even light is the same for all") {
 }
 
 TEST_CASE("environment: a direction is seen where the picture has it, turned or not") {
-  // Smooth, and different in each direction.
+  // Smooth light that differs in each direction.
   const auto light = [](glm::dvec3 d) { return glm::dvec3(1 + 0.5 * d.x, 1 + 0.5 * d.y, 1 + 0.5 * d.z); };
   load(pictureOf(light));
   for (const glm::vec3& way : ways)
     CHECK(glm::length(environmentAt(way, 0) - glm::vec3(light(glm::dvec3(way)))) < 0.02F);
-  // Along edges of the map, from both sides.
+  // Directions along edges of the map, from both sides.
   for (int i = 0; i < 400; ++i) {
     const double angle = 2 * pi * i / 400;
     for (const double y : {-0.99, -0.3, -1e-4, 1e-4, 0.4}) {
@@ -94,7 +94,7 @@ TEST_CASE("environment: a direction is seen where the picture has it, turned or 
       CHECK(glm::length(environmentAt(glm::vec3(way), 0) - glm::vec3(light(way))) < 0.02F);
     }
   }
-  load(pictureOf(light), 1, 90);  // its middle lies towards +x then
+  load(pictureOf(light), 1, 90);  // with a turn of 90 degrees, the middle points towards +x
   for (const glm::vec3& way : ways) {
     const glm::dvec3 before(way.z, way.y, -way.x);
     CHECK(glm::length(environmentAt(way, 0) - glm::vec3(light(before))) < 0.02F);
@@ -118,7 +118,7 @@ TEST_CASE("environment: what falls onto a surface is the integral over its hemis
             2 * pi / size.x * (std::cos(pi * y / size.y) - std::cos(pi * (y + 1) / size.y));
         sum += light(d) * (std::fmax(glm::dot(d, glm::dvec3(way)), 0) * angle / pi);
       }
-    // Harmonics of the second degree are within a few hundredths of what is brightest.
+    // Second-degree harmonics are accurate to a few hundredths of the maximum.
     CHECK(glm::length(environmentAmbient(way) - glm::vec3(sum)) < 0.06F);
   }
 }
@@ -133,7 +133,7 @@ TEST_CASE("environment: rough surfaces mirror the mean over a lobe of GGX") {
   for (const double roughness : {0.25, 0.5, 0.75, 1.0})
     for (const glm::dvec3& way :
          {lamp, glm::normalize(lamp + glm::dvec3(0.2, 0.1, 0)), glm::dvec3(0, 1, 0)}) {
-      // Half vectors by D(h) cos, with the eye along the normal; reflections of it, by cos.
+      // Half vectors weighted by D(h) cos, with the eye along the normal; reflections weighted by cos.
       const double alpha = roughness * roughness;
       double sum = 0, weights = 0;
       for (int y = 0; y < size.y; ++y)

@@ -1,5 +1,5 @@
-// Normal maps, clear coat and sheen: their shader files on the CPU against the equations stated anew in
-// double precision.
+// Normal maps, clear coat and sheen: compares their shader files on the CPU with the equations implemented
+// independently in double precision.
 #include "draw/picture_code.hpp"
 #include "unit/help.hpp"
 
@@ -30,7 +30,7 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 #undef FUNCTION
 }  // namespace finish
 
-/// Numbers from -1 to 1.
+/// Random numbers from -1 to 1.
 struct Numbers {
   double operator()() { return from(engine); }
   glm::dvec3 unit() {
@@ -42,11 +42,12 @@ struct Numbers {
   std::uniform_real_distribution<double> from{-1, 1};
 };
 
-/// A triangle's plane with uvs: place = origin + u tangent + v bitangent, any two vectors.
+/// A triangle's plane with uvs: position = origin + u tangent + v bitangent; tangent and bitangent are
+/// arbitrary.
 struct Plane {
   glm::dvec3 tangent, bitangent;
   [[nodiscard]] glm::dvec3 normal() const { return glm::normalize(glm::cross(tangent, bitangent)); }
-  /// The change of uv along a vector of the plane.
+  /// Returns the change of uv along a vector of the plane.
   [[nodiscard]] glm::dvec2 uvAlong(glm::dvec3 step) const {
     const glm::dvec3 solved = glm::inverse(glm::dmat3(tangent, bitangent, normal())) * step;
     return {solved.x, solved.y};
@@ -54,7 +55,7 @@ struct Plane {
 };
 
 /// MikkTSpace's frame: tangent along u, bitangent by a cross product with the sign of the uv's handedness;
-/// glTF's y is against v.
+/// glTF's y points against v.
 glm::dvec3 mikkNormal(const Plane& plane, glm::dvec3 front, glm::dvec3 t) {
   const glm::dvec3 n = front;
   const glm::dvec3 along = glm::normalize(plane.tangent - n * glm::dot(n, plane.tangent));
@@ -91,7 +92,7 @@ TEST_CASE("normal maps: tangent frames as MikkTSpace has them, whatever way uvs 
 }
 
 TEST_CASE("normal maps: red leans along u, green up the picture") {
-  const Plane plane{{1, 0, 0}, {0, -1, 0}};  // v downwards, as a picture that is seen from +z
+  const Plane plane{{1, 0, 0}, {0, -1, 0}};  // v points down, as in a picture seen from +z
   const glm::dvec3 n(0, 0, 1), across(0.01, 0, 0), above(0, 0.01, 0);
   CHECK(mapped(plane, n, {0.6, 0, 0.8}, across, above).x == doctest::Approx(0.6));
   CHECK(mapped(plane, n, {0, 0.6, 0.8}, across, above).y == doctest::Approx(0.6));
@@ -101,14 +102,15 @@ TEST_CASE("normal maps: red leans along u, green up the picture") {
   const glm::vec3 half = finish::tangentNormal({0.75F, 0.5F, 1.0F}, 0.5F);
   CHECK(half.x == doctest::Approx(0.25));
   CHECK(finish::tangentNormal({0.75F, 0.5F, 0.2F}, 1).z == doctest::Approx(0.05));
-  // None where there are no uvs.
+  // Without uvs the normal map has no effect.
   CHECK(finish::mappedNormal({0.6F, 0, 0.8F}, {0, 0, 1}, {0.01F, 0, 0}, {0, 0.01F, 0}, {0, 0}, {0, 0}).z ==
         doctest::Approx(1));
 }
 
 TEST_CASE("normal maps: what differs within a pixel is rougher there") {
   CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 1.0F}) == 0.3F);
-  CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 0.996F}) == 0.3F);  // rounded to a byte
+  // a unit normal rounded to bytes causes no extra roughness
+  CHECK(finish::spreadRoughness(0.3F, {0.5F, 0.5F, 0.996F}) == 0.3F);
   const double length = 0.8;
   const double shorter = (0.99 - length) / length;
   const double wanted = std::pow(std::pow(0.3, 4) + 2 * shorter, 0.25);
@@ -118,7 +120,8 @@ TEST_CASE("normal maps: what differs within a pixel is rougher there") {
 TEST_CASE("clear coat: what it mirrors is kept from what is below") {
   for (const float roughness : {0.0F, 0.2F, 0.7F})
     for (const float nv : {0.05F, 0.4F, 1.0F}) {
-      const glm::vec2 share = finish::ambientLobe(roughness, nv);  // lobes.cpp tests it
+      const glm::vec2 share =
+          finish::ambientLobe(roughness, nv);  // ambientLobe() itself is tested in lobes.cpp
       const double mirrored = 0.04 * static_cast<double>(share.x) + static_cast<double>(share.y);
       const glm::vec3 light = finish::coated({1, 2, 4}, {0.5F, 0, 0}, 0.6F, roughness, nv);
       CHECK(light.y == doctest::Approx(2 * (1 - 0.6 * mirrored)).epsilon(1e-5));
@@ -146,8 +149,7 @@ TEST_CASE("sheen: the lobe of fibres, and its integral over the surroundings") {
         finish::sheenLobe(n, glm::vec3(view), glm::vec3(light), static_cast<float>(roughness));
     CHECK(lobe == doctest::Approx(std::numbers::pi * spread * seen).epsilon(2e-3).scale(0.01));
   }
-  // Light of 1 from all around: the integral of D V cos over half a sphere, by the middles of 200 x 200
-  // parts.
+  // Uniform light of 1: integrates D V cos over the hemisphere by the midpoint rule with 200 x 200 parts.
   for (const double roughness : {0.3, 0.5, 0.9})
     for (const double nv : {0.3, 0.6, 1.0}) {
       const glm::dvec3 view(std::sqrt(1 - nv * nv), 0, nv);
@@ -166,7 +168,7 @@ TEST_CASE("sheen: the lobe of fibres, and its integral over the surroundings") {
       CHECK(std::abs(finish::sheenAlbedo(static_cast<float>(roughness), static_cast<float>(nv)) - sum) <
             0.06);
     }
-  // Fibres take from what is below as much as they send back.
+  // Fibres reduce the light from below by as much as they reflect.
   const float kept = finish::underFibres({1, 1, 1}, {0, 0, 0}, {0, 0, 0}, {0.5F, 0.25F, 0}, 0.5F, 0.3F).x;
   CHECK(kept == doctest::Approx(1 - 0.5 * finish::sheenAlbedo(0.5F, 0.3F)));
   const glm::vec3 own = finish::underFibres({0, 0, 0}, {2, 2, 2}, {1, 1, 1}, {0.5F, 0.25F, 0}, 0.5F, 0.3F);

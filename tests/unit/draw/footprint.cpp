@@ -1,4 +1,4 @@
-// What a pixel sees of a texture, stated again in double precision.
+// Texture filtering over a pixel's footprint, implemented independently in double precision.
 #include "draw/picture_code.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct TextureReads {
 #undef precise
 #undef FUNCTION
 
-/// Between texels, whose middles lie at halves; beyond the border again or as there.
+/// Interpolates between texel centres, which are at halves; repeats or clamps at the border.
 double between(const TextureReads& texture, double u, double v, int level, bool repeats) {
   const glm::ivec2 side = glm::max(texture.size >> level, glm::ivec2(1));
   if (!repeats) {
@@ -55,7 +55,8 @@ double between(const TextureReads& texture, double u, double v, int level, bool 
   return sum;
 }
 
-/// Trilinear at the width of the shorter side, or a quarter of the longer one, with taps along that.
+/// Filters trilinearly at the width of the shorter side, or a quarter of the longer side, with taps along
+/// the longer side.
 double seen(const TextureReads& texture, glm::dvec2 at, glm::dvec2 across, glm::dvec2 up, bool repeats) {
   const auto texels = [&](glm::dvec2 d) { return std::hypot(d.x * texture.size.x, d.y * texture.size.y); };
   const bool wide = texels(across) >= texels(up);
@@ -112,7 +113,7 @@ TEST_CASE("footprints: texels, levels and taps as in double precision") {
       several += print.taps > 1 ? 1 : 0;
       const auto found = static_cast<double>(texture.readAt(at.at, print, shape));
       const double wanted = seen(texture, at.at, at.across, at.up, repeats);
-      // A last digit decides how many taps there are, now and then.
+      // Occasionally the last digit changes the number of taps.
       far += std::abs(found - wanted) > 2e-4 ? 1 : 0;
     }
     CAPTURE(size.x);

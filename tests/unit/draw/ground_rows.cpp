@@ -1,4 +1,4 @@
-// Rows of the picture that may see the ground.
+// Rows of the picture in which the ground may be visible.
 #include "draw/exact/exact_view.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 using simreel::draw::rowsTowardsGround;
 using simreel::shader::ExactView;
 
-/// A camera at `height` (m) that looks up by `pitch` and is turned by `roll` (tangents).
+/// Returns a camera at `height` (m), pitched up by `pitch` and rotated by `roll` (tangents).
 ExactView viewOf(float height, float pitch, float roll, glm::ivec2 size) {
   ExactView view{};
   view.eye = {0, height, 0, 0};

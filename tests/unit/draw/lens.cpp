@@ -1,4 +1,4 @@
-// The points of a lens, and how the picture moves between them.
+// The sample points of a lens, and the shift of the picture between them.
 #include "draw/lens.hpp"
 
 #include "draw/exact/exact_view.hpp"
@@ -54,11 +54,12 @@ TEST_CASE("lens: points lie evenly over a disc, and in polygons") {
       top = std::max(top, at.y);
     }
     CHECK(glm::length(sum) < 0.01F);
-    // Of a regular polygon with corners on the unit circle: (2 + cos(2 pi / n)) / 12 along each axis.
+    // Mean square along each axis of a regular polygon with corners on the unit circle: (2 + cos(2 pi / n))
+    // / 12.
     const float mean = (2 + std::cos(6.2831853F / static_cast<float>(blades))) / 12;
     CHECK(squares.x == doctest::Approx(mean).epsilon(0.03));
     CHECK(squares.y == doctest::Approx(mean).epsilon(0.03));
-    CHECK(top > 0.93F);  // a corner
+    CHECK(top > 0.93F);  // the farthest point is near a corner of the polygon
   }
 }
 
@@ -75,7 +76,7 @@ TEST_CASE("lens: as large as a real one, and focused where the camera looks unle
     CHECK(std::abs(glm::dot(point.aside, view.forward)) < 1e-7F);
     CHECK(point.focus == doctest::Approx(glm::length(view.target - view.eye)));
   }
-  // 12 mm / tan(20 degrees) = 32.97 mm; half of it over 1.4.
+  // The focal length is 12 mm / tan(20 degrees) = 32.97 mm; the lens radius is half of it over 1.4.
   CHECK(radius == doctest::Approx(0.03297 / 2.8).epsilon(0.01));
   camera.lens->focus = 3.5F;
   CHECK(draw::lensPoints(camera, view, 0).front().focus == 3.5F);
@@ -91,7 +92,7 @@ TEST_CASE(
   const draw::View view = draw::viewAt(camera, 0, size, {});
   const glm::vec3 right = glm::normalize(view.right), up = glm::normalize(view.up);
   const shader::ExactView middle = draw::exactView(view, camera, size);
-  const glm::vec2 perMetre = 0.5F * glm::vec2(size) / view.reach;  // pixels at distance 1
+  const glm::vec2 perMetre = 0.5F * glm::vec2(size) / view.reach;  // pixels per metre at distance 1 m
   std::mt19937 random(3);
   std::uniform_real_distribution<float> any(-1, 1);
   for (int i = 0; i < 200; ++i) {

@@ -1,5 +1,5 @@
-// The lobe of draw/surface/shading.glsl on the CPU, beside its equations stated anew in double precision,
-// and the fit of what it mirrors of evenly lit surroundings beside its integral.
+// Compares the lobe of draw/surface/shading.glsl on the CPU with its equations implemented independently in
+// double precision, and the fit of its reflection of uniform surroundings with the integral.
 #include "draw/picture_code.hpp"
 
 #include <cmath>
@@ -17,26 +17,27 @@ namespace {
 
 namespace lobes = simreel::shader;
 
-/// Smith's Lambda of GGX, of a direction at the cosine c to the normal.
+/// Smith's Lambda of GGX, for a direction at the cosine c to the normal.
 double hidden(double c, double alpha) {
   const double tan2 = 1 / (c * c) - 1;
   return (std::sqrt(1 + alpha * alpha * tan2) - 1) / 2;
 }
 
-/// x without F0's colour and y with it white (F0 x + y), of pi D G2 F / (4 nl nv); the normal is z.
+/// Returns x for the part proportional to F0 and y for the white part (F0 x + y), of pi D G2 F / (4 nl nv);
+/// the normal is z.
 glm::dvec2 lobeOf(glm::dvec3 view, glm::dvec3 light, double alpha) {
   const glm::dvec3 half = glm::normalize(view + light);
   const double cos2 = half.z * half.z;
   const double spread = alpha * alpha + 1 / cos2 - 1;
-  const double facets = alpha * alpha / (cos2 * cos2 * spread * spread);  // pi D
+  const double facets = alpha * alpha / (cos2 * cos2 * spread * spread);  // pi times the distribution D
   const double seen = 1 / (1 + hidden(view.z, alpha) + hidden(light.z, alpha));
   const double fifth = std::pow(1 - glm::dot(light, half), 5);
   const double all = facets * seen / (4 * view.z * light.z);
   return {all * (1 - fifth), all * fifth};
 }
 
-/// Integral of lobeOf() / pi times the cosine over the hemisphere of light, by half vectors that are as
-/// often as D has them.
+/// Integrates lobeOf() / pi times the cosine over the hemisphere of light, with half vectors distributed by
+/// D.
 glm::dvec2 mirroredOf(double nv, double alpha) {
   constexpr int steps = 173;
   const glm::dvec3 view(std::sqrt(1 - nv * nv), 0, nv);
@@ -44,7 +45,8 @@ glm::dvec2 mirroredOf(double nv, double alpha) {
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < steps; ++j) {
       const double u = (i + 0.5) / steps;
-      const double turn = std::numbers::pi * (j + 0.5) / steps;  // the other half is its mirror image
+      const double turn =
+          std::numbers::pi * (j + 0.5) / steps;  // half a turn only; the other half is a mirror image
       const double cosine = std::sqrt((1 - u) / (1 + (alpha * alpha - 1) * u));
       const double sine = std::sqrt(1 - cosine * cosine);
       const glm::dvec3 half(sine * std::cos(turn), sine * std::sin(turn), cosine);
@@ -53,7 +55,7 @@ glm::dvec2 mirroredOf(double nv, double alpha) {
       if (vh <= 0 || light.z <= 1e-9) continue;
       const double spread = alpha * alpha + 1 / (cosine * cosine) - 1;
       const double often = alpha * alpha / (std::pow(cosine, 3) * spread * spread) /
-                           (4 * vh);  // pi times of directions of light
+                           (4 * vh);  // density of light directions, times pi
       sum += lobeOf(view, light, alpha) * (light.z / often);
     }
   return sum / static_cast<double>(steps * steps);
@@ -77,12 +79,12 @@ TEST_CASE("lobes: GGX with Smith's shadowing and Schlick's Fresnel term, and the
     const glm::vec2 back =
         lobes::lobe({0, 0, 1}, glm::vec3(light), glm::vec3(view), static_cast<float>(alpha));
     if (wanted.x + wanted.y > 59) continue;
-    // 1.00001 instead of 1 in D, which keeps what is smooth finite.
+    // D uses 1.00001 instead of 1, which keeps smooth surfaces finite.
     CHECK(there.x == doctest::Approx(wanted.x).epsilon(2e-3).scale(1e-3));
     CHECK(there.y == doctest::Approx(wanted.y).epsilon(2e-3).scale(1e-3));
     CHECK(back.x == doctest::Approx(there.x).epsilon(1e-5));
   }
-  // A mirror in the middle of a light is as bright as pixels show, no brighter.
+  // A mirror reflecting the middle of a light is limited to the brightness that pixels can show.
   const glm::vec2 smooth = lobes::lobe({0, 0, 1}, {0, 0, 1}, {0, 0, 1}, 0.002F);
   CHECK(smooth.x == 60);
   CHECK(smooth.y < 1e-20F);
@@ -105,10 +107,10 @@ TEST_CASE("lobes: the share of evenly lit surroundings that is mirrored is the l
       CHECK(counts * white < 0.026);
       CHECK(fit.x >= 0);
       CHECK(fit.x + fit.y <= 1.00001F);
-      if (nv > 0.5) CHECK(white < 0.006);  // beside F0 = 0.04
+      if (nv > 0.5) CHECK(white < 0.006);  // the error is small compared with F0 = 0.04
     }
   MESSAGE("largest error of x + y ", worst, ", of y ", worstWhite);
-  // As rough as can be the integral has a closed form: 1 - nv ln(1 + 1 / nv).
+  // At maximum roughness the integral has a closed form: 1 - nv ln(1 + 1 / nv).
   for (const double nv : {0.1, 0.25, 0.5, 0.75, 1.0}) {
     const double wanted = 1 - nv * std::log(1 + 1 / nv);
     const glm::dvec2 sum = mirroredOf(nv, 1);
@@ -116,7 +118,7 @@ TEST_CASE("lobes: the share of evenly lit surroundings that is mirrored is the l
     const glm::vec2 fit = lobes::ambientLobe(1, static_cast<float>(nv));
     CHECK(std::abs(fit.x + fit.y - wanted) < 0.032);
   }
-  // And of a mirror it is all but what Schlick's term says.
+  // For a mirror it is almost exactly Schlick's term.
   for (const double nv : {0.1, 0.5, 1.0}) {
     const glm::vec2 fit = lobes::ambientLobe(0, static_cast<float>(nv));
     CHECK(fit.y == doctest::Approx(std::pow(1 - nv, 5)).epsilon(1e-5));

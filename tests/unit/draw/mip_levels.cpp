@@ -16,7 +16,7 @@ using draw::MipLevel;
 
 namespace {
 
-/// Noise whose alpha is 255 everywhere, or anything with much of 0 and 255.
+/// Returns noise with alpha 255 everywhere, or with alpha that is often 0 or 255.
 std::vector<std::uint8_t> noise(glm::ivec2 size, bool opaque) {
   std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(size.x * size.y));
   std::uint32_t state = 12345;
@@ -39,9 +39,10 @@ double encoded(double light) {
   return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
 }
 
-/// The same filter stated a second time: overlaps of intervals, in float64, light and alpha apart.
+/// The same filter implemented independently: overlaps of intervals, in double precision, light and alpha
+/// separate.
 struct Texel {
-  double r = 0, g = 0, b = 0, alpha = 0;  // light, not yet times alpha
+  double r = 0, g = 0, b = 0, alpha = 0;  // light is not premultiplied by alpha
 };
 struct Level {
   int width, height;
@@ -112,7 +113,7 @@ TEST_CASE("mip levels agree with the same filter in float64, at odd sizes too") 
         for (std::size_t i = 0; i < twin.texels.size(); ++i) {
           const Texel& t = twin.texels[i];
           const double wanted[] = {encoded(t.r), encoded(t.g), encoded(t.b)};
-          // Where nothing of it shows, 1/65026 of a weight still counts.
+          // Colours with nearly zero alpha are inaccurate, because weights are multiples of 1/65026.
           if (t.alpha > 0.02 || t.alpha == 0)
             for (std::size_t c = 0; c < 3; ++c)
               worst = std::max(worst, std::abs(level.rgba[4 * i + c] - wanted[c]));
@@ -120,7 +121,7 @@ TEST_CASE("mip levels agree with the same filter in float64, at odd sizes too") 
         }
       }
       CHECK(levels.back().size == glm::ivec2(1, 1));
-      CHECK(worst < (opaque ? 0.53 : 0.6));  // rounding, and what the table and the weights add
+      CHECK(worst < (opaque ? 0.53 : 0.6));  // rounding, plus errors of the table and the weights
       CHECK(worstAlpha < 0.52);
     }
 }
@@ -137,7 +138,7 @@ TEST_CASE("mip levels: one colour stays that colour") {
 }
 
 TEST_CASE("mip levels: transparent texels do not bleed") {
-  // Green that nobody sees, beside opaque red.
+  // Invisible green beside opaque red.
   const std::vector<std::uint8_t> rgba = {255, 0, 0, 255, 0, 255, 0, 0};
   const auto level = draw::mipLevels({2, 1}, rgba).front();
   CHECK(level.rgba == std::vector<std::uint8_t>{255, 0, 0, 128});

@@ -1,4 +1,4 @@
-// Cameras that go round their target.
+// Cameras that orbit their target.
 #include "draw/camera.hpp"
 
 #include <cmath>

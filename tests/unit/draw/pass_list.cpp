@@ -1,4 +1,4 @@
-// The list of passes of an exact picture: which lists are refused, and what follows from the one there is.
+// The list of passes of an exact picture: invalid lists, and properties of the actual list.
 #include "draw/exact/pass_list.hpp"
 
 #include <set>

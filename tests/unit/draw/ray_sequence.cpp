@@ -1,5 +1,5 @@
-// The points at which a pixel's light is sampled (glsl/draw/exact/rays/sequence.glsl): however they are
-// scrambled, they stay evenly spread.
+// The points at which a pixel's light is sampled (glsl/draw/exact/rays/sequence.glsl) stay evenly
+// distributed after any scrambling.
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ using namespace simreel::shader;  // NOLINT: the model is written in GLSL's name
 
 namespace {
 
-/// How many points there are in the fullest of the cells that the unit square is cut into, as many as
-/// points.
+/// Returns the maximum number of points per cell if the unit square is divided into as many cells as there
+/// are points.
 int fullest(const std::vector<vec3>& points, int first, int second, int columns) {
   const int rows = static_cast<int>(points.size()) / columns;
   std::vector<int> counts(points.size());

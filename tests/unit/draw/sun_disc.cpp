@@ -13,7 +13,7 @@ using namespace simreel;
 
 namespace {
 
-/// What the map holds.
+/// Depth of the nearest caster at each texel of the shadow map.
 std::function<float(glm::ivec2)> casters;
 
 using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
@@ -28,12 +28,13 @@ float casterNear(glm::ivec2 texel) {
 #undef precise
 #undef FUNCTION
 
-/// 100 texels of radius for all of the map's depth.
+/// Returns a receiver with a penumbra radius of 100 texels per map depth.
 SunReceiver receiver(glm::vec2 middle, float near) {
   return {middle, near, {0, 0}, 100.0F, 1.0F, 60.0F};
 }
 
-/// Of a disc of radius 1 the share beyond x from its middle: what an edge leaves of the sun.
+/// Returns the fraction of a unit disc beyond x from its centre: the visible part of the sun behind an
+/// edge.
 double beyond(double x) {
   if (x <= -1 || x >= 1) return x < 0 ? 1 : 0;
   return (std::acos(x) - x * std::sqrt(1 - x * x)) / std::numbers::pi;
@@ -45,7 +46,7 @@ TEST_CASE(
     "sun disc: behind an edge light grows as the share of the disc that is seen, as wide as the gap") {
   casters = [](glm::ivec2 texel) { return texel.x < 500 ? 0.9F : -1e30F; };
   for (const float gap : {0.1F, 0.25F, 0.5F}) {
-    const double radius = 100.0 * static_cast<double>(gap);  // texels
+    const double radius = 100.0 * static_cast<double>(gap);  // radius of the penumbra in texels
     double worst = 0;
     for (float x = 430; x <= 570; x += 0.71F) {
       const double wanted = beyond((500.0 - static_cast<double>(x)) / radius);
@@ -53,7 +54,7 @@ TEST_CASE(
       worst = std::max(worst, std::abs(found - wanted));
     }
     CAPTURE(gap);
-    CHECK(worst < 0.04);  // 32 points of a disc
+    CHECK(worst < 0.04);  // the error of 32 sample points on the disc
   }
 }
 
@@ -66,11 +67,11 @@ TEST_CASE("sun disc: a penumbra is as narrow and as wide as it may be at least a
   CHECK(at(561.5F, -0.5F) == 1);
   CHECK(at(438.5F, -0.5F) == 0);
   CHECK(at(450.0F, -0.5F) > 0);
-  CHECK(at(700.0F, -20.0F) == 1);  // far behind all there is
+  CHECK(at(700.0F, -20.0F) == 1);  // a receiver far behind all objects is not shaded
 }
 
 TEST_CASE("sun disc: what lies in the receiver's plane does not shade it, what stands on it does") {
-  // A plane that rises by 0.004 a texel along x and falls by 0.002 along y.
+  // A plane that rises by 0.004 per texel along x and falls by 0.002 along y.
   const glm::vec2 rise(0.004F, -0.002F);
   const auto plane = [&](glm::vec2 at) { return 0.5F + rise.x * (at.x - 400) + rise.y * (at.y - 400); };
   SunReceiver r = receiver({400, 400}, 0.5F + 5e-3F);

@@ -23,7 +23,7 @@ TEST_CASE("bench: percentiles of known sets") {
 
 TEST_CASE("bench: statistics do not depend on the order") {
   std::vector<double> values;
-  for (int i = 0; i < 101; ++i) values.push_back((i * 37) % 101);  // 0 to 100, shuffled
+  for (int i = 0; i < 101; ++i) values.push_back((i * 37) % 101);  // the numbers 0 to 100, shuffled
   const Statistics s = statisticsOf(values);
   CHECK(s.count == 101);
   CHECK(s.median == 50);
@@ -32,7 +32,7 @@ TEST_CASE("bench: statistics do not depend on the order") {
   CHECK(s.mean == doctest::Approx(50));
   CHECK(s.min == 0);
   CHECK(s.max == 100);
-  CHECK(values[1] == 37);  // left as they were
+  CHECK(values[1] == 37);  // statisticsOf() does not sort its input
   CHECK(statisticsOf(std::vector<double>{1, 2, 3, 10}).median == 2.5);
   CHECK(statisticsOf({}).count == 0);
   CHECK(statisticsOf({}).median == 0);
@@ -41,7 +41,7 @@ TEST_CASE("bench: statistics do not depend on the order") {
 TEST_CASE("bench: outliers lie beyond three medians") {
   const Outliers found = outliersOf(std::vector<double>{2, 2, 6.5, 2, 2, 2, 40, 6, 2});
   CHECK(found.bound == 6);
-  CHECK(found.count == 2);  // 6 lies on the bound
+  CHECK(found.count == 2);  // counts two outliers: the value 6 lies exactly on the bound
   CHECK(found.worst == 6);
   const Outliers none = outliersOf(std::vector<double>{1, 2, 3});
   CHECK(none.count == 0);

@@ -1,4 +1,4 @@
-// The table beside the frames: counts of each step, and what is measured once a frame.
+// The table beside the frames: counts of each step, and quantities measured once per frame.
 #include "frame/file/count_table.hpp"
 
 #include <bit>

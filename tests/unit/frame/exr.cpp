@@ -71,7 +71,7 @@ TEST_CASE("exr: colour, depth, position and objects come back") {
   Imf::InputFile file(written.path.c_str());
   CHECK(file.header().typedAttribute<Imf::StringAttribute>("simreel:frame").value() == "7");
   CHECK(channelNamed(file, "R")[9] == 1.125F);
-  CHECK(channelNamed(file, "B")[3] == 65504.0F);  // the brightest half
+  CHECK(channelNamed(file, "B")[3] == 65504.0F);  // values are clamped to the maximum half
   CHECK(channelNamed(file, "A")[14] == doctest::Approx(14.0 / 15).epsilon(1e-3));
   CHECK(channelNamed(file, "Z")[3] == 2.5F);
   CHECK(std::isinf(channelNamed(file, "Z")[4]));
@@ -133,9 +133,9 @@ TEST_CASE("exr: the hash tells every part, and files are the same each time") {
 }
 
 TEST_CASE("exr: names have the numbers of MurmurHash3") {
-  // Of the reference implementation (SMHasher), seed 0.
+  // From the reference implementation (SMHasher), seed 0.
   CHECK(frame::cryptomatteId("hello") == 0x248bfa47U);
   CHECK(frame::cryptomatteId("hello, world") == 0x149bbb7fU);
   CHECK(frame::cryptomatteId("The quick brown fox jumps over the lazy dog") == 0x2e4ff723U);
-  CHECK(frame::cryptomatteId("") == 1U << 23);  // 0 is no ordinary float
+  CHECK(frame::cryptomatteId("") == 1U << 23);  // hash 0 is changed, because 0 is not a normal float
 }

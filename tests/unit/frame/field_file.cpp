@@ -1,4 +1,4 @@
-// NPY and PFM byte by byte.
+// Checks NPY and PFM byte by byte.
 #include "frame/file/field_file.hpp"
 
 #include "base/error.hpp"

@@ -14,12 +14,12 @@
 
 namespace simreel::frame::test {
 
-/// A binary glTF file of one buffer, read by the rules of the glTF 2.0 specification alone: no library's
-/// version says what it means. The numbers of sections stand beside the rules.
+/// Reads a binary glTF file of one buffer by the rules of the glTF 2.0 specification only, independently of
+/// any library. Comments give the sections of the rules.
 class GlbFile {
  public:
   explicit GlbFile(const std::filesystem::path& file) : bytes_(readFile(file, "glTF file")) {
-    // 4.4: a header, a chunk of JSON and one of binary data, all of them whole words.
+    // glTF 4.4: a header, a JSON chunk and a binary chunk, all multiples of 4 bytes.
     REQUIRE(bytes_.size() > 28);
     REQUIRE(bytes_.substr(0, 4) == "glTF");
     REQUIRE(word(4) == 2);
@@ -38,7 +38,7 @@ class GlbFile {
 
   [[nodiscard]] const nlohmann::json& document() const { return document_; }
 
-  /// An accessor's values one after the other, of floats or (3.6.2.2: component type 5125) indices.
+  /// Returns the values of an accessor, floats or (3.6.2.2: component type 5125) indices.
   template <class T>
   [[nodiscard]] std::vector<T> values(const nlohmann::json& number) const {
     const nlohmann::json& accessor = document_["accessors"].at(number.get<std::size_t>());
@@ -49,7 +49,7 @@ class GlbFile {
     const std::size_t count = accessor["count"];
     const std::size_t begin = accessor.value("byteOffset", std::size_t{0});
     const std::size_t stride = view.value("byteStride", width * sizeof(T));
-    // 3.6.2.4: whole words, and the last row ends in the view.
+    // glTF 3.6.2.4: aligned to 4 bytes, and the last row ends within the view.
     REQUIRE(begin % 4 == 0);
     REQUIRE(begin + stride * (count - 1) + width * sizeof(T) <= view["byteLength"]);
     std::vector<T> found(width * count);
@@ -60,7 +60,8 @@ class GlbFile {
     return found;
   }
 
-  /// Rows of three; 3.6.2.5: where the accessor has bounds, they are those of its values.
+  /// Returns rows of three floats; 3.6.2.5: if the accessor has bounds, the bounds equal the minimum and
+  /// maximum of its values.
   [[nodiscard]] std::vector<glm::vec3> rows(const nlohmann::json& number) const {
     const std::vector<float> flat = values<float>(number);
     std::vector<glm::vec3> found;

@@ -14,7 +14,7 @@
 
 namespace simreel::frame::test {
 
-/// A new empty folder, removed at the end.
+/// Creates an empty folder and removes it in the destructor.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -37,7 +37,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Smooth colours with some texture, opaque, different for each seed.
+/// Returns a picture of smooth colours with some texture, opaque, different for each seed.
 inline Image picture(int width, int height, int seed = 0) {
   Image image{width, height, {}};
   for (int y = 0; y < height; ++y)
@@ -57,7 +57,7 @@ inline FrameInfo frameInfo(int frame) {
   return {frame, fmt::format("state{}", frame)};
 }
 
-/// The message and code of the UserError that `action` throws.
+/// Returns code and message of the UserError thrown by `action`.
 template <class Action>
 std::pair<ExitCode, std::string> errorOf(const Action& action) {
   try {

@@ -1,4 +1,5 @@
-// A surface over several frames as one file: glTF by its specification, and what cannot be one.
+// A surface over several frames in one file: glTF by its specification, and sequences that cannot be
+// stored.
 #include "frame/mesh/mesh_sequence.hpp"
 
 #include "base/error.hpp"
@@ -25,7 +26,7 @@ namespace {
 using frame::test::GlbFile;
 using frame::test::TemporaryFolder;
 
-/// Two triangles that share an edge, moved; the first vertex is in neither.
+/// Two moved triangles that share an edge; no triangle uses the first vertex.
 sim::MeshTable movedPair(float by) {
   sim::MeshTable mesh;
   mesh.positions = {{9, 9, 9}, {0, by, 0}, {1, 0, 0}, {1, 0, 1 + 2 * by}, {0, 0, 1}};
@@ -59,7 +60,7 @@ TEST_CASE(
   const TemporaryFolder folder;
   sim::MeshTable mesh;
   std::uint32_t word = 1;
-  const auto any = [&word] {  // of every size between 1e-6 and 1e6, with all bits of the mantissa
+  const auto any = [&word] {  // magnitudes between 1e-6 and 1e6, all mantissa bits random
     word = word * 747796405U + 2891336453U;
     const float mantissa = 1.0F + static_cast<float>(word >> 9U) * 0x1p-23F;
     return std::ldexp((word & 1U) == 0 ? mantissa : -mantissa, static_cast<int>(word % 40) - 20);
@@ -107,12 +108,13 @@ TEST_CASE("mesh sequences: glTF moves by the rules of morph targets and their we
   const nlohmann::json& mesh = document["meshes"][0];
   REQUIRE(mesh["primitives"].size() == 1);
   const nlohmann::json& primitive = mesh["primitives"][0];
-  CHECK(primitive.value("mode", 4) == 4);  // 5.24: triangles
+  CHECK(primitive.value("mode", 4) == 4);  // glTF 5.24: mode 4 is triangles
   CHECK(glb.values<std::uint32_t>(primitive["indices"]) == std::vector<std::uint32_t>{0, 2, 1, 0, 3, 2});
   REQUIRE(primitive["targets"].size() == 2);
   CHECK(mesh["extras"]["targetNames"] == nlohmann::json({"frame 5", "frame 8"}));
-  CHECK(!mesh.contains("weights"));  // 3.7.2.2: they are 0 without
-  // 3.11: one channel moves the weights of the node that has the mesh, by a sampler of seconds.
+  CHECK(!mesh.contains("weights"));  // glTF 3.7.2.2: weights default to 0
+  // glTF 3.11: one channel animates the weights of the node with the mesh; the sampler's times are in
+  // seconds.
   REQUIRE(document["animations"].size() == 1);
   const nlohmann::json& animation = document["animations"][0];
   REQUIRE(animation["channels"].size() == 1);
@@ -125,13 +127,13 @@ TEST_CASE("mesh sequences: glTF moves by the rules of morph targets and their we
   CHECK(glb.values<float>(sampler["input"]) == std::vector<float>{0, 0.1F, 0.4F});
   const std::vector<float> weights = glb.values<float>(sampler["output"]);
   REQUIRE(weights.size() == 6);
-  // 3.7.2.2: what is seen is the mesh's attribute and the sum of each target's times its weight.
+  // glTF 3.7.2.2: the result is the mesh's attribute plus the weighted sum of the targets.
   for (std::size_t key = 0; key < 3; ++key) {
     const sim::MeshTable wanted = movedPair(0.5F * static_cast<float>(key));
     for (const auto& [name, table] :
          {std::pair{"POSITION", &wanted.positions}, std::pair{"NORMAL", &wanted.normals}}) {
       std::vector<glm::vec3> found = glb.rows(primitive["attributes"][name]);
-      REQUIRE(found.size() == 4);  // without the vertex of no triangle
+      REQUIRE(found.size() == 4);  // the unused vertex is not written
       for (std::size_t k = 0; k < 2; ++k) {
         const std::vector<glm::vec3> moved = glb.rows(primitive["targets"][k][name]);
         REQUIRE(moved.size() == 4);

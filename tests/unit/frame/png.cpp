@@ -26,7 +26,7 @@ std::uint32_t bigEndian(const std::vector<std::byte>& file, std::size_t at) {
   return value;
 }
 
-/// All chunks, each with its CRC checked.
+/// Returns all chunks, after checking their CRCs.
 std::vector<Chunk> chunksOf(const std::vector<std::byte>& file) {
   std::vector<Chunk> chunks;
   const auto* text = reinterpret_cast<const char*>(file.data());
@@ -41,7 +41,7 @@ std::vector<Chunk> chunksOf(const std::vector<std::byte>& file) {
   return chunks;
 }
 
-/// A picture of these colours comes back exactly, and is encoded alike twice.
+/// Checks that a picture with the given colours decodes exactly, and that encoding twice gives equal bytes.
 void checkRoundTrip(int width, int height, std::uint8_t (*byte)(std::size_t)) {
   CAPTURE(width);
   CAPTURE(height);
@@ -51,7 +51,7 @@ void checkRoundTrip(int width, int height, std::uint8_t (*byte)(std::size_t)) {
   const auto file = encodePng(image, {});
   CHECK((decodeImage(file, "test").bytes == image.bytes));
   CHECK((encodePng(image, {}) == file));
-  // Noise must not make the file larger than stored blocks and the other chunks.
+  // Noise must not make the file larger than stored blocks plus the other chunks.
   CHECK(file.size() < image.bytes.size() / 4 * 3 + std::size_t(height) * 2 + 1024);
 }
 
@@ -131,12 +131,12 @@ TEST_CASE("png: a broken file is a user error that names it") {
     CHECK(contains(text, "broken.png"));
   }
   auto huge = file;
-  huge[16 + 2] = std::byte{0x7f};  // width 32552
+  huge[16 + 2] = std::byte{0x7f};  // changes the width to 32552
   CHECK(errorOf([&] { (void)decodeImage(huge, "huge.png"); }).first == ExitCode::inputOutput);
   const std::string deep = "P5 64 64 65535\n" + std::string(std::size_t{64} * 64 * 2, 'x');
   CHECK(errorOf([&] { (void)decodeImage(std::as_bytes(std::span(deep)), "deep.pgm"); }).first ==
         ExitCode::inputOutput);
-  // Any single wrong byte either decodes to something or is a user error; it never crashes.
+  // Any single wrong byte either decodes or is a user error; it never crashes.
   for (std::size_t i = 0; i < file.size(); ++i) {
     auto wrong = file;
     wrong[i] ^= std::byte{0x5a};
@@ -146,7 +146,7 @@ TEST_CASE("png: a broken file is a user error that names it") {
 }
 
 TEST_CASE("png: the compressor gives back what it got") {
-  // Filtered rows of 4 bytes to 2 million, some just around the 64 KiB of a stored block.
+  // Filtered rows of 4 bytes to 2 million, some close to the 64 KiB of a stored block.
   for (const auto& [width, height] : {std::pair{1, 1},
                                       {2, 2},
                                       {3, 7},
@@ -166,7 +166,7 @@ TEST_CASE("png: the compressor gives back what it got") {
     checkRoundTrip(width, height, [](std::size_t i) {
       return static_cast<std::uint8_t>((i / 5000) % 2 == 0 ? random(i) >> 24 : i % 97);
     });
-    // Halving probabilities make the deepest codes.
+    // Halving probabilities give the deepest Huffman codes.
     checkRoundTrip(width, height, [](std::size_t i) {
       return static_cast<std::uint8_t>(std::countl_zero(random(i) | 1u));
     });
@@ -174,7 +174,8 @@ TEST_CASE("png: the compressor gives back what it got") {
 }
 
 TEST_CASE("png: the first bytes are stored, for a compressor without history hashes an address") {
-  // Twice in 100,000 runs it found other matches. 7 bytes of headers, then the rows' first 32 bytes.
+  // Regression test: without a history the compressor hashed an address and chose other matches in 2 of
+  // 100,000 runs. 7 bytes of headers, then the rows' first 32 bytes.
   const auto chunks = chunksOf(encodePng(picture(96, 54), {}));
   const auto data =
       std::find_if(chunks.begin(), chunks.end(), [](const Chunk& c) { return c.type == "IDAT"; });

@@ -25,7 +25,7 @@ std::vector<int> upTo(int count) {
   return frames;
 }
 
-/// Renders what the sink wants; returns those frames.
+/// Renders the frames that the sink requests; returns them.
 std::vector<int> renderInto(const std::string& output, Existing existing, int count,
                             const RunInfo& run = runInfo()) {
   const auto frames = upTo(count);
@@ -78,7 +78,7 @@ TEST_CASE(
   };
   CHECK(bytes("a", here) == bytes("b", there));
   CHECK(readRunLog(folder / "b/run.json").machineOf(2) == "Testium 4; another");
-  // What a driver draws depends on it.
+  // Pictures of the driver depend on the fingerprint.
   here.rasterizer = there.rasterizer = "driver";
   CHECK(bytes("c", here) != bytes("d", there));
   CHECK(contains(text(folder / "c/manifest.json"), "\"fingerprint\": \"fingerprint\""));
@@ -149,7 +149,7 @@ TEST_CASE("sequence: resume draws anew what is missing, cut short or changed") {
   CHECK(sink->summary() == (folder / "000000.png").string() + " ... " + (folder / "000007.png").string());
   sink->finish();
 
-  // A frame that the manifest does not list is drawn, and without a manifest all are.
+  // A frame missing from the manifest is drawn; without a manifest all frames are drawn.
   Manifest partial = parseManifest(manifest, "manifest");
   partial.frames.erase(2);
   writeFileAtomically(folder / "manifest.json", manifestText(partial));
@@ -214,7 +214,8 @@ TEST_CASE("sequence: skipping lists kept frames that say that they are of the ru
   std::filesystem::remove(folder / "manifest.json");
   CHECK(renderInto(folder.string(), Existing::skip, 3).empty());
   CHECK(text(folder / "manifest.json") == manifest);
-  // Foreign ones are kept, and not listed: to resume draws them. Damaged and empty ones are drawn at once.
+  // Foreign pictures are kept but not listed, so --resume draws them. Damaged and empty ones are drawn at
+  // once.
   std::filesystem::remove(folder / "manifest.json");
   writeFileAtomically(folder / "000000.png", encodePng(picture(32, 18), {}));
   std::filesystem::resize_file(folder / "000001.png", 100);
@@ -273,7 +274,7 @@ TEST_CASE("sequence: skipping refuses frames of another run, by the manifest or 
         if (listed) CHECK(text(manifest) == before);
       }
     }
-    // A foreign picture tells its size.
+    // The size of a foreign picture is checked.
     if (light) continue;
     const auto first = parseOutput(output, 2).file(0);
     writeFileAtomically(first, encodePng(picture(30, 18), {}));
@@ -335,7 +336,7 @@ TEST_CASE("sequence: what cannot be written is one user error") {
       errorOf([&] { renderInto((folder / "file/out/").string(), Existing::error, 2); });
   CHECK(code == ExitCode::inputOutput);
   CHECK(contains(message, "cannot create folder"));
-  // A folder where the frame should go.
+  // A folder stands in place of the frame's file.
   std::filesystem::create_directories(folder / "g/000030.png/x");
   const auto blocked = errorOf([&] { renderInto((folder / "g").string(), Existing::overwrite, 40); });
   CHECK(blocked.first == ExitCode::inputOutput);

@@ -1,4 +1,4 @@
-// Meshes and contours as files, read back by others: glTF by assimp.
+// Meshes and contours as files, read back by other programs' readers: glTF by assimp.
 #include "base/file.hpp"
 #include "draw/camera.hpp"
 #include "frame/file/contour_file.hpp"
@@ -15,7 +15,7 @@ using namespace simreel;
 
 namespace {
 
-/// A tetrahedron, its faces seen from outside, and between its corners one that no face has.
+/// A tetrahedron with outward faces, and an unused vertex between its corners.
 sim::MeshTable tetrahedron() {
   sim::MeshTable mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {9, 9, 9}, {0, 1, 0}, {0, 0, 1}};
@@ -39,7 +39,7 @@ TEST_CASE("binary glTF is read by assimp as it was written") {
   REQUIRE(scene->mNumMeshes == 1);
   const aiMesh& read = *scene->mMeshes[0];
   CHECK(std::string(read.mName.C_Str()) == "solid");
-  CHECK(read.mNumVertices == 4);  // without the corner that no face has
+  CHECK(read.mNumVertices == 4);  // the unused vertex is not written
   REQUIRE(read.mNumFaces == 4);
   for (unsigned f = 0; f < 4; ++f) {
     REQUIRE(read.mFaces[f].mNumIndices == 3);
@@ -98,7 +98,7 @@ TEST_CASE("a camera stands on its path by length, and looks along it") {
   CHECK(draw::standOn(path, follow, 0.5).eye == glm::vec3(2, 2, 0));
   CHECK(draw::standOn(path, follow, 1).eye == glm::vec3(3, 2, 1));
   const draw::Stand end = draw::standOn(path, follow, 1);
-  CHECK(end.target.z > 1.2F);  // straight on beyond the end
+  CHECK(end.target.z > 1.2F);  // beyond its end, the path continues straight
   CHECK(end.target.x == doctest::Approx(3));
   CHECK(draw::standOn({{1, 2, 3}}, follow, 0.7).eye == glm::vec3(1, 4, 3));
 }

@@ -32,7 +32,7 @@ void renderVideo(const std::string& output, Existing existing = Existing::error,
   sink->finish();
 }
 
-/// PATH for as long as it lives.
+/// Sets PATH for its lifetime.
 class SearchPath {
  public:
   explicit SearchPath(const std::string& value) : old_(std::getenv("PATH")) {
@@ -52,7 +52,7 @@ bool ffmpegInstalled() {
   return std::system("command -v ffmpeg ffprobe >/dev/null 2>&1") == 0;
 }
 
-/// A program named ffmpeg that does as the script says.
+/// Renders with a program named ffmpeg that runs the script; returns the error.
 std::pair<ExitCode, std::string> withFakeFfmpeg(const std::string& script) {
   const TemporaryFolder folder;
   writeFileAtomically(folder / "ffmpeg", std::string_view("#!/bin/sh\n" + script + "\n"));
@@ -66,7 +66,7 @@ std::pair<ExitCode, std::string> withFakeFfmpeg(const std::string& script) {
   return result;
 }
 
-/// All that comes out of a pipe into which `write` writes.
+/// Returns all bytes that `write` writes into a pipe.
 template <class Write>
 std::string throughPipe(const Write& write) {
   int ends[2];
@@ -96,7 +96,8 @@ TEST_CASE("video: the same bytes whatever the number of processors") {
     if (CPU_ISSET(i, &all)) CPU_SET(i, &one);
   for (const char* name : {".mp4", ".webm", ".avi"}) {
     renderVideo((folder / (std::string("all") + name)).string(), Existing::error, runInfo(320, 180));
-    REQUIRE(::sched_setaffinity(0, sizeof one, &one) == 0);  // what ffmpeg inherits
+    REQUIRE(::sched_setaffinity(0, sizeof one, &one) ==
+            0);  // ffmpeg inherits this affinity to one processor
     renderVideo((folder / (std::string("one") + name)).string(), Existing::error, runInfo(320, 180));
     REQUIRE(::sched_setaffinity(0, sizeof all, &all) == 0);
     CHECK(readFile(folder / (std::string("all") + name), "video") ==
@@ -113,7 +114,7 @@ TEST_CASE("video: ffmpeg writes each kind, with a manifest") {
   for (const char* name : {"v.mp4", "v.webm", "v.gif", "v.mkv", "v.avi", "v.apng", "-odd:name.mp4"}) {
     CAPTURE(name);
     const std::string file = (folder / name).string();
-    renderVideo(file, Existing::error, runInfo(33, 17));  // odd: 4:2:0 needs padding
+    renderVideo(file, Existing::error, runInfo(33, 17));  // an odd size, which needs padding for 4:2:0
     CHECK(std::filesystem::file_size(file) > 100);
     const Manifest manifest = parseManifest(readFile(file + ".manifest.json", "manifest"), "m");
     CHECK(manifest.frames.size() == frameCount);
@@ -124,7 +125,7 @@ TEST_CASE("video: ffmpeg writes each kind, with a manifest") {
       "csv=p=0 " +
       (folder / "v.mp4").string() + ")\" = 34,18,12";
   CHECK(std::system(probe.c_str()) == 0);
-  // Twice the same bytes.
+  // Rendering twice gives equal bytes.
   renderVideo((folder / "w.mp4").string(), Existing::error, runInfo(33, 17));
   CHECK((readFile(folder / "w.mp4", "video") == readFile(folder / "v.mp4", "video")));
   for (const auto& entry : std::filesystem::directory_iterator(folder.string()))
@@ -186,12 +187,12 @@ TEST_CASE("video: a missing or dying ffmpeg is one line, and never a hang") {
   CHECK(contains(withFakeFfmpeg("kill -SEGV $$").second, "signal 11 (SIGSEGV)"));
   CHECK(contains(withFakeFfmpeg("kill -KILL $$").second, "was ended by signal 9 (SIGKILL)"));
   CHECK(contains(withFakeFfmpeg("exit 0").second, "before the video was complete"));
-  // More on standard error than a pipe holds.
+  // More output on standard error than a pipe holds.
   CHECK(contains(
       withFakeFfmpeg("head -c 1000000 /dev/zero >&2; echo >&2; echo end >&2; cat >/dev/null; exit 1")
           .second,
       ": end"));
-  // It goes on after closing its input.
+  // ffmpeg closes its input and continues.
   CHECK(contains(withFakeFfmpeg("exec <&-; exec sleep 60").second, "closed its input"));
 }
 
@@ -240,7 +241,8 @@ TEST_CASE("films of every fifth frame play as fast as the scene") {
   CHECK(rate(29.97, {0, 1}) == "30000/1001");
   CHECK(rate(59.94, {0, 2, 4}) == "30000/1001");
   CHECK(rate(12.5, {0, 1}) == "12500/1000");
-  CHECK(rate(30, {0, 1, 3}) == "30/1");  // a warning says so
+  CHECK(rate(30, {0, 1, 3}) ==
+        "30/1");  // frames at uneven distances: uses the scene's rate, with a warning
 }
 
 TEST_CASE("stream: a closed pipe and an unknown format are user errors") {

@@ -40,9 +40,9 @@ TEST_CASE("pictures are compared by channel, alpha too, and counted by pixel") {
   const auto a = uniform(5, 3, {100, 100, 100, 100});
   auto b = a;
   at(b, 1, 0, 0) = 103;
-  at(b, 1, 0, 2) = 97;  // one pixel all the same
+  at(b, 1, 0, 2) = 97;  // another channel of the same pixel, which still counts as one pixel
   at(b, 2, 1, 1) = 80;
-  at(b, 3, 1, 1) = 120;  // as far apart, later
+  at(b, 3, 1, 1) = 120;  // an equally large difference at a later pixel
   at(b, 4, 2, 3) = 90;
   const auto metrics = golden::measure(a, b, tolerance(3));
   CHECK(metrics.worst == 20);
@@ -53,9 +53,9 @@ TEST_CASE("pictures are compared by channel, alpha too, and counted by pixel") {
   CHECK(metrics.ratioBeyond == doctest::Approx(3.0 / 15));
   CHECK(golden::measure(a, b, tolerance(2)).pixelsBeyond == 4);
   CHECK(golden::measure(a, b, tolerance(20)).pixelsBeyond == 0);
-  // Squares: 9 + 9 + 400 + 400 over 45 values where nothing is seen through. Of what is, the worse of over
-  // black, where round(100 / 255 of a value) is 39 beside 40, 38, 31 and 47 (and 35 for the alpha), and
-  // over white.
+  // Squared differences: 9 + 9 + 400 + 400 over 45 values for opaque pixels. Transparent pixels use the
+  // worse of compositing over black, where round(100 / 255 of a value) is 39 compared with 40, 38, 31 and
+  // 47 (and 35 for the alpha), and over white.
   auto solid = a, other = b;
   for (std::size_t i = 3; i < a.bytes.size(); i += 4) solid.bytes[i] = other.bytes[i] = 255;
   const auto psnrOf = [](double squares) {
@@ -93,7 +93,7 @@ TEST_CASE("equal pictures are equal to the eye; where alpha alone differs, a bac
   CHECK(std::isfinite(seen.psnr));
   CHECK(seen.ssim < 1);
   CHECK(seen.flipMean > 0);
-  // Nothing is seen of the colour where nothing is opaque.
+  // The colour of fully transparent pixels does not matter.
   auto c = a, d = a;
   for (auto* image : {&c, &d}) at(*image, 7, 8, 3) = 0;
   at(d, 7, 8, 0) = static_cast<std::uint8_t>(255 - at(c, 7, 8, 0));
@@ -118,7 +118,7 @@ TEST_CASE("the densest window is found wherever it lies, and clipped to small pi
   metrics = golden::measure(a, b, t);
   CHECK(metrics.windowRatio == 1);
   CHECK(metrics.windowX + metrics.windowY == 0);
-  t.windowSize = 35;  // clipped in height alone
+  t.windowSize = 35;  // a window larger than the picture's height is clipped
   metrics = golden::measure(a, b, t);
   CHECK(metrics.windowRatio == 4.0 / (35 * 30));
   CHECK(metrics.windowX == 5);
@@ -156,7 +156,7 @@ TEST_CASE("every bound that is given must hold; two of a hundred pixels may diff
   CHECK(broken(t).size() == 2);
   t.hardFail = 39;
   CHECK(broken(t)[0] == "the pixel at x 3, y 4 differs by 40 (hardFail is 39)");
-  t = tolerance(255);  // nothing is beyond, but hardFail is never bypassed
+  t = tolerance(255);  // no difference exceeds it, but hardFail always applies
   t.hardFail = 39;
   CHECK(broken(t).size() == 1);
   t = tolerance(12, 1);
@@ -199,7 +199,7 @@ TEST_CASE("a difference image shows every difference and nothing else") {
   REQUIRE(heat.width == 256);
   REQUIRE(heat.bytes.size() == a.bytes.size());
   for (int x = 0; x < 256; ++x) {
-    // 1/255 is bright blue, half of the range red or orange; equal pixels are dark grey.
+    // A difference of 1/255 is bright blue, half the range is red or orange; equal pixels are dark grey.
     CHECK(at(heat, x, 1, 2) > 200);
     CHECK(spread(heat, x, 1) > 100);
     CHECK(at(heat, x, 0, 0) > 200);

@@ -1,4 +1,5 @@
-// FLIP and SSIM against values worked out by hand. Against other programs: tests/cli/golden/test_diff.py.
+// Compares FLIP and SSIM with values calculated by hand. tests/cli/golden/test_diff.py compares with other
+// programs.
 #include "golden/compare/flip.hpp"
 
 #include "golden/compare/ssim.hpp"
@@ -20,12 +21,12 @@ frame::Image uniform(int width, int height, int r, int g, int b) {
   return image;
 }
 
-/// HyAB^0.7 of two Hunt-adjusted colours L, a, b.
+/// Returns HyAB^0.7 of two Hunt-adjusted colours L, a, b.
 double powered(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return std::pow(std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]), 0.7);
 }
 
-// CIELAB (D65) of sRGB's green and blue as published tables have them, times 0.01 L* in a* and b*.
+// Published CIELAB (D65) values of sRGB's green and blue, with a* and b* multiplied by 0.01 L*.
 constexpr double greenL = 87.7347, blueL = 32.2970;
 const std::array<double, 3> green = {greenL, -86.1827 * greenL / 100, 83.1793 * greenL / 100};
 const std::array<double, 3> blue = {blueL, 79.1875 * blueL / 100, -107.8602 * blueL / 100};
@@ -40,13 +41,13 @@ TEST_CASE("flip: green and blue are 1 apart, equal pictures 0") {
 }
 
 TEST_CASE("flip: black and white, and two greys, as worked out by hand") {
-  // Uniform pictures have no features, so the error is that of the colours: a* = b* = 0, HyAB = dL*.
+  // Uniform pictures have no features, so only the colours contribute: a* = b* = 0, HyAB = dL*.
   const double largest = powered(green, blue), knee = 0.4 * largest;
   const double blackWhite = std::pow(100, 0.7);
   const double expected = 0.95 + (blackWhite - knee) / (largest - knee) * 0.05;
   CHECK(golden::flipMean(uniform(9, 40, 0, 0, 0), uniform(9, 40, 255, 255, 255)) ==
         doctest::Approx(expected).epsilon(1e-5));
-  // L* of sRGB 119 and 94, from its linear value y: 116 y^(1/3) - 16.
+  // L* of sRGB 119 and 94, from the linear value y: 116 y^(1/3) - 16.
   const auto lightness = [](double byte) {
     return 116 * std::cbrt(std::pow((byte / 255 + 0.055) / 1.055, 2.4)) - 16;
   };
@@ -57,7 +58,7 @@ TEST_CASE("flip: black and white, and two greys, as worked out by hand") {
 }
 
 TEST_CASE("flip: symmetric, and the same where rows beyond the filters' reach are equal") {
-  // A change in the last rows of a tall picture must not change when equal rows are put above it.
+  // The error of a difference in the last rows of a tall picture must not depend on equal rows above.
   auto low = frame::test::picture(30, 60), changed = low;
   for (std::size_t i = 4 * 30 * 45; i < 4 * 30 * 47; ++i) changed.bytes[i] ^= 0x30;
   const auto map = golden::flipMap(low, changed), swapped = golden::flipMap(changed, low);

@@ -17,7 +17,7 @@ TEST_CASE("inputs: the scene, its sidecar, what it names and the buffers of glTF
     writeFileAtomically(file(name), text);
   };
   write("a.json", "{}");
-  // Those outside of its folder, which no mesh is made of, are none.
+  // Files outside the scene's folder are not inputs, because no mesh is made from them.
   write(
       "m.gltf",
       R"({"buffers": [{"uri": "my%20buffer.bin"}, {"uri": "data:;base64,AA"}, {}, {"uri": "/etc/hostname"},

@@ -30,7 +30,7 @@ Origin otherMachine() {
   return origin;
 }
 
-/// Grey, with `count` pixels brighter by `step`.
+/// A grey frame with `count` pixels brighter by `step`.
 RunFrame made(int count, int step) {
   RunFrame frame;
   frame.image = {width, height, std::vector<std::uint8_t>(4 * width * height, 128)};
@@ -95,7 +95,7 @@ TEST_CASE("judge: what a picture is asked for depends on who drew its baseline")
   other = maker;
   other.numerics = "others";
   CHECK(asked(maker, other) == Asked::tolerance);
-  // Baselines of before: neither drawing nor machine known.
+  // Earlier baselines: drawing fingerprint and machine are unknown.
   CHECK(asked({"numerics", "", "", ""}, maker) == Asked::near);
   CHECK(asked({"others", "", "", ""}, maker) == Asked::tolerance);
   CHECK(asked({"numerics", "drawing", "", ""}, {"numerics", "drawing", "", ""}) == Asked::near);
@@ -118,16 +118,16 @@ TEST_CASE("judge: another machine with the same numerics may be 2 of 255 apart o
   CHECK(passes(judged(0, 0)));
   CHECK(passes(judged(1, 1)));
   CHECK(passes(judged(1, 2)));
-  CHECK(passes(judged(24, 1)));  // 2% of 1200
+  CHECK(passes(judged(24, 1)));  // 24 pixels are 2% of 1200
   CHECK(judged(1, 1).asked == "near");
   simreel::test::checkHas(judged(1, 3).message, "differs by 3 (on another machine by 2 at most)");
   simreel::test::checkHas(judged(25, 1).message, "of the pixels differ (on another machine 2% at most)");
-  // A scene that is stricter is stricter everywhere.
+  // A stricter scene is stricter on every machine.
   scene::Tolerance none;
   none.maxChannelDiff = 0;
   none.maxDiffRatio = 0;
   CHECK(!passes(baseline.judged(made(1, 1), otherMachine(), none)));
-  // State has to be equal everywhere.
+  // State must be equal everywhere.
   RunFrame moved = made(0, 0);
   moved.state["flag.positions"] = "bb";
   simreel::test::checkHas(baseline.judged(moved, otherMachine()).message,
@@ -159,7 +159,7 @@ TEST_CASE("judge: quick measures leave out SSIM and FLIP where no verdict needs 
   scene::Tolerance bound;
   bound.maxFlipMean = 0.5;
   CHECK(quick(other, bound) == whole);
-  CHECK(quick(otherMachine(), {}) == whole);  // is held to a mean error of FLIP, too
+  CHECK(quick(otherMachine(), {}) == whole);  // the quick test compares the mean FLIP error too
 }
 
 TEST_CASE("judge: other numerics have the scene's tolerance") {

@@ -16,7 +16,7 @@ using frame::test::contains;
 
 namespace {
 
-/// The first child of <testsuites>. The document must outlive it.
+/// Returns the first child of <testsuites>. The document must outlive it.
 pugi::xml_node suiteOf(pugi::xml_document& document, const SuiteResult& suite) {
   const std::string text = junitText(suite);
   REQUIRE(document.load_string(text.c_str()));
@@ -28,7 +28,7 @@ pugi::xml_node caseOf(pugi::xml_node suite, const char* name) {
   return suite.find_child_by_attribute("testcase", "name", name);
 }
 
-/// What xmllint says of the text against junit.xsd; empty when it is valid.
+/// Returns xmllint's messages about the text, validated against junit.xsd; empty if it is valid.
 std::string lint(const std::string& text) {
   const frame::test::TemporaryFolder folder;
   writeFileAtomically(folder / "junit.xml", text);
@@ -136,7 +136,7 @@ TEST_CASE("JUnit: the file is valid against the schema its readers share") {
   for (const SuiteResult& suite : {golden::test::fullSuite(), golden::test::oddSuite(),
                                    golden::test::brokenSuite(), SuiteResult{}, strange, allowed})
     CHECK(lint(junitText(suite)) == "");
-  // The schema must be able to refuse.
+  // Checks that the schema rejects invalid text.
   const std::string good = junitText(golden::test::fullSuite());
   const auto damaged = [&](const std::string& from, const std::string& to) {
     std::string text = good;

@@ -13,7 +13,8 @@ using namespace simreel;
 
 namespace {
 
-/// 3x2 pixels of two samples: a cloth before the ground and the sky, with balls and copies behind it.
+/// A picture of 3x2 pixels with two samples each: a cloth before the ground and the sky, with spheres and
+/// copies behind it.
 golden::PassDump smallPicture() {
   golden::PassDump dump;
   dump.frame = 7;
@@ -59,7 +60,7 @@ TEST_CASE("passes: numbers name object and primitive") {
   CHECK(golden::thingAt(picture, 2, 1).name() == "the sky");
   CHECK(golden::thingAt(picture, 3, 1).name() == "the sky");
   CHECK(golden::thingOfNumber({}, 3).name() == "the primitive 3");
-  CHECK(golden::showsOneThing(picture, 0, 0));  // two triangles of it
+  CHECK(golden::showsOneThing(picture, 0, 0));  // two triangles of the same object count as one thing
   CHECK_FALSE(golden::showsOneThing(picture, 1, 0));
   CHECK(golden::showsOneThing(picture, 1, 1));
   CHECK_FALSE(golden::showsOneThing(picture, -1, 1));
@@ -74,14 +75,14 @@ TEST_CASE("passes: hashes tell passes apart, each by all that it left") {
   arrayOf(dump, "picture").words[5] ^= 1U;
   auto after = golden::hashesOf(dump.picture);
   CHECK(golden::firstDifferentPass(before, after) == "picture");
-  dump.picture.arrays[1].words[11] ^= 1U;  // a number
+  dump.picture.arrays[1].words[11] ^= 1U;  // changes the number of a primitive
   after = golden::hashesOf(dump.picture);
   CHECK(golden::firstDifferentPass(before, after) == "visibility");
   CHECK(after.at("light") == before.at("light"));
   after.erase("visibility");
   CHECK(golden::firstDifferentPass(before, after) == "visibility");
   CHECK(golden::firstDifferentPass(after, before) == "visibility");
-  // The same words in another shape are another picture.
+  // The same words in another shape are a different picture.
   auto turned = smallPicture();
   std::swap(arrayOf(turned, "light").width, arrayOf(turned, "light").height);
   CHECK(golden::firstDifferentPass(before, golden::hashesOf(turned.picture)) == "light");
@@ -113,7 +114,7 @@ TEST_CASE("passes: the first difference, at a pixel that shows one thing where t
   const auto here = smallPicture();
   auto there = smallPicture();
   auto& light = arrayOf(there, "light").words;
-  light[4 * 1 + 2] = 0;  // of the pixel that shows both the flag and the ground
+  light[4 * 1 + 2] = 0;  // the pixel that shows both the flag and the ground
   auto found = golden::comparePasses(here, there);
   REQUIRE(found);
   CHECK(found->pass == "light");
@@ -126,7 +127,7 @@ TEST_CASE("passes: the first difference, at a pixel that shows one thing where t
   CHECK(found->differing == 2);
   CHECK(found->all == 6);
   CHECK(found->thereValues[0] == 0);
-  there.picture.arrays[0].words[3] = 4;  // a key
+  there.picture.arrays[0].words[3] = 4;  // changes a depth key
   found = golden::comparePasses(here, there);
   CHECK(found->pass == "visibility");
   CHECK(found->pixel == golden::PicturePlace{1, 0});
@@ -134,7 +135,8 @@ TEST_CASE("passes: the first difference, at a pixel that shows one thing where t
   CHECK(found->here.name() == "triangle 5 of flag");
   CHECK(found->hereValues[0] == 8);
   CHECK(found->thereValues[0] == 4);
-  there.picture.arrays.erase(there.picture.arrays.begin() + 2);  // comes after it
+  there.picture.arrays.erase(there.picture.arrays.begin() +
+                             2);  // removes an array that belongs to a later pass
   CHECK(golden::comparePasses(here, there)->pass == "visibility");
   there = smallPicture();
   there.picture.arrays.erase(there.picture.arrays.begin() + 2);

@@ -1,5 +1,5 @@
-// Which files count as holding the same pixels without decoding. What is refused:
-// tests/cli/golden/test_diff.py.
+// Files that count as having equal pixels without decoding. tests/cli/golden/test_diff.py tests refused
+// files.
 #include "golden/files/png_check.hpp"
 #include "unit/frame/help.hpp"
 
@@ -33,7 +33,7 @@ TEST_CASE("files that differ in text alone hold the same pixels") {
   CHECK_FALSE(same(plain, other));
   CHECK_FALSE(same(plain, frame::encodePng(picture(20, 30), {})));
   auto cut = plain;
-  cut.resize(cut.size() - 12);  // the end chunk
+  cut.resize(cut.size() - 12);  // removes the end chunk
   CHECK_FALSE(same(plain, cut));
   CHECK_FALSE(same(cut, plain));
   CHECK_FALSE(same(plain, {}));

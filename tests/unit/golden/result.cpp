@@ -1,4 +1,4 @@
-// report.json: what is written is read back; what is damaged is refused with one line.
+// report.json: a written report is read back; a damaged one is refused with one line.
 #include "base/error.hpp"
 #include "golden/report/json.hpp"
 #include "unit/frame/help.hpp"
@@ -27,7 +27,7 @@ std::string messageFor(const std::string& text) {
   return message;
 }
 
-/// What is said of the full report after `change`.
+/// Returns the message about the full report after `change`.
 template <class Change>
 std::string refusalOf(const Change& change) {
   Json json = Json::parse(reportText(golden::test::fullSuite()));
@@ -254,7 +254,7 @@ TEST_CASE("any value of a report replaced by any kind of value does no more than
                          Json::array(),
                          Json::object(),
                          Json::array({Json::array()})};
-  // The elements of an array are read alike: the first that has a member stands for all.
+  // All elements of an array are read alike, so the first element with a member represents all.
   const auto kind = [](std::string path) {
     std::erase_if(path, [](char c) { return c >= '0' && c <= '9'; });
     return path;

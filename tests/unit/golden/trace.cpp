@@ -1,4 +1,4 @@
-// Step traces without a device: layout, file, comparison. The sanitizer build runs this too.
+// Step traces without a device: layout, file, comparison. Also runs in the sanitizer build.
 #include "golden/trace/trace.hpp"
 
 #include "base/error.hpp"
@@ -21,7 +21,7 @@ using Arrays = std::vector<StepTrace::Array>;
 
 const Arrays twoArrays = {{"flag", "positions", 137, 137, 3}, {"flag", "velocities", 70, 70, 3}};
 
-/// Stands for the hash of an element: any function of all of these will do.
+/// Replaces the hash of an element; any function of all arguments works.
 std::uint32_t elementHash(int frame, std::uint32_t array, std::uint32_t step, std::uint32_t element) {
   std::uint32_t h =
       static_cast<std::uint32_t>(frame) * 2654435761U + array * 40503U + step * 7919U + element;
@@ -33,7 +33,7 @@ std::uint32_t elementHash(int frame, std::uint32_t array, std::uint32_t step, st
 using Disturb = std::function<std::uint32_t(int frame, std::uint32_t array, std::uint32_t step,
                                             std::uint32_t element, std::uint32_t hash)>;
 
-/// Sums of blocks and the weighted sum, as glsl/common/block_hash.comp makes them.
+/// Computes block sums and the weighted sum as glsl/common/block_hash.comp does.
 StepTrace made(const Arrays& arrays, int first, int last, std::size_t maxBytes,
                const Disturb& disturb = {}) {
   StepTrace trace = layOut(arrays, first, last, maxBytes);
@@ -57,7 +57,7 @@ StepTrace made(const Arrays& arrays, int first, int last, std::size_t maxBytes,
   return trace;
 }
 
-/// Changes one element from a step on, as a run that leaves its baseline does.
+/// Changes one element from a step on, like a run that deviates from its baseline.
 Disturb from(int frame, std::uint32_t array, std::uint32_t step, std::uint32_t element, std::uint32_t by) {
   return [=](int f, std::uint32_t a, std::uint32_t s, std::uint32_t i, std::uint32_t h) {
     const bool later = f > frame || (f == frame && s >= step);
@@ -75,7 +75,7 @@ std::string decodeRefusal(std::span<const std::byte> bytes) {
   return "";
 }
 
-/// Makes the hash at the end right again, so that damage gets past it.
+/// Updates the hash at the end, so that damaged bytes reach the parser.
 void sign(std::vector<std::byte>& bytes) {
   const std::string hash = hashHex(std::span(bytes).first(bytes.size() - 32));
   std::memcpy(bytes.data() + bytes.size() - 32, hash.data(), 32);
@@ -93,7 +93,7 @@ TEST_CASE("a trace is laid out as fine as its bytes allow") {
   const auto fine = layOut(twoArrays, -3, 5, 96 << 10);
   CHECK(fine.frames == 8);
   CHECK(fine.detailed == 8);
-  CHECK(fine.arrays[0].perBlock == 3);  // 64 blocks at most: 137 / 64, rounded up
+  CHECK(fine.arrays[0].perBlock == 3);  // with at most 64 blocks, a block has 137 / 64 elements, rounded up
   std::uint32_t last = 0;
   for (const std::size_t max : {8192U, 4096U, 2048U, 1024U, 700U, 500U}) {
     const auto trace = layOut(twoArrays, -3, 5, max);
@@ -101,7 +101,8 @@ TEST_CASE("a trace is laid out as fine as its bytes allow") {
     CHECK(trace.arrays[0].perBlock >= last);
     last = trace.arrays[0].perBlock;
   }
-  // One block an array and every step: 4 * (4 + 8 * 3 * 4) = 400 bytes; below that frames lose their steps.
+  // One block per array and every step: 4 * (4 + 8 * 3 * 4) = 400 bytes; with less, frames lose their
+  // steps.
   CHECK(layOut(twoArrays, -3, 5, 400).detailed == 8);
   const auto partly = layOut(twoArrays, -3, 5, 399);
   CHECK(partly.detailed == 7);
@@ -114,7 +115,7 @@ TEST_CASE("a trace survives its file") {
     const auto trace = made(twoArrays, -3, 5, max);
     CHECK(equal(decodeTrace(encodeTrace(trace), "steps.bin"), trace));
   }
-  const auto still = made({}, 0, 4, 1000);  // nothing that is simulated
+  const auto still = made({}, 0, 4, 1000);  // a trace without simulated arrays
   CHECK(equal(decodeTrace(encodeTrace(still), "steps.bin"), still));
 }
 
@@ -150,17 +151,17 @@ TEST_CASE("damage to a trace file is noticed, and none that is signed crashes th
 
 TEST_CASE("absurd numbers in a trace file take no memory") {
   const auto whole = encodeTrace(made({{"a", "b", 5, 5, 2}}, 0, 2, 1000));
-  // magic, first frame, frames, detailed, arrays, "a", "b", elements, elements a block, steps
+  // magic, first frame, frames, detailed, arrays, "a", "b", elements, elements per block, steps
   for (const std::size_t at : {8U, 12U, 16U, 20U, 24U, 29U, 34U, 38U, 42U})
     for (const std::uint32_t value : {0xffffffffU, 0x7fffffffU, 0x40000000U, 0x00ffffffU, 0x80000000U}) {
-      if (at == 8 && value == 0xffffffffU) continue;  // a first frame of -1 is none
+      if (at == 8 && value == 0xffffffffU) continue;  // skips a first frame of -1, which is valid
       auto damaged = whole;
       std::memcpy(damaged.data() + at, &value, sizeof value);
       sign(damaged);
       INFO(at, " ", value);
       CHECK(!decodeRefusal(damaged).empty());
     }
-  // A block that the kernel cannot cut into equal shares would give other sums.
+  // A block size that does not divide evenly in the kernel would give other sums.
   auto uneven = encodeTrace(made({{"a", "b", 64, 64, 1}}, 0, 1, 12));
   const std::uint32_t perBlock = 97;
   std::memcpy(uneven.data() + 38, &perBlock, sizeof perBlock);
@@ -171,7 +172,7 @@ TEST_CASE("absurd numbers in a trace file take no memory") {
 TEST_CASE("equal traces have no divergence") {
   const auto trace = made(twoArrays, -3, 5, 4096);
   CHECK(!compareTraces(trace, trace));
-  CHECK(!compareTraces(made(twoArrays, -3, 9, 4096), trace));  // further frames say nothing
+  CHECK(!compareTraces(made(twoArrays, -3, 9, 4096), trace));  // additional frames in the run are ignored
 }
 
 TEST_CASE("a trace without arrays costs nothing, however many frames it claims") {
@@ -184,7 +185,7 @@ TEST_CASE("a trace without arrays costs nothing, however many frames it claims")
   CHECK_FALSE(compareTraces(trace, other));
   CHECK(reduced(trace, true, 0).words.empty());
   CHECK(std::clock() - start <
-        CLOCKS_PER_SEC);  // of this process: microseconds, where each frame would cost some
+        CLOCKS_PER_SEC);  // processor time; microseconds, because no time is spent per frame
 }
 
 TEST_CASE("one changed element is named exactly, wherever it is") {
@@ -215,7 +216,8 @@ TEST_CASE("an element whose hashes differ by a high power of two is not guessed"
   REQUIRE(found.has_value());
   CHECK(found->firstElement <= 10);
   CHECK(found->lastElement >= 10);
-  CHECK(found->lastElement > found->firstElement);  // (i + 1) 2^31 is the same for every second i
+  CHECK(found->lastElement > found->firstElement);  // a factor (i + 1) of the weighted sum makes every
+                                                    // second i indistinguishable
 }
 
 TEST_CASE("several changed elements are a range, and an earlier step of a later array comes first") {
@@ -239,9 +241,10 @@ TEST_CASE("of objects with steps of other lengths, the one that differs earliest
   const Arrays arrays = {{"a", "positions", 9, 9, 5}, {"b", "positions", 9, 9, 2}};
   const auto baseline = made(arrays, 0, 2, 2048);
   for (const auto& [atStep, first] : {std::pair(2U, "a"), std::pair(3U, "b")}) {
-    const auto step = atStep;  // what a lambda may refer to
+    const auto step = atStep;  // a copy, because lambdas cannot capture structured bindings
     const auto run = made(arrays, 0, 2, 2048, [&](int f, auto array, auto s, auto, std::uint32_t h) {
-      return f == 1 && s == (array == 0 ? step : 1U) ? h + 1 : h;  // 2/5 and 3/5 of the frame; 1/2
+      // compares times within frame 1: 2/5 or 3/5 for the first array, 1/2 for the second
+      return f == 1 && s == (array == 0 ? step : 1U) ? h + 1 : h;
     });
     const auto found = compareTraces(run, baseline);
     REQUIRE(found.has_value());

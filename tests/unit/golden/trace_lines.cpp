@@ -1,4 +1,4 @@
-// What `simreel trace` prints, read back; and how two states are compared.
+// Reads back the output of `simreel trace`, and compares two states.
 #include "golden/trace/lines.hpp"
 #include "golden/trace/state_difference.hpp"
 

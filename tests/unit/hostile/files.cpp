@@ -1,5 +1,5 @@
-// Files made to use up memory, the stack or time: refused by counting, before anything is allocated for
-// them.
+// Files designed to exhaust memory, stack or time must be refused by counting, before anything is allocated
+// for them.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/hash.hpp"
@@ -44,7 +44,7 @@ std::string pngChunk(const std::string& type, const std::string& data) {
          bigEndian(crc32_gzip_refl(0, reinterpret_cast<const unsigned char*>(body.data()), body.size()));
 }
 
-/// `count` zeros as a zlib stream.
+/// Returns `count` zeros as a zlib stream.
 std::string zeros(std::size_t count) {
   isal_zstream stream;
   isal_deflate_init(&stream);
@@ -67,7 +67,7 @@ std::string zeros(std::size_t count) {
   return packed;
 }
 
-/// 8-bit RGB.
+/// Returns an 8-bit RGB PNG.
 std::string png(std::uint32_t width, std::uint32_t height, const std::string& pixels) {
   return "\x89PNG\r\n\x1a\n" +
          pngChunk("IHDR", bigEndian(width) + bigEndian(height) + std::string("\x08\x02\0\0\0", 5)) +
@@ -85,7 +85,7 @@ TEST_CASE("JSON a million deep is refused in manifest, checkpoint, report, basel
   const std::string header = R"({"format":"simreel-checkpoint","program":"","simulation":)" + deep + "}\n";
   const TemporaryFile file("deep.checkpoint", header + hashHex(header));
   const std::string none = refusal([&] { CHECK(!frame::Checkpoint::read(file.path(), {}, 10)); });
-  CHECK(none == "nothing was refused");  // it warns and starts over
+  CHECK(none == "nothing was refused");  // an invalid checkpoint causes a warning, and the run starts over
 }
 
 TEST_CASE("a checkpoint that holds more or less than it says is not used, whatever its hash") {
@@ -191,6 +191,6 @@ TEST_CASE("pictures with numbers of many digits are refused, wherever the number
     CAPTURE(text);
     CHECK(refusal(text).find("nine digits") != std::string::npos);
   }
-  // Digits in a comment or in the pixels are none of its numbers.
+  // Digits in a comment or in the pixels are not part of its numbers.
   CHECK(refusal("P5\n# 12345678901\n11 1 255\n12345678901").empty());
 }

@@ -8,10 +8,10 @@
 
 #include <doctest/doctest.h>
 
-/// What tests with files made to use up memory or time need.
+/// Helpers for tests with files designed to exhaust memory or time.
 namespace simreel::test {
 
-/// Most memory that this process or a child of it has held so far, MiB.
+/// Returns the peak memory of this process and its children so far, in MiB.
 inline long peak() {
   rusage own{}, children{};
   ::getrusage(RUSAGE_SELF, &own);
@@ -19,7 +19,7 @@ inline long peak() {
   return std::max(own.ru_maxrss, children.ru_maxrss) / 1024;
 }
 
-/// Processor time of this process and its children, s.
+/// Returns the processor time of this process and its children, in s.
 inline double spent() {
   double seconds = 0;
   for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -32,13 +32,14 @@ inline double spent() {
 }
 
 #ifdef SIMREEL_SANITIZED
-constexpr bool measured = false;  // that slows down, and keeps freed memory
+constexpr bool measured = false;  // sanitizers are slow and keep freed memory
 #else
 constexpr bool measured = true;
 #endif
 
-/// The message with which `read` refuses, which takes less than 200 MiB and 40 s of processor time: a busy
-/// machine triples the second that the slowest takes, and what is not refused takes minutes.
+/// Returns the message of the error thrown by `read`; checks that it takes less than 200 MiB and 40 s of
+/// processor time. The slowest case takes a second, three on a busy machine; input that is not refused
+/// takes minutes.
 inline std::string refusal(const std::function<void()>& read) {
   const long before = peak();
   const double start = spent();

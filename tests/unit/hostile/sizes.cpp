@@ -1,4 +1,5 @@
-// Small files and short scenes that stand for gigabytes: refused before anything is decoded or built.
+// Small files and short scenes that expand to gigabytes must be refused before anything is decoded or
+// built.
 #include "base/file.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -23,7 +24,7 @@ using namespace simreel::test;
 
 namespace {
 
-/// Bytes of a number, the lowest first, or the highest.
+/// Returns the bytes of a number, low() lowest first, high() highest first.
 std::string low(std::uint32_t value, int bytes = 4) {
   std::string all;
   for (int i = 0; i < bytes; ++i) all += static_cast<char>(value >> (8 * i));
@@ -38,7 +39,7 @@ std::string attribute(const std::string& name, const std::string& type, const st
   return name + '\0' + type + '\0' + low(static_cast<std::uint32_t>(value.size())) + value;
 }
 
-/// An EXR's header, with `more` attributes, and a few pixels that are cut off.
+/// Returns an EXR header with `more` attributes, and a few truncated pixels.
 std::string exr(std::uint32_t shown, const std::string& more) {
   const auto window = [](std::uint32_t side) {
     return low(0) + low(0) + low(side - 1) + low(side / 2 - 1);
@@ -54,14 +55,15 @@ std::string exr(std::uint32_t shown, const std::string& more) {
          attribute("screenWindowWidth", "float", low(0x3f800000)) + more + '\0' + std::string(64, '\0');
 }
 
-/// A TrueType font of glyphs that are two of the next one each, `depth` times; the letter H is the second.
+/// Returns a TrueType font in which each glyph consists of two of the next one, `depth` times; the letter H
+/// is the second glyph.
 std::string doublingFont(unsigned depth) {
   std::string glyphs, places = high(0, 4);
   for (unsigned i = 0; i <= depth; ++i) {
     if (i < depth) {
       glyphs += high(0xffff, 2) + high(0, 2) + high(0, 2) + high(100, 2) + high(100, 2);
       glyphs += high(0x22, 2) + high(i + 1, 2) + high(0, 2) + high(0x02, 2) + high(i + 1, 2) + high(0, 2);
-    } else {  // a triangle
+    } else {  // the innermost glyph is a triangle
       glyphs +=
           high(1, 2) + high(0, 2) + high(0, 2) + high(100, 2) + high(100, 2) + high(2, 2) + high(0, 2);
       glyphs +=

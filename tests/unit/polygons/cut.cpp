@@ -1,4 +1,4 @@
-// Polygons cut into triangles: their areas add up to the polygon's, and none is turned over.
+// Polygons split into triangles: the areas add up to the polygon's, and no triangle is flipped.
 #include "sim/polygons/cut.hpp"
 
 #include "sim/polygons/problem.hpp"
@@ -16,7 +16,7 @@ namespace simreel::test::polygons_cut {
 
 namespace {
 
-/// Checks every turn of the polygon's list of corners.
+/// Checks every rotation of the polygon's list of corners.
 void checkCut(std::vector<glm::vec3> corners) {
   const double area = glm::length(sim::polygonNormal(corners)) / 2;
   const glm::dvec3 up = sim::polygonNormal(corners) / (2 * area);
@@ -37,7 +37,7 @@ void checkCut(std::vector<glm::vec3> corners) {
   }
 }
 
-/// The same on other planes, and seen from behind.
+/// Checks the polygon on several planes, and from behind.
 void checkEverywhere(const std::vector<glm::vec2>& flat) {
   std::vector<glm::vec3> across, aside, slanted;
   for (const glm::vec2& p : flat) {
@@ -55,12 +55,16 @@ void checkEverywhere(const std::vector<glm::vec2>& flat) {
 }  // namespace
 
 TEST_CASE("hollow polygons are cut along their insides") {
-  checkEverywhere({{0, 0}, {2, 0}, {2, 2}, {1, 0.5F}});                               // an arrow
-  checkEverywhere({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});                  // an L
-  checkEverywhere({{0, 0}, {5, 0}, {5, 5}, {0, 5}, {0, 4}, {4, 4}, {4, 1}, {0, 1}});  // a U
-  checkEverywhere({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}});  // straight corners
+  // a polygon in the shape of an arrow
+  checkEverywhere({{0, 0}, {2, 0}, {2, 2}, {1, 0.5F}});
+  checkEverywhere({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});  // a polygon in the shape of an L
   checkEverywhere(
-      {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}});  // a hole
+      {{0, 0}, {5, 0}, {5, 5}, {0, 5}, {0, 4}, {4, 4}, {4, 1}, {0, 1}});  // a polygon in the shape of a U
+  // a square with extra corners on its straight sides
+  checkEverywhere({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}});
+  checkEverywhere(
+      // a square with a hole, connected by a double edge
+      {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}});
   std::vector<glm::vec2> star;
   for (int i = 0; i < 20; ++i) {
     const float angle = static_cast<float>(i) * std::numbers::pi_v<float> / 10;
@@ -75,7 +79,7 @@ TEST_CASE("polygons that meet themselves, without area or of too much work end, 
   cutter.cut(std::vector<glm::vec3>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {3, 3, 0}}, triangles);
   cutter.cut(std::vector<glm::vec3>(7, glm::vec3(1)), triangles);
   CHECK(triangles.size() == 8);
-  // A comb: of its teeth each is hollow.
+  // A comb with concave teeth.
   std::vector<glm::vec3> comb;
   for (int i = 0; i < 4999; ++i) comb.emplace_back(i, i % 2 == 0 ? 100 : 0, 0);
   comb.emplace_back(2500, -1e6F, 0);

@@ -1,5 +1,5 @@
-// What glTF 2.0 demands of meshes: flat normals where there are none, skins in their pose, files without
-// scenes.
+// Requirements of glTF 2.0 for meshes: flat normals if the file has none, skins in their pose, files
+// without scenes.
 #include "base/error.hpp"
 #include "sim/body/figure.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A file put together from lists of floats, each with an accessor.
+/// A file made from lists of floats, each with an accessor.
 class Document {
  public:
   Document() {
@@ -62,7 +62,7 @@ class Document {
   }
 
   Json json;
-  Json fallback;  ///< a second buffer
+  Json fallback;  ///< a second buffer of the document
 
  private:
   [[nodiscard]] std::string base64() const {
@@ -85,18 +85,18 @@ class Document {
   int views_ = 0;
 };
 
-/// A roof of two triangles that meet in an edge, as a strip.
+/// A roof of two triangles that share an edge, as a strip.
 const std::vector<float> roof = {1, 0, 0, 0, 0, 1, 0, 1, 1, -1, 1, 0};
 const std::vector<float> triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 const std::vector<float> up = {0, 0, 1, 0, 0, 1, 0, 0, 1};
 
-/// A triangle on a skin whose only joint is 7 m up; the node that has it is 100 m away.
+/// A skinned triangle whose only joint is 7 m up; the node with the mesh is 100 m away.
 Document skinned() {
   Document d;
   Json attributes = {{"POSITION", d.add(triangle, "VEC3", 3)}, {"NORMAL", d.add(up, "VEC3", 3)}};
   attributes["JOINTS_0"] = d.add(std::vector<float>(12, 0), "VEC4", 4);
   attributes["WEIGHTS_0"] = d.add({1, 0, 0, 0, 1, 0, 0, 0, 0.25F, 0, 0.25F, 0}, "VEC4", 4);
-  // A quarter turn about x, and back by the node.
+  // A quarter turn about x, undone by the node.
   const int bind = d.add({1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1}, "MAT4", 16);
   d.json["meshes"] = {{{"primitives", {{{"attributes", attributes}}}}}};
   d.json["scenes"][0]["nodes"] = {0, 1};
@@ -140,7 +140,7 @@ TEST_CASE("a skinned glTF mesh stands where its joints put it, wherever its node
   for (const glm::vec3& n : mesh.normals) CHECK(n == glm::vec3(0, -1, 0));
   d.json["skins"][0].erase("inverseBindMatrices");
   CHECK(d.mesh().positions[2] == glm::vec3(0, 8, 0));
-  // A second set of weights counts, too: to equal parts on the joint and on its child, 2 m further up.
+  // A second set of weights counts too: equal weights for the joint and its child, 2 m further up.
   d.json["nodes"][1]["children"] = {2};
   d.json["nodes"].push_back({{"translation", {0, 2, 0}}});
   d.json["skins"][0]["joints"] = {1, 2};
@@ -195,7 +195,7 @@ TEST_CASE("glTF: what other extensions compress is read from its fallback, or re
   packed.fallback = {{"byteLength", 36},
                      {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}};
   checkHas(packed.refusal(), "by EXT_meshopt_compression alone");
-  // Without the extension values that are not there are zeros.
+  // Without the extension, missing values are zeros.
   d.json["meshes"][0]["primitives"][0].erase("extensions");
   CHECK(d.mesh().positions == std::vector<glm::vec3>{glm::vec3(0)});
 }
@@ -220,7 +220,7 @@ TEST_CASE(
 TEST_CASE("glTF: a rotation turns, whatever its quaternion's length") {
   Document d;
   d.json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", d.add(triangle, "VEC3", 3)}}}}}}}};
-  d.json["nodes"][0]["rotation"] = {0, 0, 3, 3};  // a quarter about z
+  d.json["nodes"][0]["rotation"] = {0, 0, 3, 3};  // an unnormalized quaternion for a quarter turn about z
   const sim::Mesh turned = d.mesh();
   CHECK(glm::length(turned.positions[1] - glm::vec3(0, 1, 0)) < 1e-6F);
   CHECK(glm::length(turned.positions[2] - glm::vec3(-1, 0, 0)) < 1e-6F);

@@ -1,4 +1,4 @@
-// Material libraries of OBJ: what a line says is drawn, or it is said that it is not.
+// OBJ material libraries: each line is drawn, or reported as not drawn.
 #include "scene/value/asset_path.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
@@ -19,7 +19,7 @@ namespace {
 const std::string square =
     "mtllib polygons-materials.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl m\nf 1 2 3 4\n";
 
-/// The square with that library.
+/// Returns the square with this library.
 sim::Mesh lookOf(const std::string& library, std::string object = square) {
   const TemporaryFile materials("polygons-materials.mtl", library);
   const std::string name = materials.path().filename().string();
@@ -59,7 +59,7 @@ TEST_CASE("MTL: a name that comes twice is said, and means its last material alo
   CHECK(twice.ignored == Lines{"all but the last newmtl \"m\""});
   CHECK(twice.materials.at(0).color == glm::vec3(0, 1, 0));
   CHECK(twice.materials.at(0).roughness == doctest::Approx(std::sqrt(std::sqrt(0.002))));
-  // A library that is named for each object is the same library.
+  // A library named for each object is read once.
   CHECK(lookOf("newmtl m\nKd 0 1 0\n", "mtllib polygons-materials.mtl\n" + square).ignored.empty());
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("materials name pictures in every folder that the scene may read, and 
   const scene::AssetFolders folders(folder / "inside/scene.json", none, {});
   std::string problem;
   const fs::path mesh = fs::weakly_canonical(folder / "inside/models/m.obj");
-  // Before a scene names the mesh its own folder is all.
+  // Without a scene, only the mesh's own folder is allowed.
   CHECK(sim::loadMesh(mesh).ignored == Lines{"../tex/a.png (it lies outside the mesh's folder)",
                                              "../../outside/b.png (it lies outside the mesh's folder)"});
   REQUIRE(folders.find("models/m.obj", problem) == mesh);

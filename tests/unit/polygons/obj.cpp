@@ -1,5 +1,5 @@
-// OBJ as the Advanced Visualizer's manual and other programs have it: each line means what it says, or is
-// refused.
+// OBJ as specified in the Advanced Visualizer's manual and written by other programs: each line has its
+// specified meaning, or is refused.
 #include "base/error.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
@@ -32,7 +32,7 @@ std::string refusalOf(const std::string& text) {
   return "nothing was refused";
 }
 
-/// Places of the corners of each triangle, as digits.
+/// Returns the positions of each triangle's corners as digits.
 std::string drawn(const sim::Mesh& mesh) {
   std::string all;
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
@@ -107,7 +107,7 @@ TEST_CASE("OBJ: what is not drawn is said, by kind and number") {
 }
 
 TEST_CASE("OBJ: smoothing groups smooth, and faces without one are flat") {
-  // A roof: two squares that meet at a right angle, along y.
+  // A roof: two squares that share an edge along y at a right angle.
   const std::string roof = "v 1 0 0\nv 1 1 0\nv 0 1 1\nv 0 0 1\nv -1 1 0\nv -1 0 0\n";
   const auto normals = [&](const std::string& first, const std::string& second) {
     const sim::Mesh mesh = meshOf(roof + first + "f 1 2 3 4\n" + second + "f 4 3 5 6\n");
@@ -127,15 +127,16 @@ TEST_CASE("OBJ: smoothing groups smooth, and faces without one are flat") {
   for (const char* group : {"s 1\n", "s on\n", "s 4000000000\n"}) {
     const std::vector<glm::vec3> smooth = normals(group, "");
     REQUIRE(smooth.size() == 2);
-    for (const glm::vec3& n : smooth) CHECK(n.z > 0.9F);  // by the areas of three triangles
+    for (const glm::vec3& n : smooth)
+      CHECK(n.z > 0.9F);  // smooth normals are weighted by the areas of the triangles
   }
-  // Other texture coordinates and materials on both sides do not part the normals.
+  // Different texture coordinates and materials on both sides do not split the normals.
   const sim::Mesh seam =
       meshOf(roof + "vt 0 0\nvt 1 1\ns 1\nusemtl a\nf 1/1 2/1 3/1 4/1\nusemtl b\nf 4/2 3/2 5/2 6/2\n");
   CHECK(seam.positions.size() == 8);
   for (std::size_t i = 0; i < seam.positions.size(); ++i)
     if (seam.positions[i].z == 1.0F) CHECK(seam.normals[i].z > 0.9F);
-  // For cloth, whose vertices are the file's, all are smooth.
+  // For cloth, the vertices are the file's and all normals are smooth.
   const TemporaryFile file("polygons.obj", roof + "f 1 2 3 4\nf 4 3 5 6\n");
   CHECK(sim::importMesh(file.path(), sim::MeshNormals::shared).positions.size() == 6);
   CHECK(sim::importMesh(file.path()).positions.size() == 8);
@@ -151,7 +152,8 @@ TEST_CASE("OBJ: 100,000 objects, materials and fans around one vertex are read i
   const auto before = std::chrono::steady_clock::now();
   CHECK(meshOf(objects).indices.size() == 300'000);
   CHECK(meshOf(fan).indices.size() == 300'000);
-  CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(10));  // it was 20 s each
+  // time limit; an inefficient reader takes 20 s for each mesh
+  CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(10));
 }
 
 }  // namespace simreel::test::polygons_obj

@@ -1,4 +1,4 @@
-// Pictures whose pixels are numbers keep 16 bits; BMP is read as PNG is.
+// Pictures that hold data keep 16 bits; BMP is read like PNG.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "frame/image.hpp"
@@ -14,7 +14,7 @@ namespace simreel::test::polygons_pictures {
 
 namespace {
 
-/// Little-endian words of 1, 2 and 4 bytes.
+/// Returns little-endian words of 1, 2 and 4 bytes.
 std::string bytesOf(std::initializer_list<std::pair<int, int>> words) {
   std::string bytes;
   for (const auto& [value, size] : words)
@@ -22,7 +22,7 @@ std::string bytesOf(std::initializer_list<std::pair<int, int>> words) {
   return bytes;
 }
 
-/// Two pixels one above the other, red and blue; `rows` below 0: from the top.
+/// Returns two pixels, red above blue; negative `rows` store them from the top.
 std::string bmp(int rows) {
   const std::string blue("\xff\0\0\0", 4), red("\0\0\xff\0", 4);
   return "BM" +

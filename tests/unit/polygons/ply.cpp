@@ -1,4 +1,4 @@
-// PLY as Turk described it and other programs write it.
+// PLY as specified by Turk and written by other programs.
 #include "base/error.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 #include "unit/help.hpp"
@@ -48,7 +48,7 @@ std::string bytesOf(Value value, bool bigEndian) {
   return bytes;
 }
 
-/// A triangle, whose first x is `x`.
+/// Returns a triangle whose first x is `x`.
 std::string binary(bool bigEndian, float x, const std::string& lineEnd = "\n") {
   std::string header = std::string("ply\nformat binary_") + (bigEndian ? "big" : "little") +
                        "_endian 1.0\n" + threeCorners + oneFace + "end_header\n";

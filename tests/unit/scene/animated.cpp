@@ -1,4 +1,4 @@
-// Keyframes: how values move between them.
+// Keyframes: interpolation between them.
 #include "scene/value/animated.hpp"
 
 #include <cmath>
@@ -26,7 +26,7 @@ TEST_CASE("keyframes: a spline goes through its keys at a speed that changes ste
   CHECK(speed(1) == doctest::Approx((5 + 4) / (5 / 1.0 + 4 / 2.5)).epsilon(0.01));
   for (int i = 0; i < 1000; ++i) {
     const double time = 5.0 * i / 1000;
-    CHECK(value.at(time) >= 1.0F);  // nothing goes beyond the keys
+    CHECK(value.at(time) >= 1.0F);  // values stay within the range of the keys
     CHECK(value.at(time) <= 7.5F);
     if (time < 3.5) CHECK(value.at(time + 0.005) >= value.at(time));
   }
@@ -59,7 +59,7 @@ TEST_CASE("keyframes: two at one time are a jump") {
     CHECK(value.at(1 - 1e-6) == doctest::Approx(2).epsilon(1e-4));
     CHECK(value.at(1 + 1e-6) == doctest::Approx(10).epsilon(1e-4));
   }
-  // A spline neither slows down before it nor starts at rest behind it.
+  // A spline neither slows down before a jump nor starts at rest after it.
   const Animated<float> cut({{0, 0.0F}, {1, 2.0F}, {1, 10.0F}, {2, 12.0F}}, Ease::spline);
   CHECK((cut.at(1 - 1e-3) - cut.at(1 - 2e-3)) / 1e-3 == doctest::Approx(2).epsilon(0.02));
   CHECK((cut.at(1 + 2e-3) - cut.at(1 + 1e-3)) / 1e-3 == doctest::Approx(2).epsilon(0.02));
@@ -70,9 +70,9 @@ TEST_CASE("keyframes: when a value has jumped last") {
   const Animated<float> cut({{0, 1.0F}, {1, 2.0F}, {1, 5.0F}, {2, 5.0F}, {2, 5.0F}, {3, 0.0F}},
                             Ease::linear);
   CHECK(cut.jumpedBy(0.999) == never);
-  CHECK(cut.jumpedBy(1) == 1.0);  // where it has the second key's value
+  CHECK(cut.jumpedBy(1) == 1.0);  // at the jump's time, the value is the second key's
   CHECK(cut.at(1) == 5.0F);
-  CHECK(cut.jumpedBy(9) == 1.0);  // from 5 to 5 is none
+  CHECK(cut.jumpedBy(9) == 1.0);  // equal values on both sides are no jump
   const Animated<float> steps({{0, 1.0F}, {1, 2.0F}, {2, 2.0F}}, Ease::hold);
   CHECK(steps.jumpedBy(0.5) == never);
   CHECK(steps.jumpedBy(1.5) == 1.0);

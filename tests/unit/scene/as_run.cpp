@@ -61,7 +61,7 @@ TEST_CASE("scene as run: what drawing alone hears of leaves the simulation the s
   for (const char* path :
        {"seed=2", "time.fps=60", "time.start=1", "numerics=fast", "ground={}",
         "objects.dish.grayScott.feed=0.04", "objects.b={\"sphere\":{}}",
-        // Where a camera lags behind an object, that is carried from frame to frame.
+        // The lag of a camera behind an object is carried from frame to frame.
         "camera.track={\"object\": \"dish\", \"damping\": 0.5}",
         "camera.follow={\"object\": \"dish\", \"damping\": 0.5}", "camera.damping=0.5"}) {
     CAPTURE(path);

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// scenes/, assets/ and outside/ in a new folder, removed again; $SIMREEL_ASSETS leads to assets/.
+/// Creates scenes/, assets/ and outside/ in a new folder and removes them in the destructor;
+/// $SIMREEL_ASSETS is set to assets/.
 class Folders {
  public:
   Folders()

@@ -1,5 +1,5 @@
-// What the pages of `simreel list` and the schema call a default is what applies where a scene leaves it
-// out.
+// The defaults shown by `simreel list` and in the schema must equal the values that apply if a scene leaves
+// them out.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "scene/load.hpp"
@@ -30,7 +30,7 @@ namespace {
 
 const std::string scenes = sourceFolder() + "/assets/scenes/";
 
-/// Every value of a scene as it was understood; nothing where it is refused.
+/// Returns every value of a scene as parsed; nothing if it is refused.
 std::optional<Json> understood(const Json& scene) {
   try {
     scene::Scene read = scene::parseScene(scene.dump(), scenes + "x.json", {}, sim::kinds());
@@ -52,15 +52,15 @@ std::optional<Json> understood(const Json& scene) {
   }
 }
 
-/// A default that a scene leaves out.
+/// A default value that a scene leaves out.
 struct LeftOut {
-  Json::json_pointer part;  ///< of the scene, which has no member `name`
+  Json::json_pointer part;  ///< part of the scene that has no member `name`
   std::string name;
   Json standard;
-  std::string path;  ///< for messages
+  std::string path;  ///< path of the value, for messages
 };
 
-/// All of them, in a part of a scene beside its schema.
+/// Collects all of them in a part of a scene, using its schema.
 void collect(const Json& part, const Json& schema, const Json::json_pointer& at, const std::string& path,
              std::vector<LeftOut>& found) {
   for (const auto& [name, property] : schema.at("properties").items()) {
@@ -76,7 +76,8 @@ void collect(const Json& part, const Json& schema, const Json::json_pointer& at,
   }
 }
 
-/// Gives a scene its defaults, many at a time: where that is refused or not the same, each half by itself.
+/// Adds defaults to a scene, many at once; if the result is refused or different, tries each half
+/// separately.
 class GiveDefaults {
  public:
   explicit GiveDefaults(Json scene) : scene_(std::move(scene)), plain_(understood(scene_).value()) {}
@@ -106,7 +107,7 @@ class GiveDefaults {
   Json plain_;
 };
 
-/// "name" -> what the page shows as its default.
+/// Returns name -> default as shown on the page.
 std::map<std::string, std::string> shownDefaults(const std::string& page) {
   std::map<std::string, std::string> shown;
   for (const scene::HelpRow& row : scene::helpPage(page, sim::kinds().list).rows)
@@ -136,8 +137,8 @@ TEST_CASE("defaults: given or left out, every one that a shipped scene may have 
   const Json schema = Json::parse(scene::schemaText(sim::kinds().list));
   int same = 0;
   std::set<std::string> refused;
-  std::map<std::string, int>
-      asked;  // in so many scenes: two, since what belongs to another parameter depends on that
+  std::map<std::string, int> asked;  // number of scenes in which each default is tried: two, because values
+                                     // of some parameters depend on others
   for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
     if (entry.path().extension() != ".json" || entry.path().string().ends_with(".test.json")) continue;
     CAPTURE(entry.path().string());
@@ -156,29 +157,29 @@ TEST_CASE("defaults: given or left out, every one that a shipped scene may have 
     refused.merge(scene.refused);
   }
   CHECK(same > 800);
-  // These belong to another parameter, and the message says to which.
+  // These parameters need another parameter, and the message names it.
   const std::set<std::string> allowed = {
       "mesh.grip", "mesh.distanceCells", "mesh.file", "particles.bounce", "particles.cloths",
       ".camera.position", ".camera.target", ".camera.height", "particles.margin", "grayScott.preset",
       ".checks[].object", ".checks[].of", ".test.xfail", ".test.tolerance.windowSize",
-      // What a fabric says instead.
+      // A fabric replaces the following parameters.
       "cloth.mass", "cloth.stiffness", "cloth.shear", "cloth.bend", "cloth.solver", "cloth.compliance",
       "cloth.shearCompliance", "cloth.bendCompliance",
-      // What a mesh, and a coefficient of friction, say instead.
+      // A mesh, or a friction coefficient, replaces the following parameters.
       "cloth.size", "cloth.spacing", "capsule.grip", "sphere.grip",
-      // What a mesh says instead of a grid.
+      // A mesh in place of a grid replaces the following parameters.
       "reaction.size", "reaction.depth", "reaction.boundary",
-      // What an image of a terrain says.
+      // The following parameters need an image of a terrain.
       "water.terrain.low", "water.terrain.high", "water.terrain.smooth", "water.terrain.bed",
-      // What a float's shape, or its mass, says instead; what is of water that collides.
+      // A float's shape or mass replaces the following parameters; the last needs water that collides.
       "water.floats[].density", "water.floats[].file", "water.floats[].radius", "water.floats[].scale",
       "water.floats[].size", "water.grip",
-      // What maps, coats, sheen and opacity have.
+      // The following parameters need maps, coats, sheen or opacity.
       "material.alphaCutoff", "material.attenuationColor", "material.attenuationDistance",
       "material.clearCoatRoughness", "material.emissionMap", "material.ior", "material.thinWalled",
       "material.normalStrength", "material.occlusionStrength", "material.opacity",
       "material.sheenRoughness",
-      // What lines of flow have, and skies of pictures.
+      // The following parameters need flow lines, or skies with a picture.
       "fluid.lineDetail", "fluid.lineRate", ".sky.strength", ".sky.turn"};
   for (const std::string& path : refused) CHECK_MESSAGE(allowed.contains(path), path);
 }

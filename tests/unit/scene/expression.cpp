@@ -1,4 +1,4 @@
-// Expressions: what is understood, in which order, and what a mistake is told as.
+// Expressions: accepted syntax, precedence, and error messages.
 #include "scene/expression/tree.hpp"
 
 #include <string>
@@ -13,7 +13,7 @@ std::string asC(const std::string& text) {
   return parseExpression(text).text();
 }
 
-/// "begin-end: message".
+/// Returns "begin-end: message".
 std::string mistakeIn(const std::string& text) {
   try {
     return "none: " + asC(text);

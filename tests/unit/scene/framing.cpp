@@ -1,4 +1,4 @@
-// A camera that the scene places nowhere has in view what asks for it.
+// A camera without a position in the scene frames all objects that request it.
 #include "scene/framing.hpp"
 
 #include "draw/camera.hpp"
@@ -31,8 +31,8 @@ scene::Scene with(std::initializer_list<scene::Box> boxes, glm::ivec2 size) {
   return scene;
 }
 
-/// The largest coordinate of the box's corners in the picture, whose edges are at 1; 100 behind the camera
-/// or beyond what it draws.
+/// Returns the largest picture coordinate of the box's corners, with edges at 1; 100 if a corner is behind
+/// the camera or beyond its range.
 float reach(const scene::Scene& scene, const scene::Box& box) {
   const draw::View view = draw::viewAt(scene.camera, 0, scene.render.size, {});
   float most = 0;
@@ -104,7 +104,8 @@ TEST_CASE("a camera that goes round has all in view from everywhere, and from so
       for (int turn = 0; turn < 360; turn += 5) {
         scene.camera.orbit->turn = static_cast<float>(turn);
         const float reached = reach(scene, box);
-        CHECK(reached < (round ? 1.75F : 0.93F));  // corners of a box around a ball are outside of it
+        CHECK(reached <
+              (round ? 1.75F : 0.93F));  // corners of a box around a sphere are outside the sphere
         most = std::max(most, reached);
       }
       CHECK(most > 0.85F);

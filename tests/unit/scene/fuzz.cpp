@@ -1,4 +1,4 @@
-// Damaged scenes must be accepted or refused with a report, never crash; the sanitizer build runs this too.
+// Damaged scenes must be accepted or refused with a report, never crash. Also runs in the sanitizer build.
 #include "unit/scene/toy.hpp"
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A file that is given says which shape, of every kind that has one; beside another shape it is a mistake.
+// A given file implies the shape, for every kind with such a shape; with another shape it is an error.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/value/value_writer.hpp"
@@ -15,7 +15,7 @@ using namespace simreel;
 
 namespace {
 
-/// Every value of an object as it was understood, or what is wrong with it. SHAPE stands for `shape`.
+/// Returns every value of an object as parsed, or the error. SHAPE is replaced by `shape`.
 std::string understoodAs(std::string object, const std::string& shape) {
   object.replace(object.find("SHAPE"), 5, shape);
   try {

@@ -14,7 +14,7 @@ std::string withLights(const std::string& lights) {
   return R"({"version": 1, "lights": {)" + lights + "}}";
 }
 
-/// `count` lights, the first `shadowed` of them with shadows.
+/// Returns `count` lights, the first `shadowed` of them with shadows.
 std::string several(int count, int shadowed) {
   std::string lights;
   for (int i = 0; i < count; ++i)

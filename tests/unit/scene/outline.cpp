@@ -1,4 +1,4 @@
-// The outermost of many points, as cameras frame them.
+// The outermost of many points, which cameras frame.
 #include "scene/outline.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ using namespace simreel;
 
 namespace {
 
-/// Evenly over a unit ball's surface (golden angle).
+/// Returns points evenly distributed on a unit sphere (golden angle).
 std::vector<glm::vec3> evenBall(int count) {
   std::vector<glm::vec3> points;
   for (int i = 0; i < count; ++i) {
@@ -43,7 +43,8 @@ TEST_CASE("outline: of a ball's points no direction lacks more than 5 in 100") {
 
 TEST_CASE("outline: the order of points does not matter, nor that some are equally far") {
   std::vector<glm::vec3> points;
-  for (int i = 0; i < 1000; ++i) points.emplace_back(i % 10, (i / 10) % 10, i / 100);  // a cube of cells
+  // points of a cube of 10x10x10 cells
+  for (int i = 0; i < 1000; ++i) points.emplace_back(i % 10, (i / 10) % 10, i / 100);
   const std::vector<glm::vec3> outer = scene::outermost(points, 0.05, 0.1F);
   std::reverse(points.begin(), points.end());
   CHECK(scene::outermost(points, 0.05, 0.1F) == outer);
@@ -55,8 +56,10 @@ TEST_CASE("outline: a few that went astray are left out, by whole numbers") {
   std::vector<glm::vec3> points = evenBall(199);
   points.emplace_back(50, 0, 0);
   const glm::vec3 right(1, 0, 0);
-  CHECK(farthest(scene::outermost(points, 0.0049), right) == 50);   // none of 200
-  CHECK(farthest(scene::outermost(points, 0.005), right) < 1.01F);  // one of 200
+  CHECK(farthest(scene::outermost(points, 0.0049), right) ==
+        50);  // 0.49 % of 200 points: none may be left out
+  CHECK(farthest(scene::outermost(points, 0.005), right) <
+        1.01F);  // 0.5 % of 200 points: one may be left out
   CHECK(farthest(scene::outermost(points, 0.005, 0.25F), right) > 1.2F);
   CHECK(scene::outermost({}).empty());
   CHECK(scene::outermost(std::vector<glm::vec3>{right}, 1).size() == 98);

@@ -153,7 +153,7 @@ TEST_CASE("stage: neighbours differ in colour, and what shines stands in the dar
   CHECK(two.objects[0].material.color != two.objects[1].material.color);
   const scene::Scene lawn = parsed(R"({"a": {"mesh": {"shape": "grass"}}, "b": {"mesh": {}}})");
   CHECK(lawn.objects[0].material.color.y >
-        2 * lawn.objects[0].material.color.x);  // green, not the palette's
+        2 * lawn.objects[0].material.color.x);  // the object's own green, not a colour of the palette
   CHECK(lawn.objects[1].material.color == two.objects[1].material.color);
   const char* cloud = R"({{"a": {{"particles": {{"groups": [{{}}], "look": {{"additive": {}}}}}}}}})";
   const scene::Scene dark = parsed(fmt::format(fmt::runtime(cloud), true));
@@ -180,7 +180,7 @@ TEST_CASE("stage: what stands there is in the middle of the picture and fills it
                fmt::format(R"("render": {{"size": {}}}, )", size));
     const draw::View view = draw::viewAt(scene.camera, 0, scene.render.size, {});
     glm::vec2 low(9), high(-9);
-    // The ball's outline, and the rod's ends.
+    // The outline of the sphere, and the ends of the rod.
     for (int i = 0; i < 4000; ++i) {
       const float turn = 0.6180340F * 6.2831853F * static_cast<float>(i);
       const float y = -1 + (static_cast<float>(i) + 0.5F) / 2000;

@@ -1,4 +1,4 @@
-// "test" and "checks" of a scene, and the file beside it.
+// "test" and "checks" of a scene, and the sidecar file beside it.
 #include "scene/load.hpp"
 #include "unit/scene/toy.hpp"
 
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A scene of 120 frames and one object "flag", with these members besides.
+/// Returns a scene of 120 frames with one object "flag" and these members.
 std::string sceneWith(const std::string& members) {
   return "{\"version\": 1, \"objects\": {\"flag\": {\"cloth\": {}}},\n" + members + "}";
 }
@@ -24,7 +24,7 @@ std::string checkMistakes(const std::string& check, const std::vector<std::strin
   return mistakes(sceneWith("\"checks\": [\n{" + check + "}]"), changes);
 }
 
-/// A scene and perhaps its sidecar in a new folder, removed again.
+/// Creates a scene and possibly its sidecar in a new folder; removes them in the destructor.
 class Files {
  public:
   Files() : root(fs::temp_directory_path() / ("simreel-sidecar-" + std::to_string(::getpid()))) {
@@ -234,7 +234,8 @@ TEST_CASE("checks of quantities that no object has") {
   checkHas(says(two, R"("what": "mass", "max": 1)"),
            "several objects have \"mass\": a, b; name one of them with \"object\"");
   CHECK(says(two, R"("what": "mass", "max": 1, "object": "b")").empty());
-  CHECK(!has(says(flag, R"("what": "mass", "max": 1, "object": "flga")"), "quantity"));  // said once
+  // an unknown object causes only one message
+  CHECK(!has(says(flag, R"("what": "mass", "max": 1, "object": "flga")"), "quantity"));
   CHECK(!has(says(R"("a": {"cloht": {}})", R"("what": "enrgy", "max": 1)"), "quantity"));
 }
 
@@ -254,10 +255,10 @@ TEST_CASE("the sidecar's members replace the scene's own as a whole") {
 
   files.write("flag.test.json", R"({"test": {"size": [8, 8], "tolerance": {"maxDiffRatio": 0.5}}})");
   const Scene scene = files.load();
-  CHECK(scene.test.frames.empty());  // not mixed with the scene's
+  CHECK(scene.test.frames.empty());  // the sidecar's "test" replaces the scene's, without merging
   CHECK(!scene.test.tolerance.hardFail);
   CHECK(scene.test.size == glm::ivec2(8, 8));
-  CHECK(scene.checks.size() == 1);  // kept: the sidecar has none
+  CHECK(scene.checks.size() == 1);  // kept, because the sidecar has no checks
   REQUIRE(scene.test.toleranceOrigin.size() == 1);
   CHECK(scene.test.toleranceOrigin.at("maxDiffRatio") == (files.root / "flag.test.json").string());
   CHECK(scene.hash == loadScene(files.root / "flag.json", {}, toyKinds()).hash);

@@ -98,7 +98,7 @@ inline Scene parse(std::string_view text, const std::vector<std::string>& change
   return parseScene(text, file, overrides, toyKinds());
 }
 
-/// The report of a scene's mistakes; "" when there is none.
+/// Returns the report of a scene's errors; "" for a valid scene.
 inline std::string mistakes(std::string_view text, const std::vector<std::string>& changes = {},
                             const std::filesystem::path& file = "s.json") {
   try {
@@ -109,7 +109,7 @@ inline std::string mistakes(std::string_view text, const std::vector<std::string
   }
 }
 
-/// A scene with one cloth that has the given members.
+/// Returns a scene with one cloth that has the given members.
 inline std::string withCloth(const std::string& members) {
   return "{\"version\": 1,\n\"objects\": {\"flag\": {\"cloth\":\n{" + members + "}}}}";
 }

@@ -24,7 +24,7 @@ Json dish() {
       "ball": {"sphere": {"radius": 1, "position": {"keys": [[0, [0, 0, 0]], [2, [1, 0, 0]]]}}, "material": {"ior": 2}}}})");
 }
 
-/// How long the dish and one with this instead simulate the same.
+/// Returns how long (s) the dish simulates unchanged if this value is replaced.
 double alikeWith(const std::string& pointer, const Json& value) {
   Json other = dish();
   other[Json::json_pointer(pointer)] = value;
@@ -52,18 +52,20 @@ TEST_CASE("changes of strokes leave a simulation as it was before the first of t
   CHECK(alikeWith(field + "/strokes/0/radius", 3) == 0);
   CHECK(alikeWith(field + "/strokes/3", {{"at", 2.5}}) == 2.5);
   Json less = dish();
-  less[Json::json_pointer(field + "/strokes")].erase(1);  // the last is another one then: by its place
+  less[Json::json_pointer(field + "/strokes")].erase(1);  // the last stroke changes, because strokes are
+                                                          // compared by position in the list
   CHECK(secondsAlike(dish().dump(), less.dump()) == 1.5);
   less[Json::json_pointer(field)].erase("strokes");
   CHECK(secondsAlike(dish().dump(), less.dump()) == 0);
-  const std::string still = R"({"objects": {"pool": {"fluid": {}}}})";  // stirred, as nothing else is
+  // without strokes the fluid is stirred at the start
+  const std::string still = R"({"objects": {"pool": {"fluid": {}}}})";
   const std::string one = R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}]}}}})";
   const std::string two = R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}, {"at": 2}]}}}})";
   CHECK(secondsAlike(still, one) < 0);
   CHECK(secondsAlike(one, two) == 2);
   const std::string dyed =
       R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}, {"at": 2, "dye": [1, 0, 0]}]}}}})";
-  CHECK(secondsAlike(two, dyed) < 0);  // there is no dye in the states of before
+  CHECK(secondsAlike(two, dyed) < 0);  // no shared time, because the earlier states have no dye
 }
 
 TEST_CASE("changes of keyframes leave a simulation as it was before the first that is another one") {
@@ -76,7 +78,7 @@ TEST_CASE("changes of keyframes leave a simulation as it was before the first th
   Json spline = dish(), other = dish();
   for (Json* one : {&spline, &other}) (*one)[Json::json_pointer(field + "/feed/ease")] = "spline";
   other[Json::json_pointer(keys + "3/1")] = 5;
-  CHECK(secondsAlike(spline.dump(), other.dump()) == 1);  // the speed in a key comes from both beside it
+  CHECK(secondsAlike(spline.dump(), other.dump()) == 1);  // the speed at a key depends on both neighbours
   CHECK(alikeWith("/objects/ball/sphere/position/keys/1/1/0", 2) == 0);
 }
 

@@ -10,7 +10,7 @@ using simreel::serve::KeptStates;
 
 namespace {
 
-constexpr std::size_t each = 100;  ///< bytes
+constexpr std::size_t each = 100;  ///< size of one state in bytes
 
 WorldState stateOfFrame(int frame) {
   WorldState state;
@@ -19,7 +19,7 @@ WorldState stateOfFrame(int frame) {
   return state;
 }
 
-/// As the stage does: what is wanted is kept, frame after frame.
+/// Keeps the requested states frame by frame, as the stage does.
 void passTo(KeptStates& kept, int last) {
   for (int frame = 0; frame <= last; ++frame)
     if (kept.wants(frame)) kept.keep(stateOfFrame(frame));
@@ -78,7 +78,7 @@ TEST_CASE("serve: the nearest state at or before a frame") {
 TEST_CASE("serve: states are forgotten from a frame on, or all") {
   KeptStates kept(5 * each);
   passTo(kept, 4);
-  kept.keep(stateOfFrame(4));  // the same once more
+  kept.keep(stateOfFrame(4));  // keeps the same state again
   CHECK_EQ(kept.bytes(), 5 * each);
   kept.forgetFrom(3);
   CHECK_EQ(kept.frames(), std::vector{0, 1, 2});

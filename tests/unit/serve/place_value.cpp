@@ -30,7 +30,7 @@ std::string with(const std::string& path, const std::string& value) {
   return withValue(text, {path, value});
 }
 
-/// The text with one part in the place of another, which it has once.
+/// Returns the text with `part`, which occurs once, replaced.
 std::string replaced(const std::string& part, const std::string& by) {
   std::string result = text;
   const std::size_t at = result.find(part);

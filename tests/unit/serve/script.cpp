@@ -34,7 +34,7 @@ TEST_CASE("a renderer draws another script's objects only where camera, stage an
     return R"("flag": {"cloth": {"size": [8, 8], )" + value + "}}";
   };
   CHECK(alike(cloth(R"("substeps": 8)"), cloth(R"("substeps": 9)"), ""));
-  // Other objects.
+  // Scenes with different objects.
   CHECK_FALSE(alike(ball, R"("a": {"capsule": {}})", lit));
   CHECK_FALSE(alike(ball, ball + R"(, "b": {"sphere": {}})", lit));
 }

@@ -1,4 +1,4 @@
-// Notations of rules, and what the rules are.
+// Notations of rules, and the rules that they describe.
 #include "reference/states_twin.hpp"
 #include "sim/automata/file/rule_file.hpp"
 #include "sim/automata/rule/arrangements.hpp"
@@ -41,7 +41,8 @@ TEST_CASE("there are 102 arrangements of nine cells, 51 without the middle") {
     CHECK((lettersOf(a.count) >> a.letter & 1) == 1);
   }
   CHECK(all.size() == 51);
-  // By Burnside's lemma on the square's eight symmetries; each class is an orbit, of 1, 2, 4 or 8, twice.
+  // By Burnside's lemma for the square's eight symmetries; each class is an orbit of 1, 2, 4 or 8 patterns,
+  // counted twice.
   for (const auto& [count, letter] : all) CHECK(16 % cells[count][letter] == 0);
 }
 
@@ -91,7 +92,7 @@ TEST_CASE("MAP says what letters say") {
       ruleOf("MAPARYXfhZofugWaH7oaIDogBZofuhogOiAaIDogIAAgAAWaH7oaIDogGiA6ICAAIAAaIDogIAAgACAAIAAAAAAAA==");
   for (unsigned i = 0; i < 512; ++i) CHECK(life.outcome(i) == CellRule().outcome(i));
   CHECK(ruleOf("MAPARYXfg/7").states == 7);
-  // Highest bits: the cell below of six, the one above of four.
+  // Only the highest bits are set: the cell below for six neighbours, the cell above for four.
   const CellRule below = ruleOf("MAPAAAAAAAAAAD//////////w"), above = ruleOf("MAPAAD//w");
   for (unsigned cell = 0; cell < 9; ++cell) {
     CHECK(below.outcome(1U << cell) == (cell == 7));
@@ -183,7 +184,8 @@ TEST_CASE("neighbourhoods of range 2 look as the help of Golly draws them") {
 }
 
 TEST_CASE("a table with variables and symmetries is what it says") {
-  // A signal 2 moves along a wire 1 and leaves 3 behind, which becomes wire again; symmetry of four turns.
+  // A signal of state 2 moves along a wire of state 1 and leaves state 3 behind, which becomes wire again;
+  // rotational symmetry.
   const CellRule rule = parseRuleFile(
       "@RULE Signal\n\n@TABLE\n# comment\nn_states:4\nneighborhood:vonNeumann\nsymmetries:rotate4\n"
       "var a={0,1,2,3}\nvar b={a}\nvar c={0,1,3}\nvar d={0,1,2,3}\n1,2,a,b,d,2\n2,a,b,c,d,3\n3,a,b,c,d,1\n"
@@ -207,7 +209,7 @@ TEST_CASE("Life as a table of permuted neighbours and as a tree is Life") {
       "1,1,1,0,0,0,0,0,0,1\n1,1,1,1,0,0,0,0,0,1\n1,a,b,c,d,e,f,g,h,0\n",
       "r.rule");
   std::string tree = "@RULE T\n@TREE\nnum_states=2\nnum_neighbors=8\n";
-  // Node (depth, count): counts of living so far, from the depth 1 up.
+  // Node (depth, count): the number of living cells so far, from depth 1 up.
   std::string nodes;
   int made = 0;
   int at[10][9] = {};

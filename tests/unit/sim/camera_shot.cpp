@@ -1,4 +1,4 @@
-// Cameras of glTF files: where they stand, how they are turned, and one clear line for each mistake.
+// Cameras of glTF files: position, rotation, and one clear line for each error.
 #include "sim/nodes/camera_shot.hpp"
 
 #include "base/error.hpp"
@@ -24,8 +24,9 @@ namespace {
 
 constexpr double eighth = 0.70710678118654752;
 
-/// An arm, moved by (0, 0, 4) m and scaled by (2, 2, 3), that turns about y by 0, 90 degrees from 1 to 3 s,
-/// with "wide" at (0.5, 0, 0) on it, 60 degrees high; and a "flat" orthographic camera.
+/// Returns a file with an arm, moved by (0, 0, 4) m and scaled by (2, 2, 3), that rotates about y by 0 to
+/// 90 degrees from 1 to 3 s; a camera "wide" at (0.5, 0, 0) on it with a vertical angle of 60 degrees; and
+/// an orthographic camera "flat".
 test::GltfText shotText() {
   test::GltfText gltf;
   auto& d = gltf.document;
@@ -78,7 +79,7 @@ TEST_CASE("glTF cameras: one goes with its node and those above it, scales left 
   CHECK(!shot->far());
   for (const double time : {0.0, 1.0, 1.7, 2.0, 3.0, 8.0}) {
     CAPTURE(time);
-    // The arm turns x towards -z; the camera is a metre out on it.
+    // The arm rotates x towards -z; the camera is a metre out along it.
     const double angle = std::min(std::max((time - 1) / 2, 0.0), 1.0) * 1.5707963267948966;
     const glm::dvec3 right(std::cos(angle), 0, -std::sin(angle)), back(std::sin(angle), 0, std::cos(angle));
     const scene::CameraPose pose = shot->at(time);
@@ -87,7 +88,7 @@ TEST_CASE("glTF cameras: one goes with its node and those above it, scales left 
     CHECK(glm::length(pose.up - glm::dvec3(0, 1, 0)) < 1e-6);
     CHECK(glm::length(pose.back - back) < 1e-6);
   }
-  scene::CameraFile still = asked("lens");  // the camera's own name
+  scene::CameraFile still = asked("lens");  // selected by the camera's own name instead of its node's
   still.animation = "other";
   CHECK(glm::length(sim::readCamera(still, shotText().text())->at(2).eye - glm::dvec3(1, 0, 4)) < 1e-6);
   scene::CameraFile fast = asked("wide");

@@ -10,7 +10,7 @@ using namespace simreel;
 
 namespace {
 
-/// Cells as the GPU has them, of rows of '#' and '.'.
+/// Converts rows of '#' and '.' to the GPU's layout of cells.
 std::vector<unsigned> cellsOf(const sim::CaveGrid& grid, const std::vector<std::string>& rows) {
   std::vector<unsigned> cells(static_cast<std::size_t>(grid.words()), ~0U);
   for (std::size_t y = 0; y < rows.size(); ++y)
@@ -20,7 +20,8 @@ std::vector<unsigned> cellsOf(const sim::CaveGrid& grid, const std::vector<std::
   return cells;
 }
 
-/// Cells of the region around a cell by filling it, which turns to rock.
+/// Flood-fills the region around a cell with rock; returns its number of cells and adds their positions to
+/// `sum`.
 long filled(std::vector<std::string>& rows, std::size_t x, std::size_t y, glm::dvec2& sum) {
   std::vector<std::pair<std::size_t, std::size_t>> todo = {{x, y}};
   long count = 0;
@@ -45,12 +46,12 @@ TEST_CASE("rooms of a cave: joined over edges alone, by their lowest cell, with 
   const sim::CaveGrid grid{{6, 4}};
   const auto rooms = sim::caveRooms(grid, cellsOf(grid, {"#..#.#", "##.##.", ".#...#", ".#####"}), 0.5F);
   REQUIRE(rooms.size() == 4);
-  CHECK(rooms[0].cells == 6);  // (1, 0), (2, 0), (2, 1), (2, 2), (3, 2), (4, 2)
+  CHECK(rooms[0].cells == 6);  // the cells (1, 0), (2, 0), (2, 1), (2, 2), (3, 2), (4, 2)
   CHECK(rooms[0].centre.x == doctest::Approx(14.0 / 6));
   CHECK(rooms[0].centre.y == doctest::Approx(7.0 / 6));
   CHECK(rooms[0].area == doctest::Approx(1.5));
   CHECK(rooms[1].centre == glm::dvec2(4, 0));
-  CHECK(rooms[2].centre == glm::dvec2(5, 1));  // over a corner alone
+  CHECK(rooms[2].centre == glm::dvec2(5, 1));  // touches another room only at a corner
   CHECK(rooms[3].cells == 2);
   CHECK(sim::caveRooms(grid, cellsOf(grid, {"######"}), 1).empty());
 }

@@ -1,4 +1,4 @@
-// Charts of what objects measure: round scales, and what a scene may say.
+// Charts of measured quantities: round scales, and valid settings.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "sim/chart/parameters.hpp"

@@ -1,4 +1,4 @@
-// What becomes of the energy of cloth that swings undamped for a minute; tools/bench/studies.cpp has more.
+// Energy of undamped swinging cloth over a minute; tools/bench/studies.cpp has more cases.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "reference/swing.hpp"
@@ -34,7 +34,7 @@ TEST_CASE("energy: constraints of damped cloth keep it for a minute where nothin
   REQUIRE(!given.parameters.keepsEnergy());
   const auto course = swing::courseOfTwin(given, 60);
   CHECK(std::abs(course.drift()) < 0.01);
-  CHECK(course.rise < 4e-3);  // links are counted as in short substeps
+  CHECK(course.rise < 4e-3);  // the energy is evaluated as in short substeps
 }
 
 TEST_CASE("energy: fabrics and meshes that nothing damps keep it for a minute") {
@@ -50,7 +50,7 @@ TEST_CASE("energy: fabrics and meshes that nothing damps keep it for a minute") 
 }
 
 TEST_CASE("energy: what a wide swing of a finer fabric loses to flutter stays in it") {
-  // Ten seconds crumple it; of second order in time a tenth was gone by then.
+  // The cloth crumples within ten seconds. A second-order scheme loses a tenth of the energy in that time.
   const auto course = swing::courseOfTwin(swing::fabric(60, 0.05), 10);
   CHECK(std::abs(course.drift()) < 5e-3);
   CHECK(course.rise < 1e-3);
@@ -58,8 +58,8 @@ TEST_CASE("energy: what a wide swing of a finer fabric loses to flutter stays in
 
 namespace {
 
-/// Most of a difference between the force of a substep on a particle and minus the gradient of the elastic
-/// energy, by differences, as a ratio to the largest force.
+/// Returns the maximum difference between the force of a substep on a particle and the negative gradient of
+/// the elastic energy, by finite differences, relative to the maximum force.
 template <class Twin>
 double missedGradient(Twin twin, const std::function<double(const std::vector<glm::vec4>&)>& elastic) {
   const std::vector<glm::vec4> start = twin.positions;
@@ -86,7 +86,7 @@ double missedGradient(Twin twin, const std::function<double(const std::vector<gl
   return missed / most;
 }
 
-/// Crumpled, without gravity.
+/// A crumpled sheet without gravity.
 sim::ClothParameters crumpled() {
   sim::ClothParameters p;
   p.gravity = glm::vec3(0);
@@ -100,7 +100,7 @@ sim::ClothParameters crumpled() {
 }  // namespace
 
 TEST_CASE("energy: constraints that keep it are the gradient of what is measured") {
-  // Of odd size with pins, of lines of two segments.
+  // An odd size with pins; lines of two segments.
   for (const bool fabric : {false, true}) {
     CAPTURE(fabric);
     sim::ClothParameters p = crumpled();
@@ -113,8 +113,8 @@ TEST_CASE("energy: constraints that keep it are the gradient of what is measured
     p.shearCompliance = 1e-3F;
     p.bendCompliance = 1e-2F;
     p.jitter = 0.012F;
-    // Of each kind of line: with one pin, with one at either end, at rest and too far apart, and with two
-    // in between.
+    // Covers each kind of line: with one pin, with a pin at each end, at rest or too far apart, and with
+    // two pins in between.
     p.pins.emplace_back().points = {{0, 0}, {20, 0}, {9, 2}, {13, 2}, {0, 4}, {20, 4}};
     REQUIRE(p.keepsEnergy());
     ClothTwin twin(sim::ClothPlan(p, 4, 1.0 / 60, {}));
@@ -143,7 +143,7 @@ TEST_CASE("energy: so are faces and attachments that keep it") {
 }
 
 TEST_CASE("energy: sheets between pins keep it, too") {
-  // Straight lines between pins have a constraint too many.
+  // A straight line between pins has one redundant constraint.
   struct Held {
     const char* name;
     std::function<void(sim::PinGroup&)> pin;
@@ -196,7 +196,7 @@ TEST_CASE("energy: long sheets that nothing damps hang and swing at \"auto\"") {
       return sim::measureCloth(p, twin.positions, twin.velocities, 0, twin.plan().softness());
     };
     const double first = energy()[5];
-    const double swing = energy()[1] * 9.8 * 0.5 * given.length;  // from lying to hanging
+    const double swing = energy()[1] * 9.8 * 0.5 * given.length;  // energy between lying and hanging, J
     for (int frame = 0; frame < 120; ++frame) twin.step(frame / 60.0);
     CHECK(energy()[5] == doctest::Approx(first).epsilon(5e-3 * swing / std::abs(first)).scale(0));
     CHECK(energy()[6] < 1.02);
@@ -213,7 +213,8 @@ TEST_CASE("energy: a fabric two columns wide, which cannot flutter, keeps it for
 }
 
 TEST_CASE("energy: of damped cloth the mean over a swing does not rise") {
-  // It begins to flutter, ever finer, until no substep follows it: that much is lost.
+  // The cloth starts to flutter with ever shorter waves, until the substeps cannot resolve them: the scheme
+  // loses that energy.
   for (const bool mesh : {false, true})
     for (const double degrees : {10.0, 45.0}) {
       CAPTURE(mesh);

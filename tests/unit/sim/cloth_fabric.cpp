@@ -1,4 +1,5 @@
-// Fabrics against closed forms, their energy stated again in float64, and what "fabric" refuses.
+// Compares fabrics with closed forms and with their energy implemented independently in double precision;
+// also tests refused settings of "fabric".
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "sim/cloth/quantities.hpp"
@@ -31,8 +32,8 @@ sim::ClothParameters freeFabric(glm::ivec2 size, float spacing) {
 
 using Points = std::vector<glm::dvec3>;
 
-/// The plate's energy per D / (2 L^2), term by term; `ghosts` (m) of clamped borders left, right, top,
-/// bottom.
+/// Returns a plate's energy per D / (2 L^2), term by term; `ghosts` (m) are the clamped borders left,
+/// right, top, bottom.
 double plateEnergy(glm::ivec2 size, const Points& points, const glm::dvec3* const (&ghosts)[4] = {}) {
   const auto at = [&](int x, int y) { return points[static_cast<std::size_t>(y * size.x + x)]; };
   double sum = 0;
@@ -45,7 +46,7 @@ double plateEnergy(glm::ivec2 size, const Points& points, const glm::dvec3* cons
       const auto add = [&](double weight, const glm::dvec3& d) { sum += weight * glm::dot(d, d); };
       if (x > 0 && x < size.x - 1) add(besideX, at(x - 1, y) - 2.0 * at(x, y) + at(x + 1, y));
       if (y > 0 && y < size.y - 1) add(besideY, at(x, y - 1) - 2.0 * at(x, y) + at(x, y + 1));
-      if (ghostX) {  // x[-1] = x[1] - 2 t, on half the area
+      if (ghostX) {  // clamped border: x[-1] = x[1] - 2 t, on half the area
         const glm::dvec3 inner = at(x == 0 ? 1 : x - 1, y);
         add(0.5 * besideX, inner - 2.0 * at(x, y) + (inner - 2.0 * *ghostX));
       }
@@ -70,9 +71,9 @@ TEST_CASE("fabric: the bending force is the gradient of a plate's energy, border
     const glm::ivec2 size(7, 6);
     sim::ClothParameters p = freeFabric(size, 0.02F);
     p.rotation = glm::vec3(20, -35, 50);
-    p.fabric.bending = 4e-4;  // 1 N/m over the square of the spacing
+    p.fabric.bending = 4e-4;  // bending stiffness of 1 N/m divided by the square of the spacing
     p.fabric.density = 0.2;
-    p.fabric.weft = p.fabric.warp = 0.1;  // hardly anything beside it
+    p.fabric.weft = p.fabric.warp = 0.1;  // negligible compared with the bending stiffness
     p.fabric.shear = 1e-3;
     if (clamped)
       for (const int side : {0, 1, 2, 3}) {
@@ -106,7 +107,7 @@ TEST_CASE("fabric: the bending force is the gradient of a plate's energy, border
       const double more = plateEnergy(size, moved, ghosts);
       moved[i] = points[i] - h * normal;
       const double less = plateEnergy(size, moved, ghosts);
-      const double force = -0.5 * (more - less) / (2 * h);  // D / L^2 = 1 N/m
+      const double force = -0.5 * (more - less) / (2 * h);  // expected force for D / L^2 = 1 N/m
       const double found =
           glm::dot(glm::dvec3(twin.velocities[i]), normal) / dt / static_cast<double>(rest[i].w);
       CAPTURE(i);
@@ -119,9 +120,9 @@ TEST_CASE("fabric: the bending force is the gradient of a plate's energy, border
 
 TEST_CASE("fabric: a clamped strip bends by q L^4 / 8 D at any spacing") {
   constexpr double length = 0.2;
-  constexpr double q = 0.115 * 0.098;  // N/m^2
+  constexpr double q = 0.115 * 0.098;  // weight per area, N/m^2
   constexpr double bending = 7.5e-4;
-  const double expected = q * std::pow(length, 4) / (8 * bending);  // 0.015 of the length
+  const double expected = q * std::pow(length, 4) / (8 * bending);  // drop of the end: 0.015 of the length
   std::vector<double> drops;
   for (const int cells : {8, 12, 16}) {
     CAPTURE(cells);
@@ -148,7 +149,7 @@ TEST_CASE("fabric: the energy of z = (a x^2 + 2 b x y + c y^2) / 2 is D / 2 (a^2
   };
   const glm::ivec2 size(61, 45);
   sim::ClothParameters p = freeFabric(size, 0.01F);
-  p.fabric.bending = 1000;  // so much that stretching is nothing
+  p.fabric.bending = 1000;  // bending is so stiff that stretching is negligible
   p.fabric.weft = p.fabric.warp = 0.1;
   p.fabric.shear = 1e-3;
   for (const Shape s :
@@ -168,7 +169,7 @@ TEST_CASE("fabric: the energy of z = (a x^2 + 2 b x y + c y^2) / 2 is D / 2 (a^2
     const double energy = found[static_cast<std::size_t>(which - quantities.begin())];
     const double w = 0.01 * (size.x - 1);
     const double h = 0.01 * (size.y - 1);
-    // Borders have no difference across them.
+    // Second differences across a border do not exist.
     const double expected =
         0.5 * 1000 * (s.a * s.a * (w - 0.01) * h + 2 * s.b * s.b * w * h + s.c * s.c * w * (h - 0.01));
     CHECK(energy == doctest::Approx(expected).epsilon(0.01).scale(0));
@@ -211,7 +212,7 @@ TEST_CASE("fabric: it hangs longer by rho g H / 2 k, borders as much as the rest
 }
 
 TEST_CASE("fabric: a grid of rubber hangs longer by rho g H / 2 k, whatever the substeps") {
-  // Its diagonals, a third as stiff as its links, are part of k.
+  // The diagonals, a third as stiff as the links, contribute to k.
   for (const int substeps : {6, 24}) {
     sim::ClothParameters p = freeFabric({9, 21}, 0.05F);
     p.fabric = {};
@@ -223,7 +224,8 @@ TEST_CASE("fabric: a grid of rubber hangs longer by rho g H / 2 k, whatever the 
     p.pins.emplace_back().rows = {0};
     ClothTwin twin(sim::ClothPlan(p, 3, 1.0 / 60, {}));
     for (int frame = 0; frame < 300; ++frame) twin.step(frame / 60.0);
-    const double strain = twin.positions[4].y - twin.positions[20 * 9 + 4].y - 1;  // of 1 m
+    const double strain =
+        twin.positions[4].y - twin.positions[20 * 9 + 4].y - 1;  // relative to a length of 1 m
     CAPTURE(substeps);
     CHECK(strain == doctest::Approx(0.47 * 9.8 / (2 * 750)).epsilon(0.02).scale(0));
   }

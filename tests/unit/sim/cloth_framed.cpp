@@ -1,4 +1,4 @@
-// What a camera has in view of a cloth.
+// The box of a cloth that a camera frames.
 #include "sim/cloth/parameters.hpp"
 
 #include <cmath>
@@ -21,13 +21,13 @@ void checkBox(const sim::ClothParameters& cloth, const glm::vec3& min, const glm
 }  // namespace
 
 TEST_CASE("cloth: in view is the sheet at rest, and where it will hang") {
-  sim::ClothParameters cloth;  // its last row is pinned
+  sim::ClothParameters cloth;  // a cloth whose last row is pinned
   cloth.size = {11, 6};
   cloth.spacing = 0.2F;
   cloth.position = {1, 2, 3};
   checkBox(cloth, {0, 1, 2.5F}, {2, 2, 3.5F});
   cloth.pins[0] = {};
-  cloth.pins[0].corners = {0};  // it hangs by its diagonal
+  cloth.pins[0].corners = {0};  // pinned at one corner, it hangs by its diagonal
   checkBox(cloth, {0, 2 - std::sqrt(5.0F), 2.5F}, {2, 2, 3.5F});
   cloth.pins[0] = {};
   cloth.pins[0].rows = {0, -1};

@@ -1,5 +1,5 @@
-// Cloth against closed forms of mechanics: catenaries, pendulums, falling in air. On the CPU twins, which
-// have the device's bits.
+// Compares cloth with closed forms of mechanics: catenaries, pendulums, falling in air. Uses the CPU twins,
+// which give the device's bits.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 
@@ -33,8 +33,8 @@ ClothTwin oracleTwin(const sim::ClothParameters& p) {
   return ClothTwin(sim::ClothPlan(p, 1, oracleFrame, {}));
 }
 
-/// The elastic catenary (Irvine, Cable Structures, 1981): from its lowest point, s of the length at rest
-/// further, with a = H / w, w the weight of a length and c = w / (E A),
+/// The elastic catenary (Irvine, Cable Structures, 1981): s is the rest length from the lowest point, a = H
+/// / w, w the weight per length and c = w / (E A),
 ///   x = a (asinh(s / a) + c s),   y = a (sqrt(1 + (s / a)^2) - 1) + c s^2 / 2.
 struct Catenary {
   double a = 0, c = 0;
@@ -51,12 +51,12 @@ struct Catenary {
   }
 };
 
-/// Hangs two rows of 40 links of 0.1 m, which move alike, from ends 3 m apart until they rest. Returns the
-/// largest distance of a particle from where the catenary has it (m).
+/// Hangs two parallel rows of 40 links of 0.1 m from ends 3 m apart until they rest. Returns the maximum
+/// distance of a particle from the catenary (m).
 double distanceFromCatenary(sim::ClothParameters p, double weightPerStiffness) {
   constexpr int links = 40;
   p.damping = 3;
-  // Of many substeps roundings must not make it stick.
+  // With many substeps, rounding must not make the cloth stick.
   p.substeps = !p.constrained() ? 32 : p.compliance > 0 ? 8 : 64;
   p.pins.emplace_back().columns = {0};
   p.pins.emplace_back().columns = {-1};
@@ -88,7 +88,7 @@ TEST_CASE("oracle: springs hang in the catenary that stretches, within 4 mm") {
     p.stiffness = static_cast<float>(stiffness);
     p.shear = 0;
     p.bend = 0;
-    // A link of 0.1 m: E A = 0.1 k. Weight of a metre: 10 m g.
+    // A link of 0.1 m: E A = 0.1 k. Weight per metre: 10 m g.
     const double distance = distanceFromCatenary(p, 0.05 * 9.8 / 0.1 / (0.1 * stiffness));
     CHECK(distance < 0.004);
   }
@@ -109,7 +109,8 @@ TEST_CASE("oracle: constraints hang in the catenary within 2 mm, compliant ones 
 
 namespace {
 
-/// T = 4 sqrt(L / g) K(sin(amplitude / 2)), K = pi / (2 agm(1, cos(amplitude / 2))).
+/// Returns the period of a pendulum: T = 4 sqrt(L / g) K(sin(amplitude / 2)), K = pi / (2 agm(1,
+/// cos(amplitude / 2))).
 double pendulumPeriod(double length, double amplitude) {
   double a = 1;
   double b = std::cos(0.5 * amplitude);
@@ -121,7 +122,7 @@ double pendulumPeriod(double length, double amplitude) {
   return 4 * std::sqrt(length / 9.8) * oraclePi / (2 * a);
 }
 
-/// Times at which a rising value goes through zero, and the largest between two of them.
+/// Times at which a rising value crosses zero, and the maximum between successive crossings.
 struct Crossings {
   std::vector<double> times, peaks;
   double before = 0, peak = 0;
@@ -139,11 +140,11 @@ struct Crossings {
 }  // namespace
 
 TEST_CASE("oracle: a pendulum's period is that of the elliptic integral, at any amplitude") {
-  for (const int kind : {0, 1, 2})  // springs, constraints that keep energy, those of cloth that is damped
+  for (const int kind : {0, 1, 2})  // springs, energy-conserving constraints, constraints of damped cloth
     for (const double degrees : {10.0, 60.0, 120.0}) {
       CAPTURE(degrees);
       CAPTURE(kind);
-      // Two masses side by side below two pins, a metre down.
+      // Two masses side by side, 1 m below two pins.
       sim::ClothParameters p = oracleSheet(2, 2, 1);
       p.solver = kind > 0 ? sim::ClothSolver::constraints : sim::ClothSolver::springs;
       if (kind == 2) p.damping = 1e-6F;
@@ -187,7 +188,7 @@ TEST_CASE("oracle: a hanging sheet swings as a chain, with half the first zero o
     p.rotation = glm::vec3(88, 0, 0);
     p.pins.emplace_back().rows = {0};
     ClothTwin twin = oracleTwin(p);
-    // As far as the mode leads: J0(2 w sqrt(s / g)), s from the free end.
+    // First order in the amplitude: J0(2 w sqrt(s / g)), s from the free end.
     const double w = 0.5 * 2.404825557695773 * std::sqrt(9.8);
     for (int y = 0; y < 41; ++y)
       for (int x = 0; x < 5; ++x) {
@@ -215,7 +216,7 @@ TEST_CASE("oracle: a hanging sheet swings as a chain, with half the first zero o
 
 namespace {
 
-/// Most by which v = v1 tanh(g t / v1) is missed in a second and a half, as a part of v1.
+/// Returns the maximum deviation from v = v1 tanh(g t / v1) in a second and a half, relative to v1.
 template <class Twin>
 double missesFall(Twin twin, double terminal) {
   double most = 0;
@@ -237,7 +238,7 @@ TEST_CASE("oracle: flat cloth falls through air as fast as its weight is its dra
   p.air.velocity = glm::vec3(0);
   p.air.drag = 0.9F;
   p.air.gusts = 0;
-  // Springs: a quarter of a square for each of four masses.
+  // Springs: each of four masses has a quarter of a square.
   p.mass = 0.00025F;
   p.stiffness = 1;
   p.substeps = 32;

@@ -1,4 +1,4 @@
-// Analytic answers and conserved quantities, checked on the CPU twin: the GPU has the same bits.
+// Analytic results and conserved quantities, checked on the CPU twin, which gives the GPU's bits.
 #include "reference/cloth_twin.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ glm::dvec3 momentum(const ClothTwin& twin) {
   return sum;
 }
 
-/// Kinetic, elastic and gravitational energy, J.
+/// Returns the sum of kinetic, elastic and gravitational energy, J.
 double energy(ClothTwin& twin) {
   const auto& p = twin.plan().parameters();
   const glm::dvec3 g(p.gravity.at(0));
@@ -95,7 +95,7 @@ TEST_CASE("a mass on a spring swings with period 2 pi sqrt(m/k)") {
 }
 
 TEST_CASE("constraints stretch by compliance times load, whatever the number of substeps") {
-  // Three masses of 1 kg under a pin: the first link carries 3 g, the last 1 g.
+  // Three masses of 1 kg below a pin: the first link carries 3 g, the last 1 g.
   for (const int substeps : {8, 16, 40}) {
     sim::ClothParameters p = freeSheet(2, 4);
     p.gravity = glm::vec3(0, -9.8F, 0);
@@ -118,7 +118,7 @@ TEST_CASE("constraints stretch by compliance times load, whatever the number of 
 
 namespace {
 
-/// Three columns of so many rows of cotton, 2 cm apart, without wind.
+/// Three columns of `rows` rows of cotton, 2 cm apart, without wind.
 sim::ClothParameters longSheet(int rows) {
   sim::ClothParameters p = freeSheet(3, rows);
   p.spacing = 0.02F;
@@ -132,7 +132,7 @@ sim::ClothParameters longSheet(int rows) {
   return p;
 }
 
-/// Length of the middle column as a ratio to rest.
+/// Returns the length of the middle column relative to its rest length.
 double columnStretch(const ClothTwin& twin, int rows) {
   double length = 0;
   for (int y = 0; y + 1 < rows; ++y) {
@@ -149,8 +149,8 @@ TEST_CASE("rigid constraints hold however many rows hang on them") {
   for (const int rows : {16, 64, 256, 1024}) {
     CAPTURE(rows);
     sim::ClothParameters p = longSheet(rows);
-    p.substeps.reset();                // "auto"
-    p.rotation = glm::vec3(90, 0, 0);  // hanging
+    p.substeps.reset();                // no value means "auto"
+    p.rotation = glm::vec3(90, 0, 0);  // rotates the sheet so that it hangs
     p.pins.emplace_back().rows = {0};
     ClothTwin twin = makeTwin(p);
     double worst = 0;
@@ -168,10 +168,10 @@ TEST_CASE("rigid constraints hold in a swing, and over a bar without pins") {
   for (const bool swinging : {true, false}) {
     CAPTURE(swinging);
     sim::ClothParameters p = longSheet(rows);
-    p.substeps = 16;  // in the lowest place it pulls with three times its weight
+    p.substeps = 16;  // at the lowest point the tension is three times the weight
     std::vector<sim::ColliderShape> bars;
     if (swinging) {
-      p.pins.emplace_back().rows = {0};  // lying down at first
+      p.pins.emplace_back().rows = {0};  // the sheet starts lying
     } else {
       sim::ColliderShape bar;
       bar.kind = sim::ColliderShape::Kind::capsule;
@@ -222,8 +222,8 @@ TEST_CASE("a compliant line stretches by its weight: rho g H / 2k beyond its len
   sim::ClothParameters p = longSheet(rows);
   p.rotation = glm::vec3(90, 0, 0);
   p.pins.emplace_back().rows = {0};
-  p.compliance = 1.0F / 50;  // of a thread: 50 N/m
-  p.shearCompliance = 1e5F;  // diagonals would carry a part
+  p.compliance = 1.0F / 50;  // a stiffness of 50 N/m per thread
+  p.shearCompliance = 1e5F;  // so compliant that diagonals carry no load
   p.bendCompliance = 1e5F;
   p.damping = 6;
   ClothTwin twin = makeTwin(p);
@@ -314,7 +314,7 @@ TEST_CASE("friction: cloth holds below the angle of friction and slides by Coulo
   for (const auto solver : {sim::ClothSolver::springs, sim::ClothSolver::constraints})
     for (const double degrees : {5.0, 10.0, 20.0, 40.0}) {
       CAPTURE(degrees);
-      constexpr double coefficient = 0.2;  // 11.3 degrees
+      constexpr double coefficient = 0.2;  // friction coefficient, the tangent of 11.3 degrees
       sim::ClothParameters p = freeSheet(9, 7);
       p.solver = solver;
       p.gravity = glm::vec3(0, -9.8F, 0);
@@ -350,7 +350,8 @@ TEST_CASE("air drags a flat face with half rho Cd A v^2 and lifts nothing face-o
   const glm::vec3 v(twin.velocities[12]);
   CHECK(v.y == doctest::Approx(0.5 * 1.2 * 1.0 * 0.01 * 9.0 * frameSeconds).epsilon(1e-4).scale(0));
   CHECK(std::abs(v.x) < 1e-6);
-  // At 45 degrees the lift points across the flow: half rho Cl A sin cos v^2, up for air from below.
+  // At 45 degrees, lift is perpendicular to the flow: half rho Cl A sin cos v^2, upwards for air from
+  // below.
   p.air.velocity = glm::vec3(3, 3, 0);
   p.air.drag = 0;
   ClothTwin inclined = makeTwin(p);

@@ -10,7 +10,7 @@ using namespace simreel;
 
 namespace {
 
-/// 3x3 particles 0.5 m apart in the xy plane, their x scaled.
+/// Returns 3x3 particles 0.5 m apart in the xy plane, with x scaled.
 std::vector<glm::vec4> sheet(float scale) {
   std::vector<glm::vec4> positions;
   for (int y = 0; y < 3; ++y)
@@ -47,8 +47,8 @@ TEST_CASE("a cloth at rest") {
 }
 
 TEST_CASE("elastic energy of a stretched cloth") {
-  // By x to 3/2: 6 springs along x are 0.25 m longer, 8 diagonals sqrt(0.75^2 + 0.5^2) instead of
-  // sqrt(0.5), 3 springs of length two 0.5 m longer; those along y keep their length.
+  // x scaled by 3/2: 6 springs along x are 0.25 m longer, 8 diagonals have sqrt(0.75^2 + 0.5^2) instead of
+  // sqrt(0.5), 3 springs of length two are 0.5 m longer; springs along y keep their length.
   const auto q = sim::measureCloth(parameters(), sheet(1.5F), still, 0);
   const double diagonal = std::sqrt(0.8125) - std::sqrt(0.5);
   const double expected = 6 * 0.5 * 16 * 0.0625 + 8 * 0.5 * 8 * diagonal * diagonal + 3 * 0.5 * 4 * 0.25;
@@ -73,7 +73,7 @@ TEST_CASE("constraints store energy by their compliance, rigid ones none") {
 
 TEST_CASE("kinetic energy and speed of a moving cloth") {
   auto velocities = still;
-  velocities[4] = glm::vec4(3, 0, -4, 7);  // w is the pin group
+  velocities[4] = glm::vec4(3, 0, -4, 7);  // w is the pin group and must be ignored
   const auto q = sim::measureCloth(parameters(), sheet(1), velocities, 0);
   CHECK(named(parameters(), q, "kineticEnergy") == 25);
   CHECK(named(parameters(), q, "speed") == 5);

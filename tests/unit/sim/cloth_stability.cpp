@@ -1,5 +1,5 @@
-// When cloth stays stable: the declared limit against the spectrum of the lattice, against the equation of
-// one oscillator stepped in float64, and against cloth that is stepped near it.
+// Stability of cloth: compares the declared limit with the spectrum of the lattice, with one oscillator
+// integrated in double precision, and with simulations close to the limit.
 #include "base/error.hpp"
 #include "measured.hpp"
 #include "reference/cloth_twin.hpp"
@@ -35,8 +35,8 @@ sim::ClothParameters springs(glm::ivec2 size, float stiffness, float shear, floa
   return p;
 }
 
-/// Square of the fastest frequency of the sheet at rest, (1/s)^2: the largest eigenvalue of its stiffness
-/// matrix, the sum of k n n^T over the springs, by the power method.
+/// Returns the square of the highest angular frequency of the sheet at rest, (1/s)^2: the largest
+/// eigenvalue of its stiffness matrix (sum of k n n^T over the springs), by power iteration.
 double fastestSquared(const sim::ClothParameters& p) {
   const int w = p.size.x;
   const int h = p.size.y;
@@ -72,7 +72,7 @@ double fastestSquared(const sim::ClothParameters& p) {
   return largest / p.mass;
 }
 
-/// Greatest speed after two thousand substeps of `dt` from a little jitter, m/s.
+/// Returns the maximum speed (m/s) after two thousand substeps of `dt`, starting from a small jitter.
 double speedAfter(sim::ClothParameters p, double dt) {
   p.substeps = 1;
   p.jitter = 1e-4F;
@@ -88,7 +88,7 @@ double speedAfter(sim::ClothParameters p, double dt) {
   return fastest;
 }
 
-/// Whether semi-implicit Euler of x'' = -w^2 x - c x' keeps to itself.
+/// True if semi-implicit Euler of x'' = -w^2 x - c x' stays bounded.
 bool stays(double w2, double c, double dt) {
   double x = 1;
   double v = 1;
@@ -123,7 +123,8 @@ TEST_CASE("cloth is stable up to its declared limit and blows up soon beyond it"
     CAPTURE(declared / limit);
     CHECK(declared <= limit * 1.0001);
     CHECK(declared > limit * 0.7);
-    CHECK(speedAfter(p, declared * 0.98) < 10 * 1e-4 * 2 / limit);  // of the jitter's 0.1 mm
+    // ten times the speed of the initial jitter of 0.1 mm
+    CHECK(speedAfter(p, declared * 0.98) < 10 * 1e-4 * 2 / limit);
     CHECK(speedAfter(p, limit * 1.05) == 1e3);
   }
 }
@@ -149,7 +150,8 @@ TEST_CASE("springs and drag together are stable up to the declared limit only") 
       p.air.velocity = glm::vec3(0, static_cast<float>(speed), 0);
       p.air.gusts = 0;
       const double w2 = 4.0 * static_cast<double>(stiffness) * (1.0 + p.shear + p.bend) / p.mass;
-      const double c = 1.2 * (1.0 + 0.6) * 0.1 * 0.1 * speed / p.mass;  // of the defaults
+      // drag coefficient for the default values of the air
+      const double c = 1.2 * (1.0 + 0.6) * 0.1 * 0.1 * speed / p.mass;
       CAPTURE(stiffness);
       CAPTURE(speed);
       CHECK(stays(w2, c, p.stableSeconds() * 0.999));
@@ -174,7 +176,8 @@ TEST_CASE("the air counts at its fastest in the whole run, gusts included") {
   CHECK(p.instability(1 / 60.0) != "");
   p.air.velocity = Moving({{0, glm::vec3(0)}, {2, glm::vec3(0.1F)}}, scene::Ease::linear);
   CHECK(p.instability(1 / 60.0) == "");
-  // Each of a gust's three components comes up to the share: at most (1 + 3 sqrt 3) times as fast.
+  // Each of a gust's three components is at most the given fraction, so the wind is at most (1 + 3 sqrt 3)
+  // times as fast.
   const double gusty = limit(glm::vec3(0, 10.0F * (1.0F + 3.0F * std::sqrt(3.0F)), 0));
   p.air.gusts = 3;
   CHECK(limit(glm::vec3(0, 10, 0)) == doctest::Approx(gusty).epsilon(1e-6));
@@ -195,12 +198,12 @@ TEST_CASE("too few substeps are told with a way that helps") {
   CHECK_FALSE(has(stiff, "auto"));
   p.solver = sim::ClothSolver::constraints;
   CHECK(p.instability(1 / 60.0) == "");
-  // 300 rows at 2 cm: sqrt(0.02 / (300 * 9.8)) = 2.608 ms.
+  // The limit for 300 hanging rows at 2 cm is sqrt(0.02 / (300 * 9.8)) = 2.608 ms.
   p.size = {4, 300};
   p.spacing = 0.02F;
   p.wind = glm::vec3(0);
   p.gravity = glm::vec3(0, -9.8F, 0);
-  // What keeps its energy takes three times as many.
+  // Energy-conserving cloth needs three times as many.
   CHECK(has(p.instability(1 / 60.0), "4 substeps are fewer than the 20 that its hanging rows need"));
   p.damping = 1e-3F;
   CHECK(has(p.instability(1 / 60.0), "4 substeps are fewer than the 7 that its hanging rows need"));
@@ -209,7 +212,8 @@ TEST_CASE("too few substeps are told with a way that helps") {
 TEST_CASE("auto refuses what more substeps than there may be would take") {
   auto p = springs({8, 8}, 1e7F, 1, 0.3F, 0.01F);
   p.substeps.reset();
-  // w = sqrt(4 * 1e7 * 2.3 / 0.01) = 95917 1/s; 0.7 * 2 / w = 14.6 us in 1/60 s: 1142.
+  // w = sqrt(4 * 1e7 * 2.3 / 0.01) = 95917 1/s, so a stable substep is 0.7 * 2 / w = 14.6 us, and 1/60 s
+  // needs 1142.
   const std::string line = refusal(p, 1 / 60.0);
   CHECK(has(line, "\"auto\" would take 1142 a frame to be stable, more than 1024"));
   CHECK(has(line, "\"solver\": \"constraints\""));
@@ -232,8 +236,8 @@ TEST_CASE("auto refuses what more substeps than there may be would take") {
 }
 
 TEST_CASE("a damped sheet that hangs by two corners comes to rest, with a speed of 0") {
-  // By lines alone it would take 8 substeps, at which it never does: half of the sheet hangs on each
-  // corner.
+  // The lines alone would need 8 substeps, but 8 never come to rest, because half of the sheet hangs from
+  // each corner.
   sim::ClothParameters p;
   p.hasFabric = true;
   p.size = {24, 24};
@@ -265,7 +269,7 @@ TEST_CASE("a damped sheet that hangs by two corners comes to rest, with a speed 
   const auto quantity = [&](const std::vector<glm::vec4>& velocities, const char* name) {
     return named(p, sim::measureCloth(p, twin.positions, velocities, 0), name);
   };
-  // Velocities themselves are half a substep of gravity: 5 mm/s.
+  // The stored velocities include half a substep of gravity: 5 mm/s.
   CHECK(quantity(twin.velocities, "speed") > 4e-3);
   const auto actual = sim::actualVelocities(twin.positions, twin.velocities, twin.trends);
   CHECK(quantity(actual, "speed") < 1e-3);

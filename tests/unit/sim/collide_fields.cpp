@@ -1,4 +1,5 @@
-// Distance fields of meshes: closed forms, a second statement in float64, and one line for each mistake.
+// Distance fields of meshes: compared with closed forms and with an independent implementation in double
+// precision; one clear line for each error.
 #include "base/error.hpp"
 #include "reference/distance_twin.hpp"
 #include "sim/mesh/shapes.hpp"
@@ -20,7 +21,7 @@ DistanceTwin fieldOf(const std::string& mesh, double reach = 0.05) {
   return DistanceTwin(sim::MeshColliderPlan(test::parsedScene(test::meshObject(mesh)), reach));
 }
 
-/// A ball with dents and spikes.
+/// A sphere with dents and spikes.
 sim::Mesh burr() {
   sim::Mesh mesh = sim::sphereMesh(1, {41, 27});
   for (glm::vec3& p : mesh.positions)
@@ -40,7 +41,8 @@ std::string firstProblem(const std::string& objects) {
 }  // namespace
 
 TEST_CASE("collide: the field of a ball and of a torus is the closed form's, within what cells leave") {
-  // Chords: a mesh lies within its circle by R (1 - cos(pi / n)); cells: h^2 / 8 times the curvatures.
+  // Error of chords: a mesh lies inside its circle by R (1 - cos(pi / n)); error of cells: h^2 / 8 times
+  // the curvature.
   test::Draws draws;
   const DistanceTwin ball = fieldOf(R"("shape": "sphere", "radius": 0.5, "resolution": [129, 65])");
   const DistanceTwin torus = fieldOf(
@@ -61,8 +63,8 @@ TEST_CASE("collide: the field of a ball and of a torus is the closed form's, wit
     if (there.w < 1e8 && ring > 0.2 && ring < 0.8)
       worstTorus = std::max(worstTorus, std::abs(there.w - (ring - 0.3)));
   }
-  CHECK(worstBall < 1e-3);   // cells of 0.0156 m
-  CHECK(worstTorus < 2e-3);  // cells of 0.026 m
+  CHECK(worstBall < 1e-3);   // maximum error of the sphere for cells of 0.0156 m
+  CHECK(worstTorus < 2e-3);  // maximum error of the torus for cells of 0.026 m
   CHECK(worstSlope < 0.06);
 }
 
@@ -109,7 +111,7 @@ TEST_CASE("collide: a box is known to a rounding at its nodes, and beside faces,
         glm::length(glm::max(over, 0.0)) + std::min(std::max({over.x, over.y, over.z}), 0.0);
     REQUIRE(std::abs(distanceTo(plan, glm::vec3(p)) - expected) < 2e-6);
     const double found = distanceTwinAt(twin, glm::vec3(p)).w;
-    // Where two faces are equally far, the distance has a kink within a cell.
+    // If two faces are equally distant, the distance has a kink inside a cell.
     REQUIRE(std::abs(found - expected) < (expected > 2 * plan.cell ? 0.1 : 0.6) * plan.cell);
   }
   CHECK(distanceTwinAt(twin, glm::vec3(1.19F, 0, 0)).w == doctest::Approx(0.19).epsilon(1e-3));
@@ -125,7 +127,7 @@ TEST_CASE("collide: cells follow the size of a mesh, and how thin it is") {
     return plan.parts().front().plan.cell;
   };
   CHECK(cellOf({5, 5, 5}, "") == doctest::Approx(10.0 / 64));
-  CHECK(cellOf({1, 0.02, 1}, "") < 0.011F);  // a quarter of 0.04 m
+  CHECK(cellOf({1, 0.02, 1}, "") < 0.011F);  // a quarter of the thickness of 0.04 m
   CHECK(cellOf({1, 0.0005, 1}, "") == doctest::Approx(2.0 / 256));
   CHECK(cellOf({1, 1, 1}, R"(, "distanceCells": 20)") == doctest::Approx(0.1));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes that collide, for tests of several files.
+// Colliding meshes for tests in several files.
 #include "reference/distance_twin.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -18,7 +18,7 @@
 
 namespace simreel::test {
 
-/// A box of these half sides around the origin, as an OBJ file's text; faces outwards.
+/// Returns a box with these half extents around the origin as OBJ text, with outward faces.
 [[nodiscard]] inline std::string boxObj(const glm::dvec3& half, const std::string& more = "") {
   std::string text;
   for (int i = 0; i < 8; ++i)
@@ -40,7 +40,7 @@ namespace simreel::test {
   return R"("solid": {"mesh": {"collides": true, )" + more + "}}";
 }
 
-/// A random number in [-1, 1), the same everywhere.
+/// Random numbers in [-1, 1), equal on every platform.
 class Draws {
  public:
   double operator()() {
@@ -55,8 +55,8 @@ class Draws {
   std::uint64_t state_ = 7;
 };
 
-/// A second statement in float64: the distance to a triangle by its plane, its edges and its corners; and
-/// how often a mesh goes around a point, by solid angles (Van Oosterom and Strackee 1983).
+/// An independent implementation in double precision: distance to a triangle by its plane, edges and
+/// corners; winding number around a point by solid angles (Van Oosterom and Strackee 1983).
 class BruteForce {
  public:
   BruteForce(const sim::Mesh& mesh, double scale) {

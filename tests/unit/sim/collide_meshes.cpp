@@ -1,4 +1,4 @@
-// What touches rigid meshes: answers known without the program. The GPU has the twins' bits.
+// Collisions with rigid meshes: known results. The GPU gives the twins' bits.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -28,7 +28,7 @@ struct GrainSetting {
   int substeps = 8;
 };
 
-/// Particles beside the first mesh of a scene.
+/// Returns particles beside the first mesh of a scene.
 ParticlesTwin grainsBeside(const std::string& mesh, const std::vector<Grain>& grains,
                            const GrainSetting& setting = {}) {
   sim::ParticleParameters p;
@@ -52,7 +52,7 @@ std::string boxMesh(const test::TemporaryFile& file, const std::string& more = "
   return fmt::format(R"("shape": "file", "file": "{}"{})", file.path().string(), more);
 }
 
-/// The sheet over a torus of 0.5 m with a tube of 0.15 m, as the sheet's parameters have it.
+/// A torus of radius 0.5 m with a tube of 0.15 m below a sheet; overTorus() returns the clearance above it.
 constexpr const char* torusUnderCloth =
     R"("shape": "torus", "radius": 0.5, "tube": 0.15, "resolution": [97, 49], "rotation": [0, 20, 0])";
 
@@ -88,7 +88,7 @@ TEST_CASE("collide: balls bounce off a mesh box as off a box by hand, and keep t
   for (std::size_t i = 0; i < grains.size(); ++i) {
     CHECK(glm::length(glm::dvec3(twin.velocities[i]) - expected[i]) < 2e-3);
     const glm::dvec3 place = grains[i].position + grains[i].velocity * 0.1 + expected[i] * 0.15;
-    // A substep's way is made after the bounce instead of within.
+    // A bounce is resolved at the end of a substep instead of within it.
     CHECK(glm::length(glm::dvec3(twin.positions[i]) - place) < 2 * 2 * meshFrame / 8);
     energy += glm::dot(glm::dvec3(twin.velocities[i]), glm::dvec3(twin.velocities[i]));
     before += glm::dot(grains[i].velocity, grains[i].velocity);
@@ -105,7 +105,7 @@ TEST_CASE("collide: nothing gets into a mesh, however fast it comes") {
   auto twin = grainsBeside(boxMesh(file), grains, {.bounce = 0.2F, .margin = 0.01F, .substeps = 1});
   for (int frame = 0; frame < 20; ++frame) twin.step(frame * meshFrame);
   for (const glm::vec4& p : twin.positions) CHECK(p.y > 0.029);
-  // The plate itself at 40 m/s, as fast as a substep has ways of half a metre.
+  // The plate itself moves at 40 m/s, so a substep covers more than half a metre.
   auto swept = grainsBeside(
       boxMesh(file, R"(, "position": {"keys": [[0, [0, -1, 0]], [0.05, [0, 1, 0]]], "ease": "linear"})"),
       {{{0.1, 0, 0.2}, {0, 0, 0}}}, {.bounce = 0, .margin = 0.01F, .substeps = 1});
@@ -117,7 +117,7 @@ TEST_CASE("collide: nothing gets into a mesh, however fast it comes") {
 TEST_CASE("collide: a mesh that turns carries what lies on it, and Coulomb's law holds it there") {
   const test::TemporaryFile file("turn.obj", test::boxObj({0.5, 0.1, 0.5}));
   const GrainSetting weight{.bounce = 0, .margin = 0.01F, .acceleration = {0, -9.81F, 0}, .substeps = 8};
-  // 0.9 rad/s at 0.4 m: 0.36 m/s, and 0.324 m/s^2 inwards.
+  // At 0.4 m, a rotation of 0.9 rad/s gives a speed of 0.36 m/s and an acceleration of 0.324 m/s^2 inwards.
   const std::string turning =
       R"(, "rotation": {"keys": [[0, [0, 0, 0]], [4, [0, 206.26, 0]]], "ease": "linear"})";
   auto held = grainsBeside(boxMesh(file, turning + R"(, "friction": 0.5)"),
@@ -132,7 +132,7 @@ TEST_CASE("collide: a mesh that turns carries what lies on it, and Coulomb's law
   CHECK(glm::length(glm::dvec3(held.positions[0]) - expected) < 3e-3);
   CHECK(glm::length(glm::dvec3(held.velocities[0])) == doctest::Approx(0.36).epsilon(0.03));
   CHECK(glm::length(glm::dvec3(smooth.positions[0]) - glm::dvec3(0.4, 0.11, 0)) < 1e-3);
-  // A slope of 20 degrees under a coefficient of 0.5, and one of 35.
+  // Slopes of 20 and 35 degrees with a friction coefficient of 0.5.
   for (const double degrees : {20.0, 35.0}) {
     CAPTURE(degrees);
     const double angle = degrees * M_PI / 180;

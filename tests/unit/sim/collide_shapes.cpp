@@ -1,4 +1,4 @@
-// Particles that touch shapes: answers known without the program. The GPU has the twin's bits.
+// Collisions of particles with shapes: known results. The GPU gives the twin's bits.
 #include "reference/particles_twin.hpp"
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double collideFrame = 1.0 / 60.0;
 
-/// One particle without weight unless `acceleration` says so, 16 substeps a frame.
+/// Returns one particle, weightless unless `acceleration` is given, with 16 substeps per frame.
 ParticlesTwin oneBeside(const sim::ColliderShape& shape, const glm::vec3& position,
                         const glm::vec3& velocity, const glm::vec3& acceleration, float bounce,
                         float margin) {
@@ -44,17 +44,17 @@ sim::ColliderShape smoothShape(sim::ColliderShape::Kind kind, float radius) {
 TEST_CASE("collide: a particle leaves a capsule by the law of reflection, and loses energy by its bounce") {
   auto rod = smoothShape(sim::ColliderShape::Kind::capsule, 0.3F);
   rod.length = 2;
-  rod.rotation = glm::vec3(0, 0, 90);  // along x
+  rod.rotation = glm::vec3(0, 0, 90);  // rotates the rod's axis to x
   for (const float bounce : {1.0F, 0.5F, 0.0F}) {
     CAPTURE(bounce);
-    // Hits where the normal is (0, 0.8, 0.6).
+    // Hits at the point with the normal (0, 0.8, 0.6).
     const glm::dvec3 n(0, 0.8, 0.6);
     const glm::dvec3 v(0.7, -3, 0.4);
     const glm::dvec3 start = n * 0.35 - v * 0.05;
     auto twin = oneBeside(rod, glm::vec3(start), glm::vec3(v), glm::vec3(0), bounce, 0.05F);
     for (int frame = 0; frame < 12; ++frame) twin.step(frame * collideFrame);
     const glm::dvec3 expected = v - (1.0 + bounce) * glm::dot(v, n) * n;
-    // What a substep goes into the rod before it is felt turns the normal a little.
+    // The penetration in the substep before the contact rotates the normal a little.
     CHECK(glm::length(glm::dvec3(twin.velocities[0]) - expected) < 0.03);
     if (bounce == 1) CHECK(glm::length(glm::dvec3(twin.velocities[0])) == doctest::Approx(glm::length(v)));
   }
@@ -77,7 +77,7 @@ TEST_CASE("collide: on a slope Coulomb's law holds a particle below its angle, a
     CAPTURE(degrees);
     auto slope = smoothShape(sim::ColliderShape::Kind::plane, 0);
     slope.rotation = glm::vec3(0, 0, degrees);
-    slope.friction = 0.5;  // 26.6 degrees
+    slope.friction = 0.5;  // friction coefficient, the tangent of 26.6 degrees
     const double angle = degrees * M_PI / 180;
     const glm::dvec3 normal(-std::sin(angle), std::cos(angle), 0);
     auto twin = oneBeside(slope, glm::vec3(normal * 0.02), glm::vec3(0), {0, -9.81F, 0}, 0, 0.02F);

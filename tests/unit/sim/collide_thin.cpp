@@ -1,4 +1,4 @@
-// Rods and balls thinner than a cloth's mesh is wide do not pass between its vertices.
+// Rods and spheres thinner than the cell width of a cloth must not pass between its vertices.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 
@@ -16,12 +16,12 @@ constexpr double thinFrame = 1.0 / 60.0;
 
 enum class ThinCloth { springs, constraints, mesh };
 
-/// A sheet of 1 m that hangs in the plane z = 0, from y = 0.5 at its top, 5 cm between its vertices.
+/// A hanging sheet of 1 m in the plane z = 0, top at y = 0.5, with vertices 5 cm apart.
 sim::ClothParameters hangingSheet(ThinCloth kind) {
   sim::ClothParameters p;
   p.size = {21, 21};
   p.spacing = 0.05F;
-  p.rotation = glm::vec3(90, 0, 0);  // rows go down
+  p.rotation = glm::vec3(90, 0, 0);  // rotated so that the rows go down
   p.wind = glm::vec3(0);
   p.margin = 0.005F;
   p.damping = 0.3F;
@@ -62,7 +62,7 @@ sim::ColliderShape flying(float radius, float length, const glm::vec3& turn, con
   return rod;
 }
 
-/// Distance of two segments in float64, by trying: the least along the first of the distances to the other.
+/// Returns the distance of two segments in double precision, by a search along the first segment.
 double segmentsApart(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   const auto toSecond = [&](double s) {
     const glm::dvec3 p = a + s * (b - a);
@@ -70,7 +70,7 @@ double segmentsApart(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
     const double t = squared > 0 ? std::clamp(glm::dot(p - c, d - c) / squared, 0.0, 1.0) : 0;
     return glm::length(p - c - t * (d - c));
   };
-  double low = 0, high = 1;  // it is convex in s
+  double low = 0, high = 1;  // ternary search, because the distance is convex in s
   for (int i = 0; i < 25; ++i) {
     const double first = low + (high - low) / 3;
     const double second = high - (high - low) / 3;
@@ -79,7 +79,7 @@ double segmentsApart(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
   return toSecond(0.5 * (low + high));
 }
 
-/// Whether the segment p-q goes through a triangle.
+/// True if the segment p-q crosses a triangle.
 bool goesThrough(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const glm::dvec3& b,
                  const glm::dvec3& c) {
   const auto volume = [](const glm::dvec3& w, const glm::dvec3& x, const glm::dvec3& y,
@@ -113,13 +113,13 @@ Triples facesOf(GarmentTwin& twin) {
 }
 
 struct Passage {
-  double nearest = 1e9;  ///< m, of an edge to the axis
-  bool through = false;  ///< whether the axis went through a face
-  bool ahead = true;     ///< whether the cloth stayed before the middle
-  double fastest = 0;    ///< m/s, of the vertices
+  double nearest = 1e9;  ///< distance (m) of the nearest edge to the axis
+  bool through = false;  ///< true if the axis crossed a face
+  bool ahead = true;     ///< true if the cloth stayed in front of the middle
+  double fastest = 0;    ///< maximum speed of the vertices, m/s
 };
 
-/// After each substep of some frames.
+/// Simulates some frames and measures after each substep.
 template <class Twin>
 Passage flyInto(Twin twin, int frames) {
   Passage passage;
@@ -149,7 +149,7 @@ Passage flyInto(Twin twin, int frames) {
   return passage;
 }
 
-/// The twins differ in what a substep takes.
+/// Makes both twins' substep() take the same arguments.
 struct SheetTwin : ClothTwin {
   using ClothTwin::ClothTwin;
   void substep(const shader::ClothStep& step, int index) { ClothTwin::substep(step, 1, index); }
@@ -167,7 +167,7 @@ Passage flyInto(ThinCloth kind, const sim::ColliderShape& rod, int frames) {
 TEST_CASE("collide: a rod of 2 cm at 10 m/s does not pass a sheet of 5 cm spacing") {
   for (const ThinCloth kind : {ThinCloth::springs, ThinCloth::constraints, ThinCloth::mesh}) {
     CAPTURE(static_cast<int>(kind));
-    // Half way between two rows; aslant; and a short one, whose ends are within the sheet.
+    // Midway between two rows; slanted; and a short rod whose ends are within the sheet.
     for (const auto& rod : std::vector<std::pair<float, glm::vec3>>{
              {1.6F, {0, 0, 90}}, {1.6F, {0, 0, 60}}, {0.33F, {0, 0, 90}}, {0.33F, {0, 20, 75}}}) {
       const float length = rod.first;
@@ -206,7 +206,7 @@ TEST_CASE("collide: only what is thin beside the spacing is taken by edges and f
   plane.kind = sim::ColliderShape::Kind::plane;
   CHECK(thinAmong({flying(0.019F, 1, {}, {}, 0), plane, flying(0.021F, 1, {}, {}, 0)}) == 1);
   CHECK(thinAmong({flying(0.029F, 0, {}, {}, 0), flying(0.031F, 0, {}, {}, 0)}) == 1);
-  // They come last, the others in their order.
+  // Thin shapes come last, the others keep their order.
   const auto step =
       sim::ClothPlan(p, 5, thinFrame, {flying(0.01F, 1, {}, {}, 0), flying(0.3F, 1, {}, {}, 0), plane})
           .frame(0)

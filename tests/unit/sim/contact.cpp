@@ -66,14 +66,13 @@ TEST_CASE("closest points of a vertex and a face, and of two edges, against floa
   const auto point = [&] { return glm::vec3(unit(random), unit(random), unit(random)); };
   for (int i = 0; i < 20000; ++i) {
     glm::vec3 a = point(), b = point(), c = point(), d = point();
-    if (i % 3 == 1) c = a + (b - a) * 0.4F + point() * 0.02F;  // slivers, and edges that nearly meet
+    if (i % 3 == 1) c = a + (b - a) * 0.4F + point() * 0.02F;  // makes slivers, and edges that nearly meet
     if (i % 3 == 2) d = a + point() * 0.01F;
     const Near vertex = model.nearOfVertex({0, 1, 2, 3}, d, a, b, c);
     CHECK(vertex.normal.w == doctest::Approx(pointToTriangle(d, a, b, c)).epsilon(1e-4).scale(0.01));
     const Near edges = model.nearOfEdges({0, 1, 2, 3}, a, b, c, d);
     CHECK(edges.normal.w == doctest::Approx(segmentToSegment(a, b, c, d)).epsilon(1e-4).scale(0.01));
-    // The slab between them has the width that is said, to 1e-3 of the edges where these are nearly
-    // parallel.
+    // The gap between them has the stated width, to 1e-3 of the edges' length if these are nearly parallel.
     const glm::vec4 heights = model.heightsOf(edges, a, b, c, d);
     CHECK(model.gapOf(edges, heights) == doctest::Approx(edges.normal.w).epsilon(1e-3).scale(1));
   }
@@ -137,8 +136,9 @@ TEST_CASE("contact between cloths keeps momentum") {
   }
   const glm::dvec3 lowers = momentumOf(*pile.cloths[0]);
   const glm::dvec3 after = lowers + momentumOf(*pile.cloths[1]);
-  CHECK(lowers.y < 0.3 * before.y);  // much of it was handed over: both are negative
-  CHECK(glm::length(after - before) < 8e-3 * glm::length(before));  // what is held back gives none on
+  CHECK(lowers.y < 0.3 * before.y);  // much of the momentum was transferred: both values are negative
+  CHECK(glm::length(after - before) <
+        8e-3 * glm::length(before));  // limiting the corrections loses some momentum
 }
 
 TEST_CASE("a stack of cloths comes to rest, a thickness apart") {
@@ -197,7 +197,7 @@ TEST_CASE("what goes through each other at the start is counted as trying every 
   std::mt19937 random(3);
   std::uniform_real_distribution<float> unit(-1, 1);
   for (const float size :
-       {0.05F, 0.2F, 0.6F}) {  // of triangles in a cube of 2 m, three of which share a corner
+       {0.05F, 0.2F, 0.6F}) {  // sizes of triangles in a cube of 2 m; three of them share a corner
     sim::ContactPart part;
     std::vector<glm::dvec3> points;
     for (unsigned i = 0; i < 300; ++i) {
@@ -263,9 +263,11 @@ TEST_CASE("a ball that flies into a loose sheet keeps momentum with it, and does
     for (int f = 0; f < 4; ++f) pile.step();
     const glm::dvec3 sheets = momentumOf(*pile.cloths[0]), after = sheets + ballMomentum();
     CHECK(sheets.y < 0.15 * before.y);
-    // What holds the sheet back in the hardest steps takes a hundredth from the heavy ball and the sheet.
+    // In the hardest steps, limiting the corrections loses a hundredth of the momentum of the heavy ball
+    // and the sheet.
     CHECK(glm::length(after - before) < 1.5e-2 * glm::length(before));
-    double highest = -10;  // of what is around it: the ball is above, and does not touch
+    double highest =
+        -10;  // highest point of the sheet around the ball; the ball is above and does not touch it
     for (const glm::vec4& p : pile.cloths[0]->positions)
       if (glm::length(glm::dvec2(p.x - pile.balls->positions[0].x, p.z - pile.balls->positions[0].z)) <
           0.03)
@@ -287,7 +289,7 @@ TEST_CASE("a ball hangs in a strip: what it weighs is carried by the tension on 
   Pile pile({strip}, {}, 0.004F, 0.3F, {}, &ball);
   for (int f = 0; f < 90; ++f) pile.step();
   CHECK(std::abs(pile.balls->velocities[0].y) < 0.01);
-  // 2 T d / l = m g of the ball and half of the strip, T = k w (l - L) / L, l^2 = L^2 + d^2.
+  // Equilibrium of the ball and half of the strip: 2 T d / l = m g, T = k w (l - L) / L, l^2 = L^2 + d^2.
   const double weight = 9.8 * (mass + 0.5 * density * 2 * half * width);
   double low = 0, high = half;
   for (int i = 0; i < 60; ++i) {

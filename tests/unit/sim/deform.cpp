@@ -1,5 +1,5 @@
-// The deformation's model on the CPU: heights and normals against their formulas, faces around vertices,
-// and one clear line for each mistake.
+// The deformation model on the CPU: heights and normals compared with their formulas, faces around
+// vertices, and one clear line for each error.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "sim/mesh/deform_cpu.hpp"
@@ -65,7 +65,8 @@ TEST_CASE("the ripple's heights and normals are those of its formula, also after
       const double r = std::hypot(rest.x, rest.z);
       const double phase = time * 2.0 + 6.0 - r;
       worstHeight = std::max(worstHeight, std::abs(0.25 * std::sin(phase) - d.cpu.positions()[i].y));
-      // y = A sin(.. - r): the gradient is -A cos(.. - r) (x, z) / r; away from the tip and the border.
+      // For y = A sin(.. - r) the gradient is -A cos(.. - r) (x, z) / r; tested away from the centre and
+      // the border.
       if (r < 0.5 || std::max(std::abs(rest.x), std::abs(rest.z)) > 3.9) continue;
       const double slope = -0.25 * std::cos(phase) / r;
       const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope * rest.x, 1, -slope * rest.z));
@@ -161,8 +162,8 @@ TEST_CASE(
     CHECK(torus.cpu.normals()[row * 31] == torus.cpu.normals()[row * 31 + 30]);
   for (std::size_t i = 0; i < 31; ++i) CHECK(torus.cpu.normals()[i] == torus.cpu.normals()[16 * 31 + i]);
 
-  // Two triangles that share an edge with a third and a fourth (non-manifold), one of no area, a lone
-  // vertex.
+  // Two triangles that share an edge with a third and a fourth (non-manifold), one degenerate triangle, an
+  // isolated vertex.
   sim::Mesh odd;
   odd.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}, {0, -1, 0}, {5, 5, 5}, {0.5F, 0, 0}};
   odd.normals.assign(7, glm::vec3(0, 1, 0));

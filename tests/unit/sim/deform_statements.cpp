@@ -1,6 +1,6 @@
-// Every displacement against a second statement of its equation in double: the twin compiles the shaders'
-// own, so that a mistake in it is in both. Also at what the guards are for: points on an axis, below a
-// base, beside a trail.
+// Compares every displacement with an independent implementation of its equation in double precision,
+// because the twin compiles the shaders and would repeat their errors. Includes points that need special
+// handling: on an axis, below a base, beside a trail.
 #include "sim/mesh/deform_cpu.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using glm::dvec3;
 
 namespace {
 
-/// Points all about the origin, the origin itself, and one far away.
+/// Points around the origin, the origin itself, and a distant point.
 sim::Mesh cloud() {
   sim::Mesh mesh;
   for (int i = 0; i < 400; ++i) {
@@ -40,7 +40,7 @@ shader::DeformStep stepOf(const std::vector<int>& kinds) {
   return step;
 }
 
-/// The largest distance between where the twin puts a point of the cloud and where `expected` has it.
+/// Returns the maximum distance between the twin's displaced points and `expected`.
 double apart(const shader::DeformStep& step, const std::function<dvec3(dvec3 rest)>& expected,
              const std::vector<glm::vec4>& trail = {}) {
   const sim::Mesh mesh = cloud();
@@ -51,7 +51,7 @@ double apart(const shader::DeformStep& step, const std::function<dvec3(dvec3 res
   double worst = 0;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const double distance = glm::length(dvec3(cpu.positions()[i]) - expected(mesh.positions[i]));
-    worst = distance <= worst ? worst : distance;  // what is no number stays
+    worst = distance <= worst ? worst : distance;  // keeps a NaN, unlike std::max
   }
   return worst;
 }
@@ -138,7 +138,7 @@ TEST_CASE(
     step.displacements[0].push.base = -0.5F;
     step.displacements[0].push.perHeight = perHeight;
     step.presserCount = 2;
-    // The first has the origin, which is a point of the cloud, on its axis.
+    // The first presser's axis contains the origin, which is a point of the cloud.
     step.pressers[0] = presserOf({-0.8F, 0, 0}, {0.8F, 0, 0}, 0.5F);
     step.pressers[1] = presserOf({0, 1, 1}, {0, 1, 1}, 0.6F);
     int moved = 0;
@@ -202,10 +202,13 @@ TEST_CASE("deform: prints are as deep as what presses, their rims fall off besid
   step.trail.rim = 0.4F;
   step.trail.perRimWidth = 4;
   step.presserCount = 4;
-  step.pressers[0] = presserOf({-1, 0.35F, -1}, {-1, 0.35F, -1}, 0.4F);      // reaches 0.15 in
-  step.pressers[1] = presserOf({1, -0.2F, 0.5F}, {1, -0.2F, 0.5F}, 0.515F);  // its middle below the surface
-  step.pressers[2] = presserOf({-1, 0.5F, 0.8F}, {0.4F, 0.1F, 1.2F}, 0.3F);  // a capsule that goes in
-  step.pressers[3] = presserOf({0.5F, 1.5F, -1}, {0.5F, 0.3F, -1}, 0.25F);   // one that stands
+  // a sphere that penetrates the surface by 0.15
+  step.pressers[0] = presserOf({-1, 0.35F, -1}, {-1, 0.35F, -1}, 0.4F);
+  // a sphere whose centre is below the surface
+  step.pressers[1] = presserOf({1, -0.2F, 0.5F}, {1, -0.2F, 0.5F}, 0.515F);
+  step.pressers[2] =
+      presserOf({-1, 0.5F, 0.8F}, {0.4F, 0.1F, 1.2F}, 0.3F);  // a capsule that penetrates the surface
+  step.pressers[3] = presserOf({0.5F, 1.5F, -1}, {0.5F, 0.3F, -1}, 0.25F);  // a vertical capsule
   const sim::Mesh mesh = cloud();
   const sim::RestMesh rest("cloud", mesh);
   sim::DeformCpu cpu(rest, cells);

@@ -1,5 +1,5 @@
-// Damping of stretch against closed forms: what vibrates decays at T w^2 / 2, what moves without stretching
-// does not.
+// Compares the damping of stretch with closed forms: a vibration decays at the rate T w^2 / 2, and motion
+// without stretching is not damped.
 #include "reference/cloth_twin.hpp"
 #include "reference/garment_twin.hpp"
 #include "unit/help.hpp"
@@ -17,12 +17,12 @@ using namespace simreel;
 
 namespace {
 
-constexpr double stripLength = 0.5;  // m
+constexpr double stripLength = 0.5;  // length of the strip, m
 constexpr double stripStiffness = 40;
 constexpr double stripDensity = 0.1;
-constexpr double stripDamping = 0.008;  // s
+constexpr double stripDamping = 0.008;  // damping time T of the strip, s
 
-/// A strip along x of a fabric that is held at its left end.
+/// A fabric strip along x, held at its left end.
 sim::ClothParameters dampedStrip(bool mesh, int cells) {
   sim::ClothParameters p = test::freeCloth();
   p.hasMesh = mesh;
@@ -43,11 +43,11 @@ sim::ClothParameters dampedStrip(bool mesh, int cells) {
   return p;
 }
 
-/// 1/s: at which the first longitudinal mode of the strip of so many cells decays, by its energy over two
-/// periods, as a ratio to T w^2 / 2. An implicit step damps by itself as much as T = dt does.
+/// Returns the decay rate (1/s) of the strip's first longitudinal mode, from its energy over two periods,
+/// relative to T w^2 / 2. An implicit step adds as much damping as T = dt.
 template <class Twin>
 double decayOf(Twin twin, double dt, int cells) {
-  // Of a row of masses that is held at one end.
+  // For a row of masses held at one end.
   const double frequency = 2 * cells / stripLength * std::sqrt(stripStiffness / stripDensity) *
                            std::sin(0.25 * std::numbers::pi / cells);
   const std::vector<glm::vec4> rest = twin.positions;
@@ -78,7 +78,7 @@ double decayOf(Twin twin, double dt, int cells) {
   return 0.5 * std::log(first / energy()) / (steps * dt) / expected;
 }
 
-/// Of a free sheet that spins about a tilted axis and travels, after half a second.
+/// Checks a free sheet that spins about a tilted axis and moves, after half a second.
 template <class Twin>
 void checkSpin(Twin twin, const std::vector<double>& masses) {
   const glm::dvec3 spin(1.5, 2, -3);
@@ -102,7 +102,8 @@ void checkSpin(Twin twin, const std::vector<double>& masses) {
   const Motion before = motion();
   for (int step = 0; step < 500; ++step) twin.step(step * 1e-3);
   const Motion after = motion();
-  CHECK(glm::distance(after.linear, before.linear) < 3e-3 * glm::length(before.linear));  // roundings
+  // tolerance for rounding errors
+  CHECK(glm::distance(after.linear, before.linear) < 3e-3 * glm::length(before.linear));
   CHECK(glm::distance(after.angular, before.angular) < 0.003 * glm::length(before.angular));
   CHECK(after.energy == doctest::Approx(before.energy).epsilon(0.004).scale(0));
 }
@@ -119,7 +120,8 @@ TEST_CASE("fabric: a stretched strip's vibration decays at stretchDamping w^2 / 
   const double gridStep = 2e-4;
   const ClothTwin grid(sim::ClothPlan(dampedStrip(false, 16), 1, gridStep, {}));
   CHECK(decayOf(grid, gridStep, 16) == doctest::Approx(1).epsilon(0.03));
-  const double meshStep = 2e-4;  // faces are relaxed once a step, so they damp fully where steps are short
+  const double meshStep =
+      2e-4;  // a step solves the faces only once, so the damping is only complete for short steps
   const GarmentTwin mesh(sim::GarmentPlan("strip", dampedStrip(true, 4), 1, meshStep, {}));
   CHECK(decayOf(mesh, meshStep, 4) == doctest::Approx(1).epsilon(0.03));
 }

@@ -1,4 +1,4 @@
-// Skins may name every object that publishes a field.
+// Skins may refer to every object that publishes a field.
 #include "scene/scene.hpp"
 #include "scene/texts/help_page.hpp"
 #include "scene/texts/schema_text.hpp"
@@ -20,7 +20,7 @@ TEST_CASE("every kind that has a field says so") {
     object.parameters = kind.makeParameters();
     if (sim::provides(object, sim::FieldSource::port)) fields.insert(kind.name);
   }
-  std::set<std::string> displayed;  // what can be laid over the picture is a field
+  std::set<std::string> displayed;  // kinds that can be drawn over the picture publish a field
   for (const scene::Kind& kind : sim::kinds().list)
     if (scene::helpText(kind.name, sim::kinds().list, 100).find("\ndisplay") != std::string::npos ||
         scene::helpText(kind.name, sim::kinds().list, 100).find("\n  display") != std::string::npos)

@@ -1,5 +1,5 @@
-// Line integral convolution of a fluid against its equation in double precision, and what soft brushes
-// leave.
+// Compares line integral convolution of a fluid with its equation in double precision; also tests the
+// result of soft brushes.
 #include "reference/fluid_twin.hpp"
 #include "sim/core/shader_code.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int lineCells = 24, lineFine = 3;
 
-/// A fluid at rest but for `velocity` at the middles of its faces.
+/// A fluid with the given `velocity` at the centres of its faces.
 template <class Velocity>
 FluidTwin movedBy(const Velocity& velocity) {
   sim::FluidParameters p;
@@ -63,7 +63,7 @@ double lineOf(glm::dvec2 p, double phase, const Velocity& velocity) {
 }  // namespace
 
 TEST_CASE("lines of flow are the noise's weighted means along them, in double precision") {
-  // Round a point beside the middle: linear, so that interpolation is exact.
+  // Rotation about a point beside the middle: linear, so interpolation is exact.
   const auto turning = [](double x, double y) {
     return glm::vec2(static_cast<float>(-3 * (y - 10.7)), static_cast<float>(3 * (x - 13.2)));
   };
@@ -79,7 +79,8 @@ TEST_CASE("lines of flow are the noise's weighted means along them, in double pr
     for (int x = 12; x < side - 12; ++x) {
       const glm::dvec2 at((x + 0.5) / lineFine, (y + 0.5) / lineFine);
       const double found = static_cast<double>(lines[static_cast<std::size_t>(y * side + x)]);
-      // Now and then rounding puts a place of a line into the next grain: there one of 53 differs.
+      // Occasionally rounding moves a point of a line into the next noise cell, so that one of 53 samples
+      // differs.
       apart += std::abs(found - lineOf(at, phase, turning)) > 1e-3 ? 1 : 0;
       ++looked;
       least = std::min(least, found);
@@ -103,7 +104,7 @@ TEST_CASE("lines of an even flow are alike along it and not across") {
       along += std::abs(at(x, y) - at(x - 1, y));
       across += std::abs(at(x, y) - at(x, y - 1));
     }
-  CHECK(across > 2 * along);  // of noise it is the same
+  CHECK(across > 2 * along);  // the lines vary faster across the flow than along it, unlike pure noise
 }
 
 TEST_CASE("a soft brush leaves all within and fades to nothing on its rim, as 3 s^2 - 2 s^3 of squares") {

@@ -1,4 +1,4 @@
-// Fluids against closed forms and published tables.
+// Compares fluids with closed forms and published tables.
 #include "reference/fluid_flows.hpp"
 #include "reference/fluid_twin.hpp"
 
@@ -33,8 +33,8 @@ double fluidEnergy(const FluidTwin& twin) {
   return sum;
 }
 
-/// Taylor-Green vortices of size 1 at speed 1, Re 100, on n x n cells until a third of the energy is gone:
-/// how far off the energy's decay is, as a share of it, and the greatest error of u over the speed.
+/// Taylor-Green vortices of size 1 at speed 1, Re 100, on n x n cells until a third of the energy is lost:
+/// the relative error of the energy's decay, and the maximum error of u relative to the speed.
 struct Vortices {
   double decay, error;
 };
@@ -42,7 +42,7 @@ Vortices taylorGreen(int n) {
   const double k = 2 * std::numbers::pi / n;
   const double nu = 0.01 * n * n;
   const double seconds = 0.256;
-  const int steps = 300 * n * n / 1024;  // dt ~ h^2
+  const int steps = 300 * n * n / 1024;  // number of steps, with dt proportional to h^2
   auto p = calmFluid(n, n);
   p.left.kind = p.right.kind = p.top.kind = p.bottom.kind = Side::periodic;
   p.viscosity = static_cast<float>(nu);
@@ -68,7 +68,7 @@ Vortices taylorGreen(int n) {
   return {std::abs(got / wanted - 1), error / n};
 }
 
-/// flows::ghiaError of an n x n cavity after `turns` of its lid.
+/// Returns flows::ghiaError of an n x n cavity after `turns` passes of its lid.
 double cavityError(int n, double reynolds, double turns) {
   const double seconds = 0.25;
   FluidTwin twin(sim::FluidPlan(flows::cavity(n, reynolds), "cavity", 1, seconds));

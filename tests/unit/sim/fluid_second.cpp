@@ -1,5 +1,5 @@
-// One step of each of a fluid's kernels against its equations stated a second time, in double and another
-// way: u and v are functions of places between walls, no array of them has a ring.
+// Compares one step of each fluid kernel with an independent implementation of its equations in double
+// precision: u and v are functions of position between walls, without arrays with border rings.
 #include "reference/fluid_twin.hpp"
 
 #include <algorithm>
@@ -16,11 +16,11 @@ namespace {
 
 using Plane = std::function<double(int, int)>;
 
-/// A flow between no-slip walls, of which the top one moves.
+/// A flow between no-slip walls; the top wall moves.
 struct Walled {
   int w, h;
   double lid;
-  Plane inU, inV;  ///< of the faces that there are
+  Plane inU, inV;  ///< velocities of the existing faces
 
   [[nodiscard]] double u(int x, int y) const {
     if (y < 0) return 2 * lid - u(x, 0);
@@ -59,14 +59,14 @@ Spot wentTo(const Walled& f, Spot p, double dt) {
   return heldSpot(f, {p.x + v.x * dt, p.y + v.y * dt});
 }
 
-/// Where it was, by the velocity there.
+/// Returns the departure point, using the velocity at the midpoint.
 Spot cameFrom(const Walled& f, Spot p, double dt) {
   const Spot v = velocity(f, wentTo(f, p, -dt));
   return heldSpot(f, {p.x - v.x * dt, p.y - v.y * dt});
 }
 
-/// Second difference along a line of `count` nodes; at `wall` speeds half a node beyond both ends: the
-/// parabola through the wall and two nodes.
+/// Returns the second difference along a line of `count` nodes, with the walls' speeds half a node beyond
+/// both ends: the parabola through the wall and two nodes.
 double bend(const std::function<double(int)>& node, int i, int count, double first, double last) {
   if (i == 0) return 8.0 / 3 * first - 4 * node(0) + 4.0 / 3 * node(1);
   if (i == count - 1) return 8.0 / 3 * last - 4 * node(i) + 4.0 / 3 * node(i - 1);
@@ -81,7 +81,7 @@ double friction(const Walled& f, bool alongX, int x, int y) {
          bend([&](int i) { return f.v(i, y); }, x, f.w, 0, 0);
 }
 
-/// MacCormack with its limiter for u (`alongX`) or v; `ahead` is the flow carried along once.
+/// MacCormack with its limiter for u (`alongX`) or v; `ahead` is the flow advected once.
 double macCormack(const Walled& f, const Walled& ahead, bool alongX, int x, int y, double dt) {
   const Spot place = alongX ? Spot{double(x), y + 0.5} : Spot{x + 0.5, double(y)};
   const auto sample = [&](const Walled& of, Spot p) {
@@ -114,7 +114,7 @@ sim::FluidParameters walledBath(int w, int h) {
   return p;
 }
 
-/// The twin's flow as functions of places.
+/// Returns the twin's flow as functions of position.
 Walled walled(const FluidTwin& twin, const std::vector<glm::vec4>& flow, double lid) {
   return {twin.plan().size().x, twin.plan().size().y, lid,
           [&](int x, int y) -> double { return flow[twin.index(x, y)].x; },
@@ -144,9 +144,8 @@ TEST_CASE("fluid: advection, friction, pressure, lift and confinement are their 
     return start.v(x, y) - start.v(x - 1, y) - start.u(x, y) + start.u(x, y - 1);
   };
   int lessened = 0;
-  // epsilon (N x omega), N = grad |omega| / |grad |omega||: along a face between the corners a and b, whose
-  // neighbours before and after are given.
-  // Less of it from half of the speed that is expected.
+  // Vorticity confinement epsilon (N x omega), N = grad |omega| / |grad |omega||: for a face between the
+  // corners a and b, with their neighbours before and after. Reduced above half of the expected speed.
   const auto confined = [&](double a, double b, double before, double after, int x, int y) {
     const double along = std::abs(b) - std::abs(a), across = (after - before) / 2;
     const double fastest = std::max(std::abs(start.u(x, y)), std::abs(start.v(x, y)));
@@ -158,7 +157,7 @@ TEST_CASE("fluid: advection, friction, pressure, lift and confinement are their 
   const auto heat = [&](int x, int y) -> double {
     return flow[twin.index(std::clamp(x, 0, w - 1), std::clamp(y, 0, h - 1))].z;
   };
-  // After half of the forces, and confinement.
+  // The flow after half of the forces, and confinement.
   Walled f = start;
   f.inU = [&](int x, int y) {
     if (!inside(y, x, w)) return start.u(x, y);
@@ -176,7 +175,7 @@ TEST_CASE("fluid: advection, friction, pressure, lift and confinement are their 
     return start.v(x, y) +
            dt * (half - confined(curl(x, y), curl(x + 1, y), mean(y - 1), mean(y + 1), x, y));
   };
-  // Evaluated once: everything after asks for them many times.
+  // Caches the values, because later stages read them many times.
   const auto kept = [&](const Plane& of) {
     auto values = std::make_shared<std::vector<double>>();
     for (int y = 0; y <= h; ++y)
@@ -244,7 +243,7 @@ TEST_CASE(
   twin.paint(0, 1);
   const std::vector<glm::vec4> before = twin.flow;
   twin.project();
-  // How much of a face lies off the circle: the chord between its ends, in double.
+  // Fraction of a face outside the circle: the chord between its ends, in double precision.
   const auto off = [](double x, double y) {
     return std::sqrt((x - 12) * (x - 12) + (y - 6) * (y - 6)) - 2.5;
   };
@@ -254,7 +253,7 @@ TEST_CASE(
   };
   const auto openX = [&](int x, int y) { return x == 0 ? 0 : share(off(x, y), off(x, y + 1)); };
   const auto openY = [&](int x, int y) { return y == 0 || y == h ? 0 : share(off(x, y), off(x + 1, y)); };
-  // SOR, in double; beyond the open side phi = 0, half a cell away.
+  // SOR in double precision; at the open side phi = 0 half a cell outside.
   std::vector<double> phi(static_cast<std::size_t>(w * h));
   const auto at = [&](int x, int y) -> double& { return phi[static_cast<std::size_t>(y * w + x)]; };
   const auto flowAt = [&](int x, int y) { return glm::dvec4(before[twin.index(x, y)]); };
@@ -299,7 +298,7 @@ TEST_CASE("fluid: a pass of dye is van Leer's scheme in double") {
   const auto q = [&](int x, int y) -> double {
     return dye[twin.index(std::clamp(x, 0, w - 1), std::clamp(y, 0, h - 1))].x;
   };
-  // Downwind, here and upwind of the face's donor.
+  // Downwind, local and upwind cells of the face's donor.
   const auto flux = [](double way, double up, double here, double down) {
     const double a = here - up, b = down - here;
     const double slope =

@@ -1,4 +1,4 @@
-// Obstacles in fluids: what their cut faces add up to, pictures, pockets, and what moves.
+// Obstacles in fluids: sums over cut faces, pictures, pockets, and moving obstacles.
 #include "reference/fluid_twin.hpp"
 #include "sim/fluid/quantities.hpp"
 
@@ -40,7 +40,7 @@ scene::Animated<glm::vec3> moving(glm::vec3 from, glm::vec3 to, double seconds) 
   return {{{0.0, from}, {seconds, to}}, scene::Ease::linear};
 }
 
-/// Coverage of pixels by a ring around the middle, 8x8 samples each.
+/// Returns the coverage of pixels by a ring around the middle, with 8x8 samples each.
 std::vector<double> ringPicture(int side, double inner, double outer) {
   std::vector<double> levels;
   for (int y = 0; y < side; ++y)
@@ -68,7 +68,7 @@ TEST_CASE("fluid obstacles: cut faces close, and a pressure that rises evenly fi
       p.obstacles[0].turn = 33;
       area = 21 * 9.5;
     }
-    p.obstaclesSlip = true;  // no friction
+    p.obstaclesSlip = true;  // obstacles without friction
     const sim::FluidPlan plan(p, "bath", 1, 0.01);
     const auto solids = plan.solidsAt(0, 0);
     std::vector<glm::vec4> flow(static_cast<std::size_t>(plan.elements()), glm::vec4(0, 0, 0, 1));
@@ -107,7 +107,7 @@ TEST_CASE("fluid obstacles: a piston squeezes one pocket as it widens the other,
   p.obstaclesSlip = true;
   p.speed = 10;
   p.obstacles = {boxAt({0, 0, 0}, 6.5F, 30)};
-  p.obstacles[0].center = moving({20, 4.5F, 0}, {36, 4.5F, 0}, 2);  // 8 cells/s
+  p.obstacles[0].center = moving({20, 4.5F, 0}, {36, 4.5F, 0}, 2);  // the obstacle moves at 8 cells/s
   const double dt = 0.05;
   FluidTwin twin(sim::FluidPlan(p, "bath", 1, dt));
   for (int i = 0; i < 12; ++i) {
@@ -136,7 +136,8 @@ TEST_CASE(
   p.viscosity = 9.0F;
   sim::FluidObstacle drum = ballAt(18.3F, 17.6F, 0);
   drum.shape = sim::FluidObstacle::Shape::image;
-  drum.turn = scene::Animated<float>({{0.0, 0.0F}, {100.0, 5729.578F}}, scene::Ease::linear);  // 1 rad/s
+  // the drum rotates at 1 rad/s
+  drum.turn = scene::Animated<float>({{0.0, 0.0F}, {100.0, 5729.578F}}, scene::Ease::linear);
   p.obstacles = {drum};
   const double dt = 0.02;
   const double radius = 8.7;
@@ -156,7 +157,7 @@ TEST_CASE(
     }
   MESSAGE("off by ", worst, " of ", radius, " cells/s");
   CHECK(worst < 0.005 * radius);
-  CHECK(pressure < 2 * radius * radius);  // its mean does not drift
+  CHECK(pressure < 2 * radius * radius);  // checks that the mean pressure does not drift
 }
 
 TEST_CASE("fluid tiles: each is in one list, and those in the open see whole faces only") {

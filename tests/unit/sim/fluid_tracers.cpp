@@ -1,4 +1,4 @@
-// Tracers against closed forms.
+// Compares tracers with closed forms.
 #include "reference/tracers_twin.hpp"
 
 #include <cmath>
@@ -7,8 +7,8 @@
 
 using namespace simreel;
 
-// A turning body of fluid, u = w x r, which bilinear sampling has exactly: a tracer goes round in a circle.
-// The midpoint rule is early by w^3 dt^3 / 6 a step and goes outward by w^4 dt^4 / 8 of the radius.
+// Solid-body rotation u = w x r, which bilinear sampling reproduces exactly: a tracer moves in a circle.
+// The midpoint rule leads by w^3 dt^3 / 6 per step and moves outward by w^4 dt^4 / 8 of the radius.
 TEST_CASE("tracers: in a turning flow they go round in circles") {
   const glm::ivec2 size(64, 64);
   const double w = 2;
@@ -24,7 +24,7 @@ TEST_CASE("tracers: in a turning flow they go round in circles") {
                    1.0 / 60);
   std::vector<glm::dvec2> before;
   for (glm::vec4& tracer : twin.tracers) {
-    // Within the circle that the rectangle holds.
+    // Within the inscribed circle of the rectangle.
     tracer.x = 32 + 0.6F * (tracer.x - 32);
     tracer.y = 32 + 0.6F * (tracer.y - 32);
     before.emplace_back(tracer.x - 32.0, tracer.y - 32.0);
@@ -43,7 +43,7 @@ TEST_CASE("tracers: in a turning flow they go round in circles") {
   }
 }
 
-// What is drawn is as long as the way: 4096 units a cell, less what is cut off to whole units.
+// The drawn streak is as long as the path: 4096 units per cell, minus truncation to integers.
 TEST_CASE("tracers: a streak has the units of its length") {
   const glm::ivec2 size(90, 40);
   WindTwin wind{sim::fluidWindGrid({}, size)};
@@ -79,7 +79,7 @@ TEST_CASE("tracers: none begins in an obstacle, and one that enters an obstacle 
     for (const glm::vec4& t : twin.tracers) count += t.x >= 15 && t.x < 22 ? 1 : 0;
     return count;
   };
-  CHECK(inSolid() <= 2);  // four tries: (7 / 40)^4 of 300 have none
+  CHECK(inSolid() <= 2);  // four attempts: (7 / 40)^4 of 300 find no free cell
   for (int i = 0; i < 30; ++i) twin.advance(wind);
   CHECK(inSolid() <= 4);
   int anew = 0;

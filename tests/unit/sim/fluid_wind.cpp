@@ -1,4 +1,4 @@
-// A fluid as the wind of others, against closed forms.
+// Compares a fluid used as wind with closed forms.
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -17,7 +17,7 @@ using namespace simreel;
 
 namespace {
 
-/// u and v of a cell by its own place in the fluid (cells).
+/// Makes a wind from u and v as functions of the position in the fluid (cells).
 template <class Velocity>
 WindTwin windOf(const sim::FluidPlane& plane, glm::ivec2 size, const Velocity& velocity) {
   WindTwin wind{sim::fluidWindGrid(plane, size)};
@@ -27,7 +27,7 @@ WindTwin windOf(const sim::FluidPlane& plane, glm::ivec2 size, const Velocity& v
   return wind;
 }
 
-/// Particles at rest at these places, which are lost in thin air but for the wind.
+/// Particles at rest at these positions, affected only by the wind.
 ParticlesTwin seedsIn(const WindTwin& wind, const std::vector<glm::vec3>& places, float drag,
                       float damping) {
   sim::ParticleParameters p;
@@ -49,8 +49,8 @@ ParticlesTwin seedsIn(const WindTwin& wind, const std::vector<glm::vec3>& places
 
 }  // namespace
 
-// v' = d (w - v) - c v from rest: v = w d / r (1 - e^(-r t)), x = w d / r (t - (1 - e^(-r t)) / r), r = c +
-// d.
+// A particle from rest: v' = d (w - v) - c v, so v = w d / r (1 - e^(-r t)), x = w d / r (t - (1 - e^(-r
+// t)) / r), r = c + d.
 TEST_CASE("fluid wind: a particle in an even flow takes its speed as the closed form does") {
   sim::FluidPlane plane;
   plane.position = {1, 2, -3};
@@ -61,7 +61,7 @@ TEST_CASE("fluid wind: a particle in an even flow takes its speed as the closed 
   const std::vector<glm::vec4> before = seeds.positions;
   for (int frame = 0; frame < 45; ++frame) seeds.step(frame / 60.0);
   const double t = 45 / 60.0, kept = std::exp(-rate * t);
-  const glm::dvec3 terminal = glm::dvec3(8, 6, 0) * 0.25 * drag / rate;  // m/s; up is up
+  const glm::dvec3 terminal = glm::dvec3(8, 6, 0) * 0.25 * drag / rate;  // terminal velocity in m/s
   for (const std::size_t i : {0U, 1U})
     for (int axis = 0; axis < 3; ++axis) {
       CAPTURE(i);
@@ -70,11 +70,11 @@ TEST_CASE("fluid wind: a particle in an even flow takes its speed as the closed 
       CHECK(std::abs(seeds.velocities[i][axis] - terminal[axis] * (1 - kept)) < 2e-6);
       CHECK(std::abs(moved - terminal[axis] * (t - (1 - kept) / rate)) < 5e-6);
     }
-  // Beside the rectangle the air is still.
+  // Outside the rectangle the air is still.
   CHECK(glm::length(glm::vec3(seeds.velocities[2])) == 0);
 }
 
-// Bilinear: a flow that is linear in x and y is what it is everywhere, and turned as its plane is.
+// Bilinear interpolation reproduces a flow that is linear in x and y, rotated with its plane.
 TEST_CASE("fluid wind: a linear flow is sampled as it is, on a plane that lies askew") {
   sim::FluidPlane plane;
   plane.position = {0.3F, -0.2F, 0.5F};
@@ -94,7 +94,8 @@ TEST_CASE("fluid wind: a linear flow is sampled as it is, on a plane that lies a
   for (std::size_t i = 0; i < places.size(); ++i) {
     const glm::dvec2 cell((places[i].x - 0.3) / 0.5 + 6, (places[i].z - 0.5) / 0.5 + 4.5);
     const glm::dvec2 w = flow(cell) * 0.5;
-    // The accelerations that a kick of no length left would be the same but for a first step's way.
+    // The velocity follows the wind at the starting point; the tolerance covers the displacement during the
+    // step.
     const glm::dvec3 expected(w.x, 0, w.y);
     const double share = 1 - std::exp(-1 / 60.0);
     CAPTURE(i);
@@ -103,8 +104,8 @@ TEST_CASE("fluid wind: a linear flow is sampled as it is, on a plane that lies a
   }
 }
 
-// A sheet that faces an even wind w and is free: m v' = rho Cd A (w - v)^2 / 2, so w - v = w / (1 + k w t),
-// k = rho Cd A / 2m.
+// A free sheet facing a uniform wind w: m v' = rho Cd A (w - v)^2 / 2, so w - v = w / (1 + k w t), k = rho
+// Cd A / 2m.
 TEST_CASE("fluid wind: a free sheet is carried along as the closed form has it") {
   sim::FluidPlane plane;
   plane.cell = 1;
@@ -122,7 +123,7 @@ TEST_CASE("fluid wind: a free sheet is carried along as the closed form has it")
   p.air.velocity = glm::vec3(0);
   p.air.fluid = "storm";
   p.pins.clear();
-  plane.rotation = {0, 90, 0};  // its x is -z
+  plane.rotation = {0, 90, 0};  // rotated so that the plane's x axis is the scene's -z
   ClothTwin twin(sim::ClothPlan(p, 1, 1.0 / 60, {}));
   twin.wind = windOf(plane, {200, 60}, [](glm::dvec2) { return glm::dvec2(3, 0); });
   for (int frame = 0; frame < 60; ++frame) twin.step(frame / 60.0);
@@ -157,8 +158,8 @@ TEST_CASE("fluid wind: names that are no fluid are said in one line") {
             .find("is a water, which does not blow") != std::string::npos);
 }
 
-// An even flow of the fluid's "speed" is the wind of that strength and direction, but for roundings of the
-// chances.
+// A uniform flow at the fluid's "speed" equals a wind of that strength and direction, except for rounding
+// of the chances.
 TEST_CASE("fluid wind: a wildfire in an even flow burns as in a wind that is given") {
   sim::WildfireParameters given;
   given.size = {90, 90};
@@ -170,7 +171,7 @@ TEST_CASE("fluid wind: a wildfire in an even flow burns as in a wind that is giv
   given.strokes = {light};
   sim::WildfireParameters blown = given;
   given.windStrength = 1.2F;
-  given.windDirection = -30.0F;  // down, to the right
+  given.windDirection = -30.0F;  // the wind blows down and to the right
   blown.windStrength = 1.2F;
   blown.windFluid = "storm";
   const auto spreadOf = [](WildfireTwin& twin, bool blows) {

@@ -1,4 +1,4 @@
-// Long-range attachments: the ways to pins, and that they hold nothing that is not stretched.
+// Long-range attachments: the paths to pins, and no force on unstretched cloth.
 #include "reference/garment_twin.hpp"
 #include "sim/garment/attachments.hpp"
 #include "sim/garment/quantities.hpp"
@@ -24,7 +24,8 @@ double garmentValue(const GarmentTwin& twin, std::size_t which) {
 constexpr std::size_t kineticValue = 2;
 constexpr std::size_t energyValue = 5;
 
-/// How far (m) a soft square sheet reaches down that hangs by a corner, or by those of its upper border.
+/// Returns how far (m) a soft square sheet reaches down that hangs by a corner, or by the corners of its
+/// upper border.
 double dropOf(bool corner, int substeps, std::size_t& attachments) {
   sim::ClothParameters p = test::freeCloth();
   p.mesh.size = glm::vec3(0.6F, 0, 0.6F);
@@ -67,7 +68,7 @@ TEST_CASE("garment: ways to a pinned border and to a corner are those of a plane
     for (std::size_t i = 0; i < row.size(); ++i) {
       const double across = cloth.points[i].x - least;
       CHECK(toRow.lengths[i] > across - 1e-9);
-      CHECK(toRow.lengths[i] < across + 0.006);  // between two pins the way leads to one of them
+      CHECK(toRow.lengths[i] < across + 0.006);  // a point between two pins is attached to one of them
       const double way = glm::distance(cloth.points[i], cloth.points[0]);
       CHECK(toCorner.lengths[i] > way - 1e-9);
       CHECK(toCorner.lengths[i] < 1.02 * way + 1e-9);
@@ -95,13 +96,13 @@ TEST_CASE("garment: 256 rows swing from their border, and stretch by less than 1
     if (damped) p.damping = 1e-6F;
     p.mesh.size = glm::vec3(0.012F, 0, 1);
     p.mesh.resolution = {4, 256};
-    p.fabric.bending = 1e-8;  // which takes substeps of its own
+    p.fabric.bending = 1e-8;  // bending so weak that it needs no further substeps
     p.gravity = glm::vec3(0, -9.8F, 0);
     test::pinBox(p, glm::vec3(-9), glm::vec3(9, 9, -0.499F));
     GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
     CHECK(twin.plan().substeps() < (damped ? 60 : 180));
     double before = garmentValue(twin, energyValue);
-    const double falls = 0.5 * 0.115 * 0.012 * 9.8;  // J, from lying to hanging
+    const double falls = 0.5 * 0.115 * 0.012 * 9.8;  // energy (J) between lying and hanging
     double fastest = 0;
     double farthest = 0;
     for (int frame = 0; frame < 120; ++frame) {
@@ -127,7 +128,7 @@ TEST_CASE("garment: attachments are slack in whatever is not stretched, and free
   p.substeps = 8;
   GarmentTwin twin(sim::GarmentPlan("a", p, 1, 1.0 / 60, {}));
   REQUIRE(twin.plan().arrays().attachments.size() > 900);
-  // Rolled up from the pins on: every way over the cloth is as long as before, none straight.
+  // Rolled up from the pins: every path along the cloth keeps its length, but none is straight.
   for (glm::vec4& v : twin.positions) {
     const double way = 3.0 * (static_cast<double>(v.z) + 1);
     v.y = static_cast<float>((1 - std::cos(way)) / 3);

@@ -13,14 +13,14 @@ namespace simreel::test {
 
 enum class Kind { right, equilateral, random };
 
-/// A number from -1 to 1.
+/// Returns a number from -1 to 1.
 [[nodiscard]] inline double disorder(std::size_t i) {
   const double x = 43758.5453 * std::sin(12.9898 * static_cast<double>(i + 1));
   return 2 * (x - std::floor(x)) - 1;
 }
 
-/// A rectangle of cells of `cell` (m) around the origin, in the xz plane, facing +y. The columns stand on
-/// straight lines at both ends, the first `kept` of them and all borders without any disorder.
+/// Returns a rectangle of cells of size `cell` (m) around the origin, in the xz plane, facing +y. Columns
+/// at both ends are straight; the first `kept` columns and all borders are undisturbed.
 [[nodiscard]] inline sim::Mesh rectangle(Kind kind, glm::ivec2 cells, double cell, int kept = 1) {
   sim::Mesh mesh;
   const double deep = kind == Kind::equilateral ? std::sqrt(0.75) * cell : cell;
@@ -55,7 +55,7 @@ enum class Kind { right, equilateral, random };
   return mesh;
 }
 
-/// As an OBJ file has it.
+/// Returns the mesh as OBJ text.
 [[nodiscard]] inline std::string objOf(const sim::Mesh& mesh) {
   std::string text;
   for (const glm::vec3& p : mesh.positions) text += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
@@ -80,7 +80,7 @@ enum class Kind { right, equilateral, random };
   return p;
 }
 
-/// Pins what lies between the corners.
+/// Pins all vertices in the box.
 inline void pinBox(sim::ClothParameters& parameters, const glm::vec3& min, const glm::vec3& max) {
   sim::PinGroup& group = parameters.pins.emplace_back();
   group.hasBox = true;

@@ -1,4 +1,5 @@
-// Meshes as cloth: what is refused and where, welding, neighbours, colours, and the generators.
+// Meshes as cloth: refused meshes with the position of the error, welding, neighbours, colours, and
+// generators.
 #include "base/error.hpp"
 #include "sim/cloth/mesh_source.hpp"
 #include "sim/garment/triangles.hpp"
@@ -80,7 +81,7 @@ TEST_CASE("garment: a mesh that is no cloth is refused with the place") {
 }
 
 TEST_CASE("garment: vertices at one place are one, and within the distance to weld") {
-  sim::Mesh mesh = clothSquare();  // the second face by vertices of its own
+  sim::Mesh mesh = clothSquare();  // the second face has its own vertices
   mesh.positions.insert(mesh.positions.end(), {{1, 0, 0}, {0, 0, 1}});
   mesh.normals.assign(6, glm::vec3(0, 1, 0));
   mesh.indices = {0, 1, 2, 4, 5, 3};
@@ -95,7 +96,8 @@ TEST_CASE("garment: vertices at one place are one, and within the distance to we
   CHECK(sim::ClothTriangles("a", mesh, 1, 0).points.size() == 6);
   CHECK(sim::ClothTriangles("a", mesh, 1, 0.009).points.size() == 6);
   CHECK(sim::ClothTriangles("a", mesh, 1, 0.011).points.size() == 4);
-  CHECK(sim::ClothTriangles("a", mesh, 2, 0.011).points.size() == 6);  // of the scaled mesh
+  // the welding distance applies to the scaled mesh
+  CHECK(sim::ClothTriangles("a", mesh, 2, 0.011).points.size() == 6);
 }
 
 TEST_CASE("garment: faces of a colour share no vertex, and colours are few") {
@@ -141,7 +143,7 @@ TEST_CASE("garment: generated shapes close, face outwards and have their area") 
     const sim::ClothTriangles cloth("a", mesh, 1, 0);
     CHECK(areaOf(cloth) == doctest::Approx(e.area).epsilon(0.005));
     CHECK(bordersOf(cloth) == e.borders);
-    std::vector<std::size_t> first(cloth.points.size());  // the mesh's first vertex at each point
+    std::vector<std::size_t> first(cloth.points.size());  // the mesh's first vertex at each welded point
     for (std::size_t v = cloth.vertexOf.size(); v-- > 0;) first[cloth.vertexOf[v]] = v;
     for (const auto& face : cloth.faces) {
       const glm::dvec3 a = cloth.points[face.corners[0]];

@@ -1,5 +1,4 @@
-// What holds and joins cloth of meshes: pins by number, place and picture, seams; and what scenes get
-// wrong.
+// Pins and seams of cloth meshes: pins by number, position and picture, seams, and errors in scenes.
 #include "base/error.hpp"
 #include "reference/garment_twin.hpp"
 #include "scene/load.hpp"
@@ -66,7 +65,7 @@ TEST_CASE("garment: pins by vertex, by a box in the world and by a picture over 
                                 std::string("P5 2 2 255\n") + '\x10' + '\x7f' + '\x20' + '\xff');
   p.pins.emplace_back().map = map.path();
   std::set<std::size_t> expected;
-  for (std::size_t z = 5; z < 10; ++z)  // uv 1 is 0 of the next picture
+  for (std::size_t z = 5; z < 10; ++z)  // the map repeats: uv 1 is 0 of the next repetition
     for (std::size_t x = 5; x < 10; ++x) expected.insert(z * 11 + x);
   CHECK(pinnedVertices(p) == expected);
 }
@@ -93,11 +92,11 @@ TEST_CASE("garment: pins and seams that name no vertex are refused") {
   test::checkHas(refusedPins(p), "has no uv");
   p.pins[0].map.clear();
   p.pins[0].vertices = {0};
-  CHECK(refusedPins(p).empty());  // of a single face
+  CHECK(refusedPins(p).empty());  // pins of a mesh with a single face are accepted
 }
 
 TEST_CASE("garment: a seam pulls two pieces shut, in its time, without moving what they weigh") {
-  // Two squares of 6 x 4 cells, 0.1 m apart.
+  // Two rectangles of 6 x 4 cells, 0.1 m apart.
   sim::Mesh mesh = test::rectangle(test::Kind::random, {6, 4}, 0.05);
   sim::Mesh other = test::rectangle(test::Kind::equilateral, {6, 4}, 0.05);
   const auto first = static_cast<unsigned>(mesh.positions.size());
@@ -112,7 +111,8 @@ TEST_CASE("garment: a seam pulls two pieces shut, in its time, without moving wh
   const sim::Mesh read = p.mesh.make();
   sim::Seam seam;
   seam.seconds = 0.5;
-  for (int i = 0; i < static_cast<int>(read.positions.size()); ++i)  // by place: readers may reorder
+  // compares by position, because readers may reorder vertices
+  for (int i = 0; i < static_cast<int>(read.positions.size()); ++i)
     for (int j = 0; j < static_cast<int>(read.positions.size()); ++j) {
       const glm::vec3 a = read.positions[static_cast<std::size_t>(i)];
       const glm::vec3 b = read.positions[static_cast<std::size_t>(j)];

@@ -1,4 +1,4 @@
-// Seams that have pulled shut bend as the cloth does.
+// Closed seams must bend like the cloth around them.
 #include "reference/garment_twin.hpp"
 #include "sim/garment/plate.hpp"
 #include "unit/help.hpp"
@@ -15,10 +15,10 @@ using namespace simreel;
 
 namespace {
 
-constexpr int seamCells = 6;       // of each piece
-constexpr double seamGap = 0.001;  // m between the pieces
+constexpr int seamCells = 6;       // number of cells along each piece
+constexpr double seamGap = 0.001;  // gap between the pieces, m
 
-/// A strip of twice `seamCells` by 3 cells of two pieces, the second one `seamGap` farther on.
+/// A strip of twice `seamCells` by 3 cells, made of two pieces; the second is displaced by `seamGap`.
 sim::Mesh twoPieces(test::Kind kind, double cell) {
   sim::Mesh mesh = test::rectangle(kind, {seamCells, 3}, cell, 2);
   const sim::Mesh other = test::rectangle(kind, {seamCells, 3}, cell);
@@ -30,7 +30,7 @@ sim::Mesh twoPieces(test::Kind kind, double cell) {
   return mesh;
 }
 
-/// Vertices on both sides of the gap, by pairs.
+/// Returns a seam of vertex pairs on both sides of the gap.
 sim::Seam seamOf(const sim::Mesh& mesh, double border) {
   sim::Seam seam;
   seam.seconds = 0.1;
@@ -51,12 +51,13 @@ sim::Seam seamOf(const sim::Mesh& mesh, double border) {
 
 TEST_CASE("garment: a strip sewn of two pieces bends by q L^4 / 8 D as one in one piece does") {
   constexpr double length = 0.2;
-  constexpr double q = 0.115 * 0.098;  // N/m^2
+  constexpr double q = 0.115 * 0.098;  // weight per area, N/m^2
   constexpr double bending = 7.5e-4;
   const double expected = q * std::pow(length, 4) / (8 * bending);
   for (const auto kind : {test::Kind::right, test::Kind::equilateral, test::Kind::random}) {
     CAPTURE(static_cast<int>(kind));
-    const double cell = length / (2 * seamCells - 0.5);  // clamped between the first two columns
+    const double cell =
+        length / (2 * seamCells - 0.5);  // the strip is clamped between the first two columns
     const test::TemporaryFile file("sewn.obj", test::objOf(twoPieces(kind, cell)));
     sim::ClothParameters p = test::freeCloth();
     p.mesh.shape = sim::ClothShape::file;
@@ -94,8 +95,8 @@ TEST_CASE("garment: cloth grown together is that of one mesh, to the last weight
     stitches.emplace_back(sewn.vertexOf[static_cast<std::size_t>(seam.from[i])],
                           sewn.vertexOf[static_cast<std::size_t>(seam.to[i])]);
   CHECK(sewn.sew(stitches) == 0);
-  // z = (a x^2 + 2 b x y + c y^2) / 2 over both, as if there were no gap: a plate's energy, in the faces at
-  // the seam, too.
+  // z = (a x^2 + 2 b x y + c y^2) / 2 over both pieces, ignoring the gap: the energy must be a plate's, in
+  // the faces at the seam too.
   std::vector<glm::dvec3> points = sewn.points;
   for (glm::dvec3& p : points) {
     if (p.x > 0.5 * seamCells * cell + 0.5 * seamGap) p.x -= seamGap;
@@ -112,10 +113,11 @@ TEST_CASE("garment: cloth grown together is that of one mesh, to the last weight
     within.push_back(elements[f]);
     area += elements[f].area;
   }
-  CHECK(area == doctest::Approx(44 * 0.5 * cell * cell));  // 28 of 72 are at borders
+  CHECK(area ==
+        doctest::Approx(44 * 0.5 * cell * cell));  // 28 of the 72 faces are at borders and do not count
   CHECK(sim::plateEnergy(within, 3, points) ==
         doctest::Approx(0.5 * 3 * area * (0.02 * 0.02 + 2 * 0.03 * 0.03 + 0.01 * 0.01)).epsilon(1e-5));
-  // The other way round, as two backs on each other, they stay two.
+  // With opposite orientation, back to back, the two pieces do not bend as one.
   sim::Mesh turned = pieces;
   for (std::size_t i = turned.indices.size() / 2; i < turned.indices.size(); i += 3)
     std::swap(turned.indices[i], turned.indices[i + 1]);

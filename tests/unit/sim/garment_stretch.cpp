@@ -1,4 +1,4 @@
-// Stretch of meshes of fabric against closed forms; air, masses and quantities.
+// Compares stretch of fabric meshes with closed forms; also air, masses and quantities.
 #include "reference/garment_twin.hpp"
 #include "sim/core/shader_code.hpp"
 #include "sim/garment/pace.hpp"
@@ -19,7 +19,7 @@ using namespace simreel;
 
 namespace {
 
-/// 1/s: too little to change a digit, but constraints then are those of cloth that is damped.
+/// Damping (1/s) too small to change a digit, but it selects the constraints of damped cloth.
 constexpr float hardlyDamped = 1e-6F;
 
 double garmentQuantity(const sim::GarmentPlan& plan, const GarmentTwin& twin, const std::string& name) {
@@ -72,7 +72,8 @@ TEST_CASE("garment: an even strain stores A / 2 (weft e^2 + warp f^2 + shear g^2
   CHECK(garmentQuantity(twin.plan(), twin, "stretch") == doctest::Approx(1.02).epsilon(1e-5));
   CHECK(garmentQuantity(twin.plan(), twin, "mass") == doctest::Approx(0.115 * area).epsilon(1e-5).scale(0));
   CHECK(garmentQuantity(twin.plan(), twin, "elasticEnergy") <
-        0.5 * area * (300 * 0.02 * 0.02 + 500 * 0.03 * 0.03));  // not all of it in so few substeps
+        // less than the closed form, because few substeps give only a part of it
+        0.5 * area * (300 * 0.02 * 0.02 + 500 * 0.03 * 0.03));
 }
 
 TEST_CASE("garment: a strip that swings from its end never gains energy, and hardly stretches") {
@@ -86,7 +87,7 @@ TEST_CASE("garment: a strip that swings from its end never gains energy, and har
     test::pinBox(p, glm::vec3(-9), glm::vec3(9, 9, -0.499F));
     GarmentTwin twin(sim::GarmentPlan("strip", p, 1, 1.0 / 60, {}));
     double before = garmentQuantity(twin.plan(), twin, "energy");
-    const double falls = 0.5 * 0.115 * 0.25 * 9.8;  // J, from lying to hanging
+    const double falls = 0.5 * 0.115 * 0.25 * 9.8;  // energy (J) between lying and hanging
     double fastest = 0;
     for (int frame = 0; frame < 180; ++frame) {
       twin.step(frame / 60.0);
@@ -95,8 +96,8 @@ TEST_CASE("garment: a strip that swings from its end never gains energy, and har
       CHECK(now < before + 0.01 * falls);
       before = now;
       fastest = std::max(fastest, garmentQuantity(twin.plan(), twin, "kineticEnergy"));
-      // Of the worst face, at the pins; where energy is kept, what a swing loses to flutter is in the
-      // faces.
+      // Stretch of the worst face, at the pins. With energy conservation, the energy that a swing loses to
+      // flutter is in the faces.
       CHECK(garmentQuantity(twin.plan(), twin, "stretch") < (damped ? 1.15 : 1.25));
     }
     CHECK(fastest > 0.5 * falls);
@@ -106,7 +107,7 @@ TEST_CASE("garment: a strip that swings from its end never gains energy, and har
 TEST_CASE("garment: stretched at its ends, a random mesh comes to rest evenly stretched") {
   RandomCloth cloth;
   cloth.p.damping = 20;
-  cloth.p.fabric.weft = 3;  // substeps that are worth more than a face's compliance
+  cloth.p.fabric.weft = 3;  // soft, so that the compliance dominates at this substep length
   cloth.p.fabric.warp = 5;
   cloth.p.fabric.shear = 0.4;
   cloth.p.fabric.bending = 0;
@@ -141,14 +142,14 @@ TEST_CASE("garment: hanging rows, 16 to 256, stretch by rho g H / 2 k within 0.1
         p.gravity = glm::vec3(0, -9.8F, 0);
         p.damping = 6;
         p.fabric.warp = warp;
-        if (rows == 256) p.fabric.bending = 1e-8;  // which takes substeps of its own
+        if (rows == 256) p.fabric.bending = 1e-8;  // bending so weak that it needs no further substeps
         test::pinBox(p, glm::vec3(-9, 0.499F, -9), glm::vec3(9));
         GarmentTwin twin(sim::GarmentPlan("rows", p, 1, 1.0 / 60, {}));
         for (int frame = 0; frame < (rows == 16 ? 300 : 150); ++frame) twin.step(frame / 60.0);
         double lowest = 1;
         for (const glm::vec4& v : twin.positions) lowest = std::min(lowest, static_cast<double>(v.y));
         const double beyond = -0.5 - lowest - 0.115 * 9.8 / (2 * warp);
-        // Of attachments, which hold exactly as much as the faces lack.
+        // Attachments hold exactly the load that the faces do not.
         CHECK(twin.plan().substeps() <= rows / 5 + 8);
         CHECK(std::abs(beyond) < 0.001);
       }
@@ -167,17 +168,18 @@ TEST_CASE("garment: \"auto\" takes more substeps the finer what no pin holds is"
   CHECK(fine == doctest::Approx(2 * coarse).epsilon(0.1));
   test::pinBox(p, glm::vec3(-9, -9, 0.49F), glm::vec3(9));
   CHECK(substeps(129) ==
-        doctest::Approx(fine * std::sqrt(0.1 / 0.5 / std::sqrt(2.0))).epsilon(0.2));  // attachments hold it
+        // attachments take a part of the load
+        doctest::Approx(fine * std::sqrt(0.1 / 0.5 / std::sqrt(2.0))).epsilon(0.2));
   p.mesh.resolution = {65, 65};
   std::vector<bool> pinned(65 * 65, false);
   const sim::ClothTriangles cloth("a", p.mesh.make(), 1, 0);
   pinned[0] = true;
   CHECK(sim::hangingLength(cloth, pinned, {}) ==
-        doctest::Approx(2).epsilon(0.001));  // no diagonal leads there
+        doctest::Approx(2).epsilon(0.001));  // no diagonal edge shortens this path
 }
 
 TEST_CASE("garment: what hangs is measured piece by piece, over seams, too") {
-  // Strips of one column of cells, 1 m long, beside each other; the first is pinned at its end.
+  // Strips of one column of cells, 1 m long, side by side; the first is pinned at its end.
   sim::Mesh mesh = test::rectangle(test::Kind::right, {10, 1}, 0.1);
   const std::size_t count = mesh.positions.size();
   for (std::size_t i = 0; i < count; ++i)
@@ -189,13 +191,13 @@ TEST_CASE("garment: what hangs is measured piece by piece, over seams, too") {
   std::vector<bool> pinned(2 * count, false);
   pinned[0] = pinned[11] = true;
   CHECK(sim::hangingLength(cloth, pinned, {}) == doctest::Approx(1).epsilon(1e-6));
-  const double free = 0.5 * (1.5 + 0.15);  // half of the way between corners that no diagonal leads to
+  const double free = 0.5 * (1.5 + 0.15);  // half of the path between corners that no diagonal connects
   pinned[0] = pinned[11] = false;
   CHECK(sim::hangingLength(cloth, pinned, {}) == doctest::Approx(free).epsilon(0.001));
   pinned[0] = pinned[11] = true;
   const unsigned end = 10;
   const auto other =
-      static_cast<unsigned>(count);  // the far end of the first to the near one of the second
+      static_cast<unsigned>(count);  // joins the far end of the first strip to the near end of the second
   CHECK(sim::hangingLength(cloth, pinned, {{end, other}, {other, end}}) ==
         doctest::Approx(2.5 + 0.15 * (std::sqrt(2.0) - 1)).epsilon(0.05));
 }
@@ -205,7 +207,7 @@ TEST_CASE("garment: air drags a flat sheet across it by rho Cd A v^2 / 2") {
   cloth.p.hasAir = true;
   cloth.p.air.velocity = glm::vec3(0, 3, 0);
   cloth.p.air.gusts = 0;
-  cloth.p.air.lift = 0.7F;  // nothing face-on
+  cloth.p.air.lift = 0.7F;  // has no effect on a sheet perpendicular to the flow
   cloth.p.substeps = 64;
   GarmentTwin twin(sim::GarmentPlan("a", cloth.p, 1, 1.0 / 60, {}));
   twin.substep(twin.plan().frame(0).front());
@@ -233,7 +235,7 @@ TEST_CASE("garment: free in the air it keeps momentum and energy never rises") {
       halves[frame / 60] += now / 60;
       if (damped) CHECK(now < first);
     }
-    // All of it is in vibrations that substeps hardly follow: it goes to and fro, but not away.
+    // All energy is in vibrations that substeps barely resolve: it oscillates, but does not decay.
     if (!damped) CHECK(halves[1] == doctest::Approx(halves[0]).epsilon(5e-3).scale(0));
     glm::dvec3 momentum(0);
     for (std::size_t i = 0; i < twin.velocities.size(); ++i)

@@ -62,7 +62,7 @@ TEST_CASE("grayScott: the stable even state of the equations is where even field
 }
 
 TEST_CASE("grayScott: mass changes in a step as the equations say") {
-  // Sums over the torus: diffusion moves nothing in or out.
+  // Sums over the torus: diffusion conserves them.
   auto twin = twinOf({61, 47}, sim::GrayScottPreset::stripes, 4);
   const auto rates = twin.plan().ratesAt(0);
   const double F = rates.feed;
@@ -84,7 +84,7 @@ TEST_CASE("grayScott: mass changes in a step as the equations say") {
 }
 
 TEST_CASE("grayScott: the Laplacian is of second order") {
-  // Of cos(q x + p y) the stencil is to give -0.3 (q^2 + p^2) cos(...): 0.3 is half its second moment.
+  // For cos(q x + p y) the stencil must give -0.3 (q^2 + p^2) cos(...): 0.3 is half its second moment.
   double before = 0;
   for (const int side : {16, 32, 64}) {
     const double q = 2 * std::numbers::pi / side;
@@ -134,7 +134,7 @@ TEST_CASE("grayScott: wavelength and patches of patterns that are known") {
   CHECK(sim::dominantWavelength(waves, size) == doctest::Approx(30 / std::numbers::sqrt2).epsilon(0.05));
   CHECK(sim::dominantWavelength(std::vector<float>(waves.size(), 0.5F), size) == 0);
   const sim::Patches patches = sim::patchesOf(dots, size);
-  CHECK(patches.count == 12 * 6);  // those over the seam count once
+  CHECK(patches.count == 12 * 6);  // patches across the torus's edge count once
   CHECK(patches.largest == 12);
 }
 

@@ -14,7 +14,7 @@ using simreel::test::has;
 
 namespace {
 
-/// What a scene with these parameters of the field says; "" when it is good.
+/// Returns the errors of a scene with these parameters of the field; "" for a valid scene.
 std::string mistakes(const std::string& parameters) {
   const std::string text = R"({"version": 1, "objects": {"dish": {"grayScott": )" + parameters + "}}}";
   try {
@@ -71,7 +71,7 @@ TEST_CASE("grayScott: the first state holds seeds on a torus, an odd row's spare
     for (const float v : {cells[i].y, i % 19 == 18 ? 0.0F : cells[i].w}) seeded += v == 0.5F ? 1 : 0;
     CHECK(cells[i].x + cells[i].y == 1.0F);
   }
-  CHECK(seeded == 49);  // points of a disk of radius 4
+  CHECK(seeded == 49);  // number of grid points in a disc of radius 4
 }
 
 TEST_CASE("grayScott: rates by preset, keys, health, ramp and picture") {
@@ -79,9 +79,10 @@ TEST_CASE("grayScott: rates by preset, keys, health, ramp and picture") {
   p.dt = 0.5;
   p.preset = sim::GrayScottPreset::maze;
   CHECK(sim::GrayScottPlan(p, "dish", 1, 0.1).ratesAt(3).feed == doctest::Approx(0.0125));
-  p.health = sim::GrayScottHealth{.level = 0.25F,
-                                  .well = sim::GrayScottPreset::stripes,   // 0.040, 0.060
-                                  .ill = sim::GrayScottPreset::unstable};  // 0.060, 0.062
+  p.health =
+      sim::GrayScottHealth{.level = 0.25F,
+                           .well = sim::GrayScottPreset::stripes,   // preset with feed 0.040 and kill 0.060
+                           .ill = sim::GrayScottPreset::unstable};  // preset with feed 0.060 and kill 0.062
   CHECK(p.ratesAt(0).feed == doctest::Approx(0.055));
   CHECK(p.ratesAt(0).kill == doctest::Approx(0.0615));
   p.health.reset();
@@ -96,5 +97,5 @@ TEST_CASE("grayScott: rates by preset, keys, health, ramp and picture") {
   CHECK(weights[0].x == 0.0F);
   CHECK(weights[1].x == 0.5F);
   CHECK(weights[2].x == 1.0F);
-  CHECK(weights[2].z == 0.0F);  // cell 0 again
+  CHECK(weights[2].z == 0.0F);  // the weight of cell 0, which wraps around
 }

@@ -1,4 +1,5 @@
-// Keys that another one rules out: each is told of at its place, and none that does something.
+// Keys without effect because of another key: each causes a message at its position, and keys with an
+// effect cause none.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -22,11 +23,11 @@ std::vector<std::string> remarksOn(const std::string& members,
 }
 
 struct Pair {
-  const char *ruled, *works;  ///< what rules `key` out, and what does not
-  const char* key;            ///< with its value
+  const char *ruled, *works;  ///< a value that makes `key` ineffective, and one that does not
+  const char* key;            ///< the key with its value
 };
 
-/// One remark, at the key, where that does nothing; none where it does something.
+/// Expects one message at the key if the key has no effect, and none if it has.
 void check(const std::string& before, const std::vector<Pair>& pairs, const std::string& after) {
   for (const Pair& pair : pairs) {
     CAPTURE(pair.key);

@@ -1,4 +1,4 @@
-// A camera that lags behind what it looks at: held to the closed forms of a critically damped spring.
+// Compares a camera that lags behind its target with closed forms of a critically damped spring.
 #include "sim/world/lag.hpp"
 
 #include <array>
@@ -10,7 +10,7 @@ using namespace simreel;
 
 namespace {
 
-/// y at time t after x, which goes straight at that speed from a rest of both at 0: v (t - T + (t + T)
+/// Returns y at `time` if x moves at constant `speed` and both start at 0, y at rest: v (t - T + (t + T)
 /// e^-2t/T).
 double ramp(double speed, double damping, double time) {
   return speed * (time - damping + (time + damping) * std::exp(-2 * time / damping));
@@ -43,12 +43,12 @@ TEST_CASE("lag: a step is followed as 1 - (1 + w t) e^-wt") {
   lag.follow(glm::dvec3(0));
   for (int frame = 1; frame <= 4000; ++frame) {
     lag.follow(glm::dvec3(1, 0, 0));
-    // It goes up within a frame: a step in the middle of that.
+    // The target rises within one frame, which acts like a step in the middle of the frame.
     const double at = 2 / damping * (frame - 0.5) / fps;
     if (frame > 2) CHECK(std::abs(double{lag.place()->x} - (1 - (1 + at) * std::exp(-at))) < 2e-6);
   }
   CHECK(lag.place()->x > 0.999F);
-  CHECK(lag.place()->x < 1);  // it does not swing over
+  CHECK(lag.place()->x < 1);  // the camera does not overshoot
 }
 
 TEST_CASE("lag: what is lost is met again at rest, and a carried one goes on as it would have") {

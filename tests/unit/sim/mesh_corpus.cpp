@@ -1,4 +1,4 @@
-// Broken mesh files, made here: whatever is in them, the reader gives a sound mesh or one clear line.
+// Broken mesh files, generated here: for any content, the reader gives a valid mesh or one clear line.
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
@@ -26,7 +26,7 @@ struct Folder {
   fs::path path;
 };
 
-/// "" for a sound mesh, else the error; anything else fails the test.
+/// Returns "" for a valid mesh, else the error; any other result fails the test.
 std::string read(const fs::path& file, const std::string& text) {
   writeFileAtomically(file, text);
   try {
@@ -56,7 +56,8 @@ const std::string squarePly =
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
-/// A triangle with 16-bit indices; `uri` of its buffer of 36 + 6 bytes, `count` of its vertices.
+/// Returns a triangle with 16-bit indices; `uri` is its buffer of 36 + 6 bytes, `count` its number of
+/// vertices.
 std::string triangleGltf(const std::string& uri, const std::string& count = "3") {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
          R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[)"
@@ -85,7 +86,7 @@ TEST_CASE("whole files of the corpus are read: 16-bit glTF indices, relative OBJ
   CHECK(sim::loadMesh(folder.path / "a.gltf").positions.size() == 3);
   CHECK(read(folder.path / "b.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\n").empty());
   CHECK(sim::loadMesh(folder.path / "b.obj").indices.size() == 3);
-  // Triangles without area, and three on one edge.
+  // Degenerate triangles, and three triangles on one edge.
   CHECK(read(folder.path / "c.obj",
              "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 2 5\nf 1 1 2\n")
             .empty());
@@ -108,7 +109,7 @@ TEST_CASE("what a mesh file promises or names wrongly is refused in one line") {
   CHECK(says(read(inner / "e.gltf", triangleGltf(triangleUri, "4000000000")), "count"));
   CHECK(says(read(inner / "e.gltf", triangleGltf(triangleUri, "-3")), "count"));
   CHECK(!read(inner / "e.gltf", triangleGltf(triangleUri, "4")).empty());
-  // A buffer outside the folder, by way up and by link.
+  // A buffer outside the folder, by ".." and by a link.
   const std::string bytes(42, '\0');
   writeFileAtomically(folder.path / "secret.bin", bytes);
   CHECK(says(read(inner / "f.gltf", triangleGltf("../secret.bin")), "outside its folder"));

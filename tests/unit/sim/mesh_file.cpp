@@ -1,4 +1,4 @@
-// Mesh files: what is read, and one clear line for each mistake.
+// Mesh files: supported content, and one clear line for each error.
 #include "sim/mesh/file/mesh_file.hpp"
 
 #include "base/error.hpp"
@@ -34,7 +34,7 @@ std::string failure(const std::string& name, const std::string& text) {
   return failure(file.path(), ExitCode::inputOutput);
 }
 
-/// A square in the xy plane seen from +z.
+/// Checks a square in the xy plane, seen from +z.
 void checkSquare(const sim::Mesh& mesh) {
   REQUIRE(mesh.indices.size() == 6);
   REQUIRE(mesh.normals.size() == mesh.positions.size());

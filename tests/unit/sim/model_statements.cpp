@@ -1,5 +1,5 @@
-// Rules of models against a second statement of them in double: the twins compile the kernels' own, so that
-// a mistake in it is in both.
+// Compares rules of models with independent implementations in double precision, because the twins compile
+// the kernels and would repeat their errors.
 #include "sim/core/shader_code.hpp"
 #include "sim/particles/gravity_tree.hpp"
 #include "sim/spread/epidemic_plan.hpp"
@@ -54,7 +54,7 @@ TEST_CASE("epidemic: meeting eight of everybody infects with 1 - (1 - beta share
       const double expected = (1 - std::pow(1 - beta * infected / people, 8)) * 0x1p31;
       CAPTURE(beta);
       CAPTURE(infected);
-      // Thresholds are even.
+      // The tolerance is 2, because thresholds are even numbers.
       CHECK(std::abs(models::Epidemic{step}.mixedThreshold(infected) - expected) <= 2 + 1e-6 * expected);
     }
 }
@@ -62,7 +62,7 @@ TEST_CASE("epidemic: meeting eight of everybody infects with 1 - (1 - beta share
 TEST_CASE("wildfire: a gale is the wind in 2048ths, at most 15.99, and blows along as its exponential") {
   models::Gale model;
   CHECK(model.galeOf(0, 0, 1) == model.stillAir);
-  CHECK(model.stillAir == 0);  // of maps that no wind blows over
+  CHECK(model.stillAir == 0);  // 0 for maps without wind
   const int neighbours[8][2] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
   for (const double u : {0.0, 0.7, -3.1, 31.9, -31.9, 90.0, -90.0})
     for (const double v : {0.0, -0.2, 5.3, 70.0, -70.0}) {

@@ -7,17 +7,17 @@
 
 #include <doctest/doctest.h>
 
-/// What tests of texts that others write ask of their readers.
+/// Helpers for tests of readers of text formats.
 namespace simreel::test {
 
-/// A rule as it is written, or what is wrong with it: "CHARACTER: MESSAGE".
+/// Returns a rule in standard notation, or the error: "CHARACTER: MESSAGE".
 [[nodiscard]] inline std::string written(std::string_view text) {
   sim::CellRule rule;
   const sim::RuleProblem problem = sim::parseCellRule(text, rule);
   return problem.message.empty() ? rule.text() : std::to_string(problem.at) + ": " + problem.message;
 }
 
-/// What `read` refuses as bad input; "no mistake" where it takes it.
+/// Returns the error with which `read` refuses its input; "no mistake" if it accepts.
 template <class Read>
 [[nodiscard]] std::string mistakeIn(const Read& read) {
   try {

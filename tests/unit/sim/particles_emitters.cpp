@@ -1,5 +1,5 @@
-// Emitted particles against closed forms and against their equation of motion solved anew in float64:
-// whatever moment of a step they are born at.
+// Compares emitted particles with closed forms and with their equation of motion solved independently in
+// double precision, for births at any moment of a step.
 #include "reference/particles_twin.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using glm::dvec3;
 
 namespace {
 
-/// A jet without spread: `rate` births a second, none of which dies within 9 s.
+/// A jet without spread: `rate` births per second; no particle dies within 9 s.
 sim::ParticleParameters jet(double rate) {
   sim::ParticleParameters p;
   p.method = sim::GravityMethod::none;
@@ -31,11 +31,12 @@ sim::ParticleParameters jet(double rate) {
 }
 
 struct Emitted {
-  double birth;  ///< s
+  double birth;  ///< time of birth, s
   dvec3 position, velocity;
 };
 
-/// The jet after `seconds`, oldest first. Particle n, from 0, is born at (n + 1) / rate.
+/// Returns the jet after `seconds`, oldest particles first. Particle n (zero-based) is born at (n + 1) /
+/// rate.
 std::vector<Emitted> emitted(const sim::ParticleParameters& p, double fps, double seconds,
                              const std::function<void(ParticlesTwin&)>& prepare = {}) {
   ParticlesTwin twin(sim::ParticlePlan(p, 1, 1 / fps));
@@ -53,7 +54,7 @@ std::vector<Emitted> emitted(const sim::ParticleParameters& p, double fps, doubl
   return found;
 }
 
-/// x'' = a(x, t) from a birth on, by Runge and Kutta's method.
+/// Solves x'' = a(x, t) from a birth on, by the Runge-Kutta method.
 Emitted solved(dvec3 position, dvec3 velocity, double birth, double end,
                const std::function<dvec3(dvec3, double)>& acceleration) {
   constexpr int steps = 2000;
@@ -73,7 +74,7 @@ Emitted solved(dvec3 position, dvec3 velocity, double birth, double end,
   return {birth, position, velocity};
 }
 
-/// Largest distances between the jet at 1 s and its equation of motion.
+/// Maximum differences between the jet at 1 s and its equation of motion.
 struct Errors {
   double position = 0, velocity = 0;
 };
@@ -92,7 +93,7 @@ Errors errors(const sim::ParticleParameters& p, double fps,
   return worst;
 }
 
-/// That both errors are small, and fall four times when the step is halved.
+/// Checks that both errors are small and fall to a quarter if the step is halved.
 void checkSecondOrder(const sim::ParticleParameters& p, double max,
                       const std::function<dvec3(dvec3, double)>& acceleration,
                       const std::function<void(ParticlesTwin&)>& prepare = {}) {
@@ -106,7 +107,7 @@ void checkSecondOrder(const sim::ParticleParameters& p, double max,
   CHECK(coarse.velocity / fine.velocity == doctest::Approx(4).epsilon(0.25));
 }
 
-/// Plummer's pull of a mass G M at `from`.
+/// Plummer's attraction by a mass G M at `from`.
 dvec3 pull(dvec3 from, dvec3 here, double mass, double softening) {
   const dvec3 d = from - here;
   return d * (mass / std::pow(glm::dot(d, d) + softening * softening, 1.5));
@@ -130,8 +131,8 @@ TEST_CASE("emitted particles keep to the closed form of a damped fall at any rat
         double worst = 0;
         for (const Emitted& particle : emitted(p, fps, 2)) {
           const double t = 2 - particle.birth;
-          // v' = a - r v: v = v0 e^-rt + a (1 - e^-rt) / r, x = v0 s + a (t - s) / r with s = (1 - e^-rt) /
-          // r.
+          // Solution of v' = a - r v: v = v0 e^-rt + a (1 - e^-rt) / r, x = v0 s + a (t - s) / r with s =
+          // (1 - e^-rt) / r.
           const double r = damping;
           const double kept = std::exp(-r * t);
           const double s = r > 0 ? (1 - kept) / r : t;
@@ -175,7 +176,7 @@ TEST_CASE(
       worst = std::max(worst, glm::length(particle.position - position));
     }
     CHECK(worstVelocity < 1e-4);
-    // Leapfrog leaves out jerk dt^3 / 6 of each step's way.
+    // Leapfrog omits jerk dt^3 / 6 in each step's displacement.
     CHECK(worst < glm::length(jerk) * 2 / (6 * fps * fps) + 1e-4);
   }
 }
@@ -212,7 +213,7 @@ TEST_CASE("newborns near a heavy particle are as exact as leapfrog is") {
   checkSecondOrder(
       p, 1e-2,
       [](dvec3 x, double t) {
-        return pull({2, 2 - t * t, 0.5}, x, 12, 0.5) + dvec3(0, -2, 0);  // it falls, too
+        return pull({2, 2 - t * t, 0.5}, x, 12, 0.5) + dvec3(0, -2, 0);  // the attractor falls too
       },
       [](ParticlesTwin& twin) {
         twin.positions[0] = glm::vec4(2, 2, 0.5, 12);
@@ -229,7 +230,8 @@ TEST_CASE("a jet without spread is an even line") {
   p.turbulence.strength = 3;
   p.turbulence.size = 3;
   const auto line = emitted(p, 60, 1);
-  // Sixteen or seventeen a step, five millimetres apart: no step shows in their distances.
+  // Sixteen or seventeen births per step, five millimetres apart: the step boundaries must not show in the
+  // distances.
   double worst = 0;
   for (std::size_t i = 2; i < line.size(); ++i) {
     const double before = glm::length(line[i - 1].position - line[i - 2].position);
@@ -241,7 +243,7 @@ TEST_CASE("a jet without spread is an even line") {
 
 TEST_CASE("particles that live shorter than a step die between steps and none are owed later") {
   auto p = jet(1000);
-  p.emitters[0].lifetime = 4e-3F;  // a quarter of a frame
+  p.emitters[0].lifetime = 4e-3F;  // the lifetime is a quarter of a frame
   p.emitters[0].until = 0.5F;
   ParticlesTwin twin(sim::ParticlePlan(p, 1, 1 / 60.0));
   for (int frame = 0; frame < 33; ++frame) {

@@ -1,4 +1,4 @@
-// Known orbits and conserved quantities, checked on the CPU twin: the GPU has the same bits.
+// Known orbits and conserved quantities, checked on the CPU twin, which gives the GPU's bits.
 #include "reference/particles_twin.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct Start {
   float mass;
 };
 
-/// A twin of given bodies, one substep a frame.
+/// Returns a twin of given bodies with one substep per frame.
 ParticlesTwin bodies(const std::vector<Start>& starts, double gravity, double softening, double dt) {
   sim::ParticleParameters p;
   p.gravity = static_cast<float>(gravity);
@@ -83,7 +83,7 @@ glm::dvec3 angularMomentum(const ParticlesTwin& twin) {
   return sum;
 }
 
-/// Two bodies of masses 3 and 1 about their common centre, G = 1, semi-major axis 1, at the far point.
+/// Two bodies of masses 3 and 1 about their common centre, G = 1, semi-major axis 1, starting at apoapsis.
 std::vector<Start> ellipse(double eccentricity) {
   const double reach = 1 + eccentricity;
   const double speed = std::sqrt(4.0 * (2 / reach - 1));
@@ -97,9 +97,9 @@ std::vector<Start> ellipse(double eccentricity) {
   return {heavy, light};
 }
 
-constexpr double ellipsePeriod = pi;  // 2 pi sqrt(a^3 / (G (m1 + m2)))
+constexpr double ellipsePeriod = pi;  // orbital period, 2 pi sqrt(a^3 / (G (m1 + m2)))
 
-/// Radians by which the two bodies stray from the far point after some periods of an orbit.
+/// Returns the angle (rad) by which the two bodies miss the apoapsis after some periods.
 double phaseError(int stepsPerPeriod, int periods) {
   auto twin = bodies(ellipse(0.3), 1, 1e-5, ellipsePeriod / stepsPerPeriod);
   for (int i = 0; i < stepsPerPeriod * periods; ++i) twin.step(i * ellipsePeriod / stepsPerPeriod);
@@ -113,7 +113,7 @@ TEST_CASE("two bodies keep period and eccentricity over 100 periods") {
   constexpr int steps = 2000;
   const double dt = ellipsePeriod / steps;
   auto twin = bodies(ellipse(0.3), 1, 1e-5, dt);
-  std::vector<double> passages;  // upward through the x axis on the far side
+  std::vector<double> passages;  // upward crossings of the x axis on the far side
   double min = 1e9;
   double max = 0;
   double before = 0;
@@ -154,7 +154,7 @@ TEST_CASE("three bodies return on the figure eight") {
   for (int i = 0; i < 3 * steps; ++i) {
     twin.step(i * period / steps);
     if (i + 1 == steps / 3) {
-      // After a third of the period each stands where another stood.
+      // After a third of the period each body is at another body's initial position.
       for (const auto& p : twin.positions) {
         double nearest = 1e9;
         for (const auto& q : first) nearest = std::min<double>(nearest, glm::length(glm::vec3(p - q)));
@@ -167,8 +167,7 @@ TEST_CASE("three bodies return on the figure eight") {
 }
 
 TEST_CASE("a Plummer sphere is in equilibrium and keeps its energy") {
-  // Crossing time 2 sqrt(2) (G M)^(1/2)... in model units: M^(5/2) / (2 |E|)^(3/2), E = -3 pi / 64 G M^2 /
-  // a.
+  // Crossing time in model units: M^(5/2) / (2 |E|)^(3/2), E = -3 pi / 64 G M^2 / a.
   const double crossing = 1 / std::pow(2 * 3 * pi / 64, 1.5);
   constexpr int steps = 100;
   auto twin = sphere(501, crossing / steps);
@@ -199,7 +198,7 @@ TEST_CASE("momentum and angular momentum stay") {
 }
 
 TEST_CASE("permuted bodies give the permuted result") {
-  // Bits differ: sums are taken in the order of the bodies. Only rounding may tell them apart.
+  // Bits differ because sums are taken in the order of the bodies. The difference must be only rounding.
   auto twin = sphere(257, 0.02);
   auto other = sphere(257, 0.02);
   const auto place = [](std::size_t i) { return i * 100 % 257; };
@@ -259,7 +258,8 @@ TEST_CASE("a particle circles the attractor with Kepler's period") {
   p.hasAttractor = true;
   p.attractorSoftening = 1e-5F;
   p.groups.emplace_back().count = 1;
-  const double period = 2 * pi * 2 * std::sqrt(2.0);  // radius 2, G M = 1
+  const double period =
+      2 * pi * 2 * std::sqrt(2.0);  // period of a circular orbit with radius 2 and G M = 1
   ParticlesTwin twin(sim::ParticlePlan(p, 1, period / 4000));
   twin.positions[0] = glm::vec4(2, 0, 0, 1);
   twin.velocities[0] = glm::vec4(0, 0, std::sqrt(0.5F), 0);
@@ -274,7 +274,7 @@ TEST_CASE("turbulence has no divergence, mean zero and unit strength") {
   double slope = 0;
   int count = 0;
   for (int i = 0; i < 4000; ++i) {
-    // A low-discrepancy set (powers of the inverse of the plastic number's like) over 40^3 cells.
+    // A low-discrepancy sequence in 40^3 cells (powers of the inverse of a generalized golden ratio).
     const glm::dvec3 at =
         glm::fract(glm::dvec3(0.8191725, 0.6710436, 0.5497005) * static_cast<double>(i)) * 40.0;
     const glm::vec3 p(at);

@@ -81,7 +81,7 @@ TEST_CASE("particle CSV files are read by the names of their columns") {
 }
 
 TEST_CASE("particles of a file without masses share the group's") {
-  // As spreadsheets write it: a byte-order mark, capitals, quotes, a comma within them.
+  // As spreadsheets write it: a byte-order mark, capitals, quotes, commas inside quotes.
   const TemporaryFile sheet(
       "sheet.csv", "\xEF\xBB\xBF\"X\",\"Y\", \"Z\",\"Name, first\",Mass\r\n1,2,\"3\",\"a, b\",4\r\n");
   CHECK(sim::readParticles(sheet.path(), 1, 10).positions.at(0) == glm::vec4(1, 2, 3, 4));
@@ -171,7 +171,7 @@ TEST_CASE("emitters give birth at their rate and never overtake themselves") {
     for (std::size_t i = 0; i < before.size(); ++i) {
       const float age = twin.velocities[i].w;
       alive += age >= 0 ? 1 : 0;
-      // Reborn although the last one had more than a substep to live.
+      // Counts slots that are reborn although the last particle had more than a substep to live.
       if (age >= 0 && age < before[i] && before[i] < 0.9F) ++early;
       CHECK((age < 0) == (twin.positions[i].w == 0));
       before[i] = age;
@@ -213,7 +213,7 @@ TEST_CASE("newborns lie in the cone and ball they are told") {
     const float speed = glm::length(v);
     CHECK(speed == doctest::Approx(4).epsilon(0.301));
     widest = std::max(widest, std::acos(glm::dot(v / speed, glm::vec3(0, 0, -1))));
-    // Undo its flight; its age times the slot's lifetime, between 0.3 and 0.7 s.
+    // Reverses the flight over the age, which is a fraction of the slot's lifetime of 0.3 to 0.7 s.
     const glm::vec3 fromMiddle = glm::vec3(twin.positions[i]) - glm::vec3(1, 2, 3);
     const glm::vec3 across = fromMiddle - glm::dot(fromMiddle, v) / glm::dot(v, v) * v;
     farthest = std::max(farthest, glm::length(across));
@@ -256,7 +256,8 @@ TEST_CASE("groups have the shape, mass and motion they are told") {
   auto half = sim::ParticlePlan(p, 1, 1).firstCloud().positions;
   inner = 0;
   for (const auto& position : half) inner += glm::length(glm::vec3(position)) < 2 * 1.3048F ? 1 : 0;
-  CHECK(inner / 5001.0 == doctest::Approx(0.5).epsilon(0.05).scale(0));  // half-mass radius 1.305 a
+  // the half-mass radius of a Plummer sphere is 1.305 a
+  CHECK(inner / 5001.0 == doctest::Approx(0.5).epsilon(0.05).scale(0));
   CHECK(glm::length(middleOf(half)) < 1e-5);
 
   g.shape = sim::ParticleGroup::Shape::disk;
@@ -273,8 +274,10 @@ TEST_CASE("groups have the shape, mass and motion they are told") {
     radius += std::hypot(disk.positions[i].x, disk.positions[i].z);
     spin += glm::cross(glm::vec3(disk.positions[i]), glm::vec3(disk.velocities[i])).y;
   }
-  CHECK(radius / 5001 == doctest::Approx(2 * 2).epsilon(0.05).scale(0));       // mean of R e^(-R/2): 2 Rd
-  CHECK(height / 5001 == doctest::Approx(0.1 * 0.693).epsilon(0.1).scale(0));  // mean of sech^2: z0 ln 2
+  // the mean radius of an exponential disc, with density R e^(-R/2), is 2 Rd
+  CHECK(radius / 5001 == doctest::Approx(2 * 2).epsilon(0.05).scale(0));
+  // the mean height for a sech^2 profile is z0 ln 2
+  CHECK(height / 5001 == doctest::Approx(0.1 * 0.693).epsilon(0.1).scale(0));
   CHECK(spin > 0);
 }
 
@@ -294,7 +297,7 @@ TEST_CASE("a disk turns steadily: its size stays over two rotations") {
     return sum / static_cast<double>(twin.positions.size());
   };
   const double first = meanRadius();
-  for (int i = 0; i < 500; ++i) {  // 20 s; a rotation at R = 2 takes about 9 s
+  for (int i = 0; i < 500; ++i) {  // simulates 20 s; a rotation at R = 2 takes about 9 s
     twin.step(i * 0.04, 0);
     if (i % 100 == 99) CHECK(meanRadius() == doctest::Approx(first).epsilon(0.08));
   }

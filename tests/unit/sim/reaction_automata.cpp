@@ -1,4 +1,4 @@
-// Automata as rules that say what a cell becomes: in volumes and on meshes against plain loops.
+// Automata as rules for a cell's next state, in volumes and on meshes, compared with plain loops.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -23,8 +23,9 @@ sim::ReactionParameters automaton(const std::string& members) {
   return dynamic_cast<const sim::ReactionParameters&>(*scene.objects.at(0).parameters);
 }
 
-/// Bays' notation: alive stays with environment low to high, and is born with fertility low to high. More
-/// than two states: after 1 a cell is 2, 3, ... and 0 again (Generations).
+/// Bays' notation: a living cell survives with an environment from low to high, and a cell is born with a
+/// fertility from low to high. With more than two states, a cell goes from 1 to 2, 3, ... and back to 0
+/// (Generations).
 struct Bays {
   int surviveLow, surviveHigh, bornLow, bornHigh, states = 2;
 
@@ -81,8 +82,8 @@ TEST_CASE("automata in a volume: Bays' rules and Generations equal a plain loop 
       auto p = automaton(rule.rule() + (torus ? "" : ", \"boundary\": \"fixed\""));
       p.size = {13, 9};
       p.depth = 7;
-      // A let that a stencil is laid over has the cell beside beyond an edge: what is dead there is asked
-      // for itself.
+      // With fixed boundaries, only a stencil applied directly to a species treats cells outside as dead. A
+      // stencil over a let repeats the border cell, so rules with more than two states are skipped.
       if (!torus && rule.states > 2) continue;
       if (!torus) p.lets = {{"n", "around(u)"}};
       const sim::ReactionPlan plan(p, "r", 3, 1.0);

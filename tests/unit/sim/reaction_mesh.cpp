@@ -1,5 +1,5 @@
-// Equations on meshes against theory: a sphere's harmonics decay with l (l + 1), a grid of right triangles
-// has the five-point Laplacian, what spreads is conserved, seams are none.
+// Compares equations on meshes with theory: a sphere's harmonics decay with l (l + 1), a grid of right
+// triangles has the five-point Laplacian, diffusion conserves the sum, and seams have no effect.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -38,7 +38,7 @@ struct OnMesh {
       : plan(meshRule(members), "r", 1, 1.0), field(plan.firstField()) {
     for (int i = 0; i < steps; ++i) sim::evaluateStep(plan, plan.valuesAt(0), i, 0, field);
   }
-  /// Sum over cells of area times the product of two species.
+  /// Returns the sum over cells of area times the product of two species.
   [[nodiscard]] double product(std::size_t a, std::size_t b) const {
     double sum = 0;
     for (std::size_t i = 0; i < plan.cells().areas.size(); ++i)
@@ -89,10 +89,11 @@ TEST_CASE("reaction on a sphere: harmonics are the Laplacian's, with the eigenva
                 R"X("dt": 1, "species": {{"u": {{"start": "{}"}}, "w": {{"rate": "laplacian(u)"}}}})X",
                 harmonicStart(l)),
         1);
-    const double radius = 1.7 / made.plan.cells().meanEdge;  // the spacing is 1
+    const double radius =
+        1.7 / made.plan.cells().meanEdge;  // scales the radius, because the spacing of the cells is 1
     const double found = -made.product(0, 1) / made.product(0, 0) * radius * radius;
     CHECK_MESSAGE(std::abs(found / (l * (l + 1)) - 1) < 0.02, (found));
-    // It is that function, too, not only in the mean.
+    // Checks the function itself, not only its mean.
     CHECK(made.product(1, 1) * std::pow(radius, 4) / made.product(0, 0) ==
           doctest::Approx(std::pow(l * (l + 1), 2)).epsilon(0.05));
   }
@@ -124,14 +125,15 @@ TEST_CASE("reaction on a grid of right triangles is the five-point one") {
       1);
   const sim::MeshCells& cells = made.plan.cells();
   REQUIRE(cells.count() == 17 * 13);
-  const auto at = [&](int x, int z) {  // by place: cells are numbered as faces come to them
-    for (std::size_t i = 0; i < cells.places.size(); ++i)
-      if (std::abs(cells.places[i].x + 4 - 0.5 * x) < 1e-6 &&
-          std::abs(cells.places[i].z + 3 - 0.5 * z) < 1e-6)
-        return i;
-    return cells.places.size();
-  };
-  // The mean edge of such a mesh is longer than its squares' sides.
+  const auto at =
+      [&](int x, int z) {  // finds a cell by position, because cells are numbered in the order of the faces
+        for (std::size_t i = 0; i < cells.places.size(); ++i)
+          if (std::abs(cells.places[i].x + 4 - 0.5 * x) < 1e-6 &&
+              std::abs(cells.places[i].z + 3 - 0.5 * z) < 1e-6)
+            return i;
+        return cells.places.size();
+      };
+  // The mean edge of such a mesh is longer than the sides of its squares.
   const double side = 0.5 / cells.meanEdge;
   for (int z = 1; z < 12; ++z)
     for (int x = 1; x < 16; ++x) {
@@ -168,7 +170,7 @@ TEST_CASE("reaction on meshes: presets as they are, are as stable as on a grid, 
                            R"X({"shape": "plane", "size": [4, 0, 1], "resolution": [21, 17]})X"})
     for (const sim::ReactionPreset& preset : sim::reactionPresets()) {
       if (std::string(preset.name) == "kuramotoSivashinsky")
-        continue;  // it takes gradients, which no mesh has
+        continue;  // uses gradients, which do not exist on meshes
       CAPTURE(std::string(mesh));
       CAPTURE(std::string(preset.name));
       const OnMesh made(fmt::format(R"X("preset": "{}", "mesh": {})X", preset.name, mesh), 150);
@@ -192,12 +194,12 @@ TEST_CASE("mesh cells: seams are none, Loop's subdivision makes four of each fac
   CHECK(sim::cellsOf(ball, "it").count() == 32 * 15 + 2);
   const sim::Mesh finer = sim::refined(ball);
   CHECK(finer.indices.size() == 4 * 3 * std::size_t{32 * 14 * 2 + 2 * 32});
-  // V - E + F = 2.
+  // Euler's formula for a closed surface: V - E + F = 2.
   const sim::MeshCells cells = sim::cellsOf(finer, "it");
   CHECK(cells.count() - static_cast<int>(cells.links.size()) / 2 +
             static_cast<int>(finer.indices.size()) / 3 ==
         2);
-  // What is flat stays flat with its border.
+  // A flat sheet stays flat, and so does its border.
   const sim::Mesh sheet = sim::refined(sim::planeMesh({4, 0, 2}, {5, 4}));
   double most = 0;
   for (const glm::vec3& place : sheet.positions) {
@@ -219,7 +221,7 @@ TEST_CASE("pictures lie on meshes by texture coordinates, by longitude and latit
                     mesh, gingham),
         0);
   };
-  /// Bilinear between the middles of pixels, in double.
+  /// Interpolates bilinearly between pixel centres, in double precision.
   const auto level = [&](double u, double v) {
     const auto between = [](double at, int count) {
       const double place = std::clamp(at * count - 0.5, 0.0, count - 1.0);
@@ -236,7 +238,7 @@ TEST_CASE("pictures lie on meshes by texture coordinates, by longitude and latit
     double spread = 0;
     for (std::size_t i = 0; i < made.field.stage[0].size(); ++i) {
       const glm::dvec2 uv = place(made.plan.cells().places[i]);
-      // A picture's place is known to a 65536th.
+      // A position in a picture is accurate to 1/65536.
       const double want = 2 + 3 * level(uv.x, uv.y) / 255,
                    got = static_cast<double>(made.field.stage[0][i]);
       CHECK(std::abs(got - want) < 3.0 * picture.size.x / 65536);
@@ -248,7 +250,7 @@ TEST_CASE("pictures lie on meshes by texture coordinates, by longitude and latit
   const auto above = [](const glm::dvec3& p) { return glm::dvec2(p.x / 3 + 0.5, p.z / 2 + 0.5); };
   holds(mapped(sheet + "}"), above);
   holds(mapped(sheet + R"X(, "maps": "top"})X"), above);
-  // Subdivided it has no coordinates; seen from the front it is a line.
+  // A subdivided sheet has no texture coordinates; seen from the front it is a line.
   holds(mapped(sheet + R"X(, "refine": 1, "maps": "top"})X"), above);
   holds(mapped(R"X({"shape": "sphere", "radius": 2, "resolution": [33, 17], "maps": "front"})X"),
         [](const glm::dvec3& p) { return glm::dvec2(p.x / 4 + 0.5, 0.5 - p.y / 4); });

@@ -1,5 +1,5 @@
-// Presets against theory. What is expected is computed here in double, from the equations as papers have
-// them: Jacobians of homogeneous states, the symbol of the nine points, exact solutions.
+// Compares presets with theory. Expected values are computed here in double precision from the equations of
+// the papers: Jacobians of homogeneous states, the symbol of the nine-point stencil, exact solutions.
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/reaction/plan.hpp"
@@ -29,7 +29,7 @@ sim::ReactionParameters equations(const std::string& members) {
   return dynamic_cast<const sim::ReactionParameters&>(*scene.objects.at(0).parameters);
 }
 
-/// The state after `steps`.
+/// Returns the state after `steps`.
 sim::RuleField after(const sim::ReactionParameters& parameters, int steps) {
   const sim::ReactionPlan plan(parameters, "r", 1, second);
   sim::RuleField field = plan.firstField();
@@ -44,13 +44,13 @@ double meanOf(const std::vector<float>& cells) {
 using Matrix = std::array<std::array<double, 2>, 2>;
 using Amplitudes = std::array<double, 2>;
 
-/// A preset at a homogeneous state: that, and the rates of a small wave there whose Laplacian is L times
-/// it.
+/// A preset at a homogeneous state: the state, and the rates of a small wave whose Laplacian is L times the
+/// wave.
 struct Homogeneous {
   const char* preset;
   Amplitudes state;
   std::function<Matrix(double L)> rates;
-  double wave = 1e-3;  ///< its height, small beside what the equations bend at
+  double wave = 1e-3;  ///< amplitude, small enough for linear behaviour
 };
 
 std::vector<Homogeneous> homogeneousStates() {
@@ -131,12 +131,12 @@ std::vector<Homogeneous> homogeneousStates() {
   };
 }
 
-/// One step of a' = M a by the method, in double.
+/// Performs one step of a' = M a by the method, in double precision.
 Amplitudes stepped(const Matrix& m, const Amplitudes& a, double dt, sim::RuleMethod method) {
   const auto times = [&](const Amplitudes& b) {
     return Amplitudes{m[0][0] * b[0] + m[0][1] * b[1], m[1][0] * b[0] + m[1][1] * b[1]};
   };
-  // All of these methods are Taylor series of exp(dt M).
+  // For a linear equation, every method is a truncated Taylor series of exp(dt M).
   const int order = method == sim::RuleMethod::euler ? 1 : method == sim::RuleMethod::heun ? 2 : 4;
   Amplitudes term = a, sum = a;
   for (int i = 1; i <= order; ++i) {
@@ -146,7 +146,7 @@ Amplitudes stepped(const Matrix& m, const Amplitudes& a, double dt, sim::RuleMet
   return sum;
 }
 
-/// Twice the mean of a plane's product with the wave.
+/// Returns twice the mean of a plane's product with the wave.
 double amplitude(const std::vector<float>& cells, double mean, glm::ivec2 size, const glm::dvec2& k) {
   double sum = 0;
   for (int y = 0; y < size.y; ++y)
@@ -173,7 +173,8 @@ TEST_CASE("reaction: a small wave on each preset's homogeneous state grows as th
       const Matrix rates = at.rates(L);
       const Amplitudes start = {at.wave, -0.4 * at.wave};
       std::erase_if(p.parameters,
-                    [](const auto& parameter) { return parameter.name == "mean"; });  // of a start
+                    // removes the parameter that only the start uses
+                    [](const auto& parameter) { return parameter.name == "mean"; });
       for (std::size_t i = 0; i < p.species.size(); ++i)
         p.species[i].start = fmt::format("{:.9g} + {:.9g}*cos({:.9g}*x + {:.9g}*y)", at.state[i], start[i],
                                          k.x / p.spacing, k.y / p.spacing);
@@ -181,7 +182,7 @@ TEST_CASE("reaction: a small wave on each preset's homogeneous state grows as th
       Amplitudes want = start;
       if (!two) want[1] = 0;
       const Amplitudes begun = want;
-      // Until it has changed by a factor of about e.
+      // Until the wave has changed by a factor of about e.
       double fastest = 0;
       for (const auto& row : rates) fastest = std::max(fastest, std::abs(row[0]) + std::abs(row[1]));
       const int steps = std::clamp(static_cast<int>(1 / (fastest * p.dt)), 4, 400);
@@ -222,8 +223,8 @@ TEST_CASE("reaction: Euler, Heun and Runge-Kutta are of order 1, 2 and 4 in time
 }
 
 TEST_CASE("reaction: time, keys and moving rates come at the right moment") {
-  // du/dt = t^3: order 4 is exact but for rounding; Euler's sum of 8 steps of 1/8 is (28/64)^2... of whole
-  // numbers.
+  // du/dt = t^3: order 4 is exact except for rounding; Euler's sum of 8 steps of 1/8 is (28/64)^2... of
+  // integers.
   auto p = equations(R"X("species": {"u": {"rate": "t^3"}}, "method": "rk4")X");
   p.size = {4, 4};
   p.dt = 0.125;

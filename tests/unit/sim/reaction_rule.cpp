@@ -1,4 +1,4 @@
-// Rules: what of a scene's equations is refused, and where the mistake is shown.
+// Rules: refused equations of a scene, and the marked position of the error.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -27,13 +27,13 @@ std::string refusal(const std::string& members) {
   }
 }
 
-/// A rule of one species u with that rate.
+/// Returns the error of a rule with one species u and this rate.
 std::string rate(const std::string& expression, const std::string& more = "") {
   return refusal(more + R"X("species": {"u": {"rate": ")X" + expression + "\"}}");
 }
 
 bool shows(const std::string& refused, const std::string& message, const std::string& marked) {
-  // The caret line has as many marks as what is marked, which stands right above it.
+  // The caret line has as many carets as the marked text, which is directly above.
   const std::size_t caret = refused.rfind('\n') + 1;
   const std::size_t line = refused.rfind('\n', caret - 2) + 1;
   const std::size_t at = refused.find_first_of('^', caret) - caret;
@@ -100,7 +100,7 @@ TEST_CASE("reaction: what is wrong with a rule as a whole") {
   std::string dear = "u";
   for (int i = 0; i < 100; ++i) dear += fmt::format("+tanh(u+{})", i);
   CHECK(rate(dear).find("the rates cost") != std::string::npos);
-  // Lets that double each other: 2^30 operations written out, 30 as a graph.
+  // Lets that double each other: 2^30 operations when expanded, 30 as a graph.
   std::string lets = "\"l0\": \"u\"";
   for (int i = 1; i < 31; ++i) lets += fmt::format(", \"l{0}\": \"l{1}*l{1} + l{1}\"", i, i - 1);
   CHECK(rate("l30", "\"lets\": {" + lets + "}, ") == "none");
@@ -137,7 +137,7 @@ TEST_CASE("reaction: fields of others are there, alone, and not before the first
   CHECK(refused(with(R"({"field": "smoke", "down": 2})")).find("leave out \"down\"") != std::string::npos);
   CHECK(refused(with(R"({"field": "smoke"})", R"("presteps": 3, )")).find("leave out \"presteps\"") !=
         std::string::npos);
-  // On a mesh: fields of grids, and of the same mesh wherever that stands; grids take none of meshes.
+  // On a mesh: fields of grids, and of the same mesh at any position; grids cannot use fields of meshes.
   const auto onMesh = [](const char* name, const char* mesh, const char* field) {
     return fmt::format(
         R"X("{}": {{"reaction": {{"mesh": {}, "parameters": {{"f": {{"field": "{}"}}}}, "species": {{"u": {{"rate": "f"}}}}}}}}, )X",
@@ -157,7 +157,7 @@ TEST_CASE("reaction: fields of others are there, alone, and not before the first
         std::string::npos);
   CHECK(refused(onMesh("n", R"({"shape": "torus"})", "m.v") + other + with(R"({"field": "smoke"})"))
             .find("object \"m\" has no field \"m.v\"; did you mean") != std::string::npos);
-  // In a volume: fields of grids, in all layers alike, and of volumes of the same proportions.
+  // In a volume: fields of grids, equal in all layers, and of volumes with the same proportions.
   const auto inVolume = [](const char* name, const char* size, const char* field) {
     return fmt::format(
         R"X("{}": {{"reaction": {{"size": {}, "parameters": {{"f": {{"field": "{}"}}}}, "species": {{"u": {{"rate": "f"}}}}}}}}, )X",

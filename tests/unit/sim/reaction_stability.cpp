@@ -1,4 +1,4 @@
-// Steps that are too long for what expressions say, by the stability limits of the methods.
+// Time steps that are too long for the expressions, by the stability limits of the methods.
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
 #include "sim/reaction/presets.hpp"
@@ -34,7 +34,7 @@ std::optional<sim::StepGrowth> growthOf(const char* rate, double dt, const char*
 }  // namespace
 
 TEST_CASE("reaction: steps that let small waves grow are found, and those that do not are not") {
-  // The fastest wave of the laplacian has the eigenvalue -16/3.
+  // The fastest wave of the Laplacian has the eigenvalue -16/3.
   CHECK_FALSE(growthOf("laplacian(u)", 0.37, "euler"));
   CHECK_FALSE(growthOf("laplacian(u)", 0.51, "rk4"));
   CHECK(growthOf("laplacian(u)", 0.54, "rk4"));
@@ -48,12 +48,12 @@ TEST_CASE("reaction: steps that let small waves grow are found, and those that d
   const auto decay = growthOf("-100*u", 0.1, "euler");
   REQUIRE(decay);
   CHECK(decay->step == doctest::Approx(9).epsilon(0.01));
-  // Euler lets what oscillates grow; a wave of four cells moves by one cell in a time of 1.
+  // With Euler, oscillations grow; a wave of four cells moves by one cell in a time of 1.
   const auto moved = growthOf("ddx(u)", 0.5, "euler");
   REQUIRE(moved);
   CHECK(moved->step == doctest::Approx(std::sqrt(1.25)).epsilon(0.01));
   CHECK_FALSE(growthOf("ddx(u)", 0.5, "rk4"));
-  // What grows by itself may.
+  // Growth that belongs to the equation itself is allowed.
   CHECK_FALSE(growthOf("3*u", 0.2, "euler"));
   CHECK_FALSE(growthOf("-laplacian(u)", 0.1, "euler"));
 }

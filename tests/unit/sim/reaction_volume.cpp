@@ -1,6 +1,6 @@
-// Equations in volumes against theory: small waves grow as the symbol of the 19 points says, what spreads
-// is conserved, derivatives are those of the continuous operators, and layers that are alike are as a
-// plane.
+// Compares equations in volumes with theory: small waves grow by the symbol of the 19-point stencil,
+// diffusion conserves the sum, derivatives equal the continuous operators, and identical layers behave like
+// a plane.
 #include "base/error.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
@@ -54,7 +54,7 @@ TEST_CASE("reaction in a volume: a small wave grows as the symbol of the 19 poin
   struct State {
     const char* preset;
     double u;
-    std::function<double(double L)> rate;  ///< of a wave of one species
+    std::function<double(double L)> rate;  ///< growth rate of a wave of one species
   };
   for (const State& at :
        {State{"heat", 0.4, [](double L) { return L; }},

@@ -1,4 +1,4 @@
-// Points that are attached to a skin: where a rigid body takes them, and how far off the skin they stay.
+// Points attached to a skin: they follow rigid bodies exactly, and stay close to the skin.
 #include "sim/body/skin_points.hpp"
 
 #include "base/error.hpp"
@@ -68,7 +68,7 @@ TEST_CASE("skin points: on a body that does not bend they turn and travel with i
 TEST_CASE("skin points: on the skin of a figure that walks they stay on it, off it as far off") {
   const auto motion = walkerMotion(true);
   const sim::Figure& figure = motion->figure();
-  // Vertices of the skin themselves: through the nodes' own matrices, in float64.
+  // The skin's own vertices, transformed by the nodes' matrices in double precision.
   const auto vertexAt = [&](std::size_t i, double time) {
     glm::dvec3 sum(0);
     for (int k = 0; k < 4; ++k) {
@@ -96,7 +96,7 @@ TEST_CASE("skin points: on the skin of a figure that walks they stay on it, off 
     CHECK(glm::distance(later[i], vertexAt(vertices[i], 0.4)) < 1e-5);
     moved = std::max(moved, glm::distance(later[i], start[i]));
     CHECK(glm::distance(start[on + i], points[on + i]) < 1e-9);
-    double nearest = 1e9;  // to the vertices, which lie closer together than that
+    double nearest = 1e9;  // to the vertices, which are closer together than the tolerance
     for (std::size_t k = 0; k < figure.mesh.positions.size(); ++k)
       nearest = std::min(nearest, glm::distance(later[on + i], vertexAt(k, 0.4)));
     CHECK(nearest < 0.08);

@@ -29,7 +29,7 @@ StrokeParameters stroke(StrokeShape shape, glm::vec3 from, glm::vec3 to, float r
 constexpr glm::ivec2 strokeGrid(61, 47);
 const StrokeGrid bounded{strokeGrid, false, "field \"f\""};
 
-/// Painted cells of the first step, and that none of them lies outside the box.
+/// Returns the painted cells of the first step; checks that all are inside the box.
 std::vector<glm::ivec2> painted(const Strokes& strokes, const shader::Stroke& s) {
   const glm::ivec4 box = Strokes::box(s, strokeGrid);
   CHECK(box.x >= 0);
@@ -54,7 +54,7 @@ std::vector<glm::ivec2> paintedAtOnce(const StrokeParameters& p) {
   return painted(strokes, active[0]);
 }
 
-/// Distance from the middle of a cell to a segment, in double.
+/// Returns the distance from a cell's centre to a segment, in double precision.
 double distance(glm::ivec2 cell, glm::dvec2 a, glm::dvec2 b) {
   const double px = cell.x + 0.5 - a.x;
   const double py = cell.y + 0.5 - a.y;
@@ -89,8 +89,8 @@ TEST_CASE("a circle and a line paint the cells whose middle is within the radius
   }
 }
 
-// Whatever is within the radius of a segment on the plane that the torus unrolls to: every image of every
-// cell, one by one, in float64.
+// Expects the cells within the radius of a segment on the unrolled torus, testing every image of every cell
+// in double precision.
 TEST_CASE("on a torus a stroke goes on at the opposite border") {
   struct {
     glm::ivec2 size;
@@ -117,7 +117,7 @@ TEST_CASE("on a torus a stroke goes on at the opposite border") {
     const Strokes strokes({p}, 1, {c.size, true, "field"});
     const auto images = strokes.into(0, 0.1, 0);
     CHECK(images.size() <= 60);
-    // So many rounds that nothing nearer is left out.
+    // Enough images in each direction to include the nearest one.
     const int around = 2 + static_cast<int>((600 + c.radius) / std::min(c.size.x, c.size.y));
     for (int y = 0; y < c.size.y; ++y)
       for (int x = 0; x < c.size.x; ++x) {

@@ -1,4 +1,4 @@
-// Text: what it says, how it is laid out, and the solids that its outlines become.
+// Text: its content, layout, and the solids made from its outlines.
 #include "base/file.hpp"
 #include "sim/text/content.hpp"
 #include "sim/text/letters/layout.hpp"
@@ -46,7 +46,7 @@ double areaOf(const std::vector<Trapezoid>& parts) {
   return area;
 }
 
-/// Of a closed mesh, by the divergence theorem.
+/// Returns the volume of a closed mesh, by the divergence theorem.
 double volumeOf(const Mesh& mesh) {
   double volume = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -57,7 +57,8 @@ double volumeOf(const Mesh& mesh) {
   return volume;
 }
 
-/// Edges that have not exactly one triangle on each side; places count, not vertices.
+/// Returns the number of edges without exactly one triangle on each side; edges are compared by position,
+/// not by vertex.
 int openEdges(const Mesh& mesh) {
   using Place = std::array<float, 3>;
   std::map<std::pair<Place, Place>, int> edges;
@@ -114,7 +115,7 @@ TEST_CASE("text: lengths are in heights of a capital, and lines lie where they a
   CHECK(top == doctest::Approx(1));
   CHECK(font.has(U'é'));
   CHECK_FALSE(font.has(U'雪'));
-  CHECK(font.kerning(U'A', U'V') < -0.01);  // they are drawn together
+  CHECK(font.kerning(U'A', U'V') < -0.01);  // kerning moves A and V closer together
   CHECK(font.kerning(U'H', U'H') == 0);
   const auto box = [&](const TextAnchor& anchor) {
     std::pair<glm::dvec2, glm::dvec2> found{glm::dvec2(1e9), glm::dvec2(-1e9)};
@@ -132,7 +133,8 @@ TEST_CASE("text: lengths are in heights of a capital, and lines lie where they a
   CHECK(box({Across::left, Down::bottom}).first.y == doctest::Approx(0).scale(1));
   const auto middle = box({Across::center, Down::middle});
   CHECK(middle.first.y == doctest::Approx(-middle.second.y));
-  CHECK(middle.first.x == doctest::Approx(-middle.second.x).epsilon(0.02));  // side bearings
+  // equal except for the side bearings of the letters
+  CHECK(middle.first.x == doctest::Approx(-middle.second.x).epsilon(0.02));
   CHECK(box({Across::left, Down::top}).first.x > 0);
   CHECK(box({Across::right, Down::top}).second.x < 0);
 }
@@ -146,12 +148,12 @@ TEST_CASE("text: trapezoids fill what outlines go round, once") {
       CHECK(areaOf(trapezoids(outlines)) == doctest::Approx(areaOf(outlines)).epsilon(1e-9));
     }
   }
-  // Two squares that overlap are filled once, and a hole stays one.
+  // Two overlapping squares are filled once, and a hole stays empty.
   const TextOutlines squares = {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}};
   CHECK(areaOf(trapezoids(squares)) == doctest::Approx(7));
   const TextOutlines ring = {{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{1, 1}, {1, 2}, {2, 2}, {2, 1}}};
   CHECK(areaOf(trapezoids(ring)) == doctest::Approx(8));
-  // A bow tie: its sides cross where no corner is.
+  // A bow tie: its sides cross away from corners.
   CHECK(areaOf(trapezoids({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}})) == doctest::Approx(2));
 }
 
@@ -166,7 +168,7 @@ TEST_CASE("text: letters are closed solids of their area times their depth, seen
       CHECK(volumeOf(mesh) == doctest::Approx(0.3 * 0.49 * areaOf(outlines)).epsilon(1e-4));
       for (std::size_t i = 0; i < mesh.normals.size(); ++i)
         CHECK(glm::length(mesh.normals[i]) == doctest::Approx(1).epsilon(1e-5));
-      // Normals look where triangles do.
+      // Normals agree with the triangles' orientation.
       for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const auto at = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.indices[i + k]]); };
         const glm::dvec3 way = glm::cross(at(1) - at(0), at(2) - at(0));

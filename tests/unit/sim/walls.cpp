@@ -1,5 +1,5 @@
-// Colliding with caves and contours: answers known without the program, the drawn contours as judges in
-// float64, and one clear line for each mistake.
+// Collisions with caves and contours: known results, comparison with the drawn contours in double
+// precision, and one clear line for each error.
 #include "base/error.hpp"
 #include "reference/cloth_twin.hpp"
 #include "reference/particles_twin.hpp"
@@ -24,7 +24,7 @@ namespace {
 using FieldValue = std::function<float(int, int)>;
 constexpr double wallsFrame = 1.0 / 60.0;
 
-/// A block of so many cells with a level in the middle of [0, 1], rock 1 m high.
+/// A block of cells with one level at the middle of [0, 1]; rock is 1 m high.
 sim::SolidShape block(glm::ivec2 size, float spacing, int outside = 1) {
   sim::SolidShape shape;
   shape.size = size;
@@ -37,7 +37,7 @@ sim::SolidShape block(glm::ivec2 size, float spacing, int outside = 1) {
 struct Ball {
   glm::vec3 position, velocity;
 };
-/// Balls of that margin beside a solid around the origin, with weight or without.
+/// Spheres with that margin beside a solid around the origin, with or without weight.
 ParticlesTwin ballsBeside(const sim::SolidShape& shape, const FieldValue& value,
                           const std::vector<Ball>& balls, float margin, float bounce, float weight,
                           float grip = 0, int substeps = 4) {
@@ -58,7 +58,7 @@ ParticlesTwin ballsBeside(const sim::SolidShape& shape, const FieldValue& value,
   return twin;
 }
 
-/// The drawn contours, and what lies within them, in double and without squares.
+/// The drawn contours and their interior, in double precision and without squares.
 class Outlines {
  public:
   Outlines(const sim::SolidShape& shape, const FieldValue& value) : shape_(shape), twin_(shape, value) {
@@ -66,8 +66,8 @@ class Outlines {
     for (std::size_t i = 0; i < lines.points.size(); ++i)
       walls_.push_back({placeOf(lines.points[i]), placeOf(lines.points[lines.next[i]]), lines.levels[i]});
   }
-  /// Whether level `k` is reached there: rays cross the contours, and the block's edge, an odd number of
-  /// times.
+  /// True if level `k` is reached at `at`: a ray from there crosses the contours and the block's edge an
+  /// odd number of times.
   [[nodiscard]] bool reaches(int k, glm::dvec2 at) const {
     const glm::dvec2 half = 0.5 * static_cast<double>(shape_.spacing) * glm::dvec2(shape_.size + 1);
     if (std::abs(at.x) > half.x || std::abs(at.y) > half.y) return false;
@@ -88,7 +88,8 @@ class Outlines {
     }
     return least;
   }
-  /// How far from the solid a point outside is, m: from the tops below it and the walls beside it.
+  /// Returns the distance (m) of an outside point from the solid: from the tops below it and the walls
+  /// beside it.
   [[nodiscard]] double clearance(glm::dvec3 p) const {
     double least = p.y;
     for (std::size_t k = 1; k < shape_.heights.size(); ++k) {
@@ -98,7 +99,7 @@ class Outlines {
     }
     return least;
   }
-  /// How far within rock a point is, m; 0 outside.
+  /// Returns the depth (m) of a point inside rock; 0 outside.
   [[nodiscard]] double depth(glm::dvec3 p) const {
     double deepest = 0;
     for (std::size_t k = 1; k < shape_.heights.size(); ++k) {
@@ -149,7 +150,7 @@ std::string wallsFailure(const std::string& objects) {
 }  // namespace
 
 TEST_CASE("walls: a ball bounces off a straight wall like light off a mirror") {
-  // Rock where x > 0.13 m, whatever z.
+  // Rock for x > 0.13 m, at any z.
   const FieldValue slope = [](int x, int) { return 0.5F + 0.1F * (static_cast<float>(x) - 20.6F); };
   const float wall = 0.1F * (20.6F - 20.0F);
   for (const float bounce : {1.0F, 0.6F, 0.0F})
@@ -172,7 +173,7 @@ TEST_CASE("walls: a ball bounces off a straight wall like light off a mirror") {
 TEST_CASE("walls: what rubs against a wall loses its speed along it at the rate of grip") {
   const FieldValue slope = [](int x, int) { return 0.5F + 0.1F * (static_cast<float>(x) - 20.6F); };
   auto twin = ballsBeside(block({41, 41}, 0.1F), slope, {{{0.05F, 0.0F, 0}, {0, 0, 1}}}, 0.02F, 0, 10, 3);
-  twin.positions[0].y = 0.02F;  // lies on the floor, away from the wall
+  twin.positions[0].y = 0.02F;  // moves the sphere to the floor, away from the wall
   twin.positions[0].x = -0.5F;
   for (int frame = 0; frame < 30; ++frame) twin.step(frame * wallsFrame);
   CHECK(twin.positions[0].y == doctest::Approx(0.02));
@@ -184,7 +185,7 @@ TEST_CASE("walls: in a round pit balls stay, within second order of the square, 
   for (const int fine : {0, 1}) {
     const int count = fine == 0 ? 24 : 96;
     const float spacing = 2.4F / static_cast<float>(count + 1);
-    // Not linear, so that crossings are off by second order.
+    // A nonlinear field, so that crossings have second-order errors.
     const FieldValue bowl = [&](int x, int y) {
       const float half = 0.5F * static_cast<float>(count - 1);
       const float dx = spacing * (static_cast<float>(x) - half),
@@ -204,9 +205,9 @@ TEST_CASE("walls: in a round pit balls stay, within second order of the square, 
       twin.step(frame * wallsFrame);
       for (std::size_t i = 0; i < balls.size(); ++i) {
         const double radius = std::hypot<double>(twin.positions[i].x, twin.positions[i].z);
-        CHECK(radius < 1.0);  // chords lie within the circle
+        CHECK(radius < 1.0);  // the contour's chords are inside the circle
         if (twin.velocities[i] == before[i]) continue;
-        ++bounces;  // and it is at the wall, but for the thousandth of a square that is kept in any case
+        ++bounces;  // it is at the wall, except for the minimum distance of a thousandth of a square
         error[fine] = std::max(error[fine], std::abs(radius + 1e-3 * static_cast<double>(spacing) - 1.0));
       }
     }
@@ -215,7 +216,7 @@ TEST_CASE("walls: in a round pit balls stay, within second order of the square, 
     CHECK(bounces > 300);
   }
   CHECK(error[0] < 0.01);
-  CHECK(error[0] / error[1] > 10);  // 15 at second order for squares 97/25 as wide
+  CHECK(error[0] / error[1] > 10);  // second order would give 15, because the squares are 97/25 as wide
   MESSAGE("off the circle by " << error[0] << " m and " << error[1] << " m");
 }
 
@@ -230,9 +231,9 @@ TEST_CASE("walls: what falls on rock lands on its top, beside it on the floor") 
   for (int frame = 0; frame < 120; ++frame) twin.step(frame * wallsFrame);
   CHECK(twin.positions[0].y == doctest::Approx(1.05));
   CHECK(twin.positions[1].y == doctest::Approx(0.05));
-  CHECK(twin.positions[2].y == doctest::Approx(0.05));  // went over the edge
+  CHECK(twin.positions[2].y == doctest::Approx(0.05));  // the sphere fell over the edge
   CHECK(twin.positions[2].x > 0.449);
-  CHECK(twin.positions[3].y < -10);  // beside the block there is nothing
+  CHECK(twin.positions[3].y < -10);  // the sphere keeps falling, because there is no floor beside the block
 }
 
 TEST_CASE("walls: with a ceiling nothing leaves, and what lies on the roof stays there") {
@@ -279,7 +280,7 @@ TEST_CASE("walls: on random terraces nothing is ever in rock, as the drawn conto
     const FieldValue noise = [seed](int x, int y) {
       const float value = noiseAt(x, y, seed);
       return seed < 3 ? value
-                      : std::floor(value * 5) / 5;  // whole terraces: saddles, and values on a level
+                      : std::floor(value * 5) / 5;  // flat terraces: saddles, and values exactly on a level
     };
     std::vector<Ball> balls;
     for (int i = 0; i < 200; ++i)
@@ -293,7 +294,8 @@ TEST_CASE("walls: on random terraces nothing is ever in rock, as the drawn conto
     for (int frame = 0; frame < 120; ++frame) {
       twin.step(frame * wallsFrame);
       for (const glm::vec4& p : twin.positions) {
-        if (p.y < -0.001F || std::abs(p.x) > 0.9F || std::abs(p.z) > 0.7F) continue;  // fell off the block
+        // skips spheres that fell off the block
+        if (p.y < -0.001F || std::abs(p.x) > 0.9F || std::abs(p.z) > 0.7F) continue;
         ++inside;
         low += p.y < 0.4F ? 1 : 0;
         deepest = std::max(deepest, outlines.depth(glm::dvec3(p)));
@@ -304,7 +306,7 @@ TEST_CASE("walls: on random terraces nothing is ever in rock, as the drawn conto
     CHECK(low > 1000);
     CHECK(deepest < 2e-6);
     CAPTURE(close);
-    CHECK(close <= inside / 200);  // in clefts narrower than a ball
+    CHECK(close <= inside / 200);  // a few spheres may be stuck in clefts narrower than a sphere
   }
 }
 
@@ -358,7 +360,7 @@ TEST_CASE("walls: what rock closes around comes out, and a rising top lifts what
   auto twin = ballsBeside(shape, wall, {{{0.25F, 0.1F, 0}, {0, 0, 0}}, {{1.5F, 1.0F, 0}, {0, 0, 0}}}, 0.02F,
                           0, 10, 10);
   for (int frame = 0; frame < 120; ++frame) {
-    edge = 24.0F - 0.1F * static_cast<float>(frame);  // 0.6 m/s to the left
+    edge = 24.0F - 0.1F * static_cast<float>(frame);  // the wall's edge moves at 0.6 m/s to the left
     twin.walls->cut();
     twin.walls->setHeights({0, 1.0F + 0.002F * static_cast<float>(frame)});
     twin.step(frame * wallsFrame);

@@ -1,4 +1,4 @@
-// Floats against floats: the shapes that they touch, what bounces, rubs and stays out, against closed
+// Collisions between floats: contact shapes, bouncing, friction and penetration, compared with closed
 // forms.
 #include "reference/water_twin.hpp"
 
@@ -29,7 +29,7 @@ double longOf(const glm::dvec3& v) {
   return std::sqrt(along(v, v));
 }
 
-/// Distance to a box around the origin, negative within.
+/// Returns the distance to a box around the origin, negative inside.
 double boxDistance(const glm::dvec3& p, const glm::dvec3& half) {
   const glm::dvec3 q = glm::abs(p) - half;
   return longOf(glm::max(q, glm::dvec3(0))) + std::min(std::max({q.x, q.y, q.z}), 0.0);
@@ -71,7 +71,7 @@ double meetMass(const WaterTwin& twin, std::size_t body) {
   return twin.plan().floats().hulls()[body].mass;
 }
 
-/// Momentum of all floats, and that about the origin.
+/// Returns the linear and angular momentum of all floats about the origin.
 std::array<glm::dvec3, 2> momenta(const WaterTwin& twin) {
   std::array<glm::dvec3, 2> sum{glm::dvec3(0), glm::dvec3(0)};
   for (std::size_t i = 0; i < twin.floats.size() / 4; ++i) {
@@ -87,7 +87,8 @@ glm::dvec3 meetTurned(const glm::dvec4& q, const glm::dvec3& v) {
   return v + 2.0 * crossOf(u, crossOf(u, v) + q.w * v);
 }
 
-/// How deep (m) a vertex of one body's mesh or a middle of its edges is within the other's, by all faces.
+/// Returns how deep (m) a vertex or edge midpoint of one body's mesh is inside the other's mesh, testing
+/// all faces.
 double overlap(const WaterTwin& twin, std::size_t one, std::size_t other, const sim::ClosedMesh& mesh) {
   const sim::Hull& hull = twin.plan().floats().hulls()[other];
   double deepest = 0;
@@ -142,7 +143,7 @@ TEST_CASE("water floats: what others touch of a box is its surface") {
 }
 
 TEST_CASE("water floats: two that meet in the air do not bounce, and keep their momentum") {
-  // All at once along the line of their middles: both go on with the mean speed.
+  // Along the line of their centres: both continue at the mean speed.
   auto box = meetBox({0.8F, 0.8F, 0.8F}, {-0.6F, 30, 0});
   box.velocity = {1, 0, 0};
   auto heavy = meetBox({0.8F, 0.8F, 0.8F}, {0.6F, 30, 0});
@@ -154,7 +155,7 @@ TEST_CASE("water floats: two that meet in the air do not bounce, and keep their 
   CHECK((meetSpeed(flat, 0).x + 3 * meetSpeed(flat, 1).x) / 4 == doctest::Approx(-0.5).epsilon(1e-4));
   CHECK(longOf(glm::dvec3(flat.floats[3])) < 0.02 * meetMass(flat, 0));
   CHECK(flat.floats[5].x - flat.floats[0].x > 0.76);
-  // Askew, turning: linear and angular momentum.
+  // Off-centre and rotating: linear and angular momentum.
   box.rotation = {20, 30, 10};
   box.spin = {90, 40, -100};
   heavy.position += glm::vec3(0, 0.3F, 0.35F);
@@ -170,13 +171,13 @@ TEST_CASE("water floats: two that meet in the air do not bounce, and keep their 
   MESSAGE("momentum off by ", longOf(after[0] - before[0] - fallen), " of ", meetMass(askew, 0), " kg m/s");
   CHECK(longOf(after[0] - before[0] - fallen) < 1e-3 * meetMass(askew, 0));
   CHECK(longOf(glm::dvec3(askew.floats[3]) - glm::dvec3(0)) > 1);
-  // About the vertical, which weight does not turn.
+  // Angular momentum about the vertical, which gravity does not change.
   CHECK(std::abs(after[1].y - before[1].y) < 1e-3 * longOf(before[1]));
   CHECK(std::abs(middle.x - askew.floats[0].x) < 2);
 }
 
 TEST_CASE("water floats: friction between two that slide is Coulomb's, and what can stick does") {
-  // Equal balls: mu of what stops them; or 2/7 of the speed across, and no slip where they touch.
+  // Equal spheres: mu times the normal impulse; or 2/7 of the tangential speed and no slip at the contact.
   for (const float friction : {0.1F, 5.0F}) {
     CAPTURE(friction);
     auto left = meetBall(0.4F, {-0.5F, 30, -0.06F}, {1, 0, 0.6F});
@@ -232,7 +233,7 @@ TEST_CASE("water floats: boats that are driven together do not go through each o
     off = std::max({off, std::abs(all().x - before.x), std::abs(all().y - before.y)});
   }
   MESSAGE("deepest ", deepest, " m, nearest ", nearest, " m, momentum off by ", off, " kg m/s");
-  CHECK(nearest < 5.2);  // bow to bow or alongside
+  CHECK(nearest < 5.2);  // the floats meet bow to bow or alongside
   CHECK(nearest > 1.2);
   CHECK(deepest < 0.1);
   CHECK(off < 1e-4 * 3200 * 1.5);

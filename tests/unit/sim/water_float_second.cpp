@@ -1,5 +1,5 @@
-// A step of a float stated again in float64, by rotation matrices and plain division, and what water and
-// float have together.
+// A step of a float implemented independently in double precision, with rotation matrices and plain
+// division; and exchange between water and float.
 #include "reference/water_twin.hpp"
 #include "sim/core/collider.hpp"
 
@@ -16,7 +16,7 @@ using namespace simreel;
 namespace {
 
 constexpr double driftFrame = 1.0 / 30;
-using Axes = std::array<glm::dvec3, 3>;  ///< columns of a rotation
+using Axes = std::array<glm::dvec3, 3>;  ///< the columns of a rotation matrix
 
 double inner(const glm::dvec3& a, const glm::dvec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -38,7 +38,7 @@ glm::dvec3 back(const Axes& r, const glm::dvec3& v) {
   return {inner(r[0], v), inner(r[1], v), inner(r[2], v)};
 }
 
-/// Even water that slopes and moves.
+/// Water with a constant slope and velocity.
 struct Stream {
   double level, slopeX, slopeZ, u, w, bed;
   [[nodiscard]] double at(double x, double z) const { return level + slopeX * x + slopeZ * z; }
@@ -53,12 +53,12 @@ struct Drifting {
 
 struct Drift {
   Drifting next;
-  glm::dvec3 push{0};  ///< N, that the water pays for
+  glm::dvec3 push{0};  ///< force (N) on the float, taken from the water
   double displaced = 0;
-  double wet = 0;  ///< m^3
+  double wet = 0;  ///< submerged volume, m^3
 };
 
-/// The step as the README of src/sim has it.
+/// Performs the step as described in the README of src/sim.
 Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream& stream,
               const Drifting& now, double under, double dt, double share, double time) {
   constexpr double rho = 1000;
@@ -74,7 +74,7 @@ Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream
   const double tall = std::abs(now.axes[0].y) * hull.grain.x + std::abs(now.axes[1].y) * hull.grain.y +
                       std::abs(now.axes[2].y) * hull.grain.z;
   const double lighter = rho * hull.volume / hull.mass;
-  // The steering's moment, by pushes across the way to the mast and as large as that is long.
+  // Moment of the steering: pushes perpendicular and proportional to the distance from the mast.
   double spread = 0;
   for (const glm::vec4& point : hull.points)
     spread += static_cast<double>(point.w) *
@@ -88,7 +88,7 @@ Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream
     const double volume = point.w, level = stream.at(place.x, place.z);
     const double wet = std::clamp((level - place.y) / tall + 0.5, 0.0, 1.0);
     glm::dvec3 own = rho * g * volume * wet * glm::dvec3(-stream.slopeX, 1, -stream.slopeZ);
-    // The keel counts the part of the way that is sideways more.
+    // The keel increases the resistance of the sideways part of the motion.
     glm::dvec3 past = now.velocity + outer(turning, arm) - glm::dvec3(stream.u, 0, stream.w);
     past += (body.keel - 1.0) * inner(past, now.axes[0]) * now.axes[0];
     const double pace = (body.drag * lighter + 0.5 * body.resistance * 0.25 * hull.area / hull.volume *
@@ -117,7 +117,7 @@ Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream
     };
     force += glm::dvec3(pulled(0), 0, pulled(2));
     const double length = std::sqrt(pace.x * pace.x + pace.z * pace.z);
-    // Sine of the angle from its bow to the way, about y; 1 where that is behind.
+    // Sine of the angle from the bow to the motion, about y; 1 if the motion is backwards.
     double off = (now.axes[2].z * pace.x - now.axes[2].x * pace.z) / length;
     if (now.axes[2].z * pace.z + now.axes[2].x * pace.x < 0) off = off < 0 ? -1 : 1;
     moment.y += hull.inertia[1] * (k * k * off - 2 * k * turning.y);
@@ -130,7 +130,7 @@ Drift stepped(const sim::WaterParameters& p, const sim::Hull& hull, const Stream
   const double over = now.level + risen / hull.volume;
   next.stages = now.stages + share * (glm::dvec2(over, now.stages.x) - now.stages);
   next.level = now.level + share * (now.stages.y - now.level);
-  // Turned by the angle that the new momentum turns it in dt (Rodrigues).
+  // Rotates by the angle of the new angular momentum over dt (Rodrigues).
   const auto m = hull.inverseInertia();
   const glm::dvec3 own = back(now.axes, next.spin);
   const glm::dvec3 rate =
@@ -214,7 +214,7 @@ TEST_CASE("water floats: a step is what its equations say in float64") {
     now.axes = axesOf(glm::dvec4(twin.floats[1]));
     now.velocity = glm::dvec3(twin.floats[2]);
     now.spin = glm::dvec3(twin.floats[3]);
-    // Stages that differ, so that each step of the filter shows.
+    // Different filter stages, so that each step of the filter matters.
     twin.floats[4].x = 0.3F;
     twin.floats[4].y = -0.2F;
     now.stages = {0.3, -0.2};
@@ -246,7 +246,7 @@ TEST_CASE("water floats: a step is what its equations say in float64") {
     CHECK(twin.floats[2].w == doctest::Approx(want.displaced).epsilon(1e-5));
     for (int i = 0; i < 2; ++i) CHECK(std::abs(twin.floats[4][i] - want.next.stages[i]) < 1e-6);
     CHECK(twin.floats[4].w == doctest::Approx(want.wet).epsilon(1e-5));
-    // The tow is not the water's.
+    // The tow's force does not act on the water.
     const glm::dvec2 given = waterMomentum(twin) - before;
     CHECK(given.x == doctest::Approx(-want.push.x * dt).epsilon(1e-3));
     CHECK(given.y == doctest::Approx(-want.push.z * dt).epsilon(1e-3));
@@ -258,8 +258,8 @@ TEST_CASE("water floats: a step is what its equations say in float64") {
 }
 
 TEST_CASE("water floats: a heeled box is righted by the wall-sided formula") {
-  // GZ = sin a (GM + BM tan^2 a / 2), BM = b^2 / 12 T, GM = T / 2 + BM - KG, while no corner comes in or
-  // out.
+  // GZ = sin a (GM + BM tan^2 a / 2), BM = b^2 / 12 T, GM = T / 2 + BM - KG, while no corner enters or
+  // leaves the water.
   auto p = driftTank(40, 0.2F, 3);
   for (const float low : {0.0F, -0.12F})
     for (const float angle : {4.0F, 10.0F, 18.0F, -10.0F}) {
@@ -267,7 +267,7 @@ TEST_CASE("water floats: a heeled box is righted by the wall-sided formula") {
       auto body = driftBox({1.6F, 0.8F, 1.2F}, 450);
       body.ballast = {0, low, 0};
       const double draft = 0.8 * 0.45, a = angle * std::numbers::pi / 180;
-      const double heavy = 0.4 + low - draft;  // of the middle of mass over the water, upright
+      const double heavy = 0.4 + low - draft;  // height of the centre of mass above the water, upright
       // The shape's origin, so that it heels about the middle of its waterline: displaced volumes are
       // equal.
       const double middle = 0.4 - draft;
@@ -289,7 +289,7 @@ TEST_CASE("water floats: a heeled box is righted by the wall-sided formula") {
 }
 
 TEST_CASE("water floats: a body that tumbles by itself keeps its momentum and its energy") {
-  // In the air: Euler's equations, whose integrals are L and L.w / 2.
+  // In the air: Euler's equations conserve L and L.w / 2.
   auto p = driftTank(12, 0.5F, 1);
   auto body = driftBox({0.3F, 0.5F, 1.1F}, 300);
   body.position = {0, 60, 0};
@@ -329,7 +329,7 @@ TEST_CASE("water floats: what an engine and drag give a body in a closed tank th
       return glm::dvec2(mass * twin.floats[2].x, mass * twin.floats[2].z) + waterMomentum(twin);
     };
     const glm::dvec2 before = all();
-    // Waves take 3 s to the walls.
+    // The waves take 3 s to reach the walls.
     const int frames = 60;
     for (int i = 0; i < frames; ++i) twin.step(i * driftFrame);
     const double impulse = 400 * frames * driftFrame;

@@ -47,7 +47,7 @@ sim::WaterFloat boxOf(const glm::vec3& size, float density) {
   return body;
 }
 
-/// Depth of a ball's lowest point when a fraction `under` of its volume is: pi d^2 (3 R - d) / 3.
+/// Returns the draft of a sphere with the fraction `under` of its volume submerged: pi d^2 (3 R - d) / 3.
 double ballDraft(double radius, double under) {
   double low = 0;
   double high = 2 * radius;
@@ -81,7 +81,7 @@ TEST_CASE("water floats: a hull has the volume, middle and inertia that its shap
 TEST_CASE("water floats: drafts at rest are Archimedes'") {
   for (const float density : {300.0F, 700.0F}) {
     auto body = boxOf({0.8F, 0.5F, 1}, density);
-    body.position.y = 0.3F - 0.5F * density / 1000;  // 5 cm too high
+    body.position.y = 0.3F - 0.5F * density / 1000;  // starts 5 cm above its equilibrium
     auto p = poolWith(body, 24, 0.2F);
     p.drag = 0.5F;
     WaterTwin twin = twinOf(p);
@@ -105,16 +105,17 @@ TEST_CASE("water floats: drafts at rest are Archimedes'") {
 }
 
 TEST_CASE("water floats: a box and the water in a closed basin only lose energy") {
-  // Half of a 6 m basin's slowest wave is much longer than the box, which a reference level that follows at
-  // once feeds.
+  // Half the slowest wave of a 6 m basin is much longer than the box, so an instantaneous reference level
+  // would amplify it.
   for (const float density : {250.0F, 500.0F}) {
     auto body = boxOf({1, 0.4F, 1}, density);
     body.drag = 0;
     body.resistance = 0;
-    body.position.y = 0.2F - 0.4F * density / 1000 + 0.03F;  // 3 cm too high
+    body.position.y = 0.2F - 0.4F * density / 1000 + 0.03F;  // starts 3 cm above its equilibrium
     WaterTwin twin = twinOf(poolWith(body, 20, 0.3F));
     const double mass = twin.plan().floats().hulls()[0].mass;
-    const double given = 0.5 * 1000 * 9.81 * 0.03 * 0.03;  // J: rho g A d^2 / 2
+    const double given =
+        0.5 * 1000 * 9.81 * 0.03 * 0.03;  // potential energy (J) of the start: rho g A d^2 / 2
     const auto moving = [&] {
       const double speed = floatOf(twin, "floatSpeed");
       return floatOf(twin, "kineticEnergy") + 0.5 * mass * speed * speed;
@@ -133,12 +134,12 @@ TEST_CASE("water floats: a box and the water in a closed basin only lose energy"
 }
 
 TEST_CASE("water floats: a box heaves with the period of its draft") {
-  // T = 2 pi sqrt(M / (rho g A)) = 2 pi sqrt(draft / g), with no added mass: the water's own is that of
-  // flow below it.
+  // T = 2 pi sqrt(M / (rho g A)) = 2 pi sqrt(draft / g) without added mass: the water's added mass comes
+  // from flow below the body, which shallow water does not contain.
   auto body = boxOf({0.6F, 0.5F, 0.6F}, 400);
   body.drag = 0;
   body.resistance = 0;
-  body.position.y = 0.12F;  // 0.05 + 0.07
+  body.position.y = 0.12F;  // equilibrium at 0.05, plus 0.07
   auto p = poolWith(body, 60, 0.1F);
   p.bed = -8;
   p.sides.fill(sim::WaterBorder::open);
@@ -158,7 +159,8 @@ TEST_CASE("water floats: a box heaves with the period of its draft") {
 }
 
 TEST_CASE("water floats: a wide box returns, a tall one capsizes") {
-  // GM = I / V - (distance from buoyancy to mass): (b^2 / 12 d) - (H - d) / 2 with draft d and height H.
+  // Metacentric height GM = I / V - (distance from buoyancy to mass): (b^2 / 12 d) - (H - d) / 2 with draft
+  // d and height H.
   for (const bool wide : {true, false}) {
     auto body = wide ? boxOf({1.2F, 0.5F, 1}, 500) : boxOf({0.5F, 1.2F, 1}, 500);
     body.rotation = {0, 0, 12};
@@ -194,8 +196,8 @@ TEST_CASE("water floats: a ball that falls in and out keeps the water's volume a
     CHECK(sum - displaced == doctest::Approx(before).epsilon(1e-6));
     highest = std::max<double>(highest, twin.cells[40 * 20 + 36].x);
   }
-  CHECK(most > 0.1);       // of 0.268 m^3
-  CHECK(highest > 0.005);  // 1.6 m from where it fell
+  CHECK(most > 0.1);       // m^3, of the float's 0.268 m^3
+  CHECK(highest > 0.005);  // height of the wave 1.6 m from the point of impact
 }
 
 TEST_CASE("water floats: what drag takes from a body goes to the water") {
@@ -218,7 +220,7 @@ TEST_CASE("water floats: what drag takes from a body goes to the water") {
 }
 
 TEST_CASE("water floats: a body slides down a slope of the water as fast as the water does") {
-  // The pressure's gradient over its draft: dv/dt = -g w_x. And a free fall.
+  // The pressure's gradient over its draft: dv/dt = -g w_x. Also a free fall.
   auto body = boxOf({0.8F, 0.5F, 1}, 500);
   body.drag = 0;
   body.resistance = 0;
@@ -237,7 +239,7 @@ TEST_CASE("water floats: a body slides down a slope of the water as fast as the 
 }
 
 TEST_CASE("water floats: bodies lie on the ground, keep apart, and follow a tow") {
-  // On a beach that is dry.
+  // A sphere that lands on a dry beach.
   sim::WaterFloat ball;
   ball.radius = 0.3F;
   ball.position = {0, 1.5F, 0};

@@ -1,4 +1,4 @@
-// How water is drawn: shores, and the ground's colours.
+// Drawing of water: shores, and the ground's colours.
 #include "reference/water_twin.hpp"
 #include "sim/water/ground.hpp"
 
@@ -52,7 +52,7 @@ TEST_CASE("a lake's shore is a straight line on a plane beach, within a third of
     for (int y = 0; y < 9; ++y)
       worst =
           std::max(worst, std::abs(shore[static_cast<std::size_t>(y)] - (first + (last - first) * y / 8)));
-    CHECK(std::abs(last - first + 4) < 0.5);  // the beach rises half as fast across
+    CHECK(std::abs(last - first + 4) < 0.5);  // the beach rises half as steeply in this direction
     CHECK(worst < (slope < 0.1 ? 0.33 : 0.15));
   }
 }

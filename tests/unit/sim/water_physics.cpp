@@ -15,7 +15,7 @@ namespace {
 
 constexpr double earth = 9.81;
 
-/// A channel of 10 m, its middle at 0: cells along x, two rows.
+/// A channel of 10 m around 0: cells along x, two rows.
 sim::WaterParameters channel(int cells, float left, float right) {
   sim::WaterParameters p;
   p.size = {cells, 2};
@@ -26,7 +26,7 @@ sim::WaterParameters channel(int cells, float left, float right) {
   return p;
 }
 
-/// Depth at x (m from the dam) after a time, of a dam that breaks over a dry bed (Ritter 1892).
+/// Returns the depth at x (m from the dam) at a time, for a dam break over a dry bed (Ritter 1892).
 double ritter(double x, double time, double h) {
   const double c = std::sqrt(earth * h);
   if (x <= -c * time) return h;
@@ -34,12 +34,13 @@ double ritter(double x, double time, double h) {
   return std::pow(2 * c - x / time, 2) / (9 * earth);
 }
 
-/// The same over water of depth `low` (Stoker 1957): a rarefaction, an even middle, a shock.
+/// Returns the depth for a dam break over water of depth `low` (Stoker 1957): a rarefaction, a constant
+/// middle, a shock.
 double stoker(double x, double time, double high, double low) {
   const double c = std::sqrt(earth * high);
   double a = low;
   double b = high;
-  for (int i = 0; i < 200; ++i) {  // the middle's depth
+  for (int i = 0; i < 200; ++i) {  // finds the depth of the middle part by bisection
     const double m = 0.5 * (a + b);
     const double behindShock = (m - low) * std::sqrt(0.5 * earth * (m + low) / (m * low));
     (behindShock < 2 * (c - std::sqrt(earth * m)) ? a : b) = m;
@@ -50,7 +51,7 @@ double stoker(double x, double time, double high, double low) {
   return x <= a * u / (a - low) * time ? a : low;
 }
 
-/// Mean error of the depth (m) of a channel after 0.6 s.
+/// Returns the mean error of a channel's depth (m) after 0.6 s.
 double damError(const sim::WaterParameters& p, const std::function<double(double, double)>& exact) {
   constexpr double seconds = 0.6;
   WaterTwin twin(sim::WaterPlan(p, "dam", 1, seconds));
@@ -66,7 +67,7 @@ double damError(const sim::WaterParameters& p, const std::function<double(double
   return sum / p.size.x;
 }
 
-/// Of log(error) over log(cells), turned round; by least squares.
+/// Returns the convergence order: the negative slope of log(error) over log(cells), by least squares.
 double fittedOrder(const std::vector<int>& cells, float left, float right,
                    const std::function<double(double, double)>& exact) {
   double sx = 0;
@@ -106,7 +107,7 @@ TEST_CASE("water: dams break as Ritter and Stoker say, and better with more cell
   CHECK(fittedOrder({100, 200, 400}, 1, 0.2F, wetDam) > 0.9);
 }
 
-// test_unit -ns -tc='water: long*'
+// Skipped by default; runs with: test_unit -ns -tc='water: long*'
 TEST_CASE("water: long: dams of 100 to 3200 cells" * doctest::skip()) {
   const std::vector<int> cells = {100, 200, 400, 800, 1600, 3200};
   const double dry = fittedOrder(cells, 1, 0, dryDam);
@@ -130,7 +131,7 @@ TEST_CASE("water: a lake with islands stays at rest, to the bit") {
     p.sides = {border, border, border, border};
     WaterTwin twin(sim::WaterPlan(p, "lake", 1, 1.0 / 30));
     const auto before = twin.cells;
-    CHECK(waterOf(twin, "wetArea") < 0.99 * 23 * 17 * 0.37 * 0.37);  // the islands are some
+    CHECK(waterOf(twin, "wetArea") < 0.99 * 23 * 17 * 0.37 * 0.37);  // the islands are dry
     const shader::WaterStep step = twin.plan().stepAt(0);
     for (int i = 0; i < 10000; ++i) twin.advance(step);
     CHECK(twin.cells == before);
@@ -163,7 +164,7 @@ TEST_CASE("water: rain, sources and drops bring what they say") {
   sim::WaterParameters p;
   p.size = {30, 20};
   p.cell = 0.5F;
-  p.rainfall = 36000.0F;  // 1 cm a second
+  p.rainfall = 36000.0F;  // rain of 1 cm per second
   WaterTwin rained(sim::WaterPlan(p, "pond", 1, 0.5));
   rained.step(0);
   CHECK(waterOf(rained, "volume") == doctest::Approx(150 * 1.005).epsilon(1e-6));
@@ -174,15 +175,15 @@ TEST_CASE("water: rain, sources and drops bring what they say") {
   source.until = 0.5;
   source.from = source.to = {10, 10, 0};
   source.radius = 2;
-  source.value = 0.3;  // m/s for 0.4 s
+  source.value = 0.3;  // source of 0.3 m/s for 0.4 s
   p.strokes = {source};
   p.substeps = 100;
   WaterTwin fed(sim::WaterPlan(p, "pond", 1, 1.0));
   fed.step(0);
-  const double cells = 12;  // whose middles lie within 2 of a corner
+  const double cells = 12;  // number of cells with centres within 2 of a corner
   CHECK(waterOf(fed, "volume") == doctest::Approx(150 + cells * 0.25 * 0.3 * 0.4).epsilon(2e-4));
 
-  // The integral of (1 - r^2 / R^2)^2 over the disk is pi R^2 / 3.
+  // The integral of (1 - r^2 / R^2)^2 over the disc is pi R^2 / 3.
   p.strokes.clear();
   p.substeps.reset();
   p.size = {200, 180};
@@ -215,7 +216,7 @@ TEST_CASE("water: a drain takes what it says, and never more than there is") {
 }
 
 TEST_CASE("water: a stream slows down as Manning's law says") {
-  // dv/dt = -g n^2 v^2 / h^(4/3): at h = 1 the inverse of the speed grows by g n^2 a second.
+  // dv/dt = -g n^2 v^2 / h^(4/3): at h = 1 the inverse of the speed grows by g n^2 per second.
   sim::WaterParameters p;
   p.size = {4, 4};
   p.cell = 10;
@@ -247,7 +248,7 @@ TEST_CASE("water: waves come in as they are told, go on by c = sqrt(g h), and le
   for (int frame = 0; frame < 600; ++frame) {
     twin.step(frame / 20.0);
     const double seconds = (frame + 1) / 20.0;
-    const double level = twin.cells[80].x;  // 20.1 m from the sea
+    const double level = twin.cells[80].x;  // level at 20.1 m from the sea
     if (seconds > 5 && seconds < 9) {
       const double phase = 2 * 3.14159265358979 * (seconds - 20.125 / c) / 2;
       CHECK(std::abs(level - 0.02 * std::sin(phase)) < 3e-3);

@@ -16,8 +16,9 @@ TEST_CASE("keyed strokes: a source of water follows its strength") {
                                        "test.json", {}, sim::kinds());
   const auto& p = dynamic_cast<const sim::WaterParameters&>(*scene.objects.at(0).parameters);
   const sim::WaterPlan plan(p, "it", 1, 0.5);
-  const auto falls = plan.fallsAt(0.5, 4);  // at 1 s
+  const auto falls = plan.fallsAt(0.5, 4);  // sources at a time of 1 s
   REQUIRE(falls.strokes.size() == 1);
-  CHECK(std::abs(falls.strokes[0].value - 0.5F * 2 * 0.125F) < 1e-7F);  // in an eighth of a second
+  CHECK(std::abs(falls.strokes[0].value - 0.5F * 2 * 0.125F) <
+        1e-7F);  // amount added in an eighth of a second
   CHECK(falls.strokes[0].to == glm::vec2(15, 5));
 }

@@ -1,4 +1,4 @@
-// Fluid beside a plain loop: its buffers, what a step moves through memory, and where its time goes.
+// Compares a fluid with a plain loop: its buffers, the bytes that a step moves, and the time of its parts.
 #include "beside/memory.hpp"
 #include "beside/subject.hpp"
 #include "gl/context.hpp"
@@ -18,17 +18,20 @@ namespace {
 constexpr int tankSide = 512;
 constexpr double cells = double(tankSide) * tankSide;
 
-// Bytes that a whole step of a cell moves if every kernel reads and writes each of its elements once: of
-// texels flow and dye are 16 bytes each, on graphics cards a float of them 4; openings 4, a correction, a
-// residual or a right-hand side 4. Brushes reach few cells here; so do tiles that do not lie in the open,
-// where the solver, the projection and dye read openings.
-//   Of texels push 16 + 16 + 4, carry 16 + 16 + 4, correct 16 + 16 + 16 + 4, divergence 16 + 4 and 12
-//   written, projection 16 + 8 + 16, a pass of dye 16 + 16 + 16.
-//   On graphics cards push 16 + 4 and 12 written, carry 12 + 4 and 12, correct 12 + 12 + 4 + 4 and 12,
-//   divergence 8 + 4 and 12, projection 12 + 8 and 12, its check with ways for dye 12 + 4 and 8, two passes
-//   of dye 12 + 8 and 12.
-//   A cycle: descent 4 and 5 written, ascent 4 + 1 + 4 and 4 written, on all levels 4/3 of the finest;
-//   there the sum with what it lost 16 and 12 written.
+// Bytes that a whole step moves per cell if every kernel reads and writes each of its elements once. On the
+// texel path flow and dye take 16 bytes per element, on graphics cards 4 bytes per float; openings take 4,
+// a correction, a residual or a right-hand side 4. Not counted: brushes, which touch few cells here, and
+// tiles near walls, where the solver, the projection and dye also read openings.
+//
+// Texel path: push 16 + 16 + 4, carry 16 + 16 + 4, correct 16 + 16 + 16 + 4, divergence 16 + 4 and 12
+// written, projection 16 + 8 + 16, a pass of dye 16 + 16 + 16.
+//
+// Graphics cards: push 16 + 4 and 12 written, carry 12 + 4 and 12, correct 12 + 12 + 4 + 4 and 12,
+// divergence 8 + 4 and 12, projection 12 + 8 and 12, its check with paths for dye 12 + 4 and 8, two passes
+// of dye 12 + 8 and 12.
+//
+// A cycle: descent 4 and 5 written, ascent 4 + 1 + 4 and 4 written, on all levels together 4/3 of the
+// finest; on the finest level also the sum with its rounding error, 16 and 12 written.
 constexpr double cycleBytes = 22 * 4.0 / 3 + 28;
 
 double movedBytes(const sim::FluidPlan& plan, double cycles) {
@@ -73,7 +76,7 @@ std::function<void()> stepsOf(const std::shared_ptr<sim::FluidPlan>& plan,
   };
 }
 
-/// How much less a step takes without one of its parts: device only.
+/// Prints the time that a step saves without one of its parts, on the device only.
 void printShares(double whole) {
   const std::pair<const char*, std::function<void(sim::FluidParameters&)>> without[] = {
       {"all cycles but one", [](auto& p) { p.cycles = 1; }},

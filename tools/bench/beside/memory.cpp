@@ -74,7 +74,7 @@ void printBytes(double bytes, double cellsPerProcessorSecond) {
 
 namespace {
 
-/// From `from` to `to`, or noise there.
+/// Compiles a kernel that copies `from` to `to`, or fills `to` with noise. `value` is the GLSL expression.
 GLuint copier(const char* value) {
   const std::string text = fmt::format(
       "#version 450\nlayout(local_size_x = 256) in;\n"
@@ -91,8 +91,8 @@ GLuint copier(const char* value) {
 
 }  // namespace
 
-// Between buffers, by a kernel, since drivers of graphics cards have slow ways to copy between buffers,
-// too; and noise, since cards have fast ways for zeros.
+// Copies between buffers with a kernel, because graphics drivers also have slow ways to copy between
+// buffers; copies noise, because cards have fast paths for zeros.
 double copiedBySecond() {
   const std::size_t bytes = std::size_t{1} << (gl::softwareDriver() ? 27U : 30U);
   const gl::Buffer from("copied", bytes), to("copy", bytes);

@@ -1,4 +1,4 @@
-// What a benched simulation holds in memory and moves through it.
+// Memory use and memory traffic of benchmarked simulations.
 #pragma once
 #include "gl/buffer.hpp"
 
@@ -6,32 +6,34 @@
 
 namespace simreel::bench {
 
-/// What `bench_fluid speed` and `bench_fluid water` print: a square field of so many cells, alone on the
-/// device. `mostCycles`: of a projection, so many are dispatched; 0: the standard.
+/// Prints the results of `bench_fluid speed` and `bench_fluid water`: a square field with `side` cells per
+/// side, alone on the device. `mostCycles` is the maximum number of cycles dispatched per projection; 0:
+/// the default.
 void printFluidSpeed(int side, int mostCycles);
 void printWaterSpeed(int side);
 
-/// The name that the next buffer gets.
+/// Returns the name that the next buffer will get.
 [[nodiscard]] GLuint nextBuffer();
-/// A line for every buffer that was made since `first`, the greatest first, as bytes of one of `cells`.
+/// Prints a line for every buffer created since `first`, the largest first, in bytes per cell for `cells`
+/// cells.
 void listBuffers(const char* what, GLuint first, double cells);
 
 struct Taken {
-  double wall = 1e30, processor = 1e30;  ///< s
+  double wall = 1e30, processor = 1e30;  ///< wall-clock and processor time, s
 };
-/// The least of some turns, which wait for the device.
+/// Returns the minimum times over several runs of `work`; each run waits for the device.
 [[nodiscard]] Taken leastOf(const std::function<void()>& work);
 
-/// Bytes that a cell moves in a step, and how much of what one processor copies a processor second of the
-/// kernels moves.
+/// Prints the bytes per cell and step, and the ratio of the kernels' memory traffic per processor second to
+/// the copy rate of one processor.
 void printBytes(double bytes, double cellsPerProcessorSecond);
 
-/// Bytes that the device reads and writes in a second of copying, the best of some turns.
+/// Returns the bytes that the device reads and writes per second of copying, the best of several runs.
 [[nodiscard]] double copiedBySecond();
 
-/// Steps of a field of `cells`, in turns until they have taken a few seconds, beside copying on the same
-/// device: rates of the median turn, bytes that move and what part of copying's that is. `turn`: so many
-/// steps, each of them a whole one. `bytes` of a cell and step are asked for when the turns are over.
+/// Measures steps of a field of `cells` cells in turns with copying on the same device, for a few seconds.
+/// Prints rates of the median turn, bytes moved, and their fraction of the copy rate. `turn` runs `steps`
+/// whole steps. `bytes` returns the bytes per cell and step; it is called after the turns.
 void printSpeed(const char* name, double cells, int steps, const std::function<void()>& turn,
                 const std::function<double()>& bytes);
 

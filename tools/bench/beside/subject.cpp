@@ -14,7 +14,7 @@ namespace simreel::bench {
 namespace {
 
 struct Turn {
-  double wall = 0, processor = 0;  ///< s
+  double wall = 0, processor = 0;  ///< wall-clock and processor time, s
 };
 
 Turn timed(const std::function<void()>& work) {
@@ -29,9 +29,9 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Items a second that one processor could do if it did nothing else than the least, at the rate that it
-/// reached just now in a loop of nothing but such operations, or in copying what it goes through,
-/// from whichever cache that stays in.
+/// Returns the items per second that one processor could do if it did only the minimum work: the lower of
+/// the rate of a loop of such operations, measured now, and the rate of copying the same bytes within the
+/// cache level that holds them.
 double limit(const Least& least) {
   const auto rate = [](auto work) {
     std::vector<double> rates;

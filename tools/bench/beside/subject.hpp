@@ -1,4 +1,4 @@
-// What bench_plain measures: a kernel beside a plain loop and a twin.
+// Measurements of bench_plain: a kernel compared with a plain loop and a CPU twin.
 #pragma once
 #include "sim/world/list.hpp"
 
@@ -10,31 +10,31 @@ namespace simreel::bench {
 
 inline constexpr double frameSeconds = 1.0 / 60;
 
-/// What an item takes at least, counted from the model's equations.
+/// Minimum work per item, counted from the model's equations.
 struct Least {
-  double operations = 0;  ///< additions, multiplications, divisions, roots; 0: not counted
-  double bytes = 0;       ///< of memory read and written
-  double pass = 0;        ///< items between two times at which an item's memory is needed
+  double operations = 0;  ///< additions, multiplications, divisions, square roots; 0: not counted
+  double bytes = 0;       ///< bytes of memory read and written
+  double pass = 0;        ///< number of items between two uses of an item's memory
 };
 
-/// Work in turns; `items` of a turn give rates.
+/// One comparison, run in turns. `items` is the number of items per turn.
 struct Subject {
   const char* name;
   const char* unit;
   double items;
-  std::function<void()> plain, twin, device;  ///< twin: may be missing
+  std::function<void()> plain, twin, device;  ///< the implementations; twin may be empty
   Least least{};
-  std::function<void()> after = {};  ///< prints more; may be missing
+  std::function<void()> after = {};  ///< prints further results after the line; may be empty
 };
 
-/// Runs the three in turns and prints a line.
+/// Runs the implementations in turns and prints a line.
 void print(const Subject& subject);
-/// What stands above those lines.
+/// Prints the column headings.
 void printHeads();
-/// Nothing but the kernel, for profilers.
+/// Runs only the kernel for some seconds, for profilers.
 void keepBusy(const Subject& subject, double seconds);
 
-/// Cloth: a sheet of a fabric, cloth of a mesh, cloths that lie on one another.
+/// Cloth: a sheet of fabric, a cloth mesh, cloths stacked on one another.
 [[nodiscard]] Subject fabricSheet();
 [[nodiscard]] Subject meshCloth();
 [[nodiscard]] Subject clothsInContact();
@@ -55,7 +55,7 @@ std::shared_ptr<sim::Simulation> onDevice(const char* kind, const Parameters& pa
   return sim::simulationNamed(kind).make(object, setting);
 }
 
-/// Frame after frame of a simulation.
+/// Returns a function that advances a simulation by one frame per call.
 template <class Simulation>
 std::function<void()> frames(const std::shared_ptr<Simulation>& simulation, auto... arguments) {
   return [simulation, frame = 0, ... arguments = arguments]() mutable {

@@ -1,4 +1,5 @@
-// Water beside a plain loop. Apart from fluids.cpp, for both models have names like `wallSide`.
+// Compares water with a plain loop. Separate from fluids.cpp, because both models define names such as
+// `wallSide`.
 #include "beside/memory.hpp"
 #include "beside/subject.hpp"
 #include "plain/plain.hpp"
@@ -11,10 +12,10 @@ namespace simreel::bench {
 namespace {
 
 constexpr int basinSide = 512, basinSteps = 16;
-constexpr double basinBytes = 32;  // of a cell and step: level, two discharges and bed, read and written
+constexpr double basinBytes = 32;  // per cell and step: level, two discharges and bed, read and written
 constexpr double basinCells = double(basinSide) * basinSide;
 
-/// As many cells as stated on the same hills, which are as much wider.
+/// Returns a basin with the given number of cells per side; the hills scale with the size.
 sim::WaterParameters basin(int side) {
   sim::WaterParameters p;
   p.size = {side, side};

@@ -1,5 +1,5 @@
-// All-pairs gravity over separate arrays of each coordinate: vectorised over the bodies by the compiler,
-// with every freedom it has (-Ofast -march=native).
+// All-pairs gravity with one array per coordinate: the compiler vectorises over the bodies, without
+// restrictions on rounding (-Ofast -march=native).
 void soaPairs(const float* x, const float* y, const float* z, const float* mass, int count, int first,
               int end, float softening, float* sums);
 

@@ -8,8 +8,8 @@ namespace {
 
 struct Spring {
   int dx, dy;
-  float length;  ///< of the spacing
-  int kind;      ///< 0 structural, 1 shear, 2 bend
+  float length;  ///< rest length in units of the grid spacing
+  int kind;      ///< kind of spring: 0 structural, 1 shear, 2 bend
 };
 const float diagonal = std::sqrt(2.0F);
 const Spring springs[12] = {{-1, 0, 1, 0},        {1, 0, 1, 0},          {0, -1, 1, 0},

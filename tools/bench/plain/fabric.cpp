@@ -38,7 +38,8 @@ Fabric::Fabric(int width, int height, const Numbers& numbers)
     }
 }
 
-/// Of a plate, scattered: each second difference pulls at what it is made of.
+/// Adds the bending forces of a plate: each second difference of positions scatters a force to its
+/// vertices.
 void Fabric::bend() {
   force_.assign(position.size(), Vec3{0, 0, 0});
   const float k = n_.bending / (n_.spacing * n_.spacing);
@@ -96,13 +97,13 @@ void Fabric::pull(std::size_t a, std::size_t b, float rest, float give) {
   add(next[b], d, -lambda * inverseMass[b]);
 }
 
-/// All links of a line at once: their matrix has three diagonals.
+/// Solves all links of a line together; their matrix is tridiagonal.
 void Fabric::line(std::size_t first, std::size_t pace, int count, float stiffness) {
   const float give = 1 / (stiffness * n_.dt * n_.dt);
   along_.resize(std::size_t(count));
   upper_.resize(std::size_t(count));
   lambda_.resize(std::size_t(count));
-  float inverse = 0;  // of the pivot before
+  float inverse = 0;  // inverse of the previous pivot
   for (int k = 0; k + 1 < count; ++k) {
     const std::size_t a = first + k * pace;
     const float wa = inverseMass[a], wb = inverseMass[a + pace];

@@ -62,7 +62,7 @@ std::vector<Fluid::Jet> Fluid::jetsOf(int width, int height) {
           {0.5F * w, 0.92F * h, 0.04F * h, 10, -105, {1.1F, 0.8F, 0.1F}}};
 }
 
-/// Bilinear of values on a grid of w x h; nearest beyond it.
+/// Interpolates bilinearly on a grid of w x h; clamps to the nearest value outside.
 static float sample(const std::vector<float>& f, int w, int h, float x, float y) {
   x = std::clamp(x, 0.0F, static_cast<float>(w - 1));
   y = std::clamp(y, 0.0F, static_cast<float>(h - 1));
@@ -86,7 +86,8 @@ void Fluid::trace(float& x, float& y, float dt) const {
   y = std::clamp(y + dt * b, 0.0F, static_cast<float>(height_));
 }
 
-// MacCormack: there, back again, and half of what is missing; within the four values that it came from.
+// MacCormack advection: forward, back again, and half the error as a correction, clamped to the four source
+// values.
 void Fluid::carry(const std::vector<float>& from, std::vector<float>& forth, std::vector<float>& to, int w,
                   int h, float ox, float oy) const {
   for (int y = 0; y < h; ++y)
@@ -143,7 +144,7 @@ void Fluid::paint() {
       }
 }
 
-// Red and black, one sweep down and one up.
+// Red-black relaxation, one sweep down and one up.
 void Fluid::sweep(Level& l, int color) {
   const int w = l.width;
   for (int y = 0; y < l.height; ++y)
@@ -239,7 +240,7 @@ void Fluid::project() {
                                                      (top.value[at(x, y)] - top.value[at(x, y - 1)]);
 }
 
-// Fluxes with van Leer's slopes.
+// Moves dye by fluxes with van Leer's slopes.
 void Fluid::moveDye(std::vector<float>& d, float dt) {
   const auto slope = [](float a, float b) {
     if (a * b <= 0) return 0.0F;

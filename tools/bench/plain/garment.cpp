@@ -27,7 +27,7 @@ void add(Vec3& to, const Wide& what, float times) {
   to.z += what.z * times;
 }
 
-/// |fu| = 1, |fv| = 1, fu.fv / (|fu| |fv|) = 0, their three multipliers at once.
+/// Solves |fu| = 1, |fv| = 1 and fu.fv / (|fu| |fv|) = 0 for their three multipliers together.
 void relax(const Garment::Face& f, std::vector<Vec3>& x, const std::vector<float>& w) {
   const Wide ab = between(x[f.a], x[f.b]), ac = between(x[f.a], x[f.c]);
   const Wide fu = ab * f.p + ac * f.q, fv = ab * f.r + ac * f.s;

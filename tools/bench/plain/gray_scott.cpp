@@ -14,8 +14,8 @@ struct Rates {
   float diffuseU, diffuseV, feed, kill, dt;
 };
 
-/// Three rows of u and of v around one; all cells but the first and last. `__restrict`, or no compiler
-/// vectorises it.
+/// Updates a row except its first and last cell, from three rows of u and of v. Without `__restrict` no
+/// compiler vectorises the loop.
 void inner(const float* __restrict ua, const float* __restrict u, const float* __restrict ub,
            const float* __restrict va, const float* __restrict v, const float* __restrict vb,
            float* __restrict nextU, float* __restrict nextV, int width, const Rates& rates) {
@@ -43,7 +43,7 @@ GrayScott::GrayScott(int width, int height)
 
 void GrayScott::step(float diffuseU, float diffuseV, float feed, float kill, float dt) {
   const Rates rates{diffuseU, diffuseV, feed, kill, dt};
-  // Rows with the cell beyond each end in front and behind, for the two cells at the border.
+  // Updates the two border cells; the x of the neighbours wraps around.
   const auto border = [&](std::size_t above, std::size_t here, std::size_t below, int x) {
     const int l = (x + width_ - 1) % width_, r = (x + 1) % width_;
     const auto lap = [&](const std::vector<float>& f) {

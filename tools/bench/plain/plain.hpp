@@ -1,6 +1,6 @@
-// The simulations as one writes them in an afternoon, on one thread: what bench_plain holds the kernels
-// against. Compiled with -O3 for any x86-64 (no -march, no -ffast-math); the standard library's functions,
-// the compiler's own arithmetic.
+// Straightforward single-threaded versions of the simulations, the comparison in bench_plain. Compiled with
+// -O3 for any x86-64 (no -march, no -ffast-math), with the standard library's functions and the compiler's
+// own arithmetic.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -12,31 +12,31 @@ struct Vec3 {
   float x, y, z;
 };
 
-/// Gray-Scott on a torus, u and v in arrays of their own.
+/// Gray-Scott on a torus, with u and v in separate arrays.
 class GrayScott {
  public:
   GrayScott(int width, int height);
   void step(float diffuseU, float diffuseV, float feed, float kill, float dt);
-  std::vector<float> u, v;  ///< x fastest
+  std::vector<float> u, v;  ///< one value per cell, x varies fastest
 
  private:
   int width_, height_;
   std::vector<float> nextU_, nextV_;
 };
 
-/// The same in a volume, with the Laplacian of six faces, twice, and twelve edges.
+/// Gray-Scott in a volume; the Laplacian uses six faces with weight two and twelve edges.
 class GrayScottVolume {
  public:
   explicit GrayScottVolume(int side);
   void step(float diffuseU, float diffuseV, float feed, float kill, float dt);
-  std::vector<float> u, v;  ///< x fastest, then y
+  std::vector<float> u, v;  ///< one value per cell, x varies fastest, then y
 
  private:
   int side_;
   std::vector<float> nextU_, nextV_;
 };
 
-/// A sheet of springs (structural, shear, bend) under gravity, or of XPBD constraints.
+/// A sheet of springs (structural, shear, bend) or of XPBD constraints under gravity.
 class Cloth {
  public:
   struct Numbers {
@@ -55,19 +55,19 @@ class Cloth {
   std::vector<Vec3> before_;
 };
 
-/// A woven sheet: lines of links solved at once (XPBD), diagonals pair by pair, a plate's bending.
+/// A woven sheet: all links of a line solved together (XPBD), diagonals pair by pair, bending as a plate.
 class Fabric {
  public:
   struct Numbers {
     float spacing, density, weft, warp, shear, bending, gravity, kept, dt;
   };
-  /// Hangs from where it begins.
+  /// The held particles stay at their initial positions.
   Fabric(int width, int height, const Numbers& numbers);
-  /// From `position` to `next`; then settle(), between them whatever else moves `next`.
+  /// Moves `position` to `next`. Call settle() afterwards; other code may change `next` in between.
   void predict();
   void settle();
   std::vector<Vec3> position, velocity, next;
-  std::vector<float> inverseMass;  ///< 0: held
+  std::vector<float> inverseMass;  ///< one value per particle; 0: the particle is held
 
  private:
   [[nodiscard]] std::size_t at(int x, int y) const { return std::size_t(y) * width_ + x; }
@@ -80,14 +80,14 @@ class Fabric {
   std::vector<float> upper_, lambda_;
 };
 
-/// Cloth of triangles: weft, warp and shear of a face at once (XPBD), one face after the other; bending by
+/// Cloth of triangles: weft, warp and shear of a face solved together (XPBD), face after face; bending by
 /// rows of a matrix.
 class Garment {
  public:
   struct Face {
     int a, b, c;
-    float p, q, r, s;         ///< inverse of its places at rest
-    float weft, warp, shear;  ///< compliances / dt^2
+    float p, q, r, s;         ///< inverse of the 2x2 matrix of the face's rest positions
+    float weft, warp, shear;  ///< compliances of the fabric divided by dt^2
   };
   struct Bend {
     int other;
@@ -96,7 +96,7 @@ class Garment {
   std::vector<Vec3> position, velocity;
   std::vector<float> inverseMass;
   std::vector<Face> faces;
-  std::vector<int> firstBend;  ///< of each vertex, and their number
+  std::vector<int> firstBend;  ///< index of each vertex's first entry in `bends`, then the total count
   std::vector<Bend> bends;
   float gravity, kept, dt;
   void step();
@@ -105,19 +105,19 @@ class Garment {
   std::vector<Vec3> next_;
 };
 
-/// Faces and edges keep off each other: found by a hash of cubes in every substep, vertices with faces and
-/// edges with edges, two rounds of impulses with friction.
+/// Keeps faces and edges apart: a hash grid of cubes finds vertex-face and edge-edge pairs in every
+/// substep; two rounds of impulses with friction.
 class Contact {
  public:
   Contact(std::vector<std::uint32_t> indices, std::size_t vertices, float cell, float thickness,
           float friction);
-  /// Changes `next`.
+  /// Applies the impulses of the contacts to the predicted positions `next`.
   void push(const std::vector<Vec3>& now, std::vector<Vec3>& next, const std::vector<float>& inverseMass);
 
  private:
   struct Touch {
     int corner[4];
-    float share[4];  ///< positive on the first side, negative on the other
+    float share[4];  ///< barycentric weights, positive on the first side, negative on the other
     Vec3 normal;
     float distance;
   };
@@ -140,7 +140,7 @@ class Contact {
 };
 
 /// Incompressible flow on a staggered grid, closed on all sides, with an obstacle and three jets:
-/// MacCormack, buoyancy, multigrid until max|div u| is 1e-5 of max|u|, dye in monotone fluxes.
+/// MacCormack advection, buoyancy, multigrid until max|div u| is 1e-5 of max|u|, dye by monotone fluxes.
 class Fluid {
  public:
   struct Numbers {
@@ -155,7 +155,7 @@ class Fluid {
   void step();
   std::vector<float> u, v, heat, dye[3];
   std::vector<unsigned char> solid;
-  int cycles = 0;  ///< of the latest step
+  int cycles = 0;  ///< number of multigrid cycles in the latest step
 
  private:
   struct Level {
@@ -203,12 +203,14 @@ class Water {
   std::vector<Cell> slopesX_, slopesY_, halves_;
 };
 
-/// One thread does as many operations on floats as it can; how many.
+/// Runs as many float operations as one thread can; returns their number.
 double arithmetic();
-/// One thread copies again and again what takes so many bytes with its copy; how many it read and wrote.
+/// Copies a buffer repeatedly on one thread; buffer and copy together take `bytes`. Returns the number of
+/// bytes read and written.
 double copying(std::size_t bytes);
 
-/// Bytes: 1 susceptible, 2 infected, 3 immune; a thousandth's chance by the same hash as ours.
+/// Epidemic with one byte per cell: 1 susceptible, 2 infected, 3 immune; chances in thousandths, with the
+/// same hash as simreel's kernels.
 class Epidemic {
  public:
   Epidemic(int side, std::vector<std::uint8_t> cells);
@@ -221,7 +223,8 @@ class Epidemic {
   std::vector<std::uint8_t> next_;
 };
 
-/// Bytes: 0 bare, 1 fuel, 2 and up burning for so many steps more, 255 burnt. Eight chances by the wind.
+/// Wildfire with one byte per cell: 0 bare, 1 fuel, 2 and above burning with the number of steps left, 255
+/// burnt. Eight chances depend on the wind.
 class Wildfire {
  public:
   Wildfire(int side, std::vector<std::uint8_t> cells, const float* chances, int burnSteps);
@@ -234,7 +237,7 @@ class Wildfire {
   std::vector<std::uint8_t> next_;
 };
 
-/// B3/S23 on a torus, a byte a cell.
+/// B3/S23 on a torus, one byte per cell.
 class Life {
  public:
   Life(int width, int height);
@@ -249,10 +252,10 @@ class Life {
 struct Body {
   float x, y, z, mass;
 };
-/// All pairs.
+/// Computes gravity by all pairs.
 void pairs(const std::vector<Body>& bodies, std::vector<Vec3>& acceleration, float gravity,
            float softening);
-/// Barnes and Hut's octree: built, then walked for each body.
+/// Computes gravity by a Barnes-Hut octree: builds it, then walks it for each body.
 void tree(const std::vector<Body>& bodies, std::vector<Vec3>& acceleration, float gravity, float softening,
           float opening);
 
@@ -269,7 +272,7 @@ class Ripple {
   std::vector<std::uint32_t> indices_;
 };
 
-/// Floor, walls and rock of a map of bytes, 1 rock: marching squares with shared vertices, into vectors
+/// Floor, walls and rock from a map of bytes (1 is rock): marching squares with shared vertices, in vectors
 /// that keep their memory.
 class Walls {
  public:

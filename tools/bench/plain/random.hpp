@@ -3,7 +3,7 @@
 
 namespace plain {
 
-/// 31 random bits of a cell in a step: the first word of PCG3D, as our kernels have it.
+/// Returns 31 random bits for a cell and step: the first word of PCG3D, as in simreel's kernels.
 inline std::uint32_t randomOf(std::uint32_t cell, std::uint32_t step, std::uint32_t seed) {
   std::uint32_t x = cell * 1664525U + 1013904223U, y = step * 1664525U + 1013904223U,
                 z = seed * 1664525U + 1013904223U;

@@ -1,22 +1,23 @@
-// Larger than Life as one writes it in an afternoon, on one thread: what bench_wide holds the kernels
-// against.
+// A straightforward single-threaded version of Larger than Life, the comparison in bench_wide.
 #pragma once
 #include <cstdint>
 #include <vector>
 
 namespace plain {
 
-/// Bosco's rule or another on a torus, a byte a cell.
+/// Bosco's rule or another rule on a torus, one byte per cell.
 class Wide {
  public:
   struct Rule {
     std::vector<int> half;  ///< columns to either side in each of the 2 range + 1 rows around a cell
-    int surviveMin, surviveMax, bornMin, bornMax;  ///< a cell counts itself
+    int surviveMin, surviveMax, bornMin, bornMax;  ///< limits of neighbour counts; a cell counts itself
   };
   Wide(int width, int height, const Rule& rule);
-  void stepDirect();      ///< every cell adds up all cells around it
-  void direct(int rows);  ///< the same of the first rows alone, which nobody sees: for its time
-  void stepRunning();  ///< running sums: of squares down the columns, then along the rows; else row by row
+  void stepDirect();  ///< each cell adds up all cells around it
+  void direct(
+      int rows);  ///< runs stepDirect() for the first rows only and discards the result; for measurements
+  /// uses running sums: for squares down the columns, then along the rows; for other shapes row by row
+  void stepRunning();
   std::vector<std::uint8_t> cells;
 
  private:

@@ -1,4 +1,4 @@
-// Loaded before the C library (LD_PRELOAD), so that files are written as always and never synced.
+// Loaded before the C library (LD_PRELOAD), so that files are written as usual and never synced.
 extern "C" int fsync(int /*descriptor*/) {
   return 0;
 }
