@@ -44,7 +44,7 @@ struct WaterFloat {
   scene::Animated<float> thrust = 0.0F;    ///< N along its z
   scene::Animated<float> steering = 0.0F;  ///< N m about its y
   std::optional<FloatTow> tow;
-  scene::Material material;  ///< colour, roughness, metal and texture of it
+  scene::Material material;                         ///< colour, roughness, metal and texture of it
   std::set<std::string, std::less<>> materialKeys;  ///< keys of the material that the scene gives
 
   WaterFloat();

@@ -46,8 +46,8 @@ TEST_CASE("the schema says what the reader checks") {
   CHECK(cloth["pins"]["items"]["properties"]["row"]["maximum"] == 9);
   CHECK(schema["properties"]["objects"]["additionalProperties"]["oneOf"].size() == 2);
   CHECK(schema["$defs"]["material"]["properties"]["metallic"]["default"].dump() == "0");
-  for (const char* name : {"title", "seed", "numerics", "render", "time", "camera", "stage", "sun", "sky", "ground",
-                           "lights", "objects", "test", "checks"})
+  for (const char* name : {"title", "seed", "numerics", "render", "time", "camera", "stage", "sun", "sky",
+                           "ground", "lights", "objects", "test", "checks"})
     CHECK_MESSAGE(schema["properties"][name].contains("description"), name);
 }
 
