@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double leastShare = 1.0 / 300;  ///< fraction of the whole skin
+constexpr double leastShare = 1.0 / 300;  ///< minimum fraction of the whole skin
 
 /// Returns the minimum area for which a bone gets a capsule.
 double leastArea(std::vector<double> areas) {
@@ -26,7 +26,7 @@ double leastArea(std::vector<double> areas) {
 /// Vertex that a bone dominates, in the bone's space.
 struct Spot {
   glm::dvec3 place;
-  double area;  ///< m^2; a third of the triangles around the vertex
+  double area;  ///< area in m^2: a third of the triangles around the vertex
 };
 
 struct Weighed {

@@ -11,8 +11,8 @@ namespace simreel::sim {
 /// Capsule around a bone, in the bone's own space at the bind pose.
 struct BoneCapsule {
   int node = 0;
-  glm::dvec3 ends[2] = {};  ///< metres; centres of the round ends
-  double radius = 0;        ///< m
+  glm::dvec3 ends[2] = {};  ///< centres of the round ends in metres
+  double radius = 0;        ///< radius in metres
 };
 
 /// Maximum number of capsules per body; the bones with the most skin get them.

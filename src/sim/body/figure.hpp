@@ -16,13 +16,13 @@ namespace simreel::sim {
 /// matrix of a joint, or the identity for a mesh without a skin, which its node moves as a whole.
 struct FigureJoint {
   int node = 0;
-  bool bone = true;  ///< true: a joint of a skin
+  bool bone = true;  ///< true for a joint of a skin
   glm::dmat4 inverseBind{1};
 };
 
 /// Skinned mesh with its bones and animations, as read from a glTF file.
 struct Figure {
-  Mesh mesh;                       ///< bind pose, in its own space (m)
+  Mesh mesh;                       ///< mesh in the bind pose, in its own space (m)
   std::vector<glm::uvec4> follow;  ///< per vertex: indices of four joints
   std::vector<glm::vec4> weights;  ///< per vertex: weights of these joints; their sum is 1
   std::vector<FigureNode> nodes;

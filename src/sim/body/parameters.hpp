@@ -16,26 +16,26 @@ namespace simreel::sim {
 /// Motion that a scene adds to a bone.
 struct KeyedBone {
   std::string bone;
-  scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< degrees, about the bone's own axes
-  scene::Animated<glm::vec3> move = glm::vec3(0);    ///< metres, along the axes of its parent
+  scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< rotation in degrees about the bone's own axes
+  scene::Animated<glm::vec3> move = glm::vec3(0);    ///< translation in metres along the axes of its parent
 };
 
 /// Parameters of the object kind "body".
 struct BodyParameters : ObjectParameters, scene::Outlined {
   std::filesystem::path file;
-  std::string animation;                               ///< empty: none
+  std::string animation;                               ///< name of the animation; empty: none
   double speed = 1;                                    ///< factor on the animation's speed
   double start = 0;                                    ///< seconds into the animation at time 0
   bool loop = true;                                    ///< true: the animation repeats
-  std::vector<KeyedBone> bones;                        ///< applied after the animation
-  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
-  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
+  std::vector<KeyedBone> bones;                        ///< motion of bones, applied after the animation
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< position in metres
+  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<float> scale = 1.0F;
   bool doubleSided = false;
   bool visible = true;
   bool collides = false;  ///< true: collides by capsules
   bool byFaces = false;   ///< true: its faces collide with cloths in contact
-  float grip = 25.3F;     ///< 1/s
+  float grip = 25.3F;     ///< rate in 1/s at which sliding objects lose speed
   std::optional<double> friction;
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;

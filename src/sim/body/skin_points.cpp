@@ -98,7 +98,7 @@ SkinPoints::SkinPoints(const std::string& body, std::shared_ptr<const BodyMotion
                                                figure.mesh.indices[f + 2]};
       const Corners t = {skin[corners[0]], skin[corners[1]], skin[corners[2]]};
       const glm::dvec3 n = glm::cross(t[1] - t[0], t[2] - t[0]);
-      if (!(glm::dot(n, n) > 1e-20)) continue;  // degenerate face
+      if (!(glm::dot(n, n) > 1e-20)) continue;  // skips a degenerate face
       const glm::dvec3 shares = nearestOf(t, point);
       const glm::dvec3 away = point - placeIn(t, shares);
       if (!(glm::dot(away, away) < least)) continue;

@@ -26,7 +26,7 @@ class SkinPoints {
   struct Place {
     std::array<unsigned, 3> corners;
     glm::dvec3 shares;  ///< barycentric coordinates
-    glm::dvec3 offset;  ///< metres, in the axes of the face
+    glm::dvec3 offset;  ///< offset in metres, in the axes of the face
   };
   std::shared_ptr<const BodyMotion> motion_;
   std::vector<Place> places_;

@@ -57,7 +57,7 @@ class ChartObject : public Simulation, public FrameObserver {
       kept_ = gl::Buffer(name_, bytesOf(room_));
       kept_.write(0, std::as_bytes(std::span(rows_)));
       counts_ = gl::WordsArray(name_ + " counts", static_cast<int>(room_));
-      shown_ = {0, 0};  // the new buffer is still empty
+      shown_ = {0, 0};  // no scale, because the new buffer is still empty
       return;
     }
     kept_.write(bytesOf(rows_.size() - 1), std::as_bytes(std::span(&rows_.back(), 1)));

@@ -13,21 +13,21 @@ namespace simreel::sim {
 /// time.
 struct ChartParameters : ObjectParameters {
   struct Curve {
-    std::string of;                  ///< OBJECT.QUANTITY
-    std::string label;               ///< empty: the quantity's name
+    std::string of;                  ///< quantity as OBJECT.QUANTITY
+    std::string label;               ///< name on the chart; empty: the quantity's name
     double per = 1;                  ///< value of the quantity that the chart shows as 1
-    std::optional<glm::vec3> color;  ///< linear RGB
+    std::optional<glm::vec3> color;  ///< colour in linear RGB
 
     [[nodiscard]] std::string object() const;
     [[nodiscard]] std::string quantity() const;
   };
-  static constexpr std::size_t mostCurves = 4;  ///< limit of a drawable chart
+  static constexpr std::size_t mostCurves = 4;  ///< maximum number of curves that a drawable chart supports
 
   std::vector<Curve> curves;
-  std::optional<double> low, high;  ///< values at the bottom and top; empty: rounded limits of the recorded
-                                    ///< values
+  std::optional<double> low, high;  ///< values at the bottom and top of the chart; empty: rounded limits of
+                                    ///< the recorded values
   double seconds = 0;               ///< initial length of the time axis in seconds; it grows when needed
-  float x = 0.025F, y = 0.67F;      ///< top left corner as fractions of the image
+  float x = 0.025F, y = 0.67F;      ///< position of the top left corner as fractions of the image
   float width = 0.42F, height = 0.3F;
 
   void describe(scene::Fields& fields) override;

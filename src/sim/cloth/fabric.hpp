@@ -44,12 +44,12 @@ shader::FabricConstants fabricOf(FabricMaterial material);
 /// Fabric parameters of a scene: a material, any of whose properties can be overridden.
 struct Fabric {
   FabricMaterial material = FabricMaterial::cotton;
-  std::optional<double> density;    ///< kg/m^2
-  std::optional<double> weft;       ///< N/m
-  std::optional<double> warp;       ///< N/m
-  std::optional<double> shear;      ///< N/m
-  std::optional<double> bending;    ///< N m
-  std::optional<double> thickness;  ///< m
+  std::optional<double> density;    ///< mass per area in kg/m^2
+  std::optional<double> weft;       ///< stretch stiffness along rows in N/m
+  std::optional<double> warp;       ///< stretch stiffness along columns in N/m
+  std::optional<double> shear;      ///< shear stiffness in N/m
+  std::optional<double> bending;    ///< bending stiffness in N m
+  std::optional<double> thickness;  ///< thickness in metres
   double stretchDamping = 0;        ///< time T in seconds: stress = k (strain + T d strain / dt)
   void describe(scene::Fields& fields);
   [[nodiscard]] shader::FabricConstants constants() const;

@@ -88,8 +88,8 @@ class ClothKernels {
   SkinHold hold_;
   ThinColliders thin_;
   gl::Kernel<ClothStepKernel> step_;
-  gl::Kernel<ClothRelaxKernel> relax_[2];  ///< for diagonal pairs, for bending pairs
-  gl::Kernel<ClothLinesKernel> lines_[2];  ///< for the first spring family, for the others
+  gl::Kernel<ClothRelaxKernel> relax_[2];  ///< [0] for diagonal pairs, [1] for bending pairs
+  gl::Kernel<ClothLinesKernel> lines_[2];  ///< [0] for the first spring family, [1] for the others
   gl::Kernel<ClothSolveKernel> rows_, columns_;
   gl::Kernel<ClothSettleKernel> settle_;
   gl::Kernel<ClothThinKernel> findThin_;

@@ -15,7 +15,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::int64_t mostClothVertices = 250'000;  // 6 kB of ClothPlan per vertex
+constexpr std::int64_t mostClothVertices = 250'000;  // limits memory: ClothPlan takes 6 kB per vertex
 
 /// Returns the point of the unit circle at the fraction `part` of a turn, starting from +z.
 glm::dvec2 onCircle(double part) {
@@ -149,13 +149,13 @@ Mesh cubedSphereMesh(float radius, int vertices) {
     const auto first = static_cast<unsigned>(mesh.positions.size());
     for (int y = 0; y < vertices; ++y)
       for (int x = 0; x < vertices; ++x) {
-        const auto across = [&](int i) {  // tan of equally spaced angles gives cells of similar size;
-                                          // exactly odd, so that sides meet
-          const int even = 2 * i - (vertices - 1);
-          const double angle = 0.25 * std::numbers::pi * std::abs(even) / (vertices - 1);
-          const double most = std::abs(even) == vertices - 1 ? 1.0 : ieee::tan(angle);
-          return even < 0 ? -most : most;
-        };
+        const auto across =
+            [&](int i) {  // tan of equal angles: cells of similar size; odd, so that sides meet
+              const int even = 2 * i - (vertices - 1);
+              const double angle = 0.25 * std::numbers::pi * std::abs(even) / (vertices - 1);
+              const double most = std::abs(even) == vertices - 1 ? 1.0 : ieee::tan(angle);
+              return even < 0 ? -most : most;
+            };
         const glm::dvec3 place = side[0] + side[1] * across(x) + side[2] * across(y);
         // Sums the squares in sorted order, so that vertices that two sides share are bit-identical.
         double squares[3] = {place.x * place.x, place.y * place.y, place.z * place.z};

@@ -16,13 +16,13 @@ enum class ClothShape { plane, disc, sphere, cylinder, torus, file };
 struct ClothMesh {
   ClothShape shape = ClothShape::plane;
   std::filesystem::path file;
-  glm::vec3 size{2, 0, 2};        ///< metres, for a plane
-  float radius = 1.0F;            ///< m
-  float tube = 0.35F;             ///< m
-  float length = 2.0F;            ///< metres, for a cylinder
-  glm::ivec2 resolution{33, 33};  ///< vertices along u and v
+  glm::vec3 size{2, 0, 2};        ///< width and depth of a plane in metres
+  float radius = 1.0F;            ///< radius in metres
+  float tube = 0.35F;             ///< radius of a torus' tube in metres
+  float length = 2.0F;            ///< length of a cylinder in metres
+  glm::ivec2 resolution{33, 33};  ///< number of vertices along u and v
   float scale = 1.0F;
-  float weld = 0.0F;  ///< m
+  float weld = 0.0F;  ///< distance in metres within which vertices are merged
   void describe(scene::Fields& fields);
   /// Generates or reads the mesh. Throws the errors of loadMesh().
   [[nodiscard]] Mesh make() const;

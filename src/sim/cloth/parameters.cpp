@@ -301,7 +301,8 @@ double ClothParameters::stableSeconds(double lines) const {
                                         fastest * fastest * area / each * lines
                                   : 0.0;
   // If the constraints keep energy, the softening times w^2 dt^2 must be below 1, and the tension in a
-  // swing exceeds that at rest. A lambda, because mostOnOnePin() visits every particle.
+  // swing exceeds that at rest. Evaluated only for constraints, because mostOnOnePin() visits every
+  // particle.
   const auto hanging = [&] {
     return (keepsEnergy() ? hangingSquared() * 6 * leastSoftening
                           : std::max(hangingSquared(), pinnedSquared())) +
@@ -334,7 +335,7 @@ std::string ClothParameters::steadierWay(double frameSeconds) const {
 }
 
 std::string ClothParameters::instability(double frameSeconds) const {
-  if (hasMesh) return "";  // GarmentPlan checks a mesh, because the limit depends on its faces
+  if (hasMesh) return "";  // GarmentPlan checks cloth of a mesh, because the limit depends on its faces
   const double stable = stableSeconds();
   if (!substeps || frameSeconds / *substeps <= stable) return "";
   return fmt::format(
@@ -349,9 +350,9 @@ std::string ClothParameters::instability(double frameSeconds) const {
 
 int ClothParameters::substepsPerFrame(double frameSeconds) const {
   if (substeps) return *substeps;
-  // Gusts gather the pull of a streaming sheet at a corner: a line there carries its own pull and a
-  // fraction of all others'. The fraction is measured with flag.json, which half the fraction leaves
-  // stretched by a tenth. The substeps therefore grow as 1 / L^1.5.
+  // Gusts concentrate the pull of a streaming sheet at a corner: a line there carries its own pull and a
+  // fraction of all others'. The fraction is measured with the scene flag.json; half of it would leave that
+  // cloth stretched by a tenth. The number of substeps therefore grows as 1 / L^1.5.
   constexpr double drawnPart = 1.0 / 72;
   const double drawn = constrained() ? 1.0 + drawnPart * std::min(size.x, size.y) : 1.0;
   const std::int64_t needed = substepsFor(frameSeconds, safety * stableSeconds(drawn));

@@ -19,21 +19,23 @@ enum class PinPlace { bone, skin };
 
 /// Group of held particles, with the animated frame that moves them.
 struct PinGroup {
-  std::vector<int> rows;  ///< indices; negative ones count from the end
+  std::vector<int> rows;  ///< indices of rows; negative ones count from the end
   std::vector<int> columns;
-  std::vector<int> corners;        ///< 0 top-left, 1 top-right, 2 bottom-left, 3 bottom-right
-  std::vector<glm::ivec2> points;  ///< (x, y)
+  std::vector<int> corners;        ///< corners: 0 top-left, 1 top-right, 2 bottom-left, 3 bottom-right
+  std::vector<glm::ivec2> points;  ///< particles as (x, y)
   std::vector<int> vertices;       ///< for a mesh: vertex indices in the mesh's order
   bool hasBox = false;
-  scene::Box box{glm::vec3(-1), glm::vec3(1)};  ///< metres, world space, compared with a mesh at rest
-  std::filesystem::path map;                    ///< image over a mesh's uv; empty: none
+  scene::Box box{glm::vec3(-1), glm::vec3(1)};  ///< box in metres, world space: holds the vertices of a
+                                                ///< mesh that lie inside it at rest
+  std::filesystem::path map;                    ///< image over a mesh's uv that marks pinned vertices;
+                                                ///< empty: none
   bool clamp = false;  ///< for a fabric: the pinned border also keeps the direction in which the sheet
                        ///< leaves it
   int every = 1;       ///< pins only every n-th particle of a row or column, and its last one
-  scene::Animated<glm::vec3> move = glm::vec3(0);    ///< m
-  scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< degrees
+  scene::Animated<glm::vec3> move = glm::vec3(0);    ///< translation in metres
+  scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<glm::vec3> scale = glm::vec3(1);
-  glm::vec3 pivot{0, 0, 0};  ///< metres, world space; centre of rotation and scale
+  glm::vec3 pivot{0, 0, 0};  ///< centre of rotation and scale: metres, world space
   std::string to;            ///< name of the body that carries the pins; empty: none
   std::string bone;
   PinPlace at = PinPlace::bone;
@@ -45,14 +47,14 @@ struct PinGroup {
 struct Air : shader::AirConstants {
   std::string fluid;      ///< name of a fluid whose wind is added; empty: none
   float fluidSpeed = 10;  ///< expected maximum speed of the fluid in m/s
-  scene::Animated<glm::vec3> velocity = glm::vec3(5, 0, 0);  ///< m/s
+  scene::Animated<glm::vec3> velocity = glm::vec3(5, 0, 0);  ///< velocity in m/s
   float gusts = 0.3F;     ///< amplitude of the velocity's variation, as a fraction of its magnitude
-  float gustSize = 0.8F;  ///< m
+  float gustSize = 0.8F;  ///< size of the gusts in metres
 };
 
 /// Contact of a cloth with itself and with other cloths.
 struct ClothContact {
-  std::optional<double> thickness;  ///< m
+  std::optional<double> thickness;  ///< distance between two layers in metres
   float friction = 0.3F;            ///< Coulomb friction coefficient
 };
 
@@ -69,16 +71,17 @@ struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants
   ClothMesh mesh;
   std::vector<Seam> seams;
   glm::ivec2 size{32, 32};      ///< number of particles along x and y
-  glm::vec3 position{0, 0, 0};  ///< metres; centre of the sheet at rest
+  glm::vec3 position{0, 0, 0};  ///< centre of the sheet at rest in metres
   glm::vec3 rotation{0, 0, 0};  ///< degrees; without rotation the sheet lies in the xz plane, rows along x
-  float jitter = 0.0F;          ///< m
-  float mass = 1.0F;            ///< kg per particle
+  float jitter = 0.0F;          ///< maximum random displacement at the start in metres
+  float mass = 1.0F;            ///< mass of a particle in kg
   ClothSolver solver = ClothSolver::springs;
   bool hasFabric = false;  ///< true: a fabric's properties replace masses, springs and compliances
   Fabric fabric;
-  float damping = 4.85F;  ///< 1/s
+  float damping = 4.85F;  ///< rate in 1/s at which velocity decays
   scene::Animated<glm::vec3> gravity = glm::vec3(0, -9.8F, 0);
-  scene::Animated<glm::vec3> wind = glm::vec3(0.5F, 0, 0.3F);  ///< newtons on each particle
+  scene::Animated<glm::vec3> wind = glm::vec3(0.5F, 0, 0.3F);  ///< constant force on each particle in
+                                                               ///< newtons
   bool hasAir = false;
   Air air;
   std::optional<int> substeps = 4;
@@ -105,7 +108,7 @@ struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants
   [[nodiscard]] Looks looks() const override { return Looks::cloth; }
   [[nodiscard]] bool wanders() const override { return true; }
   /// Returns a copy with `contactSubsteps` substeps per frame, which all cloths in contact share; 0 keeps
-  /// the own number.
+  /// the cloth's own number.
   [[nodiscard]] ClothParameters inStep(int contactSubsteps) const;
   /// Returns the minimum of substeps per frame that "auto" takes: `otherwise`, but at least 960 per second
   /// for a cloth in contact. Contact is solved by only a round or two per substep, and 960 per second keep

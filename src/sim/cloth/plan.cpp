@@ -16,7 +16,7 @@ namespace simreel::sim {
 namespace {
 
 shader::PinFrame pinFrame(const PinGroup& group, double time) {
-  // x' = pivot + move + R S (x - pivot)
+  // Builds the affine transform x' = pivot + move + R S (x - pivot).
   glm::mat4 m = rotationMatrix(group.rotate.at(time));
   const glm::vec3 scale = group.scale.at(time);
   const glm::vec3 move = group.move.at(time);
@@ -148,8 +148,8 @@ std::vector<std::array<glm::dmat4, 2>> ClothPlan::pinsAround(double time) const 
 
 Softness ClothPlan::softness() const {
   if (!parameters_.keepsEnergy() || parameters_.hasMesh) return {};
-  // A straight line is stable up to a softening of 1 / (w dt)^2, with the w of its tension. In a swing the
-  // tension is three times the hanging weight.
+  // A straight line with the frequency w of its tension is stable up to a softening of 1 / (w dt)^2. In a
+  // swing the tension is three times the hanging weight.
   const double squared = substepSeconds_ * substepSeconds_;
   const double most = 1.0 / (3.0 * parameters_.hangingSquared() * squared);
   return {std::max(std::min(softSeconds * softSeconds / squared, most), leastSoftening), substepSeconds_};

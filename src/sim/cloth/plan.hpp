@@ -22,7 +22,7 @@ namespace simreel::sim {
 /// are solved a whole line at a time (glsl/cloth/line_model.glsl), after the other families.
 struct SpringFamily {
   glm::ivec2 reach;  ///< cells along x and y
-  int kind;          ///< 0 structural, 1 shear, 2 bend (glsl/cloth/model.glsl)
+  int kind;          ///< kind of spring: 0 structural, 1 shear, 2 bend (glsl/cloth/model.glsl)
 };
 inline constexpr SpringFamily springFamilies[] = {{{1, 0}, 0},  {{0, 1}, 0}, {{1, 1}, 1},
                                                   {{-1, 1}, 1}, {{2, 0}, 2}, {{0, 2}, 2}};
@@ -52,7 +52,8 @@ class ClothPlan {
   /// Returns size.x * size.y elements, x fastest: xyz the position in m, w the inverse mass in 1/kg (0:
   /// pinned).
   [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
-  /// Returns xyz the velocity in m/s (zero), w the pin group of a pinned particle.
+  /// Returns one element per particle: xyz the velocity in m/s (zero), w the pin group of a pinned
+  /// particle.
   [[nodiscard]] std::vector<glm::vec4> firstVelocities() const;
   /// Returns the data of the substeps of the frame that starts at `time` (seconds). Frames must be
   /// requested in order, because the drift of the gusts accumulates.
@@ -63,7 +64,7 @@ class ClothPlan {
   }
 
   [[nodiscard]] const ClothParameters& parameters() const { return parameters_; }
-  [[nodiscard]] const SkinPins& skinPins() const { return skinPins_; }  ///< for a grid
+  [[nodiscard]] const SkinPins& skinPins() const { return skinPins_; }  ///< only for a grid
   [[nodiscard]] int substeps() const { return substeps_; }
   /// Returns the total number of substeps of the frames requested so far.
   [[nodiscard]] int stepsBegun() const { return static_cast<int>(done_); }

@@ -15,7 +15,7 @@ namespace simreel::sim {
 namespace {
 
 struct Springs {
-  double energy = 0;   ///< J
+  double energy = 0;   ///< elastic energy in J
   double stretch = 0;  ///< maximum |d| / L0 of a structural spring
 };
 
@@ -219,8 +219,8 @@ std::vector<double> measureCloth(const ClothParameters& parameters, std::span<co
     total += mass;
     const glm::dvec3 v(velocities[i]);
     const double squared = glm::dot(v, v);
-    kinetic += 0.5 * mass * squared;                                  // T = 1/2 m v^2
-    potential -= mass * glm::dot(gravity, glm::dvec3(positions[i]));  // U = -m g.x
+    kinetic += 0.5 * mass * squared;                                  // kinetic energy T = 1/2 m v^2
+    potential -= mass * glm::dot(gravity, glm::dvec3(positions[i]));  // potential energy U = -m g.x
     fastestSquared = larger(fastestSquared, squared);
   }
   Springs springs;

@@ -66,10 +66,10 @@ std::vector<unsigned> welded(const std::vector<glm::vec3>& points) {
 
 /// Directed side of a face from one vertex to another.
 struct Side {
-  unsigned low, high;  ///< vertices in ascending order
+  unsigned low, high;  ///< its vertices in ascending order
   bool up;             ///< true: the side runs from low to high
   unsigned face;
-  unsigned corner;  ///< corner at which it begins
+  unsigned corner;  ///< index of the corner at which it begins
 };
 
 std::vector<Side> sidesOf(const std::vector<Corners>& faces) {
@@ -166,7 +166,7 @@ ClosedMesh::ClosedMesh(const std::string& name, const Mesh& mesh, float scale) {
     ofEdges[sides[i + 1].face][sides[i + 1].corner] = both;
   }
   for (std::size_t f = 0; f < corners.size(); ++f) {
-    if (ofFaces[f] == glm::dvec3(0)) continue;  // degenerate; neighbouring faces cover its edges
+    if (ofFaces[f] == glm::dvec3(0)) continue;  // degenerate; neighbours cover its edges
     Face& face = faces.emplace_back();
     face.normals[0] = glm::vec3(ofFaces[f]);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -26,9 +26,9 @@ class ClosedMesh {
     std::array<glm::vec3, 7> normals;
   };
   std::vector<Face> faces;
-  glm::dvec3 low{0}, high{0};  ///< metres; bounds
-  double volume = 0;           ///< m^3
-  double area = 0;             ///< m^2
+  glm::dvec3 low{0}, high{0};  ///< bounds in metres
+  double volume = 0;           ///< enclosed volume in m^3
+  double area = 0;             ///< surface area in m^2
 };
 
 }  // namespace simreel::sim

@@ -44,7 +44,8 @@ struct DistancePack {
   gl::Out<"cells"> cells;
 };
 
-constexpr int roundsOfSearch = 4096;  // iterations per dispatch, each with up to leafFaces inner iterations
+constexpr int roundsOfSearch = 4096;  // number of search iterations per dispatch, each with up to leafFaces
+                                      // inner iterations
 
 void checkSize(const char* what, std::size_t elements, const char* advice) {
   const std::int64_t most = std::min(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels);

@@ -24,7 +24,7 @@ namespace {
 constexpr int usualCells = 64;
 constexpr int mostUsualCells = 256;
 constexpr std::int64_t mostUsual = 2'000'000;
-constexpr std::int64_t mostNodes = 4'000'000;  // within the range of a dispatch of workgroups of 64
+constexpr std::int64_t mostNodes = 4'000'000;  // limit within the range of a dispatch of workgroups of 64
 
 /// Returns the number of cells along each axis for a mesh with `along` cells along its longest side,
 /// including the surrounding space.

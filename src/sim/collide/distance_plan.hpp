@@ -19,12 +19,12 @@ struct DistancePlan {
   /// thick.
   DistancePlan(const std::string& name, const Mesh& mesh, float scale, int cellsAlong, double reach);
 
-  std::vector<glm::vec4> faces;  ///< faceElements elements per face, sorted by leaf
-  std::vector<glm::vec4> boxes;  ///< two elements per box of the tree (BVH); the first pair is unused
+  std::vector<glm::vec4> faces;  ///< faces, sorted by leaf; faceElements elements each
+  std::vector<glm::vec4> boxes;  ///< boxes of the tree (BVH), two elements each; the first pair is unused
   int firstLeaf = 1;             ///< index of the first leaf's box
-  glm::vec3 corner{0};           ///< metres; corner of the first cell in the mesh's own space
+  glm::vec3 corner{0};           ///< corner of the first cell in metres, in the mesh's own space
   glm::ivec3 cells{0};
-  float cell = 0;  ///< side length in metres
+  float cell = 0;  ///< side length of a cell in metres
   float unit = 0;  ///< metres per unit of the integers that store distances
 
   [[nodiscard]] int cellCount() const { return cells.x * cells.y * cells.z; }

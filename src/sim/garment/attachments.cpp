@@ -132,7 +132,7 @@ class Fronts {
       const glm::dvec2 along = placeB - placeA;
       const glm::dvec2 placeC = placeA + along * part + glm::dvec2(along.y, -along.x) * height;
       if (!(placeC.y > 0) || !(placeC.x * placeB.y - placeC.y * placeB.x > 0))
-        continue;  // hidden from the vertex
+        continue;  // the point is hidden from the vertex
       over(vertex, a, c, placeA, placeC);
       over(vertex, c, b, placeC, placeB);
     }
@@ -219,8 +219,8 @@ std::vector<unsigned> clustersOf(const ClothTriangles& cloth, const std::vector<
 WaysToPins waysToPins(const ClothTriangles& cloth, const std::vector<bool>& pinned) {
   WaysToPins ways = Fronts(cloth, pinned).ways;
   for (std::size_t i = 0; i < ways.pins.size(); ++i)
-    if (ways.pins[i] != ClothTriangles::none)  // with several pins the front does not tell which one is
-                                               // reached
+    if (ways.pins[i] != ClothTriangles::none)  // if the cluster has several pins, the front does not tell
+                                               // which one it started from
       ways.lengths[i] = std::max(ways.lengths[i], lengthOf(cloth.points[ways.pins[i]] - cloth.points[i]));
   return ways;
 }

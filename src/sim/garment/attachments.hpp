@@ -13,8 +13,8 @@ namespace simreel::sim {
 /// is not stretched.
 struct Attachment {
   unsigned vertex, pin;
-  double length;      ///< metres; shortest path over the cloth at rest
-  double compliance;  ///< m/N
+  double length;      ///< length of the shortest path over the cloth at rest in metres
+  double compliance;  ///< compliance in m/N
 };
 
 /// Shortest path of each vertex over its piece to a pinned vertex (metres, infinite if there is none), and

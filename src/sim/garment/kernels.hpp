@@ -68,7 +68,7 @@ class GarmentKernels {
   void meet(const gl::Kernel<GarmentSettle>& settling, const Step& step, const TouchPart& touch) const;
 
   const GarmentPlan* plan_;
-  int vertices_;                ///< including the ghosts of clamped edges
+  int vertices_;                ///< number of vertices, including the ghosts of clamped edges
   gl::Vec4Array positions_[2];  ///< current positions, and the output of the next substep
   gl::Vec4Array velocities_, trends_, elements_, faceForces_;
   gl::Vec4Array left_;  ///< for a cloth in contact: predicted positions before contact pushed the vertices

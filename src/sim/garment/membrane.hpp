@@ -11,8 +11,8 @@ namespace simreel::sim {
 
 /// Stretch and shear of one face of a mesh (glsl/garment/membrane.glsl).
 struct MembraneElement {
-  double p, q, r, s;  ///< 1/m: fu = (b - a) p + (c - a) q, fv = (b - a) r + (c - a) s
-  double area;        ///< m^2
+  double p, q, r, s;  ///< coefficients in 1/m: fu = (b - a) p + (c - a) q, fv = (b - a) r + (c - a) s
+  double area;        ///< area in m^2
 };
 
 /// Returns one element per face. Weft runs along u, warp perpendicular to it in the face's plane. Without
@@ -21,7 +21,7 @@ struct MembraneElement {
 
 /// Deformation of a face.
 struct FaceStrain {
-  double weft, warp;  ///< lengths as ratios to their rest lengths
+  double weft, warp;  ///< lengths along weft and warp as ratios to the rest lengths
   double shear;       ///< sine of the shear angle
 };
 [[nodiscard]] FaceStrain strainOf(const MembraneElement& element, const glm::dvec3& a, const glm::dvec3& b,

@@ -26,11 +26,12 @@ struct GarmentPace {
               const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
               const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links);
 
-  double hanging = 0;     ///< length d in metres (hangingLength); a length held by attachments counts by a
-                          ///< tenth
-  double stiffening = 0;  ///< rho a d A S in 1/s^2
-  double drag = 0;        ///< 1/s
-  double softening = 1;   ///< ratio of softeningSeconds() to its argument
+  double hanging = 0;       ///< length d in metres (see hangingLength()); a length held by attachments
+                            ///< counts by a tenth
+  double stiffening = 0;    ///< product rho a d A S in 1/s^2, where a is the acceleration by the greatest
+                            ///< load
+  double drag = 0;          ///< rate in 1/s at which the fastest air drags the cloth
+  double softening = 1;     ///< ratio of softeningSeconds() to its argument
   double steadyPart = 0.7;  ///< fraction of the stable substep that "auto" takes, the same as for grids
   [[nodiscard]] double stretchError(double seconds) const {
     const double reach = constraintPart * softening * seconds;

@@ -29,13 +29,13 @@ struct GarmentArrays {
   std::vector<glm::vec4> elements;  ///< two elements per face: p, q, r, s; then compliances of weft, warp
                                     ///< and shear (m/N)
   std::vector<glm::uvec4> rings;    ///< one element per face around a vertex: the two other corners, the
-                                    ///< face
+                                    ///< face, the vertex' place in the face
   std::vector<GarmentBending> bendings;  ///< sorted by start; the first starts at 0
   std::vector<glm::uvec4> stitches;      ///< sorted by colour: two vertices, their initial distance in m,
                                          ///< the closing rate in 1/s
   std::vector<int> stitchColours;        ///< first stitch of each colour, then the number of stitches
   std::vector<glm::uvec4> attachments;   ///< vertex, pin, length in m, compliance in m/N
-  std::vector<glm::uvec4> copies;        ///< per drawn vertex: x is its vertex in the simulation
+  std::vector<glm::uvec4> copies;        ///< per drawn vertex: x is its vertex in the cloth
 };
 
 /// Maximum contact distance around a triangle, as a fraction of its height.
@@ -74,7 +74,7 @@ class GarmentPlan {
   [[nodiscard]] int colliderCount() const { return steps_.colliderCount(); }
   [[nodiscard]] int thinCount() const { return steps_.thinCount(); }
   [[nodiscard]] const GarmentArrays& arrays() const { return arrays_; }
-  [[nodiscard]] const Mesh& mesh() const { return mesh_; }  ///< the mesh as drawn
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }  ///< mesh as it is drawn
   [[nodiscard]] const ClothTriangles& cloth() const { return cloth_; }
   [[nodiscard]] const std::vector<MembraneElement>& membrane() const { return membrane_; }
   /// Returns the plate elements in effect in the next substep.
@@ -86,9 +86,7 @@ class GarmentPlan {
   /// Returns for each vertex the maximum contact distance in metres at which a triangle does not touch its
   /// neighbours: roomOfHeight times the smallest height of the triangles around the vertex.
   [[nodiscard]] std::vector<float> contactRooms() const;
-  [[nodiscard]] const std::vector<double>& masses() const {
-    return masses_;
-  }  ///< kg, including pinned vertices
+  [[nodiscard]] const std::vector<double>& masses() const { return masses_; }  ///< kg; pinned ones included
 
  private:
   GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed, double frameSeconds,
@@ -115,7 +113,7 @@ class GarmentPlan {
   std::vector<MembraneElement> membrane_;
   std::vector<std::vector<PlateElement>> plates_;  ///< one vector per bending
   std::vector<double> masses_;
-  std::vector<glm::vec3> rest_;  ///< metres, world space; vertices, then ghosts
+  std::vector<glm::vec3> rest_;  ///< positions in metres, world space: vertices, then ghosts
   std::vector<int> groups_;      ///< pin group of each vertex and ghost; -1: not pinned
   std::vector<ClampedEdge> clamps_;
   /// Vertex pairs sewn together, by the seconds until their seam is closed.

@@ -21,7 +21,7 @@ struct PlateElement {
     glm::dvec3 weights;  ///< 1/m^2; weights of xx, yy and sqrt(2) xy in axes of the face
   };
   std::vector<Part> parts;  ///< in a fixed order, the corners first; empty for a face without neighbours
-  double area = 0;          ///< m^2
+  double area = 0;          ///< area in m^2
 };
 
 /// Border edge across which the direction of the cloth is held by a pinned ghost point. The ghost lies
@@ -53,7 +53,7 @@ struct PlateMatrix {
   PlateMatrix(const std::vector<PlateElement>& elements, double bending,
               const std::vector<double>& inverseMasses, double mostSquaredFrequency);
   std::vector<PlateRow> rows;
-  std::vector<double> stiffnesses;  ///< N m, one per element
+  std::vector<double> stiffnesses;  ///< bending stiffness of each element in N m
   int softened = 0;
 };
 

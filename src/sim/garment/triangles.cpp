@@ -190,8 +190,7 @@ int ClothTriangles::sew(const std::vector<std::pair<unsigned, unsigned>>& stitch
   }
   for (unsigned i = 0; i < sewn_.size(); ++i) sewn_[i] = root(i);
   int opposite = 0;
-  std::map<std::pair<unsigned, unsigned>, std::pair<unsigned, std::size_t>>
-      borders;  // border edges by their end vertices
+  std::map<std::pair<unsigned, unsigned>, std::pair<unsigned, std::size_t>> borders;  // by end vertices
   for (unsigned f = 0; f < faces.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
       if (faces[f].neighbours[k] != none) continue;

@@ -20,7 +20,7 @@ struct ClothTriangles {
     std::array<unsigned, 3> corners;
     std::array<unsigned, 3> neighbours;  ///< face beyond each edge; none: border
     std::array<unsigned, 3> beyond;      ///< third corner of the face beyond each edge
-    double area;                         ///< m^2
+    double area;                         ///< area in m^2
   };
 
   /// Merges vertices no farther apart than `weld` (metres) into one at the first one's position; 0 merges
@@ -29,8 +29,8 @@ struct ClothTriangles {
   /// ways, a face without area, and a vertex with no face or more than 256.
   ClothTriangles(const std::string& name, const Mesh& mesh, double scale, double weld);
 
-  std::vector<glm::dvec3> points;  ///< metres, in the mesh's own space
-  std::vector<Face> faces;         ///< in the mesh's order
+  std::vector<glm::dvec3> points;  ///< positions in metres, in the mesh's own space
+  std::vector<Face> faces;         ///< faces in the mesh's order
   std::vector<unsigned> vertexOf;  ///< maps each vertex of the mesh to its vertex here
 
   /// Faces around each vertex in ascending order: those of vertex i are around[starts[i]] to

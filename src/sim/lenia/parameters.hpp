@@ -14,7 +14,7 @@ namespace simreel::sim {
 struct LeniaKernel {
   enum class Core { polynomial, exponential };
   enum class Growth { polynomial, gaussian, step };
-  double radius = 13;            ///< cells
+  double radius = 13;            ///< radius in cells
   std::vector<int> rings{100};   ///< heights in percent of rings of equal width, from the centre outwards
   Core core = Core::polynomial;  ///< profile of a ring: (4 r (1 - r))^4 or exp(4 - 1 / (r (1 - r)))
   Growth growth = Growth::polynomial;
@@ -35,7 +35,7 @@ struct LeniaCreature {
 struct LeniaParameters : ObjectParameters {
   enum class Model { lenia, smoothLife };
   LeniaParameters();
-  glm::ivec2 size{256, 144};  ///< number of cells; the grid is a torus
+  glm::ivec2 size{256, 144};  ///< width and height of the grid, a torus, in cells
   Model model = Model::lenia;
   std::vector<LeniaKernel> kernels{LeniaKernel{}};
   double timeScale = 10;  ///< number of steps per unit of time

@@ -50,7 +50,7 @@ class LeniaPlan {
   int seed_;
   double frameSeconds_;
   int range_ = 0;
-  std::vector<std::vector<double>> weights_;  ///< by kernel; rows of 2 range + 1
+  std::vector<std::vector<double>> weights_;  ///< weights by kernel, in rows of 2 range + 1
   Strokes strokes_;
 };
 

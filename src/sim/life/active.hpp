@@ -37,9 +37,9 @@ class LifeActive {
  private:
   glm::ivec2 size_;
   int words_;              ///< number of words in the grid
-  int passesPerDispatch_;  ///< limited so that the driver ends no loop early
+  int passesPerDispatch_;  ///< maximum number of passes per dispatch at which the driver ends no loop early
   unsigned pass_ = 0;
-  gl::Buffer cells_;  ///< two halves: before and after a pass
+  gl::Buffer cells_;  ///< cells in two halves: before and after a pass
   gl::Texture texels_;
   gl::Buffer marks_;
   gl::Kernel<LifeActiveKernel> kernel_;

@@ -276,8 +276,9 @@ class Life : public Simulation {
   std::vector<glm::vec3> colors_;
   LifeStepper stepper_;
   std::optional<LifeActive> active_;
-  std::optional<CellEngine> engine_;  ///< for rules and borders that the other two do not support
-  gl::Buffer status_;                 ///< written by active_
+  std::optional<CellEngine> engine_;  ///< used for rules and borders that LifeStepper and LifeActive do not
+                                      ///< support
+  gl::Buffer status_;                 ///< status buffer that active_ writes
   gl::WordsArray cells_[2];           ///< current cells, and the output of the next pass
   gl::WordsArray trail_, stamps_;
   gl::Kernel<LifePaint> paint_;

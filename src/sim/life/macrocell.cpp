@@ -27,8 +27,7 @@ struct Node {
   std::int64_t cells = 0;  ///< number of living cells, at most manyCells; a node without any is never
                            ///< traversed, however often it is referenced
   std::uint64_t bits = 0;
-  std::array<int, 4>
-      children{};  ///< node indices or states: north-west, north-east, south-west, south-east
+  std::array<int, 4> children{};  ///< node indices or states of NW, NE, SW, SE
 };
 
 class MacrocellReader : public PatternText {

@@ -21,24 +21,24 @@ struct LifePattern {
   std::filesystem::path file;
   std::optional<glm::ivec2>
       at;                  ///< cell of the top left corner, after flipping and rotating; empty: centred
-  Flip flip = Flip::none;  ///< applied before the rotation
-  int rotate = 0;          ///< degrees clockwise, a multiple of 90
+  Flip flip = Flip::none;  ///< flip, applied before the rotation
+  int rotate = 0;          ///< rotation in degrees clockwise, a multiple of 90
   void describe(scene::Fields& fields);
 };
 
 struct LifeParameters : ObjectParameters {
   LifeParameters();
-  glm::ivec2 size{512, 512};       ///< cells
+  glm::ivec2 size{512, 512};       ///< width and height of the grid in cells
   bool fitted = false;             ///< true: no size is given, so the size fits the patterns
   std::string rule;                ///< empty: the rule of the first pattern that names one, else B3/S23
-  std::filesystem::path ruleFile;  ///< rule file, an alternative to `rule`
+  std::filesystem::path ruleFile;  ///< rule file, given instead of `rule`
   LifeBorder border = LifeBorder::torus;
-  glm::ivec2 shift{0, 0};    ///< GridShape::shift
+  glm::ivec2 shift{0, 0};    ///< see GridShape::shift
   bool borderGiven = false;  ///< false: the border of the first pattern whose file has one is used
   float fill = 0.3F;         ///< fraction of living cells at the start; 0 by default if there are patterns
   bool fillGiven = false;
   std::vector<LifePattern> patterns;
-  std::vector<StrokeParameters> strokes;  ///< value: the painted state
+  std::vector<StrokeParameters> strokes;  ///< brush strokes; their value is the painted state
   double stepsPerSecond = 10;
   int trail = 0;  ///< number of steps during which a dead cell remains visible
   bool trailGiven = false;

@@ -59,7 +59,7 @@ class LifeStates : public Simulation {
     while (generation_ < end) {
       gl::barrier();
       engine_.run(cells_[0], cells_[1]);
-      gl::barrier();  // the engine's gl::Program kernels do not track dependencies
+      gl::barrier();  // needed because the engine's gl::Program kernels do not track dependencies
       std::swap(cells_[0], cells_[1]);
       ++generation_;
       paint(plan_.strokesInto(generation_));

@@ -55,7 +55,7 @@ class LifeStepper {
   LifeTuning tuning_;
   bool whole_ = false;
   int maxSteps_ = 1;
-  std::map<int, gl::Kernel<LifeStep>> programs_;  ///< by number of steps
+  std::map<int, gl::Kernel<LifeStep>> programs_;  ///< kernels by their number of steps
 };
 
 }  // namespace simreel::sim

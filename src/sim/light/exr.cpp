@@ -84,7 +84,7 @@ Chosen choose(const Imf::ChannelList& channels) {
 /// allocate its memory first. A header is a list of names, types and lengths and ends with an empty name;
 /// in a multi-part file a second empty name ends the headers.
 void checkAttributes(std::string_view bytes, bool severalParts) {
-  std::size_t at = 8;  // after the magic number, version and flags
+  std::size_t at = 8;  // the headers start after the magic number, version and flags
   const auto word = [&] {
     const std::size_t end = bytes.find('\0', at);
     const bool none = end == std::string_view::npos;

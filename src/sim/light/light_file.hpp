@@ -9,7 +9,8 @@ namespace simreel::sim {
 
 /// HDR image as stored in a file: RGBA per pixel, rows from the top.
 struct LightFile {
-  static constexpr int largestSide = 16384;  ///< larger sizes indicate a damaged file
+  static constexpr int largestSide = 16384;  ///< maximum width and height in pixels; larger sizes indicate
+                                             ///< a damaged file
 
   glm::ivec2 size{0, 0};
   std::vector<float> values;

@@ -43,9 +43,7 @@ class RadianceFile {
     if (end == std::string_view::npos) cutOff();
     std::string_view found = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
-    if (found.ends_with('\r'))
-      found.remove_suffix(1);  // some programs write the header with Windows line
-                               // ends
+    if (found.ends_with('\r')) found.remove_suffix(1);  // some headers have Windows line ends
     return found;
   }
 

@@ -40,7 +40,7 @@ struct DisplaceKernel {
   static constexpr auto file = "mesh/displace.comp";
   struct Variant {
     gl::Range<"DISPLACEMENTS", 0, shader::maxDisplacements> displacements;
-    gl::Code<"FIRST_KINDS", "0"> firstKinds;  // four bits per displacement
+    gl::Code<"FIRST_KINDS", "0"> firstKinds;  // kinds of the displacements, four bits each
     gl::Code<"LAST_KINDS", "0"> lastKinds;
   };
   gl::Block<"DeformBlock", shader::DeformStep> step;
@@ -200,23 +200,23 @@ class DeformedMesh : public Simulation, public ContactSolid {
   double time_ = 0;  ///< time of the current positions in seconds
   DeformPlan plan_;
   RestMesh rest_;
-  mutable DeformCpu cpu_;  ///< for techniques on the device, computed only on request
+  mutable DeformCpu cpu_;  ///< CPU results; for techniques on the device, computed only on request
   MeshTopology topology_;
   MovingLooks looks_;
   gl::Vec4Array restPositions_, restNormals_;
   gl::Vec4Array trail_;
   gl::Buffer block_;
   StageClock clock_;
-  std::array<Vertices, 3> vertices_;  ///< three slots if mapped, else one
+  std::array<Vertices, 3> vertices_;  ///< vertex buffers: three slots if mapped, else one
   std::size_t current_ = 0;
   gl::WordsArray fans_, faces_;
   gl::Kernel<PressKernel> press_;
   gl::Kernel<DisplaceKernel> displace_;
   gl::Kernel<NormalKernel> gather_;
   std::unique_ptr<PositionReadback> readback_;
-  std::optional<HeightField> heights_;    ///< for a mesh that collides as a height field
+  std::optional<HeightField> heights_;    ///< only for a mesh that collides as a height field
   bool hasHeights_ = false;               ///< true once the heights of the start are stored
-  std::optional<MovedVertices> touched_;  ///< for a mesh whose faces collide
+  std::optional<MovedVertices> touched_;  ///< only for a mesh whose faces collide
 };
 
 void DeformedMesh::makeVertices() {

@@ -27,12 +27,8 @@ class DeformCpu {
   void gatherNormals(Threads threads, std::span<glm::vec4> also = {});
 
   [[nodiscard]] const std::vector<glm::vec4>& positions() const { return positions_; }  ///< xyz in m, w = 1
-  [[nodiscard]] const std::vector<glm::vec4>& normals() const {
-    return normals_;
-  }  ///< xyz unit normal, w = 0
-  [[nodiscard]] const std::vector<glm::vec4>& trail() const {
-    return trail_;
-  }  ///< x depth of the print, y height of the rim (m)
+  [[nodiscard]] const std::vector<glm::vec4>& normals() const { return normals_; }  ///< xyz normal, w = 0
+  [[nodiscard]] const std::vector<glm::vec4>& trail() const { return trail_; }      ///< x depth, y rim in m
   /// Replaces the trail by the device's; elements with x fastest.
   void setTrail(std::vector<glm::vec4> trail) { trail_ = std::move(trail); }
 

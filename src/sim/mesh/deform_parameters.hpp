@@ -22,35 +22,35 @@ enum class DeformTechnique { compute, singleThread, jobs, mapped, vertexShader }
 /// Ring waves around a centre.
 struct Ripple : shader::RippleStep {
   bool on = false;
-  float speed = 2.0F;             ///< radians of phase per second
-  float wavelength = 6.2831853F;  ///< m
+  float speed = 2.0F;             ///< speed in radians of phase per second
+  float wavelength = 6.2831853F;  ///< wavelength in metres
 };
 
 /// Gerstner wave.
 struct Wave : shader::WaveStep {
-  float direction = 0.0F;  ///< degrees from +x towards +z
-  float length = 2.0F;     ///< m
+  float direction = 0.0F;  ///< direction in degrees from +x towards +z
+  float length = 2.0F;     ///< wavelength in metres
   float steepness = 0.5F;  ///< shape of the crest: 0 sine, 1 cusp
-  float speed = 0.0F;      ///< m/s; 0: the speed of deep-water waves
-  float initial = 0.0F;    ///< degrees; phase at time 0
+  float speed = 0.0F;      ///< speed in m/s; 0: the speed of deep-water waves
+  float initial = 0.0F;    ///< phase in degrees at time 0
 };
 
 struct Sway : shader::SwayStep {
   bool on = false;
-  float direction = 0.0F;   ///< degrees from +x towards +z
-  float height = 1.0F;      ///< m
-  float wavelength = 3.0F;  ///< m
-  float speed = 2.0F;       ///< radians of phase per second
+  float direction = 0.0F;   ///< direction in degrees from +x towards +z
+  float height = 1.0F;      ///< height in metres above the base at which the lean reaches the amplitude
+  float wavelength = 3.0F;  ///< wavelength of the gusts in metres
+  float speed = 2.0F;       ///< speed in radians of phase per second
 };
 
 struct Footprints : shader::TrailStep {
   bool on = false;
-  float rimWidth = 0.08F;  ///< m
+  float rimWidth = 0.08F;  ///< width of the rim in metres
 };
 
 struct Push : shader::PushStep {
   bool on = false;
-  float height = 0.0F;  ///< metres above the base over which the effect fades in
+  float height = 0.0F;  ///< height in metres above the base over which the effect fades in
 };
 
 /// One entry of "deform": exactly one of its members is active.

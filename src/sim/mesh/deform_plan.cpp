@@ -15,7 +15,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double maxPhase = 9000.0;  // exactSin is valid up to 1e4
+constexpr double maxPhase = 9000.0;  // with a margin, because exactSin is valid up to 1e4
 
 /// Returns the angle modulo a full turn, so that its precision does not decrease with time.
 float reduced(double angle) {

@@ -33,8 +33,8 @@ class DeformPlan {
   MeshParameters parameters_;
   std::vector<ColliderShape> pressers_;
   int vertices_;
-  glm::vec3 low_, high_;     ///< metres; bounds of the rest mesh
-  Footprints footprints_{};  ///< including the derived trail data for the shaders
+  glm::vec3 low_, high_;     ///< bounds of the rest mesh in metres
+  Footprints footprints_{};  ///< footprint parameters, including the derived trail data for the shaders
 };
 
 }  // namespace simreel::sim

@@ -13,7 +13,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr unsigned maxFacesAround =
-    20'000;  // some drivers silently end a shader's loop after 65,535 iterations
+    20'000;  // limit, because some drivers silently end a shader's loop after 65,535 iterations
 
 bool before(const glm::vec3& a, const glm::vec3& b) {
   if (a.x != b.x) return a.x < b.x;

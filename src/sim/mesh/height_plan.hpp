@@ -17,13 +17,13 @@ class HeightPlan {
   /// Returns the grid at the end of substep `index` of `substeps`. `margin` (m): distance to keep above the
   /// surface; `bounce`: fraction of the impact speed that is returned.
   [[nodiscard]] shader::HeightGrid at(int index, int substeps, float margin, float bounce) const;
-  [[nodiscard]] float lift() const { return lift_; }  ///< metres; height of the mesh's origin
+  [[nodiscard]] float lift() const { return lift_; }  ///< height of the mesh's origin in metres
   [[nodiscard]] glm::ivec2 size() const { return grid_.size; }
 
  private:
   shader::HeightGrid grid_{};
   float lift_;
-  float grip_;  ///< 1/s
+  float grip_;  ///< rate in 1/s at which sliding objects lose speed
   double frameSeconds_;
 };
 

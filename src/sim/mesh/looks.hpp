@@ -12,7 +12,7 @@ namespace simreel::sim {
 /// Triangles of a mesh that share one material.
 struct MeshLook {
   scene::Material material;
-  Mesh mesh;  ///< empty if the whole mesh has this material
+  Mesh mesh;  ///< the triangles; empty if the whole mesh has this material
 };
 
 /// Returns the materials that the mesh's file defines, in the file's order, each with its triangles. Empty
@@ -35,7 +35,7 @@ class MovingLooks {
  private:
   struct Part {
     scene::Material material;
-    gl::Buffer indices;  ///< empty: the whole mesh
+    gl::Buffer indices;  ///< triangle indices; empty: the whole mesh
     int indexCount = 0;
   };
   std::vector<Part> parts_;

@@ -91,7 +91,7 @@ class RigidMesh : public Simulation, public ContactSolid {
   /// Part of the mesh with one of the file's materials.
   struct Part {
     scene::Material material;
-    std::optional<MeshBuffers> buffers;  ///< empty: the whole mesh
+    std::optional<MeshBuffers> buffers;  ///< buffers of the part; empty: the whole mesh
   };
 
   MeshParameters parameters_;
@@ -99,8 +99,8 @@ class RigidMesh : public Simulation, public ContactSolid {
   double frameSeconds_;
   double time_;  ///< time of the current frame in seconds
   MeshBuffers buffers_;
-  std::vector<Part> parts_;               ///< empty: the whole mesh has material_
-  std::optional<MovedVertices> touched_;  ///< for a mesh whose faces collide
+  std::vector<Part> parts_;               ///< parts by material; empty: the whole mesh has material_
+  std::optional<MovedVertices> touched_;  ///< only for a mesh whose faces collide
 };
 
 Mesh readMesh(const scene::Object& object, const Setting& setting) {

@@ -15,7 +15,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::int64_t maxVertices = 8'000'000;  // the same limit as for files
+constexpr std::int64_t maxVertices = 8'000'000;  // the same limit as for mesh files
 
 /// Returns the minimum number of vertices along u and v at which a shape is closed.
 glm::ivec2 minResolution(MeshShape shape) {

@@ -22,25 +22,26 @@ enum class MeshSides { fitting, one, both };
 struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   MeshShape shape = MeshShape::plane;
   std::filesystem::path file;
-  glm::vec3 size{4, 0, 4};         ///< metres, for a plane
-  float radius = 1.0F;             ///< m
-  float tube = 0.35F;              ///< m
+  glm::vec3 size{4, 0, 4};         ///< width and depth of a plane in metres
+  float radius = 1.0F;             ///< radius in metres
+  float tube = 0.35F;              ///< radius of a torus' tube in metres
   glm::ivec2 resolution{101, 65};  ///< number of vertices along u and v
   MeshSides sides = MeshSides::fitting;
   bool visible = true;
-  int blades = 4000;          ///< number of blades, for grass
-  float bladeHeight = 0.5F;   ///< m
-  float bladeWidth = 0.012F;  ///< m
+  int blades = 4000;          ///< number of blades of grass
+  float bladeHeight = 0.5F;   ///< height of the tallest blades in metres
+  float bladeWidth = 0.012F;  ///< width of a blade at its root in metres
   DeformParameters deform;
-  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
-  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< position in metres
+  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<float> scale = 1.0F;
   bool collides = false;           ///< true: collides as a closed mesh, or as a height field if deformed
   bool byFaces = false;            ///< true: its faces collide with cloths in contact
-  float grip = 25.3F;              ///< 1/s
-  std::optional<double> friction;  ///< Coulomb friction coefficient, used instead of `grip`; empty for
-                                   ///< collisions by faces: the cloth's own
-  int distanceCells = 0;           ///< along the longest side; 0: automatic
+  float grip = 25.3F;              ///< rate in 1/s at which sliding objects lose speed
+  std::optional<double> friction;  ///< Coulomb friction coefficient, used instead of `grip`; if empty,
+                                   ///< collisions by faces use the cloth's
+  int distanceCells = 0;           ///< number of cells of the distance field along the longest side; 0:
+                                   ///< automatic
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool measures() const override { return !deform.list.empty(); }
@@ -59,7 +60,7 @@ struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   [[nodiscard]] bool doubleSided() const;
   /// Returns the transform from the mesh's own space to world space at `time`.
   [[nodiscard]] glm::mat4 model(double time) const;
-  /// Returns the time (s) of the last discontinuous jump before `time`.
+  /// Returns the time (s) of the last discontinuous jump at or before `time`.
   [[nodiscard]] double jumpedBy(double time) const;
   /// Generates or reads the mesh. Throws the errors of loadMesh().
   [[nodiscard]] Mesh make(int seed) const;

@@ -71,7 +71,7 @@ MeshCells cellsOf(const Mesh& mesh, const std::string& whose) {
   MeshCells cells;
   cells.cellOf = weldedNumbers(mesh, cells.places);
   cells.areas.assign(cells.places.size(), 0.0);
-  std::map<std::pair<int, int>, double> weights;  // by edge
+  std::map<std::pair<int, int>, double> weights;  // weights by edge
   double area = 0;
   for (const CellTriangle& t : cellTriangles(mesh, cells.cellOf)) {
     const glm::dvec3 p[] = {cells.places[static_cast<std::size_t>(t[0])],
@@ -124,7 +124,7 @@ Mesh refined(const Mesh& mesh) {
   const std::vector<CellTriangle> triangles = cellTriangles(mesh, weldedNumbers(mesh, places));
   struct Edge {
     int middle = 0;
-    glm::dvec3 opposite{0};  ///< sum of the opposite corners
+    glm::dvec3 opposite{0};  ///< sum of the positions of the opposite corners
     int faces = 0;
   };
   std::map<std::pair<int, int>, Edge> edges;

@@ -23,12 +23,12 @@ struct MeshCells {
     double weight = 0;  ///< border length over distance; 0 across a square's diagonal
   };
   std::vector<int> cellOf;         ///< cell of each vertex of the mesh; -1: none
-  std::vector<glm::dvec3> places;  ///< metres; positions of the cells
-  std::vector<double> areas;       ///< m^2
+  std::vector<glm::dvec3> places;  ///< positions of the cells in metres
+  std::vector<double> areas;       ///< area of each cell in m^2
   std::vector<int> first;          ///< per cell: index of its first link; then the total number of links
   std::vector<Link> links;         ///< links of a cell, sorted by neighbour
-  double meanEdge = 1;             ///< m
-  glm::dvec3 low{0}, high{0};      ///< metres; bounds
+  double meanEdge = 1;             ///< mean length of the edges in metres
+  glm::dvec3 low{0}, high{0};      ///< bounds in metres
 
   [[nodiscard]] int count() const { return static_cast<int>(areas.size()); }
 };

@@ -26,9 +26,9 @@ struct FileCamera {
   std::string name;  ///< the camera's own name, which may differ from its node's
   int node = 0;
   bool perspective = true;
-  double fieldOfView = 0;    ///< radians; vertical
-  double height = 0;         ///< metres, for an orthographic camera
-  double near = 0, far = 0;  ///< metres; far = 0: infinite
+  double fieldOfView = 0;    ///< vertical field of view in radians
+  double height = 0;         ///< height of an orthographic camera's view in metres
+  double near = 0, far = 0;  ///< distances of the near and far planes in metres; far = 0: infinite
 
   template <class Archive>
   void pack(Archive& archive) {
@@ -215,7 +215,7 @@ class FileShot final : public scene::CameraShot {
   bool loop_;
   double angle_ = 0, near_ = 0, length_ = 0;
   std::optional<double> height_, far_;
-  std::vector<Link> links_;  ///< the camera's node first
+  std::vector<Link> links_;  ///< chain of nodes; the camera's node first
 };
 
 }  // namespace

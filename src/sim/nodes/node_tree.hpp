@@ -11,11 +11,11 @@ namespace simreel::sim {
 /// Node of a glTF file: a bone, or an object attached to one. Nodes follow their parents.
 struct FigureNode {
   std::string name;
-  int parent = -1;         ///< index; -1: none
+  int parent = -1;         ///< index of the parent; -1: none
   bool hasMatrix = false;  ///< true: the matrix replaces translation, rotation and scale; the node is not
                            ///< animated
   glm::dmat4 matrix{1};
-  glm::dvec3 translation{0};  ///< metres
+  glm::dvec3 translation{0};  ///< translation in metres
   glm::dquat rotation{1, 0, 0, 0};
   glm::dvec3 scale{1};
 
@@ -38,8 +38,9 @@ struct FigureChannel {
   int node = 0;
   Path path = Path::translation;
   Way way = Way::linear;
-  std::vector<float> times;   ///< seconds, increasing
-  std::vector<float> values;  ///< 3 or 4 (x y z w) per key; for `cubic`: in-tangent, value, out-tangent
+  std::vector<float> times;   ///< times of the keys in seconds, increasing
+  std::vector<float> values;  ///< values: 3 or 4 (x y z w) per key; for `cubic`: in-tangent, value,
+                              ///< out-tangent
 
   template <class Archive>
   void pack(Archive& archive) {

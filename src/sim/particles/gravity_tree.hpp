@@ -63,15 +63,15 @@ class GravityTree {
   int box_ = 0;            ///< index of the pair of corners that bounds all bodies
   gl::Vec4Array corners_;  ///< pairs of corners (min, max) of all reduction levels
   gl::Vec4Array bodies_;   ///< sorted bodies
-  gl::Vec4Array boxes_;    ///< two texels per node
-  gl::Vec4Array cells_;    ///< one texel per node
-  gl::Vec4Array moments_;  ///< two texels per node
+  gl::Vec4Array boxes_;    ///< bounding boxes of nodes, two texels each
+  gl::Vec4Array cells_;    ///< centres of mass and opening radii of nodes, one texel each
+  gl::Vec4Array moments_;  ///< masses and second moments of nodes, two texels each
   gl::RadixSort sort_;
   gl::Kernel<TreeReduce> reduceBodies_, reduceBoxes_;
   gl::Kernel<TreeKey> key_;
   gl::Kernel<TreeGather> gather_;
   gl::Kernel<TreeBuild> leaves_, parents_;
-  gl::Kernel<TreeWalk> walk_;  ///< for the texel memory path
+  gl::Kernel<TreeWalk> walk_;  ///< used on the texel memory path
   gl::Kernel<TreeWalkList> walkList_;
 };
 

@@ -22,31 +22,32 @@ namespace simreel::sim {
 struct ParticleGroup {
   enum class Shape { ball, cube, plummer, disk, file };
   Shape shape = Shape::ball;
-  int count = 1024;     ///< ignored for a file
+  int count = 1024;     ///< number of particles; ignored for a file
   float radius = 1.0F;  ///< metres: radius of the ball, half the cube's side, Plummer scale radius a, or
                         ///< the disk's scale length
   float thickness = 0.05F;     ///< disk: scale height as a fraction of radius
-  float totalMass = 1.0F;      ///< kg, shared equally
+  float totalMass = 1.0F;      ///< mass in kg that the particles share equally
   float centralMass = 0.0F;    ///< kg; mass of an additional particle in the centre (a disk's bulge); 0:
                                ///< none
   float speed = 0.0F;          ///< m/s; random velocity in a ball or cube; plummer and disk start in
                                ///< equilibrium
   float spin = 0.0F;           ///< rad/s about the group's own y axis, for ball and cube
-  glm::vec3 position{0};       ///< metres; centre
-  glm::vec3 velocity{0};       ///< m/s; of the whole group
+  glm::vec3 position{0};       ///< centre in metres
+  glm::vec3 velocity{0};       ///< velocity of the whole group in m/s
   glm::vec3 rotation{0};       ///< degrees about x, then y, then z; disks lie in the xz plane
-  std::filesystem::path file;  ///< CSV (first line names x,y,z[,vx,vy,vz][,mass]) or PLY
+  std::filesystem::path file;  ///< CSV file (first line names x,y,z[,vx,vy,vz][,mass]) or PLY file
   void describe(scene::Fields& fields);
 };
 
 /// Source of particles with a limited lifetime.
 struct Emitter : shader::EmitterConstants {
-  float rate = 1000.0F;                                      ///< 1/s
-  scene::Animated<glm::vec3> position = glm::vec3(0);        ///< m
-  scene::Animated<glm::vec3> velocity = glm::vec3(0, 3, 0);  ///< m/s
+  float rate = 1000.0F;                                      ///< number of particles per second
+  scene::Animated<glm::vec3> position = glm::vec3(0);        ///< position in metres
+  scene::Animated<glm::vec3> velocity = glm::vec3(0, 3, 0);  ///< mean initial velocity in m/s
   float spread = 20.0F;                                      ///< degrees; half the angle of the velocity
                                                              ///< cone
-  float from = 0.0F, until = 1e9F;                           ///< seconds
+  float from = 0.0F, until = 1e9F;                           ///< times in seconds at which the emitter
+                                                             ///< starts and stops
   void describe(scene::Fields& fields);
 };
 
@@ -56,25 +57,25 @@ struct Turbulence : shader::TurbulenceConstants {
   float speed = 0.3F;  ///< speed in m/s at which the field drifts
 };
 
-enum class GravityMethod { none, allPairs, tree };  ///< "none", "all-pairs", "tree"
+enum class GravityMethod { none, allPairs, tree };  ///< named "none", "all-pairs" and "tree" in scenes
 
 struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleConstants {
   std::vector<ParticleGroup> groups;
   std::vector<Emitter> emitters;
   GravityMethod method = GravityMethod::allPairs;
-  float gravity = 0.01F;   ///< G, m^3/(kg s^2)
-  float softening = 0.1F;  ///< eps, m
+  float gravity = 0.01F;   ///< gravitational constant G in m^3/(kg s^2)
+  float softening = 0.1F;  ///< softening length eps in metres
   float opening = 0.5F;    ///< for "tree": maximum angle (rad) at which a cell counts as one body
   bool hasAttractor = false;
-  scene::Animated<glm::vec3> attractorPosition = glm::vec3(0);  ///< m
-  scene::Animated<float> attractorMass = 100.0F;                ///< kg
+  scene::Animated<glm::vec3> attractorPosition = glm::vec3(0);  ///< position in metres
+  scene::Animated<float> attractorMass = 100.0F;                ///< mass in kg
   scene::Animated<glm::vec3> acceleration = glm::vec3(0);       ///< uniform acceleration in m/s^2
   Turbulence turbulence;
   int substeps = 1;
   bool collides = false;
   bool hasWind = false;
   std::string windFluid;       ///< name of the fluid whose flow is the wind
-  float windDrag = 4;          ///< 1/s
+  float windDrag = 4;          ///< rate in 1/s at which velocity approaches the wind's
   std::string walls;           ///< name of the solid whose walls the particles collide with; empty: none
   std::string cloths = "all";  ///< cloths in contact to collide with: "all", "none", or a name
 

@@ -7,7 +7,7 @@ namespace simreel::sim {
 
 /// Additional mass at the centre of a group: another group or the attractor. Treated as a Plummer sphere.
 struct Companion {
-  float mass = 0;    ///< kg
+  float mass = 0;    ///< mass in kg
   float radius = 0;  ///< metres; Plummer scale radius a
 };
 

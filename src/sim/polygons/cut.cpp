@@ -52,7 +52,7 @@ class EarRing {
     bool ear = true;
     for (std::size_t k = 0; k < hollows_.size(); ++k) {
       const unsigned other = hollows_[k];
-      if (!hollow_[other]) continue;  // cut off, or no longer concave
+      if (!hollow_[other]) continue;  // skips corners that are cut off or no longer concave
       hollows_[kept++] = other;
       ++tests;
       if (other == a || other == c || !ear) continue;
@@ -96,8 +96,8 @@ class EarRing {
 glm::dvec3 polygonNormal(std::span<const glm::vec3> corners) {
   glm::dvec3 sum(0);
   if (corners.empty()) return sum;
-  const glm::dvec3 origin(corners[0]);  // relative to a corner, because far from 0 small polygons would
-                                        // lose precision
+  const glm::dvec3 origin(corners[0]);  // uses positions relative to a corner, because far from 0 small
+                                        // polygons would lose precision
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     sum += glm::cross(glm::dvec3(corners[i]) - origin, glm::dvec3(corners[i + 1]) - origin);
   return sum;

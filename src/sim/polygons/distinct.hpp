@@ -45,7 +45,7 @@ class Distinct {
   }
 
   std::vector<Key> keys_;
-  std::vector<std::uint32_t> slots_;  ///< size is a power of two
+  std::vector<std::uint32_t> slots_;  ///< hash table; its size is a power of two
 };
 
 /// Hashes 32-bit words to 64 bits (with the finalizer of MurmurHash3, by Appleby).

@@ -16,17 +16,18 @@ struct ObjFile {
     int place, uv, normal;
   };
   struct Face {
-    std::size_t first;  ///< index of its first corner
+    std::size_t first;  ///< index of the face's first corner
     unsigned count;
-    int material;     ///< index into the list of names; -1: none
+    int material;     ///< index into the list of material names; -1: none
     unsigned smooth;  ///< smoothing group; 0: none, so the face is flat
   };
   std::vector<glm::vec3> places, normals;
-  std::vector<glm::vec3> colors;  ///< one per position, as in the file; empty if no position has a colour
+  std::vector<glm::vec3> colors;  ///< one per position; empty if no position has one
   std::vector<glm::vec2> uvs;
   std::vector<Corner> corners;
   std::vector<Face> faces;
-  std::vector<std::string> materials;  ///< names given by usemtl, in the order of their first use
+  std::vector<std::string> materials;  ///< names of materials given by usemtl, in the order of their first
+                                       ///< use
   std::vector<std::string> libraries;  ///< the rest of each mtllib line
   std::vector<std::string> notDrawn;   ///< content that is not drawn, for example "lines (3)"
 };

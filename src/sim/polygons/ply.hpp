@@ -13,7 +13,7 @@ namespace simreel::sim {
 /// Number type of PLY.
 struct PlyType {
   unsigned bytes = 4;
-  char kind = 'f';  ///< f float, i signed integer, u unsigned integer
+  char kind = 'f';  ///< kind of number: f float, i signed integer, u unsigned integer
 };
 
 struct PlyProperty {
@@ -73,7 +73,7 @@ class PlyFile {
   std::vector<std::string> comments_;
   bool binary_ = false, bigEndian_ = false;
   bool hasFormat_ = false;
-  std::size_t bytes_;      ///< size of the whole file
+  std::size_t bytes_;      ///< size of the whole file in bytes
   std::size_t lines_ = 0;  ///< number of header lines
   std::string_view body_;
 };

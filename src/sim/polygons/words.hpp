@@ -20,9 +20,7 @@ namespace simreel::sim {
 [[nodiscard]] std::optional<float> floatIn(std::string_view word);
 [[nodiscard]] std::optional<double> doubleIn(std::string_view word);
 
-/// Iterates over the lines of a text, which end with "
-/// ", "\r
-/// " or "\r".
+/// Iterates over the lines of a text, which end with "\n", "\r\n" or "\r".
 class TextLines {
  public:
   explicit TextLines(std::string_view text) : rest_(text) {}

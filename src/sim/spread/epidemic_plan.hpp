@@ -29,7 +29,7 @@ struct EpidemicParameters final : ObjectParameters, SpreadParameters {
   int trail = 63;  ///< number of steps over which colours show the age of an infection or immunity
   // Blue, orange, grey: distinct in hue and in lightness, also for colour-blind viewers.
   glm::vec3 susceptible{0.010F, 0.075F, 0.210F};
-  glm::vec3 infection{1.0F, 0.62F, 0.10F};  ///< newly infected
+  glm::vec3 infection{1.0F, 0.62F, 0.10F};  ///< colour of newly infected people
   glm::vec3 infectious{0.88F, 0.18F, 0.02F};
   glm::vec3 recovering{0.46F, 0.42F, 0.37F};
   glm::vec3 recovered{0.22F, 0.22F, 0.21F};

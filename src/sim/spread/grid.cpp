@@ -17,8 +17,7 @@ constexpr int firstCapacity = 1024;
 
 glm::uvec4 countClasses(const std::vector<std::uint8_t>& cells) {
   glm::uvec4 counts(0);
-  for (const std::uint8_t cell : cells)
-    ++counts[(cell / 64 + 3) % 4];  // uninhabited cells, class 0, are counted last
+  for (const std::uint8_t cell : cells) ++counts[(cell / 64 + 3) % 4];  // uninhabited cells last
   return counts;
 }
 
@@ -130,8 +129,7 @@ void SpreadGrid::endStep() {
 }
 
 int SpreadGrid::groupRows() const {
-  const int rowsEach =
-      gl::memoryPath() == gl::MemoryPath::texel ? 16 : 4;  // rows per invocation, see glsl/spread/step.glsl
+  const int rowsEach = gl::memoryPath() == gl::MemoryPath::texel ? 16 : 4;  // see glsl/spread/step.glsl
   return (size_.y + rowsEach - 1) / rowsEach;
 }
 

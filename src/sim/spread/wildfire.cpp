@@ -148,7 +148,7 @@ class Wildfire final : public Simulation {
   SpreadGrid grid_;
   gl::WordsArray fuels_, ground_, inclines_;
   gl::Vec4Array climbs_;
-  const FluidWind* wind_ = nullptr;  ///< null: uniform wind
+  const FluidWind* wind_ = nullptr;  ///< source of the wind; null: uniform wind
   gl::WordsArray gales_;
   gl::Kernel<WildfireStepKernel> step_;
   gl::Kernel<WildfirePaintKernel> paint_;

@@ -27,12 +27,12 @@ struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::Wi
   std::filesystem::path fuel, obstacles, moistureMap, terrain;
   double fuelLevel = 1;  ///< factor on the fuel, 0 to 1
   double patchiness = 0.5;
-  double patchSize = 40;  ///< cells
-  double relief = 60;     ///< cells; height of the terrain image's white above its black
+  double patchSize = 40;  ///< size of the largest patches in cells
+  double relief = 60;     ///< height in cells of the terrain image's white above its black
   double slope = 0;       ///< logarithm of the factor on the spread rate up a slope of 45 degrees
   scene::Animated<float> moisture = 0.0F;
   scene::Animated<float> spread = 0.12F;
-  scene::Animated<float> windDirection = 0.0F;  ///< degrees; 0 to the right, 90 up
+  scene::Animated<float> windDirection = 0.0F;  ///< direction in degrees: 0 to the right, 90 up
   scene::Animated<float> windStrength = 0.0F;  ///< logarithm of the factor on the spread rate in the wind's
                                                ///< direction
   std::string windFluid;                       ///< name of the fluid that provides the wind; empty: none

@@ -21,7 +21,7 @@ struct ScreenText {
   scene::Animated<float> y = 0.06F;       ///< position of the anchor as a fraction of the image's height,
                                           ///< from the top
   scene::Animated<float> height = 0.03F;  ///< height of capitals as a fraction of the image's height
-  scene::Animated<glm::vec3> color = glm::vec3(1);  ///< linear RGB
+  scene::Animated<glm::vec3> color = glm::vec3(1);  ///< colour in linear RGB
   scene::Animated<float> opacity = 1.0F;
   scene::Animated<float> backdrop = 0.0F;  ///< opacity of the dark panel behind the text
   void describe(scene::Fields& fields);
@@ -31,14 +31,14 @@ struct ScreenText {
 struct TextParameters : ObjectParameters {
   enum class Weight { regular, bold };
   std::string text = "simreel";
-  std::filesystem::path font;  ///< empty: the bundled font
+  std::filesystem::path font;  ///< font file; empty: the bundled font
   Weight weight = Weight::bold;
   TextAnchor anchor;
   float spacing = 1.0F;                                ///< line spacing, as a factor on the font's own
-  float height = 0.5F;                                 ///< metres; height of capitals
-  float depth = 0.1F;                                  ///< metres; thickness
-  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
-  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
+  float height = 0.5F;                                 ///< height of capitals in metres
+  float depth = 0.1F;                                  ///< thickness in metres
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< position in metres
+  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<float> scale = 1.0F;
   bool onScreen = false;
   ScreenText screen;  ///< replaces height, depth, placement and material

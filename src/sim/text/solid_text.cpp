@@ -16,7 +16,7 @@ namespace {
 /// Non-horizontal edge of an outline, from its lower to its upper end.
 struct Side {
   glm::dvec2 from, to;
-  int turn;  ///< 1 if the outline goes up, else -1
+  int turn;  ///< winding: 1 if the outline goes up, else -1
 
   [[nodiscard]] double at(double y) const {
     if (y == from.y) return from.x;
@@ -198,7 +198,7 @@ class TextSolid {
   /// Adds the walls between front and back along the outlines. Normals are smooth where the outline turns
   /// by less than 40 degrees.
   void walls(const TextOutlines& outlines) {
-    double area = 0;  // positive if outer outlines are counter-clockwise
+    double area = 0;  // signed area; positive if outer outlines are counter-clockwise
     for (const auto& polygon : outlines)
       for (std::size_t i = 0; i < polygon.size(); ++i) {
         const glm::dvec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];

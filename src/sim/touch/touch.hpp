@@ -28,19 +28,18 @@ struct TouchVariant {
   gl::Switch<"HEIGHTS"> heights = {};
   WallVariant walls = {};
   gl::Flag<"WIND"> wind = {};
-  gl::Range<"COLLIDERS", 0, shader::maxColliders> colliders =
-      {};  ///< exact count for software drivers, else 0
+  gl::Range<"COLLIDERS", 0, shader::maxColliders> colliders = {};  ///< for software drivers
 };
 
 /// Rigid meshes, height fields and walls that an object of a scene collides with, and the wind around it.
 class Touch {
  public:
   struct Wanted {
-    std::string walls, wind;       ///< names of objects; empty: none
+    std::string walls, wind;       ///< names of the objects that provide walls and wind; empty: none
     bool solids = true;            ///< true: collides with rigid meshes and height fields
-    float margin = 0, bounce = 0;  ///< see WallContact
+    float margin = 0, bounce = 0;  ///< margin and bounce as in WallContact
     int colliders = 0;             ///< number of analytic shapes
-    int substeps = 1;              ///< number per frame
+    int substeps = 1;              ///< number of substeps per frame
     double substepSeconds = 1;
   };
   Touch() = default;

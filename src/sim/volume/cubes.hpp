@@ -12,7 +12,8 @@ namespace simreel::sim {
 /// x, at (y, z) = (0, 0), (1, 0), (0, 1), (1, 1); 4 to 7 along y at (x, z) in the same order; 8 to 11 along
 /// z at (x, y).
 struct CubeKind {
-  std::vector<std::array<int, 3>> triangles;  ///< edge indices, counter-clockwise as seen from outside
+  std::vector<std::array<int, 3>> triangles;  ///< triangles as edge indices, counter-clockwise as seen from
+                                              ///< outside
 };
 [[nodiscard]] const std::array<CubeKind, 256>& cubeKinds();
 

@@ -15,15 +15,15 @@ namespace simreel::sim {
 /// Cell values of a volume: floats in rows along x, each of which starts at a multiple of four words; rows
 /// form layers.
 struct VolumeValues {
-  const gl::Texture* words = nullptr;  ///< RGBA32UI texel view
-  int rowWords = 0;                    ///< words between rows, a multiple of four
-  int firstWord = 0;                   ///< index of cell (0, 0, 0), a multiple of four
+  const gl::Texture* words = nullptr;  ///< values as an RGBA32UI texel view
+  int rowWords = 0;                    ///< number of words from one row to the next, a multiple of four
+  int firstWord = 0;                   ///< index of the word of cell (0, 0, 0), a multiple of four
 };
 
 struct IsosurfaceShape {
   glm::ivec3 size{1, 1, 1};  ///< number of cells
-  float spacing = 1.0F;      ///< metres between cells
-  glm::vec3 middle{0};       ///< metres; centre
+  float spacing = 1.0F;      ///< distance between cells in metres
+  glm::vec3 middle{0};       ///< centre in metres
   bool closed = true;  ///< true: everything outside the volume counts as outside the surface; false: the
                        ///< surface ends at the borders
   bool cubes = false;  ///< true: cells at or above the level are drawn as cubes; false: smooth surface

@@ -9,8 +9,8 @@
 
 namespace simreel::sim {
 
-// Skipped with a warm cache: constructing the World takes time itself, which only saved compilations win
-// back.
+// Does nothing if the kernel cache is warm: constructing a World takes time that only saved compilations
+// win back.
 void compileWorldAhead(const scene::Scene& scene) {
   if (!gl::KernelCompiler::helps() || !gl::KernelCompiler::isCold()) return;
   gl::Rehearsal rehearsal;

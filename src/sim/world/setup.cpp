@@ -21,7 +21,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Minimum of the maximum texture size that OpenGL 4.5 guarantees.
+/// Maximum texture side that every OpenGL 4.5 device supports.
 constexpr int maxTextureSide = 16384;
 
 /// True if an earlier problem has the same text as the last one.

@@ -25,16 +25,16 @@ struct World::State {
                                            ///< object can touch them
   ObjectLinks links;
   const std::vector<std::unique_ptr<Simulation>>& objects;  ///< owned by `links`
-  std::vector<std::unique_ptr<StepGroup>> groups;           ///< one per node of the step order; null: a
-                                                            ///< single object
+  std::vector<std::unique_ptr<StepGroup>> groups;           ///< one group per node of the step order; null:
+                                                            ///< a single object
   std::vector<std::string> names;
-  std::optional<std::size_t> tracked;   ///< object that the camera looks at
+  std::optional<std::size_t> tracked;   ///< index of the object that the camera looks at
   std::vector<FrameStarter*> starters;  ///< objects that read others before each frame
   std::vector<bool> isRead;             ///< true if another object reads this one before each frame
   scene::Camera camera;
-  std::vector<Lag> lags;  ///< of the camera's target, and of its eye if the camera follows a path
+  std::vector<Lag> lags;  ///< lags of the camera's target, and of its eye if the camera follows a path
   std::vector<FrameObserver*> observers;  ///< the objects that implement FrameObserver
-  std::vector<std::size_t> observed;      ///< objects that the observers or the lags read
+  std::vector<std::size_t> observed;      ///< indices of the objects that the observers or the lags read
   std::unique_ptr<SummaryQueue> summaries;
   std::function<void(const Drawables& before)> hearBefore;
   bool passed = false;  ///< true if the current frame is passed and its state must not be read

@@ -10,8 +10,9 @@ namespace simreel::sim {
 
 /// Objects that step together: a single one, or all members of a group.
 struct StepNode {
-  std::vector<std::size_t> objects;  ///< indices in scene order; in a group, leading members come first
-  const PortInfo* group = nullptr;   ///< null: a single object
+  std::vector<std::size_t> objects;  ///< indices of objects in scene order; in a group, leading members
+                                     ///< come first
+  const PortInfo* group = nullptr;   ///< port of the group; null: a single object
 };
 
 /// Returns the order in which the objects of a scene are made and stepped. An object comes after those

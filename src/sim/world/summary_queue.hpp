@@ -89,10 +89,10 @@ class SummaryQueue {
   std::vector<Counting> counting_;
   std::size_t countRowsOfSlot_ = 0;
   StateHash hash_;
-  gl::Buffer sums_;         ///< uvec4 per array
-  gl::Buffer sumCopies_;    ///< uvec4 per array per slot
-  gl::Buffer statuses_;     ///< uvec4 per object per slot
-  gl::Buffer countCopies_;  ///< uvec4 per step of a frame per slot
+  gl::Buffer sums_;         ///< hash sums: one uvec4 per array
+  gl::Buffer sumCopies_;    ///< copies of hash sums: one uvec4 per array and slot
+  gl::Buffer statuses_;     ///< copies of status buffers: one uvec4 per object and slot
+  gl::Buffer countCopies_;  ///< copies of counts: one uvec4 per step of a frame and slot
   std::deque<Pending> pending_;
   int nextSlot_ = 0;
 };

@@ -26,7 +26,8 @@ namespace simreel::sim {
 namespace {
 
 constexpr int mostLooks = 48;
-constexpr std::size_t mostPoints = 1 << 17;  // per object, summed over all sampled frames
+constexpr std::size_t mostPoints = 1 << 17;  // maximum number of points per object, summed over all sampled
+                                             // frames
 constexpr double strayParticles = 0.01;
 
 const ParticleParameters* particlesOf(const scene::Object& object) {
@@ -123,8 +124,8 @@ bool isWithin(const scene::Box& room, const glm::vec3& at) {
 /// Object whose path is sampled.
 struct Traveller {
   std::size_t object = 0;
-  std::size_t place = 0;  ///< index into Survey::framed
-  scene::Box near;        ///< points outside of it are ignored
+  std::size_t place = 0;  ///< index of the object in Survey::framed
+  scene::Box near;        ///< region outside of which points are ignored
   std::vector<glm::vec3> seen = {};
 };
 

@@ -66,7 +66,7 @@ class World {
   /// example "a and 9 more in contact".
   [[nodiscard]] std::string stepName(std::size_t index) const;
   [[nodiscard]] int frame() const;
-  [[nodiscard]] double time() const;  ///< seconds, of the current frame
+  [[nodiscard]] double time() const;  ///< time of the current frame in seconds
   [[nodiscard]] Drawables drawables() const;
   /// Grows buffers that were too small while drawing; call after drawing and before the next frame. Returns
   /// true if the drawables must be drawn again (Simulation::grow).

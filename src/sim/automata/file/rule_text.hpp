@@ -10,9 +10,9 @@ namespace simreel::sim {
 class RuleFileText {
  public:
   struct Line {
-    int number;             ///< counted from 1
+    int number;             ///< line number, counted from 1
     std::size_t column;     ///< zero-based column of the text's first character
-    std::string_view text;  ///< without comment, surrounding blanks and line end
+    std::string_view text;  ///< text without comment, surrounding blanks and line end
   };
   /// `name` is the file's name in messages.
   RuleFileText(std::string_view text, std::string name);
@@ -26,7 +26,7 @@ class RuleFileText {
 
   /// Throws UserError(usage) with file:line:column and the message; `at` is an offset in the line's text.
   [[noreturn]] void wrong(const Line& line, std::size_t at, const std::string& message) const;
-  [[noreturn]] void wrong(const std::string& message) const;  ///< for the whole file
+  [[noreturn]] void wrong(const std::string& message) const;  ///< error of the whole file
   /// Returns the number in `word`, at most `max`; `at` is its offset in the line, for messages.
   [[nodiscard]] int number(const Line& line, std::size_t at, std::string_view word, int max,
                            const char* what) const;

@@ -110,7 +110,7 @@ class TreeBuilder {
   const std::vector<RuleTransition>& table_;
   std::vector<int> order_;
   std::size_t states_;
-  std::vector<std::vector<Bits>> applies_;  ///< by depth and state
+  std::vector<std::vector<Bits>> applies_;  ///< transitions that accept a state, by depth and state
   std::vector<Bits> certain_;               ///< by depth: transitions that accept all remaining inputs
   std::map<std::pair<std::size_t, Bits>, std::uint32_t> known_;
   std::map<std::size_t, std::map<std::vector<std::uint32_t>, std::uint32_t>> unique_;

@@ -16,16 +16,16 @@ struct Sample {
   const char* cells;
 };
 constexpr Sample samples[] = {
-    {'c', "o........"}, {'e', ".o......."},  // 1 neighbour
+    {'c', "o........"}, {'e', ".o......."},  // arrangements of 1 neighbour
     {'c', "o.o......"}, {'e', ".o.o....."}, {'k', "o....o..."}, {'a', "oo......."},
-    {'i', ".o.....o."}, {'n', "o.......o"},  // 2 neighbours
+    {'i', ".o.....o."}, {'n', "o.......o"},  // arrangements of 2 neighbours
     {'c', "o.o...o.."}, {'e', ".o.o.o..."}, {'k', "o....o.o."}, {'a', "oo.o....."},
     {'i', "ooo......"}, {'n', "o.o..o..."}, {'y', "o.o....o."}, {'q', "oo......o"},
-    {'j', "oo...o..."}, {'r', "oo.....o."},  // 3 neighbours
+    {'j', "oo...o..."}, {'r', "oo.....o."},  // arrangements of 3 neighbours
     {'c', "o.o...o.o"}, {'e', ".o.o.o.o."}, {'k', "o.oo...o."}, {'a', "ooo..o..."},
     {'i', "o.oo.o..."}, {'n', "ooo...o.."}, {'y', "o.o..oo.."}, {'q', "oo.o....o"},
     {'j', "oo...o.o."}, {'r', "oo.o.o..."}, {'t', "ooo....o."}, {'w', "oo...o..o"},
-    {'z', "oo.....oo"},  // 4 neighbours
+    {'z', "oo.....oo"},  // arrangements of 4 neighbours
 };
 constexpr unsigned middleBit = 1U << 4, allBits = 0x1EFU;
 

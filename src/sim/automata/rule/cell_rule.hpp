@@ -65,7 +65,7 @@ struct CyclicRule {
 /// centre; with four neighbours: north, west, east, south, centre). The item at node + state is the index
 /// of the next node or, at the last level, the new state.
 struct RuleTree {
-  int neighbours = 8;  ///< or 4
+  int neighbours = 8;  ///< number of neighbours: 8 or 4
   std::uint32_t root = 0;
   std::vector<std::uint32_t> items;
 };
@@ -108,7 +108,7 @@ struct CellRule {
 /// Error of a parser, with the zero-based position in the text.
 struct RuleProblem {
   std::size_t at = 0;
-  std::string message;  ///< empty: no error
+  std::string message;  ///< error message; empty: no error
 };
 
 /// Parses a rule in the notations of Golly and MCell:

@@ -201,7 +201,7 @@ class CountsReader {
   std::string_view text_;
   std::size_t at_ = 0;
   NeighbourShape shape_ = NeighbourShape::moore;
-  Counts counts_[2] = {};  ///< birth, survival
+  Counts counts_[2] = {};  ///< counts for birth and for survival
   int states_ = 2;
 };
 

@@ -26,7 +26,7 @@ std::vector<unsigned> cellsOfMap(std::size_t digits) {
 }  // namespace
 
 RuleProblem parseMap(std::string_view text, CellRule& rule) {
-  constexpr std::size_t first = 3;  // after "MAP"
+  constexpr std::size_t first = 3;  // offset of the digits, after "MAP"
   std::size_t at = first;
   // A slash is also a base64 digit, so the total length determines where the digits end. Only a number of
   // states such as "/3" may follow.

@@ -9,8 +9,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int maxPlacesRange = 500, maxTriangleRange = 250,
-              maxGaussianRange = 50;  // the same limits as in Golly
+constexpr int maxPlacesRange = 500, maxTriangleRange = 250, maxGaussianRange = 50;  // Golly's limits
 
 /// Maximum number of listed cells that the kernel can process in one dispatch (glsl/automata/places.comp).
 constexpr std::size_t maxPlaces = 60000;

@@ -16,7 +16,7 @@ namespace simreel::sim {
 
 /// Returns the counted cells of a Larger than Life shape that cannot be expressed by row spans: 'X', '*',
 /// '#', 'B', 'D', 'A', '3', 'L' (its rows reach to `range`, its columns twice as far) and 'G' (whose centre
-/// has one more in weight).
+/// weighs one more).
 [[nodiscard]] std::vector<NeighbourPlace> placesOfShape(char letter, int range);
 
 /// Returns a character as shown in messages.

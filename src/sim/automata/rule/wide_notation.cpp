@@ -108,7 +108,8 @@ class WideReader {
   }
 
   void lists() {
-    const bool own = !hood_.empty() && hood_[0] == 'W';  // explicit weights include the centre
+    const bool own = !hood_.empty() && hood_[0] == 'W';  // true for explicit weights, which include the
+                                                         // centre
     reader_.expect('S');
     reader_.list("a count of S", most() - (own ? 0 : 1), wide_.survive);
     reader_.expect(',');

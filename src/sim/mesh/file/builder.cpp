@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-thread_local std::set<fs::path> readable;  ///< set by ReadableFolders
+thread_local std::set<fs::path> readable;  ///< readable folders, set by ReadableFolders
 
 bool isReadable(const fs::path& named) {
   std::error_code error;
@@ -110,7 +110,7 @@ void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, con
                          const glm::vec3& color) {
   const auto within = [](float part) {
     return part >= 0 ? std::min(part, 1e4F) : 0.0F;
-  };  // NaN gives 0, too
+  };  // NaN becomes 0, too
   vertex(position, normal, uv);
   mesh_.colors.resize(mesh_.positions.size(), glm::vec3(1));
   mesh_.colors.back() = {within(color.r), within(color.g), within(color.b)};

@@ -77,7 +77,7 @@ class MeshBuilder {
   Mesh mesh_;
   std::vector<unsigned> sharing_;  ///< per vertex: the vertex whose normal sum it shares
   glm::mat4 transform_{1};
-  glm::mat3 turn_{1};  ///< transform of normals
+  glm::mat3 turn_{1};  ///< matrix that transforms normals
   bool mirrored_ = false;
   bool hasUvs_ = false;
   int material_ = -1;

@@ -19,9 +19,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "values are copied as they lie in the file");
 
-constexpr std::int64_t maxNumber = std::int64_t{1} << 40;  // the product of two such numbers does not
-                                                           // overflow
-constexpr std::size_t maxContainers = 500'000;             // each takes 100 bytes of memory or more
+constexpr std::int64_t maxNumber = std::int64_t{1} << 40;  // limit at which the product of two numbers does
+                                                           // not overflow
+constexpr std::size_t maxContainers = 500'000;             // limit, because each container takes 100 bytes
+                                                           // of memory or more
 constexpr std::size_t maxZeros = 1'000'000;
 
 template <class T>
@@ -195,7 +196,8 @@ std::string GltfDocument::bytesOf(const std::string& uri, std::uint64_t promised
     return decodeBase64(std::string_view(uri).substr(comma + 8));
   }
   const std::filesystem::path path = file_.parent_path() / decodePercent(uri);
-  const bool ofLooks = promised == 0;  // textures, which may lie in any folder that the scene may read
+  const bool ofLooks = promised == 0;  // true for textures, which may lie in any folder that the scene may
+                                       // read
   if (!liesBeside(file_, path) && !(ofLooks && whyUnread(file_, path).empty()))
     refuse(fmt::format("names {}, which lies outside its folder", path.string()));
   std::error_code error;

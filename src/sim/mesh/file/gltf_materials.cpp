@@ -15,14 +15,14 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::uint64_t repeatWrap = 10497, mirrorWrap = 33648;  // GL_REPEAT, GL_MIRRORED_REPEAT
+constexpr std::uint64_t repeatWrap = 10497, mirrorWrap = 33648;  // values of GL_REPEAT and
+                                                                 // GL_MIRRORED_REPEAT
 constexpr std::uint64_t nearestFilter = 9728, linearFilter = 9729;
 constexpr std::size_t maxMaterials = 4096;
 constexpr const char* transformName = "KHR_texture_transform";
-constexpr MapNames gltfMapNames = {
-    "baseColorTexture",         "",  // opacity is the colour map's alpha channel
-    "metallicRoughnessTexture", "normalTexture",
-    "occlusionTexture",         "emissiveTexture"};
+constexpr MapNames gltfMapNames = {"baseColorTexture",         "",  // no map: alpha of the colour
+                                   "metallicRoughnessTexture", "normalTexture",
+                                   "occlusionTexture",         "emissiveTexture"};
 
 std::optional<JsonValue> textureTransformOf(const JsonValue& textureInfo) {
   const auto extensions = textureInfo.find("extensions");
@@ -296,7 +296,8 @@ class MaterialReader {
 
   const GltfDocument& document_;
   std::string name_;       ///< name of the material that is being read
-  std::uint64_t set_ = 0;  ///< set number of the texture coordinates that its textures use
+  std::uint64_t set_ = 0;  ///< set number of the texture coordinates that the current material's textures
+                           ///< use
   std::map<std::uint64_t, int> numbers_;
   GltfMaterials all_;
 };

@@ -228,7 +228,7 @@ void GltfParts::poseVertices(std::size_t mesh, const JsonValue& primitive,
       refuse(fmt::format("which lacks JOINTS_{0} or WEIGHTS_{0}", set));
     for (std::size_t i = 0; i < bones.size(); ++i) {
       const float weight = weights[i], bone = bones[i];
-      if (weight == 0) continue;  // joints with zero weight may be invalid
+      if (weight == 0) continue;  // skips joints with zero weight, whose index may be invalid
       if (!(weight > 0 && weight <= 2))
         refuse(fmt::format("whose vertex {} has the weight {}", i / 4, weight));
       if (!(bone >= 0 && bone < static_cast<float>(pose.size())))
@@ -271,7 +271,7 @@ void GltfParts::addBones(std::size_t mesh, const JsonValue& primitive,
       if (!(bone >= 0 && bone < 65536 && bone == std::floor(bone)))
         refuse(fmt::format("whose vertex {} follows the joint {}, which is no whole number", i, bone));
       sum += weight;
-      if (weight == 0) continue;  // joints with zero weight may be invalid
+      if (weight == 0) continue;  // skips joints with zero weight, whose index may be invalid
       vertices[i].bones[k] = static_cast<std::uint32_t>(bone);
       vertices[i].weights[k] = weight;
     }
@@ -295,7 +295,7 @@ std::vector<std::array<unsigned, 3>> GltfParts::trianglesOf(const JsonValue& pri
   const std::uint64_t mode = modeOf(primitive);
   const std::size_t step = mode == triangleList ? 3 : 1;
   for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
-    if (mode == triangleFan)  // all triangles share the first vertex
+    if (mode == triangleFan)  // all triangles of a fan share the first vertex
       triangles.push_back({corners[0], corners[i + 1], corners[i + 2]});
     else if (mode == triangleStrip && i % 2 == 1)  // every other triangle of a strip has reversed winding
       triangles.push_back({corners[i], corners[i + 2], corners[i + 1]});

@@ -31,7 +31,7 @@ struct GltfPart {
   bool hasUvs = false;
   bool hasColors = false;
   bool fades = false;  ///< true if a colour has an opacity below 1, which is not supported
-  int material = -1;   ///< index; -1: none
+  int material = -1;   ///< material index; -1: none
   std::vector<GltfVertex> vertices;
   std::vector<std::array<unsigned, 3>> triangles;
 };
@@ -89,8 +89,9 @@ class GltfParts {
 
   GltfDocument document_;
   MeshNormals normals_;
-  std::size_t vertices_ = 0, corners_ = 0, parts_ = 0;  ///< totals counted so far
-  std::size_t points_ = 0, lines_ = 0;                  ///< number of primitives of each kind
+  std::size_t vertices_ = 0, corners_ = 0, parts_ = 0;  ///< totals over the meshes counted so far
+  std::size_t points_ = 0, lines_ = 0;                  ///< number of point primitives and of line
+                                                        ///< primitives
 };
 
 /// Modes of a primitive as numbered by glTF.
@@ -102,7 +103,7 @@ void GltfParts::forEachPrimitive(std::size_t mesh, const Visit& visit) const {
     if (!primitive.has("attributes")) document_.refuse("has a primitive without attributes");
     const std::uint64_t mode = GltfDocument::number(primitive, "mode", triangleList);
     if (mode > triangleFan) document_.refuse(fmt::format("has a primitive of mode {}", mode));
-    if (mode >= triangleList) visit(primitive);  // smaller modes are points and lines
+    if (mode >= triangleList) visit(primitive);  // modes below triangleList are points and lines
   });
 }
 

@@ -120,7 +120,7 @@ class LibraryReader {
   LibraryReader(const std::filesystem::path& file, Mesh& mesh) : file_(file), mesh_(mesh) {}
 
   void read(const std::string& library) {
-    if (!libraries_.insert(library).second) return;  // some programs repeat the line for each object
+    if (!libraries_.insert(library).second) return;  // some programs repeat the line
     const std::optional<std::string> text = beside(library, "material library");
     eachKey(text ? std::string_view(*text) : std::string_view(),
             [&](std::string_view key, std::string_view rest) {
@@ -156,8 +156,8 @@ class LibraryReader {
 
   /// Legacy lighting parameters of a material, which newer keys replace.
   struct OldLight {
-    std::optional<glm::vec3> ambient, mirrored;  ///< Ka, Ks
-    std::optional<float> index, model;           ///< Ni, illum
+    std::optional<glm::vec3> ambient, mirrored;  ///< colours given by Ka and Ks
+    std::optional<float> index, model;           ///< numbers given by Ni and illum
   };
 
   static bool isGrey(const glm::vec3& color) {
@@ -195,8 +195,8 @@ class LibraryReader {
     light_.erase(name_);
   }
 
-  /// True if the numbers of a key can be used. Notes words that are no numbers, such as those of spectra or
-  /// CIE coordinates, and numbers that are clamped to their range.
+  /// True if the numbers of a key can be used. Reports as ignored: words that are not numbers, such as
+  /// those of spectra or CIE coordinates, and numbers that are clamped to their range.
   bool hasNumbers(const NumberKey& known, std::string_view key, std::string_view rest) {
     constexpr double hair = 1e-4;  // tolerance for computed colours
     std::string_view words = rest;
@@ -281,7 +281,7 @@ class LibraryReader {
   /// Texture as named by a line, with its options.
   struct Named {
     MeshMap map;
-    float strength = 1;  ///< -bm
+    float strength = 1;  ///< value of the option -bm
   };
 
   /// Reads up to three numbers before a file name, which may look like a number itself; missing ones keep
@@ -326,7 +326,7 @@ class LibraryReader {
       if (word != "off") ignore(fmt::format("{} {} of {}", option, word, key));
     } else if (option == "-blendu" || option == "-blendv" || option == "-boost" || option == "-texres" ||
                option == "-type") {
-      takeFirst(after);  // filter options have no effect
+      takeFirst(after);  // skips the value of a filter option, which has no effect
     } else {
       return false;
     }
@@ -381,7 +381,7 @@ class LibraryReader {
   std::string name_;  ///< name of the material whose lines are being read
   std::map<std::string, MeshMaterial, std::less<>> all_;
   std::map<std::string, bool> hasRoughness_;
-  std::map<std::string, OldLight> light_;  ///< per material of the library that is being read
+  std::map<std::string, OldLight> light_;  ///< legacy lighting of each material in the current library
   std::map<std::string, int> numbers_;
   std::set<std::string> libraries_;  ///< libraries read so far
 };

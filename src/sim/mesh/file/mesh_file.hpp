@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 /// Encoded image of a mesh's materials, as stored in its file: PNG or JPEG.
 struct MeshImage {
-  std::string name;  ///< name in messages
+  std::string name;  ///< name of the image in messages
   std::string bytes;
 
   template <class Archive>
@@ -45,7 +45,7 @@ struct MeshMaterial {
   float normalStrength = 1, occlusionStrength = 1;
   glm::vec3 emission{0};
   float emissionStrength = 1;
-  int alpha = 0;  ///< value of scene::Alpha
+  int alpha = 0;  ///< a value of scene::Alpha
   float cutoff = 0.5F;
   bool doubleSided = false;
   float coat = 0, coatRoughness = 0;
@@ -65,8 +65,9 @@ struct Mesh {
   std::vector<glm::vec2> uvs;
   /// Linear RGB per vertex, a factor on the base colour; empty if the file has none.
   std::vector<glm::vec3> colors;
-  std::vector<unsigned> indices;        ///< three per triangle, counter-clockwise as seen from outside
-  std::vector<MeshMaterial> materials;  ///< empty if the file has none
+  std::vector<unsigned> indices;        ///< vertex indices, three per triangle, counter-clockwise as seen
+                                        ///< from outside
+  std::vector<MeshMaterial> materials;  ///< materials; empty if the file has none
   std::vector<int> materialOf;          ///< material index per triangle, -1: none; empty if there are no
                                         ///< materials
   std::vector<MeshImage> images;

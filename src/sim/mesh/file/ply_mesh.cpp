@@ -225,11 +225,11 @@ class PlyMesh {
 
   PlyFile ply_;
   MeshBuilder builder_;
-  Mesh mesh_;  ///< only its notes (ignored, undrawn) are used
+  Mesh mesh_;  ///< used only for its notes (ignored, undrawn)
   std::size_t vertices_ = noElement;
   VertexLayout layout_{PlyElement()};
   std::array<double, 4> brightest_{1, 1, 1, 1};
-  std::map<std::size_t, Indices> lists_;  ///< by element index
+  std::map<std::size_t, Indices> lists_;  ///< lists of vertex indices, by the index of their element
   std::vector<glm::vec3> places_, normals_, colors_;
   std::vector<glm::vec2> uvs_;
   std::vector<unsigned> corners_, counts_;

@@ -31,9 +31,9 @@ struct RuleField {
   glm::ivec2 size{0, 0};
   int depth = 1;  ///< number of layers in a volume; a plane stores them one after another
   RuleBoundary boundary = RuleBoundary::torus;
-  std::vector<float> edges;  ///< value per species, for the boundary `fixed`
+  std::vector<float> edges;  ///< value of each species beyond the edge, for the boundary `fixed`
   unsigned seed = 0;
-  const RuleLinks* links = nullptr;  ///< for a mesh
+  const RuleLinks* links = nullptr;  ///< neighbours of a mesh's cells; null for a grid
   RulePlanes stage, base, sum, lets, weights, next;
 
   [[nodiscard]] RulePlanes& array(RuleArray which);

@@ -9,7 +9,7 @@ namespace simreel::sim {
 /// Operations of a rule's nodes, all in single precision with one rounding each. Functions that are not
 /// basic arithmetic are those named exact... in glsl/common/exact.glsl and glsl/reaction/functions.glsl.
 enum class RuleOp : std::uint8_t {
-  constant,  ///< `number`
+  constant,  ///< the constant `number`
   told,      ///< uniform value `index` of a step
   species,   ///< value of species `index` in this cell
   weight,    ///< map `index` in this cell, 0 to 1
@@ -45,11 +45,11 @@ enum class RuleOp : std::uint8_t {
   sin,
   cos,
   tanh,
-  power,  ///< a^b for a >= 0
-  less,   ///< result 1 or 0
+  power,  ///< power a^b for a >= 0
+  less,   ///< 1 if the comparison holds, else 0
   lessEqual,
   equal,
-  choose,  ///< a != 0 ? b : c
+  choose,  ///< b if a != 0, else c
 };
 
 struct RuleNode {
@@ -58,7 +58,7 @@ struct RuleNode {
   int index = 0;
   int a = -1, b = -1, c = -1;
   auto operator<=>(const RuleNode&) const =
-      default;  // NOLINT(modernize-use-nullptr): of the comparison that it makes
+      default;  // NOLINT(modernize-use-nullptr): false positive in the generated comparison
 };
 
 /// Expressions of a rule as one graph. Equal subexpressions share a node, constants are folded, and

@@ -17,7 +17,7 @@ struct RulePlane {
   RuleArray array = RuleArray::stage;
   int plane = 0;
   auto operator<=>(const RulePlane&) const =
-      default;  // NOLINT(modernize-use-nullptr): of the comparison that it makes
+      default;  // NOLINT(modernize-use-nullptr): false positive in the generated comparison
 };
 
 /// One dispatch over all cells.
@@ -29,7 +29,7 @@ struct RulePass {
   /// Plane read by node `node` of the graph, directly or through a stencil.
   struct Read {
     int node;
-    RuleOp op;  ///< a stencil, or species for the cell itself
+    RuleOp op;  ///< operation: a stencil, or species for the cell itself
     RulePlane plane;
   };
   std::vector<Read> reads;

@@ -20,8 +20,8 @@ struct RuleText {
   struct Parameter {
     std::string name;
     bool isMapped = false;
-    bool mayBeIdle = false;  ///< true: need not occur in any expression
-    bool isField = false;    ///< true: another object's values, cell by cell
+    bool mayBeIdle = false;  ///< true: the parameter need not occur in any expression
+    bool isField = false;    ///< true: the parameter is another object's values, cell by cell
   };
   struct Let {
     std::string name, text;
@@ -29,7 +29,7 @@ struct RuleText {
   std::vector<Species> species;
   std::vector<Parameter> parameters;
   std::vector<Let> lets;
-  std::string show;  ///< empty: the first species
+  std::string show;  ///< expression to show; empty: the first species
   std::string tint;  ///< expression that colours a surface; empty: none
   RuleSpace space = RuleSpace::plane;
 };

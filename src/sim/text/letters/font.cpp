@@ -147,7 +147,7 @@ Font::Font(std::filesystem::path file) : file_(std::move(file)), library_(std::m
   if (has(U'H'))
     for (const auto& polygon : glyph(U'H').outlines)
       for (const glm::dvec2& point : polygon) height = std::max(height, point.y);
-  if (!(height > 0)) height = 0.7;  // fraction of the em, typical of most fonts
+  if (!(height > 0)) height = 0.7;  // typical height of capitals as a fraction of the em
   perUnit_ /= height;
   glyphs_.clear();
 }

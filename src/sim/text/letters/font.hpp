@@ -17,7 +17,7 @@ using TextOutlines = std::vector<std::vector<glm::dvec2>>;
 class Font {
  public:
   struct Glyph {
-    TextOutlines outlines;  ///< relative to the pen position
+    TextOutlines outlines;  ///< polygons relative to the pen position
     double advance = 0;
   };
 

@@ -13,8 +13,8 @@ struct TextAnchor {
   Down down = Down::baseline;
 };
 
-/// Returns the outlines of UTF-8 text in units of a capital's height, y up. "
-/// " separates lines; their distance is `spacing` times the font's own.
+/// Returns the outlines of UTF-8 text in units of a capital's height, y up. "\n" separates lines; their
+/// distance is `spacing` times the font's own.
 [[nodiscard]] TextOutlines written(Font& font, std::string_view text, const TextAnchor& anchor,
                                    double spacing);
 
