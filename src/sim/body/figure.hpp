@@ -24,12 +24,12 @@ struct FigureJoint {
 struct Figure {
   Mesh mesh;                       ///< mesh in the bind pose, in its own space (m)
   std::vector<glm::uvec4> follow;  ///< per vertex: indices of four joints
-  std::vector<glm::vec4> weights;  ///< per vertex: weights of these joints; their sum is 1
+  std::vector<glm::vec4> weights;  ///< per vertex: weights of the joints in `follow`; the sum is 1
   std::vector<FigureNode> nodes;
   std::vector<FigureJoint> joints;
   std::vector<FigureAnimation> animations;
 
-  /// Returns the index of the node with this name. Throws UserError(usage) if there is none; the message
+  /// Returns the index of the node with this name. Throws UserError(usage) for an unknown name; the message
   /// starts with `what`, for example "body \"walker\"".
   [[nodiscard]] int nodeNamed(const std::string& name, const std::string& what) const;
   /// Returns the animation with this name. Throws as nodeNamed() does.

@@ -25,7 +25,7 @@ class BodyMotion {
   [[nodiscard]] const glm::dmat4& nodeAt(int node, double time) const {
     return poseAt(time)[static_cast<std::size_t>(node)];
   }
-  /// Returns the node index of the bone with this name; throws UserError(usage) if there is none.
+  /// Returns the node index of the bone with this name; throws UserError(usage) for an unknown name.
   [[nodiscard]] int boneNamed(const std::string& bone) const;
   /// Returns the transform of each joint's vertices from the bind pose to world space at `time`, as three
   /// matrix rows per joint.

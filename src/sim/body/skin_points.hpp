@@ -13,7 +13,7 @@ namespace simreel::sim {
 
 /// Points attached to the skin of a body, on the CPU. Each point follows the closest point of the nearest
 /// face by barycentric coordinates and keeps its offset in the face's own axes, which rotate with the face.
-/// The skinning is that of glsl/body/model.glsl in double precision.
+/// Uses the skinning of glsl/body/model.glsl in double precision.
 class SkinPoints {
  public:
   /// Attaches `points` at `time`, see Bones::heldBySkin(). If several faces are equally near, the first one

@@ -9,7 +9,7 @@ namespace simreel::sim {
 
 struct HoldKernel;
 
-/// GPU side of pins that follow a body's skin. Does nothing if there are none.
+/// GPU side of pins that follow a body's skin. Does nothing if a cloth has no such pins.
 class SkinHold {
  public:
   SkinHold() = default;

@@ -28,8 +28,8 @@ class ColliderPlan {
   static bool isThin(const ColliderShape& shape, double edge, double margin);
   /// Moves the thin shapes (see isThin()) to the end. Returns their number.
   int putThinLast(double edge, double margin);
-  /// Returns for each substep of the frame that starts at `time` (seconds) its count() colliders at its
-  /// end.
+  /// Returns the colliders at the end of each substep of the frame that starts at `time` (seconds), count()
+  /// per substep.
   [[nodiscard]] std::vector<std::vector<shader::Collider>> frame(double time) const;
 
  private:

@@ -31,8 +31,8 @@ class MeshColliderPlan {
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
   [[nodiscard]] int count() const { return static_cast<int>(parts_.size()); }
   [[nodiscard]] int cellCount() const;
-  /// Returns the data of each of `substeps` substeps, at its end, of the frame that starts at `time`
-  /// (seconds).
+  /// Returns the meshes' data at the end of each of the `substeps` substeps of the frame that starts at
+  /// `time` (seconds).
   [[nodiscard]] std::vector<shader::MeshColliders> frame(double time, int substeps,
                                                          double substepSeconds) const;
 

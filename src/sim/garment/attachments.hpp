@@ -17,8 +17,8 @@ struct Attachment {
   double compliance;  ///< compliance in m/N
 };
 
-/// Shortest path of each vertex over its piece to a pinned vertex (metres, infinite if there is none), and
-/// that pinned vertex.
+/// Shortest path of each vertex over its piece to a pinned vertex (metres; infinite if the piece has no
+/// pinned vertex), and that pinned vertex.
 struct WaysToPins {
   std::vector<double> lengths;
   std::vector<unsigned> pins;

@@ -46,7 +46,7 @@ struct GarmentPace {
   [[nodiscard]] int substeps(double frameSeconds, double bendingSquared, int fewest = 8) const;
 };
 
-/// Returns for each vertex the path length in metres whose maximum is hangingLength().
+/// Returns for each vertex the length in metres of which hangingLength() returns the maximum.
 [[nodiscard]] std::vector<double> hangingWays(const ClothTriangles& cloth, const std::vector<bool>& pinned,
                                               const std::multimap<unsigned, unsigned>& links);
 

@@ -10,8 +10,8 @@
 namespace simreel::sim {
 
 /// Second derivatives of a face as linear combinations of the surrounding vertices, the same for x, y and
-/// z. They are those of the quadratic that fits the corners of the face and the third corners of its three
-/// neighbours, unfolded into the face's rest plane. They are therefore exact on any mesh if the cloth is
+/// z. A quadratic is fitted to the corners of the face and the third corners of its three neighbours,
+/// unfolded into the face's rest plane. The derivatives are therefore exact on any mesh if the cloth is
 /// bent to a quadratic. If the six points lie on a conic, or nearly so, the next ones join a least-squares
 /// fit. At a border the second derivative across it is 0 (natural boundary of a plate, nu = 0). At a corner
 /// both are 0, which leaves the twist.

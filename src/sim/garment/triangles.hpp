@@ -33,7 +33,7 @@ struct ClothTriangles {
   std::vector<Face> faces;         ///< faces in the mesh's order
   std::vector<unsigned> vertexOf;  ///< maps each vertex of the mesh to its vertex here
 
-  /// Faces around each vertex in ascending order: those of vertex i are around[starts[i]] to
+  /// Faces around each vertex in ascending order: vertex i has the faces around[starts[i]] to
   /// around[starts[i + 1]] (exclusive).
   std::vector<unsigned> starts, around;
 

@@ -17,8 +17,8 @@ class LeniaPlan {
 
   [[nodiscard]] const LeniaParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
-  /// Returns the number of weighted sums per cell: one per kernel; for SmoothLife those of the ring and the
-  /// disc.
+  /// Returns the number of weighted sums per cell: one per kernel; for SmoothLife two, the ring's and the
+  /// disc's.
   [[nodiscard]] int kernels() const;
   /// Returns the reach of the widest kernel in cells; reach() returns it for the kernel row `dy`.
   [[nodiscard]] int range() const { return range_; }

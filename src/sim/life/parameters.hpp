@@ -42,7 +42,7 @@ struct LifeParameters : ObjectParameters {
   double stepsPerSecond = 10;
   int trail = 0;  ///< number of steps during which a dead cell remains visible
   bool trailGiven = false;
-  bool colorsGiven = false;  ///< true if the scene gives colours, which override those of a rule file
+  bool colorsGiven = false;  ///< true if the scene gives colours; they override the colours of a rule file
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }

@@ -13,7 +13,8 @@ static_assert(sizeof(DeformStep) == 48 + maxDisplacements * 144 + maxPressers * 
 
 namespace simreel::sim {
 
-/// Processor and path by which deformed vertices are computed and reach the draw calls.
+/// Place where deformed vertices are computed (device, CPU threads or vertex shader), and how they get to
+/// the draw calls.
 enum class DeformTechnique { compute, singleThread, jobs, mapped, vertexShader };
 
 // The structs below inherit the shaders' structs, so that parameters passed on unchanged are declared, with

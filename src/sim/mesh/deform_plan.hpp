@@ -7,7 +7,7 @@
 
 namespace simreel::sim {
 
-/// Computes the deformation data of a moment for the shaders; independent of the technique.
+/// Computes the uniform data of a mesh's deformation at a given time; the same for every technique.
 class DeformPlan {
  public:
   /// `name` appears in messages. Throws UserError(usage) if the mesh reacts to colliders and the scene has
@@ -20,7 +20,7 @@ class DeformPlan {
   /// Returns the data of the time `now` with each sphere swept along its path since `before`, so that a
   /// trail has no gaps.
   [[nodiscard]] shader::DeformStep swept(double before, double now) const;
-  /// Returns the number of cells of the footprint trail along x and z; {2, 2} if there is none.
+  /// Returns the number of cells of the footprint trail along x and z; {2, 2} without a trail.
   [[nodiscard]] glm::ivec2 trailCells() const { return footprints_.cells; }
   [[nodiscard]] bool hasTrail() const { return footprints_.on; }
 

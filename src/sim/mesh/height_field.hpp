@@ -32,9 +32,9 @@ class HeightField {
 
   HeightField(const std::string& name, const HeightPlan& plan);
 
-  /// Stores the heights of the frame's end and makes the previous ones those of its beginning. The first
-  /// call sets the heights at the start of the run. `positions` are in the mesh's own space; `component` is
-  /// the index of the component that holds the height (1 or 0).
+  /// Stores new heights for the frame's end; the previous end becomes the frame's beginning. The first call
+  /// sets the heights at the start of the run. `positions` are in the mesh's own space; `component` is the
+  /// index of the component that holds the height (1 or 0).
   void take(const gl::Vec4Array& positions, int component = 1);
   void carryOver(CarryOver& carry) { carry.array("heights", heights_.buffer()); }
   /// Returns the heights and the position within the frame as kernel inputs; arguments as for

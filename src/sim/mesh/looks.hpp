@@ -42,7 +42,7 @@ class MovingLooks {
 };
 
 /// Returns one line that lists the features of the mesh and its materials that are not drawn; empty if
-/// there are none.
+/// everything is drawn.
 [[nodiscard]] std::string ignoredLooks(const scene::Object& object, const Mesh& mesh);
 
 }  // namespace simreel::sim

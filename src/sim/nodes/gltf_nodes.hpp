@@ -27,7 +27,7 @@ class GltfNodes {
   [[nodiscard]] int placeOf(std::uint64_t number) const {
     return number < place_.size() ? place_[number] : -1;
   }
-  /// Returns every animation of translations, rotations and scales of these nodes.
+  /// Returns every animation of the nodes' translations, rotations and scales.
   [[nodiscard]] std::vector<FigureAnimation> animations();
 
  private:

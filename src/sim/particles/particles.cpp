@@ -339,7 +339,7 @@ class Particles : public Simulation, public LockStep {
             .velocities = velocities_};
   }
 
-  /// Returns the mass that a particle of nominal size has: that of the first group, else of the first
+  /// Returns the mass of a particle of nominal size, taken from the first group, else from the first
   /// emitter.
   [[nodiscard]] float massReference() const {
     const ParticleParameters& p = plan_.parameters();

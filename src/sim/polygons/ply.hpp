@@ -34,7 +34,7 @@ struct PlyElement {
 /// Values of one item of an element.
 class PlyItem {
  public:
-  /// Returns a property's values: one, or those of a list.
+  /// Returns the one value of a scalar property, or all values of a list.
   [[nodiscard]] std::span<const double> list(std::size_t property) const {
     const std::size_t from = property == 0 ? 0 : ends_[property - 1];
     return std::span<const double>(values_).subspan(from, ends_[property] - from);

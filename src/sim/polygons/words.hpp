@@ -24,7 +24,7 @@ namespace simreel::sim {
 class TextLines {
  public:
   explicit TextLines(std::string_view text) : rest_(text) {}
-  /// Reads the next line without its end. Returns false if there is none.
+  /// Reads the next line without its end. Returns false at the end of the text.
   bool next(std::string_view& line);
   /// Returns the number of the last line read, counted from 1.
   [[nodiscard]] std::size_t number() const { return number_; }

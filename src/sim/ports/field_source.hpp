@@ -27,7 +27,7 @@ struct OwnCells {
 };
 
 /// Returns the current field with the name OBJECT or OBJECT.PART. Its pointers are valid until its object's
-/// next step. Throws UserError(usage) if there is none.
+/// next step. Throws UserError(usage) for an unknown name.
 [[nodiscard]] Field fieldNamed(const Links& links, const std::string& name);
 
 }  // namespace simreel::sim

@@ -18,7 +18,7 @@ namespace simreel::sim {
 [[nodiscard]] std::vector<glm::uvec4> packedCells(const std::vector<std::uint8_t>& cells, glm::ivec2 size);
 [[nodiscard]] std::vector<glm::uvec4> packedCells(const std::vector<std::uint16_t>& cells, glm::ivec2 size);
 
-/// Inputs that the kernels spread/*/step.comp, and those of paint.comp, have in common.
+/// Inputs that all spread/*/step.comp kernels share, and inputs that all spread/*/paint.comp kernels share.
 struct SpreadStepPart {
   gl::Uniform<"size", glm::ivec2> size;
   gl::Uniform<"torus", bool> torus;

@@ -55,8 +55,8 @@ struct Pace {
 };
 
 /// Returns the grey levels (0 to 1) of an image resampled to a grid, x fastest, with linear interpolation
-/// between pixel centres, so that small images give smooth maps. `what` names its purpose in errors, which
-/// are those of loadPicture().
+/// between pixel centres, so that small images give smooth maps. Throws the errors of loadPicture(), in
+/// which `what` names the image's purpose.
 [[nodiscard]] std::vector<double> smoothLevels(const std::filesystem::path& file, const char* what,
                                                glm::ivec2 grid);
 /// Returns four-octave noise (0 to 1) on a grid, from integer hashes of lattice points `cells` apart and

@@ -11,8 +11,8 @@ struct Trapezoid {
   double bottom, top;
   double bottomLeft, bottomRight, topLeft, topRight;
 };
-/// Divides the filled area into non-overlapping trapezoids. Vertically adjacent trapezoids touch along
-/// whole edges of a height, and coincident corners have identical coordinates.
+/// Divides the filled area into non-overlapping trapezoids. Trapezoids above one another touch at common
+/// heights, where coincident corners have identical coordinates.
 [[nodiscard]] std::vector<Trapezoid> trapezoids(const TextOutlines& outlines);
 
 /// Returns a solid of the outlines, `depth` metres thick from z = -depth / 2 to depth / 2; `height` is the

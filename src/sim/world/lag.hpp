@@ -17,7 +17,7 @@ class Lag {
 
   /// Sets x of the next frame and advances y. In the first frame y starts at x, at rest.
   void follow(const glm::dvec3& x);
-  /// Forgets the position after the target has disappeared; the next one counts as the first again.
+  /// Forgets the position after the target has disappeared; the target's next position counts as its first.
   void lose() { known_ = 0; }
   /// Returns y; empty while there is no target.
   [[nodiscard]] std::optional<glm::vec3> place() const {

@@ -13,7 +13,8 @@
 
 namespace simreel::sim {
 
-/// Outlets of a scene's objects, in the order in which the objects are made.
+/// Registry of the outlets (typed interfaces) that a scene's objects provide, in the order in which the
+/// objects are made.
 class ObjectLinks final : public Links {
  public:
   /// Keeps a reference to `objects`, which must outlive this object. `now` returns the time of the current
@@ -40,7 +41,7 @@ class ObjectLinks final : public Links {
   [[nodiscard]] double now() const override { return now_(); }
 
  private:
-  /// Returns the object's index, or the number of objects if there is none with this name.
+  /// Returns the object's index, or the number of objects if the name is unknown.
   [[nodiscard]] std::size_t indexOf(std::string_view object) const;
   [[nodiscard]] void* outletOf(std::size_t object, const PortInfo& port) const;
 

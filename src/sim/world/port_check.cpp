@@ -51,7 +51,7 @@ Offered offered(const scene::Object& provider, const scene::Object& wanter, cons
   return all;
 }
 
-/// Returns the names of one provider that a want may refer to.
+/// Returns the names by which a reference of another object may refer to a provider or its parts.
 std::vector<std::string> namesOf(const scene::Object& provider, const Offered& offer,
                                  const Ports::Want& want) {
   std::vector<std::string> names;

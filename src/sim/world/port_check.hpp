@@ -12,8 +12,8 @@ namespace simreel::sim {
 /// would have to step before themselves (scene::Kinds::check).
 void checkPorts(std::span<const scene::Object> objects, const scene::Report& report);
 
-/// Returns the mistakes that only the whole scene reveals, as lines that begin with a path: names that
-/// cameras and lights follow, and objects that require a provider if there is none.
+/// Returns the mistakes that only the whole scene reveals, as lines that begin with a path: unknown names
+/// that cameras and lights follow, and objects whose required provider is missing.
 [[nodiscard]] std::vector<std::string> portMistakes(const scene::Scene& scene);
 
 /// Returns one warning line for each object that other objects ignore, for example a cloth without contact.

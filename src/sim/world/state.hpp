@@ -47,7 +47,7 @@ struct World::State {
   /// Returns the position that the camera looks at, which may lag behind its object.
   [[nodiscard]] std::optional<glm::vec3> trackedPlace() const;
   /// Returns the positions that the lags follow in this frame, in the order of sim::Drawables::lagging;
-  /// empty while there are none.
+  /// empty while the followed object has no position.
   [[nodiscard]] std::vector<glm::vec3> ahead() const;
   /// Calls the frame observers. Updates the objects that they read to their drawn state, including data
   /// computed only for drawing, so that the result does not depend on which frames are drawn.

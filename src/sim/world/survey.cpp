@@ -148,8 +148,8 @@ void look(const World& world, const scene::Scene& scene, std::size_t looks, Trav
   for (std::size_t i = 0; i < places.size(); i += stride) traveller.seen.push_back(places[i]);
 }
 
-/// Replaces the extent by that of the sampled points; keeps the parameters' extent if all points left the
-/// region.
+/// Replaces an object's extent by the extent of the sampled points; keeps the extent given by the
+/// parameters if all points left the region.
 void frameSeen(const Traveller& traveller, const ParticleParameters* particles, scene::Framed& framed) {
   if (traveller.seen.empty()) return;
   framed.points = particles == nullptr

@@ -41,7 +41,7 @@ void frameSurvey(scene::Scene& scene, const Survey& survey);
 
 struct MotionFraming {
   std::vector<std::string> camera = {};  ///< overrides "path=value" that reproduce the camera; empty if the
-                                         ///< scene places it
+                                         ///< scene places its camera
   std::string remark = {};               ///< line for the user; empty: nothing was done
 };
 

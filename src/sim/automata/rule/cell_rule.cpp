@@ -27,7 +27,7 @@ std::string bareName(std::string_view text) {
 }
 
 /// Returns the description ("a rule of ...") of a rule that other programs support but this one does not;
-/// null if there is none. Notations of Golly's help and of the LifeWiki.
+/// null for other texts. Notations of Golly's help and of the LifeWiki.
 const char* otherKind(std::string_view text) {
   const std::string low = lowerText(text);
   if ((low.size() > 1 && low[0] == 'm' && isDigit(low[1])) || low.starts_with("margolus"))

@@ -24,8 +24,8 @@ constexpr int maxNodeDepth = 256;
 /// Converts an sRGB colour (IEC 61966-2-1), as stored by images and scanners, to linear light.
 [[nodiscard]] glm::vec3 linearColor(const glm::vec3& encoded);
 
-/// Returns the path of a file that a mesh refers to, relative to the mesh's folder. If the name as it is
-/// does not exist, backslashes become slashes, and those before blanks are removed.
+/// Returns the path of a file that a mesh refers to, relative to the mesh's folder. If no file has the
+/// literal name, replaces backslashes by slashes and removes backslashes before blanks.
 [[nodiscard]] std::filesystem::path besidePath(const std::filesystem::path& mesh, std::string_view name);
 
 /// True if a file that a mesh refers to lies in the mesh's folder or below, after resolving links.

@@ -21,7 +21,7 @@ struct GltfVertex {
   /// Position, normal, texture coordinates and colour (linear RGB). Missing attributes are 0, colours 1.
   std::array<float, 11> values{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1};
   std::array<std::uint32_t, 4> bones{};  ///< indices into the skin's list of joints
-  std::array<float, 4> weights{};        ///< weights of these joints; their sum is 1
+  std::array<float, 4> weights{};        ///< weights of the joints in `bones`; the sum is 1
   bool operator==(const GltfVertex&) const = default;
 };
 

@@ -195,8 +195,8 @@ class LibraryReader {
     light_.erase(name_);
   }
 
-  /// True if the numbers of a key can be used. Reports as ignored: words that are not numbers, such as
-  /// those of spectra or CIE coordinates, and numbers that are clamped to their range.
+  /// True if the numbers of a key can be used. Reports as ignored: words that are not numbers (spectra, CIE
+  /// coordinates) and numbers that are clamped to their range.
   bool hasNumbers(const NumberKey& known, std::string_view key, std::string_view rest) {
     constexpr double hair = 1e-4;  // tolerance for computed colours
     std::string_view words = rest;

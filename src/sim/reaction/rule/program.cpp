@@ -114,7 +114,8 @@ class Planning {
     return needed;
   }
 
-  /// Determines which nodes get a let plane, and the first pass (level) in which each node can be computed.
+  /// Determines which nodes are stored in a plane of their own (let plane), and the first pass (level) in
+  /// which each node can be computed.
   void findPlanes(const std::vector<int>& roots) {
     const std::vector<bool> needed = neededBy(roots);
     levels_.assign(static_cast<std::size_t>(graph_.size()), 0);

@@ -43,7 +43,8 @@ struct RulePass {
   [[nodiscard]] int placeOf(int node) const;
 };
 
-/// Passes of a step. Each stage consists of passes that store the lets read by stencils, then its own pass.
+/// Passes of a step. Each stage consists of passes that store the lets (named subexpressions) that stencils
+/// read, then its own pass.
 struct RuleProgram {
   struct Stage {
     std::vector<int> passes;

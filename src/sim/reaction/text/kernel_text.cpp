@@ -140,7 +140,7 @@ class KernelWriter {
     if (isVolume()) declareLayers(name, use);
   }
 
-  /// Declares the function that combines a row with those of the previous and the next layer.
+  /// Declares the function that combines a row with the same row of the previous and of the next layer.
   void declareLayers(const std::string& name, const Use& use) {
     line("{0}Row {0}RowAt(int x, int y, int z) {{", name);
     line("  {0}Row r = {0}LineAt(x, y, z);", name);

@@ -118,7 +118,7 @@ struct Font::Library {
     static_cast<Library*>(memory->user)->taken -= size;
     std::free(start);
   }
-  // Reallocates a block, which is preceded by its size.
+  // Reallocates a block; each block is preceded by its size.
   static void* resize(FT_Memory memory, long before, long size, void* block) {
     auto& library = *static_cast<Library*>(memory->user);
     const auto wanted = static_cast<std::size_t>(size);
