@@ -140,7 +140,7 @@ class FigureReader {
   GltfNodes nodes_;
   MeshBuilder builder_;
   Figure figure_;
-  std::map<std::size_t, std::pair<std::size_t, std::size_t>> skins_;  ///< results of jointsOf()
+  std::map<std::size_t, std::pair<std::size_t, std::size_t>> skins_;  ///< results of jointsOf() by skin
   std::vector<Placed> placed_;
   int skinned_ = 0;
   bool fades_ = false;

@@ -52,7 +52,7 @@ class SkinnedSurface {
   gl::Vec4Array restPositions_, restNormals_, weights_, poses_;
   gl::WordsArray follow_, faces_;
   gl::Vec4Array positions_, normals_;
-  gl::Vec4Array touched_[2];  ///< allocated on first use
+  gl::Vec4Array touched_[2];  ///< buffers of before() and now(), allocated on first use
   int substep_ = -1;          ///< substep that touched_ holds; -1: none
   int substeps_ = 0;
   gl::Kernel<SkinKernel> draw_, move_;

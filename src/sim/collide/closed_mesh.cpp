@@ -134,7 +134,7 @@ ClosedMesh::ClosedMesh(const std::string& name, const Mesh& mesh, float scale) {
   const std::vector<Side> sides = sidesOf(corners);
   checkSides(name, sides, points);
   low = high = glm::dvec3(points[corners.front()[0]]);
-  std::vector<glm::dvec3> ofFaces;  // normals with twice the face's area as length
+  std::vector<glm::dvec3> ofFaces;  // normals of faces, twice as long as the face's area
   for (const Corners& face : corners) {
     const glm::dvec3 a(points[face[0]]);
     const glm::dvec3 b(points[face[1]]);

@@ -59,7 +59,7 @@ class Garment : public Simulation, public LockStep {
   [[nodiscard]] ContactPart contactPart() const override {
     const ClothParameters& p = plan_.parameters();
     ContactPart part{plan_.firstPositions(), {}, 0, p.contact.friction, plan_.contactRooms()};
-    part.positions.resize(part.rooms.size());  // drops the ghosts of clamped edges
+    part.positions.resize(part.rooms.size());  // without the ghosts of clamped edges
     part.name = name_;
     for (const glm::uvec4& face : plan_.arrays().corners) part.faces.emplace_back(face);
     double sum = 0;

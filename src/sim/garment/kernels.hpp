@@ -73,7 +73,7 @@ class GarmentKernels {
   gl::Vec4Array velocities_, trends_, elements_, faceForces_;
   gl::Vec4Array left_;  ///< for a cloth in contact: predicted positions before contact pushed the vertices
   gl::WordsArray corners_, rings_, copies_, stitches_, attachments_;
-  std::vector<gl::WordsArray> fans_, entries_;  ///< one array per bending of the plan
+  std::vector<gl::WordsArray> fans_, entries_;  ///< one array for each of the plan's bendings
   gl::Vec4Array drawnPositions_, drawnNormals_;
   gl::Buffer status_;
   SkinHold hold_;

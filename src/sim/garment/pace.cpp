@@ -123,7 +123,8 @@ GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles
 }
 
 double GarmentPace::stableSeconds() const {
-  // As for grids: (w dt)^2 + 2 c dt < 4 with w^2 <= 4 T A S.
+  // Stability limit of semi-implicit Euler as for grids (ClothParameters::stableSeconds()): (w dt)^2 + 2 c
+  // dt < 4, for faces with w^2 <= 4 T A S.
   const double rate = drag + std::sqrt(drag * drag + 16.0 * stiffening);
   return rate > 0 ? 4.0 / rate : unreached;
 }

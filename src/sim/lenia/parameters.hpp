@@ -40,7 +40,7 @@ struct LeniaParameters : ObjectParameters {
   std::vector<LeniaKernel> kernels{LeniaKernel{}};
   double timeScale = 10;  ///< number of steps per unit of time
   double stepsPerSecond = 30;
-  double radius = 12;  ///< radius of SmoothLife's ring in cells; its disc has a third of it
+  double radius = 12;  ///< radius of SmoothLife's ring in cells; the disc's is a third
   double bornMin = 0.278, bornMax = 0.365, surviveMin = 0.267, surviveMax = 0.445;
   double alphaRing = 0.028, alphaDisc = 0.147;
   std::vector<LeniaCreature> creatures;

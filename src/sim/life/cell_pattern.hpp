@@ -23,12 +23,12 @@ struct CellPattern {
     int state = 1;
   };
   glm::ivec2 size{0, 0};         ///< size given by the file, else the bounding box of the living cells
-  std::vector<Run> runs;         ///< for RLE and plaintext sorted by row, then from the left
+  std::vector<Run> runs;         ///< sorted by row, then from the left, for RLE and plaintext
   std::optional<CellRule> rule;  ///< rule named by the file, if any
   /// Name that is not a rule notation, so that a file NAME.rule beside the pattern must define it; and its
   /// place in the file.
   std::string ruleName, rulePlace;
-  int highest = 1;           ///< highest state
+  int highest = 1;           ///< highest state in the pattern
   std::string highestPlace;  ///< "file:line:column" of the first cell in the highest state
   /// Bounded grid given by the suffix of an RLE rule, for example "B3/S23:T257,130".
   std::optional<GridShape> shape;

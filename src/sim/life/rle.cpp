@@ -197,7 +197,7 @@ class RleReader : public PatternText {
   bool headed_ = false;  ///< true if a header gives the size
   bool empty_ = true;
   glm::ivec2 place_{0, 0};
-  std::optional<glm::ivec2> position_;  ///< relative to the centre of the grid
+  std::optional<glm::ivec2> position_;  ///< position relative to the centre of the grid
 };
 
 /// Appends run-length items and breaks lines between them.

@@ -214,9 +214,9 @@ class DeformedMesh : public Simulation, public ContactSolid {
   gl::Kernel<DisplaceKernel> displace_;
   gl::Kernel<NormalKernel> gather_;
   std::unique_ptr<PositionReadback> readback_;
-  std::optional<HeightField> heights_;    ///< only for a mesh that collides as a height field
+  std::optional<HeightField> heights_;    ///< set only for a mesh that collides as a height field
   bool hasHeights_ = false;               ///< true once the heights of the start are stored
-  std::optional<MovedVertices> touched_;  ///< only for a mesh whose faces collide
+  std::optional<MovedVertices> touched_;  ///< set only for a mesh whose faces collide
 };
 
 void DeformedMesh::makeVertices() {

@@ -100,7 +100,7 @@ class RigidMesh : public Simulation, public ContactSolid {
   double time_;  ///< time of the current frame in seconds
   MeshBuffers buffers_;
   std::vector<Part> parts_;               ///< parts by material; empty: the whole mesh has material_
-  std::optional<MovedVertices> touched_;  ///< only for a mesh whose faces collide
+  std::optional<MovedVertices> touched_;  ///< set only for a mesh whose faces collide
 };
 
 Mesh readMesh(const scene::Object& object, const Setting& setting) {

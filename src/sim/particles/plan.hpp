@@ -78,7 +78,7 @@ class ParticlePlan {
   int seed_;
   double substepSeconds_;
   ColliderPlan colliders_;
-  std::vector<ParticleCloud> files_;  ///< one per group; empty unless the group is a file
+  std::vector<ParticleCloud> files_;  ///< content of each group's file; empty for other groups
   std::vector<Ring> rings_;
   int count_ = 0;
   int done_ = 0;  ///< number of substeps so far

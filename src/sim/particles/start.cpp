@@ -103,7 +103,7 @@ Body looseBody(const ParticleGroup& g, Draws& draws) {
 /// velocity as a fraction q of the escape velocity has the density q^2 (1 - q^2)^(7/2), which is always
 /// below 0.1, and is sampled by rejection.
 Body plummerBody(const ParticleGroup& g, double gm, Draws& draws) {
-  const double fraction = draws.unit() * 0.999;  // limits radii to 39 a
+  const double fraction = draws.unit() * 0.999;  // limits radii to 39 times the scale radius a
   const double root = cubeRoot(fraction);
   const double r = g.radius / std::sqrt(1 / (root * root) - 1);
   double q = 0;

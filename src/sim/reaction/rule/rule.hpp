@@ -81,10 +81,10 @@ inline constexpr int maxRuleCost = 4000;
 struct Rule {
   RuleGraph graph;
   ToldPlaces told;
-  std::vector<int> rates;     ///< node per species, including diffusion
+  std::vector<int> rates;     ///< node of each species' rate, including diffusion
   std::vector<int> nexts;     ///< node of a species' next value if it has no rate; -1: it has a rate
   std::vector<int> starts;    ///< nodes of the initial state
-  int shown = -1, tint = -1;  ///< nodes to show and to colour by; tint = -1: none
+  int shown = -1, tint = -1;  ///< nodes of the shown value and of the colour; tint = -1: no colour
   /// C-like text with one line per let and rate.
   std::string text;
   int cost = 0;
