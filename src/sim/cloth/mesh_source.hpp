@@ -34,9 +34,9 @@ struct ClothMesh {
 /// k-th with 6 k vertices. uv is the position in the bounding square.
 [[nodiscard]] Mesh discMesh(float radius, int rings);
 
-/// Returns an open tube around the y axis that faces outwards, with `vertices.x` vertices around it (the
-/// seam counts twice) and `vertices.y` along it. Every other row is shifted by half a cell, which makes
-/// faces nearly equilateral if the counts suit the proportions.
+/// Returns an open tube around the y axis with faces outwards: `vertices.x` vertices around it (the seam
+/// counts twice) and `vertices.y` along it. Every other row is shifted by half a cell, which makes faces
+/// nearly equilateral if the counts suit the proportions.
 [[nodiscard]] Mesh tubeMesh(float radius, float length, glm::ivec2 vertices);
 
 /// Returns a sphere made of six grids with `vertices` vertices per side, each with uv over the whole unit

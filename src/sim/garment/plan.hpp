@@ -26,8 +26,8 @@ struct GarmentBending {
 struct GarmentArrays {
   std::vector<glm::uvec4> corners;  ///< per face, sorted by colour: three vertices
   std::vector<int> colours;         ///< first face of each colour, then the number of faces
-  std::vector<glm::vec4> elements;  ///< two elements per face: p, q, r, s; then compliances of weft, warp
-                                    ///< and shear (m/N)
+  std::vector<glm::vec4> elements;  ///< two elements per face: p, q, r, s; then 1 / (k A) of weft, warp and
+                                    ///< shear, or k A if energy is kept
   std::vector<glm::uvec4> rings;    ///< one element per face around a vertex: the two other corners, the
                                     ///< face, the vertex' place in the face
   std::vector<GarmentBending> bendings;  ///< sorted by start; the first starts at 0

@@ -248,8 +248,8 @@ class Life : public Simulation {
     generation_ += long{passes} * LifeActive::steps;
   }
 
-  /// Returns the number of generations for the next pass: up to `end`, one if a trail needs each of them,
-  /// and none but the last may have strokes.
+  /// Returns the number of generations for the next pass, not beyond `end`: 1 if the engine runs, if a
+  /// trail needs every generation, or if a generation before the last has strokes.
   [[nodiscard]] int stepsAtOnce(long end) const {
     const int max = stepper_.stepsOf(end - generation_);
     if (engine_ || trailQuads_ > 0) return 1;

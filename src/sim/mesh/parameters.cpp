@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t maxVertices = 8'000'000;  // the same limit as for mesh files
 
-/// Returns the minimum number of vertices along u and v at which a shape is closed.
+/// Returns the minimum number of vertices along u and v for a valid shape.
 glm::ivec2 minResolution(MeshShape shape) {
   switch (shape) {
     case MeshShape::sphere:

@@ -21,8 +21,8 @@ namespace simreel::sim {
 [[nodiscard]] std::vector<std::string> tooLargeForMany(const scene::Scene& scene);
 
 /// All objects of a scene, stepped together in the order of stepOrder(): an object steps after those whose
-/// end-of-frame state it reads. Cloths in contact form a group that steps last, one substep of each member
-/// in turn. Frame 0 is at time 0; the pre-roll precedes it.
+/// end-of-frame state it reads. Cloths in contact form a group that steps as late as possible, one substep
+/// of each member in turn. Frame 0 is at time 0; the pre-roll precedes it.
 class World {
  public:
   /// Creates every simulation on the current context. `timing`: simulations measure their stages

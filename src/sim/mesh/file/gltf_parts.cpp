@@ -64,7 +64,8 @@ GltfParts::GltfParts(const std::filesystem::path& file, std::string_view text, M
   checkExtensions();
 }
 
-/// Rejects required extensions, except those that affect only appearance or lights.
+/// Rejects required extensions, except KHR_mesh_quantization and those that affect only appearance or
+/// lights.
 void GltfParts::checkExtensions() const {
   const auto required = document_.root().find("extensionsRequired");
   if (!required) return;
