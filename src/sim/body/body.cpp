@@ -17,7 +17,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// A skinned mesh: where its vertices are depends on the time alone.
+/// Skinned mesh whose vertex positions depend on time only.
 class Body : public Simulation, public ContactSolid {
  public:
   Body(const scene::Object& object, const Setting& setting)

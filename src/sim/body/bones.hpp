@@ -12,21 +12,22 @@
 
 namespace simreel::sim {
 
-/// The bodies of a scene as others know them without a device: where their bones are, and the capsules
-/// around those. Files are read when somebody asks.
+/// CPU view of a scene's bodies for other objects: transforms of their bones, and capsules around them.
+/// Reads each body's file on first use.
 class Bones {
  public:
   static const PortInfo port;
 
   explicit Bones(const scene::Scene& scene);
 
-  /// The bone of a body, from its own space to the world; may outlive this. Throws UserError(usage) for a
-  /// body or a bone that is not there, and what the reader of its file throws.
+  /// Returns a function that gives a bone's transform from its own space to world space at a time; it may
+  /// outlive this object. Throws UserError(usage) for an unknown body or bone, and the errors of the body's
+  /// file reader.
   [[nodiscard]] Carrier named(const std::string& body, const std::string& bone) const;
-  /// As HeldBySkin.
+  /// Attaches points to a body's skin; see HeldBySkin.
   [[nodiscard]] SkinHolder heldBySkin(const std::string& body, std::span<const glm::dvec3> points,
                                       double time) const;
-  /// Appends the capsules of the bodies that collide. Throws what BodyMotion throws.
+  /// Appends the capsules of the bodies that collide. Throws the errors of BodyMotion.
   void addCapsules(std::vector<ColliderShape>& shapes) const;
 
  private:
@@ -36,10 +37,10 @@ class Bones {
   mutable std::map<std::string, std::shared_ptr<const BodyMotion>> motions_;
 };
 
-/// Bones::named of the scene around a simulation, as plans take it.
+/// Returns Bones::named() of the setting's scene as a function for plans.
 [[nodiscard]] std::function<Carrier(const std::string& body, const std::string& bone)> boneNamedIn(
     const Setting& setting);
-/// Bones::heldBySkin of that scene.
+/// Returns Bones::heldBySkin() of the setting's scene as a function for plans.
 [[nodiscard]] HeldBySkin heldBySkinIn(const Setting& setting);
 
 }  // namespace simreel::sim

@@ -12,9 +12,9 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double leastShare = 1.0 / 300;  ///< of the whole skin
+constexpr double leastShare = 1.0 / 300;  ///< minimum fraction of the whole skin
 
-/// The area that a bone needs to have a capsule.
+/// Returns the minimum area for which a bone gets a capsule.
 double leastArea(std::vector<double> areas) {
   double total = 0;
   for (const double area : areas) total += area;
@@ -23,10 +23,10 @@ double leastArea(std::vector<double> areas) {
   return std::max(last, leastShare * total);
 }
 
-/// A vertex that a bone dominates, in the bone's space.
+/// Vertex that a bone dominates, in the bone's space.
 struct Spot {
   glm::dvec3 place;
-  double area;  ///< m^2, a third of the triangles around it
+  double area;  ///< area in m^2: a third of the triangles around the vertex
 };
 
 struct Weighed {
@@ -40,7 +40,7 @@ double areaOf(const std::vector<Spot>& spots) {
   return sum;
 }
 
-/// The mean of the values between two fractions of the area.
+/// Returns the area-weighted mean of the values between the quantiles `low` and `high`.
 double meanBetween(std::vector<Weighed> values, double low, double high) {
   std::stable_sort(values.begin(), values.end(),
                    [](const Weighed& a, const Weighed& b) { return a.value < b.value; });
@@ -68,7 +68,7 @@ double toSegment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) 
   return std::sqrt(glm::dot(offset, offset));
 }
 
-/// Of the triangles around each vertex, a third each.
+/// Returns the area of each vertex: a third of each triangle around it.
 std::vector<double> vertexAreas(const Mesh& mesh) {
   std::vector<double> areas(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -81,7 +81,7 @@ std::vector<double> vertexAreas(const Mesh& mesh) {
   return areas;
 }
 
-/// Where the axis of a bone ends: in the middle of its children.
+/// Returns the end of a bone's axis: the mean position of its children.
 glm::dvec3 childOf(const Figure& figure, std::size_t joint, const glm::dmat4& toBone) {
   glm::dvec3 sum(0);
   double count = 0;
@@ -103,7 +103,8 @@ BoneCapsule fitted(int node, const std::vector<Spot>& spots, const glm::dvec3& c
     middle += spot.place * (spot.area / area);
     reach = std::max(reach, glm::length(spot.place));
   }
-  // Towards the child, where that is not beside the bone; else through the middle of the skin.
+  // The axis points to the child unless that is too close to the bone; then it points to the centre of the
+  // skin.
   const bool leads = glm::length(child) > 0.25 * reach;
   const glm::dvec3 along = leads ? child : middle;
   const double length = glm::length(along);
@@ -123,7 +124,8 @@ BoneCapsule fitted(int node, const std::vector<Spot>& spots, const glm::dvec3& c
   };
   double radius = measure();
   if (!leads) {
-    // The skin's own round end: as far in as the capsule is thick, which again tells how thick it is.
+    // The skin has a round end itself, so the axis ends one radius before it. The radius depends on the
+    // axis in turn, hence the iteration.
     double reached = high;
     for (int round = 0; round < 8; ++round) {
       high = std::max(reached - radius, low);

@@ -8,21 +8,22 @@
 
 namespace simreel::sim {
 
-/// A capsule around a bone, at bind, in the bone's own space.
+/// Capsule around a bone, in the bone's own space at the bind pose.
 struct BoneCapsule {
   int node = 0;
-  glm::dvec3 ends[2] = {};  ///< m, centres of its round ends
-  double radius = 0;        ///< m
+  glm::dvec3 ends[2] = {};  ///< centres of the round ends in metres
+  double radius = 0;        ///< radius in metres
 };
 
-/// Most capsules of a body: those of the bones with the most skin.
+/// Maximum number of capsules per body; the bones with the most skin get them.
 constexpr std::size_t maxCapsules = 24;
 
-/// A capsule for each bone that dominates (has the greatest weight) a three-hundredth of the skin or more.
-/// Its axis goes from the bone to its child, or to the middle of several, or, of a bone without children or
-/// whose children are beside it, as far as its skin reaches; it is moved sideways into the middle of that.
-/// The radius is the mean distance of the skin from it, the nearest and the farthest quarter of its area
-/// left out. Round ends that would stand out of the skin are drawn in.
+/// Returns a capsule for each bone that dominates (has the largest weight in) at least 1/300 of the skin's
+/// area. The axis runs from the bone to its child, or to the mean position of several children. For a bone
+/// without children, or with children close to it, the axis reaches as far as the bone's skin. The axis is
+/// then shifted sideways to the centre of the skin. The radius is the mean distance of the skin from the
+/// axis, without the nearest and farthest quarter of the area. Round ends that would stick out of the skin
+/// are shortened.
 [[nodiscard]] std::vector<BoneCapsule> fitCapsules(const Figure& figure);
 
 }  // namespace simreel::sim

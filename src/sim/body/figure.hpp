@@ -12,27 +12,27 @@
 
 namespace simreel::sim {
 
-/// What vertices follow: a node, and what takes them from the mesh into the node's own space (the inverse
-/// bind matrix of a joint; of a mesh without a skin, which is carried whole by its node, none).
+/// Node that vertices follow, with the matrix from mesh space to the node's own space: the inverse bind
+/// matrix of a joint, or the identity for a mesh without a skin, which its node moves as a whole.
 struct FigureJoint {
   int node = 0;
-  bool bone = true;  ///< of a skin
+  bool bone = true;  ///< true for a joint of a skin
   glm::dmat4 inverseBind{1};
 };
 
-/// A skinned mesh with its bones and motions, as a glTF file has them.
+/// Skinned mesh with its bones and animations, as read from a glTF file.
 struct Figure {
-  Mesh mesh;                       ///< at bind, in its own space (m)
-  std::vector<glm::uvec4> follow;  ///< of each vertex: four joints
-  std::vector<glm::vec4> weights;  ///< of each vertex: of those, sum 1
+  Mesh mesh;                       ///< mesh in the bind pose, in its own space (m)
+  std::vector<glm::uvec4> follow;  ///< per vertex: indices of four joints
+  std::vector<glm::vec4> weights;  ///< per vertex: weights of the joints in `follow`; the sum is 1
   std::vector<FigureNode> nodes;
   std::vector<FigureJoint> joints;
   std::vector<FigureAnimation> animations;
 
-  /// The number of the node of that name. Throws UserError(usage): `what` ("body \"walker\""), then what is
-  /// wrong.
+  /// Returns the index of the node with this name. Throws UserError(usage) for an unknown name; the message
+  /// starts with `what`, for example "body \"walker\"".
   [[nodiscard]] int nodeNamed(const std::string& name, const std::string& what) const;
-  /// Likewise of an animation.
+  /// Returns the animation with this name. Throws as nodeNamed() does.
   [[nodiscard]] const FigureAnimation& animationNamed(const std::string& name,
                                                       const std::string& what) const;
 
@@ -47,14 +47,14 @@ struct Figure {
   }
 };
 
-/// Reads glTF 2.0 or GLB: the meshes of the default scene with a skin (others follow the node that they
-/// hang on), at most 1024 joints and 4 bones a vertex, and every animation of translations, rotations and
-/// scales. Names that are missing are "node 3", "animation 0"; morph targets are not read. Throws UserError
-/// as loadMesh() does; also for a file without a skin, missing weights or a sum that is not about 1, a
-/// joint that the skin does not have, and keys whose times do not grow.
+/// Reads glTF 2.0 or GLB: the skinned meshes of the default scene (meshes without a skin follow their
+/// node), at most 1024 joints and 4 joints per vertex, and all animations of translation, rotation and
+/// scale. Missing names become "node 3" or "animation 0"; morph targets are ignored. Throws UserError as
+/// loadMesh() does, and also for a file without a skin, missing weights or weights whose sum is not about
+/// 1, an invalid joint, and key times that do not increase.
 [[nodiscard]] Figure loadFigure(const std::filesystem::path& file);
 
-/// The same of a text, in this process.
+/// Parses a figure from text as loadFigure() does, but within this process.
 [[nodiscard]] Figure readFigure(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace simreel::sim

@@ -46,19 +46,20 @@ class FigureReader {
   }
 
  private:
-  /// A mesh, and the joint that is the first of its skin.
+  /// Mesh instance, and the first joint of its skin.
   struct Placed {
     std::size_t mesh;
     std::size_t firstJoint;
-    std::size_t joints;  ///< of its skin
+    std::size_t joints;  ///< number of joints of its skin
     bool skinned;
   };
 
   [[nodiscard]] const GltfDocument& document() const { return parts_.document(); }
 
-  /// The nodes of the default scene, parents first, and their meshes.
+  /// Collects the nodes of the default scene, parents first, and their meshes.
   void walk() {
-    std::vector<std::pair<std::uint64_t, int>> meshes;  // their nodes, in the file and here
+    std::vector<std::pair<std::uint64_t, int>> meshes;  // node indices of meshes: in the file, and in
+                                                        // figure_
     nodes_.walk([&](const JsonValue& node, std::uint64_t number, int here) {
       if (node.has("mesh")) meshes.emplace_back(number, here);
     });
@@ -80,7 +81,7 @@ class FigureReader {
     }
   }
 
-  /// The first of a skin's joints and how many it has.
+  /// Returns the index of a skin's first joint and the number of its joints.
   std::pair<std::size_t, std::size_t> jointsOf(std::size_t skin) {
     if (const auto known = skins_.find(skin); known != skins_.end()) return known->second;
     const JsonValue described = document().item("skins", skin);
@@ -139,7 +140,7 @@ class FigureReader {
   GltfNodes nodes_;
   MeshBuilder builder_;
   Figure figure_;
-  std::map<std::size_t, std::pair<std::size_t, std::size_t>> skins_;  ///< as jointsOf() gives them
+  std::map<std::size_t, std::pair<std::size_t, std::size_t>> skins_;  ///< results of jointsOf() by skin
   std::vector<Placed> placed_;
   int skinned_ = 0;
   bool fades_ = false;

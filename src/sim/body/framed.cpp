@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Moments at which to look: along the motion, and at the keys that move the whole.
+/// Returns the times to sample: along the animation, and at the keys that move the whole body.
 std::vector<double> poseMoments(const BodyParameters& body) {
   std::vector<double> moments = {0};
   constexpr int looks = 12;
@@ -44,7 +44,7 @@ std::vector<glm::vec3> BodyParameters::placesOnTheWay() const {
       }
     }
   } catch (const UserError&) {
-    return {};  // whoever makes it says why
+    return {};  // the simulation's constructor reports the error
   }
   return places;
 }

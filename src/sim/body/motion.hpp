@@ -12,22 +12,23 @@
 
 namespace simreel::sim {
 
-/// A body's bones at any time, on the CPU and from the time alone, which counts in steps of 2^-24 s: what
-/// is asked for by sums that round differently gets the same bits. Not for several threads at once.
+/// Computes a body's bones for any time, on the CPU. Times are rounded to multiples of 2^-24 s, so that
+/// callers whose sums round differently get the same bits. Not thread-safe.
 class BodyMotion {
  public:
-  /// `name` stands in messages. Throws what loadFigure() throws, and UserError(usage) for an animation or a
-  /// bone that the file does not have.
+  /// `name` appears in messages. Throws the errors of loadFigure(), and UserError(usage) for an unknown
+  /// animation or bone.
   BodyMotion(const std::string& name, const BodyParameters& parameters);
 
   [[nodiscard]] const Figure& figure() const { return *figure_; }
-  /// From the space of a node to the world at `time` (s).
+  /// Returns the transform from a node's space to world space at `time` (seconds).
   [[nodiscard]] const glm::dmat4& nodeAt(int node, double time) const {
     return poseAt(time)[static_cast<std::size_t>(node)];
   }
-  /// That of the bone of this name; UserError(usage) where there is none.
+  /// Returns the node index of the bone with this name; throws UserError(usage) for an unknown name.
   [[nodiscard]] int boneNamed(const std::string& bone) const;
-  /// What takes each joint's vertices from bind to the world at `time`: three rows of a matrix a joint.
+  /// Returns the transform of each joint's vertices from the bind pose to world space at `time`, as three
+  /// matrix rows per joint.
   [[nodiscard]] std::vector<glm::vec4> rowsAt(double time) const;
 
  private:
@@ -43,8 +44,8 @@ class BodyMotion {
   BodyParameters parameters_;
   std::shared_ptr<const Figure> figure_;
   const FigureAnimation* animation_ = nullptr;
-  std::vector<int> keyed_;             ///< node of each of the parameters' bones
-  mutable std::array<Pose, 2> poses_;  ///< the last two that were asked for: a frame's beginning and end
+  std::vector<int> keyed_;             ///< node index of each bone in the parameters
+  mutable std::array<Pose, 2> poses_;  ///< cache of the last two poses: a frame's beginning and end
   mutable std::size_t newest_ = 0;
 };
 

@@ -13,38 +13,38 @@
 
 namespace simreel::sim {
 
-/// What a scene adds to the motion of a bone.
+/// Motion that a scene adds to a bone.
 struct KeyedBone {
   std::string bone;
-  scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< degrees, in the bone's own axes
-  scene::Animated<glm::vec3> move = glm::vec3(0);    ///< m, in its parent's
+  scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< rotation in degrees about the bone's own axes
+  scene::Animated<glm::vec3> move = glm::vec3(0);    ///< translation in metres along the axes of its parent
 };
 
-/// Parameters of the kind body.
+/// Parameters of the object kind "body".
 struct BodyParameters : ObjectParameters, scene::Outlined {
   std::filesystem::path file;
-  std::string animation;                               ///< empty: none
-  double speed = 1;                                    ///< of the motion
-  double start = 0;                                    ///< s into the motion at time 0
-  bool loop = true;                                    ///< whether it begins anew
-  std::vector<KeyedBone> bones;                        ///< on top of the motion
-  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
-  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
+  std::string animation;                               ///< name of the animation; empty: none
+  double speed = 1;                                    ///< factor on the animation's speed
+  double start = 0;                                    ///< seconds into the animation at time 0
+  bool loop = true;                                    ///< true: the animation repeats
+  std::vector<KeyedBone> bones;                        ///< motion of bones, applied after the animation
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< position in metres
+  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<float> scale = 1.0F;
   bool doubleSided = false;
   bool visible = true;
-  bool collides = false;  ///< by capsules
-  bool byFaces = false;   ///< with cloths in contact
-  float grip = 25.3F;     ///< 1/s
+  bool collides = false;  ///< true: collides by capsules
+  bool byFaces = false;   ///< true: its faces collide with cloths in contact
+  float grip = 25.3F;     ///< rate in 1/s at which sliding objects lose speed
   std::optional<double> friction;
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   void ports(Ports& ports) const override;
-  /// Its skin along the motion, and at each key of its position.
+  /// Returns the bounds of the skin along the animation and at every position key.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::vector<glm::vec3> outline() const override;
 
-  /// What the file holds, read once. Throws what loadFigure() throws.
+  /// Returns the content of the file, which is read once. Throws the errors of loadFigure().
   [[nodiscard]] const std::shared_ptr<const Figure>& figure() const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-/// p' = sum w_i M_i p
+/// Returns the skinned position p' = sum w_i M_i p of a vertex.
 glm::dvec3 skinned(const Figure& figure, const std::vector<glm::vec4>& rows, unsigned vertex) {
   const glm::dvec3 rest(figure.mesh.positions[vertex]);
   glm::dvec3 sum(0);
@@ -31,7 +31,7 @@ glm::dvec3 skinned(const Figure& figure, const std::vector<glm::vec4>& rows, uns
   return sum;
 }
 
-/// Barycentric coordinates of the place of a triangle that is nearest to p (Ericson 2005, Real-Time
+/// Returns the barycentric coordinates of the point of a triangle closest to p (Ericson 2005, Real-Time
 /// Collision Detection, 5.1.5).
 glm::dvec3 nearestOf(const Corners& t, const glm::dvec3& p) {
   const glm::dvec3 ab = t[1] - t[0];
@@ -68,7 +68,8 @@ glm::dvec3 nearestOf(const Corners& t, const glm::dvec3& p) {
   return {1 - v - w, v, w};
 }
 
-/// Along the first edge, across it in the face, and out of it; unit.
+/// Returns unit axes of a face: along its first edge, perpendicular to it in the face, and along the
+/// normal.
 std::array<glm::dvec3, 3> axesOf(const Corners& t) {
   const auto unit = [](const glm::dvec3& v) { return v / std::sqrt(std::max(glm::dot(v, v), 1e-300)); };
   const glm::dvec3 along = unit(t[1] - t[0]);
@@ -97,7 +98,7 @@ SkinPoints::SkinPoints(const std::string& body, std::shared_ptr<const BodyMotion
                                                figure.mesh.indices[f + 2]};
       const Corners t = {skin[corners[0]], skin[corners[1]], skin[corners[2]]};
       const glm::dvec3 n = glm::cross(t[1] - t[0], t[2] - t[0]);
-      if (!(glm::dot(n, n) > 1e-20)) continue;  // no area
+      if (!(glm::dot(n, n) > 1e-20)) continue;  // skips a degenerate face
       const glm::dvec3 shares = nearestOf(t, point);
       const glm::dvec3 away = point - placeIn(t, shares);
       if (!(glm::dot(away, away) < least)) continue;

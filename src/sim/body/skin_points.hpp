@@ -11,12 +11,13 @@
 
 namespace simreel::sim {
 
-/// Points that are attached to the skin of a body, on the CPU: each follows the nearest place of the
-/// nearest face, by that place's barycentric coordinates, and keeps its distance from it in the face's own
-/// axes, which turn with it. The skin is that of glsl/body/model.glsl in doubles.
+/// Points attached to the skin of a body, on the CPU. Each point follows the closest point of the nearest
+/// face by barycentric coordinates and keeps its offset in the face's own axes, which rotate with the face.
+/// Uses the skinning of glsl/body/model.glsl in double precision.
 class SkinPoints {
  public:
-  /// As of Bones::heldBySkin. The first of several that are as near.
+  /// Attaches `points` at `time`, see Bones::heldBySkin(). If several faces are equally near, the first one
+  /// is used.
   SkinPoints(const std::string& body, std::shared_ptr<const BodyMotion> motion,
              std::span<const glm::dvec3> points, double time);
   [[nodiscard]] std::vector<glm::dvec3> at(double time) const;
@@ -24,8 +25,8 @@ class SkinPoints {
  private:
   struct Place {
     std::array<unsigned, 3> corners;
-    glm::dvec3 shares;  ///< barycentric
-    glm::dvec3 offset;  ///< m, in the axes of the face
+    glm::dvec3 shares;  ///< barycentric coordinates
+    glm::dvec3 offset;  ///< offset in metres, in the axes of the face
   };
   std::shared_ptr<const BodyMotion> motion_;
   std::vector<Place> places_;

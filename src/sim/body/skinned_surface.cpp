@@ -43,7 +43,8 @@ std::vector<glm::uvec4> facesOf(const Mesh& mesh) {
   return faces;
 }
 
-/// Before anything is filled.
+/// Returns the vertex count. Throws UserError(device) if the buffers would exceed the limit; called before
+/// any is filled.
 int checkedCount(const std::string& name, const Mesh& mesh) {
   const auto bytes =
       static_cast<std::int64_t>(std::max(mesh.positions.size(), mesh.indices.size() / 3)) * 16;

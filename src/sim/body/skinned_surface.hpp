@@ -13,32 +13,34 @@ namespace simreel::sim {
 
 struct SkinKernel;
 
-/// The skin of a body on the GPU at any moment of the present frame, in world space, for drawing and for
-/// those that touch it. Between the poses of the frame's beginning and end the bones' matrices, and with
-/// them each vertex, go in a straight line; the last substep's end is the frame's, to the bit.
+/// Skin of a body on the GPU at any moment of the current frame, in world space, for drawing and for
+/// collisions. Within a frame the bones' matrices, and hence the vertices, are interpolated linearly; the
+/// end of the last substep equals the frame's end bit for bit.
 ///
-/// Whoever touches it, in each of its n substeps i = 0 .. n-1, calls moveTo(i, n), then reads before(),
-/// now() and faces() in a kernel, once the body has stepped (World does so first). Several may take turns:
-/// each goes through a frame of its own.
+/// An object that collides with the skin calls moveTo(i, n) in each of its n substeps i = 0 .. n-1 and then
+/// reads before(), now() and faces() in a kernel. The body must have stepped before (World ensures it).
+/// Several objects may use the surface one after another, each with its own n.
 class SkinnedSurface {
  public:
   static const PortInfo port;
 
-  /// Throws UserError(device) for more vertices than one buffer holds; `name` stands in the message.
+  /// Throws UserError(device) if the vertices or faces exceed one buffer; `name` appears in the message.
   SkinnedSurface(const std::string& name, const Figure& figure, bool fast);
 
   [[nodiscard]] int vertexCount() const { return vertexCount_; }
-  /// Makes before() and now() what they are at the beginning and the end of a substep of `substeps`.
+  /// Sets before() and now() to the beginning and the end of a substep; a frame has `substeps` of them.
   void moveTo(int substep, int substeps);
-  /// xyz m, w 1, a vertex an element.
+  /// One element per vertex: xyz in m, w = 1.
   [[nodiscard]] const gl::Vec4Array& before() const { return touched_[0]; }
   [[nodiscard]] const gl::Vec4Array& now() const { return touched_[1]; }
-  /// A face an element: its vertices in x, y and z, counter-clockwise seen from outside; w 0.
+  /// Returns one element per face: vertex indices in x, y and z, counter-clockwise as seen from outside; w
+  /// = 0.
   [[nodiscard]] const gl::WordsArray& faces() const { return faces_; }
 
-  /// The frame's poses, three rows a joint (BodyMotion::rowsAt), and the skin at its end: the body's own.
+  /// Sets the poses of the frame's beginning and end, three rows per joint (BodyMotion::rowsAt), and
+  /// computes the skin at its end. Only for the body itself.
   void begin(std::vector<glm::vec4> atBegin, const std::vector<glm::vec4>& atEnd);
-  /// Of the frame's end.
+  /// Positions and normals at the end of the frame.
   [[nodiscard]] const gl::Vec4Array& positions() const { return positions_; }
   [[nodiscard]] const gl::Vec4Array& normals() const { return normals_; }
 
@@ -50,8 +52,8 @@ class SkinnedSurface {
   gl::Vec4Array restPositions_, restNormals_, weights_, poses_;
   gl::WordsArray follow_, faces_;
   gl::Vec4Array positions_, normals_;
-  gl::Vec4Array touched_[2];  ///< made when somebody first asks
-  int substep_ = -1;          ///< that touched_ is of; -1: none
+  gl::Vec4Array touched_[2];  ///< buffers of before() and now(), allocated on first use
+  int substep_ = -1;          ///< substep that touched_ holds; -1: none
   int substeps_ = 0;
   gl::Kernel<SkinKernel> draw_, move_;
 };

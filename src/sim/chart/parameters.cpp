@@ -67,7 +67,8 @@ ChartRange roundRange(double least, double most) {
     least -= around;
     most += around;
   }
-  // The least step of which the ends lie four apart at most; powers of ten as products.
+  // Searches the smallest step at which the limits are at most four steps apart. Powers of ten are computed
+  // by multiplication.
   double decade = 1;
   while (decade * 10 <= most - least) decade *= 10;
   while (decade > most - least) decade /= 10;

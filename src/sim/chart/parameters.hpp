@@ -9,23 +9,25 @@
 
 namespace simreel::sim {
 
-/// Parameters of the kind chart: curves over the picture of what other objects measure, over time.
+/// Parameters of the object kind "chart": curves on the screen that show quantities of other objects over
+/// time.
 struct ChartParameters : ObjectParameters {
   struct Curve {
-    std::string of;                  ///< OBJECT.QUANTITY
-    std::string label;               ///< empty: the quantity
-    double per = 1;                  ///< of the quantity: 1 in the chart
-    std::optional<glm::vec3> color;  ///< linear RGB
+    std::string of;                  ///< quantity as OBJECT.QUANTITY
+    std::string label;               ///< name on the chart; empty: the quantity's name
+    double per = 1;                  ///< value of the quantity that the chart shows as 1
+    std::optional<glm::vec3> color;  ///< colour in linear RGB
 
     [[nodiscard]] std::string object() const;
     [[nodiscard]] std::string quantity() const;
   };
-  static constexpr std::size_t mostCurves = 4;  ///< of a drawable
+  static constexpr std::size_t mostCurves = 4;  ///< maximum number of curves that a drawable chart supports
 
   std::vector<Curve> curves;
-  std::optional<double> low, high;  ///< at the chart's foot and top; none: round numbers around what was
-  double seconds = 0;               ///< along its time axis, which grows when they are over
-  float x = 0.025F, y = 0.67F;      ///< of its top left corner, fractions of the picture
+  std::optional<double> low, high;  ///< values at the bottom and top of the chart; empty: rounded limits of
+                                    ///< the recorded values
+  double seconds = 0;               ///< initial length of the time axis in seconds; it grows when needed
+  float x = 0.025F, y = 0.67F;      ///< position of the top left corner as fractions of the image
   float width = 0.42F, height = 0.3F;
 
   void describe(scene::Fields& fields) override;
@@ -33,12 +35,13 @@ struct ChartParameters : ObjectParameters {
   void ports(Ports& ports) const override;
 };
 
-/// The ends of a scale.
+/// Limits of a scale.
 struct ChartRange {
   double low = 0, high = 1;
 };
-/// A scale around numbers from `least` to `most`: its ends are whole numbers of a step, 1, 2 or 5 times a
-/// power of ten, and two to four of those apart. Of what does not change: half of it around it.
+/// Returns a scale around values from `least` to `most`. Its limits are multiples of a step of 1, 2 or 5
+/// times a power of ten, at most four steps apart. If the values are all equal, the scale extends by half
+/// their magnitude on both sides.
 [[nodiscard]] ChartRange roundRange(double least, double most);
 
 }  // namespace simreel::sim

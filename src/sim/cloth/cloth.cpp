@@ -25,7 +25,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Before anything is filled: a cloth far beyond the limit would first take gigabytes.
+/// Throws UserError(device) if the index buffer exceeds the device's limit. Called before any array is
+/// filled, because a cloth far beyond the limit would allocate gigabytes first.
 glm::ivec2 checked(const std::string& name, glm::ivec2 size) {
   const auto bytes = std::int64_t{24} * (size.x - 1) * (size.y - 1);
   const std::int64_t max = gl::limits().storageBlockBytes;
@@ -183,7 +184,7 @@ class Cloth : public Simulation, public LockStep {
   ClothPlan plan_;
   glm::ivec2 size_;
   double frameSeconds_;
-  double time_ = 0;  ///< s, of the present state
+  double time_ = 0;  ///< time of the current state in seconds
   Touch touch_;
   ClothKernels kernels_;
   gl::Buffer indices_;

@@ -6,12 +6,13 @@
 
 namespace simreel::sim {
 
-/// Mass-spring cloth on the GPU: a grid of particles, 48 bytes each beside the index buffer.
+/// Creates a mass-spring cloth on the GPU: a grid of particles, 48 bytes each plus the index buffer.
 [[nodiscard]] std::unique_ptr<Simulation> makeSheet(const scene::Object& object, const Setting& setting);
-/// Throws what makeSheet would throw on any device.
+/// Throws the errors of makeSheet() that do not depend on the device.
 void checkSheet(const scene::Object& object, const Setting& setting);
 
-/// Bodies that a cloth meets beside its shapes, and the wind around it.
+/// Returns the scene objects that a cloth collides with in addition to its analytic colliders, and the wind
+/// around it.
 template <class Plan>
 Touch::Wanted touchedBy(const Plan& plan) {
   const auto& p = plan.parameters();

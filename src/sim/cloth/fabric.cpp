@@ -6,13 +6,14 @@
 namespace simreel::sim {
 
 shader::FabricConstants fabricOf(FabricMaterial material) {
-  // kg/m^2, N/m along rows and columns, N/m of shear, N m, m
+  // Columns: density (kg/m^2), weft and warp stiffness (N/m), shear stiffness (N/m), bending stiffness (N
+  // m), thickness (m).
   constexpr shader::FabricConstants table[] = {
-      {0.115F, 10000, 15000, 50, 6e-6F, 2.5e-4F},   // cotton: a poplin for shirts
-      {0.065F, 9000, 16000, 17, 3e-6F, 1.5e-4F},    // silk: habotai of 15 momme
-      {0.40F, 12000, 25000, 250, 8e-5F, 8e-4F},     // denim: 12 ounces a square yard
-      {0.11F, 15000, 20000, 60, 1.2e-5F, 2.2e-4F},  // nylon: of flags, 200 denier
-      {0.34F, 20000, 30000, 400, 2e-4F, 6e-4F},     // canvas: cotton duck of 10 ounces
+      {0.115F, 10000, 15000, 50, 6e-6F, 2.5e-4F},   // cotton: shirt poplin
+      {0.065F, 9000, 16000, 17, 3e-6F, 1.5e-4F},    // silk: habotai, 15 momme
+      {0.40F, 12000, 25000, 250, 8e-5F, 8e-4F},     // denim: 12 ounces per square yard
+      {0.11F, 15000, 20000, 60, 1.2e-5F, 2.2e-4F},  // nylon: flag cloth, 200 denier
+      {0.34F, 20000, 30000, 400, 2e-4F, 6e-4F},     // canvas: 10-ounce cotton duck
       {0.47F, 750, 750, 250, 2.083e-5F, 5e-4F},     // rubber: latex
   };
   return table[static_cast<std::size_t>(material)];
@@ -56,8 +57,9 @@ shader::FabricConstants Fabric::constants() const {
   return c;
 }
 
-// Diagonals of stiffness d in every cell store d ((ex + ey)^2 + g^2) / 2 for an area, so links of stiffness
-// x and y resist a pull along x alone, with ey free, by x + d - d^2 / (y + d) = x + d y / (y + d).
+// Diagonals of stiffness d in every cell store the energy d ((ex + ey)^2 + g^2) / 2 per area. Links of
+// stiffness x and y therefore resist a pull along x alone, with ey free, by x + d - d^2 / (y + d) = x + d y
+// / (y + d).
 shader::FabricConstants Fabric::ofLinks(double diagonal) const {
   shader::FabricConstants c = constants();
   const double along = c.weft;

@@ -42,7 +42,7 @@ struct ClothSettleKernel {
   gl::In<"left"> left;
 };
 
-/// Arrays of kernels that predict and relax pairs.
+/// Arrays of the kernels that integrate particles and relax pairs.
 struct ClothRelaxedArrays {
   gl::In<"positions"> positions;
   gl::InOut<"nextPositions"> next;
@@ -78,11 +78,11 @@ struct ClothLinesKernel {
   gl::Uniform<"lines", int> lines;
 };
 
-/// Lines of the sheet that are solved as a whole.
+/// Solves every link of a row or column at once.
 struct ClothSolveKernel {
   static constexpr auto file = "cloth/solve_lines.comp";
-  static constexpr int groupSize = 1024;  // every device has it
-  static constexpr int vector = 8;        // of a software driver
+  static constexpr int groupSize = 1024;  // every device supports this size
+  static constexpr int vector = 8;        // SIMD width of a software OpenGL driver
   struct Variant {
     TouchVariant touch;
     gl::Switch<"KEEPS"> keeps;
@@ -90,7 +90,7 @@ struct ClothSolveKernel {
     gl::Switch<"FABRIC"> fabric;
     gl::Flag<"ROWS"> rows;
     gl::Flag<"LAST"> last;
-    gl::Range<"LINES", 1, vector> lines;  // of a group
+    gl::Range<"LINES", 1, vector> lines;  // lines per workgroup
     gl::Range<"SEGMENTS", 1, groupSize> segments;
   };
   ClothPart cloth;
@@ -182,7 +182,8 @@ void ClothKernels::makeKernels(const TouchVariant& touch, bool fast) {
         {.touch = touch, .keeps = keeps_, .forces = forces, .springs = !keeps_, .contact = !keeps_});
     return;
   }
-  // The kernels that predict and relax pairs meet nothing.
+  // The kernels that integrate particles and relax pairs handle no collisions, so only the wind switch
+  // applies.
   const gl::Flag<"WIND"> wind = touch.wind;
   for (std::size_t later = 0; later < (inLines_ || bends() ? 2 : 1); ++later)
     if (inLines_)
@@ -193,7 +194,8 @@ void ClothKernels::makeKernels(const TouchVariant& touch, bool fast) {
           defines, {.forces = forces, .wind = wind, .damped = p.damped(), .bends = later == 1});
 }
 
-// A group has as many lines as it has room for, up to a software driver's vector.
+// Returns the kernel for rows or columns. A workgroup solves as many lines as fit into it, at most a
+// software driver's SIMD width.
 gl::Kernel<ClothSolveKernel> ClothKernels::lineSolver(const gl::Defines& defines, const TouchVariant& touch,
                                                       bool rows) const {
   const int segments = segmentsOf(rows ? size_.x : size_.y);
@@ -220,7 +222,7 @@ void ClothKernels::dispatchStep(const ClothPart& part) const {
       {.cloth = part, .positions = positions_[0], .next = positions_[1], .velocities = velocities_[0]});
 }
 
-// From where the particles would go to where they may.
+// Integrates the particles and applies the constraints to them.
 void ClothKernels::constrain(const ClothPart& part) const {
   if (keeps_)
     dispatchStep(part);
@@ -270,7 +272,8 @@ void ClothKernels::relaxInTiles(const ClothPart& part) const {
   if (bends()) dispatchTiles(relax_[1], relaxBendHalo, {part, relaxed(between_, positions_[1])});
 }
 
-// Tiles that leave all of the sheet, of which each leaves what is `halo` from its sides.
+// Dispatches tiles that cover the sheet. A tile stores all its particles but a border of `halo` particles,
+// because those depend on pairs outside the tile.
 void ClothKernels::dispatchTiles(const gl::Kernel<ClothRelaxKernel>& kernel, int halo,
                                  const ClothRelaxKernel& given) const {
   using namespace shader::cloth;
@@ -279,7 +282,8 @@ void ClothKernels::dispatchTiles(const gl::Kernel<ClothRelaxKernel>& kernel, int
   kernel.dispatch({tiles.x * (tile.x / 2), tiles.y * tile.y}, given);
 }
 
-// Lines of particles that a family ties together: one begins wherever nothing lies a reach before.
+// Returns the number of chains of particles that a spring family links. A chain starts at each particle
+// that has no neighbour at -reach.
 int ClothKernels::lineCount(glm::ivec2 reach) const {
   if (reach.y == 0) return std::min(reach.x, size_.x) * size_.y;
   if (reach.x == 0) return std::min(reach.y, size_.y) * size_.x;

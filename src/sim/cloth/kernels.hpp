@@ -10,7 +10,7 @@
 
 namespace simreel::sim {
 
-/// Inputs of glsl/cloth/kernel.glsl in a substep, a part of the kernels' interfaces.
+/// Inputs of glsl/cloth/kernel.glsl in one substep: the part that the kernels' interfaces have in common.
 struct ClothPart {
   gl::Uniform<"size", glm::ivec2> size;
   gl::Block<"StepBlock", shader::ClothStep> step;
@@ -26,32 +26,32 @@ struct ClothSettleKernel;
 struct ClothThinKernel;
 struct ClothRelaxedArrays;
 
-/// A sheet of particles on the GPU: its state and the dispatches of a substep.
+/// Owns the GPU state of a sheet of particles and dispatches the kernels of a substep.
 class ClothKernels {
  public:
-  /// `plan` outlives this.
+  /// Keeps a pointer to `plan`, which must outlive this object.
   ClothKernels(const std::string& name, const ClothPlan& plan, const TouchVariant& touch, bool fast);
 
-  /// For the frame from `begin` to `end` (s).
+  /// Prepares the frame from time `begin` to `end` (seconds).
   void beginFrame(double begin, double end) { hold_.beginFrame(plan_->skinPins(), begin, end); }
-  /// Result of a substep; finish() takes it as the state.
+  /// Computes the result of a substep; finish() makes it the current state.
   void predict(int substep, const ClothPart& part);
-  /// The same again of particles that contact has pushed since.
+  /// Corrects the result for the particles that contact has pushed since predict().
   void settle(const ClothPart& part) const;
   void finish();
 
   [[nodiscard]] gl::Vec4Array& positions() { return positions_[0]; }
   [[nodiscard]] const gl::Vec4Array& positions() const { return positions_[0]; }
   [[nodiscard]] const gl::Vec4Array& nextPositions() const { return positions_[1]; }
-  /// As far as the substep has come.
+  /// Returns the most recent velocities: within a substep, the predicted ones.
   [[nodiscard]] gl::Vec4Array& velocities() { return velocities_[hasTrends() && predicted_ ? 1 : 0]; }
   [[nodiscard]] const gl::Vec4Array& velocities() const {
     return velocities_[hasTrends() && predicted_ ? 1 : 0];
   }
-  /// Constraints (glsl/cloth/motion.glsl).
+  /// Returns the constraints' trends, the velocity changes that glsl/cloth/motion.glsl extrapolates.
   [[nodiscard]] gl::Vec4Array& trends() { return trends_; }
   [[nodiscard]] const gl::Vec4Array& trends() const { return trends_; }
-  /// True where constraints have a trend: those that keep energy are forces.
+  /// True if constraints have a trend. Constraints that keep energy act as forces and have none.
   [[nodiscard]] bool hasTrends() const { return constrained_ && !keeps_; }
 
  private:
@@ -72,21 +72,24 @@ class ClothKernels {
 
   const ClothPlan* plan_;
   glm::ivec2 size_;
-  bool constrained_;  ///< by XPBD; else springs
-  bool keeps_;        ///< energy (glsl/cloth/keeping.glsl)
-  /// An invocation takes a line of pairs (constrain_lines.comp) instead of one, and the first also steps.
+  bool constrained_;  ///< true: XPBD constraints; false: springs
+  bool keeps_;        ///< true: constraints that keep energy (glsl/cloth/keeping.glsl)
+  /// True if one invocation relaxes a line of pairs (constrain_lines.comp) rather than one pair. The first
+  /// such dispatch also integrates the particles.
   bool inLines_ = gl::memoryPath() == gl::MemoryPath::texel;
-  bool predicted_ = false;       ///< between predict() and finish()
-  gl::Vec4Array positions_[2];   ///< now, and where the next substep writes
-  gl::Vec4Array between_;        ///< positions between diagonal and bending constraints
-  gl::Vec4Array velocities_[2];  ///< now, and of constraints where the next substep writes
+  bool predicted_ = false;       ///< true between predict() and finish()
+  gl::Vec4Array positions_[2];   ///< current positions, and the output of the next substep
+  gl::Vec4Array between_;        ///< positions after the diagonal constraints, before the bending ones
+  gl::Vec4Array velocities_[2];  ///< current velocities, and the output of the next substep for constraints
+                                 ///< that have trends
   gl::Vec4Array trends_;
-  gl::Vec4Array left_;  ///< of cloth in contact: where it was left before contact pushed
+  gl::Vec4Array left_;  ///< for a cloth with contact: predicted positions before contact pushed the
+                        ///< particles
   SkinHold hold_;
   ThinColliders thin_;
   gl::Kernel<ClothStepKernel> step_;
-  gl::Kernel<ClothRelaxKernel> relax_[2];  ///< diagonal pairs, bending pairs
-  gl::Kernel<ClothLinesKernel> lines_[2];  ///< the first family, others
+  gl::Kernel<ClothRelaxKernel> relax_[2];  ///< [0] for diagonal pairs, [1] for bending pairs
+  gl::Kernel<ClothLinesKernel> lines_[2];  ///< [0] for the first spring family, [1] for the others
   gl::Kernel<ClothSolveKernel> rows_, columns_;
   gl::Kernel<ClothSettleKernel> settle_;
   gl::Kernel<ClothThinKernel> findThin_;

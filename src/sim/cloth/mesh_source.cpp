@@ -15,9 +15,9 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::int64_t mostClothVertices = 250'000;  // 6 kB of plan each
+constexpr std::int64_t mostClothVertices = 250'000;  // limits memory: ClothPlan takes 6 kB per vertex
 
-/// A point of a circle, `part` of a turn from +z on.
+/// Returns the point of the unit circle at the fraction `part` of a turn, starting from +z.
 glm::dvec2 onCircle(double part) {
   const double angle = 2.0 * std::numbers::pi * part;
   return {ieee::sin(angle), ieee::cos(angle)};
@@ -139,7 +139,7 @@ Mesh tubeMesh(float radius, float length, glm::ivec2 vertices) {
 
 Mesh cubedSphereMesh(float radius, int vertices) {
   Mesh mesh;
-  // Of each side: its middle, and where u and v lead, v down as seen from outside.
+  // A cube side: its centre and the directions of u and v; v points down as seen from outside.
   using Side = std::array<glm::dvec3, 3>;
   const Side sides[] = {
       {glm::dvec3(0, 0, 1), {1, 0, 0}, {0, -1, 0}},   {glm::dvec3(1, 0, 0), {0, 0, -1}, {0, -1, 0}},
@@ -150,14 +150,14 @@ Mesh cubedSphereMesh(float radius, int vertices) {
     for (int y = 0; y < vertices; ++y)
       for (int x = 0; x < vertices; ++x) {
         const auto across =
-            [&](int i) {  // tan of even angles: cells almost of one size; odd, so sides meet
+            [&](int i) {  // tan of equal angles: cells of similar size; odd, so that sides meet
               const int even = 2 * i - (vertices - 1);
               const double angle = 0.25 * std::numbers::pi * std::abs(even) / (vertices - 1);
               const double most = std::abs(even) == vertices - 1 ? 1.0 : ieee::tan(angle);
               return even < 0 ? -most : most;
             };
         const glm::dvec3 place = side[0] + side[1] * across(x) + side[2] * across(y);
-        // The squares in an order of their own, so that all who share a place agree on it.
+        // Sums the squares in sorted order, so that vertices that two sides share are bit-identical.
         double squares[3] = {place.x * place.x, place.y * place.y, place.z * place.z};
         if (squares[0] > squares[1]) std::swap(squares[0], squares[1]);
         if (squares[1] > squares[2]) std::swap(squares[1], squares[2]);
@@ -172,7 +172,7 @@ Mesh cubedSphereMesh(float radius, int vertices) {
       for (int x = 0; x + 1 < vertices; ++x) {
         const unsigned a = first + static_cast<unsigned>(y * vertices + x);
         const unsigned below = a + static_cast<unsigned>(vertices);
-        // The shorter diagonal: from the middle of the side outwards they lead along it.
+        // Splits the cell along its shorter diagonal, the one that points away from the centre of the side.
         if ((2 * x < vertices - 1) == (2 * y < vertices - 1))
           mesh.indices.insert(mesh.indices.end(), {a, below, below + 1, a, below + 1, a + 1});
         else

@@ -12,34 +12,35 @@ namespace simreel::sim {
 
 enum class ClothShape { plane, disc, sphere, cylinder, torus, file };
 
-/// The triangles that a cloth is made of, at rest.
+/// Source of a cloth's rest mesh: a generated shape or a file.
 struct ClothMesh {
   ClothShape shape = ClothShape::plane;
   std::filesystem::path file;
-  glm::vec3 size{2, 0, 2};        ///< m, of a plane
-  float radius = 1.0F;            ///< m
-  float tube = 0.35F;             ///< m
-  float length = 2.0F;            ///< m, of a cylinder
-  glm::ivec2 resolution{33, 33};  ///< vertices along u and v
+  glm::vec3 size{2, 0, 2};        ///< width and depth of a plane in metres
+  float radius = 1.0F;            ///< radius in metres
+  float tube = 0.35F;             ///< radius of a torus' tube in metres
+  float length = 2.0F;            ///< length of a cylinder in metres
+  glm::ivec2 resolution{33, 33};  ///< number of vertices along u and v
   float scale = 1.0F;
-  float weld = 0.0F;  ///< m
+  float weld = 0.0F;  ///< distance in metres within which vertices are merged
   void describe(scene::Fields& fields);
-  /// Generates or reads the mesh. Throws what loadMesh throws.
+  /// Generates or reads the mesh. Throws the errors of loadMesh().
   [[nodiscard]] Mesh make() const;
-  /// What messages call it.
+  /// Returns a short name for messages: the shape's or the file's.
   [[nodiscard]] std::string text() const;
 };
 
-/// A round sheet in the xz plane, facing +y: `rings` of equally wide rings around its middle, the k-th of 6
-/// k vertices; uv = the place in its square.
+/// Returns a round sheet in the xz plane that faces +y: `rings` rings of equal width around the centre, the
+/// k-th with 6 k vertices. uv is the position in the bounding square.
 [[nodiscard]] Mesh discMesh(float radius, int rings);
 
-/// An open tube around y of `vertices` around it (the seam once more) and along it, rows in turn shifted by
-/// half a cell, so that faces are close to equilateral where their number fits. Facing outwards.
+/// Returns an open tube around the y axis with faces outwards: `vertices.x` vertices around it (the seam
+/// counts twice) and `vertices.y` along it. Every other row is shifted by half a cell, which makes faces
+/// nearly equilateral if the counts suit the proportions.
 [[nodiscard]] Mesh tubeMesh(float radius, float length, glm::ivec2 vertices);
 
-/// A ball of six grids of `vertices` a side, uv of each over the whole picture: no poles, at which faces
-/// would be slivers.
+/// Returns a sphere made of six grids with `vertices` vertices per side, each with uv over the whole unit
+/// square. Unlike a latitude-longitude sphere it has no poles with sliver faces.
 [[nodiscard]] Mesh cubedSphereMesh(float radius, int vertices);
 
 }  // namespace simreel::sim

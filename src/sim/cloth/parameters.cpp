@@ -23,12 +23,11 @@ namespace simreel::sim {
 namespace {
 
 constexpr int maxSubsteps = 1024;
-/// Fraction of the stable substep that "auto" takes. Half of its square: a sheet stretched to any length
-/// pulls sideways as strongly as along its springs at most, which doubles the square of its fastest
-/// frequency.
+/// Fraction of the stable substep that "auto" takes; its square is 1/2. A stretched sheet pulls sideways at
+/// most as strongly as along its springs, which doubles the square of its highest frequency.
 constexpr double safety = 0.7;
 
-/// Substeps of a frame, none of them longer than `longest`; at most 1e15.
+/// Returns the number of substeps per frame at which none is longer than `longest` (seconds); at most 1e15.
 std::int64_t substepsFor(double frameSeconds, double longest) {
   return static_cast<std::int64_t>(std::ceil(std::min(frameSeconds / longest, 1e15)));
 }
@@ -41,7 +40,7 @@ ClothParameters::ClothParameters() {
   pins.push_back(lastRow);
 }
 
-/// Cloth of a mesh is a fabric, and free unless it is pinned.
+/// Describes "mesh" and "seams". A cloth with a mesh is a fabric and has no pins by default.
 void ClothParameters::describeMesh(scene::Fields& f) {
   f.optionalGroup("mesh", hasMesh, "Triangles that the cloth is made of, instead of a grid; a fabric.",
                   [&](scene::Fields& g) { mesh.describe(g); });
@@ -223,8 +222,8 @@ int ClothParameters::fewestSubsteps(double frameSeconds, int otherwise) const {
 
 double ClothParameters::fastestAir() const {
   if (!hasAir) return 0;
-  // On a straight way between keys it is fastest at one of them; each component of a gust comes up to its
-  // share.
+  // Between two keys the velocity is linear, so its maximum is at a key. Each component of a gust is at
+  // most `gusts` times the speed, hence sqrt(3).
   double fastest = 0;
   for (const auto& key : air.velocity.keys()) {
     const glm::dvec3 v(key.value);
@@ -245,7 +244,7 @@ double ClothParameters::greatestLoad(double each) const {
   return greatest(gravity) + greatest(wind) / each;
 }
 
-// Breadth first from all pinned particles at once.
+// Breadth-first search from all pinned particles at once.
 int ClothParameters::mostOnOnePin() const {
   if (hasMesh) return 0;
   constexpr int nobody = -1;
@@ -280,34 +279,36 @@ double ClothParameters::hangingSquared() const {
   return 4.0 * std::max(size.x, size.y) * greatestLoad(massAt(size / 2)) / spacing;
 }
 
-// 4 T / (m L) with T = N m a. The tension falls off along the line, and yet sheets of cotton that hang by
-// two corners stop resting at (w dt)^2 = 2.7 in place of 4: 1.5 times the load keeps to that.
+// w^2 = 4 T / (m L) with the tension T = N m a. Although the tension decreases along the line, cotton
+// sheets that hang by two corners become unstable at (w dt)^2 = 2.7 instead of 4; the factor 1.5 accounts
+// for that.
 double ClothParameters::pinnedSquared() const {
   return 1.5 * 4.0 * mostOnOnePin() * greatestLoad(massAt(size / 2)) / spacing;
 }
 
 double ClothParameters::stableSeconds(double lines) const {
   // Semi-implicit Euler of x'' = -w^2 x - c x' stays bounded while (w dt)^2 + 2 c dt < 4. At rest the
-  // lattice's fastest mode has w^2 <= 4 (k + ks + kb) / m. Drag alone slows down at c = rho (Cd + Cl) A |v|
-  // / m: the force's half of the square, differentiated.
-  // Constraints do not limit it by themselves; but the weight of N particles that hang on a line pulls it
-  // straight with T = N m a, and a straight line of masses swings sideways with w^2 <= 4 T / (m L) = 4 N a
-  // / L.
-  // Air pulls, too: on a sheet that streams from a pole about a tenth of what it would face-on.
+  // fastest mode of the lattice has w^2 <= 4 (k + ks + kb) / m. Drag alone decelerates at the rate c = rho
+  // (Cd + Cl) A |v| / m, the derivative of the quadratic force.
+  // Constraints alone do not limit the substep. But the weight of N particles that hang on a line
+  // straightens it with the tension T = N m a, and a straight line of masses swings sideways with w^2 <= 4
+  // T / (m L) = 4 N a / L. Air pulls, too: a sheet that streams from a pole feels about a tenth of its
+  // face-on drag.
   const double each = massAt({1, 1});
   const double area = static_cast<double>(spacing) * spacing;
   const double fastest = fastestAir();
   const double streaming = hasAir ? 0.1 * 0.5 * air.density * static_cast<double>(air.drag + air.lift) *
                                         fastest * fastest * area / each * lines
                                   : 0.0;
-  // Where energy is kept, softening w^2 dt^2 of that is to be less than 1, and in a swing it pulls more.
-  // Who hangs on which pin takes a look at every particle.
+  // If the constraints keep energy, the softening times w^2 dt^2 must be below 1, and the tension in a
+  // swing exceeds that at rest. Evaluated only for constraints, because mostOnOnePin() visits every
+  // particle.
   const auto hanging = [&] {
     return (keepsEnergy() ? hangingSquared() * 6 * leastSoftening
                           : std::max(hangingSquared(), pinnedSquared())) +
            4.0 * std::max(size.x, size.y) * streaming / spacing;
   };
-  // A fabric bends by w^2 <= 64 D / (L^2 m): 16 along either axis, 32 twisting.
+  // The bending of a fabric has w^2 <= 64 D / (L^2 m): 16 along each axis and 32 for twisting.
   const double bending = hasFabric ? 64.0 * fabric.constants().bending / (area * each) : 0.0;
   const double w2 = constrained() ? hanging() + bending
                                   : 4.0 * static_cast<double>(stiffness) * (1.0 + shear + bend) / each;
@@ -334,7 +335,7 @@ std::string ClothParameters::steadierWay(double frameSeconds) const {
 }
 
 std::string ClothParameters::instability(double frameSeconds) const {
-  if (hasMesh) return "";  // GarmentPlan knows its mesh
+  if (hasMesh) return "";  // GarmentPlan checks cloth of a mesh, because the limit depends on its faces
   const double stable = stableSeconds();
   if (!substeps || frameSeconds / *substeps <= stable) return "";
   return fmt::format(
@@ -349,8 +350,9 @@ std::string ClothParameters::instability(double frameSeconds) const {
 
 int ClothParameters::substepsPerFrame(double frameSeconds) const {
   if (substeps) return *substeps;
-  // Gusts draw what streams together at a corner: a line there carries its own and a part of all others'
-  // (of flag.json, where half the part leaves it stretched by a tenth). So substeps go with 1 / L^1.5.
+  // Gusts concentrate the pull of a streaming sheet at a corner: a line there carries its own pull and a
+  // fraction of all others'. The fraction is measured with the scene flag.json; half of it would leave that
+  // cloth stretched by a tenth. The number of substeps therefore grows as 1 / L^1.5.
   constexpr double drawnPart = 1.0 / 72;
   const double drawn = constrained() ? 1.0 + drawnPart * std::min(size.x, size.y) : 1.0;
   const std::int64_t needed = substepsFor(frameSeconds, safety * stableSeconds(drawn));

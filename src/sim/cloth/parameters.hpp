@@ -14,78 +14,82 @@
 
 namespace simreel::sim {
 
-/// What of a body carries pins.
+/// Part of a body that pins are attached to.
 enum class PinPlace { bone, skin };
 
-/// Particles that do not move by themselves, and the moving frame they may be attached to.
+/// Group of held particles, with the animated frame that moves them.
 struct PinGroup {
-  std::vector<int> rows;  ///< negative counts from the end
+  std::vector<int> rows;  ///< indices of rows; negative ones count from the end
   std::vector<int> columns;
-  std::vector<int> corners;        ///< 0 top-left, 1 top-right, 2 bottom-left, 3 bottom-right
-  std::vector<glm::ivec2> points;  ///< (x, y)
-  std::vector<int> vertices;       ///< of a mesh, in its order
+  std::vector<int> corners;        ///< corners: 0 top-left, 1 top-right, 2 bottom-left, 3 bottom-right
+  std::vector<glm::ivec2> points;  ///< particles as (x, y)
+  std::vector<int> vertices;       ///< for a mesh: vertex indices in the mesh's order
   bool hasBox = false;
-  scene::Box box{glm::vec3(-1), glm::vec3(1)};  ///< m, world, of a mesh at rest
-  std::filesystem::path map;                    ///< picture over a mesh's uv; empty: none
-  bool clamp = false;  ///< borders keep the direction that the sheet leaves them in, a fabric's
-  int every = 1;       ///< of a row or column only each n-th particle, the ends included
-  scene::Animated<glm::vec3> move = glm::vec3(0);    ///< m
-  scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< degrees
+  scene::Box box{glm::vec3(-1), glm::vec3(1)};  ///< box in metres, world space: holds the vertices of a
+                                                ///< mesh that lie inside it at rest
+  std::filesystem::path map;                    ///< image over a mesh's uv that marks pinned vertices;
+                                                ///< empty: none
+  bool clamp = false;  ///< for a fabric: the pinned border also keeps the direction in which the sheet
+                       ///< leaves it
+  int every = 1;       ///< pins only every n-th particle of a row or column, and its last one
+  scene::Animated<glm::vec3> move = glm::vec3(0);    ///< translation in metres
+  scene::Animated<glm::vec3> rotate = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<glm::vec3> scale = glm::vec3(1);
-  glm::vec3 pivot{0, 0, 0};  ///< m, world; rotation and scale act about it
-  std::string to;            ///< body whose bone carries them; empty: none
+  glm::vec3 pivot{0, 0, 0};  ///< centre of rotation and scale: metres, world space
+  std::string to;            ///< name of the body that carries the pins; empty: none
   std::string bone;
   PinPlace at = PinPlace::bone;
   [[nodiscard]] bool onSkin() const { return at == PinPlace::skin; }
   void describe(scene::Fields& fields, const glm::ivec2& grid, bool onMesh);
 };
 
-/// The air around the cloth.
+/// Air around the cloth.
 struct Air : shader::AirConstants {
-  std::string fluid;      ///< name of the fluid whose wind is added; empty: none
-  float fluidSpeed = 10;  ///< m/s, greatest that is expected of it
-  scene::Animated<glm::vec3> velocity = glm::vec3(5, 0, 0);  ///< m/s
-  float gusts = 0.3F;     ///< size of the velocity's variation as a fraction of its magnitude
-  float gustSize = 0.8F;  ///< m
+  std::string fluid;      ///< name of a fluid whose wind is added; empty: none
+  float fluidSpeed = 10;  ///< expected maximum speed of the fluid in m/s
+  scene::Animated<glm::vec3> velocity = glm::vec3(5, 0, 0);  ///< velocity in m/s
+  float gusts = 0.3F;     ///< amplitude of the velocity's variation, as a fraction of its magnitude
+  float gustSize = 0.8F;  ///< size of the gusts in metres
 };
 
-/// How a cloth keeps off itself and others.
+/// Contact of a cloth with itself and with other cloths.
 struct ClothContact {
-  std::optional<double> thickness;  ///< m
-  float friction = 0.3F;            ///< Coulomb's coefficient
+  std::optional<double> thickness;  ///< distance between two layers in metres
+  float friction = 0.3F;            ///< Coulomb friction coefficient
 };
 
 enum class ClothSolver { springs, constraints };
 
-/// Vertices of a mesh that are sewn together, the i-th of `from` to the i-th of `to`.
+/// Seam of a mesh: the i-th vertex of `from` is sewn to the i-th of `to`.
 struct Seam {
-  std::vector<int> from, to;  ///< in the mesh's order
-  double seconds = 1;         ///< until it has pulled shut
+  std::vector<int> from, to;  ///< vertex indices in the mesh's order
+  double seconds = 1;         ///< seconds until the seam is closed
 };
 
 struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants {
-  bool hasMesh = false;  ///< instead of a grid
+  bool hasMesh = false;  ///< true: a triangle mesh rather than a grid
   ClothMesh mesh;
   std::vector<Seam> seams;
-  glm::ivec2 size{32, 32};      ///< particles
-  glm::vec3 position{0, 0, 0};  ///< m, middle of the sheet at rest
-  glm::vec3 rotation{0, 0, 0};  ///< degrees; unrotated it lies in the xz plane, rows along x
-  float jitter = 0.0F;          ///< m
-  float mass = 1.0F;            ///< kg per particle
+  glm::ivec2 size{32, 32};      ///< number of particles along x and y
+  glm::vec3 position{0, 0, 0};  ///< centre of the sheet at rest in metres
+  glm::vec3 rotation{0, 0, 0};  ///< degrees; without rotation the sheet lies in the xz plane, rows along x
+  float jitter = 0.0F;          ///< maximum random displacement at the start in metres
+  float mass = 1.0F;            ///< mass of a particle in kg
   ClothSolver solver = ClothSolver::springs;
-  bool hasFabric = false;  ///< instead of masses, springs and constraints of its own
+  bool hasFabric = false;  ///< true: a fabric's properties replace masses, springs and compliances
   Fabric fabric;
-  float damping = 4.85F;  ///< 1/s
+  float damping = 4.85F;  ///< rate in 1/s at which velocity decays
   scene::Animated<glm::vec3> gravity = glm::vec3(0, -9.8F, 0);
-  scene::Animated<glm::vec3> wind = glm::vec3(0.5F, 0, 0.3F);  ///< N on each particle
+  scene::Animated<glm::vec3> wind = glm::vec3(0.5F, 0, 0.3F);  ///< constant force on each particle in
+                                                               ///< newtons
   bool hasAir = false;
   Air air;
   std::optional<int> substeps = 4;
   std::vector<PinGroup> pins;
-  bool pinsByDefault = false;  ///< whether a scene gives none
+  bool pinsByDefault = false;  ///< true if the scene gives no "pins"
   bool hasContact = false;
   ClothContact contact;
-  std::string walls;  ///< name of the solid it meets; empty: none
+  std::string walls;  ///< name of the solid whose walls the cloth collides with; empty: none
 
   ClothParameters();
   void describe(scene::Fields& fields) override;
@@ -94,8 +98,8 @@ struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants
   [[nodiscard]] double touchMargin() const override {
     return margin + (hasFabric ? 0.5F * fabric.constants().thickness : 0);
   }
-  /// Where it is at rest, and where it comes to when it hangs from what is pinned at the start; without
-  /// pins where it falls through once its size.
+  /// Returns the bounds for the camera: the cloth at rest and where it ends up hanging from the particles
+  /// pinned at the start. A cloth without pins counts as falling by its own size.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
 
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
@@ -103,55 +107,64 @@ struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants
   }
   [[nodiscard]] Looks looks() const override { return Looks::cloth; }
   [[nodiscard]] bool wanders() const override { return true; }
-  /// The same with as many substeps as what it touches takes; 0: its own.
+  /// Returns a copy with `contactSubsteps` substeps per frame, which all cloths in contact share; 0 keeps
+  /// the cloth's own number.
   [[nodiscard]] ClothParameters inStep(int contactSubsteps) const;
-  /// Fewest substeps of a frame that "auto" takes of cloth in contact: it is solved by a round or two in
-  /// each, and at 960 a second layers keep apart.
+  /// Returns the minimum of substeps per frame that "auto" takes: `otherwise`, but at least 960 per second
+  /// for a cloth in contact. Contact is solved by only a round or two per substep, and 960 per second keep
+  /// layers apart.
   [[nodiscard]] int fewestSubsteps(double frameSeconds, int otherwise) const;
-  /// m between two layers of it, on which the distance of neighbours is `between`.
+  /// Returns the distance in metres to keep between two layers of the cloth; `between` is the distance of
+  /// neighbouring particles.
   [[nodiscard]] float contactThickness(float between) const;
 
-  /// Whether XPBD keeps the lengths; else springs are forces.
+  /// True if XPBD constraints keep the lengths; otherwise springs apply forces.
   [[nodiscard]] bool constrained() const { return hasFabric || solver == ClothSolver::constraints; }
-  /// Whether changes of length are damped.
+  /// True if changes of length are damped.
   [[nodiscard]] bool damped() const { return hasFabric && fabric.stretchDamping > 0; }
-  /// Whether its constraints keep energy (glsl/cloth/keeping.glsl): where nothing damps, neither air nor
-  /// contact, and nothing is sewn.
+  /// True if the constraints keep energy (glsl/cloth/keeping.glsl): no damping, no air, no contact and no
+  /// seams.
   [[nodiscard]] bool keepsEnergy() const {
     return constrained() && damping == 0 && !hasAir && !damped() && !hasContact && seams.empty();
   }
-  /// Particles that hang on the pinned particle that carries most: each hangs on the nearest pinned one
-  /// along rows and columns. 0: nothing is pinned, or it is a mesh.
+  /// Returns the number of particles that hang on the most loaded pinned particle. Each particle hangs on
+  /// the nearest pinned one along rows and columns. 0 if nothing is pinned or the cloth is a mesh.
   [[nodiscard]] int mostOnOnePin() const;
-  /// 1/s^2: how fast the longest line that hangs swings sideways at most, w^2.
+  /// Returns the maximum squared angular frequency w^2 (1/s^2) at which the longest hanging line swings
+  /// sideways.
   [[nodiscard]] double hangingSquared() const;
-  /// 1/s^2: how fast a line at the pinned particle that carries most does.
+  /// Returns the maximum squared angular frequency w^2 (1/s^2) at which a line at the most loaded pinned
+  /// particle swings sideways.
   [[nodiscard]] double pinnedSquared() const;
-  /// kg of a particle: of a fabric, the density times its share of the area.
+  /// Returns the mass of a particle in kg; for a fabric, the density times the particle's share of the
+  /// area.
   [[nodiscard]] float massAt(glm::ivec2 at) const;
-  /// The pin group that clamps the border left, right, top or bottom; -1: none.
+  /// Returns the index of the pin group that clamps border 0 left, 1 right, 2 top or 3 bottom; -1: none.
   [[nodiscard]] int clampOf(int border) const;
-  /// Longest stable substep in seconds, of the sheet near rest in the fastest air and gusts of the whole
-  /// run; with constraints, of one that hangs by its pins.
+  /// Returns the longest stable substep in seconds for a sheet near rest in the fastest air and gusts of
+  /// the whole run. With constraints, for a sheet that hangs from its pins.
   [[nodiscard]] double stableSeconds() const { return stableSeconds(1.0); }
-  /// The same where a line carries so many times what the air pulls at its own particles.
+  /// Returns the longest stable substep in seconds if a line carries `lines` times the air drag of its own
+  /// particles.
   [[nodiscard]] double stableSeconds(double lines) const;
-  /// Why the given substeps are too few and what to do; empty when they are enough or "auto".
+  /// Returns why the given number of substeps is too small and what to do about it; empty if it suffices or
+  /// is "auto".
   [[nodiscard]] std::string instability(double frameSeconds) const;
-  /// Substeps a frame takes: the given number, or what "auto" comes to. Throws UserError(usage) when that
-  /// is more than there may be.
+  /// Returns the number of substeps per frame: the given one, or the one that "auto" computes. Throws
+  /// UserError(usage) if that exceeds the maximum.
   [[nodiscard]] int substepsPerFrame(double frameSeconds) const;
-  /// Particle indices of a group, ascending, without repeats.
+  /// Returns the particle indices of a group in ascending order, without duplicates.
   [[nodiscard]] std::vector<int> pinnedBy(const PinGroup& group) const;
-  /// m/s^2, greatest of gravity and wind in the whole run on a particle of that many kg.
+  /// Returns the maximum acceleration in m/s^2 by gravity and wind in the whole run, for a particle of mass
+  /// `each` (kg).
   [[nodiscard]] double greatestLoad(double each) const;
-  /// m/s, greatest of the air in the whole run; 0 without.
+  /// Returns the maximum speed of the air in the whole run in m/s; 0 without air.
   [[nodiscard]] double fastestAir() const;
 
  private:
   void describeMesh(scene::Fields& fields);
   [[nodiscard]] std::optional<scene::Box> framedMesh() const;
-  /// 0 left, 1 right, 2 top, 3 bottom.
+  /// True if the group pins border 0 left, 1 right, 2 top or 3 bottom.
   [[nodiscard]] bool pinsBorder(const PinGroup& group, int border) const;
   [[nodiscard]] std::string steadierWay(double frameSeconds) const;
 };

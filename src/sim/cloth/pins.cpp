@@ -1,4 +1,4 @@
-// What a scene says of pins.
+// Scene description of pins.
 #include "sim/cloth/parameters.hpp"
 
 #include <string_view>

@@ -16,7 +16,7 @@ namespace simreel::sim {
 namespace {
 
 shader::PinFrame pinFrame(const PinGroup& group, double time) {
-  // x' = pivot + move + R S (x - pivot)
+  // Builds the affine transform x' = pivot + move + R S (x - pivot).
   glm::mat4 m = rotationMatrix(group.rotate.at(time));
   const glm::vec3 scale = group.scale.at(time);
   const glm::vec3 move = group.move.at(time);
@@ -30,13 +30,13 @@ shader::PinFrame pinFrame(const PinGroup& group, double time) {
   return frame;
 }
 
-/// A fraction of the way between what a frame begins and ends with.
+/// Interpolates linearly between the values at a frame's beginning and end; `now` is in 0..1.
 template <class T>
 T betweenEnds(const std::array<T, 2>& ends, double now) {
   return ends[0] * (1 - now) + ends[1] * now;
 }
 
-/// First the frame, then the carrier.
+/// Returns the transform that applies `frame` first and `carrier` second.
 shader::PinFrame carriedFrame(const shader::PinFrame& frame, const glm::dmat4& carrier) {
   const glm::dvec4 rows[3] = {glm::dvec4(frame.row0), glm::dvec4(frame.row1), glm::dvec4(frame.row2)};
   shader::PinFrame result{};
@@ -49,7 +49,7 @@ shader::PinFrame carriedFrame(const shader::PinFrame& frame, const glm::dmat4& c
   return result;
 }
 
-/// What a frame makes of a direction.
+/// Rotates and scales a direction by a frame; w = 1.
 glm::vec4 turned(const shader::PinFrame& frame, glm::vec3 way) {
   const auto row = [&](const glm::vec4& r) { return r.x * way.x + r.y * way.y + r.z * way.z; };
   return {row(frame.row0), row(frame.row1), row(frame.row2), 1.0F};
@@ -148,15 +148,16 @@ std::vector<std::array<glm::dmat4, 2>> ClothPlan::pinsAround(double time) const 
 
 Softness ClothPlan::softness() const {
   if (!parameters_.keepsEnergy() || parameters_.hasMesh) return {};
-  // Straight lines are stable to 1 / (w dt)^2, w of what pulls them: in a swing three times what hangs.
+  // A straight line with the frequency w of its tension is stable up to a softening of 1 / (w dt)^2. In a
+  // swing the tension is three times the hanging weight.
   const double squared = substepSeconds_ * substepSeconds_;
   const double most = 1.0 / (3.0 * parameters_.hangingSquared() * squared);
   return {std::max(std::min(softSeconds * softSeconds / squared, most), leastSoftening), substepSeconds_};
 }
 
-// A substep relaxes each diagonal once, which gives it 1 / (compliance + w h^2), w of both ends: in sheets
-// of rubber that hang with 4 to 64 substeps two thirds of that w. Constraints that keep energy have their
-// own softening.
+// A substep relaxes each diagonal once, so its effective stiffness is 1 / (compliance + w h^2), w the sum
+// of the inverse masses of both ends. The factor 2/3 on w is measured: rubber sheets that hang, with 4 to
+// 64 substeps. Constraints that keep energy have their own softening instead.
 double ClothPlan::diagonalStiffness() const {
   const double shear = parameters_.fabric.constants().shear;
   if (parameters_.keepsEnergy()) return shear;
@@ -194,7 +195,7 @@ std::vector<shader::ClothStep> ClothPlan::frame(double time) {
     const double reach = p.keepsEnergy() ? substepSeconds_ : constraintPart * substepSeconds_;
     s.perReach = static_cast<float>(1.0 / reach);
     s.trendDt = static_cast<float>(substepSeconds_ / 18);
-    // Faces of meshes are relaxed twice, there and back.
+    // The faces of a mesh are relaxed twice, in forward and in reverse order.
     const double rounds = p.hasMesh && !p.keepsEnergy() ? 2.0 : 1.0;
     s.complianceScale = static_cast<float>(rounds * (1.0 - damped) / (reach * reach));
     s.softening = softness().lines > 0 ? static_cast<float>(softness().lines) : 1.0F;

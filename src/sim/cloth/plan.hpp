@@ -18,40 +18,45 @@
 
 namespace simreel::sim {
 
-/// The springs of a sheet: each particle has one of each family, to the neighbour at `reach`. Constraints
-/// of the structural ones are solved a line at a time (glsl/cloth/line_model.glsl), after all others.
+/// Family of springs of a sheet: each particle has one, to the neighbour at `reach`. Structural constraints
+/// are solved a whole line at a time (glsl/cloth/line_model.glsl), after the other families.
 struct SpringFamily {
-  glm::ivec2 reach;  ///< cells
-  int kind;          ///< 0 structural, 1 shear, 2 bend (glsl/cloth/model.glsl)
+  glm::ivec2 reach;  ///< cells along x and y
+  int kind;          ///< kind of spring: 0 structural, 1 shear, 2 bend (glsl/cloth/model.glsl)
 };
 inline constexpr SpringFamily springFamilies[] = {{{1, 0}, 0},  {{0, 1}, 0}, {{1, 1}, 1},
                                                   {{-1, 1}, 1}, {{2, 0}, 2}, {{0, 2}, 2}};
-/// The families that are relaxed pair by pair; a fabric bends by forces instead.
+/// Returns the families that are relaxed pair by pair. A fabric omits the bending families, because it
+/// bends by forces.
 inline std::span<const SpringFamily> relaxedFamilies(const ClothParameters& parameters) {
   return std::span(springFamilies).subspan(2, parameters.hasFabric ? 2 : 4);
 }
 
-/// Everything of a cloth that is decided on the CPU: its first state and, frame by frame, what each substep
-/// is told. Shared by the GPU simulation and its CPU twin, so both start and go on from the same numbers.
+/// Everything about a cloth that the CPU decides: the initial state and the uniform data of each substep.
+/// The GPU simulation and its CPU reference share it, so both compute from identical numbers.
 class ClothPlan {
  public:
-  /// Throws UserError(usage) when there are more colliders than the kernels hold, or "auto" takes more
-  /// substeps than there may be; warns once when the given substeps are fewer than it needs.
-  /// `boneNamed`, `startTime`, `heldBySkin`: as of Setting; who has pins that a body carries needs them.
-  /// `edge`: the longest between vertices (m), 0: a grid's spacing.
+  /// Throws UserError(usage) if there are more colliders than the kernels support or "auto" needs too many
+  /// substeps. Warns once if the given substeps are too few. `boneNamed`, `startTime`, `heldBySkin`: the
+  /// members of Setting, required for pins that a body carries. `edge`: length of the longest edge in
+  /// metres; 0 means the grid's spacing.
   ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
             const std::vector<ColliderShape>& colliders,
             const std::function<Carrier(const std::string& body, const std::string& bone)>& boneNamed = {},
             double startTime = 0, const HeldBySkin& heldBySkin = {}, double edge = 0);
 
-  /// The same in every step: those that vertices feel, and thin ones that edges and faces do.
+  /// Returns the number of colliders that are tested against vertices; the same in every substep. Thin
+  /// colliders are counted by thinCount(), because they are tested against edges and faces.
   [[nodiscard]] int colliderCount() const { return colliders_.count() - thinCount_; }
   [[nodiscard]] int thinCount() const { return thinCount_; }
-  /// xyz in m, w inverse mass in 1/kg (0: pinned); size.x * size.y elements, x fastest.
+  /// Returns size.x * size.y elements, x fastest: xyz the position in m, w the inverse mass in 1/kg (0:
+  /// pinned).
   [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
-  /// xyz in m/s (zero), w the pin group of a pinned particle.
+  /// Returns one element per particle: xyz the velocity in m/s (zero), w the pin group of a pinned
+  /// particle.
   [[nodiscard]] std::vector<glm::vec4> firstVelocities() const;
-  /// The substeps of the frame that starts at `time` (s). Call in order: gusts drift from frame to frame.
+  /// Returns the data of the substeps of the frame that starts at `time` (seconds). Frames must be
+  /// requested in order, because the drift of the gusts accumulates.
   [[nodiscard]] std::vector<shader::ClothStep> frame(double time);
   void carryOver(CarryOver& carry) {
     carry.number("steps begun", done_);
@@ -59,21 +64,22 @@ class ClothPlan {
   }
 
   [[nodiscard]] const ClothParameters& parameters() const { return parameters_; }
-  [[nodiscard]] const SkinPins& skinPins() const { return skinPins_; }  ///< of a grid
+  [[nodiscard]] const SkinPins& skinPins() const { return skinPins_; }  ///< only for a grid
   [[nodiscard]] int substeps() const { return substeps_; }
-  /// Of all frames that were asked for.
+  /// Returns the total number of substeps of the frames requested so far.
   [[nodiscard]] int stepsBegun() const { return static_cast<int>(done_); }
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
-  /// Of constraints that keep energy; zero of others.
+  /// Returns the softness of constraints that keep energy; zero for others.
   [[nodiscard]] Softness softness() const;
-  /// N/m, of the diagonals of a fabric in one substep.
+  /// Returns the effective stiffness (N/m) that the diagonals of a fabric have in one substep.
   [[nodiscard]] double diagonalStiffness() const;
 
  private:
-  /// Of each particle of a grid: its pin group; -1: free.
+  /// Returns the pin group of each particle of a grid; -1: not pinned.
   [[nodiscard]] std::vector<int> owners() const;
   [[nodiscard]] glm::vec3 restAt(int x, int y) const;
-  /// What a frame that starts at `time` begins and ends with, of each pin group, on top of its own frame.
+  /// Returns each pin group's carrier transform at the beginning and at the end of the frame that starts at
+  /// `time`, relative to the start of the run.
   [[nodiscard]] std::vector<std::array<glm::dmat4, 2>> pinsAround(double time) const;
 
   ClothParameters parameters_;
@@ -81,9 +87,9 @@ class ClothPlan {
   int substeps_;
   double substepSeconds_;
   ColliderPlan colliders_;
-  double edge_;  ///< m
+  double edge_;  ///< longest edge in metres
   int thinCount_ = 0;
-  /// What carries a pin group, and its inverse at the start; empty: nothing.
+  /// Moving frame that carries a pin group (null: none), and its inverse at the start of the run.
   struct PinCarrier {
     Carrier at;
     glm::dmat4 fromStart{1};
@@ -92,7 +98,7 @@ class ClothPlan {
   SkinPins skinPins_;
   glm::vec3 alongX_, alongY_, origin_;
   double drift_[3] = {0, 0, 0};
-  std::uint32_t done_ = 0;  ///< substeps so far
+  std::uint32_t done_ = 0;  ///< number of substeps so far
 };
 
 }  // namespace simreel::sim

@@ -15,18 +15,18 @@ namespace simreel::sim {
 namespace {
 
 struct Springs {
-  double energy = 0;   ///< J
-  double stretch = 0;  ///< largest |d| / L0 of a structural spring
+  double energy = 0;   ///< elastic energy in J
+  double stretch = 0;  ///< maximum |d| / L0 of a structural spring
 };
 
-/// The larger one; NaN once there was one, which std::max and std::fmax would lose.
+/// Returns the maximum, or NaN if either is NaN; std::max and std::fmax would lose the NaN.
 double larger(double a, double b) {
   return std::isnan(a) || a >= b ? a : b;
 }
 
-/// N/m, by the kind of spring. Springs as forces have the stiffnesses of the parameters. A constraint of
-/// compliance c stores C^2 / (2 c) (Macklin et al. 2016), so 1/c stands for its stiffness; one of
-/// compliance 0 is rigid and stores nothing.
+/// Returns the stiffness (N/m) for each kind of spring. Springs that act as forces have the stiffnesses of
+/// the parameters. A constraint of compliance c stores C^2 / (2 c) (Macklin et al. 2016), so its stiffness
+/// is 1/c. A constraint of compliance 0 is rigid and stores nothing, so its entry is 0.
 std::array<double, 3> stiffnesses(const ClothParameters& p) {
   const double k = p.stiffness;
   if (!p.constrained()) return {k, k * p.shear, k * p.bend};
@@ -34,12 +34,13 @@ std::array<double, 3> stiffnesses(const ClothParameters& p) {
   return {inverse(p.compliance), inverse(p.shearCompliance), inverse(p.bendCompliance)};
 }
 
-/// Of the two halves that lie along a border; 1 within.
+/// Returns the area share of a row or column: 1/2 at a border, 1 inside.
 double share(int line, int count) {
   return line == 0 || line == count - 1 ? 0.5 : 1.0;
 }
 
-/// N/m of a link of a fabric at `from`: one along a border stands for half as much.
+/// Returns the stiffness (N/m) of the fabric link that starts at `from`. A link along a border has half the
+/// stiffness.
 double linkStiffness(const ClothParameters& p, const SpringFamily& family, glm::ivec2 from) {
   const shader::FabricConstants fabric = p.fabric.ofLinks(p.fabric.constants().shear);
   if (family.kind != 0) return family.kind == 1 ? fabric.shear : 0;
@@ -47,8 +48,8 @@ double linkStiffness(const ClothParameters& p, const SpringFamily& family, glm::
                              : fabric.warp * share(from.x, p.size.x);
 }
 
-/// A plate's energy (D / 2 L^2) (sum |Dxx|^2 + |Dyy|^2 over nodes + 2 sum |Dxy|^2 over cells), J: between
-/// borders, without what a clamped one adds.
+/// Returns the bending energy of a plate in J: (D / 2 L^2) (sum |Dxx|^2 + |Dyy|^2 over inner nodes + 2 sum
+/// |Dxy|^2 over cells). The contribution of clamped borders is not included.
 double bendingEnergy(const ClothParameters& p, std::span<const glm::vec4> positions) {
   const auto at = [&](int x, int y) {
     return glm::dvec3(positions[static_cast<std::size_t>(y) * static_cast<std::size_t>(p.size.x) +
@@ -68,7 +69,8 @@ double bendingEnergy(const ClothParameters& p, std::span<const glm::vec4> positi
   return 0.5 * p.fabric.constants().bending / (static_cast<double>(p.spacing) * p.spacing) * sum;
 }
 
-/// E = sum 1/2 k (|d| - L0)^2.
+/// Adds a family's energy E = sum 1/2 k (|d| - L0)^2 and, for structural springs, its maximum stretch to
+/// `sum`.
 void addFamily(const ClothParameters& p, const SpringFamily& family, double stiffness,
                std::span<const glm::vec4> positions, Springs& sum) {
   const glm::ivec2 size = p.size;
@@ -89,14 +91,15 @@ void addFamily(const ClothParameters& p, const SpringFamily& family, double stif
     }
 }
 
-/// m/N, of a constraint in place of 1 / stiffness.
+/// Returns the compliance of a constraint in m/N: 1 / stiffness, or 0 if rigid.
 double complianceOf(const ClothParameters& p, const SpringFamily& family, double stiffness,
                     glm::ivec2 from) {
   if (p.hasFabric) return 1 / linkStiffness(p, family, from);
   return stiffness > 0 ? 1 / stiffness : 0;
 }
 
-/// The least compliance of a link of a line, as a ratio to its weights: glsl/cloth/segment.glsl keptGive.
+/// Returns the minimum compliance of a line's links, as a ratio to their weights (see keptGive in
+/// glsl/cloth/segment.glsl).
 double keptGive(std::span<const glm::vec4> line, double rest, double softening) {
   if (std::count_if(line.begin(), line.end(), [](const glm::vec4& p) { return p.w == 0; }) < 2) return 0;
   const double least = 0.125 / softening;
@@ -106,7 +109,8 @@ double keptGive(std::span<const glm::vec4> line, double rest, double softening) 
                   least);
 }
 
-/// 1/2 C^T B^-1 C of lines, B = compliance + softening seconds^2 G W G^T, and 1/2 C^2 / b of pairs.
+/// Returns the energy of softened constraints: 1/2 C^T B^-1 C for lines, with B = compliance + softening
+/// seconds^2 G W G^T, and 1/2 C^2 / b for pairs.
 double keptEnergy(const ClothParameters& p, const SpringFamily& family, double stiffness,
                   std::span<const glm::vec4> positions, const Softness& softness) {
   const double restLength = p.spacing * std::hypot(family.reach.x, family.reach.y);
@@ -121,7 +125,8 @@ double keptEnergy(const ClothParameters& p, const SpringFamily& family, double s
   double energy = 0;
   for (int y = 0; y < p.size.y; ++y)
     for (int x = 0; x < p.size.x; ++x) {
-      // Of a line all links at once, from its first; Gaussian elimination without swapping.
+      // Solves all links of a line at once, starting at its first particle: Gaussian elimination without
+      // pivoting.
       if (line && (family.reach.x > 0 ? x : y) > 0) continue;
       double pivot = 1;
       double right = 0;
@@ -143,7 +148,7 @@ double keptEnergy(const ClothParameters& p, const SpringFamily& family, double s
         before = along;
         if (diagonal > 0) {
           energy += 0.5 * right * right / pivot;
-        } else {  // a rigid link between two pins
+        } else {  // rigid link between two pinned particles
           pivot = 1;
           right = 0;
           before = glm::dvec3(0);
@@ -184,8 +189,8 @@ std::vector<glm::vec4> beforeHalf(std::span<const glm::vec4> positions,
   return before;
 }
 
-// A substep moves by dt u + dt p / 18 + s with v' = u + p' and p' = p / 3 + s / h: v' - p' / 3 - p / 6 for
-// each second, which is v' - p' / 2 where the trend is steady.
+// A substep moves a particle by dt u + dt p / 18 + s with v' = u + p' and p' = p / 3 + s / h. Divided by
+// dt, the actual velocity is v' - p' / 3 - p / 6, which equals v' - p' / 2 if the trend is steady.
 std::vector<glm::vec4> actualVelocities(std::span<const glm::vec4> positions,
                                         std::span<const glm::vec4> velocities,
                                         std::span<const glm::vec4> trends) {
@@ -214,8 +219,8 @@ std::vector<double> measureCloth(const ClothParameters& parameters, std::span<co
     total += mass;
     const glm::dvec3 v(velocities[i]);
     const double squared = glm::dot(v, v);
-    kinetic += 0.5 * mass * squared;                                  // T = 1/2 m v^2
-    potential -= mass * glm::dot(gravity, glm::dvec3(positions[i]));  // U = -m g.x
+    kinetic += 0.5 * mass * squared;                                  // kinetic energy T = 1/2 m v^2
+    potential -= mass * glm::dot(gravity, glm::dvec3(positions[i]));  // potential energy U = -m g.x
     fastestSquared = larger(fastestSquared, squared);
   }
   Springs springs;

@@ -9,14 +9,14 @@ namespace simreel::sim {
 
 struct HoldKernel;
 
-/// Pins that follow a skin, on the GPU. Nothing where there are none.
+/// GPU side of pins that follow a body's skin. Does nothing if a cloth has no such pins.
 class SkinHold {
  public:
   SkinHold() = default;
   SkinHold(const std::string& name, const SkinPins& pins, const gl::Defines& defines);
-  /// The frame from `begin` to `end` (s).
+  /// Uploads the pin positions of the frame from time `begin` to `end` (seconds).
   void beginFrame(const SkinPins& pins, double begin, double end);
-  /// Leaves in `velocities` where they go in a substep of so many.
+  /// Writes the pins' targets for substep number `substep` of `substeps` into `velocities`.
   void hold(const gl::Vec4Array& velocities, int substep, int substeps) const;
 
  private:

@@ -10,25 +10,27 @@
 
 namespace simreel::sim {
 
-/// What pinned particles that follow the skin of a body have instead of a pin group, in their velocity's w.
+/// Value of a particle's velocity.w if the particle is pinned to a body's skin; other pinned particles
+/// store their pin group there.
 inline constexpr float heldBySkinMark = -1.0F;
 
-/// Particles that follow places of a body's skin, in a straight line from a frame's beginning to its end,
-/// as the skin itself does (glsl/cloth/hold.comp).
+/// Particles that follow points of a body's skin, in a straight line from the beginning to the end of a
+/// frame, as the skin itself does (glsl/cloth/hold.comp).
 class SkinPins {
  public:
-  /// `owners`: of each particle its pin group, or -1; `rest` (m, world): where they are at `startTime`.
+  /// Attaches the particles of skin pin groups to the skin. `owners`: pin group of each particle, or -1;
+  /// `rest`: positions at `startTime` in metres, world space.
   void attach(const std::vector<PinGroup>& groups, const std::vector<int>& owners,
               const std::vector<glm::vec3>& rest, const HeldBySkin& heldBySkin, double startTime);
   [[nodiscard]] int count() const { return static_cast<int>(particles_.size()); }
   [[nodiscard]] const std::vector<unsigned>& particles() const { return particles_; }
-  /// Of the frame from `begin` to `end` (s), two a particle: xyz where it is at the beginning (m), w its
-  /// number; where at the end.
+  /// Returns two elements per particle for the frame from `begin` to `end` (seconds): the position at the
+  /// beginning (m) with the particle's index in w, then the position at the end.
   [[nodiscard]] std::vector<glm::vec4> frame(double begin, double end) const;
 
  private:
   std::vector<SkinHolder> holders_;
-  std::vector<unsigned> particles_;  ///< holder by holder
+  std::vector<unsigned> particles_;  ///< particle indices, grouped by holder
 };
 
 }  // namespace simreel::sim

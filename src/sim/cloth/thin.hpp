@@ -6,7 +6,7 @@
 
 namespace simreel::sim {
 
-/// Inputs of glsl/cloth/thin_kernel.glsl, a part of the interface of a kernel that finds shifts.
+/// Inputs of glsl/cloth/thin_kernel.glsl: a part of the interface of every kernel that computes shifts.
 struct ThinPart {
   gl::Block<"StepBlock", shader::ClothStep> step;
   gl::In<"positions"> before;
@@ -17,16 +17,17 @@ struct ThinPart {
 
 struct ThinShift;
 
-/// Colliders thinner than a cloth's mesh is wide: what its vertices get of them (glsl/cloth/thin.glsl),
-/// after all else of a substep.
+/// Collisions with colliders thinner than the spacing of a cloth's mesh (glsl/cloth/thin.glsl). Edges and
+/// faces are tested, at the end of a substep, and the vertices are shifted.
 class ThinColliders {
  public:
   ThinColliders() = default;
-  /// For a cloth of so many vertices; nothing is made where `count` is 0.
+  /// Creates buffers for a cloth of `vertices` vertices; creates nothing if `count` (thin colliders) is 0.
   ThinColliders(const std::string& name, int count, int vertices, bool fast);
 
   [[nodiscard]] bool there() const { return there_; }
-  /// `find` dispatches the kernel that finds the shifts of `next` and of its `velocities`, which then move.
+  /// Resolves the collisions in several rounds: `find` dispatches the kernel that computes the shifts of
+  /// `next` and `velocities`, and move() applies them.
   template <class Find>
   void fend(const gl::Resource& step, const gl::Vec4Array& before, const gl::Vec4Array& next,
             const gl::Vec4Array& velocities, const Find& find) const {

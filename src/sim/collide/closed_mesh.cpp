@@ -27,13 +27,14 @@ glm::dvec3 crossOf(const glm::dvec3& a, const glm::dvec3& b) {
 double lengthOf(const glm::dvec3& a) {
   return std::sqrt(dotOf(a, a));
 }
-/// Zero where there is no direction.
+/// Returns the unit vector, or zero for a zero vector.
 glm::dvec3 unitOf(const glm::dvec3& a) {
   const double length = lengthOf(a);
   return length > 0 ? a / length : glm::dvec3(0);
 }
 
-/// atan(t) for t >= 0, without libm: its angle is halved twice, then Taylor's series.
+/// Returns atan(t) for t >= 0 without libm, so that every machine gives the same bits: halves the angle
+/// twice, then evaluates the Taylor series.
 double arcTangent(double t) {
   if (t > 1) return 0.5 * std::numbers::pi - arcTangent(1 / t);
   for (int i = 0; i < 2; ++i) t = t / (1 + std::sqrt(1 + t * t));
@@ -42,7 +43,7 @@ double arcTangent(double t) {
   return 4 * t * sum;
 }
 
-/// Between two directions, 0 to pi.
+/// Returns the angle between two directions, 0 to pi.
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
   const double along = dotOf(a, b);
   const double across = lengthOf(crossOf(a, b));
@@ -50,7 +51,7 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
   return whole > 0 ? 2 * arcTangent(across / whole) : across > 0 || along < 0 ? std::numbers::pi : 0;
 }
 
-/// For each vertex the first one at the same place.
+/// Returns for each vertex the first one at the same position.
 std::vector<unsigned> welded(const std::vector<glm::vec3>& points) {
   std::vector<unsigned> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -63,12 +64,12 @@ std::vector<unsigned> welded(const std::vector<glm::vec3>& points) {
   return first;
 }
 
-/// A face's side from one vertex to another.
+/// Directed side of a face from one vertex to another.
 struct Side {
-  unsigned low, high;  ///< vertices
-  bool up;             ///< from low to high
+  unsigned low, high;  ///< its vertices in ascending order
+  bool up;             ///< true: the side runs from low to high
   unsigned face;
-  unsigned corner;  ///< at which it begins
+  unsigned corner;  ///< index of the corner at which it begins
 };
 
 std::vector<Side> sidesOf(const std::vector<Corners>& faces) {
@@ -86,7 +87,7 @@ std::vector<Side> sidesOf(const std::vector<Corners>& faces) {
   return sides;
 }
 
-/// Each edge has to have two faces, one along and one against it.
+/// Throws unless each edge has two faces that traverse it in opposite directions.
 void checkSides(const std::string& name, const std::vector<Side>& sides,
                 const std::vector<glm::vec3>& points) {
   std::size_t open = 0;
@@ -133,7 +134,7 @@ ClosedMesh::ClosedMesh(const std::string& name, const Mesh& mesh, float scale) {
   const std::vector<Side> sides = sidesOf(corners);
   checkSides(name, sides, points);
   low = high = glm::dvec3(points[corners.front()[0]]);
-  std::vector<glm::dvec3> ofFaces;  // twice the area
+  std::vector<glm::dvec3> ofFaces;  // normals of faces, twice as long as the face's area
   for (const Corners& face : corners) {
     const glm::dvec3 a(points[face[0]]);
     const glm::dvec3 b(points[face[1]]);
@@ -165,7 +166,7 @@ ClosedMesh::ClosedMesh(const std::string& name, const Mesh& mesh, float scale) {
     ofEdges[sides[i + 1].face][sides[i + 1].corner] = both;
   }
   for (std::size_t f = 0; f < corners.size(); ++f) {
-    if (ofFaces[f] == glm::dvec3(0)) continue;  // its edges are those of others
+    if (ofFaces[f] == glm::dvec3(0)) continue;  // degenerate; neighbours cover its edges
     Face& face = faces.emplace_back();
     face.normals[0] = glm::vec3(ofFaces[f]);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -10,24 +10,25 @@
 
 namespace simreel::sim {
 
-/// A mesh that encloses space: what is inside is known everywhere.
+/// Mesh that encloses a volume, so that inside and outside are defined everywhere.
 class ClosedMesh {
  public:
-  /// Positions are multiplied by `scale`; those that are equal are one. A mesh that is turned inside out is
-  /// turned round. Throws UserError(usage), `name` in its message, unless each edge has two faces that are
-  /// turned alike, and where there is no space within.
+  /// Multiplies positions by `scale` and merges equal ones. Flips a mesh that is inside out. Throws
+  /// UserError(usage), naming `name`, unless each edge has exactly two consistently oriented faces and the
+  /// mesh encloses a volume.
   ClosedMesh(const std::string& name, const Mesh& mesh, float scale);
 
-  /// A face that has an area: its corners (m), and as unit vectors its normal, those of the edges ab, bc
-  /// and ca (the sum of both faces' normals) and of the corners (of all faces around, by their angles).
+  /// Face with a nonzero area: its corners (m) and seven unit normals: of the face, of the edges ab, bc and
+  /// ca (sum of both faces' normals), and of the corners (sum over the surrounding faces, weighted by
+  /// angle).
   struct Face {
     std::array<glm::vec3, 3> corners;
     std::array<glm::vec3, 7> normals;
   };
   std::vector<Face> faces;
-  glm::dvec3 low{0}, high{0};  ///< m, around it
-  double volume = 0;           ///< m^3
-  double area = 0;             ///< m^2
+  glm::dvec3 low{0}, high{0};  ///< bounds in metres
+  double volume = 0;           ///< enclosed volume in m^3
+  double area = 0;             ///< surface area in m^2
 };
 
 }  // namespace simreel::sim

@@ -11,7 +11,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// A fraction of the way between what a frame begins and ends with.
+/// Interpolates linearly between the values at a frame's beginning and end.
 template <class T>
 T partWay(const std::array<T, 2>& ends, double now) {
   return ends[0] * (1 - now) + ends[1] * now;

@@ -12,24 +12,24 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// Fraction of a quantity left after `seconds` when it decays at `rate` (1/s).
+/// Returns the fraction of a quantity that remains after `seconds` of exponential decay at `rate` (1/s).
 [[nodiscard]] float keptOf(float rate, double seconds);
 
-/// What those that touch the shapes of a scene are told of them, substep by substep; shared with the CPU
-/// twins.
+/// Computes the colliders' data for each substep; the CPU references share it.
 class ColliderPlan {
  public:
-  /// Throws UserError(usage) when there are more than the kernels hold; `who` ("a cloth") stands in the
-  /// message.
+  /// Throws UserError(usage) if there are more shapes than the kernels support; `who` ("a cloth") appears
+  /// in the message.
   ColliderPlan(const char* who, std::vector<ColliderShape> shapes, int substeps, double substepSeconds);
 
   [[nodiscard]] int count() const { return static_cast<int>(shapes_.size()); }
-  /// Whether it passes between vertices that are `edge` (m) apart, `margin` (m) around it included: a rod
-  /// thinner than that, or a ball that fits between four.
+  /// True if the shape, including a margin of `margin` (m) around it, could pass between vertices `edge`
+  /// (m) apart: a rod thinner than that, or a sphere that fits between four vertices.
   static bool isThin(const ColliderShape& shape, double edge, double margin);
-  /// Puts those last that do. Returns how many they are.
+  /// Moves the thin shapes (see isThin()) to the end. Returns their number.
   int putThinLast(double edge, double margin);
-  /// Of each substep of the frame that starts at `time` (s): its colliders at its end, count() of them.
+  /// Returns the colliders at the end of each substep of the frame that starts at `time` (seconds), count()
+  /// per substep.
   [[nodiscard]] std::vector<std::vector<shader::Collider>> frame(double time) const;
 
  private:

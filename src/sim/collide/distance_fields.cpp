@@ -13,7 +13,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// glsl/collide/distance/kernel.glsl.
+/// Inputs that the kernels share (glsl/collide/distance/kernel.glsl).
 struct DistancePart {
   gl::Uniform<"nodes", glm::ivec4> nodes;
   gl::Uniform<"corner", glm::vec4> corner;
@@ -44,7 +44,8 @@ struct DistancePack {
   gl::Out<"cells"> cells;
 };
 
-constexpr int roundsOfSearch = 4096;  // and up to leafFaces loops in each
+constexpr int roundsOfSearch = 4096;  // number of search iterations per dispatch, each with up to leafFaces
+                                      // inner iterations
 
 void checkSize(const char* what, std::size_t elements, const char* advice) {
   const std::int64_t most = std::min(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels);

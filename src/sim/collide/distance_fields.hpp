@@ -5,16 +5,16 @@
 
 namespace simreel::sim {
 
-/// The distance fields of a scene's rigid meshes on the GPU, made there once.
+/// GPU distance fields of a scene's rigid meshes, computed once.
 class DistanceFields {
  public:
   static const PortInfo port;
 
-  /// Throws UserError(device) where the device's buffers are too small.
+  /// Throws UserError(device) if the fields exceed the device's buffer limits.
   explicit DistanceFields(MeshColliderPlan plan);
 
   [[nodiscard]] const MeshColliderPlan& plan() const { return plan_; }
-  /// A cell an element, as glsl/collide/field_model.glsl reads them.
+  /// Returns the cells of all fields, one per element, as glsl/collide/field_model.glsl reads them.
   [[nodiscard]] const gl::WordsArray& cells() const { return cells_; }
 
  private:

@@ -24,9 +24,10 @@ namespace {
 constexpr int usualCells = 64;
 constexpr int mostUsualCells = 256;
 constexpr std::int64_t mostUsual = 2'000'000;
-constexpr std::int64_t mostNodes = 4'000'000;  // a dispatch of 64 a group reaches them
+constexpr std::int64_t mostNodes = 4'000'000;  // limit within the range of a dispatch of workgroups of 64
 
-/// Cells along each side of a mesh of which `along` lie along its longest one, with what surrounds it.
+/// Returns the number of cells along each axis for a mesh with `along` cells along its longest side,
+/// including the surrounding space.
 glm::ivec3 cellsFor(const glm::dvec3& size, int along, double reach) {
   const double cell = std::max({size.x, size.y, size.z}) / along;
   const auto count = [&](double side) {
@@ -82,10 +83,11 @@ void DistancePlan::plantTree(const std::vector<ClosedMesh::Face>& from) {
   firstLeaf = static_cast<int>(leaves);
   std::vector<unsigned> order(from.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::vector<glm::vec3> middles;  // three times
+  std::vector<glm::vec3> middles;  // sums of the corners: three times the centroids
   middles.reserve(from.size());
   for (const ClosedMesh::Face& f : from) middles.push_back(f.corners[0] + f.corners[1] + f.corners[2]);
-  // Halves by the middles along the longest side of their box, box by box in the tree's order.
+  // Splits each box's faces at the median along the longest side of their centroids' bounds, in the tree's
+  // breadth-first order.
   std::vector<std::pair<std::size_t, std::size_t>> ranges(2 * leaves);
   ranges[1] = {0, from.size()};
   for (std::size_t box = 1; box < leaves; ++box) {

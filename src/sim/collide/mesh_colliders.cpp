@@ -13,9 +13,9 @@ namespace simreel::sim {
 
 namespace {
 
-/// Where a part is at a time; its scale is in its field already.
+/// Position and orientation of a part; the field already includes the scale.
 struct Placed {
-  glm::dvec3 axes[3];  ///< of its own space, unit
+  glm::dvec3 axes[3];  ///< unit axes of its own space
   glm::dvec3 origin;
 };
 

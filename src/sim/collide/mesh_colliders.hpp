@@ -13,25 +13,26 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// The rigid meshes of a scene that collide: their fields, and how they move. Shared with the CPU twins.
+/// Distance fields and motion of a scene's rigid meshes that collide; the CPU references share them.
 class MeshColliderPlan {
  public:
   struct Part {
     std::string name;
     MeshParameters parameters;
     DistancePlan plan;
-    int firstCell = 0;  ///< of all parts' cells
+    int firstCell = 0;  ///< index of its first cell among the cells of all parts
   };
 
   MeshColliderPlan() = default;
-  /// Reads the meshes' files. The fields reach `reach` (m) around them. Throws what DistancePlan and
-  /// loadMesh throw, and UserError(usage) for more meshes than the kernels hold.
+  /// Reads the meshes' files. The fields extend `reach` (m) around the meshes. Throws the errors of
+  /// DistancePlan and loadMesh(), and UserError(usage) for more meshes than the kernels support.
   MeshColliderPlan(const scene::Scene& scene, double reach);
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
   [[nodiscard]] int count() const { return static_cast<int>(parts_.size()); }
   [[nodiscard]] int cellCount() const;
-  /// What each of `substeps` of the frame that starts at `time` (s) is told, at its end.
+  /// Returns the meshes' data at the end of each of the `substeps` substeps of the frame that starts at
+  /// `time` (seconds).
   [[nodiscard]] std::vector<shader::MeshColliders> frame(double time, int substeps,
                                                          double substepSeconds) const;
 
@@ -39,10 +40,10 @@ class MeshColliderPlan {
   std::vector<Part> parts_;
 };
 
-/// Parameters of objects that rigid meshes touch.
+/// Parameters of objects that collide with rigid meshes.
 struct TouchesMeshes {
   virtual ~TouchesMeshes() = default;
-  /// Distance (m) that it keeps from them; negative: none touches it.
+  /// Returns the distance (m) to keep from meshes; negative: the object does not collide with them.
   [[nodiscard]] virtual double touchMargin() const = 0;
 
  protected:
@@ -53,7 +54,8 @@ struct TouchesMeshes {
   TouchesMeshes& operator=(TouchesMeshes&&) = default;
 };
 
-/// The greatest margin (m) of what may touch a mesh of the scene; below 0: nothing does.
+/// Returns the maximum touchMargin() in metres of the scene's objects; negative if no object collides with
+/// meshes.
 [[nodiscard]] double meshReach(const scene::Scene& scene);
 
 }  // namespace simreel::sim

@@ -17,24 +17,24 @@ namespace simreel::sim {
 namespace {
 
 constexpr double unreachedWay = std::numeric_limits<double>::infinity();
-/// Where attachments would carry less of a weight they are left out.
+/// Attachments that would carry a smaller fraction of the weight are omitted.
 constexpr double leastLacking = 0.2;
-/// How much softer than the fabric faces are, as a part of what stiffnessOf says, since they help each
-/// other: what hanging rows of right-angled and random meshes stretch by without attachments.
+/// Faces support each other, so only this fraction of the softness that stiffnessOf() computes takes
+/// effect. Measured by the stretch of hanging rows of right-angled and random meshes without attachments.
 constexpr double partOfSoftness = 0.75;
 
 double lengthOf(const glm::dvec3& d) {
   return std::sqrt(glm::dot(d, d));
 }
 
-/// A front that comes over the segment between two vertices to a third one.
+/// A front that reaches a third vertex across the segment between two others.
 struct WayOver {
   double length = unreachedWay;
-  bool second = false;  ///< whether it passed nearer to the second vertex
+  bool second = false;  ///< true: it crosses nearer to the second vertex
 };
 
-/// The third is at the origin. From one source behind the segment, or evenly over it where there are
-/// several.
+/// Computes the path to a third vertex, at the origin, across the segment a-b. With one source, the front
+/// is a circle around a point behind the segment; with several, it is a straight line.
 WayOver wayOver(const glm::dvec2& a, const glm::dvec2& b, double toA, double toB, bool oneSource) {
   const glm::dvec2 edge = b - a;
   const double e = std::sqrt(glm::dot(edge, edge));
@@ -58,7 +58,7 @@ WayOver wayOver(const glm::dvec2& a, const glm::dvec2& b, double toA, double toB
   return {length, crosses > 0.5 * e};
 }
 
-/// Fronts from all pins at once, vertex by vertex.
+/// Propagates fronts from all pins at once, vertex by vertex (fast marching).
 class Fronts {
  public:
   Fronts(const ClothTriangles& cloth, const std::vector<bool>& pinned) : cloth_(cloth) {
@@ -103,8 +103,8 @@ class Fronts {
     reach(vertex, way.length, ways.pins[way.second ? b : a]);
   }
 
-  /// By what is reached around a vertex: along edges, over faces, and over those beyond them, laid into one
-  /// plane, where angles at the vertex are wide.
+  /// Shortens the path of a vertex by its reached neighbours: along edges, across faces and, because angles
+  /// at the vertex can be wide, across the faces beyond, unfolded into one plane.
   void update(unsigned vertex) {
     if (reached_[vertex]) return;
     const glm::dvec3 here = cloth_.points[vertex];
@@ -131,7 +131,8 @@ class Fronts {
       const double height = 2 * cloth_.faces[face.neighbours[side]].area / squared;
       const glm::dvec2 along = placeB - placeA;
       const glm::dvec2 placeC = placeA + along * part + glm::dvec2(along.y, -along.x) * height;
-      if (!(placeC.y > 0) || !(placeC.x * placeB.y - placeC.y * placeB.x > 0)) continue;  // out of sight
+      if (!(placeC.y > 0) || !(placeC.x * placeB.y - placeC.y * placeB.x > 0))
+        continue;  // the point is hidden from the vertex
       over(vertex, a, c, placeA, placeC);
       over(vertex, c, b, placeC, placeB);
     }
@@ -142,13 +143,14 @@ class Fronts {
   std::set<std::pair<double, unsigned>> open_;
 };
 
-/// What hangs on pins that edges join, by its distance s from them: M(s) over b(s), and its integral.
+/// Distribution of the weight on a group of pins that edges connect: M and b as functions of the distance s
+/// from the pins, and the integral U.
 class Hanging {
  public:
   Hanging() = default;
   explicit Hanging(double farthest) : width_(std::max(farthest, 1e-9) / bins) {}
 
-  /// Area (m^2) and mass (kg) of a face from one distance to another, evenly.
+  /// Distributes the area (m^2) and mass (kg) of a face evenly over the distances `from` to `to`.
   void add(double from, double to, double area, double mass) {
     const double first = from / width_;
     const double last = std::max(to / width_, first + 1e-9);
@@ -163,7 +165,7 @@ class Hanging {
     }
   }
 
-  /// U(d), kg.
+  /// Returns U(distance) in kg.
   [[nodiscard]] double lowered(double distance) const {
     double beyond = 0;
     for (const double mass : masses_) beyond += mass;
@@ -183,12 +185,14 @@ class Hanging {
   std::array<double, bins> areas_{}, masses_{};
 };
 
-/// N/m of a strip cut at an angle to the weft whose cosine and sine have these squares.
+/// Returns the stiffness (N/m) of a strip cut at an angle to the weft; `cosine` and `sine` are the squares
+/// of the angle's cosine and sine.
 double alongWay(const FaceStiffness& k, double cosine, double sine) {
   return 1 / (cosine * cosine / k.weft + sine * sine / k.warp + cosine * sine / k.shear);
 }
 
-/// Of each vertex its cluster: the first pin of those that edges join with the one at which its way ends.
+/// Returns the cluster of each vertex: the lowest index among the pins that edges connect with the vertex'
+/// pin.
 std::vector<unsigned> clustersOf(const ClothTriangles& cloth, const std::vector<bool>& pinned,
                                  const WaysToPins& ways) {
   std::vector<unsigned> first(pinned.size());
@@ -215,7 +219,8 @@ std::vector<unsigned> clustersOf(const ClothTriangles& cloth, const std::vector<
 WaysToPins waysToPins(const ClothTriangles& cloth, const std::vector<bool>& pinned) {
   WaysToPins ways = Fronts(cloth, pinned).ways;
   for (std::size_t i = 0; i < ways.pins.size(); ++i)
-    if (ways.pins[i] != ClothTriangles::none)  // of several pins the front does not say to which
+    if (ways.pins[i] != ClothTriangles::none)  // if the cluster has several pins, the front does not tell
+                                               // which one it started from
       ways.lengths[i] = std::max(ways.lengths[i], lengthOf(cloth.points[ways.pins[i]] - cloth.points[i]));
   return ways;
 }
@@ -235,7 +240,7 @@ std::vector<Attachment> attachmentsOf(const ClothTriangles& cloth, const std::ve
   std::map<unsigned, Hanging> hanging;
   for (const auto& [cluster, most] : farthest) hanging.emplace(cluster, Hanging(most));
   for (const ClothTriangles::Face& face : cloth.faces)
-    for (const unsigned corner : face.corners) {  // a third of it each
+    for (const unsigned corner : face.corners) {  // each corner gets a third of the face
       if (clusters[corner] == ClothTriangles::none) continue;
       double from = unreachedWay;
       double to = 0;

@@ -6,33 +6,36 @@
 
 namespace simreel::sim {
 
-/// Long-range attachments (Kim, Chentanez, Mueller 2012): a vertex is no farther from a pin than the cloth
-/// between them is long and stretches. Faces that are relaxed once a substep carry a load over a few of
-/// them only, however they are coloured; these feel the pin in the same substep, without any order among
-/// them, and are slack in whatever the cloth does without being stretched: they pull only.
+/// Long-range attachments (Kim, Chentanez, Mueller 2012): limit the distance of a vertex from a pin to the
+/// length of the cloth between them, plus its stretch. Faces that are relaxed once per substep carry a load
+/// over only a few of them, whatever their colouring. Attachments transfer the pin's force within one
+/// substep and independently of each other. They only pull, so they are slack as long as the cloth between
+/// is not stretched.
 struct Attachment {
   unsigned vertex, pin;
-  double length;      ///< m, the shortest way over the cloth at rest
-  double compliance;  ///< m/N
+  double length;      ///< length of the shortest path over the cloth at rest in metres
+  double compliance;  ///< compliance in m/N
 };
 
-/// m: of each vertex the shortest way over its piece to what is pinned, and the pin at which it ends;
-/// infinite where none is.
+/// Shortest path of each vertex over its piece to a pinned vertex (metres; infinite if the piece has no
+/// pinned vertex), and that pinned vertex.
 struct WaysToPins {
   std::vector<double> lengths;
   std::vector<unsigned> pins;
 };
-/// By fronts that pass over the faces, exact in a plane from a straight row of pins and, but for the first
-/// ring, from a single one.
+/// Computes the paths by fronts that propagate across faces. Exact in a plane for a straight row of pins
+/// and, except for the first ring, for a single pin.
 [[nodiscard]] WaysToPins waysToPins(const ClothTriangles& cloth, const std::vector<bool>& pinned);
 
-/// Those of cloth whose faces are relaxed once in `seconds`. The stiffness of an attachment is what the
-/// faces lack of the fabric's: of all that hangs on a pin, a front at the distance s carries M(s), the mass
-/// beyond, over its width b(s), so under its weight the vertex at d is lowered by g U(d) / k, U = integral
-/// of M / b from 0 to d; with k_e <= k of the faces (stiffnessOf) the attachment carries the rest of the
-/// vertex' weight there, m (1 - k_e / k) g: its compliance is U / (k m (1 - k_e / k)). That is exact for
-/// rows hanging straight, whatever pulls them; k is along the way, the bias by shear. None where faces do
-/// without.
+/// Returns the attachments of a cloth whose faces are relaxed once per substep of `seconds`. An attachment
+/// supplies the stiffness that its faces lack.
+///
+/// Of the weight that hangs on a pin, a front at the distance s carries M(s), the mass beyond it, over its
+/// width b(s). Under its weight the vertex at distance d sinks by g U(d) / k, U = integral of M / b from 0
+/// to d. If the faces have the stiffness k_e <= k (stiffnessOf), the attachment carries the rest of the
+/// vertex' weight, m (1 - k_e / k) g, so its compliance is U / (k m (1 - k_e / k)). That is exact for rows
+/// that hang straight under any load. k is the stiffness along the path, including shear for a path on the
+/// bias. Vertices whose faces are stiff enough get no attachment.
 [[nodiscard]] std::vector<Attachment> attachmentsOf(const ClothTriangles& cloth,
                                                     const std::vector<bool>& pinned,
                                                     const std::vector<MembraneElement>& membrane,

@@ -59,7 +59,7 @@ class Garment : public Simulation, public LockStep {
   [[nodiscard]] ContactPart contactPart() const override {
     const ClothParameters& p = plan_.parameters();
     ContactPart part{plan_.firstPositions(), {}, 0, p.contact.friction, plan_.contactRooms()};
-    part.positions.resize(part.rooms.size());  // without ghosts
+    part.positions.resize(part.rooms.size());  // without the ghosts of clamped edges
     part.name = name_;
     for (const glm::uvec4& face : plan_.arrays().corners) part.faces.emplace_back(face);
     double sum = 0;
@@ -163,8 +163,8 @@ class Garment : public Simulation, public LockStep {
   std::string name_;
   GarmentPlan plan_;
   double frameSeconds_;
-  double time_ = 0;  ///< s, of the present state
-  int begun_ = 0;    ///< substeps before the present frame
+  double time_ = 0;  ///< time of the current state in seconds
+  int begun_ = 0;    ///< number of substeps before the current frame
   Touch touch_;
   GarmentKernels kernels_;
   StepBlocks<shader::ClothStep> steps_;

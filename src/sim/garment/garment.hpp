@@ -5,7 +5,7 @@
 
 namespace simreel::sim {
 
-/// Cloth of a grid, or of a mesh where its parameters name one.
+/// Returns the simulation kind "cloth": a grid, or a mesh if the parameters name one.
 [[nodiscard]] SimulationKind clothKind();
 
 }  // namespace simreel::sim

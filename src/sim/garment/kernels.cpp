@@ -2,12 +2,12 @@
 
 namespace simreel::sim {
 
-/// glsl/garment/kernel.glsl.
+/// Inputs that all kernels share (glsl/garment/kernel.glsl).
 struct GarmentPart {
   gl::Uniform<"count", int> count;
   gl::Block<"StepBlock", shader::ClothStep> step;
 };
-/// What is around a vertex.
+/// Faces around each vertex.
 struct GarmentRings {
   gl::In<"fans"> fans;
   gl::In<"rings"> rings;
@@ -115,7 +115,7 @@ struct GarmentShow {
 
 namespace {
 
-/// Calls `run` with the first item of each colour, and how many it has.
+/// Calls `run` with the first item and the item count of each colour; `back` reverses the order.
 template <class Run>
 void inColours(const std::vector<int>& colours, bool back, const Run& run) {
   for (std::size_t k = 0; k + 1 < colours.size(); ++k) {
@@ -201,7 +201,7 @@ GarmentRings GarmentKernels::around(std::size_t bending) const {
   return {fans_[bending], rings_};
 }
 
-// What the air does to faces.
+// Computes the air's forces on the faces.
 void GarmentKernels::push(const Step& step, const FluidWindPart& wind) const {
   if (!plan_->parameters().hasAir) return;
   const auto faces = static_cast<int>(plan_->arrays().corners.size());
@@ -213,7 +213,7 @@ void GarmentKernels::push(const Step& step, const FluidWindPart& wind) const {
                         .forces = faceForces_});
 }
 
-// Into positions_[1], where forces take the vertices.
+// Writes the positions predicted by forces into positions_[1].
 void GarmentKernels::accelerate(const Step& step, std::size_t bending) const {
   predict_.dispatch(vertices_, {.garment = {vertices_, step},
                                 .around = around(bending),
@@ -226,9 +226,9 @@ void GarmentKernels::accelerate(const Step& step, std::size_t bending) const {
                                 .next = positions_[1]});
 }
 
-// positions_[1], from where the vertices would go to where they may.
+// Applies the stretch and shear constraints to positions_[1], in forward and then in reverse order.
 void GarmentKernels::stretch(const Step& step) const {
-  if (plan_->parameters().keepsEnergy()) return;  // forces did
+  if (plan_->parameters().keepsEnergy()) return;  // forces were applied by accelerate()
   for (const bool back : {false, true})
     inColours(plan_->arrays().colours, back, [&](int first, int count) {
       stretch_.dispatch(count, {.garment = {count, step},
@@ -240,7 +240,7 @@ void GarmentKernels::stretch(const Step& step) const {
     });
 }
 
-// Holds what is farther from its pin than the cloth is long.
+// Pulls back vertices that are farther from their pin than the cloth is long.
 void GarmentKernels::attach(const Step& step) const {
   if (plan_->arrays().attachments.empty()) return;
   const auto count = static_cast<int>(plan_->arrays().attachments.size());
@@ -252,7 +252,7 @@ void GarmentKernels::attach(const Step& step) const {
                            .trends = trends_});
 }
 
-// Pulls seams shut, a colour of stitches after the other.
+// Closes seams, one colour of stitches at a time.
 void GarmentKernels::sew(const Step& step) const {
   if (plan_->arrays().stitches.empty()) return;
   inColours(plan_->arrays().stitchColours, false, [&](int first, int count) {
@@ -264,7 +264,7 @@ void GarmentKernels::sew(const Step& step) const {
   });
 }
 
-// Speeds of what is left in positions_[1], and what the vertices meet.
+// Computes velocities from positions_[1] and resolves collisions of the vertices.
 void GarmentKernels::meet(const gl::Kernel<GarmentSettle>& settling, const Step& step,
                           const TouchPart& touch) const {
   settling.dispatch(vertices_, {.garment = {vertices_, step},
@@ -280,7 +280,7 @@ void GarmentKernels::meet(const gl::Kernel<GarmentSettle>& settling, const Step&
   });
 }
 
-// What is drawn of the present state.
+// Computes the drawn positions and normals.
 void GarmentKernels::show(const Step& step) const {
   const auto count = static_cast<int>(plan_->arrays().copies.size());
   show_.dispatch(count, {.garment = {count, step},

@@ -21,25 +21,26 @@ struct GarmentSettle;
 struct GarmentThin;
 struct GarmentShow;
 
-/// Cloth of triangles on the GPU: its state and the dispatches of a substep. What the air does to faces;
-/// forces and a prediction by vertices; stretch and shear, a colour of faces after the other; then speeds
-/// and what the cloth meets.
+/// Owns the GPU state of a cloth of triangles and dispatches the kernels of a substep: air forces per face,
+/// forces and prediction per vertex, stretch and shear one colour of faces at a time, then velocities and
+/// collisions.
 class GarmentKernels {
  public:
-  /// What a substep is told: a block of shader::ClothStep.
+  /// Uniform block of one substep (shader::ClothStep).
   using Step = gl::Resource;
 
-  /// `plan` outlives this.
+  /// Keeps a pointer to `plan`, which must outlive this object.
   GarmentKernels(const std::string& name, const GarmentPlan& plan, const TouchVariant& touch, bool fast);
 
-  /// For the frame from `begin` to `end` (s).
+  /// Prepares the frame from time `begin` to `end` (seconds).
   void beginFrame(double begin, double end) { hold_.beginFrame(plan_->skinPins(), begin, end); }
-  /// Where a substep leads, with a bending of the plan; finish() takes it as the state.
+  /// Computes the result of a substep with the plan's bending number `bending`; finish() makes it the
+  /// current state.
   void predict(int substep, const Step& step, std::size_t bending, const TouchPart& touch);
-  /// The last part of it again, of vertices that contact has pushed since.
+  /// Repeats the last part of predict() for the vertices that contact has pushed since.
   void settle(const Step& step, const TouchPart& touch) const { meet(settleAgain_, step, touch); }
   void finish() { std::swap(positions_[0], positions_[1]); }
-  /// Makes what is drawn of the present state; `step` is any.
+  /// Computes the drawn positions and normals of the current state; `step` can be any substep's block.
   void show(const Step& step) const;
 
   [[nodiscard]] gl::Vec4Array& positions() { return positions_[0]; }
@@ -47,7 +48,8 @@ class GarmentKernels {
   [[nodiscard]] const gl::Vec4Array& nextPositions() const { return positions_[1]; }
   [[nodiscard]] gl::Vec4Array& velocities() { return velocities_; }
   [[nodiscard]] const gl::Vec4Array& velocities() const { return velocities_; }
-  /// glsl/cloth/motion.glsl; of what is pinned where it is at rest.
+  /// Returns the constraints' trends (glsl/cloth/motion.glsl); for a pinned vertex, its rest position
+  /// instead.
   [[nodiscard]] gl::Vec4Array& trends() { return trends_; }
   [[nodiscard]] const gl::Vec4Array& trends() const { return trends_; }
   [[nodiscard]] const gl::Vec4Array& drawnPositions() const { return drawnPositions_; }
@@ -66,12 +68,12 @@ class GarmentKernels {
   void meet(const gl::Kernel<GarmentSettle>& settling, const Step& step, const TouchPart& touch) const;
 
   const GarmentPlan* plan_;
-  int vertices_;                ///< with the ghosts of clamped edges
-  gl::Vec4Array positions_[2];  ///< now, and where the next substep writes
+  int vertices_;                ///< number of vertices, including the ghosts of clamped edges
+  gl::Vec4Array positions_[2];  ///< current positions, and the output of the next substep
   gl::Vec4Array velocities_, trends_, elements_, faceForces_;
-  gl::Vec4Array left_;  ///< of cloth in contact: where it was left before contact pushed
+  gl::Vec4Array left_;  ///< for a cloth in contact: predicted positions before contact pushed the vertices
   gl::WordsArray corners_, rings_, copies_, stitches_, attachments_;
-  std::vector<gl::WordsArray> fans_, entries_;  ///< of each bending
+  std::vector<gl::WordsArray> fans_, entries_;  ///< one array for each of the plan's bendings
   gl::Vec4Array drawnPositions_, drawnNormals_;
   gl::Buffer status_;
   SkinHold hold_;

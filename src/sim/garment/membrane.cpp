@@ -10,14 +10,15 @@ namespace simreel::sim {
 
 namespace {
 
-/// In the plane across the unit normal `n`; any length but 0.
+/// Returns a weft direction in the plane perpendicular to the unit normal `n`; its length is arbitrary but
+/// not 0.
 glm::dvec3 weftWithoutUv(const glm::dvec3& n) {
   const glm::dvec3 x(1, 0, 0);
   const glm::dvec3 along = x - n * n.x;
   return glm::dot(along, along) > 0.01 ? along : glm::dvec3(0, 0, 1) - n * n.z;
 }
 
-/// dP/du of a face, or 0 where uv do not say it.
+/// Returns a multiple of dP/du of a face, or 0 if the uv are degenerate.
 glm::dvec3 weftOfUv(const glm::dvec3& b, const glm::dvec3& c, glm::dvec2 ub, glm::dvec2 uc) {
   const double det = ub.x * uc.y - ub.y * uc.x;
   const double size = std::abs(ub.x * uc.y) + std::abs(ub.y * uc.x);

@@ -14,16 +14,17 @@ namespace simreel::sim {
 namespace {
 
 constexpr double mostStretchError = 0.005;
-/// Of a length that attachments hold.
+/// Fraction of a length held by attachments that counts as hanging.
 constexpr double attachedPart = 0.1;
 constexpr int mostSubsteps = 1024;
-/// Beyond these, elements are softened instead: slivers would slow down all the rest.
+/// Maximum of substeps per frame for the sake of bending. Beyond it, elements are softened instead, because
+/// a few slivers would slow down the whole cloth.
 constexpr double mostForBending = 240;
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
-/// Shortens the ways in `distances` by what leads along edges from the vertices of `open`. Returns the
-/// vertices it reaches, the farthest last.
+/// Shortens `distances` along edges, starting from the vertices in `open` (Dijkstra). Returns the reached
+/// vertices, the farthest last.
 std::vector<unsigned> spread(const ClothTriangles& cloth, const std::multimap<unsigned, unsigned>& links,
                              std::vector<double>& distances, std::set<std::pair<double, unsigned>> open) {
   std::vector<unsigned> reached;
@@ -62,7 +63,7 @@ std::vector<double> hangingWays(const ClothTriangles& cloth, const std::vector<b
   spread(cloth, links, distances, open);
   for (unsigned i = 0; i < distances.size(); ++i) {
     if (distances[i] < unreached) continue;
-    // A piece without pins: from one of its ends to the other.
+    // A piece without pins: searches from one end to the other.
     unsigned end = i;
     for (int way = 0; way < 2; ++way) {
       distances[end] = 0;
@@ -85,7 +86,7 @@ GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles
                          const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
                          const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links) {
   softening = softeningSeconds(parameters, 1.0);
-  if (parameters.keepsEnergy()) steadyPart = 0.4;  // in a swing it pulls three times as much
+  if (parameters.keepsEnergy()) steadyPart = 0.4;  // in a swing the tension is three times as high
   const std::vector<double> ways = hangingWays(cloth, pinned, links);
   std::vector<double> own(ways.size(), unreached);
   std::set<std::pair<double, unsigned>> pins;
@@ -122,7 +123,8 @@ GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles
 }
 
 double GarmentPace::stableSeconds() const {
-  // As of grids: (w dt)^2 + 2 c dt < 4 with w^2 <= 4 T A S.
+  // Stability limit of semi-implicit Euler as for grids (ClothParameters::stableSeconds()): (w dt)^2 + 2 c
+  // dt < 4, for faces with w^2 <= 4 T A S.
   const double rate = drag + std::sqrt(drag * drag + 16.0 * stiffening);
   return rate > 0 ? 4.0 / rate : unreached;
 }

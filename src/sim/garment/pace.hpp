@@ -10,49 +10,53 @@
 
 namespace simreel::sim {
 
-/// How finely time is cut for cloth of a mesh.
+/// Chooses the number of substeps for cloth of a mesh.
 ///
-/// Constraints are relaxed there and back once a substep (XPBD with small steps, Macklin et al. 2019), h
-/// being constraintPart of its seconds. What hangs at rest falls by g h^2 a substep and is pulled back
-/// through the same: a face carries the tension T per width only once it is stretched by e = T A S h^2 / 2
-/// beyond what its compliance gives, where S is the sum of its corners' inverse masses times the squares of
-/// its gradients. T = rho g d where the length d hangs on it, so that on the average over that length e =
-/// 1/4 rho g d A S h^2. "auto" keeps that below 1/2 %, and where pins hold it by attachments
-/// (attachments.hpp) below 5 %: these hold it straight, but are slack where cloth that swings is taut along
-/// a curve.
+/// Constraints are relaxed forward and back once per substep (XPBD with small steps, Macklin et al. 2019),
+/// with the time step h = constraintPart * seconds. Cloth that hangs at rest falls by g h^2 per substep and
+/// is pulled back by the same distance. A face therefore carries the tension T per width only once it is
+/// stretched by e = T A S h^2 / 2 in addition to its compliance's stretch, where S is the sum of its
+/// corners' inverse masses times their squared gradients. If the length d hangs on the face, T = rho g d,
+/// so the average over that length is e = 1/4 rho g d A S h^2.
+///
+/// "auto" keeps that error below 1/2 %, or below 5 % if attachments (attachments.hpp) hold the cloth: they
+/// hold it straight, but are slack if swinging cloth is taut along a curve.
 struct GarmentPace {
   GarmentPace(const ClothParameters& parameters, const ClothTriangles& cloth,
               const std::vector<MembraneElement>& membrane, const std::vector<double>& masses,
               const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links);
 
-  double hanging = 0;       ///< m, d: hangingLength; where attachments hold it only a tenth counts
-  double stiffening = 0;    ///< 1/s^2, rho a d A S
-  double drag = 0;          ///< 1/s
-  double softening = 1;     ///< ratio of softeningSeconds to seconds
-  double steadyPart = 0.7;  ///< of the stable substep that "auto" takes, as of grids
+  double hanging = 0;       ///< length d in metres (see hangingLength()); a length held by attachments
+                            ///< counts by a tenth
+  double stiffening = 0;    ///< product rho a d A S in 1/s^2, where a is the acceleration by the greatest
+                            ///< load
+  double drag = 0;          ///< rate in 1/s at which the fastest air drags the cloth
+  double softening = 1;     ///< ratio of softeningSeconds() to its argument
+  double steadyPart = 0.7;  ///< fraction of the stable substep that "auto" takes, the same as for grids
   [[nodiscard]] double stretchError(double seconds) const {
     const double reach = constraintPart * softening * seconds;
     return 0.25 * stiffening * reach * reach;
   }
-  /// Longest substep (s) that is stable: of what hangs straight and swings sideways, in the fastest air.
-  /// What attachments hold is: its faces have the tension k_e e of their stretch e, and k_e A S h^2 <= 1,
-  /// so that w^2 h^2 <= 4 e.
+  /// Returns the longest stable substep in seconds, limited by hanging cloth that swings sideways, in the
+  /// fastest air. Cloth held by attachments is stable, too: the tension of its faces is k_e e at the
+  /// stretch e, and k_e A S h^2 <= 1, so w^2 h^2 <= 4 e.
   [[nodiscard]] double stableSeconds() const;
-  /// Substeps of a frame for "auto". `bendingSquared` (1/s^2): of plateFrequencySquared.
+  /// Returns the number of substeps per frame for "auto", at least `fewest`. `bendingSquared` (1/s^2): the
+  /// result of plateFrequencySquared().
   [[nodiscard]] int substeps(double frameSeconds, double bendingSquared, int fewest = 8) const;
 };
 
-/// m: the ways of hangingLength, of each vertex.
+/// Returns for each vertex the length in metres of which hangingLength() returns the maximum.
 [[nodiscard]] std::vector<double> hangingWays(const ClothTriangles& cloth, const std::vector<bool>& pinned,
                                               const std::multimap<unsigned, unsigned>& links);
 
-/// m: the longest of all shortest ways along edges from a vertex to the pins of its piece; of a piece
-/// without any, half of the way between two vertices far apart. `links` join vertices, both ways, without
-/// any length: seams.
+/// Returns the maximum over all vertices of the shortest path along edges to a pin of the same piece, in
+/// metres. For a piece without pins: half of the path between two vertices far apart. `links` connect
+/// vertices at zero distance, in both directions (seams).
 [[nodiscard]] double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned,
                                    const std::multimap<unsigned, unsigned>& links);
 
-/// Of an explicit step of that many seconds: what squared frequencies of bending keep to (1/s^2).
+/// Returns the largest squared bending frequency (1/s^2) that an explicit step of `seconds` tolerates.
 [[nodiscard]] constexpr double mostBending(double seconds) {
   return 2.0 / (seconds * seconds);
 }

@@ -14,50 +14,54 @@
 
 namespace simreel::sim {
 
-/// How cloth of a mesh bends from some substep on: seams that have pulled shut bend as the cloth does.
+/// Bending stiffness of a mesh cloth from a substep on. It changes when a seam closes, because a closed
+/// seam bends like the cloth.
 struct GarmentBending {
-  int from = 0;                     ///< substeps since the start
-  std::vector<glm::uvec4> entries;  ///< two a pair: a vertex, N/m
-  std::vector<glm::uvec4> fans;  ///< of each vertex: first ring, how many, first pair of entries, how many
+  int from = 0;                     ///< number of substeps since the start
+  std::vector<glm::uvec4> entries;  ///< two entries per element: each a vertex and a stiffness in N/m
+  std::vector<glm::uvec4> fans;  ///< per vertex: first ring, ring count, first entry element, element count
 };
 
-/// What the kernels of cloth of a mesh read and never write (glsl/garment).
+/// Constant input arrays of the mesh cloth kernels (glsl/garment).
 struct GarmentArrays {
-  std::vector<glm::uvec4> corners;  ///< of each face, colour by colour: three vertices
-  std::vector<int> colours;         ///< first face of each colour, and their number
-  std::vector<glm::vec4> elements;  ///< two a face: p, q, r, s; compliances of weft, warp and shear (m/N)
-  std::vector<glm::uvec4> rings;    ///< a face around a vertex: the two others, the face
-  std::vector<GarmentBending> bendings;  ///< by their start, the first from 0 on
-  std::vector<glm::uvec4> stitches;      ///< colour by colour: two vertices, m apart at the start, 1/s
-  std::vector<int> stitchColours;        ///< as of faces
-  std::vector<glm::uvec4> attachments;   ///< a vertex, a pin, m, m/N
-  std::vector<glm::uvec4> copies;        ///< of each drawn vertex: x its vertex
+  std::vector<glm::uvec4> corners;  ///< per face, sorted by colour: three vertices
+  std::vector<int> colours;         ///< first face of each colour, then the number of faces
+  std::vector<glm::vec4> elements;  ///< two elements per face: p, q, r, s; then 1 / (k A) of weft, warp and
+                                    ///< shear, or k A if energy is kept
+  std::vector<glm::uvec4> rings;    ///< one element per face around a vertex: the two other corners, the
+                                    ///< face, the vertex' place in the face
+  std::vector<GarmentBending> bendings;  ///< sorted by start; the first starts at 0
+  std::vector<glm::uvec4> stitches;      ///< sorted by colour: two vertices, their initial distance in m,
+                                         ///< the closing rate in 1/s
+  std::vector<int> stitchColours;        ///< first stitch of each colour, then the number of stitches
+  std::vector<glm::uvec4> attachments;   ///< vertex, pin, length in m, compliance in m/N
+  std::vector<glm::uvec4> copies;        ///< per drawn vertex: x is its vertex in the cloth
 };
 
-/// Fraction of a triangle's height that contact may keep around it.
+/// Maximum contact distance around a triangle, as a fraction of its height.
 inline constexpr double roomOfHeight = 0.35;
 
-/// Everything of cloth made of triangles that is decided on the CPU, as ClothPlan for grids; shared by the
-/// GPU simulation and its CPU twin.
+/// Everything about a triangle cloth that the CPU decides; the counterpart of ClothPlan for grids. The GPU
+/// simulation and its CPU reference share it.
 class GarmentPlan {
  public:
-  /// Reads the mesh. Throws what ClothPlan and ClothTriangles throw, what the mesh's reader does, and
-  /// UserError(usage) for pins that hold nothing, or pins or seams of no vertex. Warns where the given
-  /// substeps are too few.
-  /// `boneNamed`, `startTime`: as of ClothPlan.
+  /// Reads the mesh. Throws the errors of ClothPlan, ClothTriangles and the mesh's reader, and
+  /// UserError(usage) for pins that hold no vertex and for pins or seams with an invalid vertex. Warns if
+  /// the given substeps are too few. `boneNamed`, `startTime`: see ClothPlan.
   using BoneNamed = std::function<Carrier(const std::string& body, const std::string& bone)>;
   GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed, double frameSeconds,
               const std::vector<ColliderShape>& colliders, const BoneNamed& boneNamed = {},
               double startTime = 0, const HeldBySkin& heldBySkin = {});
 
-  /// xyz in m, w inverse mass in 1/kg (0: pinned): the vertices, then the ghosts of clamped edges, which
-  /// are pinned.
+  /// Returns xyz the position in m, w the inverse mass in 1/kg (0: pinned): first the vertices, then the
+  /// ghosts of clamped edges, which are pinned.
   [[nodiscard]] std::vector<glm::vec4> firstPositions() const;
-  /// xyz in m/s (zero), w the pin group of a pinned vertex.
+  /// Returns xyz the velocity in m/s (zero), w the pin group of a pinned vertex.
   [[nodiscard]] std::vector<glm::vec4> firstVelocities() const;
-  /// xyz: of what is pinned where pins carry it from (m), else zero (m/s; glsl/cloth/motion.glsl).
+  /// Returns in xyz, for a pinned vertex, the rest position in m that its pins carry; for others zero (a
+  /// trend in m/s, glsl/cloth/motion.glsl).
   [[nodiscard]] std::vector<glm::vec4> firstTrends() const;
-  /// With the ghosts.
+  /// Returns the number of vertices including ghosts.
   [[nodiscard]] std::size_t vertexCount() const { return rest_.size(); }
   [[nodiscard]] std::vector<shader::ClothStep> frame(double time) { return steps_.frame(time); }
   void carryOver(CarryOver& carry) { steps_.carryOver(carry); }
@@ -70,31 +74,31 @@ class GarmentPlan {
   [[nodiscard]] int colliderCount() const { return steps_.colliderCount(); }
   [[nodiscard]] int thinCount() const { return steps_.thinCount(); }
   [[nodiscard]] const GarmentArrays& arrays() const { return arrays_; }
-  [[nodiscard]] const Mesh& mesh() const { return mesh_; }  ///< as drawn
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }  ///< mesh as it is drawn
   [[nodiscard]] const ClothTriangles& cloth() const { return cloth_; }
   [[nodiscard]] const std::vector<MembraneElement>& membrane() const { return membrane_; }
-  /// As of the next substep.
+  /// Returns the plate elements in effect in the next substep.
   [[nodiscard]] const std::vector<PlateElement>& plate() const {
     return plates_[bendingAt(steps_.stepsBegun())];
   }
-  /// Which of the bendings holds in the substep of that number since the start.
+  /// Returns the index of the bending in effect in substep number `substep` since the start.
   [[nodiscard]] std::size_t bendingAt(int substep) const;
-  /// m, of each vertex the most that contact may keep around it, so that a triangle does not touch its
-  /// neighbours: roomOfHeight of the least height of a triangle there.
+  /// Returns for each vertex the maximum contact distance in metres at which a triangle does not touch its
+  /// neighbours: roomOfHeight times the smallest height of the triangles around the vertex.
   [[nodiscard]] std::vector<float> contactRooms() const;
-  [[nodiscard]] const std::vector<double>& masses() const { return masses_; }  ///< kg, the pinned included
+  [[nodiscard]] const std::vector<double>& masses() const { return masses_; }  ///< kg; pinned ones included
 
  private:
   GarmentPlan(const std::string& name, const ClothParameters& parameters, int seed, double frameSeconds,
               const std::vector<ColliderShape>& colliders, const BoneNamed& boneNamed, double startTime,
               const HeldBySkin& heldBySkin, Mesh mesh);
-  /// Places and pins the vertices, makes the rows of bending. Returns the parameters with the substeps that
-  /// "auto" comes to.
+  /// Places and pins the vertices and computes the bending rows. Returns the parameters with the number of
+  /// substeps that "auto" chooses.
   [[nodiscard]] ClothParameters settled(const std::string& name, ClothParameters parameters,
                                         double frameSeconds, const std::vector<ColliderShape>& colliders);
   void place(const ClothParameters& parameters);
   void pin(const std::string& name, const ClothParameters& parameters);
-  /// Of a vertex that `what` of the scene names by its number in the mesh.
+  /// Returns the vertex for an index into the mesh; `what` names its place in the scene for error messages.
   [[nodiscard]] unsigned vertexNamed(const std::string& name, const std::string& what, int number) const;
   void pinGroup(const std::string& name, const PinGroup& group, int number);
   void clamp(const std::string& name, const ClothParameters& parameters);
@@ -107,12 +111,12 @@ class GarmentPlan {
   Mesh mesh_;
   ClothTriangles cloth_;
   std::vector<MembraneElement> membrane_;
-  std::vector<std::vector<PlateElement>> plates_;  ///< of each bending
+  std::vector<std::vector<PlateElement>> plates_;  ///< one vector per bending
   std::vector<double> masses_;
-  std::vector<glm::vec3> rest_;  ///< m, world, of vertices and ghosts
-  std::vector<int> groups_;      ///< of each of them: the pin group; -1: free
+  std::vector<glm::vec3> rest_;  ///< positions in metres, world space: vertices, then ghosts
+  std::vector<int> groups_;      ///< pin group of each vertex and ghost; -1: not pinned
   std::vector<ClampedEdge> clamps_;
-  /// Stitches by the seconds until they are shut.
+  /// Vertex pairs sewn together, by the seconds until their seam is closed.
   std::map<double, std::vector<std::pair<unsigned, unsigned>>> shut_;
   GarmentArrays arrays_;
   ClothPlan steps_;

@@ -23,14 +23,14 @@ struct FlatPoint {
   glm::dvec2 place;
 };
 
-/// A face laid into the plane of the first.
+/// A face unfolded into the plane of the first one.
 struct FlatFace {
   unsigned face;
   std::array<glm::dvec2, 3> corners;
 };
 
-/// The two faces of an edge and those around them, ring by ring, unfolded over their edges into one plane.
-/// The edge's middle is the origin, x leads along it and y out of the first face.
+/// The two faces at an edge and the rings of faces around them, unfolded into one plane. The origin is the
+/// middle of the edge; x runs along it, y out of the first face.
 class Patch {
  public:
   Patch(const ClothTriangles& cloth, unsigned first, std::size_t side) : cloth_(cloth) {
@@ -49,7 +49,7 @@ class Patch {
     addBeyond(flat, side);
   }
 
-  /// Adds the faces beyond the edges of those that were added last.
+  /// Adds the faces beyond the edges of the last ring.
   void widen() {
     const std::size_t end = faces_.size();
     for (std::size_t i = next_; i < end; ++i)
@@ -58,7 +58,7 @@ class Patch {
   }
 
   std::vector<FlatPoint> points;
-  double length;  ///< m, of the edge
+  double length;  ///< metres; length of the edge
 
  private:
   void addBeyond(const FlatFace from, std::size_t side) {
@@ -69,7 +69,7 @@ class Patch {
       return;
     const glm::dvec2 p = from.corners[side];
     const glm::dvec2 along = from.corners[(side + 1) % 3] - p;
-    // Of the other face's own corners, for what is sewn on lies elsewhere.
+    // Uses the other face's own corners, because a sewn neighbour lies elsewhere.
     const Face& beyond = cloth_.faces[other];
     const std::size_t back = cloth_.sideBeyond(from.face, side);
     const glm::dvec3 start = cloth_.points[beyond.corners[(back + 1) % 3]];
@@ -97,7 +97,7 @@ class Patch {
 constexpr std::size_t mostUnknowns = 6;
 using SolverRow = std::array<double, mostUnknowns>;
 
-/// The inverse of a symmetric positive matrix; nothing where it is singular.
+/// Returns the inverse of a symmetric positive definite matrix; nullopt if it is singular.
 std::optional<std::array<SolverRow, mostUnknowns>> inverse(std::array<SolverRow, mostUnknowns> m,
                                                            std::size_t size) {
   std::array<SolverRow, mostUnknowns> result{};
@@ -126,14 +126,14 @@ std::optional<std::array<SolverRow, mostUnknowns>> inverse(std::array<SolverRow,
   return result;
 }
 
-/// A sum over vertices.
+/// One term of a weighted sum over vertices.
 struct Term {
   unsigned vertex;
   double weight;
 };
 
-/// Along y at the origin, the derivative of the quadratic that fits the points best (1/m). Nothing where
-/// they do not say it.
+/// Returns the derivative along y at the origin (1/m) of the quadratic that best fits the points; empty if
+/// the points do not determine it.
 std::vector<Term> slopeOfFit(const Patch& patch) {
   if (patch.points.size() < mostUnknowns) return {};
   std::vector<SolverRow> values;
@@ -156,7 +156,7 @@ std::vector<Term> slopeOfFit(const Patch& patch) {
   return terms;
 }
 
-/// The mean of what the two faces' planes say, where there are too few points for more.
+/// Returns the mean slope of the two faces' planes, the fallback for too few points.
 std::vector<Term> slopeOfPlanes(const Patch& patch) {
   std::vector<Term> terms;
   for (std::size_t k = 0; k < 4; ++k) terms.push_back({patch.points[k].vertex, 0});
@@ -173,7 +173,7 @@ std::vector<Term> slopeOfPlanes(const Patch& patch) {
   return terms;
 }
 
-/// The derivative across an edge at its middle, out of the face.
+/// Returns the derivative across an edge at its middle, pointing out of the face.
 std::vector<Term> slopeAcross(const ClothTriangles& cloth, unsigned face, std::size_t side) {
   constexpr double most = 3;
   constexpr int rings = 3;
@@ -192,12 +192,13 @@ std::vector<Term> slopeAcross(const ClothTriangles& cloth, unsigned face, std::s
   return best.empty() ? slopeOfPlanes(patch) : best;
 }
 
-/// A symmetric matrix as xx, yy, sqrt(2) xy: its product with itself is the sum of squares.
+/// Returns the symmetric part of the product a b^T as (xx, yy, sqrt(2) xy), so that the dot product with
+/// itself is the sum of squares of the entries.
 glm::dvec3 symmetric(const glm::dvec2& a, const glm::dvec2& b) {
   return {a.x * b.x, a.y * b.y, (a.x * b.y + a.y * b.x) / std::numbers::sqrt2};
 }
 
-/// Without what lies along the directions, which need not be at right angles.
+/// Returns v without its components along `directions`, which need not be orthogonal.
 glm::dvec3 without(const std::vector<glm::dvec3>& directions, glm::dvec3 v) {
   std::vector<glm::dvec3> axes;
   for (glm::dvec3 axis : directions) {
@@ -212,7 +213,7 @@ glm::dvec3 without(const std::vector<glm::dvec3>& directions, glm::dvec3 v) {
 
 using Slopes = std::vector<std::array<std::vector<Term>, 3>>;
 
-/// Of a face the clamped edges; null: the side is not.
+/// Clamped edges of a face by side; null: the side is not clamped.
 using Clamps = std::array<const ClampedEdge*, 3>;
 
 PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slopes& slopes,
@@ -240,7 +241,7 @@ PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slope
     const glm::dvec2 along = edge / length;
     const glm::dvec2 out(along.y, -along.x);
     const glm::dvec3 twist =
-        symmetric(along, out) / face.area;  // times the length, times 1 / length of the slope
+        symmetric(along, out) / face.area;  // the factors length and 1 / length of the slope cancel
     add(cloth.firstOf(face.corners[(k + 1) % 3]), twist);
     add(cloth.firstOf(face.corners[k]), -twist);
     if (clamps[k] != nullptr) {
@@ -264,7 +265,7 @@ PlateElement elementOf(const ClothTriangles& cloth, unsigned number, const Slope
   return element;
 }
 
-/// Of vertices that are sewn together each has its share.
+/// Distributes the weight of a sewn vertex evenly over all vertices sewn together.
 void share(const std::vector<std::vector<unsigned>>& sewn, PlateElement& element) {
   std::vector<PlateElement::Part> parts;
   for (const PlateElement::Part& part : element.parts) {
@@ -279,12 +280,12 @@ void share(const std::vector<std::vector<unsigned>>& sewn, PlateElement& element
   element.parts = std::move(parts);
 }
 
-/// Of the element's matrix, by which D is multiplied.
+/// Returns an entry of the element's matrix, without the factor D.
 double entry(const PlateElement& element, std::size_t i, std::size_t j) {
   return element.area * glm::dot(element.parts[i].weights, element.parts[j].weights);
 }
 
-/// What an element adds to the bound at its i-th vertex, by which D is multiplied.
+/// Returns the element's contribution to the frequency bound at its i-th vertex, without the factor D.
 double boundAt(const PlateElement& element, std::size_t i, const std::vector<double>& inverseMasses) {
   double sum = 0;
   for (std::size_t j = 0; j < element.parts.size(); ++j) sum += std::abs(entry(element, i, j));

@@ -10,7 +10,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// The larger one; NaN once there was one.
+/// Returns the maximum, or NaN if either is NaN.
 double greaterOf(double a, double b) {
   return std::isnan(a) || a >= b ? a : b;
 }
@@ -30,7 +30,7 @@ std::vector<double> measureGarment(const GarmentPlan& plan, std::span<const glm:
   double fastestSquared = 0;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     points.emplace_back(positions[i]);
-    if (i >= plan.masses().size()) continue;  // a ghost of a clamped edge
+    if (i >= plan.masses().size()) continue;  // skips a ghost of a clamped edge
     const double mass = plan.masses()[i];
     const glm::dvec3 v(velocities[i]);
     total += mass;

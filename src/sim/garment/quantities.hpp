@@ -8,9 +8,9 @@
 
 namespace simreel::sim {
 
-/// ClothParameters::quantities() of a state of cloth of a mesh, in that order; "stretch" is the greatest of
-/// its faces' along weft or warp, and faces store energy by stiffnessOf() a substep. Positions' w is the
-/// inverse mass. Pinned vertices count with their mass. Gravity is that of `time` (s).
+/// Returns the values of ClothParameters::quantities() for a state of mesh cloth, in the same order.
+/// "stretch" is the maximum over the faces along weft or warp; the faces' energy uses stiffnessOf(). w of a
+/// position is the inverse mass. Pinned vertices count with their mass. Gravity is evaluated at `time` (s).
 [[nodiscard]] std::vector<double> measureGarment(const GarmentPlan& plan,
                                                  std::span<const glm::vec4> positions,
                                                  std::span<const glm::vec4> velocities, double time);

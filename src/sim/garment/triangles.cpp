@@ -14,9 +14,10 @@ namespace simreel::sim {
 
 namespace {
 
-/// A face whose area is below this fraction of its longest edge's square has none.
+/// Minimum area of a face as a fraction of its longest edge's square; smaller faces are degenerate.
 constexpr double leastArea = 1e-5;
-/// Faces around a vertex: each has a colour of its own, and all colours are one after the other.
+/// Maximum number of faces around a vertex. All of them have different colours, and colours are processed
+/// one after another.
 constexpr unsigned mostAround = 256;
 
 using Spot = std::array<float, 3>;
@@ -25,7 +26,7 @@ Spot placeOf(const glm::vec3& p) {
   return {p.x, p.y, p.z};
 }
 
-/// For each vertex the first one at its place.
+/// Returns for each vertex the first one at the same position.
 std::vector<unsigned> firstAtPlace(const Mesh& mesh) {
   std::vector<unsigned> order(mesh.positions.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -42,7 +43,7 @@ std::vector<unsigned> firstAtPlace(const Mesh& mesh) {
   return first;
 }
 
-/// For each vertex the first one that a chain of steps of at most `reach` (m) leads to.
+/// Returns for each vertex the first one that a chain of steps of at most `reach` (metres) leads to.
 std::vector<unsigned> firstWithin(const Mesh& mesh, double scale, double reach) {
   std::vector<unsigned> first(mesh.positions.size());
   std::iota(first.begin(), first.end(), 0U);
@@ -189,7 +190,7 @@ int ClothTriangles::sew(const std::vector<std::pair<unsigned, unsigned>>& stitch
   }
   for (unsigned i = 0; i < sewn_.size(); ++i) sewn_[i] = root(i);
   int opposite = 0;
-  std::map<std::pair<unsigned, unsigned>, std::pair<unsigned, std::size_t>> borders;  // by its ends
+  std::map<std::pair<unsigned, unsigned>, std::pair<unsigned, std::size_t>> borders;  // by end vertices
   for (unsigned f = 0; f < faces.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
       if (faces[f].neighbours[k] != none) continue;
@@ -223,7 +224,7 @@ std::size_t ClothTriangles::sideBeyond(unsigned face, std::size_t side) const {
 
 std::vector<int> colourFaces(const ClothTriangles& cloth) {
   std::vector<int> colours(cloth.faces.size(), -1);
-  std::vector<unsigned> taken;  // by which face last
+  std::vector<unsigned> taken;  // index of the face that last found the colour taken
   for (unsigned f = 0; f < cloth.faces.size(); ++f) {
     for (const unsigned corner : cloth.faces[f].corners)
       for (unsigned k = cloth.starts[corner]; k < cloth.starts[corner + 1]; ++k) {

@@ -11,49 +11,50 @@
 
 namespace simreel::sim {
 
-/// A mesh as cloth needs it: vertices at one place are one, faces know their neighbours.
+/// Mesh prepared for cloth: coincident vertices are merged and faces store their neighbours.
 struct ClothTriangles {
   static constexpr unsigned none = 0xffffffffU;
 
-  /// Corners counter-clockwise; edge k leads from corner k to the next one.
+  /// Face with counter-clockwise corners; edge k leads from corner k to the next one.
   struct Face {
     std::array<unsigned, 3> corners;
-    std::array<unsigned, 3> neighbours;  ///< face beyond each edge; none: a border
-    std::array<unsigned, 3> beyond;      ///< that face's third corner
-    double area;                         ///< m^2
+    std::array<unsigned, 3> neighbours;  ///< face beyond each edge; none: border
+    std::array<unsigned, 3> beyond;      ///< third corner of the face beyond each edge
+    double area;                         ///< area in m^2
   };
 
-  /// Vertices of the mesh no farther apart than `weld` (m) become one, with the place of the first; 0:
-  /// those at the same place. Coordinates are multiplied with `scale`. Throws UserError(usage), with `name`
-  /// and the place, for an edge of more than two faces, neighbours that do not face the same way, a face
-  /// without area, a vertex without faces or of more than 256.
+  /// Merges vertices no farther apart than `weld` (metres) into one at the first one's position; 0 merges
+  /// only vertices at identical positions. Multiplies coordinates by `scale`. Throws UserError(usage),
+  /// naming `name` and the position, for an edge with more than two faces, neighbours that face opposite
+  /// ways, a face without area, and a vertex with no face or more than 256.
   ClothTriangles(const std::string& name, const Mesh& mesh, double scale, double weld);
 
-  std::vector<glm::dvec3> points;  ///< m, in the mesh's own space
-  std::vector<Face> faces;         ///< in the order of the mesh
-  std::vector<unsigned> vertexOf;  ///< of each vertex of the mesh: its vertex here
+  std::vector<glm::dvec3> points;  ///< positions in metres, in the mesh's own space
+  std::vector<Face> faces;         ///< faces in the mesh's order
+  std::vector<unsigned> vertexOf;  ///< maps each vertex of the mesh to its vertex here
 
-  /// Faces around each vertex, in their order: of vertex i from around[starts[i]] to around[starts[i + 1]].
+  /// Faces around each vertex in ascending order: vertex i has the faces around[starts[i]] to
+  /// around[starts[i + 1]] (exclusive).
   std::vector<unsigned> starts, around;
 
-  /// Makes neighbours of the faces at border edges whose ends are sewn together by `stitches` of two
-  /// vertices, as of cloth that has grown together there. Returns how many pairs of faces cannot be: they
-  /// face opposite ways.
+  /// Makes faces neighbours if the ends of their border edges are sewn together by `stitches` (pairs of
+  /// vertices), as if the cloth were continuous there. Returns the number of pairs that face opposite ways
+  /// and cannot be joined.
   int sew(const std::vector<std::pair<unsigned, unsigned>>& stitches);
-  /// Of those that a vertex is sewn to, with itself, the first.
+  /// Returns the first of all vertices that `vertex` is sewn to, itself included.
   [[nodiscard]] unsigned firstOf(unsigned vertex) const { return sewn_.empty() ? vertex : sewn_[vertex]; }
-  /// The side of a face's neighbour beyond `side` at which that has the face.
+  /// Returns the side of the neighbour beyond `side` that touches the face.
   [[nodiscard]] std::size_t sideBeyond(unsigned face, std::size_t side) const;
 
  private:
   void join(const std::string& name);
   void gather(const std::string& name);
 
-  std::vector<unsigned> sewn_;  ///< empty: nothing is
+  std::vector<unsigned> sewn_;  ///< first vertex of each sewn group; empty if nothing is sewn
 };
 
-/// Which faces may be moved at once: a colour for each, no two of a colour sharing a vertex, by the first
-/// that is free. Returns their colours, from 0 on.
+/// Returns a greedy colouring of the faces, colours from 0 on. Faces of one colour share no vertex, so they
+/// can be moved in parallel.
 [[nodiscard]] std::vector<int> colourFaces(const ClothTriangles& cloth);
 
 }  // namespace simreel::sim

@@ -38,7 +38,7 @@ struct LeniaStep {
     gl::Flag<"SMOOTH_LIFE"> smoothLife;
     gl::Range<"KERNELS", 1, 8> kernels;
     gl::Range<"RANGE", 2, maxLeniaRadius> range;
-    gl::Code<"REACHES", "2,2,2,2,2"> reaches;  // of each row
+    gl::Code<"REACHES", "2,2,2,2,2"> reaches;  // horizontal extent of each kernel row
   };
   LeniaGrid grid;
   gl::Uniform<"dt", float> dt;
@@ -185,7 +185,7 @@ class Lenia : public Simulation {
   glm::ivec2 size_;
   std::vector<glm::vec3> colors_;
   int margin_, paddedItems_;
-  gl::Vec4Array cells_[2];  ///< now, and where the next step writes
+  gl::Vec4Array cells_[2];  ///< current cells, and the output of the next step
   gl::Texture words_[2];
   gl::Vec4Array padded_, weights_;
   gl::WordsArray stamps_;

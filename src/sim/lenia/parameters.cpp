@@ -15,8 +15,8 @@ constexpr int maxKernels = 8, maxLeniaSide = 8192;
 
 }  // namespace
 
-// Grown from random patches at R 13, T 10, mu 0.15, sigma 0.015, polynomial, and settled: Orbium, which
-// glides down and to the right, 0.48 of its kernel's radius in a unit of time.
+// Orbium, grown from random patches with R 13, T 10, mu 0.15, sigma 0.015 and polynomial functions until it
+// was stable. It glides down and to the right by 0.48 of its kernel's radius per unit of time.
 const std::vector<LeniaShape>& leniaCreatures() {
   static const std::vector<LeniaShape> list = {
       {"orbium",

@@ -10,22 +10,22 @@
 
 namespace simreel::sim {
 
-/// A ring-shaped kernel and the growth that its sums mean: an entry of "kernels".
+/// Ring-shaped kernel, and the growth function applied to its weighted sums: an entry of "kernels".
 struct LeniaKernel {
   enum class Core { polynomial, exponential };
   enum class Growth { polynomial, gaussian, step };
-  double radius = 13;            ///< cells
-  std::vector<int> rings{100};   ///< heights of equally wide rings from the middle outwards, percent
-  Core core = Core::polynomial;  ///< shape of a ring: (4 r (1 - r))^4 or exp(4 - 1 / (r (1 - r)))
+  double radius = 13;            ///< radius in cells
+  std::vector<int> rings{100};   ///< heights in percent of rings of equal width, from the centre outwards
+  Core core = Core::polynomial;  ///< profile of a ring: (4 r (1 - r))^4 or exp(4 - 1 / (r (1 - r)))
   Growth growth = Growth::polynomial;
   double mu = 0.15, sigma = 0.015;
   double weight = 1;
   void describe(scene::Fields& fields);
 };
 
-/// A creature set into the first state.
+/// Creature placed in the initial state.
 struct LeniaCreature {
-  int kind = 0;  ///< of leniaCreatures()
+  int kind = 0;  ///< index into leniaCreatures()
   std::optional<glm::ivec2> at;
   int rotate = 0;
   bool mirrored = false;
@@ -35,16 +35,16 @@ struct LeniaCreature {
 struct LeniaParameters : ObjectParameters {
   enum class Model { lenia, smoothLife };
   LeniaParameters();
-  glm::ivec2 size{256, 144};  ///< cells, a torus
+  glm::ivec2 size{256, 144};  ///< width and height of the grid, a torus, in cells
   Model model = Model::lenia;
   std::vector<LeniaKernel> kernels{LeniaKernel{}};
-  double timeScale = 10;  ///< steps in a unit of time
+  double timeScale = 10;  ///< number of steps per unit of time
   double stepsPerSecond = 30;
-  double radius = 12;  ///< of SmoothLife's ring, cells; its disc is a third of it
+  double radius = 12;  ///< radius of SmoothLife's ring in cells; the disc's is a third
   double bornMin = 0.278, bornMax = 0.365, surviveMin = 0.267, surviveMax = 0.445;
   double alphaRing = 0.028, alphaDisc = 0.147;
   std::vector<LeniaCreature> creatures;
-  int patches = 24;  ///< of random values, at random places
+  int patches = 24;  ///< number of squares of random values at random places
   std::vector<StrokeParameters> strokes;
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
@@ -54,13 +54,13 @@ struct LeniaParameters : ObjectParameters {
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };
 
-/// Creatures by name; rows of cells in digits of base 62, each 1/61.
+/// Named creature; its rows of cells are base-62 digits in units of 1/61.
 struct LeniaShape {
   const char* name;
   std::vector<const char*> rows;
 };
 [[nodiscard]] const std::vector<LeniaShape>& leniaCreatures();
-/// The value of a digit, 0 to 1.
+/// Returns the value of a base-62 digit, 0 to 1.
 [[nodiscard]] float leniaDigit(char digit);
 
 inline constexpr int maxLeniaRadius = 48;

@@ -13,33 +13,33 @@ namespace simreel::sim {
 
 struct LifeActiveKernel;
 
-/// Advances a small grid by many generations a dispatch, computing only tiles near something that moves
-/// (glsl/life/active.comp). For drivers on the CPU, where one work group is one thread: much work is better
-/// shared by LifeStepper's.
+/// Advances a small grid by many generations per dispatch and computes only tiles near cells that change
+/// (glsl/life/active.comp). For drivers on the CPU, where one workgroup is one thread; larger workloads are
+/// better parallelized by LifeStepper.
 class LifeActive {
  public:
-  /// Generations in one pass.
+  /// Number of generations in one pass.
   static constexpr int steps = 8;
-  /// Fewer generations than this are not worth copying the cells and computing every tile once.
+  /// Minimum number of generations for which copying the cells and computing every tile once pays off.
   static constexpr int minGenerations = 256;
 
-  /// Whether the present device and a grid of this size suit it: software drivers; at most 2^18 cells, rows
-  /// of whole words, at least as high as a tile.
+  /// True if the current device and the grid size are suitable: a software driver, at most 2^18 cells, rows
+  /// of whole 32-bit words, and at least as many rows as a tile.
   [[nodiscard]] static bool suits(glm::ivec2 size);
 
   LifeActive(const CellRule& rule, bool torus, glm::ivec2 size);
 
-  /// `passes` passes of `steps` generations, in place. Earlier writes must be visible (gl::barrier), and so
-  /// are those of this when it returns: cells are copied. `status` (glsl/common/status.glsl) is noted lost
-  /// where the driver ended a loop before its end.
+  /// Runs `passes` passes of `steps` generations in place. Earlier writes must be visible (gl::barrier);
+  /// the results are visible on return, because the cells are copied. Marks `status`
+  /// (glsl/common/status.glsl) as lost if the driver ended a loop early.
   void run(gl::WordsArray& cells, int passes, const gl::Buffer& status);
 
  private:
   glm::ivec2 size_;
-  int words_;              ///< of the grid
-  int passesPerDispatch_;  ///< so that no loop is cut off
+  int words_;              ///< number of words in the grid
+  int passesPerDispatch_;  ///< maximum number of passes per dispatch at which the driver ends no loop early
   unsigned pass_ = 0;
-  gl::Buffer cells_;  ///< both halves: before and after a pass
+  gl::Buffer cells_;  ///< cells in two halves: before and after a pass
   gl::Texture texels_;
   gl::Buffer marks_;
   gl::Kernel<LifeActiveKernel> kernel_;

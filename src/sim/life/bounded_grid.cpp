@@ -10,7 +10,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Reads the suffix of a bounded grid. `wrong` throws.
+/// Parses the suffix of a bounded grid, such as "T30+5,20". Calls `wrong` for errors, which throws.
 template <class Wrong>
 class GridReader {
  public:
@@ -65,7 +65,7 @@ class GridReader {
     return static_cast<int>(value);
   }
 
-  /// Cells, '*' where its edges are reversed, and their shift.
+  /// Reads one side of the grid: the number of cells, '*' if its edges are reversed, and a shift.
   int side(const char* what, bool& reversed, int& shift) {
     const std::size_t start = at_;
     const int cells = number(what);

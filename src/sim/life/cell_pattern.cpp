@@ -17,23 +17,24 @@ namespace {
 constexpr std::size_t maxFileBytes = std::size_t{256} << 20;
 constexpr std::size_t maxUnpackedBytes = std::size_t{64} << 20;
 
-/// Formats whose lines are rows or places of cells.
+/// Parser of formats whose lines are rows of cells or cell coordinates.
 class LineReader : public PatternText {
  public:
   using PatternText::PatternText;
 
-  /// Comments begin with '!'; every other line is a row.
+  /// Parses plaintext: lines that begin with '!' are comments, all others are rows.
   CellPattern plaintext() {
     for (std::string_view line; next(line);)
       if (!line.starts_with('!')) row(line);
     return fitted();
   }
 
-  /// "#P x y" begins a block of rows; "#R 23/3" names the rule, "#N" is Conway's.
+  /// Parses Life 1.05: "#P x y" begins a block of rows, "#R 23/3" names the rule, "#N" stands for Conway's
+  /// rule.
   CellPattern life105() {
     for (std::string_view line; next(line);) {
       if (line.starts_with("#P")) {
-        // Without numbers the rows begin where they are.
+        // "#P" without coordinates continues at the current row.
         if (std::size_t at = 2; line.size() > at) {
           block_.x = number(line, at);
           block_.y = number(line, at);
@@ -50,7 +51,7 @@ class LineReader : public PatternText {
     return fitted();
   }
 
-  /// A line holds the place of a living cell.
+  /// Parses Life 1.06: each line holds the coordinates of a living cell.
   CellPattern life106() {
     for (std::string_view line; next(line);) {
       if (line.starts_with('#') || line.find_first_not_of(" \t") == std::string_view::npos) continue;
@@ -65,7 +66,7 @@ class LineReader : public PatternText {
   }
 
  private:
-  /// The next line without its end; place_ is where it begins.
+  /// Reads the next line without its line end; place_ is the offset of its start.
   bool next(std::string_view& line) {
     if (at_ >= text_.size()) return false;
     place_ = at_;
@@ -106,7 +107,7 @@ class LineReader : public PatternText {
     takeRuleText(place_ + at, line.substr(at));
   }
 
-  /// Moves the living cells to where the least of them have x = 0 and y = 0.
+  /// Translates the living cells so that their minimum x and y are 0.
   CellPattern fitted() {
     constexpr int far = std::numeric_limits<int>::max();
     glm::ivec2 min(far), end(-far);
@@ -127,12 +128,12 @@ class LineReader : public PatternText {
   }
 
   static constexpr int maxPlace = 1 << 28;
-  std::size_t place_ = 0;   ///< where the line begins
-  glm::ivec2 block_{0, 0};  ///< of Life 1.05: top left cell of the rows
+  std::size_t place_ = 0;   ///< offset of the current line's start
+  glm::ivec2 block_{0, 0};  ///< for Life 1.05: top left cell of the current block
   int row_ = 0;
 };
 
-/// Whether the first line that is no comment of plaintext is a row of it.
+/// True if the first line that is not a plaintext comment is a row of cells.
 bool isPlaintext(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());

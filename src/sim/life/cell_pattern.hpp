@@ -12,65 +12,63 @@
 
 namespace simreel::sim {
 
-/// Sides of patterns and grids, cells.
+/// Maximum width and height of patterns and grids, in cells.
 inline constexpr int maxLifeSide = 1 << 20;
 
-/// A pattern of cells, as the community's files hold them.
+/// Pattern of cells as read from a pattern file.
 struct CellPattern {
-  /// Cells of one state, not 0, side by side.
+  /// Horizontal run of cells of one state other than 0.
   struct Run {
     int x, y, length;
     int state = 1;
   };
-  glm::ivec2 size{0, 0};         ///< that the file says, else just around the living cells
-  std::vector<Run> runs;         ///< of RLE and plaintext by rows, from the left
-  std::optional<CellRule> rule;  ///< where the file names one
-  /// A name that is no notation, which a file NAME.rule beside the pattern explains; and where it stands.
+  glm::ivec2 size{0, 0};         ///< size given by the file, else the bounding box of the living cells
+  std::vector<Run> runs;         ///< sorted by row, then from the left, for RLE and plaintext
+  std::optional<CellRule> rule;  ///< rule named by the file, if any
+  /// Name that is not a rule notation, so that a file NAME.rule beside the pattern must define it; and its
+  /// place in the file.
   std::string ruleName, rulePlace;
-  int highest = 1;           ///< state
-  std::string highestPlace;  ///< of the first cell that has it, "file:line:column"
-  /// Bounded grid of an RLE rule's suffix, as in "B3/S23:T257,130".
+  int highest = 1;           ///< highest state in the pattern
+  std::string highestPlace;  ///< "file:line:column" of the first cell in the highest state
+  /// Bounded grid given by the suffix of an RLE rule, for example "B3/S23:T257,130".
   std::optional<GridShape> shape;
   glm::ivec2 grid{0, 0};
-  /// Its top left corner in that grid, where the file says it.
+  /// Top left corner of the pattern in that grid, if the file gives it.
   std::optional<glm::ivec2> corner;
-  std::string remark;  ///< one line for a user, of a file that can be read but may be damaged; else empty
+  std::string remark;  ///< one-line warning about a readable file that may be damaged; else empty
 };
 
-/// Whether a file's name ends as those of patterns do: ".rle", ".cells", ".life", ".lif", ".mc", and each
-/// with
-/// ".gz" behind it.
+/// True if a file name ends in ".rle", ".cells", ".life", ".lif" or ".mc", optionally followed by ".gz".
 [[nodiscard]] bool isPatternName(const std::filesystem::path& file);
 
-/// Reads a pattern in whichever format it is: Life 1.05 and 1.06 and macrocell by their first line,
-/// plaintext (rows of
-/// '.' and 'O', comments after '!') where nothing but such rows is there, else RLE; each also packed by
-/// gzip, of up to 64 MiB. Throws UserError with file:line:column for one that cannot be read or has sides
-/// above maxLifeSide.
+/// Reads a pattern and detects its format: Life 1.05, Life 1.06 and macrocell by the first line, plaintext
+/// (rows of '.' and 'O', comments after '!') if there are only such rows, else RLE. Each may be compressed
+/// by gzip, up to 64 MiB uncompressed. Throws UserError with file:line:column for an unreadable pattern or
+/// one with a side above maxLifeSide.
 [[nodiscard]] CellPattern readPattern(const std::filesystem::path& file);
-/// The same from text; `name` is what messages call it.
+/// Parses a pattern from text as readPattern() does; `name` is the file's name in messages.
 [[nodiscard]] CellPattern parsePattern(std::string_view text, const std::string& name);
 
-/// A reader's place in the text of a pattern.
+/// Base class of pattern parsers: a position in the text, and the pattern read so far.
 class PatternText {
  public:
   PatternText(std::string_view text, const std::string& name) : text_(text), name_(name) {}
-  /// Throws UserError(usage): file:line:column of the character `at`, and the message.
+  /// Throws UserError(usage) with the file:line:column of the character `at` and the message.
   [[noreturn]] void wrong(std::size_t at, const std::string& message) const;
-  /// A character as messages show it.
+  /// Returns a character as shown in messages.
   [[nodiscard]] static std::string shown(char c);
 
  protected:
-  /// Adds cells of a state, which the character `from` begins; joins them to the run before where they
-  /// follow it.
+  /// Adds cells of a state; `from` is the offset of the text that describes them. Extends the previous run
+  /// if the cells continue it.
   void add(int x, int y, int length, int state = 1, std::size_t from = 0);
-  /// "file:line:column" of a character.
+  /// Returns "file:line:column" of a character offset.
   [[nodiscard]] std::string place(std::size_t at) const;
-  /// Takes a rule: a notation, or a name that a .rule file is to explain. In files "B234" is a rule: of
-  /// cells that never survive.
+  /// Stores a rule: a notation, or a name that a .rule file must define. "B234" without "/S" is a valid
+  /// rule in files; its cells never survive.
   void takeRuleText(std::size_t at, std::string_view text);
-  /// Takes the suffix of a bounded grid from the character `start` of the text on, such as "T30+5,20",
-  /// "P30,20", "K30*,20", "C30,20" or "S30". Returns where it ends.
+  /// Parses the suffix of a bounded grid at the offset `start`, such as "T30+5,20", "P30,20", "K30*,20",
+  /// "C30,20" or "S30". Returns the offset of its end.
   std::size_t takeGrid(std::size_t start);
 
   std::string_view text_;

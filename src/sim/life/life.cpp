@@ -106,7 +106,7 @@ class Life : public Simulation {
       if (watch) watch(++done);
     }
     gl::barrier();
-    // A frame may hold fewer generations than another one.
+    // Frames may differ in their number of generations, so the watch is called for the missing ones, too.
     if (watch)
       while (done < stepsPerFrame()) watch(++done);
   }
@@ -176,14 +176,16 @@ class Life : public Simulation {
   }
 
  private:
-  /// The engine's kernels know nothing of what others write, nor these of what it writes.
+  /// Runs one generation between barriers, because the engine's kernels do not track dependencies on other
+  /// kernels' arrays, nor the other way round.
   void runEngine() {
     gl::barrier();
     engine_->run(cells_[0], cells_[1]);
     gl::barrier();
   }
 
-  /// Before gigabytes are filled with zeros.
+  /// Throws UserError(device) if a buffer exceeds the device's limit; called before gigabytes are
+  /// allocated.
   void checkLimits() const {
     const long blocks = plan_.blocks();
     const long trail = plan_.parameters().trail > 0 ? (size_.x + 15L) / 16 * size_.y : 0;
@@ -233,7 +235,8 @@ class Life : public Simulation {
                                             .trails = trail_});
   }
 
-  /// Most of the generations up to `end`, where many are due and nothing looks at or paints those between.
+  /// Computes most of the generations up to `end` by LifeActive, if many are due and none in between is
+  /// displayed or painted into.
   void takeActive(long end) {
     if (engine_ || end - generation_ < LifeActive::minGenerations || !LifeActive::suits(size_) ||
         trailQuads_ > 0 || !plan_.strokes().empty())
@@ -245,8 +248,8 @@ class Life : public Simulation {
     generation_ += long{passes} * LifeActive::steps;
   }
 
-  /// As many as one pass may take: no further than the frame's end, one where every step is looked at, and
-  /// only the last of them with strokes.
+  /// Returns the number of generations for the next pass, not beyond `end`: 1 if the engine runs, if a
+  /// trail needs every generation, or if a generation before the last has strokes.
   [[nodiscard]] int stepsAtOnce(long end) const {
     const int max = stepper_.stepsOf(end - generation_);
     if (engine_ || trailQuads_ > 0) return 1;
@@ -273,13 +276,14 @@ class Life : public Simulation {
   std::vector<glm::vec3> colors_;
   LifeStepper stepper_;
   std::optional<LifeActive> active_;
-  std::optional<CellEngine> engine_;  ///< for what the other two cannot do
-  gl::Buffer status_;                 ///< of active_
-  gl::WordsArray cells_[2];           ///< now, and where the next pass writes
+  std::optional<CellEngine> engine_;  ///< used for rules and borders that LifeStepper and LifeActive do not
+                                      ///< support
+  gl::Buffer status_;                 ///< status buffer that active_ writes
+  gl::WordsArray cells_[2];           ///< current cells, and the output of the next pass
   gl::WordsArray trail_, stamps_;
   gl::Kernel<LifePaint> paint_;
   gl::Kernel<LifeTrail> fade_;
-  int trailQuads_ = 0;  ///< elements of 16 bytes in a row of the trail; 0: no trail
+  int trailQuads_ = 0;  ///< 16-byte elements per row of the trail; 0: no trail
   bool started_ = false;
   long generation_ = 0, firstGeneration_ = 0;
 };

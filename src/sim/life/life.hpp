@@ -3,7 +3,8 @@
 
 namespace simreel::sim {
 
-/// Cellular automata on the GPU: of two states one bit a cell, of more one byte; two buffers.
+/// Returns the simulation kind "life": cellular automata on the GPU, one bit per cell for two states, one
+/// byte for more; double-buffered.
 [[nodiscard]] SimulationKind lifeKind();
 
 }  // namespace simreel::sim

@@ -13,9 +13,9 @@ std::string sceneAroundPattern(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   Json life = {{"patterns", {{{"file", name}}}}, {"stepsPerSecond", 15}, {"trail", 45}};
   if (!pattern.ruleName.empty() || pattern.rule.value_or(CellRule()).states > 2) life["trail"] = 0;
-  // Always there, so that it may be changed; empty: of the file that the pattern names.
+  // Always present, so that users can edit it; empty: the rule that the pattern's file names.
   life["rule"] = pattern.ruleName.empty() ? pattern.rule.value_or(CellRule()).text() : "";
-  // On a torus gliders would come back and hit what sent them out.
+  // On a torus, gliders would return and hit the pattern that emitted them.
   if (!pattern.shape) life["border"] = "dead";
   const auto color = [](double r, double g, double b) { return Json{{"color", {r, g, b}}}; };
   life["display"] = {

@@ -4,9 +4,9 @@
 
 namespace simreel::sim {
 
-/// The text of a scene around a pattern file, whose object is called "cells": the pattern in the middle,
-/// room around it, ten seconds. Empty for names that are no pattern's. Throws UserError as readPattern
-/// does.
+/// Returns the JSON text of a scene for a pattern file: the pattern in the centre of an object named
+/// "cells", space around it, ten seconds. Empty if the name is not a pattern's. Throws the errors of
+/// readPattern().
 [[nodiscard]] std::string sceneAroundPattern(const std::filesystem::path& file);
 
 }  // namespace simreel::sim

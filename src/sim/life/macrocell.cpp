@@ -19,14 +19,15 @@ namespace {
 constexpr std::int64_t manyCells = std::int64_t{1} << 60;
 constexpr int maxLevel = 60;
 
-/// A square of 2^level cells a side. A leaf holds bits (8 x 8, lowest first, by rows) or four states.
+/// Quadtree node: a square with sides of 2^level cells. A leaf holds 64 bits (8 x 8 cells, row by row,
+/// lowest bit first) or four states.
 struct Node {
   int level = 0;
   bool leaf = false;
-  std::int64_t cells = 0;  ///< that live, or manyCells; one of none is never gone through, however often
-                           ///< it is there
+  std::int64_t cells = 0;  ///< number of living cells, at most manyCells; a node without any is never
+                           ///< traversed, however often it is referenced
   std::uint64_t bits = 0;
-  std::array<int, 4> children{};  ///< nodes or states: north-west, north-east, south-west, south-east
+  std::array<int, 4> children{};  ///< node indices or states of NW, NE, SW, SE
 };
 
 class MacrocellReader : public PatternText {
@@ -34,7 +35,7 @@ class MacrocellReader : public PatternText {
   using PatternText::PatternText;
 
   CellPattern read(std::size_t maxCells) {
-    nodes_.emplace_back();  // 0: nothing lives there
+    nodes_.emplace_back();  // node 0: an empty square
     while (at_ < text_.size()) {
       const std::size_t end = std::min(text_.find('\n', at_), text_.size());
       std::string_view line = text_.substr(at_, end - at_);
@@ -182,8 +183,8 @@ class MacrocellReader : public PatternText {
     return std::move(pattern_);
   }
 
-  /// The middle of the largest square is that of the grid; Golly, whose y points up within, has the row
-  /// that is 0 above it.
+  /// The centre of the largest square is the centre of the grid. In Golly's file y points up, so row 0 is
+  /// the row above the centre.
   void placeInGrid(std::int64_t x, std::int64_t y) {
     const std::int64_t half = std::int64_t{1} << (nodes_.back().level - 1);
     const auto within = [](std::int64_t place) {

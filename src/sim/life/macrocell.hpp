@@ -7,10 +7,9 @@
 
 namespace simreel::sim {
 
-/// Reads Golly's macrocell format ("[M2]", then a tree of squares, children first), of two states or of
-/// several. Throws UserError with file:line:column for a malformed one, one cut off, and one whose cells
-/// are more than `maxCells`, counted before any memory is taken for them, or further apart than
-/// maxLifeSide.
+/// Parses Golly's macrocell format ("[M2]", then a quadtree, children first) with two or more states.
+/// Throws UserError with file:line:column for malformed or truncated text, for more than `maxCells` living
+/// cells (counted before memory is allocated for them), and for cells further apart than maxLifeSide.
 [[nodiscard]] CellPattern parseMacrocell(std::string_view text, const std::string& name,
                                          std::size_t maxCells = std::size_t{1} << 27);
 

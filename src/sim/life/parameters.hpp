@@ -15,34 +15,34 @@ namespace simreel::sim {
 
 using LifeBorder = GridBorder;
 
-/// A pattern file set into the first state: an entry of the list "patterns".
+/// Pattern file placed in the initial state: an entry of the list "patterns".
 struct LifePattern {
   enum class Flip { none, horizontal, vertical };
   std::filesystem::path file;
   std::optional<glm::ivec2>
-      at;                  ///< cell of its top left corner, after flipping and turning; else the middle
-  Flip flip = Flip::none;  ///< before it is turned
-  int rotate = 0;          ///< degrees clockwise, a multiple of 90
+      at;                  ///< cell of the top left corner, after flipping and rotating; empty: centred
+  Flip flip = Flip::none;  ///< flip, applied before the rotation
+  int rotate = 0;          ///< rotation in degrees clockwise, a multiple of 90
   void describe(scene::Fields& fields);
 };
 
 struct LifeParameters : ObjectParameters {
   LifeParameters();
-  glm::ivec2 size{512, 512};       ///< cells
-  bool fitted = false;             ///< the size is not given: it fits the patterns
-  std::string rule;                ///< empty: of the first pattern that names one, else B3/S23
-  std::filesystem::path ruleFile;  ///< instead of a rule
+  glm::ivec2 size{512, 512};       ///< width and height of the grid in cells
+  bool fitted = false;             ///< true: no size is given, so the size fits the patterns
+  std::string rule;                ///< empty: the rule of the first pattern that names one, else B3/S23
+  std::filesystem::path ruleFile;  ///< rule file, given instead of `rule`
   LifeBorder border = LifeBorder::torus;
-  glm::ivec2 shift{0, 0};    ///< GridShape::shift
-  bool borderGiven = false;  ///< else that of the first pattern whose file has one
-  float fill = 0.3F;         ///< fraction alive at the start; not given beside patterns: 0
+  glm::ivec2 shift{0, 0};    ///< see GridShape::shift
+  bool borderGiven = false;  ///< false: the border of the first pattern whose file has one is used
+  float fill = 0.3F;         ///< fraction of living cells at the start; 0 by default if there are patterns
   bool fillGiven = false;
   std::vector<LifePattern> patterns;
-  std::vector<StrokeParameters> strokes;  ///< value: the state painted
+  std::vector<StrokeParameters> strokes;  ///< brush strokes; their value is the painted state
   double stepsPerSecond = 10;
-  int trail = 0;  ///< steps for which a dead cell is still seen
+  int trail = 0;  ///< number of steps during which a dead cell remains visible
   bool trailGiven = false;
-  bool colorsGiven = false;  ///< by the scene, which goes before a rule file
+  bool colorsGiven = false;  ///< true if the scene gives colours; they override the colours of a rule file
   FieldDisplay display;
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
@@ -51,11 +51,11 @@ struct LifeParameters : ObjectParameters {
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] GridShape shape() const { return {border, shift}; }
 
-  /// Level of a living cell in the trail, above all levels of dead ones.
+  /// Returns the trail level of a living cell, which is above all levels of dead cells.
   [[nodiscard]] int brightLevel() const { return trail + (trail > 2 ? trail / 3 : 1); }
 };
 
-/// Longest trail: its levels and that of the living fit into a byte.
+/// Maximum trail length, at which all levels fit into a byte.
 inline constexpr int maxTrail = 191;
 
 }  // namespace simreel::sim

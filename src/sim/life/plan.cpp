@@ -24,7 +24,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Where a cell of a pattern goes: flipped within its size, then turned clockwise.
+/// Maps cells of a pattern to the grid: flips the pattern within its size, then rotates it clockwise.
 class Placement {
  public:
   Placement(const LifePattern& pattern, const CellPattern& cells)
@@ -33,18 +33,18 @@ class Placement {
   [[nodiscard]] glm::ivec2 turnedSize() const {
     return pattern_.rotate % 180 == 0 ? size_ : glm::ivec2(size_.y, size_.x);
   }
-  /// Neither flipped nor turned: runs stay runs.
+  /// True if the pattern is neither flipped nor rotated, so horizontal runs stay horizontal.
   [[nodiscard]] bool upright() const {
     return pattern_.rotate == 0 && pattern_.flip == LifePattern::Flip::none;
   }
-  /// Cell of the top left corner in a grid: where the scene says, else the file, of the grid that it was
-  /// made for, else in the middle.
+  /// Returns the grid cell of the top left corner: the scene's value, else the file's if it was made for a
+  /// grid of this size, else centred.
   [[nodiscard]] glm::ivec2 corner(glm::ivec2 grid) const {
     if (pattern_.at) return *pattern_.at;
     const bool turns = pattern_.rotate % 180 != 0;
     if (!cells_.corner || cells_.grid != grid || (turns && grid.x != grid.y))
       return grid / 2 - turnedSize() / 2;
-    // The whole grid is flipped and turned.
+    // Flips and rotates the whole grid for which the file was made.
     glm::ivec2 least = *cells_.corner, most = least + size_;
     if (pattern_.flip == LifePattern::Flip::horizontal)
       std::tie(least.x, most.x) = std::pair(grid.x - most.x, grid.x - least.x);
@@ -61,7 +61,7 @@ class Placement {
         return least;
     }
   }
-  /// From the corner.
+  /// Returns the transformed cell relative to the corner.
   [[nodiscard]] glm::ivec2 operator()(glm::ivec2 cell) const {
     if (pattern_.flip == LifePattern::Flip::horizontal) cell.x = size_.x - 1 - cell.x;
     if (pattern_.flip == LifePattern::Flip::vertical) cell.y = size_.y - 1 - cell.y;
@@ -93,7 +93,8 @@ int wrapped(int x, int size) {
   return (x % size + size) % size;
 }
 
-/// Sets `length` cells from column x on to alive, in the row whose first word is `row`; a word at a time.
+/// Sets `length` cells from column x on to alive, a word at a time; `row` is the index of the row's first
+/// word.
 void setRun(std::vector<std::uint32_t>& words, std::size_t row, int x, int length) {
   while (length > 0) {
     const int bit = x % 32;
@@ -126,8 +127,8 @@ const CellPattern& LifePlan::cellsOf(const LifePattern& pattern) const {
   return files_.at(pattern.file);
 }
 
-// A pattern that was made for a bounded grid gets that one. Else gliders have some way to go and the
-// picture's usual shape is filled.
+// Chooses the size of the grid. A pattern that was made for a bounded grid determines it. Otherwise gliders
+// get some space and the aspect ratio is 16:9.
 void LifePlan::fitGrid() {
   constexpr int minMargin = 12, maxMargin = 256;
   constexpr glm::ivec2 shape(16, 9);
@@ -156,7 +157,7 @@ void LifePlan::fitGrid() {
   parameters_.size = glm::min(unit * shape, glm::ivec2(maxLifeSide));
 }
 
-// Rules that files name stand beside them.
+// Loads the rule files that patterns name, from the patterns' folders.
 void LifePlan::resolveNames() {
   for (auto& [file, cells] : files_) {
     if (cells.ruleName.empty() || !parameters_.rule.empty() || !parameters_.ruleFile.empty()) continue;
@@ -170,7 +171,7 @@ void LifePlan::resolveNames() {
   }
 }
 
-// What a scene has against the rule, once that is known.
+// Checks the scene against the rule, after the rule is known.
 void LifePlan::checkStates(const std::string& object) const {
   if (const std::string problem = shape().problem(parameters_.size); !problem.empty())
     fail(ExitCode::usage, "life \"{}\": {}", object, problem);
@@ -201,7 +202,7 @@ void LifePlan::takeRule(const std::string& object) {
   }
   if (!parameters_.rule.empty()) {
     const RuleProblem problem = parseCellRule(parameters_.rule, rule_);
-    SIMREEL_CHECK(problem.message.empty());  // the scene was checked
+    SIMREEL_CHECK(problem.message.empty());  // the scene parser has validated it
     return;
   }
   const glm::ivec2 size = parameters_.size;
@@ -245,7 +246,8 @@ void LifePlan::checkPlaces(const std::string& object) const {
   }
 }
 
-// A file costs the same however often it is listed; setting its cells does not.
+// Limits the total number of living cells, because a file that is listed many times is read once but its
+// cells are set each time.
 void LifePlan::checkLiving(const std::string& object) const {
   constexpr std::uint64_t alwaysAllowed = 1 << 24;
   std::map<std::filesystem::path, std::uint64_t> living;
@@ -313,7 +315,7 @@ std::vector<std::uint8_t> LifePlan::firstStates() const {
   std::vector<std::uint8_t> bytes(rowBytes * static_cast<std::size_t>(size.y));
   const int fraction = fillFraction();
   const bool any = rule_.family == CellRule::Family::cyclic || rule_.family == CellRule::Family::tree;
-  // Cyclic states are alike: unless a share is asked for, all of them.
+  // All states of a cyclic rule are equivalent, so by default every cell gets a random one.
   const bool all = rule_.family == CellRule::Family::cyclic && !parameters_.fillGiven && !hasPatterns();
   if (fraction > 0)
     for (int y = 0; y < size.y; ++y)

@@ -13,18 +13,19 @@
 
 namespace simreel::sim {
 
-/// What an automaton is told, worked out on the CPU: its rule, first state and when it steps. Shared with
-/// the twin.
+/// Everything about an automaton that the CPU decides: its rule, initial state and times of steps. The GPU
+/// simulation and its CPU reference share it.
 class LifePlan {
  public:
-  /// Reads the patterns. Throws UserError for one that cannot be read, names an unknown rule, or does not
-  /// fit the grid.
+  /// Reads the patterns. Throws UserError for a pattern that is unreadable, names an unknown rule or does
+  /// not fit the grid.
   LifePlan(LifeParameters parameters, const std::string& object, int seed, double frameSeconds);
 
   [[nodiscard]] const LifeParameters& parameters() const { return parameters_; }
   [[nodiscard]] const CellRule& rule() const { return rule_; }
   [[nodiscard]] GridShape shape() const { return parameters_.shape(); }
-  /// Whether LifeStepper does: two states, eight neighbours, a plain torus or dead borders.
+  /// True if LifeStepper supports the automaton: two states, eight neighbours, a torus without shift or
+  /// dead borders.
   [[nodiscard]] bool plain() const {
     return rule_.onBits() && shape().shift == glm::ivec2(0) &&
            (parameters_.border == GridBorder::torus || parameters_.border == GridBorder::dead);
@@ -33,30 +34,30 @@ class LifePlan {
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
   [[nodiscard]] int seed() const { return seed_; }
 
-  /// Blocks of 128 cells in a row; a row starts with a new block.
+  /// Returns the number of 128-cell blocks in a row; each row starts with a new block.
   [[nodiscard]] int rowBlocks() const { return (parameters_.size.x + 127) / 128; }
   [[nodiscard]] long blocks() const { return long{rowBlocks()} * parameters_.size.y; }
-  /// 2^24 times the share that the random fill leaves alive.
+  /// Returns the fraction of cells that the random fill makes alive, times 2^24.
   [[nodiscard]] int fillFraction() const;
   [[nodiscard]] bool hasPatterns() const { return !parameters_.patterns.empty(); }
-  /// Adds the living cells of the patterns.
+  /// Sets the living cells of the patterns in `words`.
   void addPatterns(std::vector<std::uint32_t>& words) const;
-  /// The whole first state of two states; rows of whole blocks of 128 bits.
+  /// Returns the initial state of a two-state automaton; rows of whole blocks of 128 bits.
   [[nodiscard]] std::vector<std::uint32_t> firstCells() const;
 
-  /// The whole first state as bytes; rows of whole blocks of 16.
+  /// Returns the initial state as one byte per cell; rows of whole blocks of 16 bytes.
   [[nodiscard]] std::vector<std::uint8_t> firstStates() const;
-  /// Linear RGB of each state, of more than two.
+  /// Returns the linear RGB colour of each state, for more than two states.
   [[nodiscard]] std::vector<glm::vec3> stateColors() const;
 
-  /// Generations due by the start of a frame, counted from time 0: floor(time * stepsPerSecond), rounding
-  /// errors of the product aside.
+  /// Returns the number of generations due at the start of a frame, counted from time 0: floor(time *
+  /// stepsPerSecond), with a tolerance for the rounding error of the product.
   [[nodiscard]] long generationAt(long frame) const;
-  /// Most generations in a frame.
+  /// Returns the maximum number of generations in a frame.
   [[nodiscard]] int stepsPerFrame() const;
-  /// The frame that starts at this time (s).
+  /// Returns the index of the frame that starts at `time` (seconds).
   [[nodiscard]] long frameAt(double time) const;
-  /// Strokes that paint into a generation, once it is there.
+  /// Returns the strokes to paint into a generation after it has been computed.
   [[nodiscard]] std::vector<shader::Stroke> strokesInto(long generation) const;
 
  private:
@@ -73,7 +74,7 @@ class LifePlan {
   double frameSeconds_;
   CellRule rule_;
   Strokes strokes_;
-  std::map<std::filesystem::path, CellPattern> files_;  ///< the same gun many times is read once
+  std::map<std::filesystem::path, CellPattern> files_;  ///< a file that is listed many times is read once
 };
 
 }  // namespace simreel::sim

@@ -56,7 +56,8 @@ class RleReader : public PatternText {
   void skipSpaces() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
   }
-  /// Golly says where a pattern lies ("#CXRLE Pos=-3,4 Gen=0"), XLife the rule ("#r 23/3").
+  /// Reads the leading comments. Golly stores the pattern's position ("#CXRLE Pos=-3,4 Gen=0"), XLife the
+  /// rule ("#r 23/3").
   void comments() {
     for (skipBlanks(); at_ < text_.size() && text_[at_] == '#'; skipBlanks()) {
       const std::size_t start = at_;
@@ -70,7 +71,7 @@ class RleReader : public PatternText {
     }
   }
 
-  /// Of the top left corner; the middle of a grid is at 0, 0.
+  /// Reads the position of the top left corner, relative to the centre of the grid.
   void position(std::string_view line, std::size_t start) {
     constexpr std::string_view key = "Pos=";
     const std::size_t at = line.find(key);
@@ -88,7 +89,7 @@ class RleReader : public PatternText {
     if (pattern_.shape && position_) pattern_.corner = *position_ + pattern_.grid / 2;
   }
 
-  /// Digits as a number up to `most`; `what` names it.
+  /// Reads digits as a number up to `max`; `what` names it in messages.
   int number(const char* what, int max) {
     const std::size_t start = at_;
     if (at_ == text_.size() || !isDigit(text_[at_])) wrong(at_, fmt::format("{} is missing here", what));
@@ -138,7 +139,7 @@ class RleReader : public PatternText {
     if (at_ < text_.size() && text_[at_] == ':') at_ = takeGrid(at_ + 1);
   }
 
-  /// One count and what it counts. False at the final '!'.
+  /// Reads one count and its symbol. Returns false at the final '!'.
   bool item() {
     const std::size_t start = at_;
     int count = 1;
@@ -193,13 +194,13 @@ class RleReader : public PatternText {
     place_.x = end.x;
   }
 
-  bool headed_ = false;  ///< a header says the size
+  bool headed_ = false;  ///< true if a header gives the size
   bool empty_ = true;
   glm::ivec2 place_{0, 0};
-  std::optional<glm::ivec2> position_;  ///< from the middle of a grid
+  std::optional<glm::ivec2> position_;  ///< position relative to the centre of the grid
 };
 
-/// Collects items and breaks lines between them.
+/// Appends run-length items and breaks lines between them.
 class RleWriter {
  public:
   explicit RleWriter(std::string& out) : out_(out) {}
@@ -223,7 +224,7 @@ class RleWriter {
   std::size_t length_ = 0;
 };
 
-/// The first column from `x` on whose cell is (not) alive, or the width.
+/// Returns the first column from `x` on whose cell's state equals `alive`, or the width.
 int nextColumn(const CellRows& cells, int x, int y, bool alive) {
   const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(CellRows::rowWords(cells.size.x));
   while (x < cells.size.x) {

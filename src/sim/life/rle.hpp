@@ -10,8 +10,8 @@
 
 namespace simreel::sim {
 
-/// Bits of a grid: rows of whole blocks of 128 cells, lowest bit of a word first, bits beyond a row's end
-/// zero.
+/// Bits of a grid: rows of whole blocks of 128 cells, lowest bit of a word first; bits beyond the end of a
+/// row are zero.
 struct CellRows {
   glm::ivec2 size{0, 0};
   std::span<const std::uint32_t> words;
@@ -22,19 +22,23 @@ struct CellRows {
   }
 };
 
-/// Reads RLE: comments (#), a header "x = 3, y = 3, rule = B3/S23" (all of it or the rule may be missing),
-/// runs of b or . (0), o (1), A to X (1 to 24), pA to yO (25 to 255) and $ (end of row) over any number of
-/// lines, and the final !, after which anything may follow; where a file with a header lacks it, `remark`
-/// says so. `name` is what messages call it. Throws UserError with file:line:column for a malformed one,
-/// one cut off within a run, cells outside the header's size, or sides above maxLifeSide.
+/// Parses RLE:
+/// - comments (#)
+/// - an optional header "x = 3, y = 3, rule = B3/S23", whose rule is optional, too
+/// - runs of b or . (state 0), o (1), A to X (1 to 24), pA to yO (25 to 255) and $ (end of row) over any
+///   number of lines
+/// - the final !, after which anything may follow; `remark` reports if a file with a header lacks it
+///
+/// `name` is the file's name in messages. Throws UserError with file:line:column for malformed text, text
+/// truncated within a run, cells outside the header's size, and sides above maxLifeSide.
 [[nodiscard]] CellPattern parseRle(std::string_view text, const std::string& name);
 
-/// A grid as RLE of its whole size, lines of at most 70 characters. `suffix`: of a bounded grid
-/// (GridShape::suffix); a comment may hold several lines.
+/// Returns a whole grid as RLE in lines of at most 70 characters. `suffix`: bounded grid suffix
+/// (GridShape::suffix); `comment` may have several lines.
 [[nodiscard]] std::string writeRle(const CellRows& cells, const CellRule& rule, std::string_view suffix,
                                    std::string_view comment);
 
-/// States of a grid, a byte a cell: rows of whole blocks of 16.
+/// States of a grid, one byte per cell: rows of whole blocks of 16 cells.
 struct StateRows {
   glm::ivec2 size{0, 0};
   std::span<const std::uint8_t> bytes;
@@ -45,7 +49,7 @@ struct StateRows {
   }
 };
 
-/// The same of cells with more than two states: . and A to X, pA to yO.
+/// Returns a grid with more than two states as RLE, with the states ., A to X and pA to yO.
 [[nodiscard]] std::string writeStatesRle(const StateRows& cells, const CellRule& rule,
                                          std::string_view suffix, std::string_view comment);
 

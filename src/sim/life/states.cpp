@@ -59,7 +59,7 @@ class LifeStates : public Simulation {
     while (generation_ < end) {
       gl::barrier();
       engine_.run(cells_[0], cells_[1]);
-      gl::barrier();  // its kernels are gl::Programs
+      gl::barrier();  // needed because the engine's gl::Program kernels do not track dependencies
       std::swap(cells_[0], cells_[1]);
       ++generation_;
       paint(plan_.strokesInto(generation_));
@@ -139,7 +139,7 @@ class LifeStates : public Simulation {
   glm::ivec2 size_;
   std::vector<glm::vec3> colors_;
   CellEngine engine_;
-  gl::WordsArray cells_[2];  ///< now, and where the next generation is written
+  gl::WordsArray cells_[2];  ///< current cells, and the output of the next generation
   gl::WordsArray stamps_;
   gl::Kernel<StatesPaint> paint_;
   bool started_ = false;

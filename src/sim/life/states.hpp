@@ -7,7 +7,7 @@
 
 namespace simreel::sim {
 
-/// An automaton of more than two states, one byte a cell.
+/// Creates an automaton with more than two states, one byte per cell.
 [[nodiscard]] std::unique_ptr<Simulation> makeLifeStates(LifePlan plan, const std::string& name,
                                                          const Setting& setting);
 

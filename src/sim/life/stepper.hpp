@@ -9,8 +9,8 @@
 
 namespace simreel::sim {
 
-/// What glsl/life/step.comp and active.comp want of a rule on bits, a part of their variants: a formula, or
-/// counts.
+/// Rule-dependent part of the variants of glsl/life/step.comp and active.comp, for rules on bits: a formula
+/// or neighbour counts.
 struct LifeRuleVariant {
   gl::Code<"FORMULA", ""> formula;
   gl::Range<"BORN", 0, 511> born;
@@ -20,31 +20,32 @@ struct LifeRuleVariant {
 
 struct LifeStep;
 
-/// How the kernel glsl/life/step.comp cuts the grid.
+/// Partition of the grid among the invocations of glsl/life/step.comp.
 struct LifeTuning {
-  int steps = 1;   ///< generations in one pass
-  int blocks = 1;  ///< of 128 cells side by side, owned by an invocation
-  int rows = 16;   ///< that an invocation goes down
+  int steps = 1;   ///< number of generations in one pass
+  int blocks = 1;  ///< number of 128-cell blocks side by side per invocation
+  int rows = 16;   ///< number of rows per invocation
   glm::ivec2 group{32, 2};
-  bool flat = false;  ///< strips are numbered row by row, so that narrow grids fill a group, too
-  /// What measured best on the present device for grids of this size, with any number of steps.
+  bool flat = false;  ///< true: strips are numbered row by row, so that narrow grids also fill workgroups
+  /// Returns the fastest measured tuning for the current device and a grid of this size, for any number of
+  /// steps.
   [[nodiscard]] static LifeTuning best(glm::ivec2 size);
 };
 
-/// Advances a grid of bits from one array to the other. Programs are made when first used.
+/// Advances a grid of bits from one array to another. Compiles kernels on first use.
 class LifeStepper {
  public:
   LifeStepper() = default;
-  /// `rule`: one on bits (CellRule::onBits).
+  /// `rule` must be a rule on bits (CellRule::onBits).
   LifeStepper(const CellRule& rule, bool torus, glm::ivec2 size, const LifeTuning& tuning);
 
-  /// Generations in one pass at most: tuning.steps where rows are whole multiples of the strips and there
-  /// are as many rows; else 1.
+  /// Returns the maximum number of generations in one pass: tuning.steps if rows consist of whole strips
+  /// and there are at least that many rows; else 1.
   [[nodiscard]] int maxSteps() const { return maxSteps_; }
-  /// Generations of the next pass where `due` are due: maxSteps(), else 4 where that allows them, else 1,
-  /// so that few programs are made.
+  /// Returns the number of generations for the next pass if `due` are due: maxSteps(), else 4 if permitted,
+  /// else 1. Few distinct values limit the number of compiled kernels.
   [[nodiscard]] int stepsOf(long due) const;
-  /// `steps` from 1 to maxSteps().
+  /// Runs one pass; `steps` is in 1..maxSteps().
   void run(const gl::WordsArray& from, const gl::WordsArray& to, int steps);
 
  private:
@@ -54,7 +55,7 @@ class LifeStepper {
   LifeTuning tuning_;
   bool whole_ = false;
   int maxSteps_ = 1;
-  std::map<int, gl::Kernel<LifeStep>> programs_;  ///< by steps
+  std::map<int, gl::Kernel<LifeStep>> programs_;  ///< kernels by their number of steps
 };
 
 }  // namespace simreel::sim

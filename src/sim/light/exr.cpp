@@ -1,4 +1,5 @@
-// OpenEXR, by its own library: scanlines and tiles, every compression, half, float and whole numbers.
+// Reads OpenEXR through its own library: scanlines and tiles, every compression, half, float and integer
+// channels.
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "sim/light/exr_stream.hpp"
@@ -51,7 +52,7 @@ bool isRec709(const Imf::Chromaticities& named) {
          named.white.equalWithAbsError(usual.white, rounding);
 }
 
-/// The channels that make the picture, for R, G, B and A; those that are not there are nullptr.
+/// Channel names for R, G, B and A (null: missing), and the names of the unused channels.
 struct Chosen {
   std::vector<const char*> names;
   std::vector<std::string> others;
@@ -79,11 +80,11 @@ Chosen choose(const Imf::ChannelList& channels) {
   return chosen;
 }
 
-/// Throws where an attribute of the headers is longer than the rest of the file: the library would ask for
-/// its memory first. A header is a list of names, types and lengths; an empty name ends it, and of several
-/// parts a second one ends all.
+/// Throws if an attribute of a header is longer than the rest of the file, because the library would
+/// allocate its memory first. A header is a list of names, types and lengths and ends with an empty name;
+/// in a multi-part file a second empty name ends the headers.
 void checkAttributes(std::string_view bytes, bool severalParts) {
-  std::size_t at = 8;  // magic number, version and flags
+  std::size_t at = 8;  // the headers start after the magic number, version and flags
   const auto word = [&] {
     const std::size_t end = bytes.find('\0', at);
     const bool none = end == std::string_view::npos;
@@ -98,7 +99,7 @@ void checkAttributes(std::string_view bytes, bool severalParts) {
       continue;
     }
     ended = false;
-    static_cast<void>(word());  // type
+    static_cast<void>(word());  // skips the type
     if (bytes.size() - at < 4) return;
     std::uint32_t length = 0;
     for (std::size_t i = 4; i-- > 0;) length = length << 8U | static_cast<unsigned char>(bytes[at + i]);
@@ -127,7 +128,8 @@ LightFile read(ExrStream& stream) {
   Imf::InputPart part(file, 0);
   std::vector<float> pixels(4 * std::size_t(data.width) * std::size_t(data.height), 0.0F);
   Imf::FrameBuffer buffer;
-  // Three slices may read Y, and a buffer has a name once: it is copied below.
+  // A frame buffer allows each channel name once, so a grey image reads Y into one slice and copies it
+  // below.
   for (std::size_t c = 0; c < 4; ++c) {
     const char* name = chosen.names[c];
     if (name == nullptr || buffer.findSlice(name) != nullptr) continue;
@@ -185,7 +187,7 @@ bool isExr(std::string_view bytes) {
 
 LightFile decodeExr(std::string_view bytes, const std::string& label, const std::string& advice) {
   ExrStream stream(bytes);
-  constexpr unsigned char multipart = 0x10;  // of the second byte of the version field
+  constexpr unsigned char multipart = 0x10;  // flag in the second byte of the version field
   try {
     checkAttributes(bytes, bytes.size() > 5 && (static_cast<unsigned char>(bytes[5]) & multipart) != 0);
     return read(stream);

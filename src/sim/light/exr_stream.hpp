@@ -8,7 +8,7 @@
 
 namespace simreel::sim {
 
-/// Bytes in memory as OpenEXR's library reads a file.
+/// Input stream of OpenEXR's library over bytes in memory.
 class ExrStream final : public Imf::IStream {
  public:
   explicit ExrStream(std::string_view bytes) : IStream("picture"), bytes_(bytes) {}

@@ -7,23 +7,24 @@
 
 namespace simreel::sim {
 
-/// A picture of light as a file has it, RGBA of each pixel, rows from the top.
+/// HDR image as stored in a file: RGBA per pixel, rows from the top.
 struct LightFile {
-  static constexpr int largestSide = 16384;  ///< what claims more is damaged
+  static constexpr int largestSide = 16384;  ///< maximum width and height in pixels; larger sizes indicate
+                                             ///< a damaged file
 
   glm::ivec2 size{0, 0};
   std::vector<float> values;
-  std::string colours;  ///< primaries as text; empty for those of Rec. 709
-  std::string note;     ///< what of the file is not in it: "channels Z"; or empty
-  std::string unfit;    ///< why it is no picture of all around; or empty
+  std::string colours;  ///< description of the primaries; empty for Rec. 709
+  std::string note;     ///< content of the file that was not read, for example "channels Z"; empty if none
+  std::string unfit;    ///< reason why the image is no environment map; empty if it may be one
 };
 
-/// Whether a file begins as one of these.
+/// True if the bytes begin like a file of the format.
 [[nodiscard]] bool isRadiance(std::string_view bytes);
 [[nodiscard]] bool isExr(std::string_view bytes);
 
-// `label` ("baseline a.exr") is first in the UserError(inputOutput) thrown for what cannot be read,
-// `advice` last in that for what was cut off.
+// Decodes an image. Throws UserError(inputOutput) for unreadable bytes; the message begins with `label`
+// ("baseline a.exr") and, for a truncated file, ends with `advice`.
 [[nodiscard]] LightFile decodeRadiance(std::string_view bytes, const std::string& label,
                                        const std::string& advice);
 [[nodiscard]] LightFile decodeExr(std::string_view bytes, const std::string& label,

@@ -1,5 +1,5 @@
-// Radiance HDR (G. Ward, "Real Pixels", Graphics Gems II; ray/src/common/color.c): a text header, then a
-// byte of mantissa for each of R, G and B and a shared exponent, run-length encoded.
+// Reader of Radiance HDR (G. Ward, "Real Pixels", Graphics Gems II; ray/src/common/color.c): a text header,
+// then one byte of mantissa for each of R, G and B and a shared exponent, run-length encoded.
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "sim/light/light_file.hpp"
@@ -43,12 +43,12 @@ class RadianceFile {
     if (end == std::string_view::npos) cutOff();
     std::string_view found = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
-    if (found.ends_with('\r')) found.remove_suffix(1);  // some write the header as text of Windows
+    if (found.ends_with('\r')) found.remove_suffix(1);  // some headers have Windows line ends
     return found;
   }
 
   void readHeader() {
-    static_cast<void>(line());  // #?RADIANCE or #?RGBE
+    static_cast<void>(line());  // skips #?RADIANCE or #?RGBE
     for (std::string_view text = line(); !text.empty(); text = line()) {
       if (text.starts_with("FORMAT=") && text != "FORMAT=32-bit_rle_rgbe")
         refuse(fmt::format("has the format {}, and only 32-bit_rle_rgbe is read", oneLine(text.substr(7))));
@@ -68,11 +68,13 @@ class RadianceFile {
     };
     height_ = number("-Y ");
     width_ = number(" +X ");
-    // A run of 255 pixels takes four bytes, in the newer form one of 127 two bytes in each of four planes.
+    // Rejects sizes that the bytes cannot hold: a run of 255 pixels takes four bytes, in the newer format
+    // one of 127 takes two bytes in each of four planes.
     if (double(width_) * height_ > double(rest_.size()) * 255 / 4 + 255) cutOff();
   }
 
-  /// Radiance's own have a green of 0.29 0.6 and white of equal energy; who writes them means Rec. 709.
+  /// Accepts primaries close to Rec. 709. Radiance's default primaries (green 0.29 0.6, equal-energy white)
+  /// differ slightly, but programs that write them mean Rec. 709.
   void checkPrimaries(std::string_view numbers) {
     constexpr std::array<double, 8> usual = {0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329};
     constexpr double slack = 0.025;
@@ -92,7 +94,7 @@ class RadianceFile {
     return value;
   }
 
-  /// Four planes (R, G, B, exponent) one after the other in the new form, or pixels.
+  /// Reads a scanline: in the new format four consecutive planes (R, G, B, exponent), else pixels.
   void readScanline(std::string& out) {
     const auto size = std::size_t(width_);
     const std::string mark = {2, 2, static_cast<char>(width_ >> 8), static_cast<char>(width_ & 255)};
@@ -113,8 +115,8 @@ class RadianceFile {
       }
   }
 
-  /// Pixels as they are; mantissas of 1, 1 and 1 repeat the last one as often as the fourth byte says. One
-  /// behind the other, such runs are digits of a number to the base 256, the lowest first.
+  /// Reads uncompressed pixels. A pixel with the mantissas 1, 1, 1 repeats the previous pixel as often as
+  /// its fourth byte says. Consecutive repeat pixels are digits of a base-256 count, lowest digit first.
   void readPixels(std::string& out) {
     unsigned shift = 0;
     for (std::size_t at = 0; at < out.size();) {
@@ -134,10 +136,9 @@ class RadianceFile {
     }
   }
 
-  /// (m + 0.5) / 256 * 2^(e - 128); e = 0 is black. Writers cut mantissas off (setcolr), so m + 0.5 is what
-  /// they are of in the mean, as Radiance itself (colr_color), Blender and libvips read them: 1 comes back
-  /// as 1.004, and light of a picture as bright as it was. Readers without the half have all of it up to
-  /// 0.8 % darker.
+  /// Decodes (m + 0.5) / 256 * 2^(e - 128); e = 0 is black. Writers truncate mantissas (setcolr), so m +
+  /// 0.5 is the expected value, as in Radiance itself (colr_color), Blender and libvips: 1 is read back as
+  /// 1.004, and the average brightness is preserved. Readers without the half are up to 0.8 % too dark.
   void setPixel(int x, int y, const std::string& scanline) {
     const auto at = [&](std::size_t channel) {
       const std::size_t i =

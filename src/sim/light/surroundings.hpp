@@ -6,16 +6,16 @@
 
 namespace simreel::sim {
 
-/// What messages call the picture of a sky.
+/// Returns the name of a sky image in messages.
 [[nodiscard]] std::string surroundingsLabel(const std::filesystem::path& file);
 
-/// The picture of a sky, Radiance or OpenEXR. Throws UserError: inputOutput for what is neither or damaged,
-/// what readFile says for a file that cannot be read.
+/// Reads the image of a sky, Radiance or OpenEXR. Throws UserError(inputOutput) for another format or
+/// damaged content, and the errors of readFile().
 [[nodiscard]] LightFile readSurroundings(const std::filesystem::path& file);
 
-/// Throws UserError(inputOutput), which begins with `label`, for a picture that cannot be a sky: not twice
-/// as wide as high, a cube map, a missing channel, primaries other than Rec. 709, or values that are no
-/// light. Values from -0.001 to 0 count as 0, with one warning.
+/// Throws UserError(inputOutput), beginning with `label`, for an image that cannot be a sky: not twice as
+/// wide as high, a cube map, a missing channel, primaries other than Rec. 709, or values that are negative,
+/// too large or NaN. Values from -0.001 to 0 count as 0 and give one warning.
 void checkSurroundings(const LightFile& picture, const std::string& label);
 
 }  // namespace simreel::sim

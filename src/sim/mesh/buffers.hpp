@@ -13,19 +13,20 @@
 
 namespace simreel::sim {
 
-/// Positions and unit normals, moved by `model`, which scales all directions alike; w counts for nothing.
+/// Returns positions and unit normals transformed by `model`, which must scale uniformly; w of the inputs
+/// is ignored.
 [[nodiscard]] MeshTable placed(std::span<const glm::vec4> positions, std::span<const glm::vec4> normals,
                                const glm::mat4& model);
 
-/// What stays of a mesh while it deforms: vec2 uvs (zero where it has none), colours if it has them and
-/// 32-bit indices.
+/// GPU buffers of a deforming mesh that never change: vec2 uvs (zero if the mesh has none), vertex colours
+/// if it has any, and 32-bit indices.
 class MeshTopology {
  public:
   MeshTopology(const std::string& name, const Mesh& mesh);
-  /// Everything of a surface but positions, normals, model, sides and material; the pointers live as long
-  /// as this.
+  /// Returns a surface without positions, normals, model, sides and material. Its pointers are valid as
+  /// long as this object.
   [[nodiscard]] Surface surface() const;
-  /// Reads back what a table has besides positions and normals.
+  /// Reads back the members of a table other than positions and normals.
   void complete(MeshTable& table) const;
 
  private:
@@ -36,14 +37,15 @@ class MeshTopology {
   int indexCount_;
 };
 
-/// A mesh on the GPU as a Surface wants it: vec4 positions and normals, and its topology.
+/// GPU buffers of a mesh in the layout of Surface: vec4 positions and normals, and its topology.
 class MeshBuffers {
  public:
   MeshBuffers(const std::string& name, const Mesh& mesh);
 
-  /// Everything but model, sides and material; it is still, and the pointers live as long as this.
+  /// Returns a surface without model, sides and material. The surface is marked as still; its pointers are
+  /// valid as long as this object.
   [[nodiscard]] Surface surface() const;
-  /// Reads all of it back.
+  /// Reads the whole mesh back, transformed by `model`.
   [[nodiscard]] MeshTable table(const glm::mat4& model) const;
 
  private:

@@ -24,10 +24,10 @@ namespace simreel::sim {
 
 namespace {
 
-/// Deformed vertices where drawing reads them.
+/// Deformed vertices in the buffers that drawing reads.
 struct Vertices {
   gl::Vec4Array positions, normals;
-  GLsync drawn = nullptr;  ///< reached once the GPU has read a mapped slot
+  GLsync drawn = nullptr;  ///< fence signalled when the GPU has read a mapped slot
 };
 
 struct PressKernel {
@@ -40,7 +40,7 @@ struct DisplaceKernel {
   static constexpr auto file = "mesh/displace.comp";
   struct Variant {
     gl::Range<"DISPLACEMENTS", 0, shader::maxDisplacements> displacements;
-    gl::Code<"FIRST_KINDS", "0"> firstKinds;  // four bits a displacement
+    gl::Code<"FIRST_KINDS", "0"> firstKinds;  // kinds of the displacements, four bits each
     gl::Code<"LAST_KINDS", "0"> lastKinds;
   };
   gl::Block<"DeformBlock", shader::DeformStep> step;
@@ -114,8 +114,8 @@ class DeformedMesh : public Simulation, public ContactSolid {
     if (watch) watch(1);
   }
 
-  /// Where vertices are depends on the time alone; trails stay, and others fall between two frames'
-  /// heights.
+  /// Vertex positions depend only on time, so skipped frames need no deformation. Footprint trails must be
+  /// pressed, and collisions need the heights or faces of two consecutive frames.
   void pass(double time) override {
     if (heights_ || touched_) return step(time, {});
     time_ = time + frameSeconds_;
@@ -197,26 +197,26 @@ class DeformedMesh : public Simulation, public ContactSolid {
   MeshParameters parameters_;
   DeformTechnique technique_;
   double frameSeconds_;
-  double time_ = 0;  ///< s, of the present positions
+  double time_ = 0;  ///< time of the current positions in seconds
   DeformPlan plan_;
   RestMesh rest_;
-  mutable DeformCpu cpu_;  ///< of techniques on the device only filled when somebody asks
+  mutable DeformCpu cpu_;  ///< CPU results; for techniques on the device, computed only on request
   MeshTopology topology_;
   MovingLooks looks_;
   gl::Vec4Array restPositions_, restNormals_;
   gl::Vec4Array trail_;
   gl::Buffer block_;
   StageClock clock_;
-  std::array<Vertices, 3> vertices_;  ///< three when mapped, else one
+  std::array<Vertices, 3> vertices_;  ///< vertex buffers: three slots if mapped, else one
   std::size_t current_ = 0;
   gl::WordsArray fans_, faces_;
   gl::Kernel<PressKernel> press_;
   gl::Kernel<DisplaceKernel> displace_;
   gl::Kernel<NormalKernel> gather_;
   std::unique_ptr<PositionReadback> readback_;
-  std::optional<HeightField> heights_;    ///< of a mesh that collides
-  bool hasHeights_ = false;               ///< whether they begin with the first frame
-  std::optional<MovedVertices> touched_;  ///< of a mesh that collides by its faces
+  std::optional<HeightField> heights_;    ///< set only for a mesh that collides as a height field
+  bool hasHeights_ = false;               ///< true once the heights of the start are stored
+  std::optional<MovedVertices> touched_;  ///< set only for a mesh whose faces collide
 };
 
 void DeformedMesh::makeVertices() {
@@ -319,7 +319,7 @@ void DeformedMesh::deformOnCpu(const shader::DeformStep& step) {
 }
 
 void DeformedMesh::deformMapped(const shader::DeformStep& step) {
-  // Everything that reads the present slot has been issued by now.
+  // All commands that read the current slot have been issued by now.
   Vertices& drawn = vertices_[current_];
   if (drawn.drawn == nullptr) drawn.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   current_ = (current_ + 1) % vertices_.size();
@@ -339,7 +339,7 @@ std::optional<MeshTable> DeformedMesh::mesh() const {
   std::vector<glm::vec4> positions;
   std::vector<glm::vec4> normals;
   if (technique_ == DeformTechnique::compute) {
-    // A device that lags behind may have left out the copy of the latest frame.
+    // On a slow device the copy of the latest frame may have been skipped.
     const bool copied = readback_ && readback_->current();
     positions = copied ? readback_->wait() : shown().positions.buffer().readAll<glm::vec4>();
     normals = shown().normals.buffer().readAll<glm::vec4>();

@@ -6,8 +6,8 @@
 
 namespace simreel::sim {
 
-/// A mesh that is displaced anew for each frame (glsl/mesh/model.glsl) by the technique of its
-/// parameters. Its positions at rest are never written.
+/// Creates a mesh that is displaced for each frame (glsl/mesh/model.glsl) by the technique that its
+/// parameters choose. The rest positions are never modified.
 [[nodiscard]] std::unique_ptr<Simulation> makeDeformedMesh(const scene::Object& object,
                                                            const MeshParameters& parameters,
                                                            const Mesh& mesh, const Setting& setting);

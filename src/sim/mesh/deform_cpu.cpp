@@ -9,11 +9,11 @@ namespace simreel::sim {
 
 namespace {
 
-using namespace shader;  // NOLINT: the model is written in GLSL's names
+using namespace shader;  // NOLINT: the included model uses GLSL's type names
 
 #define FUNCTION inline
 #define precise
-/// What displace.comp and press.comp see.
+/// Provides the inputs of displace.comp and press.comp to their model.
 struct Model {
   const DeformStep& deformStep;
   const vec4* trail;
@@ -22,7 +22,7 @@ struct Model {
 #include "glsl/mesh/model.glsl"
 };
 
-/// What normal.comp sees.
+/// Provides the inputs of normal.comp to its model.
 struct NormalModel {
   const RestMesh& rest;
   const vec4* positions;

@@ -11,25 +11,25 @@ namespace simreel::sim {
 
 enum class Threads { one, all };
 
-/// Deforms on the CPU: the shaders' own model (glsl/mesh compiled as C++), so that in exact numerics
-/// every word equals the device's. It is the twin that tests compare the device with, and what the CPU
-/// techniques run. Threads take 64 vertices at a time.
+/// Deforms a mesh on the CPU with the shaders' own model (glsl/mesh compiled as C++), so that in exact mode
+/// every word equals the device's. Serves as the reference in tests and runs the CPU techniques. Threads
+/// process batches of 64 vertices.
 class DeformCpu {
  public:
-  /// `rest` must outlive this.
+  /// Keeps a reference to `rest`, which must outlive this object.
   DeformCpu(const RestMesh& rest, glm::ivec2 trailCells);
 
-  /// Presses the colliders of `step` into the trail.
+  /// Presses the colliders of `step` into the footprint trail.
   void press(const shader::DeformStep& step, Threads threads);
-  /// Positions from rest. A copy goes to `also`, unless that is empty.
+  /// Computes positions from the rest mesh. Also writes them to `also` unless it is empty.
   void displace(const shader::DeformStep& step, Threads threads, std::span<glm::vec4> also = {});
-  /// Normals from positions. A copy goes to `also`, unless that is empty.
+  /// Computes normals from the positions. Also writes them to `also` unless it is empty.
   void gatherNormals(Threads threads, std::span<glm::vec4> also = {});
 
-  [[nodiscard]] const std::vector<glm::vec4>& positions() const { return positions_; }  ///< xyz m, w 1
-  [[nodiscard]] const std::vector<glm::vec4>& normals() const { return normals_; }      ///< xyz unit, w 0
-  [[nodiscard]] const std::vector<glm::vec4>& trail() const { return trail_; }  ///< x print, y rim (m)
-  /// Takes the device's trail, x fastest.
+  [[nodiscard]] const std::vector<glm::vec4>& positions() const { return positions_; }  ///< xyz in m, w = 1
+  [[nodiscard]] const std::vector<glm::vec4>& normals() const { return normals_; }  ///< xyz normal, w = 0
+  [[nodiscard]] const std::vector<glm::vec4>& trail() const { return trail_; }      ///< x depth, y rim in m
+  /// Replaces the trail by the device's; elements with x fastest.
   void setTrail(std::vector<glm::vec4> trail) { trail_ = std::move(trail); }
 
  private:

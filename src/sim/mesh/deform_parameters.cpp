@@ -57,7 +57,7 @@ void describePush(scene::Fields& f, Push& p) {
            "Above the base, over which it begins to give way; 0: everywhere.");
 }
 
-/// Displacements that the shaders are given for an entry.
+/// Returns the number of shader displacements of an entry; each wave counts as one.
 std::size_t displacementsOf(const DisplacementParameters& entry) {
   return entry.waves.empty() ? 1 : entry.waves.size();
 }

@@ -13,46 +13,48 @@ static_assert(sizeof(DeformStep) == 48 + maxDisplacements * 144 + maxPressers * 
 
 namespace simreel::sim {
 
-/// Where the deformed vertices are computed, and how they get to where they are drawn.
+/// Place where deformed vertices are computed (device, CPU threads or vertex shader), and how they get to
+/// the draw calls.
 enum class DeformTechnique { compute, singleThread, jobs, mapped, vertexShader };
 
-// What reaches the shaders as it is, with its default, is a member of the struct that they read.
+// The structs below inherit the shaders' structs, so that parameters passed on unchanged are declared, with
+// their defaults, only once.
 
-/// A ring of waves from a centre.
+/// Ring waves around a centre.
 struct Ripple : shader::RippleStep {
   bool on = false;
-  float speed = 2.0F;             ///< 1/s
-  float wavelength = 6.2831853F;  ///< m
+  float speed = 2.0F;             ///< speed in radians of phase per second
+  float wavelength = 6.2831853F;  ///< wavelength in metres
 };
 
-/// A Gerstner wave.
+/// Gerstner wave.
 struct Wave : shader::WaveStep {
-  float direction = 0.0F;  ///< degrees from +x towards +z
-  float length = 2.0F;     ///< m
-  float steepness = 0.5F;  ///< of the crest: 0 a sine, 1 a cusp
-  float speed = 0.0F;      ///< m/s; 0: that of waves on deep water
-  float initial = 0.0F;    ///< degrees of phase at time 0
+  float direction = 0.0F;  ///< direction in degrees from +x towards +z
+  float length = 2.0F;     ///< wavelength in metres
+  float steepness = 0.5F;  ///< shape of the crest: 0 sine, 1 cusp
+  float speed = 0.0F;      ///< speed in m/s; 0: the speed of deep-water waves
+  float initial = 0.0F;    ///< phase in degrees at time 0
 };
 
 struct Sway : shader::SwayStep {
   bool on = false;
-  float direction = 0.0F;   ///< degrees from +x towards +z
-  float height = 1.0F;      ///< m
-  float wavelength = 3.0F;  ///< m
-  float speed = 2.0F;       ///< 1/s
+  float direction = 0.0F;   ///< direction in degrees from +x towards +z
+  float height = 1.0F;      ///< height in metres above the base at which the lean reaches the amplitude
+  float wavelength = 3.0F;  ///< wavelength of the gusts in metres
+  float speed = 2.0F;       ///< speed in radians of phase per second
 };
 
 struct Footprints : shader::TrailStep {
   bool on = false;
-  float rimWidth = 0.08F;  ///< m
+  float rimWidth = 0.08F;  ///< width of the rim in metres
 };
 
 struct Push : shader::PushStep {
   bool on = false;
-  float height = 0.0F;  ///< m
+  float height = 0.0F;  ///< height in metres above the base over which the effect fades in
 };
 
-/// One entry of "deform": exactly one of them.
+/// One entry of "deform": exactly one of its members is active.
 struct DisplacementParameters {
   Ripple ripple{};
   std::vector<Wave> waves;
@@ -66,7 +68,7 @@ struct DeformParameters {
   std::vector<DisplacementParameters> list;
   DeformTechnique technique = DeformTechnique::compute;
   bool readback = false;
-  /// Declares "deform", "technique" and "readback" among the fields of the mesh.
+  /// Describes "deform", "technique" and "readback" among the fields of the mesh.
   void describe(scene::Fields& fields);
 };
 

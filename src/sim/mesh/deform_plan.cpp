@@ -15,9 +15,9 @@ namespace simreel::sim {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double maxPhase = 9000.0;  // exactSin holds for 1e4
+constexpr double maxPhase = 9000.0;  // with a margin, because exactSin is valid up to 1e4
 
-/// The angle within one turn, so that its bits do not run out with time.
+/// Returns the angle modulo a full turn, so that its precision does not decrease with time.
 float reduced(double angle) {
   return static_cast<float>(angle - turn * std::floor(angle / turn));
 }
@@ -33,13 +33,13 @@ shader::Displacement of(const Ripple& r, double time) {
 
 shader::Displacement of(const Wave& w, double time) {
   const double k = turn / w.length;
-  // On deep water w^2 = g k.
+  // Deep-water waves have w^2 = g k.
   const double rate = w.speed > 0 ? k * w.speed : std::sqrt(9.81 * k);
   shader::Displacement d{};
   d.kind = shader::waveKind;
   d.wave = w;
   d.wave.heading = cosineAndSine(w.direction);
-  // A cusp where surge k = 1; more would fold the surface over itself.
+  // The crest is a cusp at surge k = 1; a larger surge would fold the surface over itself.
   d.wave.surge = w.steepness * std::min(w.amplitude, static_cast<float>(1.0 / k));
   d.wave.wavenumber = static_cast<float>(k);
   d.wave.phase = reduced(rate * time - w.initial * 0.017453292519943295);
@@ -66,7 +66,7 @@ shader::Displacement of(const Push& p) {
   return d;
 }
 
-/// R^T v: a rotation undone.
+/// Returns R^T v, the vector with the rotation undone.
 glm::vec3 unturned(const glm::mat4& m, const glm::vec3& v) {
   const auto row = [&](int i) { return m[i].x * v.x + m[i].y * v.y + m[i].z * v.z; };
   return {row(0), row(1), row(2)};
@@ -119,7 +119,7 @@ void DeformPlan::checkPhases(const std::string& name) const {
 }
 
 shader::Presser DeformPlan::presser(const ColliderShape& shape, double time) const {
-  // Into the mesh's own space: x = R^T (x' - position) / scale.
+  // Transforms the collider into the mesh's own space: x = R^T (x' - position) / scale.
   const glm::mat4 turned = rotationMatrix(parameters_.rotation.at(time));
   const glm::vec3 origin = parameters_.position.at(time);
   const float smaller = 1.0F / parameters_.scale.at(time);

@@ -7,19 +7,20 @@
 
 namespace simreel::sim {
 
-/// What the deformation of a mesh is told of a moment; the same for every technique.
+/// Computes the uniform data of a mesh's deformation at a given time; the same for every technique.
 class DeformPlan {
  public:
-  /// `name` stands in messages. Throws UserError(usage) when the scene has more spheres and capsules than
-  /// the shaders hold while the mesh gives way to them, or when waves are too short for exact sines at the
+  /// `name` appears in messages. Throws UserError(usage) if the mesh reacts to colliders and the scene has
+  /// more spheres and capsules than the shaders support, or if waves are too short for exact sines at the
   /// mesh's size.
   DeformPlan(const std::string& name, const MeshParameters& parameters, const Mesh& mesh,
              const std::vector<ColliderShape>& colliders);
 
   [[nodiscard]] shader::DeformStep at(double time) const;
-  /// The same with each sphere swept over its way from `before` to `now`, so that a trail has no gaps.
+  /// Returns the data of the time `now` with each sphere swept along its path since `before`, so that a
+  /// trail has no gaps.
   [[nodiscard]] shader::DeformStep swept(double before, double now) const;
-  /// Of the trail; {2, 2} where there is none.
+  /// Returns the number of cells of the footprint trail along x and z; {2, 2} without a trail.
   [[nodiscard]] glm::ivec2 trailCells() const { return footprints_.cells; }
   [[nodiscard]] bool hasTrail() const { return footprints_.on; }
 
@@ -32,8 +33,8 @@ class DeformPlan {
   MeshParameters parameters_;
   std::vector<ColliderShape> pressers_;
   int vertices_;
-  glm::vec3 low_, high_;     ///< m, of the mesh at rest
-  Footprints footprints_{};  ///< with all that the shaders are told of the trail
+  glm::vec3 low_, high_;     ///< bounds of the rest mesh in metres
+  Footprints footprints_{};  ///< footprint parameters, including the derived trail data for the shaders
 };
 
 }  // namespace simreel::sim

@@ -8,16 +8,17 @@
 
 namespace simreel::sim {
 
-/// A mesh at rest as the deformation reads it, and the faces around each vertex.
+/// Rest mesh in the layout that the deformation reads, with the faces around each vertex.
 struct RestMesh {
-  /// Copies of a vertex that differ only in uv (seams, poles) share their faces, so no seam shows. Throws
-  /// UserError(usage) when more than 20,000 triangles meet in a vertex; `name` stands in the message.
+  /// Copies of a vertex that differ only in uv (seams, poles) share their faces, so that seams are
+  /// invisible. Throws UserError(usage), naming `name`, if more than 20,000 triangles meet in a vertex.
   RestMesh(const std::string& name, const Mesh& mesh);
 
-  std::vector<glm::vec4> positions;  ///< xyz m; w shortest edge at the vertex (m)
-  std::vector<glm::vec4> normals;    ///< xyz unit
-  std::vector<glm::uvec4> fans;      ///< of a vertex: x first element of `faces`, y how many
-  std::vector<glm::uvec4> faces;     ///< two faces (a, b, c) of a: b, c, b', c'; one missing has b = c = a
+  std::vector<glm::vec4> positions;  ///< xyz position in m; w shortest edge at the vertex (m)
+  std::vector<glm::vec4> normals;    ///< xyz unit normal
+  std::vector<glm::uvec4> fans;      ///< per vertex: x first element in `faces`, y number of elements
+  std::vector<glm::uvec4> faces;  ///< two faces per element: the other corners b, c and b', c'; a missing
+                                  ///< second face repeats the vertex itself
 };
 
 }  // namespace simreel::sim

@@ -11,7 +11,7 @@ namespace simreel::sim {
 
 struct HeightsKernel;
 
-/// What glsl/mesh/height_array.glsl is given where HEIGHTS is 1, a part of a kernel's interface.
+/// Inputs of glsl/mesh/height_array.glsl if HEIGHTS is 1; a part of a kernel's interface.
 struct HeightPart {
   gl::Uniform<"heightGrid.corner", glm::vec2> corner;
   gl::Uniform<"heightGrid.perCell", glm::vec2> perCell;
@@ -24,7 +24,7 @@ struct HeightPart {
   gl::In<"heights"> heights;
 };
 
-/// Heights of a deformed plane on the GPU, at the beginning and at the end of a frame, for those that fall
+/// Heights of a deformed plane on the GPU at the beginning and the end of a frame, for objects that fall
 /// onto it (glsl/mesh/height_model.glsl).
 class HeightField {
  public:
@@ -32,16 +32,18 @@ class HeightField {
 
   HeightField(const std::string& name, const HeightPlan& plan);
 
-  /// The next frame's end: `positions` in the mesh's own space. Before a first frame, its beginning.
-  /// `component` of them that is the height: 1, or 0.
+  /// Stores new heights for the frame's end; the previous end becomes the frame's beginning. The first call
+  /// sets the heights at the start of the run. `positions` are in the mesh's own space; `component` is the
+  /// index of the component that holds the height (1 or 0).
   void take(const gl::Vec4Array& positions, int component = 1);
   void carryOver(CarryOver& carry) { carry.array("heights", heights_.buffer()); }
-  /// Heights and the place in the frame; arguments as of HeightPlan::at.
+  /// Returns the heights and the position within the frame as kernel inputs; arguments as for
+  /// HeightPlan::at().
   [[nodiscard]] HeightPart part(int substep, int substeps, float margin, float bounce) const;
 
  private:
   HeightPlan plan_;
-  gl::Vec4Array heights_;  ///< x before, y now (m)
+  gl::Vec4Array heights_;  ///< x height at the frame's beginning, y at its end (m)
   gl::Kernel<HeightsKernel> keep_;
 };
 

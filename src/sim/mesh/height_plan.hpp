@@ -8,22 +8,22 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// What those that fall onto a mesh are told of it; shared with the CPU twins. The mesh is a plane that
-/// stays where it is, neither turned nor scaled.
+/// Description of a height-field mesh for objects that fall onto it; the CPU references share it. The mesh
+/// is a plane that does not move, rotate or scale.
 class HeightPlan {
  public:
   HeightPlan(const MeshParameters& mesh, double frameSeconds);
 
-  /// At the end of substep `index` of `substeps`. `margin` (m) is kept above it; `bounce`: fraction of the
-  /// speed of impact that is given back.
+  /// Returns the grid at the end of substep `index` of `substeps`. `margin` (m): distance to keep above the
+  /// surface; `bounce`: fraction of the impact speed that is returned.
   [[nodiscard]] shader::HeightGrid at(int index, int substeps, float margin, float bounce) const;
-  [[nodiscard]] float lift() const { return lift_; }  ///< m, the mesh's origin above 0
+  [[nodiscard]] float lift() const { return lift_; }  ///< height of the mesh's origin in metres
   [[nodiscard]] glm::ivec2 size() const { return grid_.size; }
 
  private:
   shader::HeightGrid grid_{};
   float lift_;
-  float grip_;  ///< 1/s
+  float grip_;  ///< rate in 1/s at which sliding objects lose speed
   double frameSeconds_;
 };
 

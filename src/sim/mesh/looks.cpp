@@ -33,7 +33,8 @@ scene::Map mapOf(const MeshMap& map, const Images& images) {
   return {{}, images.at(static_cast<std::size_t>(map.image)), map.repeats};
 }
 
-/// The colour's map with the opacity of another, which has that or is brighter where there is more of it.
+/// Returns the colour map with the opacity of another image: its alpha channel if it has one, else its
+/// brightness.
 scene::Map withOpacity(const scene::Map& color, const scene::Image& from) {
   const bool itsOwn =
       std::any_of(from.rgba.begin(), from.rgba.end(),
@@ -90,7 +91,7 @@ scene::Material materialOf(const MeshMaterial& from, const Images& images, bool 
   return material;
 }
 
-/// The triangles of one material, with those vertices alone that they use.
+/// Returns the triangles of one material and the vertices that they use.
 Mesh partOf(const Mesh& mesh, int material) {
   constexpr unsigned unused = ~0U;
   Mesh part;
@@ -111,7 +112,7 @@ Mesh partOf(const Mesh& mesh, int material) {
   return part;
 }
 
-/// The numbers of the materials that its triangles have, ascending.
+/// Returns the material numbers that the mesh's triangles use, ascending.
 std::vector<int> usedOf(const Mesh& mesh) {
   std::vector<int> used = mesh.materialOf;
   std::sort(used.begin(), used.end());

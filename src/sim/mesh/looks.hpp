@@ -9,39 +9,40 @@
 
 namespace simreel::sim {
 
-/// The triangles of a mesh that have one material.
+/// Triangles of a mesh that share one material.
 struct MeshLook {
   scene::Material material;
-  Mesh mesh;  ///< empty where all of the mesh has it
+  Mesh mesh;  ///< the triangles; empty if the whole mesh has this material
 };
 
-/// How the file of an object's mesh says that it looks, in the order of its materials; empty where the file
-/// says nothing or the scene gives the object a material. Triangles for which it says nothing are as
-/// the object is. Throws UserError for a picture that cannot be read.
+/// Returns the materials that the mesh's file defines, in the file's order, each with its triangles. Empty
+/// if the file defines none or the scene gives the object a material. Triangles without a material get the
+/// object's. Throws UserError for an unreadable texture.
 [[nodiscard]] std::vector<MeshLook> looksOf(const scene::Object& object, const Mesh& mesh);
 
-/// What a mesh shows where neither the scene nor its file says: the object's material, of white where
-/// vertices have colours.
+/// Returns the fallback material if neither the scene nor the file defines one: the object's material, with
+/// white colour if the mesh has vertex colours.
 [[nodiscard]] scene::Material plainLook(const scene::Object& object, const Mesh& mesh);
 
-/// How a mesh looks whose vertices move: a surface of all of its vertices for each material.
+/// Materials of a mesh whose vertices move: one surface per material, all sharing the vertices.
 class MovingLooks {
  public:
-  /// Throws as looksOf() does.
+  /// Throws the errors of looksOf().
   MovingLooks(const scene::Object& object, const Mesh& mesh);
-  /// A surface for each, like this one but for its indices, material and, where the file says so, sides.
+  /// Adds one surface per material to `drawables`: copies of `surface` with their own indices and material.
   void show(const Surface& surface, Drawables& drawables) const;
 
  private:
   struct Part {
     scene::Material material;
-    gl::Buffer indices;  ///< none: all of the mesh
+    gl::Buffer indices;  ///< triangle indices; empty: the whole mesh
     int indexCount = 0;
   };
   std::vector<Part> parts_;
 };
 
-/// What of the materials that looksOf() shows is not drawn, in one line; empty where all is.
+/// Returns one line that lists the features of the mesh and its materials that are not drawn; empty if
+/// everything is drawn.
 [[nodiscard]] std::string ignoredLooks(const scene::Object& object, const Mesh& mesh);
 
 }  // namespace simreel::sim

@@ -28,7 +28,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// A mesh that keeps its shape: scenery, moved by keyframes.
+/// Mesh that keeps its shape and is moved by keyframes.
 class RigidMesh : public Simulation, public ContactSolid {
  public:
   RigidMesh(const scene::Object& object, const MeshParameters& parameters, const Mesh& mesh,
@@ -88,19 +88,19 @@ class RigidMesh : public Simulation, public ContactSolid {
   [[nodiscard]] const gl::Vec4Array& next() const override { return touched_->next(); }
 
  private:
-  /// What has one of the materials of the mesh's file.
+  /// Part of the mesh with one of the file's materials.
   struct Part {
     scene::Material material;
-    std::optional<MeshBuffers> buffers;  ///< else all of the mesh
+    std::optional<MeshBuffers> buffers;  ///< buffers of the part; empty: the whole mesh
   };
 
   MeshParameters parameters_;
   scene::Material material_;
   double frameSeconds_;
-  double time_;  ///< s, of the present frame
+  double time_;  ///< time of the current frame in seconds
   MeshBuffers buffers_;
-  std::vector<Part> parts_;               ///< empty: all has material_
-  std::optional<MovedVertices> touched_;  ///< of a mesh that collides by its faces
+  std::vector<Part> parts_;               ///< parts by material; empty: the whole mesh has material_
+  std::optional<MovedVertices> touched_;  ///< set only for a mesh whose faces collide
 };
 
 Mesh readMesh(const scene::Object& object, const Setting& setting) {
@@ -134,7 +134,7 @@ std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting&
   return std::make_unique<RigidMesh>(object, parameters, mesh, setting);
 }
 
-/// A mesh given as a scene is refused, with the scene that draws it.
+/// Rejects a mesh file given in place of a scene; the message contains a scene that draws it.
 std::string sceneAroundMesh(const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 4> read = {".obj", ".ply", ".gltf", ".glb"};
   constexpr std::array<std::string_view, 8> others = {".stl", ".fbx",  ".dae", ".3ds",

@@ -15,9 +15,9 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::int64_t maxVertices = 8'000'000;  // as of files
+constexpr std::int64_t maxVertices = 8'000'000;  // the same limit as for mesh files
 
-/// Vertices that a shape needs to be one.
+/// Returns the minimum number of vertices along u and v for a valid shape.
 glm::ivec2 minResolution(MeshShape shape) {
   switch (shape) {
     case MeshShape::sphere:
@@ -171,7 +171,7 @@ std::vector<glm::vec3> MeshParameters::placesAtRest() const {
       for (const glm::vec3& at : mesh.positions) places.emplace_back(placed * glm::vec4(at, 1));
     }
   } catch (const UserError&) {
-    return {};  // whoever makes it says why
+    return {};  // the simulation's constructor reports the error
   }
   return places;
 }

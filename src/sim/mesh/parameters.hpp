@@ -18,55 +18,57 @@ namespace simreel::sim {
 enum class MeshShape { plane, sphere, torus, grass, file };
 enum class MeshSides { fitting, one, both };
 
-/// Parameters of the kind mesh.
+/// Parameters of the object kind "mesh".
 struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   MeshShape shape = MeshShape::plane;
   std::filesystem::path file;
-  glm::vec3 size{4, 0, 4};         ///< m, of a plane
-  float radius = 1.0F;             ///< m
-  float tube = 0.35F;              ///< m
-  glm::ivec2 resolution{101, 65};  ///< vertices along u and v
+  glm::vec3 size{4, 0, 4};         ///< width and depth of a plane in metres
+  float radius = 1.0F;             ///< radius in metres
+  float tube = 0.35F;              ///< radius of a torus' tube in metres
+  glm::ivec2 resolution{101, 65};  ///< number of vertices along u and v
   MeshSides sides = MeshSides::fitting;
   bool visible = true;
-  int blades = 4000;          ///< of grass
-  float bladeHeight = 0.5F;   ///< m
-  float bladeWidth = 0.012F;  ///< m
+  int blades = 4000;          ///< number of blades of grass
+  float bladeHeight = 0.5F;   ///< height of the tallest blades in metres
+  float bladeWidth = 0.012F;  ///< width of a blade at its root in metres
   DeformParameters deform;
-  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
-  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< position in metres
+  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<float> scale = 1.0F;
-  bool collides = false;           ///< as a closed mesh, or as a surface of heights
-  bool byFaces = false;            ///< with cloths in contact
-  float grip = 25.3F;              ///< 1/s
-  std::optional<double> friction;  ///< Coulomb's coefficient, instead of `grip`; by faces none: the cloth's
-  int distanceCells = 0;           ///< along its longest side; 0: by its size
+  bool collides = false;           ///< true: collides as a closed mesh, or as a height field if deformed
+  bool byFaces = false;            ///< true: its faces collide with cloths in contact
+  float grip = 25.3F;              ///< rate in 1/s at which sliding objects lose speed
+  std::optional<double> friction;  ///< Coulomb friction coefficient, used instead of `grip`; if empty,
+                                   ///< collisions by faces use the cloth's
+  int distanceCells = 0;           ///< number of cells of the distance field along the longest side; 0:
+                                   ///< automatic
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] bool measures() const override { return !deform.list.empty(); }
-  /// As it is at rest, at each key of its position.
+  /// Returns the bounds of the rest mesh at every position key.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
-  /// Of meshes of files.
+  /// Returns the outline points of meshes from files; empty for other shapes.
   [[nodiscard]] std::vector<glm::vec3> outline() const override;
-  /// Grass is green.
+  /// Returns the default tint: green for grass.
   [[nodiscard]] std::optional<glm::vec3> tint() const override {
     return shape == MeshShape::grass ? std::optional(glm::vec3(0.11F, 0.24F, 0.045F)) : std::nullopt;
   }
   void ports(Ports& ports) const override;
-  /// Whether it collides as it is, by its distance field.
+  /// True if the mesh collides as a rigid body, through its distance field.
   [[nodiscard]] bool collidesRigidly() const { return collides && deform.list.empty(); }
 
   [[nodiscard]] bool doubleSided() const;
-  /// From the mesh's own space to the world's at `time`.
+  /// Returns the transform from the mesh's own space to world space at `time`.
   [[nodiscard]] glm::mat4 model(double time) const;
-  /// When it last jumped there (s).
+  /// Returns the time (s) of the last discontinuous jump at or before `time`.
   [[nodiscard]] double jumpedBy(double time) const;
-  /// Generates or reads the mesh. Throws what loadMesh throws.
+  /// Generates or reads the mesh. Throws the errors of loadMesh().
   [[nodiscard]] Mesh make(int seed) const;
 
  private:
-  /// m, by which what deforms it moves it up and down at most.
+  /// Returns the maximum vertical displacement in metres by the deformation.
   [[nodiscard]] float swell() const;
-  /// Its vertices at each key of its position; none where its file cannot be read.
+  /// Returns the vertices at every position key; empty if the file cannot be read.
   [[nodiscard]] std::vector<glm::vec3> placesAtRest() const;
   void remarkShape(scene::Fields& fields) const;
   void describeCollision(scene::Fields& fields);

@@ -22,7 +22,8 @@ void reserve(Mesh& mesh, unsigned rows, unsigned columns) {
   mesh.indices.reserve(std::size_t{6} * rows * columns);
 }
 
-/// Quads between rows + 1 lines of columns + 1 vertices, the front where u runs right and v down.
+/// Adds quads between rows + 1 lines of columns + 1 vertices. They face the side from which u runs right
+/// and v runs down.
 void connectRows(Mesh& mesh, unsigned rows, unsigned columns) {
   for (unsigned row = 0; row < rows; ++row)
     for (unsigned column = 0; column < columns; ++column) {
@@ -32,8 +33,8 @@ void connectRows(Mesh& mesh, unsigned rows, unsigned columns) {
     }
 }
 
-/// Rings of latitude. With a length the equator is there twice, its copies `length` apart; rows are even
-/// then.
+/// Returns rings of latitude. With length > 0 the equator exists twice, the copies `length` apart, and
+/// `rows` must be even.
 Mesh roundMesh(float radius, float length, unsigned rows, unsigned columns) {
   const bool parted = length > 0;
   const unsigned rings = rows + 1 + (parted ? 1 : 0);
@@ -43,7 +44,8 @@ Mesh roundMesh(float radius, float length, unsigned rows, unsigned columns) {
     const bool lower = ring > rows / 2;
     const unsigned step = parted && lower ? ring - 1 : ring;
     const double polar = std::numbers::pi * step / rows;
-    const double across = step == rows ? 0.0 : ieee::sin(polar);  // both poles are exactly one point
+    const double across = step == rows ? 0.0 : ieee::sin(polar);  // exactly 0, so that all vertices of a
+                                                                  // pole coincide
     for (unsigned column = 0; column <= columns; ++column) {
       const double angle = fullTurn * (column % columns) / columns;
       const glm::vec3 normal(static_cast<float>(across * ieee::sin(angle)),
@@ -85,8 +87,8 @@ Mesh sphereMesh(float radius, glm::ivec2 vertices) {
                    static_cast<unsigned>(vertices.x - 1));
 }
 
-// Corners of a face go by their number, so that two faces place the vertices of their side at the same
-// bits.
+// Each edge is interpolated in the order of its corners' indices, so that the two faces at the edge place
+// its vertices at identical bits.
 Mesh geodesicMesh(float radius, int parts) {
   const double golden = (1 + std::sqrt(5.0)) / 2;
   std::vector<glm::dvec3> corners;
@@ -94,7 +96,8 @@ Mesh geodesicMesh(float radius, int parts) {
     for (const double other : {-golden, golden})
       corners.insert(corners.end(), {{0, one, other}, {one, other, 0}, {other, 0, one}});
   const auto near = [&](std::size_t a, std::size_t b) {
-    return glm::distance(corners[a], corners[b]) < 2.5;  // 2, or more than 3
+    return glm::distance(corners[a], corners[b]) < 2.5;  // neighbouring corners are 2 apart, others more
+                                                         // than 3
   };
   Mesh mesh;
   const auto face = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -135,7 +138,7 @@ Mesh torusMesh(float radius, float tube, glm::ivec2 vertices) {
   Mesh mesh;
   reserve(mesh, rows, columns);
   for (unsigned row = 0; row <= rows; ++row) {
-    // From the outer rim over the underside, so that rows run down on the outside.
+    // Starts at the outer rim and goes across the underside, so that rows run down on the outside.
     const double around = -fullTurn * (row % rows) / rows;
     const double reach = radius + tube * ieee::cos(around);
     for (unsigned column = 0; column <= columns; ++column) {
@@ -167,7 +170,7 @@ Mesh grassMesh(const glm::vec3& size, int blades, float height, float width, int
                          0.5F * size.z * shader::signedUnit(bits.y));
     const float angle = 3.14159265F * shader::signedUnit(bits.z);
     const glm::vec3 across(shader::exactCos(angle), 0, shader::exactSin(angle));
-    const glm::vec3 out(-across.z, 0, across.x);  // where the blade bends to
+    const glm::vec3 out(-across.z, 0, across.x);  // direction in which the blade bends
     const float tall = height * (0.75F + 0.25F * shader::signedUnit(more.x));
     const float bend = tall * (0.3F + 0.2F * shader::signedUnit(more.y));
     const float hue = 0.5F + 0.49F * shader::signedUnit(more.z);

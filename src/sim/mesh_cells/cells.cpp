@@ -18,8 +18,9 @@ namespace simreel::sim {
 
 namespace {
 
-/// Numbers of places in the order in which faces first come to them; -1: of vertices that no face has.
-/// Vertices are at one place that are alike to a millionth of the mesh's extent: sines round.
+/// Returns the cell of each vertex, numbered in the order in which faces first use the positions; -1 for
+/// vertices without a face. Positions are merged within a millionth of the mesh's extent, to tolerate the
+/// rounding of computed vertices.
 std::vector<int> weldedNumbers(const Mesh& mesh, std::vector<glm::dvec3>& places) {
   glm::vec3 low(mesh.positions.empty() ? glm::vec3(0) : mesh.positions.front()), high = low;
   for (const glm::vec3& p : mesh.positions) {
@@ -53,7 +54,7 @@ std::vector<int> weldedNumbers(const Mesh& mesh, std::vector<glm::dvec3>& places
 
 using CellTriangle = std::array<int, 3>;
 
-/// Faces by cells, those left out that have two corners at one place.
+/// Returns the faces as cell indices, without degenerate ones.
 std::vector<CellTriangle> cellTriangles(const Mesh& mesh, const std::vector<int>& cellOf) {
   std::vector<CellTriangle> triangles;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -70,7 +71,7 @@ MeshCells cellsOf(const Mesh& mesh, const std::string& whose) {
   MeshCells cells;
   cells.cellOf = weldedNumbers(mesh, cells.places);
   cells.areas.assign(cells.places.size(), 0.0);
-  std::map<std::pair<int, int>, double> weights;  // of edges
+  std::map<std::pair<int, int>, double> weights;  // weights by edge
   double area = 0;
   for (const CellTriangle& t : cellTriangles(mesh, cells.cellOf)) {
     const glm::dvec3 p[] = {cells.places[static_cast<std::size_t>(t[0])],
@@ -82,7 +83,7 @@ MeshCells cellsOf(const Mesh& mesh, const std::string& whose) {
       const int a = t[static_cast<std::size_t>((i + 1) % 3)], b = t[static_cast<std::size_t>((i + 2) % 3)];
       double& weight = weights[{std::min(a, b), std::max(a, b)}];
       cells.areas[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])] += twice / 6;
-      // A sliver's cotangents are bounded, so that one face does not hold up all others.
+      // Limits the cotangents of slivers, so that a single face does not force a small time step.
       const double cotangent =
           glm::dot(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]) / std::max(twice, 1e-30);
       weight += 0.5 * std::clamp(cotangent, -20.0, 20.0);
@@ -106,8 +107,8 @@ MeshCells cellsOf(const Mesh& mesh, const std::string& whose) {
   const auto add = [&](int from, int to, double weight) {
     cells.links[static_cast<std::size_t>(next[static_cast<std::size_t>(from)]++)] = {to, weight};
   };
-  // Edges by their lower cell, then by their higher: so neighbours that are lower come first, each in
-  // order.
+  // Edges are sorted by their lower cell, then by their higher one. Adding the lower neighbours first keeps
+  // each cell's links sorted.
   for (const auto& [edge, weight] : weights) add(edge.second, edge.first, weight);
   for (const auto& [edge, weight] : weights) add(edge.first, edge.second, weight);
   cells.low = cells.high = cells.places.front();
@@ -123,7 +124,7 @@ Mesh refined(const Mesh& mesh) {
   const std::vector<CellTriangle> triangles = cellTriangles(mesh, weldedNumbers(mesh, places));
   struct Edge {
     int middle = 0;
-    glm::dvec3 opposite{0};  ///< sum of the corners across
+    glm::dvec3 opposite{0};  ///< sum of the positions of the opposite corners
     int faces = 0;
   };
   std::map<std::pair<int, int>, Edge> edges;
@@ -134,7 +135,8 @@ Mesh refined(const Mesh& mesh) {
       edge.opposite += at(t[i]);
       ++edge.faces;
     }
-  // Vertices: 1 - n b of their own and b of each of n neighbours; at borders 3/4 and 1/8 of the two there.
+  // New vertex positions: weight 1 - n b for the vertex and b for each of its n neighbours; at borders 3/4,
+  // and 1/8 for each of the two border neighbours.
   std::vector<glm::dvec3> around(places.size(), glm::dvec3(0)), border(places.size(), glm::dvec3(0));
   std::vector<int> neighbours(places.size(), 0), borders(places.size(), 0);
   for (const auto& [ends, edge] : edges)

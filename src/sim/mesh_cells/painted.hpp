@@ -15,19 +15,20 @@ namespace simreel::sim {
 
 struct MeshPaintKernel;
 
-/// A mesh whose vertices have the colours of their cells' values, by a kernel from where the values are.
+/// Mesh whose vertices are coloured by their cells' values; a kernel reads the values on the GPU.
 class PaintedMesh {
  public:
-  /// `colors`: linear RGB, evenly from the lowest value of a range to the highest.
+  /// `colors`: linear RGB, equally spaced from the lowest value of a range to the highest.
   PaintedMesh(const std::string& name, const Mesh& mesh, const MeshCells& cells,
               const std::vector<glm::vec3>& colors);
 
-  /// Values are floats from `firstWord` of an RGBA32UI texel view on, one a cell. Waits for nothing.
+  /// Colours the vertices. `words` is an RGBA32UI texel view with one float per cell, starting at
+  /// `firstWord`. Does not wait.
   void paint(const gl::Texture& words, int firstWord, glm::vec2 range);
 
-  /// Everything but model, sides and material; the pointers live as long as this.
+  /// Returns a surface without model, sides and material; its pointers are valid as long as this object.
   [[nodiscard]] Surface surface() const;
-  /// Reads it back.
+  /// Reads the mesh back, transformed by `model`.
   [[nodiscard]] MeshTable table(const glm::mat4& model) const;
 
  private:

@@ -21,14 +21,14 @@ namespace simreel::sim {
 
 namespace {
 
-/// A camera as a file has it.
+/// Camera as stored in a file.
 struct FileCamera {
-  std::string name;  ///< its own, which may differ from its node's
+  std::string name;  ///< the camera's own name, which may differ from its node's
   int node = 0;
   bool perspective = true;
-  double fieldOfView = 0;    ///< radians, vertical
-  double height = 0;         ///< m, of an orthographic one
-  double near = 0, far = 0;  ///< m; far 0: it has no end
+  double fieldOfView = 0;    ///< vertical field of view in radians
+  double height = 0;         ///< height of an orthographic camera's view in metres
+  double near = 0, far = 0;  ///< distances of the near and far planes in metres; far = 0: infinite
 
   template <class Archive>
   void pack(Archive& archive) {
@@ -108,7 +108,8 @@ class FileShot final : public scene::CameraShot {
            "camera \"{}\" of the file sees {:.4g} degrees from top to bottom; {} to {} are drawn", name_,
            angle_, least, most);
     near_ = camera.near;
-    // A flat picture may begin at the eye itself, which is as far away as nothing that is drawn.
+    // An orthographic camera may have its near plane at the eye; the minimum distance makes no visible
+    // difference.
     if (!camera.perspective) near_ = std::max(near_, 1e-4);
     if (camera.far > 0) far_ = camera.far;
     if (!(near_ >= scene::positive.min && near_ < scene::positive.max))
@@ -149,7 +150,7 @@ class FileShot final : public scene::CameraShot {
   [[nodiscard]] std::optional<double> far() const override { return far_; }
 
  private:
-  /// The camera's node, or one above it, and what moves it.
+  /// The camera's node or one of its ancestors, with its animation channels.
   struct Link {
     int number = 0;
     FigureNode node;
@@ -214,7 +215,7 @@ class FileShot final : public scene::CameraShot {
   bool loop_;
   double angle_ = 0, near_ = 0, length_ = 0;
   std::optional<double> height_, far_;
-  std::vector<Link> links_;  ///< the camera's node first
+  std::vector<Link> links_;  ///< chain of nodes; the camera's node first
 };
 
 }  // namespace

@@ -7,13 +7,13 @@
 
 namespace simreel::sim {
 
-/// The camera that a scene asks for of a glTF 2.0 or GLB file: one of the default scene,
-/// which stands and turns as its node does; scales are ignored, as the specification says (3.10.1), and so
-/// is the file's aspect ratio. Throws UserError: usage for a file without cameras, a name that none has or
-/// a kind that is not drawn, else as loadMesh() does.
+/// Opens a camera of a glTF 2.0 or GLB file for a scene: a camera of the default scene, moved by its node.
+/// As the specification says (3.10.1), scales are ignored; the file's aspect ratio is ignored, too. Throws
+/// UserError: usage for a file without cameras, an unknown name or an unsupported kind; else as loadMesh()
+/// does.
 [[nodiscard]] std::shared_ptr<const scene::CameraShot> openCamera(const scene::CameraFile& wanted);
 
-/// The same of a file's text, in this process.
+/// Parses a camera from a file's text as openCamera() does, but within this process.
 [[nodiscard]] std::shared_ptr<const scene::CameraShot> readCamera(const scene::CameraFile& wanted,
                                                                   std::string_view text);
 

@@ -15,7 +15,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr std::size_t maxNodes = 16'384;
-constexpr std::size_t maxKeys = 4'000'000;  ///< of all animations
+constexpr std::size_t maxKeys = 4'000'000;  ///< maximum number of keys in all animations
 
 std::string nodeLabelOf(const JsonValue& object, const char* kind, std::size_t number) {
   std::string name = textIfThere(object, "name");
@@ -82,7 +82,7 @@ std::vector<FigureAnimation> GltfNodes::animations() {
   return all;
 }
 
-/// Nothing of a channel that moves no bone.
+/// Returns nullopt for a channel that moves no node of the default scene.
 std::optional<FigureChannel> GltfNodes::channelOf(const JsonValue& animation, const JsonValue& channel,
                                                   const std::string& name) {
   using Path = FigureChannel::Path;
@@ -92,7 +92,7 @@ std::optional<FigureChannel> GltfNodes::channelOf(const JsonValue& animation, co
   if (!target.has("node") || path == "weights" || path == "pointer") return std::nullopt;
   const std::uint64_t node = GltfDocument::number(target, "node");
   static_cast<void>(document_.item("nodes", node));
-  if (placeOf(node) < 0) return std::nullopt;  // of another scene
+  if (placeOf(node) < 0) return std::nullopt;  // the node belongs to another scene
   FigureChannel made;
   made.node = placeOf(node);
   const auto refuse = [&](const std::string& why) {

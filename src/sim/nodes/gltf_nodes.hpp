@@ -11,23 +11,23 @@
 
 namespace simreel::sim {
 
-/// The nodes of a glTF 2.0 document's default scene, and its motions of them. Names that are missing are
-/// "node 3", "animation 0". Throws UserError as GltfDocument does, also for keys whose times do not grow.
+/// Nodes of a glTF 2.0 document's default scene, and their animations. Missing names become "node 3" or
+/// "animation 0". Throws UserError as GltfDocument does, also for key times that do not increase.
 class GltfNodes {
  public:
-  /// `document` must outlive it.
+  /// Keeps a reference to `document`, which must outlive this object.
   explicit GltfNodes(const GltfDocument& document) : document_(document) {}
 
-  /// Hears of each node: it, and its numbers in the file and in the list.
+  /// Callback for each node: the node, its index in the file, and its index in nodes().
   using Visit = std::function<void(const JsonValue& node, std::uint64_t number, int here)>;
-  /// Reads them, parents first.
+  /// Reads the nodes, parents first.
   void walk(const Visit& visit);
   [[nodiscard]] const std::vector<FigureNode>& nodes() const { return nodes_; }
-  /// Where a node of the file stands in that list; -1: not in the default scene.
+  /// Returns the index in nodes() of a node of the file; -1: not in the default scene.
   [[nodiscard]] int placeOf(std::uint64_t number) const {
     return number < place_.size() ? place_[number] : -1;
   }
-  /// Every animation of translations, rotations and scales of those nodes.
+  /// Returns every animation of the nodes' translations, rotations and scales.
   [[nodiscard]] std::vector<FigureAnimation> animations();
 
  private:

@@ -8,13 +8,14 @@
 
 namespace simreel::sim {
 
-/// A node of a glTF file: a bone, or what hangs on one. Nodes stand after their parents.
+/// Node of a glTF file: a bone, or an object attached to one. Nodes follow their parents.
 struct FigureNode {
   std::string name;
-  int parent = -1;         ///< -1: none
-  bool hasMatrix = false;  ///< instead of the three below; such a node is not animated
+  int parent = -1;         ///< index of the parent; -1: none
+  bool hasMatrix = false;  ///< true: the matrix replaces translation, rotation and scale; the node is not
+                           ///< animated
   glm::dmat4 matrix{1};
-  glm::dvec3 translation{0};  ///< m
+  glm::dvec3 translation{0};  ///< translation in metres
   glm::dquat rotation{1, 0, 0, 0};
   glm::dvec3 scale{1};
 
@@ -30,15 +31,16 @@ struct FigureNode {
   }
 };
 
-/// How one property of a node changes (glTF 2.0, 3.11 and appendix C).
+/// Animation of one property of a node (glTF 2.0, 3.11 and appendix C).
 struct FigureChannel {
   enum class Path { translation, rotation, scale };
   enum class Way { step, linear, cubic };
   int node = 0;
   Path path = Path::translation;
   Way way = Way::linear;
-  std::vector<float> times;   ///< s, growing
-  std::vector<float> values;  ///< 3 or 4 (x y z w) a key; `cubic`: tangent in, value, tangent out
+  std::vector<float> times;   ///< times of the keys in seconds, increasing
+  std::vector<float> values;  ///< values: 3 or 4 (x y z w) per key; for `cubic`: in-tangent, value,
+                              ///< out-tangent
 
   template <class Archive>
   void pack(Archive& archive) {
@@ -52,7 +54,7 @@ struct FigureChannel {
 
 struct FigureAnimation {
   std::string name;
-  double seconds = 0;  ///< the last key of all channels
+  double seconds = 0;  ///< time of the last key of all channels
   std::vector<FigureChannel> channels;
 
   template <class Archive>

@@ -20,8 +20,8 @@ glm::dquat unitOf(const glm::dquat& q) {
   return squared > 1e-30 ? timesScalar(q, 1.0 / std::sqrt(squared)) : glm::dquat(1, 0, 0, 0);
 }
 
-/// sin(u a) / sin(a) for cos(a) = 1 + below: u (1 + b1 (1 + b2 (1 + ...))), with
-/// b_i = (u^2 - i^2) / (i (2i + 1)) * below. For a up to a right angle |b_i| comes to 1/2.
+/// Returns sin(u a) / sin(a) for cos(a) = 1 + below: u (1 + b1 (1 + b2 (1 + ...))), with b_i = (u^2 - i^2)
+/// / (i (2i + 1)) * below. For a up to a right angle |b_i| is at most 1/2.
 double sineShare(double u, double below) {
   double sum = 1;
   for (int i = 44; i >= 1; --i) {
@@ -31,7 +31,7 @@ double sineShare(double u, double below) {
   return u * sum;
 }
 
-/// Component by component; quaternions are not made unit.
+/// Returns the components of a key; quaternions are not normalized.
 glm::dvec4 keyAt(const FigureChannel& channel, std::size_t item) {
   const std::size_t width = channel.path == FigureChannel::Path::rotation ? 4 : 3;
   glm::dvec4 value(0);
@@ -72,7 +72,8 @@ glm::dvec4 sample(const FigureChannel& channel, double seconds) {
   const glm::dvec4 from = value(next - 1);
   const glm::dvec4 to = value(next);
   if (cubic) {
-    // Hermite, tangents per second: out of the key before, into the key after.
+    // Hermite interpolation; tangents are per second: the out-tangent of the previous key, the in-tangent
+    // of the next.
     const glm::dvec4 out = keyAt(channel, 3 * (next - 1) + 2) * length;
     const glm::dvec4 in = keyAt(channel, 3 * next) * length;
     const double u2 = u * u;
@@ -103,7 +104,7 @@ void move(FigureNode& node, const FigureChannel& channel, double seconds) {
 
 glm::dmat4 transformOf(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale) {
   const glm::dquat q = unitOf(rotation);
-  // The matrix of a unit quaternion, column by column, each scaled.
+  // Columns of the unit quaternion's rotation matrix, each scaled.
   return {glm::dvec4(1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z),
                      2 * (q.x * q.z - q.w * q.y), 0) *
               scale.x,

@@ -6,21 +6,23 @@
 
 namespace simreel::sim {
 
-// Everything here is of + - * / and roots of doubles, so it has the same bits on every machine.
+// All functions here use only + - * / and square roots of doubles, so the results are bit-identical on
+// every machine.
 
-/// A fraction u (0 to 1) of the way from one unit quaternion to another along the shorter arc:
-/// (sin((1-u) a) q0 + sin(u a) q1) / sin a, by Eberly's series of sin(u a) / sin(a) in cos(a) - 1 ("A Fast
-/// and Accurate Algorithm for Computing SLERP", 2011), to an error below 1e-12.
+/// Interpolates between two unit quaternions along the shorter arc at the fraction u (0 to 1): (sin((1-u)
+/// a) q0 + sin(u a) q1) / sin a. Uses Eberly's series of sin(u a) / sin(a) in cos(a) - 1 ("A Fast and
+/// Accurate Algorithm for Computing SLERP", 2011) with an error below 1e-12.
 [[nodiscard]] glm::dquat slerp(const glm::dquat& from, const glm::dquat& to, double u);
 
-/// The value of a channel at `seconds`, before the first and after the last key that of the key: xyz, or a
-/// unit quaternion's x y z w. Linear rotations by slerp, cubic ones componentwise, then made unit.
+/// Returns the value of a channel at `seconds`; before the first key and after the last one that key's
+/// value. xyz, or the x y z w of a unit quaternion. Linear rotations use slerp(), cubic ones interpolate
+/// each component and normalize.
 [[nodiscard]] glm::dvec4 sample(const FigureChannel& channel, double seconds);
 
-/// Takes a property of a node to where a channel of it is at that time (s) of its motion.
+/// Sets a property of a node to the value of its channel at the animation time `seconds`.
 void move(FigureNode& node, const FigureChannel& channel, double seconds);
 
-/// Translation times rotation times scale of a node.
+/// Returns translation times rotation times scale.
 [[nodiscard]] glm::dmat4 transformOf(const glm::dvec3& translation, const glm::dquat& rotation,
                                      const glm::dvec3& scale);
 

@@ -36,7 +36,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Takes the next line off `rest`, without its end.
+/// Removes the next line from `rest` and returns it without its line end.
 std::string_view takeLine(std::string_view& rest) {
   const auto end = rest.find('\n');
   const std::string_view line = rest.substr(0, end);
@@ -44,15 +44,15 @@ std::string_view takeLine(std::string_view& rest) {
   return trimmed(line);
 }
 
-/// What separates the values of a file whose first line this is: programs of countries with a decimal comma
-/// write semicolons, spreadsheets tabs.
+/// Returns the separator used in the first line of a CSV file. Programs in locales with a decimal comma
+/// write semicolons; spreadsheets write tabs.
 char separatorOf(std::string_view line) {
   for (const char separator : {',', ';', '\t'})
     if (line.find(separator) != std::string_view::npos) return separator;
   return ',';
 }
 
-/// Parts of a line of CSV, which may be in quotes.
+/// Splits a CSV line into its values, which may be quoted.
 std::vector<std::string_view> splitCsv(std::string_view line, char separator) {
   std::vector<std::string_view> parts;
   bool quoted = false;
@@ -85,7 +85,7 @@ std::optional<Column> columnOf(std::string_view name) {
   return std::nullopt;
 }
 
-/// Collects rows, checking each; `place` in messages is "line 7" or "vertex 3".
+/// Collects particle rows and validates each; `what` and `where` in messages form "line 7" or "vertex 3".
 class Collector {
  public:
   Collector(std::string file, int max) : file_(std::move(file)), max_(max) {}
@@ -100,7 +100,7 @@ class Collector {
       if (!given[c])
         refuse("no column \"{}\"; particles need x, y, z and may have vx, vy, vz, mass", columnNames[c]);
   }
-  /// Warns once of columns that nothing reads: one may be a misspelt name.
+  /// Warns once about columns that are not used, because such a name may be misspelt.
   void noteUnused(const std::vector<std::string>& names) const {
     constexpr std::size_t most = 8;
     if (names.empty()) return;

@@ -7,15 +7,19 @@
 
 namespace simreel::sim {
 
-/// Particles of a CSV file (first line names the columns: x,y,z, then any of vx,vy,vz and mass) or a PLY
-/// file (properties of its element "vertex" by the same names). Lines of a CSV
-/// that start with # are comments. Without a mass column the particles share `totalMass` (kg) equally.
-/// Throws UserError with file, line or vertex, and what is wrong: inputOutput for no particles, a malformed
-/// number, NaN or infinity, a mass that is not positive; usage for more than `maxParticles`. Columns and
-/// properties of other names are told once.
+/// Reads particles from a CSV or PLY file.
+/// - CSV: the first line names the columns x,y,z and optionally vx,vy,vz and mass; lines that start with #
+///   are comments.
+/// - PLY: properties with the same names in the element "vertex".
+///
+/// Without a mass column the particles share `totalMass` (kg) equally. Unknown columns and properties are
+/// reported once. Throws UserError with the file, the line or vertex, and the problem: inputOutput for a
+/// file without particles, a malformed number, NaN, infinity or a mass that is not positive; usage for more
+/// than `maxParticles`.
 [[nodiscard]] ParticleCloud readParticles(const std::filesystem::path& file, float totalMass,
                                           int maxParticles);
-/// The same from the file's bytes; `name` is what messages call it.
+/// Parses particles from the bytes of a file as readParticles() does; `name` is the file's name in
+/// messages.
 [[nodiscard]] ParticleCloud parseParticles(std::string_view text, const std::string& name, float totalMass,
                                            int maxParticles);
 

@@ -9,7 +9,7 @@
 
 namespace simreel::sim {
 
-/// The box around bodies, or around boxes.
+/// Reduces bodies, or boxes of the previous level, to bounding boxes.
 struct TreeReduce {
   static constexpr auto file = "particles/tree/reduce.comp";
   struct Variant {
@@ -85,7 +85,7 @@ using shader::rootBodies;
 using shader::rootLeaves;
 using shader::rootNodes;
 
-/// Items an invocation of the reduction takes.
+/// Number of items that one invocation of the reduction reads.
 constexpr int reduction = 64;
 
 constexpr int ceilDivide(int a, int b) {
@@ -109,7 +109,7 @@ float softeningSquare(float softening) {
 GravityTree::GravityTree(const std::string& name, int capacity, bool fast)
     : name_(name), capacity_(capacity), sort_((checkLimits(), name + " order"), capacity) {
   const std::int64_t roots = ceilDivide(capacity, rootBodies);
-  // Pairs of all reductions: capacity/64 + capacity/64^2 + ... and one for each that rounds up.
+  // Sum of all reduction levels: capacity/64 + capacity/64^2 + ..., plus one for each level that rounds up.
   corners_ = zeros(name + " box", 2 * (std::int64_t{capacity} / (reduction - 1) + 8));
   bodies_ = zeros(name + " sorted bodies", roots * rootBodies);
   boxes_ = zeros(name + " node boxes", 2 * roots * rootNodes);
@@ -128,7 +128,8 @@ GravityTree::GravityTree(const std::string& name, int capacity, bool fast)
     walkList_ = gl::Kernel<TreeWalkList>(defines);
 }
 
-/// Before anything is filled: a set far beyond the limit would first take gigabytes.
+/// Throws UserError(device) if the trees exceed the device's limit. Called before any buffer is filled,
+/// because a set far beyond the limit would allocate gigabytes first.
 void GravityTree::checkLimits() const {
   SIMREEL_CHECK(capacity_ > 0);
   const std::int64_t bytesOfTree = std::int64_t{32} * rootNodes;
@@ -147,7 +148,7 @@ void GravityTree::accelerate(const gl::Vec4Array& positions, const gl::Vec4Array
   walk(accelerations, count, gravity, softening);
 }
 
-/// log64(N) small dispatches.
+/// Takes log64(N) small dispatches.
 void GravityTree::findBox(const gl::Vec4Array& positions, int count) {
   int items = count;
   int first = 0;
@@ -200,14 +201,15 @@ void GravityTree::build(const gl::Vec4Array& positions, int count, float opening
                                   .moments = moments_});
 }
 
-// An invocation carries 8 bodies through texels (walk.comp); through storage blocks 64 of them share a list
-// of what pulls them (walk_list.comp). On a software driver every tree has a dispatch of its own, so that
-// none exceeds the iterations a shader may take there.
+// On the texel path an invocation handles 8 bodies (walk.comp). On the storage path 64 bodies share a list
+// of the nodes and leaves that attract them (walk_list.comp). On a software driver each tree has its own
+// dispatch, so that no shader exceeds the driver's limit of loop iterations.
 //
-// Cost at opening 0.6 of 131,072 bodies in a Plummer sphere, counted by the twin: a group of 64 visits 4142
-// nodes, takes 1700 of them as multipoles (66 operations a body) and opens 373 leaves (8 x 33 operations a
-// body): 0.21e6 operations a body with the visits shared, in a disk a fifth. Loads are 16 bytes a visit, 32
-// a multipole and 128 a leaf, the same for a whole group: 2.6 kB a body from the caches.
+// Cost for 131,072 bodies in a Plummer sphere at opening 0.6, counted in the CPU reference: a group of 64
+// visits 4142 nodes, evaluates 1700 of them as multipoles (66 operations per body) and opens 373 leaves (8
+// x 33 operations per body). With the visits shared that is 0.21e6 operations per body; in a disk a fifth
+// of that. Loads per group are 16 bytes per visit, 32 per multipole and 128 per leaf, so 2.6 kB per body
+// from the caches.
 void GravityTree::walk(const gl::Vec4Array& accelerations, int count, float gravity, float softening) {
   if (count <= 0) return;
   const int roots = ceilDivide(count, rootBodies);

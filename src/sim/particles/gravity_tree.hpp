@@ -19,33 +19,38 @@ struct TreeBuild;
 struct TreeWalk;
 struct TreeWalkList;
 
-/// Gravity of many bodies in O(N log N) on the device, without readback. Bodies are sorted along a Hilbert
-/// curve and cut into leaves of 8 under binary trees without pointers (glsl/particles/tree/types.glsl); a
-/// node far from a group of 64 neighbours pulls by its mass and second moments. The same bits on every run,
-/// in exact mode on every device and in the CPU twin.
+/// Computes the gravity of many bodies in O(N log N) on the device, without readback. Bodies are sorted
+/// along a Hilbert curve and divided into leaves of 8 below pointerless binary trees
+/// (glsl/particles/tree/types.glsl). A node far from a group of 64 neighbouring bodies acts through its
+/// mass and second moments. The result is bit-identical on every run and, in exact mode, on every device
+/// and in the CPU reference.
 ///
-/// Bodies with coordinates beyond 1e18 m (or not numbers) or a mass outside 1e-30..1e30 kg take no part:
-/// they pull nothing and their acceleration is zero. The masses' sum has to stay below 1e30 kg.
+/// Ignores bodies with coordinates beyond 1e18 m, with NaN, or with a mass outside 1e-30..1e30 kg: they
+/// attract nothing and get zero acceleration. The sum of the masses must stay below 1e30 kg.
 class GravityTree {
  public:
-  /// For up to `capacity` bodies; about 75 bytes each. `fast` allows built-in arithmetic. Throws
-  /// UserError(device) naming the device's limit.
+  /// Allocates buffers for up to `capacity` bodies, about 75 bytes each. `fast` permits built-in arithmetic
+  /// instead of bit-exact functions. Throws UserError(device), naming the device's limit.
   GravityTree(const std::string& name, int capacity, bool fast);
 
-  /// Writes a_i = G sum_j m_j d_ij / (|d_ij|^2 + eps^2)^(3/2), d_ij from i to j, of bodies 0..count-1.
-  /// positions: xyz m, w mass (kg). accelerations: xyz m/s^2, w 0. gravity: G, m^3/(kg s^2). softening:
-  /// eps, m (below 1e-10 m taken as that). opening: side over distance of nodes taken as a whole, up
-  /// to 1.15; 0 opens all.
+  /// Computes a_i = G sum_j m_j d_ij / (|d_ij|^2 + eps^2)^(3/2), d_ij from i to j, for the bodies
+  /// 0..count-1.
+  /// - positions: xyz in m, w the mass in kg
+  /// - accelerations: output, xyz in m/s^2, w = 0
+  /// - gravity: G in m^3/(kg s^2)
+  /// - softening: eps in m, at least 1e-10
+  /// - opening: maximum ratio of a node's side to its distance at which it acts as a whole, up to 1.15; 0
+  ///   opens all nodes
   void accelerate(const gl::Vec4Array& positions, const gl::Vec4Array& accelerations, int count,
                   float gravity, float softening, float opening);
 
-  /// The three phases of accelerate(), in order, for who measures them.
+  /// The three phases of accelerate(), in order; public for benchmarks.
   void sort(const gl::Vec4Array& positions, int count);
   void build(const gl::Vec4Array& positions, int count, float opening);
   void walk(const gl::Vec4Array& accelerations, int count, float gravity, float softening);
 
-  /// Where the tests look: two texels a node (mass and spread), one a node (centre of mass, opening
-  /// radius^2); node 1 of each 8192 is a tree's root.
+  /// Node data for tests: two texels per node (mass and spread) and one per node (centre of mass, squared
+  /// opening radius). In each block of 8192 nodes, node 1 is a tree's root.
   [[nodiscard]] const gl::Vec4Array& moments() const { return moments_; }
   [[nodiscard]] const gl::Vec4Array& cells() const { return cells_; }
 
@@ -55,26 +60,27 @@ class GravityTree {
 
   std::string name_;
   int capacity_;
-  int box_ = 0;            ///< pair of corners around all bodies
-  gl::Vec4Array corners_;  ///< pairs of corners, one reduction after the other
-  gl::Vec4Array bodies_;   ///< sorted
-  gl::Vec4Array boxes_;    ///< two a node
-  gl::Vec4Array cells_;    ///< one a node
-  gl::Vec4Array moments_;  ///< two a node
+  int box_ = 0;            ///< index of the pair of corners that bounds all bodies
+  gl::Vec4Array corners_;  ///< pairs of corners (min, max) of all reduction levels
+  gl::Vec4Array bodies_;   ///< sorted bodies
+  gl::Vec4Array boxes_;    ///< bounding boxes of nodes, two texels each
+  gl::Vec4Array cells_;    ///< centres of mass and opening radii of nodes, one texel each
+  gl::Vec4Array moments_;  ///< masses and second moments of nodes, two texels each
   gl::RadixSort sort_;
   gl::Kernel<TreeReduce> reduceBodies_, reduceBoxes_;
   gl::Kernel<TreeKey> key_;
   gl::Kernel<TreeGather> gather_;
   gl::Kernel<TreeBuild> leaves_, parents_;
-  gl::Kernel<TreeWalk> walk_;  ///< of texels
+  gl::Kernel<TreeWalk> walk_;  ///< used on the texel memory path
   gl::Kernel<TreeWalkList> walkList_;
 };
 
-/// 1/opening as the kernels take it. Not below 0.87 (opening 1.15), where a node could stand for bodies of
-/// its own: half the diagonal of a cube is 0.866 of its side.
+/// Returns 1/opening for the kernels, at least 0.87 (opening 1.15). With a smaller value a node could
+/// represent bodies of its own group, because half the diagonal of a cube is 0.866 times its side.
 [[nodiscard]] float perOpening(float opening);
 
-/// eps^2 as the kernels take it, m^2: never zero, so that no body divides by its distance from itself.
+/// Returns eps^2 in m^2 for the kernels. Never zero, so that the distance of a body to itself causes no
+/// division by zero.
 [[nodiscard]] float softeningSquare(float softening);
 
 }  // namespace simreel::sim

@@ -27,7 +27,7 @@ struct ColorStop {
 
 constexpr const char* colorMaps[] = {"viridis", "magma", "inferno", "plasma", "turbo", "grey"};
 
-/// Scale lengths within which most of a Plummer sphere or a disk is.
+/// Radius, in scale lengths, that contains most of a Plummer sphere or a disk.
 constexpr float scaleLengths = 3.0F;
 
 void includeBall(std::optional<scene::Box>& box, const glm::vec3& middle, const glm::vec3& half) {
@@ -41,11 +41,11 @@ void includeFile(std::optional<scene::Box>& box, const ParticleGroup& group) {
     ParticleCloud cloud = readParticles(group.file, group.totalMass, most);
     placeGroup(cloud, group);
     for (const glm::vec4& particle : cloud.positions) scene::include(box, glm::vec3(particle));
-  } catch (const UserError&) {  // whoever makes it says why
+  } catch (const UserError&) {  // the simulation's constructor reports the error
   }
 }
 
-/// At the start: where it goes is its own affair.
+/// Includes the initial extent of a group; its later motion is unpredictable.
 void includeGroup(std::optional<scene::Box>& box, const ParticleGroup& group) {
   using Shape = ParticleGroup::Shape;
   if (group.shape == Shape::file) return includeFile(box, group);
@@ -57,8 +57,8 @@ void includeGroup(std::optional<scene::Box>& box, const ParticleGroup& group) {
   includeBall(box, group.position, half);
 }
 
-/// The flight of a life without damping and attraction, and how far its particles go apart: they leave
-/// within a cone about the velocity.
+/// Includes the flight of the particles over one lifetime, without damping and attraction, and the widening
+/// of their velocity cone.
 void includeEmitter(std::optional<scene::Box>& box, const Emitter& emitter, const glm::vec3& acceleration) {
   constexpr int looks = 16;
   const float apart = std::min(emitter.spread / 57.29578F, 1.0F);
@@ -184,7 +184,7 @@ void ParticleParameters::describe(scene::Fields& f) {
 
 void ParticleParameters::remarkForces(scene::Fields& f) const {
   const bool attracts = method != GravityMethod::none;
-  // Those in equilibrium start at the speed that it gives them.
+  // Groups in equilibrium need G for their initial velocities.
   const bool orbits = std::any_of(groups.begin(), groups.end(), [](const ParticleGroup& group) {
     return group.shape == ParticleGroup::Shape::plummer || group.shape == ParticleGroup::Shape::disk;
   });
@@ -272,7 +272,7 @@ std::span<const scene::Quantity> ParticleParameters::quantities() const {
 std::optional<scene::Box> ParticleParameters::framed() const {
   std::optional<scene::Box> box;
   for (const ParticleGroup& group : groups) includeGroup(box, group);
-  // What falls is seen to fall: to the height of 0 or, from below that, as far as it is wide.
+  // Falling particles stay visible: down to y = 0 or, if they start below, by the width of the cloud.
   if (box && acceleration.at(0).y < 0) {
     const glm::vec3 extent = box->max - box->min;
     box->min.y = box->min.y > 0 ? 0.0F : box->min.y - std::max(extent.x, extent.z);

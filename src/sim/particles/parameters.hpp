@@ -18,64 +18,68 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// A cloud of particles there from the start.
+/// Cloud of particles that exists from the start.
 struct ParticleGroup {
   enum class Shape { ball, cube, plummer, disk, file };
   Shape shape = Shape::ball;
-  int count = 1024;  ///< ignored for a file
-  float radius =
-      1.0F;  ///< m: of the ball, half the side of the cube, Plummer's scale a, the disk's scale length
+  int count = 1024;     ///< number of particles; ignored for a file
+  float radius = 1.0F;  ///< metres: radius of the ball, half the cube's side, Plummer scale radius a, or
+                        ///< the disk's scale length
   float thickness = 0.05F;     ///< disk: scale height as a fraction of radius
-  float totalMass = 1.0F;      ///< kg, shared equally
-  float centralMass = 0.0F;    ///< kg of one more particle in the middle (a disk's bulge); 0: none
-  float speed = 0.0F;          ///< m/s, random, of ball and cube; plummer and disk start in equilibrium
-  float spin = 0.0F;           ///< rad/s about the group's own y axis, of ball and cube
-  glm::vec3 position{0};       ///< m, of the middle
-  glm::vec3 velocity{0};       ///< m/s, of the whole
-  glm::vec3 rotation{0};       ///< degrees, as elsewhere; disks lie in the xz plane
-  std::filesystem::path file;  ///< CSV (x,y,z[,vx,vy,vz][,mass] named in the first line) or PLY
+  float totalMass = 1.0F;      ///< mass in kg that the particles share equally
+  float centralMass = 0.0F;    ///< kg; mass of an additional particle in the centre (a disk's bulge); 0:
+                               ///< none
+  float speed = 0.0F;          ///< m/s; random velocity in a ball or cube; plummer and disk start in
+                               ///< equilibrium
+  float spin = 0.0F;           ///< rad/s about the group's own y axis, for ball and cube
+  glm::vec3 position{0};       ///< centre in metres
+  glm::vec3 velocity{0};       ///< velocity of the whole group in m/s
+  glm::vec3 rotation{0};       ///< degrees about x, then y, then z; disks lie in the xz plane
+  std::filesystem::path file;  ///< CSV file (first line names x,y,z[,vx,vy,vz][,mass]) or PLY file
   void describe(scene::Fields& fields);
 };
 
-/// A source of particles that live for a while.
+/// Source of particles with a limited lifetime.
 struct Emitter : shader::EmitterConstants {
-  float rate = 1000.0F;                                      ///< 1/s
-  scene::Animated<glm::vec3> position = glm::vec3(0);        ///< m
-  scene::Animated<glm::vec3> velocity = glm::vec3(0, 3, 0);  ///< m/s
-  float spread = 20.0F;                                      ///< degrees about the velocity
-  float from = 0.0F, until = 1e9F;                           ///< s
+  float rate = 1000.0F;                                      ///< number of particles per second
+  scene::Animated<glm::vec3> position = glm::vec3(0);        ///< position in metres
+  scene::Animated<glm::vec3> velocity = glm::vec3(0, 3, 0);  ///< mean initial velocity in m/s
+  float spread = 20.0F;                                      ///< degrees; half the angle of the velocity
+                                                             ///< cone
+  float from = 0.0F, until = 1e9F;                           ///< times in seconds at which the emitter
+                                                             ///< starts and stops
   void describe(scene::Fields& fields);
 };
 
-/// Curl noise: a velocity field without sources.
+/// Curl noise: a divergence-free velocity field.
 struct Turbulence : shader::TurbulenceConstants {
-  float size = 1.0F;   ///< m
-  float speed = 0.3F;  ///< m/s at which the field drifts
+  float size = 1.0F;   ///< metres; size of the swirls
+  float speed = 0.3F;  ///< speed in m/s at which the field drifts
 };
 
-enum class GravityMethod { none, allPairs, tree };  ///< "none", "all-pairs", "tree"
+enum class GravityMethod { none, allPairs, tree };  ///< named "none", "all-pairs" and "tree" in scenes
 
 struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleConstants {
   std::vector<ParticleGroup> groups;
   std::vector<Emitter> emitters;
   GravityMethod method = GravityMethod::allPairs;
-  float gravity = 0.01F;   ///< G, m^3/(kg s^2)
-  float softening = 0.1F;  ///< eps, m
-  float opening = 0.5F;    ///< of "tree": the angle below which a cell counts as one body
+  float gravity = 0.01F;   ///< gravitational constant G in m^3/(kg s^2)
+  float softening = 0.1F;  ///< softening length eps in metres
+  float opening = 0.5F;    ///< for "tree": maximum angle (rad) at which a cell counts as one body
   bool hasAttractor = false;
-  scene::Animated<glm::vec3> attractorPosition = glm::vec3(0);  ///< m
-  scene::Animated<float> attractorMass = 100.0F;                ///< kg
-  scene::Animated<glm::vec3> acceleration = glm::vec3(0);       ///< m/s^2, the same everywhere
+  scene::Animated<glm::vec3> attractorPosition = glm::vec3(0);  ///< position in metres
+  scene::Animated<float> attractorMass = 100.0F;                ///< mass in kg
+  scene::Animated<glm::vec3> acceleration = glm::vec3(0);       ///< uniform acceleration in m/s^2
   Turbulence turbulence;
   int substeps = 1;
   bool collides = false;
   bool hasWind = false;
-  std::string windFluid;       ///< name of the fluid that is their wind
-  float windDrag = 4;          ///< 1/s
-  std::string walls;           ///< name of the solid they meet; empty: none
-  std::string cloths = "all";  ///< with contact, which they meet: "all", "none", or a name
+  std::string windFluid;       ///< name of the fluid whose flow is the wind
+  float windDrag = 4;          ///< rate in 1/s at which velocity approaches the wind's
+  std::string walls;           ///< name of the solid whose walls the particles collide with; empty: none
+  std::string cloths = "all";  ///< cloths in contact to collide with: "all", "none", or a name
 
-  // How they look.
+  // Appearance of the particles.
   Instances::Shape shape = Instances::Shape::sprite;
   std::filesystem::path mesh;
   bool alongVelocity = false;
@@ -83,7 +87,7 @@ struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleCon
   float massExponent = 0.0F;
   Instances::ColorBy colorBy = Instances::ColorBy::material;
   glm::vec2 colorRange{0, 1};
-  std::vector<glm::vec3> colors;  ///< linear stops
+  std::vector<glm::vec3> colors;  ///< linear RGB stops of the colour map
   bool additive = false;
   float brightness = 1.0F;
   float fade = 0.1F;
@@ -101,10 +105,12 @@ struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleCon
     return bytes;
   }
   [[nodiscard]] double touchMargin() const override { return collides ? margin : -1; }
-  /// 1/s, at which they lose velocity: to rest and to the wind.
+  /// Returns the rate in 1/s at which particles lose velocity relative to the surroundings: damping plus
+  /// wind drag.
   [[nodiscard]] float slowing() const { return damping + (hasWind ? windDrag : 0.0F); }
   [[nodiscard]] bool meetsCloths() const { return collides && cloths != "none"; }
-  /// The same with as many substeps as the cloths that it meets take; 0: its own.
+  /// Returns a copy with `contactSubsteps` substeps per frame if the particles collide with cloths; 0 keeps
+  /// the own number.
   [[nodiscard]] ParticleParameters inStep(int contactSubsteps) const;
 
  private:

@@ -25,7 +25,8 @@ namespace {
 
 constexpr int maxAnywhere = 1 << 26;
 
-/// What one array of the current device holds and one dispatch of 64 a group reaches.
+/// Returns the maximum number of particles for the current device: limited by one array's size and by one
+/// dispatch of workgroups of 64.
 int maxParticles() {
   constexpr std::int64_t bytes = sizeof(glm::vec4);
   std::int64_t max = gl::limits().storageBlockBytes / bytes;
@@ -39,7 +40,7 @@ const std::vector<ColliderShape>& shapesIn(const Setting& setting) {
   return setting.colliders != nullptr ? *setting.colliders : none;
 }
 
-/// glsl/particles/kernel.glsl.
+/// Inputs that all particle kernels share (glsl/particles/kernel.glsl).
 struct ParticlePart {
   gl::Block<"StepBlock", shader::ParticleStep> step;
   TouchPart touch;
@@ -53,7 +54,7 @@ struct ParticleFields {
 };
 struct ParticleSolids {
   TouchVariant touch;
-  gl::Switch<"SOLIDS"> solids;  // shapes and meshes
+  gl::Switch<"SOLIDS"> solids;  // true if there are collider shapes or meshes
 };
 
 struct ParticleKick {
@@ -66,7 +67,7 @@ struct ParticleKick {
   gl::InOut<"accelerations"> accelerations;
 };
 
-/// A substep of particles that attract each other, up to the kick.
+/// Substep of mutually attracting particles up to the second kick.
 struct ParticleDrift {
   static constexpr auto file = "particles/drift.comp";
   using Variant = ParticleSolids;
@@ -74,7 +75,7 @@ struct ParticleDrift {
   gl::InOut<"accelerations"> accelerations;
 };
 
-/// A whole substep of others.
+/// Whole substep of particles that do not attract each other.
 struct ParticleWhole {
   static constexpr auto file = "particles/step.comp";
   struct Variant {
@@ -286,7 +287,7 @@ class Particles : public Simulation, public LockStep {
 
   [[nodiscard]] bool attracts() const { return plan_.parameters().method != GravityMethod::none; }
 
-  /// A substep of what lies in positions_[next_].
+  /// Advances the particles in positions_[next_] by one substep.
   void advance(int substep) {
     gl::barrier();
     const ParticlePart part = partAt(substep);
@@ -312,7 +313,7 @@ class Particles : public Simulation, public LockStep {
     birth_.dispatch(newborns, {part, accelerations_});
   }
 
-  /// The first accelerations: a kick of no length.
+  /// Computes the initial accelerations with a kick of zero length.
   void prime(double time) {
     steps_.upload(std::vector{plan_.prime(time)});
     gl::barrier();
@@ -338,7 +339,8 @@ class Particles : public Simulation, public LockStep {
             .velocities = velocities_};
   }
 
-  /// Mass of an ordinary particle: of the first group, else of the first emitter.
+  /// Returns the mass of a particle of nominal size, taken from the first group, else from the first
+  /// emitter.
   [[nodiscard]] float massReference() const {
     const ParticleParameters& p = plan_.parameters();
     if (p.groups.empty()) return p.emitters.empty() ? 1.0F : p.emitters.front().mass;
@@ -349,12 +351,12 @@ class Particles : public Simulation, public LockStep {
   std::string name_;
   scene::Material material_;
   ParticlePlan plan_;
-  gl::Vec4Array positions_[2];  ///< now; and in contact with cloth, where the substep leads
+  gl::Vec4Array positions_[2];  ///< current positions; in contact with cloth also the substep's result
   gl::Vec4Array velocities_, accelerations_;
-  gl::Buffer savedAccelerations_;  ///< of particles in contact, before the frame
-  int next_ = 0;                   ///< of positions_, what kernels work on
-  bool inContact_ = false;         ///< with cloth
-  bool settles_ = false;           ///< whether it meets anything else
+  gl::Buffer savedAccelerations_;  ///< for particles in contact: accelerations before the frame
+  int next_ = 0;                   ///< index into positions_ of the array that kernels read and write
+  bool inContact_ = false;         ///< true if in contact with cloth
+  bool settles_ = false;           ///< true if there is anything else to collide with
   gl::Buffer status_;
   StepBlocks<shader::ParticleStep> steps_;
   std::vector<shader::ParticleStep> stepsOfFrame_;
@@ -367,7 +369,7 @@ class Particles : public Simulation, public LockStep {
   gl::Kernel<ParticleKick> kick_;
   PairGravity pairs_;
   std::optional<GravityTree> tree_;
-  std::vector<glm::vec3> colors_;  ///< where the parameters give none
+  std::vector<glm::vec3> colors_;  ///< default colour map if the parameters have none
   bool primed_ = false;
 };
 

@@ -3,7 +3,8 @@
 
 namespace simreel::sim {
 
-/// N-body particles, fields and emitters on the GPU: leapfrog, 48 bytes a particle.
+/// Returns the simulation kind "particles": N-body particles, fields and emitters on the GPU, integrated by
+/// leapfrog, 48 bytes per particle.
 [[nodiscard]] SimulationKind particlesKind();
 
 }  // namespace simreel::sim

@@ -26,7 +26,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Most slots an emitter may need at once.
+/// Returns the maximum number of slots that an emitter can need at the same time.
 double ringSize(const Emitter& emitter) {
   return std::ceil(static_cast<double>(emitter.rate) * emitter.lifetime *
                    (1.0 + emitter.lifetimeVariation)) +
@@ -75,7 +75,7 @@ int ParticlePlan::groupCount(std::size_t group) const {
   return g.shape == ParticleGroup::Shape::file ? static_cast<int>(files_[group].positions.size()) : g.count;
 }
 
-/// What sits in the middle of a group, at most a hundredth of its radius off.
+/// Returns the masses at the centre of a group, within a hundredth of its radius.
 std::vector<Companion> ParticlePlan::companionsOf(std::size_t group) const {
   const ParticleGroup& disk = parameters_.groups[group];
   const auto near = [&](const glm::vec3& position) {
@@ -122,7 +122,7 @@ shader::ParticleFields ParticlePlan::fields(double time) const {
   shader::ParticleFields f{};
   f.acceleration = glm::vec4(p.acceleration.at(time), 0.0F);
   f.attractor = glm::vec4(p.attractorPosition.at(time), p.gravity * p.attractorMass.at(time));
-  // The field drifts along a fixed direction, none of the axes.
+  // The field drifts along a fixed direction that is not a coordinate axis.
   const glm::dvec3 way = glm::dvec3(0.36, 0.48, 0.8) * (p.turbulence.speed * time);
   f.turbulenceDrift = glm::vec4(way.x, way.y, way.z, 0);
   return f;
@@ -184,17 +184,17 @@ std::vector<shader::ParticleStep> ParticlePlan::frame(double time) {
 void ParticlePlan::births(shader::EmitterStep& s, const Emitter& emitter, Ring& ring, double start,
                           double end) const {
   if (!ring.started) {
-    // "from" zero means from the start, pre-roll included.
+    // "from": 0 means from the start of the run, pre-roll included.
     ring.begin = emitter.from > 0 ? std::max<double>(emitter.from, start) : start;
     ring.started = true;
   }
   const auto rate = static_cast<double>(emitter.rate);
   const double until = std::min<double>(end, emitter.until);
-  // Particle n, counted from 0, is born at begin + (n + 1) / rate. A little more, so that a whole number of
-  // periods is not missed by rounding.
+  // Particle n, counted from 0, is born at begin + (n + 1) / rate. The 1e-6 keeps rounding from losing the
+  // last particle of a whole number of periods.
   const auto due = std::max(
       ring.born, static_cast<long long>(std::floor(rate * std::max(until - ring.begin, 0.0) + 1e-6)));
-  // Of more than fit into the ring all but the last are dead already at the substep's end.
+  // If more are due than the ring holds, all but the last ones have already died at the end of the substep.
   const auto newborns = static_cast<int>(std::min<long long>(due - ring.born, ring.size));
   const long long first = due - newborns;
   const double birth = ring.begin + static_cast<double>(first + 1) / rate;
@@ -202,7 +202,7 @@ void ParticlePlan::births(shader::EmitterStep& s, const Emitter& emitter, Ring& 
   s.positionBefore = glm::vec4(emitter.position.at(start), 0);
   s.velocity = glm::vec4(emitter.velocity.at(end), 0);
   s.velocityBefore = glm::vec4(emitter.velocity.at(start), 0);
-  // 1 - cos = 2 sin^2 of the half, which is 0 without spread.
+  // 1 - cos(a) = 2 sin^2(a / 2), which is exactly 0 without spread.
   const float half = shader::exactSin(emitter.spread * 0.00872664626F);
   s.coneHeight = 2.0F * half * half;
   s.birthInterval = static_cast<float>(1 / rate);

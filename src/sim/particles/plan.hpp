@@ -12,35 +12,38 @@ namespace simreel::sim {
 
 struct Companion;
 
-/// Particles at one moment: positions xyz in m, w mass in kg (0: not alive); velocities xyz in m/s, w age 0
-/// to 1 (negative: not alive).
+/// State of particles at one time. Positions: xyz in m, w the mass in kg (0: not alive). Velocities: xyz in
+/// m/s, w the age from 0 to 1 (negative: not alive).
 struct ParticleCloud {
   std::vector<glm::vec4> positions;
   std::vector<glm::vec4> velocities;
 };
 
-/// Everything of a particle simulation that is decided on the CPU: the first state, and what each substep
-/// is told. Shared by the GPU simulation and its CPU twin. After the start nothing here depends on the
-/// number of particles.
+/// Everything about a particle simulation that the CPU decides: the initial state and the uniform data of
+/// each substep. The GPU simulation and its CPU reference share it. After the start its cost does not
+/// depend on the number of particles.
 class ParticlePlan {
  public:
-  /// Reads the groups' files. Throws UserError(usage) for a file that holds no usable particles or when
-  /// there are more than `maxParticles` slots, or more `colliders` than the kernels hold where they
-  /// collide; those of particles that do not are left out.
+  /// Reads the groups' files. Throws UserError(usage) for a file without usable particles, for more than
+  /// `maxParticles` slots, and for more `colliders` than the kernels support. Ignores the colliders if the
+  /// particles do not collide.
   ParticlePlan(ParticleParameters parameters, int seed, double frameSeconds, int maxParticles = 1 << 24,
                const std::vector<ColliderShape>& colliders = {});
 
-  /// Slots: the groups' particles in order, then a ring of slots for each emitter.
+  /// Returns the number of slots: the groups' particles in order, then a ring buffer of slots for each
+  /// emitter.
   [[nodiscard]] int count() const { return count_; }
-  /// Equal particles of a group, the one in its middle not counted.
+  /// Returns the number of equal particles in a group, without its central particle.
   [[nodiscard]] int groupCount(std::size_t group) const;
-  /// The groups' particles and empty slots.
+  /// Returns the initial state: the groups' particles, then empty slots for the emitters.
   [[nodiscard]] ParticleCloud firstCloud() const;
-  /// As cloths in contact see them at the start.
+  /// Returns the description of the particles for contact with cloths.
   [[nodiscard]] ContactPart contactPart() const;
-  /// What the kick is told that finds the first accelerations, at `time` (s), and changes nothing else.
+  /// Returns the step data for a kick of zero length at `time` (seconds), used to compute the initial
+  /// accelerations.
   [[nodiscard]] shader::ParticleStep prime(double time) const;
-  /// The substeps of the frame that starts at `time` (s). Call in order: emitters go on where they were.
+  /// Returns the data of the substeps of the frame that starts at `time` (seconds). Frames must be
+  /// requested in order, because emitters continue from the previous frame.
   [[nodiscard]] std::vector<shader::ParticleStep> frame(double time);
   void carryOver(CarryOver& carry) {
     carry.number("steps begun", done_);
@@ -53,7 +56,7 @@ class ParticlePlan {
 
   [[nodiscard]] const ParticleParameters& parameters() const { return parameters_; }
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
-  /// The same in every step.
+  /// Returns the number of colliders, which is the same in every step.
   [[nodiscard]] int colliderCount() const { return colliders_.count(); }
 
  private:
@@ -61,9 +64,9 @@ class ParticlePlan {
   struct Ring {
     int first = 0;
     int size = 0;
-    long long born = 0;    ///< so far
-    double begin = 0;      ///< s, when the first one may be born
-    bool started = false;  ///< begin is known
+    long long born = 0;    ///< number of particles born so far
+    double begin = 0;      ///< seconds; earliest time of the first birth
+    bool started = false;  ///< true once `begin` is set
   };
 
   [[nodiscard]] shader::ParticleFields fields(double time) const;
@@ -75,10 +78,10 @@ class ParticlePlan {
   int seed_;
   double substepSeconds_;
   ColliderPlan colliders_;
-  std::vector<ParticleCloud> files_;  ///< one for each group, empty unless it is a file
+  std::vector<ParticleCloud> files_;  ///< content of each group's file; empty for other groups
   std::vector<Ring> rings_;
   int count_ = 0;
-  int done_ = 0;  ///< substeps so far
+  int done_ = 0;  ///< number of substeps so far
 };
 
 }  // namespace simreel::sim

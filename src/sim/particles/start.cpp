@@ -11,10 +11,10 @@ namespace simreel::sim {
 
 namespace {
 
-// Only +, -, *, / and square roots of doubles, which IEEE 754 pins down: the first state has the same bits
-// on every machine.
+// The functions below use only +, -, *, / and sqrt of doubles, which IEEE 754 defines exactly. The initial
+// state therefore has the same bits on every machine.
 
-/// Natural logarithm: x = m 2^e, ln m = 2 (z + z^3/3 + z^5/5 + ...), z = (m-1)/(m+1).
+/// Returns the natural logarithm: x = m 2^e, ln m = 2 (z + z^3/3 + z^5/5 + ...), z = (m-1)/(m+1).
 double logarithm(double x) {
   int exponent = 0;
   double m = std::frexp(x, &exponent);
@@ -28,7 +28,8 @@ double logarithm(double x) {
   return 2 * z * sum + exponent * std::numbers::ln2;
 }
 
-/// e^x for |x| < 700, by halving the argument until Taylor's series is short.
+/// Returns e^x for |x| < 700. Divides the argument by 2^10, evaluates a short Taylor series and squares the
+/// result ten times.
 double exponential(double x) {
   double r = x / 1024;
   double sum = 1;
@@ -37,14 +38,14 @@ double exponential(double x) {
   return sum;
 }
 
-/// x^(1/3) by Newton's iteration, x in (0, 1].
+/// Returns x^(1/3) by Newton's iteration, for x in (0, 1].
 double cubeRoot(double x) {
   double y = 1;
   for (int i = 0; i < 64; ++i) y = (2 * y + x / (y * y)) / 3;
   return y;
 }
 
-/// Numbers drawn for one particle, one after another.
+/// Random number sequence of one particle.
 class Draws {
  public:
   Draws(int particle, int group, int seed)
@@ -52,20 +53,20 @@ class Draws {
         group_(static_cast<unsigned>(group)),
         seed_(static_cast<unsigned>(seed) * 0x9e3779b9U) {}
 
-  /// Uniform in (0, 1).
+  /// Returns a number uniformly distributed in (0, 1).
   double unit() {
     const auto bits = shader::hash3({particle_, group_ * 65536U + draw_++, seed_ ^ 0x2545f491U});
     return ((bits.x >> 8U) + 0.5) / 16777216.0;
   }
   double between(double low, double high) { return low + (high - low) * unit(); }
-  /// Uniform on the unit sphere.
+  /// Returns a direction uniformly distributed on the unit sphere.
   glm::dvec3 direction() {
     const double y = between(-1, 1);
     const auto angle = static_cast<float>(between(0, 2 * std::numbers::pi));
     const double across = std::sqrt(1 - y * y);
     return {across * shader::exactCos(angle), y, across * shader::exactSin(angle)};
   }
-  /// Mean 0, variance 1 (Box and Muller).
+  /// Returns a normally distributed number with mean 0 and variance 1 (Box and Muller).
   double normal() {
     const double radius = std::sqrt(-2 * logarithm(unit()));
     return radius * shader::exactCos(static_cast<float>(between(0, 2 * std::numbers::pi)));
@@ -81,7 +82,8 @@ struct Body {
   glm::dvec3 velocity{0};
 };
 
-/// Uniform ball or cube, turning about y, with a random velocity of up to `speed`.
+/// Returns a particle of a uniform ball or cube that spins about y, with a velocity of magnitude `speed` in
+/// a random direction.
 Body looseBody(const ParticleGroup& g, Draws& draws) {
   Body body;
   const double r = g.radius;
@@ -97,10 +99,11 @@ Body looseBody(const ParticleGroup& g, Draws& draws) {
   return body;
 }
 
-/// Plummer's model (Aarseth, Henon and Wielen 1974): M(r) inverted for the radius; the velocity as a share
-/// q of the escape velocity has the density q^2 (1 - q^2)^(7/2), drawn by rejection below 0.1.
+/// Returns a particle of Plummer's model (Aarseth, Henon and Wielen 1974). The radius inverts M(r). The
+/// velocity as a fraction q of the escape velocity has the density q^2 (1 - q^2)^(7/2), which is always
+/// below 0.1, and is sampled by rejection.
 Body plummerBody(const ParticleGroup& g, double gm, Draws& draws) {
-  const double fraction = draws.unit() * 0.999;  // radii up to 39 a
+  const double fraction = draws.unit() * 0.999;  // limits radii to 39 times the scale radius a
   const double root = cubeRoot(fraction);
   const double r = g.radius / std::sqrt(1 / (root * root) - 1);
   double q = 0;
@@ -118,14 +121,14 @@ Body plummerBody(const ParticleGroup& g, double gm, Draws& draws) {
   return body;
 }
 
-/// Circular motion in an exponential disk about a softened centre; R and lengths in m.
+/// Circular motion in an exponential disk around a softened central mass; lengths in m.
 struct DiskModel {
   double scale, gmDisk, gmCentre, softeningSquared;
   double gravity;
   std::span<const Companion> companions;
 
-  /// v^2 = G M(<R) R^2 / (R^2 + eps^2)^(3/2), M the disk within R taken as round, and the centre; with each
-  /// companion's G M R^2 / (R^2 + a^2 + eps^2)^(3/2).
+  /// Returns v^2 = G M(<R) R^2 / (R^2 + eps^2)^(3/2), where M is the central mass plus the disk's mass
+  /// within R, treated as spherical. Each companion adds G M R^2 / (R^2 + a^2 + eps^2)^(3/2).
   [[nodiscard]] double speedSquared(double radius) const {
     const double x = radius / scale;
     const double within = gmDisk * (1 - (1 + x) * exponential(-x)) + gmCentre;
@@ -137,7 +140,7 @@ struct DiskModel {
     }
     return sum;
   }
-  /// kappa^2 = R^-3 d(R^2 v^2)/dR.
+  /// Returns the squared epicyclic frequency kappa^2 = R^-3 d(R^2 v^2)/dR.
   [[nodiscard]] double epicyclicSquared(double radius) const {
     const double h = 1e-3 * radius;
     const double above = (radius + h) * (radius + h) * speedSquared(radius + h);
@@ -146,8 +149,9 @@ struct DiskModel {
   }
 };
 
-/// Surface density exp(-R/Rd), height sech^2(z/z0); dispersion for Toomre's Q = 1.2, held below 0.3 of the
-/// circular speed; mean rotation less the asymmetric drift (Binney and Tremaine 2008, 4.228).
+/// Returns a particle of a disk with the surface density exp(-R/Rd) and the vertical profile sech^2(z/z0).
+/// The velocity dispersion gives Toomre's Q = 1.2, limited to 0.3 of the circular speed; the mean rotation
+/// is reduced by the asymmetric drift (Binney and Tremaine 2008, 4.228).
 Body diskBody(const ParticleGroup& g, const DiskModel& disk, double gravity, Draws& draws) {
   double radius = 0;
   do {
@@ -223,7 +227,7 @@ ParticleCloud startGroup(const ParticleGroup& g, int groupIndex, int seed, float
 }
 
 void placeGroup(ParticleCloud& cloud, const ParticleGroup& group) {
-  // The exact cosine of 0 is 1 - 1.2e-7: a group that is not turned keeps its bits.
+  // exactCos(0) is 1 - 1.2e-7, so an unrotated group skips the rotation to keep its bits.
   const bool turned = group.rotation != glm::vec3(0);
   const glm::mat3 turn = turned ? glm::mat3(rotationMatrix(group.rotation)) : glm::mat3(1.0F);
   for (glm::vec4& p : cloud.positions) p = glm::vec4(turn * glm::vec3(p) + group.position, p.w);

@@ -5,21 +5,20 @@
 
 namespace simreel::sim {
 
-/// A mass that sits in the middle of a group besides its own: another group, or the attractor. Taken as a
-/// Plummer sphere.
+/// Additional mass at the centre of a group: another group or the attractor. Treated as a Plummer sphere.
 struct Companion {
-  float mass = 0;    ///< kg
-  float radius = 0;  ///< m, Plummer's a
+  float mass = 0;    ///< mass in kg
+  float radius = 0;  ///< metres; Plummer scale radius a
 };
 
-/// The particles of a group about its own middle, unrotated and at rest as a whole: a ball, cube, Plummer
-/// sphere in equilibrium or rotating disk, then the particle in the middle if there is one. Every random
-/// number is an integer hash of (particle, group, seed). `gravity` and `softening` as in
-/// ParticleParameters. Disks turn as fast as their own mass and the companions' ask for.
+/// Returns the particles of a group around its own centre, unrotated and at rest as a whole: a ball, a
+/// cube, a Plummer sphere in equilibrium or a rotating disk, followed by the central particle if there is
+/// one. Every random number is an integer hash of (particle, group, seed). `gravity` and `softening`: see
+/// ParticleParameters. The rotation speed of a disk follows from its own mass and the companions'.
 [[nodiscard]] ParticleCloud startGroup(const ParticleGroup& group, int groupIndex, int seed, float gravity,
                                        float softening, std::span<const Companion> companions);
 
-/// Rotates the cloud, then moves it to the group's position and velocity.
+/// Rotates the cloud, then adds the group's position and velocity.
 void placeGroup(ParticleCloud& cloud, const ParticleGroup& group);
 
 }  // namespace simreel::sim

@@ -19,11 +19,11 @@ double doubleArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// A polygon laid flat, counter-clockwise; its corners that are left form a ring.
+/// Polygon projected to 2D, counter-clockwise; the remaining corners form a linked ring.
 class EarRing {
  public:
   EarRing(const glm::dvec3& normal, std::span<const glm::vec3> corners) : left_(corners.size()) {
-    // Seen along the largest part of the normal.
+    // Projects along the largest component of the normal.
     const glm::dvec3 size = glm::abs(normal);
     const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
     const double side = normal[axis] < 0 ? -1 : 1;
@@ -43,7 +43,8 @@ class EarRing {
   [[nodiscard]] unsigned before(unsigned i) const { return before_[i]; }
   [[nodiscard]] bool convex() const { return hollows_.empty(); }
 
-  /// Whether a corner's triangle has no other corner inside. Counts what is tested.
+  /// True if a corner's triangle contains no other corner (ear). Adds the number of tested corners to
+  /// `tests`.
   bool isEar(unsigned i, std::uint64_t& tests) {
     if (hollow_[i]) return false;
     const unsigned a = before_[i], c = next_[i];
@@ -51,7 +52,7 @@ class EarRing {
     bool ear = true;
     for (std::size_t k = 0; k < hollows_.size(); ++k) {
       const unsigned other = hollows_[k];
-      if (!hollow_[other]) continue;  // cut off, or no longer hollow
+      if (!hollow_[other]) continue;  // skips corners that are cut off or no longer concave
       hollows_[kept++] = other;
       ++tests;
       if (other == a || other == c || !ear) continue;
@@ -75,7 +76,8 @@ class EarRing {
   [[nodiscard]] double turnAt(unsigned i) const {
     return doubleArea(flat_[before_[i]], flat_[i], flat_[next_[i]]);
   }
-  /// Within or on the edges, but at none of the corners: polygons with holes meet themselves there.
+  /// True if p lies within the triangle or on its edges but on none of its corners; polygons with holes
+  /// touch themselves there.
   static bool inside(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     if (p == a || p == b || p == c) return false;
     return doubleArea(a, b, p) >= 0 && doubleArea(b, c, p) >= 0 && doubleArea(c, a, p) >= 0;
@@ -84,8 +86,9 @@ class EarRing {
   std::size_t left_;
   std::vector<glm::dvec2> flat_;
   std::vector<unsigned> next_, before_;
-  std::vector<char> hollow_;       ///< whether the corner is one, or straight
-  std::vector<unsigned> hollows_;  ///< their numbers, and of some that were
+  std::vector<char> hollow_;       ///< true if the corner is concave or straight
+  std::vector<unsigned> hollows_;  ///< indices of the concave corners; may contain corners that no longer
+                                   ///< are
 };
 
 }  // namespace
@@ -93,7 +96,8 @@ class EarRing {
 glm::dvec3 polygonNormal(std::span<const glm::vec3> corners) {
   glm::dvec3 sum(0);
   if (corners.empty()) return sum;
-  const glm::dvec3 origin(corners[0]);  // or far from 0 small polygons lose their digits
+  const glm::dvec3 origin(corners[0]);  // uses positions relative to a corner, because far from 0 small
+                                        // polygons would lose precision
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     sum += glm::cross(glm::dvec3(corners[i]) - origin, glm::dvec3(corners[i + 1]) - origin);
   return sum;
@@ -110,7 +114,7 @@ void PolygonCutter::cut(std::span<const glm::vec3> corners,
     cutEars(polygonNormal(corners), corners, triangles);
 }
 
-/// From the hollow corner, else from the first.
+/// Splits a quad at its concave corner, else at the first.
 void PolygonCutter::cutFour(std::span<const glm::vec3> corners,
                             std::vector<std::array<unsigned, 3>>& triangles) const {
   const glm::dvec3 normal = polygonNormal(corners);
@@ -134,14 +138,14 @@ void PolygonCutter::cutEars(const glm::dvec3& normal, std::span<const glm::vec3>
     return;
   }
   unsigned at = 0;
-  std::size_t passed = 0;  // corners since the last that was cut off
+  std::size_t passed = 0;  // number of corners since the last one that was cut off
   while (ring.left() > 3) {
-    const bool stuck = passed > ring.left();  // it meets itself, or has no area
+    const bool stuck = passed > ring.left();  // the polygon intersects itself or has no area
     if (stuck || ring.isEar(at, tests_)) {
       triangles.push_back({ring.before(at), at, ring.next(at)});
       ring.cutOff(at);
       passed = 0;
-      at = ring.next(ring.next(at));  // thin fans come of going on with the next
+      at = ring.next(ring.next(at));  // skips a corner, because cutting adjacent corners gives thin fans
       continue;
     }
     if (++tests_ > mostTests)

@@ -8,18 +8,19 @@
 
 namespace simreel::sim {
 
-/// Most corners of a face.
+/// Maximum number of corners of a face.
 inline constexpr std::size_t maxCorners = 10'000;
 
-/// The sum of a polygon's edges crossed (Newell): along its normal, twice its area long.
+/// Returns the polygon's normal with twice its area as length: the sum of cross products of its edges
+/// (Newell).
 [[nodiscard]] glm::dvec3 polygonNormal(std::span<const glm::vec3> corners);
 
-/// Cuts polygons into triangles, hollow ones along their insides: n - 2 of n corners, in the polygon's own
-/// direction. One that meets itself is cut somehow.
+/// Triangulates polygons, concave ones along their inside: n - 2 triangles for n corners, with the
+/// polygon's orientation. A self-intersecting polygon gets some arbitrary triangulation.
 class PolygonCutter {
  public:
-  /// Adds the triangles by corner. Throws PolygonProblem where hollow polygons of many corners, whose time
-  /// grows with the square, would take seconds in all.
+  /// Appends the triangles as corner indices. Throws PolygonProblem if concave polygons with many corners,
+  /// whose time grows quadratically, would take seconds in total.
   void cut(std::span<const glm::vec3> corners, std::vector<std::array<unsigned, 3>>& triangles);
 
  private:

@@ -7,12 +7,12 @@
 
 namespace simreel::sim {
 
-/// Numbers for keys, from 0 on in the order in which they first come. `Hash` gives 64 bits, all of them
-/// mixed. A table of numbers beside the keys: 4 to 16 bytes a key.
+/// Assigns keys consecutive numbers from 0 on, in the order of their first use. `Hash` must return 64
+/// well-mixed bits. Open addressing: 4 to 16 bytes per key in addition to the keys.
 template <class Key, class Hash>
 class Distinct {
  public:
-  /// A key's number, and whether it is new.
+  /// Returns a key's number and true if it is new.
   std::pair<unsigned, bool> number(const Key& key) {
     if (2 * (keys_.size() + 1) > slots_.size()) grow();
     const std::size_t at = find(key);
@@ -22,7 +22,7 @@ class Distinct {
     return {slots_[at], true};
   }
   [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
-  /// Gives the keys away.
+  /// Returns the keys and leaves this object empty.
   [[nodiscard]] std::vector<Key> take() {
     slots_.clear();
     return std::move(keys_);
@@ -31,7 +31,7 @@ class Distinct {
  private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  /// The slot that a key has, or would have.
+  /// Returns the slot that a key has or would get.
   [[nodiscard]] std::size_t find(const Key& key) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t at = static_cast<std::size_t>(Hash{}(key)) & mask;
@@ -45,10 +45,10 @@ class Distinct {
   }
 
   std::vector<Key> keys_;
-  std::vector<std::uint32_t> slots_;  ///< a power of two
+  std::vector<std::uint32_t> slots_;  ///< hash table; its size is a power of two
 };
 
-/// Mixes 32-bit words into 64 bits (MurmurHash3's last step, by Appleby).
+/// Hashes 32-bit words to 64 bits (with the finalizer of MurmurHash3, by Appleby).
 class WordHash {
  public:
   void add(std::uint32_t word) {

@@ -26,7 +26,7 @@ bool isOneOf(std::string_view word, const std::array<std::string_view, count>& a
 constexpr std::array<std::string_view, 17> freeForm = {"vp",   "cstype", "deg",  "bmat", "step", "curv",
                                                        "parm", "curv2",  "surf", "trim", "hole", "scrv",
                                                        "sp",   "con",    "end",  "bzp",  "bsp"};
-/// How other programs are to draw, and names.
+/// Keywords that are silently ignored: names and display hints for other programs.
 constexpr std::array<std::string_view, 12> quiet = {
     "g", "o", "mg", "lod", "bevel", "c_interp", "d_interp", "ctech", "stech", "cdc", "cdp", "res"};
 
@@ -53,7 +53,7 @@ class ObjReader {
     throw PolygonProblem(fmt::format("has in line {} {}", first_, why));
   }
 
-  /// The next line, with those that it goes on in and without its comment.
+  /// Reads the next line together with its continuation lines, without comments.
   bool next(std::string_view& line) {
     if (!lines_.next(line)) return false;
     first_ = lines_.number();
@@ -114,7 +114,7 @@ class ObjReader {
     return *value;
   }
 
-  /// Numbers of a line, of which at least so many have to be there; those left out are 0.
+  /// Parses the numbers of a line, at least `least` of them; missing ones are 0.
   template <std::size_t count>
   std::array<float, count> numbers(std::string_view rest, std::size_t least) const {
     std::array<float, count> values{};
@@ -127,7 +127,7 @@ class ObjReader {
     return values;
   }
 
-  /// x y z, perhaps a weight, perhaps a colour.
+  /// Parses a position: x y z, optionally a weight, optionally a colour.
   void place(std::string_view rest) {
     std::array<float, 7> values{};
     std::size_t found = 0;
@@ -144,8 +144,8 @@ class ObjReader {
     file_.colors.emplace_back(values[found - 3], values[found - 2], values[found - 1]);
   }
 
-  /// A corner's number into a list of that size: counted from 1, or back from what has come so far. One
-  /// that has not come yet is checked at the end.
+  /// Converts a corner's index into a list of `size` items: counted from 1, or backwards from the latest
+  /// item if negative. Indices of items that follow later are checked at the end.
   int index(std::string_view digits, std::size_t size, const char* what) {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -157,7 +157,7 @@ class ObjReader {
     return static_cast<int>(value - 1);
   }
 
-  /// "1", "1/2", "1//3" or "1/2/3".
+  /// Parses a corner: "1", "1/2", "1//3" or "1/2/3".
   ObjFile::Corner corner(std::string_view word) {
     std::array<std::string_view, 3> parts;
     std::string_view left = word;
@@ -214,7 +214,8 @@ class ObjReader {
     material_ = at->second;
   }
 
-  /// Corners may be said before what they name. Some programs write numbers of normals and leave these out.
+  /// Checks the indices of all corners, because faces may precede the items that they refer to. Missing uvs
+  /// and normals are only reported, because some programs write indices of normals and omit the normals.
   void checkCorners() {
     if (farthest_.number >= static_cast<int>(file_.places.size()))
       throw PolygonProblem(fmt::format("has in line {} a face with vertex {}, and there are {}",
@@ -234,7 +235,7 @@ class ObjReader {
     if (!file_.colors.empty()) file_.colors.resize(file_.places.size(), glm::vec3(1));
   }
 
-  /// The largest number of a vertex, and the first line that named it.
+  /// Largest vertex index, and the first line that contains it.
   struct Farthest {
     int number = -1;
     std::size_t line = 0;
@@ -246,7 +247,7 @@ class ObjReader {
 
   TextLines lines_;
   std::size_t most_;
-  std::size_t first_ = 0;  ///< number of the line that is read, of several the first
+  std::size_t first_ = 0;  ///< number of the current line; with continuation lines, of the first one
   std::string joined_;
   ObjFile file_;
   int material_ = -1;

@@ -10,16 +10,16 @@
 
 namespace simreel::sim {
 
-/// A type of PLY's numbers.
+/// Number type of PLY.
 struct PlyType {
   unsigned bytes = 4;
-  char kind = 'f';  ///< f float, i signed, u unsigned
+  char kind = 'f';  ///< kind of number: f float, i signed integer, u unsigned integer
 };
 
 struct PlyProperty {
   std::string name;
   PlyType type;
-  std::optional<PlyType> counts;  ///< of a list: the type of its length
+  std::optional<PlyType> counts;  ///< for a list: the type of its length
 };
 
 struct PlyElement {
@@ -27,14 +27,14 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// The number of the first property with one of those names; -1: none.
+  /// Returns the index of the first property with one of the names; -1: none.
   [[nodiscard]] int find(std::initializer_list<std::string_view> names, bool list = false) const;
 };
 
-/// The values of one item of an element.
+/// Values of one item of an element.
 class PlyItem {
  public:
-  /// A property's values: one, or those of a list.
+  /// Returns the one value of a scalar property, or all values of a list.
   [[nodiscard]] std::span<const double> list(std::size_t property) const {
     const std::size_t from = property == 0 ? 0 : ends_[property - 1];
     return std::span<const double>(values_).subspan(from, ends_[property] - from);
@@ -44,22 +44,24 @@ class PlyItem {
  private:
   friend class PlyFile;
   std::vector<double> values_;
-  std::vector<std::size_t> ends_;  ///< of each property's values
+  std::vector<std::size_t> ends_;  ///< end index of each property's values
 };
 
-/// A PLY file: text or binary, of either byte order (Greg Turk, The PLY Polygon File Format, 1994). Text is
-/// read number by number; an item's last one ends its line. Throws PolygonProblem.
+/// Reader of PLY files: text, or binary in either byte order (Greg Turk, The PLY Polygon File Format,
+/// 1994). Text is read number by number; the last number of an item must end its line. Throws
+/// PolygonProblem.
 class PlyFile {
  public:
-  /// Reads the header. Refuses a line that it may not have and a count that the bytes cannot hold.
+  /// Reads the header. Throws for an invalid line and for a count that exceeds what the file's bytes can
+  /// hold.
   explicit PlyFile(std::string_view text);
 
   [[nodiscard]] const std::vector<PlyElement>& elements() const { return elements_; }
   [[nodiscard]] const std::vector<std::string>& comments() const { return comments_; }
 
-  /// Hears of each item: its element's number, its own, its values.
+  /// Callback for each item: the element's index, the item's index, its values.
   using Visit = std::function<void(std::size_t element, std::uint64_t item, const PlyItem& values)>;
-  /// Reads the items in the file's order. Returns how many bytes follow the last one, but for blanks.
+  /// Reads the items in the file's order. Returns the number of bytes after the last one, ignoring blanks.
   std::size_t read(const Visit& visit) const;
 
  private:
@@ -71,8 +73,8 @@ class PlyFile {
   std::vector<std::string> comments_;
   bool binary_ = false, bigEndian_ = false;
   bool hasFormat_ = false;
-  std::size_t bytes_;      ///< of the whole file
-  std::size_t lines_ = 0;  ///< of the header
+  std::size_t bytes_;      ///< size of the whole file in bytes
+  std::size_t lines_ = 0;  ///< number of header lines
   std::string_view body_;
 };
 

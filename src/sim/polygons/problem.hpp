@@ -3,7 +3,7 @@
 
 namespace simreel::sim {
 
-/// A file of polygons that cannot be read. The text follows the file's name: "has in line 3 ...".
+/// Error for an unreadable polygon file. Its text follows the file's name in messages: "has in line 3 ...".
 class PolygonProblem : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -6,29 +6,29 @@
 
 namespace simreel::sim {
 
-/// Takes the next word off a line; empty where none is left.
+/// Removes the next word from a line and returns it; empty if none is left.
 [[nodiscard]] std::string_view takeWord(std::string_view& line);
-/// Without blanks at both ends.
+/// Returns the text without blanks at both ends.
 [[nodiscard]] std::string_view withoutBlanks(std::string_view text);
 
-/// A line of OBJ or MTL up to its comment, which begins with '#'; in a line of names at the start of a word
-/// only.
+/// Returns a line of OBJ or MTL without its comment, which begins with '#'. If `ofNames`, only a '#' at the
+/// start of a word begins a comment.
 [[nodiscard]] std::string_view withoutComment(std::string_view line, bool ofNames);
 
-/// All of a word as a decimal number of any notation (".5", "+1", "5.", "1e-3", "nan"), rounded once; of
-/// one too large for the type, infinity.
+/// Parses a whole word as a decimal number in any notation (".5", "+1", "5.", "1e-3", "nan") with correct
+/// rounding; values too large for the type give infinity.
 [[nodiscard]] std::optional<float> floatIn(std::string_view word);
 [[nodiscard]] std::optional<double> doubleIn(std::string_view word);
 
-/// The lines of a text. Each ends with "\n", "\r\n" or "\r".
+/// Iterates over the lines of a text, which end with "\n", "\r\n" or "\r".
 class TextLines {
  public:
   explicit TextLines(std::string_view text) : rest_(text) {}
-  /// The next line without its end. False where there is none.
+  /// Reads the next line without its end. Returns false at the end of the text.
   bool next(std::string_view& line);
-  /// The number of that line, from 1 on.
+  /// Returns the number of the last line read, counted from 1.
   [[nodiscard]] std::size_t number() const { return number_; }
-  /// What follows that line.
+  /// Returns the text after the last line read.
   [[nodiscard]] std::string_view rest() const { return rest_; }
 
  private:
@@ -36,7 +36,7 @@ class TextLines {
   std::size_t number_ = 0;
 };
 
-/// A line as a message quotes it.
+/// Returns a line shortened and in quotes for messages.
 [[nodiscard]] std::string inQuotes(std::string_view line);
 
 }  // namespace simreel::sim

@@ -11,10 +11,11 @@ struct FieldSource {
   static const PortInfo port;
 };
 
-/// Parameters of objects whose cells are no grid of the picture: vertices of a mesh, layers of a volume.
+/// Parameters of objects whose cells are not a grid of the image: vertices of a mesh, or layers of a
+/// volume.
 struct OwnCells {
   virtual ~OwnCells() = default;
-  /// Returns true where this one can read the fields of `other` cell by cell.
+  /// True if this object can read the fields of `other` cell by cell.
   [[nodiscard]] virtual bool readsCellsOf(const OwnCells& other) const = 0;
 
  protected:
@@ -25,8 +26,8 @@ struct OwnCells {
   OwnCells& operator=(OwnCells&&) = default;
 };
 
-/// Returns the field of that name, OBJECT or OBJECT.PART, as it is now. Its pointers live until its
-/// object's next step. Throws UserError(usage) where there is none.
+/// Returns the current field with the name OBJECT or OBJECT.PART. Its pointers are valid until its object's
+/// next step. Throws UserError(usage) for an unknown name.
 [[nodiscard]] Field fieldNamed(const Links& links, const std::string& name);
 
 }  // namespace simreel::sim

@@ -3,8 +3,8 @@
 
 namespace simreel::sim {
 
-/// Port of what others touch: shapes, meshes, bodies, water, cloths in contact. It has no outlet: colliders
-/// reach those that touch them by ports of their own.
+/// Port of objects to collide with: shapes, meshes, bodies, water, cloths in contact. It has no outlet,
+/// because colliders have ports of their own.
 struct Touchable {
   static const PortInfo port;
 };
@@ -14,7 +14,7 @@ struct Way {
   static const PortInfo port;
 };
 
-/// Port of every object: a camera may look at its middle.
+/// Port of every object: its centre, which a camera may look at.
 struct Middle {
   static const PortInfo port;
 };

@@ -12,19 +12,20 @@ struct Measured {
   static const PortInfo port;
 };
 
-/// Quantities of other objects that an object wants.
+/// Reads the quantities of other objects that an object refers to.
 class QuantityReader {
  public:
-  /// `links` outlives it; null: it reads nothing.
+  /// `links` must outlive this object; null: reads nothing.
   QuantityReader(const Links* links, const scene::Object& wanter);
 
-  /// Returns the quantity as it is now; waits for the GPU. Throws UserError(usage) for one that the object
-  /// does not want or that its owner does not measure.
+  /// Returns the current value of a quantity; waits for the GPU. Throws UserError(usage) if the object does
+  /// not refer to the quantity or its owner does not measure it.
   double operator()(const std::string& object, const std::string& quantity) const;
 
  private:
   const Links* links_;
-  std::map<std::string, std::size_t> indices_;  ///< OBJECT.QUANTITY: its place in Simulation::measure()
+  std::map<std::string, std::size_t> indices_;  ///< OBJECT.QUANTITY: index into the result of
+                                                ///< Simulation::measure()
 };
 
 }  // namespace simreel::sim

@@ -16,7 +16,7 @@ Mesh drawnMesh(const ShapeParameters& parameters) {
              : capsuleMesh(parameters.shape.radius, parameters.shape.length);
 }
 
-/// Solid scenery: no state, moved by keyframes, drawn as a mesh.
+/// Solid shape without state, moved by keyframes and drawn as a mesh.
 class Shape : public Simulation {
  public:
   Shape(const scene::Object& object, const Setting& /*setting*/)

@@ -8,7 +8,7 @@
 
 namespace simreel::sim {
 
-/// Parameters of the kinds sphere, capsule and plane.
+/// Parameters of the object kinds "sphere", "capsule" and "plane".
 struct ShapeParameters : ObjectParameters {
   explicit ShapeParameters(ColliderShape::Kind kind) {
     shape.kind = kind;
@@ -22,7 +22,8 @@ struct ShapeParameters : ObjectParameters {
   bool collides = true;
   bool visible = true;
   void describe(scene::Fields& fields) override;
-  /// Balls and capsules at each key of their position; planes are ground.
+  /// Returns the bounds of spheres and capsules at every position key; planes have none, because they serve
+  /// as ground.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   void ports(Ports& ports) const override;
 };

@@ -98,7 +98,8 @@ class Epidemic final : public Simulation {
   gl::Kernel<EpidemicPaintKernel> paint_;
 };
 
-/// A plan whose cells tell of mistakes: of a grid that takes gigabytes, a small one from the same picture.
+/// Returns a plan for validation. For a grid that would take gigabytes it is a small grid from the same
+/// image.
 EpidemicPlan lookedAt(const EpidemicParameters& parameters, const EpidemicPlan& plan,
                       const Setting& setting) {
   if (parameters.leastBlockBytes() <= ObjectParameters::commonBlockBytes) return plan;

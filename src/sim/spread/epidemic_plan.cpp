@@ -90,7 +90,7 @@ std::vector<shader::Stroke> EpidemicPlan::firstStrokes(double time) const {
 std::vector<EpidemicPlan::Step> EpidemicPlan::frame(double time) {
   const Pace::Steps pace = pace_.during(time);
   const EpidemicParameters& p = parameters_;
-  // Ages have 63 steps: with a longer trail they advance in some steps only.
+  // The cell format has 63 ages. If the trail is longer, ages advance only in some steps.
   const unsigned period = static_cast<unsigned>(std::max(1L, std::lround(p.trail / 63.0)));
   const double seconds = 1.0 / p.stepsPerSecond;
   std::vector<Step> steps;
@@ -98,7 +98,7 @@ std::vector<EpidemicPlan::Step> EpidemicPlan::frame(double time) {
     const double t = pace.time + i * seconds;
     const double beta = static_cast<double>(p.beta.at(t));
     Step step{};
-    // With n infected neighbours a susceptible stays well with probability (1 - beta)^n.
+    // With n infected neighbours a susceptible person is not infected with the probability (1 - beta)^n.
     double well = 1;
     for (int n = 0; n <= 8; ++n, well *= 1 - beta)
       step.data.infection[n / 4][n % 4] = thresholdOf(1 - well);

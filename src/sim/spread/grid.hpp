@@ -13,12 +13,12 @@
 
 namespace simreel::sim {
 
-/// Cells of a grid, x fastest, as the kernels want them: four a word, sixteen an element, each row filled
-/// up with zeros to whole elements; of two bytes a cell, half as many.
+/// Packs the cells of a grid (x fastest) for the kernels: bytes four per word, sixteen per uvec4 element,
+/// each row padded with zeros to whole elements; cells of two bytes half as many.
 [[nodiscard]] std::vector<glm::uvec4> packedCells(const std::vector<std::uint8_t>& cells, glm::ivec2 size);
 [[nodiscard]] std::vector<glm::uvec4> packedCells(const std::vector<std::uint16_t>& cells, glm::ivec2 size);
 
-/// Parts of the interfaces of spread/*/step.comp and paint.comp that are the same for all.
+/// Inputs that all spread/*/step.comp kernels share, and inputs that all spread/*/paint.comp kernels share.
 struct SpreadStepPart {
   gl::Uniform<"size", glm::ivec2> size;
   gl::Uniform<"torus", bool> torus;
@@ -39,21 +39,21 @@ struct SpreadPaintPart {
   gl::InOut<"CountBlock"> counts;
 };
 
-/// The grid of an epidemic or a wildfire on the GPU: two bytes a cell, the counts of every step so far, and
-/// what runs the kernels of glsl/spread.
+/// Owns the GPU grid of an epidemic or a wildfire: two bytes per cell, the counts of every step so far, and
+/// the dispatches of the kernels in glsl/spread.
 class SpreadGrid {
  public:
-  /// Before anything is filled: throws UserError(device) naming the limit that a grid of this size is
-  /// beyond. `bytesPerCell` of its largest buffer.
+  /// Throws UserError(device), naming the limit, if a grid of this size exceeds it. Call before buffers are
+  /// filled. `bytesPerCell`: for its largest buffer.
   static void checkLimits(const std::string& name, glm::ivec2 size, int bytesPerCell = 1);
 
   SpreadGrid(const std::string& name, const SpreadParameters& parameters,
              const std::vector<std::uint8_t>& cells, int stepsPerFrame, const Strokes& strokes);
 
-  /// The steps of a frame: each one's rule, then the strokes that paint into what it leaves, which its
-  /// counts count. `blocks` hold what each is told. `kernels` run both kernels:
-  /// step(items, SpreadStepPart, block) and paint(items, SpreadPaintPart, block). A watch hears of
-  /// `stepsPerFrame`, also in a frame with a step less than others.
+  /// Runs the steps of a frame. Each step applies the rule and then the strokes that paint into its result;
+  /// its counts include them. `blocks` receive the steps' uniform data. `kernels` dispatches both kernels:
+  /// step(items, SpreadStepPart, block) and paint(items, SpreadPaintPart, block). Calls `watch`
+  /// `stepsPerFrame` times, even if this frame has one step less.
   template <class Step, class Kernels>
   void runFrame(const std::vector<Step>& steps, StepBlocks<decltype(Step::data)>& blocks, int stepsPerFrame,
                 const StepWatch& watch, const Kernels& kernels) {
@@ -71,7 +71,7 @@ class SpreadGrid {
     if (!watch) return;
     for (int i = static_cast<int>(steps.size()); i < stepsPerFrame; ++i) watch(i + 1);
   }
-  /// Strokes that paint into the first state.
+  /// Applies strokes to the initial state.
   template <class Kernels>
   void paintFirst(const std::vector<shader::Stroke>& strokes, const gl::Resource& told,
                   const Kernels& kernels) {
@@ -83,26 +83,27 @@ class SpreadGrid {
 
   [[nodiscard]] const gl::WordsArray& cells() const { return cells_[0]; }
   [[nodiscard]] int rowElements() const { return (size_.x + 15) / 16; }
-  /// Rows of the present frame; before the first step, the start as one row.
+  /// Returns the counts of the current frame, one row per step; before the first step, one row with the
+  /// initial counts.
   [[nodiscard]] const gl::Buffer& frameCounts() const { return frameCounts_; }
   [[nodiscard]] int frameSteps() const { return frameSteps_; }
-  /// Four counts of the present state. Waits for the GPU.
+  /// Reads the four counts of the current state. Waits for the GPU.
   [[nodiscard]] glm::uvec4 latestCounts() const;
-  /// "cells (16, 3) to (31, 3)" of an element of the state.
+  /// Returns the name of a state element, for example "cells (16, 3) to (31, 3)".
   [[nodiscard]] std::string elementName(long element) const;
 
   void publishField(const std::string& name, const std::vector<glm::vec3>& colors,
                     const FieldDisplay& display, Drawables& drawables) const;
-  /// The counts so far, the first of names.size() of them.
+  /// Adds a chart of the counts so far; the first names.size() counts are shown.
   void publishChart(const std::vector<std::string>& names, const std::vector<glm::vec3>& colors,
                     double steps, Drawables& drawables) const;
 
  private:
-  /// Room for the counts of so many steps more.
+  /// Reserves space for the counts of `steps` more steps.
   void beginFrame(int steps);
-  /// Invocations of a step's kernel from the top row to the last one.
+  /// Returns the number of rows of invocations in a step's dispatch.
   [[nodiscard]] int groupRows() const;
-  /// Arguments of the kernel of the next step.
+  /// Returns the kernel inputs of the next step.
   SpreadStepPart beginStep();
   void endStep();
   template <class Kernels>
@@ -123,19 +124,20 @@ class SpreadGrid {
       fresh_ = true;
     }
   }
-  /// Counts of the start, after strokes.
+  /// Updates the initial counts after strokes were painted.
   void startPainted();
-  /// Copies the frame's counts to where counts() says, and makes the state visible to all.
+  /// Copies the frame's counts to the buffer that frameCounts() returns, and makes the state visible to all
+  /// later commands.
   void endFrame();
 
   std::string name_;
   glm::ivec2 size_;
   bool torus_;
-  gl::WordsArray cells_[2];  ///< now, and where the next step writes
-  gl::WordsArray history_;   ///< counts of every step, the start first; capacity_ of them
+  gl::WordsArray cells_[2];  ///< current cells, and the output of the next step
+  gl::WordsArray history_;   ///< counts of every step, the initial ones first; space for capacity_ of them
   gl::WordsArray stamps_;
-  /// On the texel path what glsl/spread/tiles.glsl knows of each tile: of the last step, and where the next
-  /// step writes. Nothing after a start, a restart or a stroke.
+  /// Activity of each tile on the texel path (glsl/spread/tiles.glsl): of the last step, and the output of
+  /// the next. Invalid after a start, a restart or a stroke (fresh_).
   gl::WordsArray tiles_[2];
   bool fresh_ = true;
   gl::Buffer frameCounts_;
@@ -143,7 +145,7 @@ class SpreadGrid {
   int done_ = 0;
   int frameStart_ = 0;
   int frameSteps_ = 1;
-  unsigned max_ = 1;  ///< people or cells at the start
+  unsigned max_ = 1;  ///< number of people or fuel cells at the start
 };
 
 }  // namespace simreel::sim

@@ -11,14 +11,15 @@ namespace simreel::sim {
 namespace {
 
 constexpr int maxMapSide = 16384;
-/// Frame times are multiples of a step but for rounding.
+/// Tolerance, in steps, for the rounding errors of frame times.
 constexpr double hair = 1e-6;
 
 double hashedFraction(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
   return shader::hash3(glm::uvec3(x, y, seed)).x / 4294967296.0;
 }
 
-/// Value noise at (x, y): hashes of the four lattice points around it, blended with 3u^2 - 2u^3.
+/// Returns value noise at (x, y): hashes of the four surrounding lattice points, interpolated with 3u^2 -
+/// 2u^3.
 double valueNoise(double x, double y, std::uint32_t seed) {
   const double left = std::floor(x);
   const double top = std::floor(y);

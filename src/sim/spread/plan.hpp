@@ -21,51 +21,54 @@ namespace simreel::shader {
 
 namespace simreel::sim {
 
-/// What an epidemic and a wildfire have in common: a grid of cells in bytes, steps apart from the frame
-/// rate, strokes, a chart of the counts.
+/// Parameters that epidemics and wildfires share: a grid of byte cells, a step rate independent of the
+/// frame rate, strokes, and a chart of the counts.
 struct SpreadParameters {
   enum class Border { torus, closed };
-  /// Size of a grid that is made to find the mistakes of one that takes gigabytes.
+  /// Size of a small grid that stands in for one of gigabytes when a scene is validated.
   static constexpr glm::ivec2 lookedAt{512, 512};
   glm::ivec2 size{640, 360};
   Border border = Border::closed;
   double stepsPerSecond = 60;
   std::vector<StrokeParameters> strokes;
   bool chart = false;
-  double chartSeconds = 0;  ///< s on the chart's x axis, which grows when they are over
+  double chartSeconds = 0;  ///< initial length of the chart's x axis in seconds; it grows when needed
   FieldDisplay display;
-  /// size, border, stepsPerSecond.
+  /// Describes size, border and stepsPerSecond.
   void describeGrid(scene::Fields& fields);
-  /// chart, chartSeconds, display. Its colours are those of the simulation: a map is refused.
+  /// Describes chart, chartSeconds and display. Rejects a colour map, because the simulation defines the
+  /// colours.
   void describeLook(scene::Fields& fields);
 };
 
-/// Which steps a frame takes. Step k covers [k, k + 1) / stepsPerSecond of scene time.
+/// Maps frames to steps. Step k covers the scene time [k, k + 1) / stepsPerSecond.
 struct Pace {
   double stepsPerSecond = 60;
   double frameSeconds = 1.0 / 60;
-  /// Steps of a frame at most; every frame has so many, or one less.
+  /// Returns the maximum number of steps per frame; every frame has this number or one less.
   [[nodiscard]] int stepsPerFrame() const;
   struct Steps {
     int count = 0;
-    double time = 0;  ///< s when the first of them begins
+    double time = 0;  ///< seconds; start of the first step
   };
   [[nodiscard]] Steps during(double time) const;
 };
 
-/// Grey levels 0 to 1 of a picture on a grid, x fastest, linear between the middles of its pixels: small
-/// pictures make smooth maps. `what` names its use in errors, which are those of loadPicture.
+/// Returns the grey levels (0 to 1) of an image resampled to a grid, x fastest, with linear interpolation
+/// between pixel centres, so that small images give smooth maps. Throws the errors of loadPicture(), in
+/// which `what` names the image's purpose.
 [[nodiscard]] std::vector<double> smoothLevels(const std::filesystem::path& file, const char* what,
                                                glm::ivec2 grid);
-/// Noise of four octaves on a grid, 0 to 1, from integer hashes of lattice points `cells` apart and cubic
-/// blending: plain arithmetic, the same on every machine.
+/// Returns four-octave noise (0 to 1) on a grid, from integer hashes of lattice points `cells` apart and
+/// cubic interpolation. Plain arithmetic gives the same bits on every machine.
 [[nodiscard]] std::vector<double> hashNoise(glm::ivec2 grid, double cells, unsigned seed);
-/// A hash of a cell as a number in [0, 1).
+/// Returns a hash of a cell as a number in [0, 1).
 [[nodiscard]] double cellFraction(std::size_t cell, unsigned seed);
-/// A probability as a threshold of spreadRandom().
+/// Returns a probability as a threshold for spreadRandom().
 [[nodiscard]] std::uint32_t thresholdOf(double probability);
 
-/// Colours between stops at whole places, linear RGB: `count` of them from the first to the last.
+/// Appends `count` linear RGB colours that interpolate between equally spaced stops, from the first to the
+/// last.
 void appendGradient(std::vector<glm::vec3>& colors, const std::vector<glm::vec3>& stops, int count);
 
 }  // namespace simreel::sim

@@ -119,9 +119,9 @@ class Wildfire final : public Simulation {
     gales_ = gl::WordsArray(name_ + " gales", rowGales() * parameters().size.y);
     gale_ = gl::Kernel<WildfireGaleKernel>(gl::kernelDefines(setting.fast), {.wind = true});
   }
-  /// Elements of a row.
+  /// Returns the number of elements per row of gales_.
   [[nodiscard]] int rowGales() const { return 4 * grid_.rowElements(); }
-  /// The wind that the steps of the frame that starts at `time` (s) have.
+  /// Samples the fluid's wind for the steps of the frame that starts at `time` (seconds).
   void blow(double time) {
     const glm::ivec2 size = parameters().size;
     const int count = rowGales() * size.y;
@@ -148,7 +148,7 @@ class Wildfire final : public Simulation {
   SpreadGrid grid_;
   gl::WordsArray fuels_, ground_, inclines_;
   gl::Vec4Array climbs_;
-  const FluidWind* wind_ = nullptr;  ///< null: the wind is the same everywhere
+  const FluidWind* wind_ = nullptr;  ///< source of the wind; null: uniform wind
   gl::WordsArray gales_;
   gl::Kernel<WildfireStepKernel> step_;
   gl::Kernel<WildfirePaintKernel> paint_;
@@ -161,7 +161,8 @@ SimulationKind wildfireKind() {
   return kindOf<WildfireParameters>(
       "wildfire", "Fire on a map of fuel, carried by wind from cell to cell.",
       [](const scene::Object& object, const Setting& setting) {
-        // A grid of gigabytes is checked by a small one from the same pictures, and its strokes alone.
+        // A grid that would take gigabytes is validated by a small one from the same images; its strokes
+        // are checked separately at full size.
         WildfireParameters parameters = parametersOf<WildfireParameters>(object);
         if (parameters.leastBlockBytes() > ObjectParameters::commonBlockBytes) {
           static_cast<void>(Strokes(parameters.strokes, setting.seed,

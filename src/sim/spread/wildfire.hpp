@@ -3,7 +3,8 @@
 
 namespace simreel::sim {
 
-/// A fire on a map of fuel, four bytes a cell and 16 a step for the counts.
+/// Returns the simulation kind "wildfire": a fire on a map of fuel; four bytes per cell, and 16 bytes per
+/// step for the counts.
 [[nodiscard]] SimulationKind wildfireKind();
 
 }  // namespace simreel::sim

@@ -19,7 +19,8 @@ constexpr unsigned phaseSeed = 0x1b56c4e9U;
 constexpr unsigned ditherSeed = 0x967a889bU;
 constexpr unsigned inclineSeed = 0x5f356495U;
 
-/// Means over 3x3 cells: pictures have 256 heights only, whose steps would show in the shading.
+/// Returns averages over 3x3 cells, because the 256 height levels of an image would be visible as steps in
+/// the shading.
 std::vector<double> smoothed(const std::vector<double>& values, glm::ivec2 size) {
   const auto at = [&](int x, int y) {
     return values[static_cast<std::size_t>(std::clamp(y, 0, size.y - 1)) *
@@ -38,14 +39,14 @@ std::vector<double> smoothed(const std::vector<double>& values, glm::ivec2 size)
   return result;
 }
 
-/// A whole number from 0 to `most`, rounded by the cell's hash so that levels blend.
+/// Returns an integer from 0 to `max`, dithered by the cell's hash so that levels blend.
 unsigned dithered(double fraction, unsigned max, std::size_t cell, unsigned seed) {
   const double level = std::clamp(fraction, 0.0, 1.0) * max + cellFraction(cell, seed);
   return std::min(static_cast<unsigned>(level), max);
 }
 
-/// A rise (cells a cell) in sixteenths, as far as maxRise to both sides, plus 128; rounded by the cell's
-/// hash, so that the mean is right.
+/// Returns a slope (cells per cell) in sixteenths, clamped to +-maxRise and offset by 128; dithered by the
+/// cell's hash so that the mean is exact.
 unsigned sixteenths(double rise, std::size_t cell, unsigned seed) {
   constexpr double max = shader::maxRise;
   return static_cast<unsigned>(std::clamp(std::floor(16 * rise + cellFraction(cell, seed)), -max, max) +
@@ -125,8 +126,8 @@ WildfirePlan::WildfirePlan(const WildfireParameters& parameters, const std::stri
   makeFuel();
 }
 
-// Brightness of a surface of heights h lit from the top left: it rises with the slope towards the bottom
-// right.
+// Computes the ground's brightness: lit from the top left, so it increases with the slope towards the
+// bottom right.
 void WildfirePlan::makeGround() {
   const glm::ivec2 size = parameters_.size;
   auto heights = parameters_.terrain.empty() ? hashNoise(size, 0.3 * size.y + 4, seed_ ^ terrainSeed)
@@ -168,7 +169,7 @@ void WildfirePlan::makeFuel() {
   fuels_.resize(count);
   bool burns = false;
   for (std::size_t i = 0; i < count; ++i) {
-    // Noise of octaves crowds around its mean: stretched, so that its thin and its dense places both show.
+    // Octave noise concentrates around its mean, so it is stretched to show both sparse and dense patches.
     const double patch = std::clamp(0.5 + 1.8 * (noise[i] - 0.5), 0.0, 1.0);
     const double level = fuel[i] * p.fuelLevel * (1 - p.patchiness * (1 - patch));
     const unsigned shade = ground_[i] & 15U;
@@ -213,15 +214,16 @@ shader::WildfireStep WildfirePlan::stepAt(double time) const {
   for (int y = -1; y <= 1; ++y)
     for (int x = -1; x <= 1; ++x) {
       if (x == 0 && y == 0) continue;
-      // From the neighbour at (x, y) the fire goes along (-x, -y). Diagonals are longer: less likely by
-      // that.
+      // Fire spreads from the neighbour at (x, y) in the direction (-x, -y). Diagonal distances are longer,
+      // so the probability is lower by that factor.
       const double length = std::sqrt(static_cast<double>(x * x + y * y));
       const double along = -(x * windX + y * windY) / length;
       const double chance = std::min(1.0, base * ieee::exp(strength * along) / length);
       data.spread[d / 4][static_cast<int>(d % 4)] = static_cast<unsigned>(std::lround(65536 * chance));
       ++d;
     }
-  // Seven ages in coolSteps steps, each a round through the sixteen phases: so many phases until a step.
+  // A cell ages seven times in coolSteps steps, and each ageing takes one round through the sixteen phases.
+  // Returns the number of phases completed after `steps` steps.
   const auto phases = [&](std::uint64_t steps) {
     return static_cast<unsigned>(steps * 112 / static_cast<unsigned>(p.coolSteps));
   };
@@ -261,7 +263,7 @@ std::vector<glm::vec3> WildfirePlan::palette() const {
     return color * static_cast<float>(0.35 + 1.3 * fraction);
   };
   std::vector<glm::vec3> colors;
-  for (int i = 0; i < 64; ++i) {  // nobody: rock, then water, then not used
+  for (int i = 0; i < 64; ++i) {  // uninhabited classes: rock, then water, the rest unused
     const bool isWater = i / 16 == 1;
     colors.push_back(isWater ? p.water * static_cast<float>(0.85 + 0.3 * (i % 16) / 15.0)
                              : shaded(p.rock, i % 16 / 15.0));
@@ -277,7 +279,7 @@ std::vector<glm::vec3> WildfirePlan::palette() const {
   while (colors.size() < 192) colors.push_back(flames.back());
   for (int i = 0; i < 64; ++i) {
     const int age = i / 8;
-    // Cells cool each in its own time: embers are specks in black char, which pales to ash.
+    // Cells cool at different times, so embers appear as specks in black char, which fades to ash.
     const float old = static_cast<float>(age) / 7.0F;
     const float cool = 1.0F - old;
     const float hot = cool * cool * cool * cool * cool * cool * cool;

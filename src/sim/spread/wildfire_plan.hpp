@@ -17,24 +17,25 @@ namespace simreel::sim {
 
 /// Sparks that the wind carries ahead of a fire.
 struct Embers {
-  double chance = 0.001;  ///< embers that a burning cell throws in a step
-  double distance = 60;   ///< cells that the longest flight goes along the wind
-  double spread = 0.3;    ///< how far to its side, as a fraction of the flight
+  double chance = 0.001;  ///< number of embers that a burning cell throws per step (probability)
+  double distance = 60;   ///< longest flight along the wind in cells
+  double spread = 0.3;    ///< lateral spread as a fraction of the flight
 };
 
-/// Fire on a map of fuel, carried from cell to neighbouring cell.
+/// Parameters of a fire on a map of fuel that spreads from cell to neighbouring cell.
 struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::WildfireConstants {
   std::filesystem::path fuel, obstacles, moistureMap, terrain;
-  double fuelLevel = 1;  ///< of full fuel, 0 to 1
+  double fuelLevel = 1;  ///< factor on the fuel, 0 to 1
   double patchiness = 0.5;
-  double patchSize = 40;  ///< cells
-  double relief = 60;     ///< cells: height of the terrain's white above its black
-  double slope = 0;       ///< logarithm of how much faster it spreads up a slope of 45 degrees
+  double patchSize = 40;  ///< size of the largest patches in cells
+  double relief = 60;     ///< height in cells of the terrain image's white above its black
+  double slope = 0;       ///< logarithm of the factor on the spread rate up a slope of 45 degrees
   scene::Animated<float> moisture = 0.0F;
   scene::Animated<float> spread = 0.12F;
-  scene::Animated<float> windDirection = 0.0F;  ///< degrees: 0 to the right, 90 up
-  scene::Animated<float> windStrength = 0.0F;   ///< logarithm of how much faster it spreads with the wind
-  std::string windFluid;                        ///< name of the fluid that blows instead; empty: none
+  scene::Animated<float> windDirection = 0.0F;  ///< direction in degrees: 0 to the right, 90 up
+  scene::Animated<float> windStrength = 0.0F;  ///< logarithm of the factor on the spread rate in the wind's
+                                               ///< direction
+  std::string windFluid;                       ///< name of the fluid that provides the wind; empty: none
   int coolSteps = 240;
   std::optional<Embers> embers;
   glm::vec3 forest{0.012F, 0.055F, 0.018F};
@@ -50,46 +51,48 @@ struct WildfireParameters final : ObjectParameters, SpreadParameters, shader::Wi
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };
 
-/// Everything of a wildfire that is decided on the CPU; shared by the GPU simulation and its CPU twin.
+/// Everything about a wildfire that the CPU decides. The GPU simulation and its CPU reference share it.
 class WildfirePlan {
  public:
-  /// Loads maps. Throws UserError: what loadPicture says; usage when nothing on the map burns.
+  /// Loads the images. Throws the UserError of loadPicture(), and UserError(usage) if nothing on the map
+  /// can burn.
   WildfirePlan(const WildfireParameters& parameters, const std::string& object, int seed,
                double frameSeconds);
 
-  /// One byte a cell (glsl/spread/cells.glsl), size.x * size.y, x fastest: of fuel two bits of its amount
-  /// above four of the ground's shade, of bare ground 0 or (obstacles) 1 above the shade.
+  /// Returns the initial state, one byte per cell (glsl/spread/cells.glsl), size.x * size.y, x fastest.
+  /// Fuel cells hold two bits of fuel amount above four bits of ground shade; bare cells hold 0, or 1 for
+  /// obstacles, above the shade.
   [[nodiscard]] const std::vector<std::uint8_t>& firstCells() const { return cells_; }
-  /// How readily each cell burns, 0 to 255.
+  /// Returns the flammability of each cell, 0 to 255.
   [[nodiscard]] const std::vector<std::uint8_t>& fuels() const { return fuels_; }
-  /// The ground's shade, 0 to 15, and 16 times the phase in which it cools.
+  /// Returns for each cell the ground shade (0 to 15) plus 16 times the phase in which the cell cools.
   [[nodiscard]] const std::vector<std::uint8_t>& ground() const { return ground_; }
-  /// The ground's rise at each cell, as climbed() of glsl/spread/wildfire/model.glsl wants it; empty where
-  /// the fire asks for none.
+  /// Returns the slope of the ground at each cell in the format of climbed() in
+  /// glsl/spread/wildfire/model.glsl; empty if the slope has no effect.
   [[nodiscard]] const std::vector<std::uint16_t>& inclines() const { return inclines_; }
-  /// The 512 factors of climbFactor() there, four an element.
+  /// Returns the 512 factors of climbFactor() in glsl/spread/wildfire/model.glsl, four per element.
   [[nodiscard]] std::vector<glm::vec4> climbFactors() const;
 
   struct Step {
     shader::WildfireStep data;
     std::vector<shader::Stroke> strokes;
   };
-  /// The steps of the frame that starts at `time` (s). Call in order: each continues the numbers of the
-  /// last.
+  /// Returns the steps of the frame that starts at `time` (seconds). Frames must be requested in order,
+  /// because step numbers continue.
   [[nodiscard]] std::vector<Step> frame(double time);
-  /// Strokes that paint into the first state, when a run starts at `time` (s).
+  /// Returns the strokes to paint into the initial state of a run that starts at `time` (seconds).
   [[nodiscard]] std::vector<shader::Stroke> firstStrokes(double time) const;
   void carryOver(CarryOver& carry) { carry.number("steps begun", done_); }
 
   [[nodiscard]] const WildfireParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }
-  /// Of galeOf() of glsl/spread/wildfire/gale.glsl in the frame that starts at `time` (s), for a fluid of
-  /// that "speed" (cells/s).
+  /// Returns the scale for galeOf() in glsl/spread/wildfire/gale.glsl in the frame that starts at `time`
+  /// (seconds); `speed` is the fluid's "speed" in cells/s.
   [[nodiscard]] float galeScale(double time, float speed) const {
     return static_cast<float>(static_cast<double>(parameters_.windStrength.at(time)) / speed);
   }
   [[nodiscard]] int stepsPerFrame() const { return pace_.stepsPerFrame(); }
-  /// Colours of the 256 values of a cell, linear RGB.
+  /// Returns the linear RGB colours of the 256 cell values.
   [[nodiscard]] std::vector<glm::vec3> palette() const;
 
  private:
@@ -103,7 +106,7 @@ class WildfirePlan {
   Strokes strokes_;
   std::vector<std::uint8_t> cells_, fuels_, ground_;
   std::vector<std::uint16_t> inclines_;
-  unsigned done_ = 0;  ///< steps so far
+  unsigned done_ = 0;  ///< number of steps so far
 };
 
 }  // namespace simreel::sim

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int mostDigits = 9;
 
-/// What stands between braces.
+/// Parses the inside of a placeholder's braces.
 TextContent::Part numberOf(std::string_view inner) {
   using Number = TextContent::Part::Number;
   TextContent::Part part;

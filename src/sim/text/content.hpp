@@ -7,26 +7,25 @@
 
 namespace simreel::sim {
 
-/// What a scene's text says, with places for numbers that change: {frame}, {time} (s) and
-/// {OBJECT.QUANTITY}, each with a number of digits after the point if it has one: {time:2}. "{{" is a
-/// brace.
+/// Text of a scene with placeholders: {frame}, {time} (s) and {OBJECT.QUANTITY}, each optionally with a
+/// number of decimals, for example {time:2}. "{{" is a literal brace.
 class TextContent {
  public:
   struct Part {
-    std::string plain = {};  ///< before the number
+    std::string plain = {};  ///< plain text before the placeholder
     enum class Number { none, frame, time, quantity } number = Number::none;
     std::string object = {}, quantity = {};
     std::optional<int> digits = {};
   };
 
-  /// Throws std::invalid_argument with what is wrong.
+  /// Throws std::invalid_argument with a description of the error.
   explicit TextContent(std::string_view text);
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
   [[nodiscard]] bool changes() const;
-  /// Every character that numbers may be written with, and those of the plain text.
+  /// Returns the characters of the plain text and all characters that numbers can contain.
   [[nodiscard]] std::string alphabet() const;
-  /// Its value now.
+  /// Callback that returns the current value of a quantity.
   using Measured = std::function<double(const std::string& object, const std::string& quantity)>;
   [[nodiscard]] std::string at(long frame, double seconds, const Measured& measured) const;
 

@@ -14,32 +14,34 @@
 
 namespace simreel::sim {
 
-/// Text that lies over the picture instead of standing in the world.
+/// Placement of text on the screen instead of in the world.
 struct ScreenText {
-  scene::Animated<float> x = 0.04F;       ///< of the anchor, fraction of the picture's width, from the left
-  scene::Animated<float> y = 0.06F;       ///< fraction of its height, from the top
-  scene::Animated<float> height = 0.03F;  ///< of capitals, fraction of the picture's height
-  scene::Animated<glm::vec3> color = glm::vec3(1);  ///< linear RGB
+  scene::Animated<float> x = 0.04F;       ///< position of the anchor as a fraction of the image's width,
+                                          ///< from the left
+  scene::Animated<float> y = 0.06F;       ///< position of the anchor as a fraction of the image's height,
+                                          ///< from the top
+  scene::Animated<float> height = 0.03F;  ///< height of capitals as a fraction of the image's height
+  scene::Animated<glm::vec3> color = glm::vec3(1);  ///< colour in linear RGB
   scene::Animated<float> opacity = 1.0F;
-  scene::Animated<float> backdrop = 0.0F;  ///< opacity of the dark panel behind it
+  scene::Animated<float> backdrop = 0.0F;  ///< opacity of the dark panel behind the text
   void describe(scene::Fields& fields);
 };
 
-/// Parameters of the kind text.
+/// Parameters of the object kind "text".
 struct TextParameters : ObjectParameters {
   enum class Weight { regular, bold };
   std::string text = "simreel";
-  std::filesystem::path font;  ///< empty: the shipped one
+  std::filesystem::path font;  ///< font file; empty: the bundled font
   Weight weight = Weight::bold;
   TextAnchor anchor;
-  float spacing = 1.0F;                                ///< of lines
-  float height = 0.5F;                                 ///< m, of capitals
-  float depth = 0.1F;                                  ///< m
-  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< m
-  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< degrees
+  float spacing = 1.0F;                                ///< line spacing, as a factor on the font's own
+  float height = 0.5F;                                 ///< height of capitals in metres
+  float depth = 0.1F;                                  ///< thickness in metres
+  scene::Animated<glm::vec3> position = glm::vec3(0);  ///< position in metres
+  scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<float> scale = 1.0F;
   bool onScreen = false;
-  ScreenText screen;  ///< instead of height, depth, place and material
+  ScreenText screen;  ///< replaces height, depth, placement and material
 
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override {
@@ -49,7 +51,7 @@ struct TextParameters : ObjectParameters {
   void ports(Ports& ports) const override;
 
   [[nodiscard]] std::filesystem::path fontFile() const;
-  /// From the text's own space to the world's.
+  /// Returns the transform from the text's own space to world space.
   [[nodiscard]] glm::mat4 model(double seconds) const;
 };
 

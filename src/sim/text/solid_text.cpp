@@ -13,10 +13,10 @@ namespace simreel::sim {
 
 namespace {
 
-/// A side of an outline that is not level, from below to above.
+/// Non-horizontal edge of an outline, from its lower to its upper end.
 struct Side {
   glm::dvec2 from, to;
-  int turn;  ///< 1 where the outline goes up, else -1
+  int turn;  ///< winding: 1 if the outline goes up, else -1
 
   [[nodiscard]] double at(double y) const {
     if (y == from.y) return from.x;
@@ -36,7 +36,7 @@ std::vector<Side> sidesOf(const TextOutlines& outlines) {
   return sides;
 }
 
-/// Heights at which sides begin, end or cross.
+/// Returns the heights at which edges begin, end or cross.
 std::vector<double> heightsOf(const std::vector<Side>& sides) {
   std::set<double> heights;
   for (const Side& side : sides) {
@@ -60,7 +60,7 @@ std::vector<Trapezoid> trapezoids(const TextOutlines& outlines) {
   const std::vector<Side> sides = sidesOf(outlines);
   const std::vector<double> heights = heightsOf(sides);
   std::vector<Trapezoid> found;
-  // Those that may go on above, by their left and right sides.
+  // Trapezoids that may continue upwards, by their left and right edges.
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> open;
   for (std::size_t h = 0; h + 1 < heights.size(); ++h) {
     const double low = heights[h], high = heights[h + 1], middle = 0.5 * (low + high);
@@ -96,7 +96,7 @@ std::vector<Trapezoid> trapezoids(const TextOutlines& outlines) {
 
 namespace {
 
-/// Puts a mesh together; positions in m.
+/// Assembles the mesh; positions in metres.
 class TextSolid {
  public:
   TextSolid(const TextOutlines& outlines, double height, double depth) : height_(height), depth_(depth) {
@@ -131,13 +131,14 @@ class TextSolid {
     for (const unsigned corner : {a, b, c}) mesh_.indices.push_back(corner);
   }
 
-  /// Points between two corners on a height, theirs included.
+  /// Returns the x of all points between two corners at a height, both included.
   [[nodiscard]] std::vector<double> along(double y, double left, double right) const {
     const std::set<double>& all = corners_.at(y);
     return {all.lower_bound(left), all.upper_bound(right)};
   }
 
-  /// Front (side 1) or back: each part in triangles around its middle, so that neighbours share edges.
+  /// Adds the front (side = 1) or back (side = -1). Each piece is a fan around its centre, so that
+  /// neighbours share whole edges.
   void face(double z, double side) {
     std::map<std::pair<double, double>, unsigned> known;
     const auto corner = [&](double x, double y) {
@@ -171,7 +172,7 @@ class TextSolid {
     }
   }
 
-  /// Corners of parts that lie on a side of an outline, from its beginning to its end.
+  /// Returns the corners of pieces that lie on an edge of an outline, in the direction of the edge.
   [[nodiscard]] std::vector<glm::dvec2> cuts(glm::dvec2 a, glm::dvec2 b) const {
     std::vector<glm::dvec2> points = {a};
     if (a.y == b.y) {
@@ -194,9 +195,10 @@ class TextSolid {
     return points;
   }
 
-  /// Between front and back, along the outlines. Where they turn by less than 40 degrees the wall is round.
+  /// Adds the walls between front and back along the outlines. Normals are smooth where the outline turns
+  /// by less than 40 degrees.
   void walls(const TextOutlines& outlines) {
-    double area = 0;  // above 0: outer outlines go against the clock
+    double area = 0;  // signed area; positive if outer outlines are counter-clockwise
     for (const auto& polygon : outlines)
       for (std::size_t i = 0; i < polygon.size(); ++i) {
         const glm::dvec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
@@ -223,7 +225,7 @@ class TextSolid {
   }
   void wall(const std::vector<glm::dvec2>& points, glm::dvec2 first, glm::dvec2 last, double outwards) {
     const double length = glm::length(points.back() - points.front());
-    std::vector<std::pair<unsigned, unsigned>> posts;  // front, back
+    std::vector<std::pair<unsigned, unsigned>> posts;  // pairs of front and back vertices
     for (const glm::dvec2& point : points) {
       const double share = glm::length(point - points.front()) / length;
       const glm::dvec3 normal(glm::normalize(first + share * (last - first)), 0);
@@ -244,7 +246,7 @@ class TextSolid {
   double height_, depth_;
   glm::dvec2 low_{0}, high_{0};
   std::vector<Trapezoid> parts_;
-  std::map<double, std::set<double>> corners_;  ///< x by height, of all parts
+  std::map<double, std::set<double>> corners_;  ///< x coordinates by height, for all pieces
   Mesh mesh_;
 };
 

@@ -6,18 +6,18 @@
 
 namespace simreel::sim {
 
-/// A part of what outlines fill: between two heights, left and right a straight line each.
+/// Piece of an outline's interior: bounded by two heights and one straight line on each side.
 struct Trapezoid {
   double bottom, top;
   double bottomLeft, bottomRight, topLeft, topRight;
 };
-/// All that they fill, in parts that do not overlap. Those that lie above one another meet along whole
-/// heights, of which the corners are the same numbers where they are the same points.
+/// Divides the filled area into non-overlapping trapezoids. Trapezoids above one another touch at common
+/// heights, where coincident corners have identical coordinates.
 [[nodiscard]] std::vector<Trapezoid> trapezoids(const TextOutlines& outlines);
 
-/// A body `depth` m thick with these outlines, `height` m a unit of them, from z = -depth / 2 to depth / 2;
-/// of depth 0 its front alone. Triangles meet in whole edges. Texture coordinates lie over the box around
-/// it. Empty without outlines.
+/// Returns a solid of the outlines, `depth` metres thick from z = -depth / 2 to depth / 2; `height` is the
+/// size of one unit of the outlines in metres. With depth 0 it has only a front. Triangles meet in whole
+/// edges. Texture coordinates span the bounding box. Empty without outlines.
 [[nodiscard]] Mesh solidText(const TextOutlines& outlines, double height, double depth);
 
 }  // namespace simreel::sim

@@ -20,7 +20,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Text in the world, or over the picture: no state; what it says may change with the frame.
+/// Text in the world or on the screen. It has no state, but its content may change with the frame.
 class Text : public Simulation {
  public:
   Text(const scene::Object& object, const Setting& setting)
@@ -35,7 +35,7 @@ class Text : public Simulation {
     check(name_, font_, content_);
   }
 
-  /// Throws UserError(usage).
+  /// Throws UserError(usage) for characters that the font does not have.
   static void check(const std::string& name, const Font& font, const TextContent& content) {
     try {
       checkWritable(font, content.alphabet());
@@ -82,7 +82,7 @@ class Text : public Simulation {
   }
 
  private:
-  /// Makes what is drawn where the text is another than before.
+  /// Rebuilds the drawn geometry if the text has changed.
   void say(double time) const {
     std::string now = content_.at(std::lround(time * perFrame_), time, measured_);
     if (now == said_) return;
@@ -107,7 +107,7 @@ class Text : public Simulation {
   mutable Font font_;
   double perFrame_;
   TextContent::Measured measured_;
-  double time_;  ///< s, of the present frame
+  double time_;  ///< time of the current frame in seconds
   mutable std::optional<std::string> said_;
   mutable std::optional<MeshBuffers> buffers_;
   mutable std::vector<std::vector<glm::vec2>> lines_;

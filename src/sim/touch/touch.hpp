@@ -14,8 +14,8 @@ namespace simreel::sim {
 
 struct Setting;
 
-/// What kernels of cloth and particles are given of all that they meet beside shapes, a part of their
-/// interfaces. What the scene lacks is left empty.
+/// Kernel inputs for collisions of cloth and particles with everything except analytic shapes, and for
+/// wind. Inputs that the scene lacks are left empty.
 struct TouchPart {
   gl::Block<"MeshColliderBlock", shader::MeshColliders> meshes = {};
   gl::In<"fieldCells"> fieldCells = {};
@@ -31,25 +31,25 @@ struct TouchVariant {
   gl::Range<"COLLIDERS", 0, shader::maxColliders> colliders = {};  ///< for software drivers
 };
 
-/// Rigid meshes, heights and walls that an object of a scene meets, and the wind around it.
+/// Rigid meshes, height fields and walls that an object of a scene collides with, and the wind around it.
 class Touch {
  public:
   struct Wanted {
-    std::string walls, wind;       ///< objects; empty: none
-    bool solids = true;            ///< meets rigid meshes and heights
-    float margin = 0, bounce = 0;  ///< as WallContact
-    int colliders = 0;             ///< shapes
-    int substeps = 1;              ///< a frame
+    std::string walls, wind;       ///< names of the objects that provide walls and wind; empty: none
+    bool solids = true;            ///< true: collides with rigid meshes and height fields
+    float margin = 0, bounce = 0;  ///< margin and bounce as in WallContact
+    int colliders = 0;             ///< number of analytic shapes
+    int substeps = 1;              ///< number of substeps per frame
     double substepSeconds = 1;
   };
   Touch() = default;
-  /// Throws UserError(usage) where the margin is too wide for the walls.
+  /// Throws UserError(usage) if the margin is too wide for the walls.
   Touch(const std::string& name, const Setting& setting, const Wanted& wanted);
 
   [[nodiscard]] int meshCount() const { return fields_ == nullptr ? 0 : fields_->plan().count(); }
-  /// True where it meets anything but shapes.
+  /// True if the object collides with anything other than analytic shapes.
   [[nodiscard]] bool meets() const { return meshCount() > 0 || heights_ != nullptr || walls_ != nullptr; }
-  /// For the frame that starts at `time` (s).
+  /// Uploads the data of the frame that starts at `time` (seconds).
   void beginFrame(double time);
   [[nodiscard]] TouchVariant variant() const;
   [[nodiscard]] TouchPart at(int substep) const;

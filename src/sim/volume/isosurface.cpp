@@ -16,20 +16,20 @@ namespace simreel::sim {
 
 namespace {
 
-/// glsl/volume/samples.glsl.
+/// Inputs of glsl/volume/samples.glsl.
 struct SamplesPart {
   gl::Uniform<"volume", glm::ivec4> volume;
   gl::Uniform<"rowElements", int> rowElements;
 };
 
-/// glsl/volume/values.glsl.
+/// Inputs of glsl/volume/values.glsl.
 struct ValuesPart {
   gl::Uniform<"valueLayout", glm::ivec2> layout;
   gl::Uniform<"level", float> level;
   gl::In<"valueWords"> values;
 };
 
-/// glsl/volume/tint.glsl, and what points and boxes are given beside it.
+/// Inputs of glsl/volume/tint.glsl, and others that the points and boxes kernels share.
 struct VolumePointsPart {
   SamplesPart samples;
   ValuesPart values;
@@ -118,7 +118,7 @@ struct Isosurface::State {
       points = gl::Kernel<PointsKernel>(defines, {.tinted = tinted});
       triangles = gl::Kernel<TrianglesKernel>(defines);
     }
-    // About what a ball within it has; what needs more gets it.
+    // Initial size: enough for a sphere that fills the volume; grow() enlarges it if needed.
     const std::int64_t faces = std::int64_t{samples.x} * samples.y + std::int64_t{samples.y} * samples.z +
                                std::int64_t{samples.z} * samples.x;
     getRoom(2 * faces, 12 * faces);

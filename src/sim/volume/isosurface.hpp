@@ -12,37 +12,38 @@
 
 namespace simreel::sim {
 
-/// Values of the cells of a volume: floats, rows along x that begin with whole elements of four words,
-/// layers of rows.
+/// Cell values of a volume: floats in rows along x, each of which starts at a multiple of four words; rows
+/// form layers.
 struct VolumeValues {
-  const gl::Texture* words = nullptr;  ///< RGBA32UI texel view
-  int rowWords = 0;                    ///< from one row to the next, a multiple of four
-  int firstWord = 0;                   ///< of cell (0, 0, 0), a multiple of four
+  const gl::Texture* words = nullptr;  ///< values as an RGBA32UI texel view
+  int rowWords = 0;                    ///< number of words from one row to the next, a multiple of four
+  int firstWord = 0;                   ///< index of the word of cell (0, 0, 0), a multiple of four
 };
 
 struct IsosurfaceShape {
-  glm::ivec3 size{1, 1, 1};  ///< cells
-  float spacing = 1.0F;      ///< m between them
-  glm::vec3 middle{0};       ///< m
-  bool closed = true;  ///< what is around the volume lies outside; else the surface ends at its borders
-  bool cubes = false;  ///< cells at the level or above are cubes; else the values pass the level smoothly
+  glm::ivec3 size{1, 1, 1};  ///< number of cells
+  float spacing = 1.0F;      ///< distance between cells in metres
+  glm::vec3 middle{0};       ///< centre in metres
+  bool closed = true;  ///< true: everything outside the volume counts as outside the surface; false: the
+                       ///< surface ends at the borders
+  bool cubes = false;  ///< true: cells at or above the level are drawn as cubes; false: smooth surface
   [[nodiscard]] glm::vec3 corner() const { return middle - 0.5F * spacing * glm::vec3(size - 1); }
 };
 
-/// How a second field colours it: linear RGB, evenly from the lowest value to the highest.
+/// Second field that colours the surface: linear RGB, linear from the lowest value to the highest.
 struct IsosurfaceTint {
   VolumeValues values;
   glm::vec2 range{0, 1};
 };
 
-/// Where the values of a volume pass a level, as a surface: marching cubes on the GPU (glsl/volume), or the
-/// squares between cells that are inside and those that are not; drawn
-/// without a readback, with normals from the gradient. Memory keeps the size that a frame needed: one that
-/// needs more draws nothing, which grow() notices. What is at the level or above is inside.
+/// Surface on which the values of a volume equal a level: marching cubes on the GPU (glsl/volume), or the
+/// squares between inside and outside cells. Cells at or above the level are inside. Normals come from the
+/// gradient. Drawn without readback: the buffers keep their size, and a frame that needs more draws nothing
+/// until grow() enlarges them.
 class Isosurface {
  public:
-  /// `colors`: of a tint; empty: it has none. Throws UserError(device) naming the limit that a volume of
-  /// this size is beyond.
+  /// `colors`: for a tint; empty: none. Throws UserError(device), naming the limit, if a volume of this
+  /// size exceeds it.
   Isosurface(const std::string& name, const IsosurfaceShape& shape, const std::vector<glm::vec3>& colors);
   ~Isosurface();
   Isosurface(const Isosurface&) = delete;
@@ -50,14 +51,14 @@ class Isosurface {
   Isosurface(Isosurface&&) noexcept;
   Isosurface& operator=(Isosurface&&) noexcept;
 
-  /// The surface of the values as they are now. Waits for nothing.
+  /// Dispatches the computation of the surface from the current values. Does not wait.
   void make(const VolumeValues& values, float level, const IsosurfaceTint& tint);
-  /// As Solid::grow.
+  /// Enlarges the buffers if they were too small; see Solid::grow().
   bool grow();
 
-  /// Everything but model and material; the pointers live until make() or grow().
+  /// Returns a surface without model and material; its pointers are valid until the next make() or grow().
   [[nodiscard]] Surface surface() const;
-  /// Read back; after grow(). Waits for the GPU.
+  /// Reads the mesh back; call after grow(). Waits for the GPU.
   [[nodiscard]] MeshTable mesh() const;
 
  private:

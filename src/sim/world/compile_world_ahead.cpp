@@ -9,7 +9,8 @@
 
 namespace simreel::sim {
 
-// Making a world takes time of its own, which a filled cache would not win back.
+// Does nothing if the kernel cache is warm: constructing a World takes time that only saved compilations
+// win back.
 void compileWorldAhead(const scene::Scene& scene) {
   if (!gl::KernelCompiler::helps() || !gl::KernelCompiler::isCold()) return;
   gl::Rehearsal rehearsal;
@@ -18,7 +19,8 @@ void compileWorldAhead(const scene::Scene& scene) {
     World world(scene);
     world.advanceTo(0);
   } catch (const UserError&) {
-    // The real world meets it, too, and says so; or there was no end to dispatches.
+    // The real World meets the same error and reports it. Or the rehearsal was stopped because the
+    // dispatches did not end.
   }
   gl::KernelCompiler::announce(rehearsal.take());
 }

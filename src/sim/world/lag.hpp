@@ -7,19 +7,19 @@
 
 namespace simreel::sim {
 
-/// A place y that goes after a place x as a critically damped spring pulls it, y'' = w^2 (x - y) - 2 w y',
-/// w = 2 / T: what x does steadily y does T later. x goes straight from one frame to the next, and for such
-/// x the equation is solved exactly, so that y does not depend on how many frames there are meanwhile.
+/// Position y that follows a position x like a critically damped spring, y'' = w^2 (x - y) - 2 w y', w = 2
+/// / T: under a steady motion y lags by the time T. x moves linearly from frame to frame; for such x the
+/// equation is solved exactly, so y does not depend on the number of frames in between.
 class Lag {
  public:
-  /// `damping`: T (s), above 0. `frameSeconds`: from one frame to the next.
+  /// `damping`: T in seconds, above 0. `frameSeconds`: duration of a frame.
   Lag(double damping, double frameSeconds);
 
-  /// Where x is in the next frame; in the first one y is there, too, and at rest.
+  /// Sets x of the next frame and advances y. In the first frame y starts at x, at rest.
   void follow(const glm::dvec3& x);
-  /// Of what is not there any more: the next place is the first one again.
+  /// Forgets the position after the target has disappeared; the target's next position counts as its first.
   void lose() { known_ = 0; }
-  /// Nothing while x is not there.
+  /// Returns y; empty while there is no target.
   [[nodiscard]] std::optional<glm::vec3> place() const {
     return known_ == 0 ? std::nullopt : std::optional(glm::vec3(place_));
   }
@@ -27,7 +27,7 @@ class Lag {
 
  private:
   double damping_, seconds_, rate_, decay_;
-  int known_ = 0;  ///< whether there was a frame
+  int known_ = 0;  ///< 1 after the first frame, else 0
   glm::dvec3 target_{0}, place_{0}, speed_{0};
 };
 

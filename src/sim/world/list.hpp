@@ -7,11 +7,12 @@
 
 namespace simreel::sim {
 
-/// Everything a scene's objects can be. A new simulation is one line of list.cpp.
+/// Returns all kinds of objects that a scene can have. A new simulation takes one line in list.cpp.
 [[nodiscard]] std::span<const SimulationKind> simulations();
-/// The one of that name, which the scene reader has seen to: it is an invariant that there is one.
+/// Returns the kind with this name. The name must exist; the scene reader has checked it.
 [[nodiscard]] const SimulationKind& simulationNamed(std::string_view kind);
-/// The same as the scene reader wants it, with what objects of a scene need of each other (port_check.cpp).
+/// Returns the kinds for the scene reader, together with the check of references between objects
+/// (port_check.cpp).
 [[nodiscard]] const scene::Kinds& kinds();
 
 }  // namespace simreel::sim

@@ -13,22 +13,24 @@
 
 namespace simreel::sim {
 
-/// Outlets of a scene's objects, in the order in which these are made.
+/// Registry of the outlets (typed interfaces) that a scene's objects provide, in the order in which the
+/// objects are made.
 class ObjectLinks final : public Links {
  public:
-  /// `objects` outlives it. `now`: time of the present frame, s.
+  /// Keeps a reference to `objects`, which must outlive this object. `now` returns the time of the current
+  /// frame in seconds.
   ObjectLinks(std::span<const scene::Object> objects, std::function<double()> now);
 
   [[nodiscard]] const std::vector<StepNode>& order() const { return order_; }
-  /// Provides an outlet of the scene itself.
+  /// Registers an outlet that belongs to the scene rather than to an object.
   template <class T>
   void provide(T* outlet) {
     scene_[&T::port] = outlet;
   }
-  /// Takes over the simulation of an object, made anew or for the first time.
+  /// Stores the simulation of an object and replaces an earlier one.
   void made(std::size_t object, std::unique_ptr<Simulation> simulation);
   [[nodiscard]] const std::vector<std::unique_ptr<Simulation>>& simulations() const { return simulations_; }
-  /// Sets what the members of a group find in together().
+  /// Sets the number of steps that together() returns to the members of a group.
   void setSteps(const PortInfo& group, int steps) { groups_[&group].steps = steps; }
 
   [[nodiscard]] void* find(const PortInfo& port, std::string_view object) const override;
@@ -39,7 +41,7 @@ class ObjectLinks final : public Links {
   [[nodiscard]] double now() const override { return now_(); }
 
  private:
-  /// The objects' number where there is none of that name.
+  /// Returns the object's index, or the number of objects if the name is unknown.
   [[nodiscard]] std::size_t indexOf(std::string_view object) const;
   [[nodiscard]] void* outletOf(std::size_t object, const PortInfo& port) const;
 

@@ -29,8 +29,8 @@ const scene::Object* named(Objects objects, std::string_view name) {
 /// Offer of one object to another at a port.
 struct Offered {
   bool given = false;
-  std::string unless;              ///< why not
-  std::vector<std::string> parts;  ///< their whole names, OBJECT.PART
+  std::string unless;              ///< reason if nothing is offered
+  std::vector<std::string> parts;  ///< full names of the parts, OBJECT.PART
 };
 
 Offered offered(const scene::Object& provider, const scene::Object& wanter, const PortInfo& port) {
@@ -51,7 +51,7 @@ Offered offered(const scene::Object& provider, const scene::Object& wanter, cons
   return all;
 }
 
-/// Names that a want may give, of one object.
+/// Returns the names by which a reference of another object may refer to a provider or its parts.
 std::vector<std::string> namesOf(const scene::Object& provider, const Offered& offer,
                                  const Ports::Want& want) {
   std::vector<std::string> names;
@@ -61,8 +61,8 @@ std::vector<std::string> namesOf(const scene::Object& provider, const Offered& o
   return names;
 }
 
-/// Returns what is wrong with the name that an object wants. Empty if nothing is, or if the named object
-/// has a mistake of its own.
+/// Returns an error message for the name that an object refers to. Empty if it is valid, or if the named
+/// object has an error of its own.
 std::string mistakeOf(const Ports::Want& want, const scene::Object& wanter, Objects objects) {
   const PortInfo& port = *want.port;
   std::vector<std::string> names;
@@ -92,7 +92,7 @@ std::vector<std::string> placed(const scene::Object& object, const std::vector<s
   return whole;
 }
 
-/// True where an object of the scene takes a port: from all, or from this one by its name.
+/// True if an object of the scene takes the port from all providers or from this one by name.
 bool isTaken(const PortInfo& port, const std::string& provider, Objects objects) {
   return std::any_of(objects.begin(), objects.end(), [&](const scene::Object& object) {
     const Ports ports = portsOf(object);
@@ -102,7 +102,7 @@ bool isTaken(const PortInfo& port, const std::string& provider, Objects objects)
   });
 }
 
-/// Providers that there may be one of, and providers that some object must take.
+/// Reports a second provider if there may be only one, and providers that no object uses.
 void checkOffers(Objects objects, const scene::Report& report) {
   std::vector<std::pair<const PortInfo*, const scene::Object*>> firsts;
   for (const scene::Object& object : objects)
@@ -121,7 +121,8 @@ void checkOffers(Objects objects, const scene::Report& report) {
     }
 }
 
-/// A mistake in what the scene itself names, after its place; empty where there is none.
+/// Appends an error message, after its path, for a name that the scene itself refers to; nothing if it is
+/// valid.
 template <class Port>
 void checkNamed(const char* where, const std::string& name, Objects objects,
                 std::vector<std::string>& mistakes) {

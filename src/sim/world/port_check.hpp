@@ -7,16 +7,16 @@
 
 namespace simreel::sim {
 
-/// Reports what objects name wrongly of each other, at the place where they name it: an object that is not
-/// there, or one that does not provide what is wanted; and providers too many, providers that nothing
-/// takes, and objects that would have to step before themselves (scene::Kinds::check).
+/// Reports faulty references between objects at their place in the scene: a name without an object, an
+/// object that does not provide the port, too many providers, providers that nothing uses, and objects that
+/// would have to step before themselves (scene::Kinds::check).
 void checkPorts(std::span<const scene::Object> objects, const scene::Report& report);
 
-/// Returns the mistakes that only the whole scene shows, as lines that begin with a path: names that
-/// cameras and lights follow, and objects that find nothing to take.
+/// Returns the mistakes that only the whole scene reveals, as lines that begin with a path: unknown names
+/// that cameras and lights follow, and objects whose required provider is missing.
 [[nodiscard]] std::vector<std::string> portMistakes(const scene::Scene& scene);
 
-/// Remarks on objects that others pass by, a line each.
+/// Returns one warning line for each object that other objects ignore, for example a cloth without contact.
 [[nodiscard]] std::vector<std::string> portRemarks(const scene::Scene& scene);
 
 }  // namespace simreel::sim

@@ -21,18 +21,18 @@ namespace simreel::sim {
 
 namespace {
 
-/// Sides of textures that OpenGL 4.5 asks of every device.
+/// Maximum texture side that every OpenGL 4.5 device supports.
 constexpr int maxTextureSide = 16384;
 
-/// Whether the last of them stands there already.
+/// True if an earlier problem has the same text as the last one.
 bool isReported(const std::vector<UserError>& problems) {
   return std::any_of(problems.begin(), problems.end() - 1, [&](const UserError& problem) {
     return std::string(problem.what()) == problems.back().what();
   });
 }
 
-/// Opens the pictures of a material as those who draw it do: only with a finish the exact rasterizer knows
-/// what is transparent.
+/// Opens the images of a material in the same way as its renderer: only the exact rasterizer, for a
+/// material with a finish, handles transparency.
 template <class Attempt>
 void checkPictures(const scene::Material& material, bool exact, const Attempt& attempt) {
   const auto check = [&](const std::filesystem::path& file) {
@@ -87,7 +87,7 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
   setting.links = &links;
   try {
     colliders = collidersOf(scene, &bones);
-  } catch (const UserError&) {  // which the body's own check reports
+  } catch (const UserError&) {  // the body's own check reports the error
     colliders = collidersOf(scene, nullptr);
   }
   std::vector<UserError> problems;
@@ -107,7 +107,7 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
     attempt([&] { checkSurroundings(readSurroundings(sky), surroundingsLabel(sky)); });
   const std::size_t others = problems.size();
   attempt([&] { static_cast<void>(MeshColliderPlan(scene, std::max(0.0, meshReach(scene)))); });
-  // A file that cannot be read is a problem of its object already.
+  // An unreadable file is already reported for its object.
   if (others > 0 && problems.size() > others && isReported(problems)) problems.pop_back();
   return problems;
 }

@@ -7,14 +7,15 @@
 
 namespace simreel::sim {
 
-/// What a scene's cloths and particles collide with, in the scene's order, then the capsules of its bodies.
-/// Without `bones` those are left out. Throws what their files' reader does.
+/// Returns the shapes that cloths and particles of a scene collide with, in the scene's order, then the
+/// capsules of its bodies, which are omitted if `bones` is null. Throws the errors of the bodies' file
+/// reader.
 [[nodiscard]] std::vector<ColliderShape> collidersOf(const scene::Scene& scene, const Bones* bones);
 
-/// Frames that are simulated before frame 0.
+/// Returns the number of frames simulated before frame 0.
 [[nodiscard]] int prerollOf(const scene::Scene& scene);
 
-/// Setting::startTime.
+/// Returns the time of the first simulated frame in seconds (Setting::startTime).
 [[nodiscard]] double startOf(const scene::Scene& scene);
 
 }  // namespace simreel::sim

@@ -14,47 +14,50 @@
 
 namespace simreel::sim {
 
-/// The objects of a World, how they are made, and how they find each other.
+/// Objects of a World, their construction, and the links between them.
 struct World::State {
   double fps;
   int preroll;
-  int done = 0;  ///< frames simulated, the pre-roll's included
+  int done = 0;  ///< number of frames simulated, including the pre-roll
   Bones bones;
   std::vector<ColliderShape> colliders;
-  std::unique_ptr<DistanceFields> meshes;  ///< of the rigid meshes that collide, where something may touch
+  std::unique_ptr<DistanceFields> meshes;  ///< distance fields of rigid meshes that collide; null if no
+                                           ///< object can touch them
   ObjectLinks links;
   const std::vector<std::unique_ptr<Simulation>>& objects;  ///< owned by `links`
-  std::vector<std::unique_ptr<StepGroup>> groups;           ///< of each node of the step order; null: none
+  std::vector<std::unique_ptr<StepGroup>> groups;           ///< one group per node of the step order; null:
+                                                            ///< a single object
   std::vector<std::string> names;
-  std::optional<std::size_t> tracked;   ///< the object that the camera looks at
-  std::vector<FrameStarter*> starters;  ///< objects that take in others before each frame
-  std::vector<bool> isRead;             ///< true for an object that others take in
+  std::optional<std::size_t> tracked;   ///< index of the object that the camera looks at
+  std::vector<FrameStarter*> starters;  ///< objects that read others before each frame
+  std::vector<bool> isRead;             ///< true if another object reads this one before each frame
   scene::Camera camera;
-  std::vector<Lag> lags;  ///< of the camera behind what it looks at, and behind where it would stand
-  std::vector<FrameObserver*> observers;  ///< among the objects
-  std::vector<std::size_t> observed;      ///< objects that these, or the lag, look at
+  std::vector<Lag> lags;  ///< lags of the camera's target, and of its eye if the camera follows a path
+  std::vector<FrameObserver*> observers;  ///< the objects that implement FrameObserver
+  std::vector<std::size_t> observed;      ///< indices of the objects that the observers or the lags read
   std::unique_ptr<SummaryQueue> summaries;
   std::function<void(const Drawables& before)> hearBefore;
-  bool passed = false;  ///< whether nobody may look at the present frame
+  bool passed = false;  ///< true if the current frame is passed and its state must not be read
 
   State(const scene::Scene& scene, bool timing, const std::function<void(long, long)>& presteps);
   void makeLags(double frameSeconds);
-  /// Finds the objects that note something of every frame, and the objects that they look at.
+  /// Finds the frame observers and the objects that they read.
   void findObservers(const scene::Scene& scene);
   [[nodiscard]] double now() const { return (done - preroll) / fps; }
-  /// What the camera looks at, which may lag behind its object.
+  /// Returns the position that the camera looks at, which may lag behind its object.
   [[nodiscard]] std::optional<glm::vec3> trackedPlace() const;
-  /// What the lags go after in this frame, as sim::Drawables::lagging has it; empty while it is not there.
+  /// Returns the positions that the lags follow in this frame, in the order of sim::Drawables::lagging;
+  /// empty while the followed object has no position.
   [[nodiscard]] std::vector<glm::vec3> ahead() const;
-  /// Tells those who note something of every frame. What they look at is as it is drawn, and what is made
-  /// only to be drawn is made here, so that it does not matter which frames are.
+  /// Calls the frame observers. Updates the objects that they read to their drawn state, including data
+  /// computed only for drawing, so that the result does not depend on which frames are drawn.
   void observe();
-  /// Finds the objects that take in others before each frame, and those others.
+  /// Finds the objects that read others before each frame, and the objects that they read.
   void findRead(const scene::Scene& scene);
   void startFrame() const;
   void makeMeshes(const scene::Scene& scene);
   void makeObjects(const scene::Scene& scene, Setting& setting);
-  /// Makes a group: all of it take as many steps as the one that needs most.
+  /// Creates a group whose members all take as many steps per frame as the one that needs most.
   [[nodiscard]] std::unique_ptr<StepGroup> makeGroup(const scene::Scene& scene, const StepNode& node,
                                                      const Setting& setting);
 };

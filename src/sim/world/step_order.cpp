@@ -15,13 +15,13 @@ namespace {
 
 using Objects = std::span<const scene::Object>;
 
-/// A node and the nodes that step before it.
+/// Node and the indices of the nodes that must step before it.
 struct Waiting {
   StepNode node;
   std::set<std::size_t> before;
 };
 
-/// One node for each object, but for those that join a group that is led.
+/// Returns one node per object, except that the members of a group with a leader share one.
 std::vector<Waiting> nodesOf(Objects objects, const std::vector<Ports>& ports) {
   std::vector<Waiting> nodes;
   std::vector<Waiting> groups;
@@ -51,7 +51,7 @@ std::vector<Waiting> nodesOf(Objects objects, const std::vector<Ports>& ports) {
   return nodes;
 }
 
-/// Returns true where `object` takes what `provider` has at the end of the frame.
+/// True if `object` reads the state that `provider` has at the end of the frame.
 bool waitsFor(const Ports& object, const scene::Object& provider, const Ports& provided) {
   return std::any_of(object.wants.begin(), object.wants.end(), [&](const Ports::Want& want) {
     if (want.when != When::beforeStep) return false;
@@ -75,7 +75,8 @@ std::vector<Waiting> waiting(Objects objects) {
   return nodes;
 }
 
-/// Moves nodes that wait for none that is left into `order`, one by one; returns those left in circles.
+/// Appends nodes to `order` as soon as all their predecessors are in it (topological sort); returns the
+/// nodes left in cycles.
 std::vector<std::size_t> sort(const std::vector<Waiting>& nodes, std::vector<StepNode>& order) {
   std::vector<std::size_t> left(nodes.size());
   for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
@@ -104,7 +105,8 @@ void checkOrder(Objects objects, const scene::Report& report) {
   std::vector<StepNode> order;
   const std::vector<std::size_t> left = sort(nodes, order);
   if (left.empty()) return;
-  // Each of them waits for another: a walk along these comes back to where it has been.
+  // Each remaining node waits for another one, so following these dependencies leads back to a visited
+  // node.
   std::vector<std::size_t> circle = {left.front()};
   for (;;) {
     const auto& before = nodes[circle.back()].before;

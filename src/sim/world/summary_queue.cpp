@@ -16,7 +16,7 @@ gl::Buffer copies(const char* label, std::size_t rows) {
   return gl::Buffer::mapped(label, rows * SummaryQueue::capacity * 16, false);
 }
 
-/// Of a mapped buffer, behind a fence.
+/// Copies from a mapped buffer whose fence has been reached.
 void copyOut(const gl::Buffer& from, std::size_t offset, std::span<std::byte> to) {
   SIMREEL_CHECK(offset + to.size() <= from.bytes());
   const std::byte* first = static_cast<const std::byte*>(from.memory()) + offset;
@@ -102,7 +102,7 @@ std::optional<Summary> SummaryQueue::take(bool wait) {
   return taken;
 }
 
-/// Returns how many elements each object has.
+/// Copies the counts into a slot; returns the number of elements per counting object.
 std::vector<int> SummaryQueue::copyCounts(int slot) const {
   std::vector<int> rows;
   if (!counting_.empty()) glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -142,7 +142,7 @@ void SummaryQueue::checkStatus(int frame, int slot) {
   }
 }
 
-/// The hash of all state is the sum of its arrays' hashes, word by word.
+/// Computes a summary. The hash of the whole state is the sum of its arrays' hashes, word by word.
 Summary SummaryQueue::summary(const Pending& from) const {
   std::vector<glm::uvec4> words(arrays_.size());
   copyOut(sumCopies_, sumOffset(from.slot), std::as_writable_bytes(std::span(words)));

@@ -14,38 +14,38 @@
 
 namespace simreel::sim {
 
-/// A state array of an object.
+/// Name of an object's state array.
 struct ArrayName {
   std::string object, array;
-  long elements = 0;  ///< vec4 each
+  long elements = 0;  ///< number of vec4 elements
 };
 
-/// What an object counts.
+/// Names of the counts of an object.
 struct CountNames {
   std::string object;
   std::vector<std::string> columns;
-  int elements = 1;       ///< uvec4 a row
-  bool measured = false;  ///< floats
+  int elements = 1;       ///< number of uvec4 elements per row
+  bool measured = false;  ///< true: the values are floats
 };
 
-/// Frame and hash (32 hexadecimal digits over every state array of every object).
+/// Frame number and hash (32 hexadecimal digits) over every state array of every object.
 struct Summary {
   int frame = 0;
   std::string stateHash;
   std::vector<std::string> arrays;  ///< hash of each state array, in the order of SummaryQueue::arrays()
-  /// Counts of each step of the frame, row by row, for each entry of SummaryQueue::countNames(); where
-  /// nothing has stepped yet, one row of the start.
+  /// Counts of each step of the frame, row by row, for each entry of SummaryQueue::countNames(); before the
+  /// first step, one row with the initial counts.
   std::vector<std::vector<glm::uvec4>> counts = {};
 };
 
-/// Hashes, losses and counts of frames that are still under way on the GPU, in memory of their own: reading
-/// a buffer of the device's would wait for all that was asked of it.
+/// Queue of hashes, loss reports and counts of frames that the GPU is still computing. Results are copied
+/// to mapped buffers, because reading another buffer would wait for all submitted commands.
 class SummaryQueue {
  public:
   using Objects = std::span<const std::unique_ptr<Simulation>>;
-  static constexpr int capacity = 8;  ///< frames under way
+  static constexpr int capacity = 8;  ///< maximum number of pending frames
 
-  /// `objects` and `names`, one for each, live as long as this.
+  /// `objects` and `names` (one for each object) must outlive this object.
   SummaryQueue(Objects objects, std::span<const std::string> names);
   ~SummaryQueue();
   SummaryQueue(const SummaryQueue&) = delete;
@@ -54,22 +54,22 @@ class SummaryQueue {
   [[nodiscard]] const std::vector<ArrayName>& arrays() const { return arrays_; }
   [[nodiscard]] std::vector<CountNames> countNames() const;
 
-  /// Starts hashing what the objects hold now, and copying what they count. At most `capacity` under way.
+  /// Starts hashing the current state of the objects and copying their counts. At most `capacity` summaries
+  /// may be pending.
   void start(int frame);
-  /// The oldest, once it is there; with `wait` waits for it. Throws UserError(device) when a simulation
-  /// lost its state.
+  /// Returns the oldest summary if it is ready; with `wait`, waits for it. Throws UserError(device) if a
+  /// simulation lost its state.
   [[nodiscard]] std::optional<Summary> take(bool wait);
 
  private:
-  /// Hash sums and loss report of one frame: 16 bytes for each state array, and 16 bytes of status for each
-  /// object.
+  /// Hash sums and loss reports of one frame: 16 bytes per state array and 16 bytes of status per object.
   struct Pending {
     int frame;
     int slot;
     GLsync fence;
-    std::vector<int> countRows;  ///< elements of each object that counts
+    std::vector<int> countRows;  ///< number of elements per counting object
   };
-  /// An object that counts, and the first of its rows in a slot of countCopies_.
+  /// Counting object, and the first of its rows in a slot of countCopies_.
   struct Counting {
     std::size_t object;
     std::size_t firstRow;
@@ -84,15 +84,15 @@ class SummaryQueue {
 
   Objects objects_;
   std::span<const std::string> names_;
-  std::vector<bool> remarked_;  ///< of each object, whether its remark was made
+  std::vector<bool> remarked_;  ///< per object: true once its remark was printed
   std::vector<ArrayName> arrays_;
   std::vector<Counting> counting_;
   std::size_t countRowsOfSlot_ = 0;
   StateHash hash_;
-  gl::Buffer sums_;         ///< uvec4 per array
-  gl::Buffer sumCopies_;    ///< uvec4 per array per slot
-  gl::Buffer statuses_;     ///< uvec4 per object per slot
-  gl::Buffer countCopies_;  ///< uvec4 per step of a frame per slot
+  gl::Buffer sums_;         ///< hash sums: one uvec4 per array
+  gl::Buffer sumCopies_;    ///< copies of hash sums: one uvec4 per array and slot
+  gl::Buffer statuses_;     ///< copies of status buffers: one uvec4 per object and slot
+  gl::Buffer countCopies_;  ///< copies of counts: one uvec4 per step of a frame and slot
   std::deque<Pending> pending_;
   int nextSlot_ = 0;
 };

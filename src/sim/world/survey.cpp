@@ -26,7 +26,8 @@ namespace simreel::sim {
 namespace {
 
 constexpr int mostLooks = 48;
-constexpr std::size_t mostPoints = 1 << 17;  // of an object, in all looks together
+constexpr std::size_t mostPoints = 1 << 17;  // maximum number of points per object, summed over all sampled
+                                             // frames
 constexpr double strayParticles = 0.01;
 
 const ParticleParameters* particlesOf(const scene::Object& object) {
@@ -38,8 +39,8 @@ bool goesItsWay(const scene::Object& object) {
   return parameters != nullptr && parameters->wanders();
 }
 
-/// While it lives the scene is computed exactly, and nobody hears what making its world says, which the
-/// run itself says once more.
+/// Scope guard: computes the scene in exact mode and suppresses output, because the actual run repeats the
+/// same messages.
 class Quietly {
  public:
   explicit Quietly(scene::Scene& scene)
@@ -60,7 +61,7 @@ class Quietly {
   Verbosity verbosity_;
 };
 
-/// What a byte of its state costs in a step beside one of a cloth of springs, as measured.
+/// Returns the measured cost of a byte of state per step, relative to a cloth of springs.
 double weightOf(const scene::Object& object) {
   constexpr double tree = 40, contact = 8, ofMesh = 5, ofUser = 2;
   if (object.kind == "kernels") return ofUser;
@@ -71,8 +72,8 @@ double weightOf(const scene::Object& object) {
   return cloth->hasContact ? contact : cloth->hasMesh ? ofMesh : 1;
 }
 
-/// Bytes of state times the steps that they take; a pair of bodies that attract each other counts for a
-/// tenth of one.
+/// Returns the weighted bytes of state times the number of steps. A pair of attracting bodies counts as a
+/// tenth of a byte.
 double countedWork(const scene::Scene& scene, const World& world) {
   double work = 0;
   for (std::size_t i = 0; i < world.objectCount(); ++i) {
@@ -91,7 +92,7 @@ double countedWork(const scene::Scene& scene, const World& world) {
   return work * static_cast<double>(scene.frameCount() - 1 - world.firstFrame());
 }
 
-/// Where an object is (m): points, alive and at sensible places.
+/// Returns the finite positions of an object's points or mesh vertices in metres.
 std::vector<glm::vec3> placesOf(const Simulation& object) {
   std::vector<glm::vec3> places;
   const auto add = [&](const glm::vec3& at) {
@@ -107,7 +108,7 @@ std::vector<glm::vec3> placesOf(const Simulation& object) {
   return places;
 }
 
-/// Frames to look at, from 0 to the last.
+/// Returns the frames to sample, from 0 to the last.
 std::vector<int> framesToSee(const scene::Scene& scene) {
   const int last = scene.frameCount() - 1;
   const int looks = std::min(last, mostLooks - 1);
@@ -120,11 +121,11 @@ bool isWithin(const scene::Box& room, const glm::vec3& at) {
   return glm::max(at, room.min) == at && glm::min(at, room.max) == at;
 }
 
-/// An object whose way is looked at.
+/// Object whose path is sampled.
 struct Traveller {
   std::size_t object = 0;
-  std::size_t place = 0;  ///< in the survey
-  scene::Box near;        ///< what leaves it is let go
+  std::size_t place = 0;  ///< index of the object in Survey::framed
+  scene::Box near;        ///< region outside of which points are ignored
   std::vector<glm::vec3> seen = {};
 };
 
@@ -134,8 +135,8 @@ scene::Box roomAround(const scene::Box& box) {
   return {box.min - size, box.max + size};
 }
 
-/// Of particles a part, evenly, since a share of them is to be left out in the end; of others the
-/// outermost.
+/// Samples an object's current positions: an even subset of particles, because some are discarded later by
+/// their rank; the outermost points of other objects.
 void look(const World& world, const scene::Scene& scene, std::size_t looks, Traveller& traveller) {
   std::vector<glm::vec3> places = placesOf(world.object(traveller.object));
   std::erase_if(places, [&](const glm::vec3& at) { return !isWithin(traveller.near, at); });
@@ -147,7 +148,8 @@ void look(const World& world, const scene::Scene& scene, std::size_t looks, Trav
   for (std::size_t i = 0; i < places.size(); i += stride) traveller.seen.push_back(places[i]);
 }
 
-/// Of where it went; as its parameters have it where it has gone altogether.
+/// Replaces an object's extent by the extent of the sampled points; keeps the extent given by the
+/// parameters if all points left the region.
 void frameSeen(const Traveller& traveller, const ParticleParameters* particles, scene::Framed& framed) {
   if (traveller.seen.empty()) return;
   framed.points = particles == nullptr
@@ -158,7 +160,7 @@ void frameSeen(const Traveller& traveller, const ParticleParameters* particles, 
   framed.box = *box;
 }
 
-/// As -D has it, of a camera that was `before`.
+/// Returns the changes from `before` to `camera` in the syntax of the option -D.
 std::vector<std::string> placing(const scene::Camera& camera, const scene::Camera& before) {
   const auto value = [](float number) { return scene::shortest(number).dump(); };
   const auto vector = [&](const glm::vec3& v) {

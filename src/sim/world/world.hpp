@@ -12,22 +12,21 @@
 
 namespace simreel::sim {
 
-/// What making the scene's world and drawing it would be refused for on any device, one mistake an object
-/// and one a picture at most: reads every file the scene names. Needs no context.
+/// Returns the errors that constructing and drawing the scene's world would cause on any device, at most
+/// one per object and one per image. Reads every file that the scene refers to; needs no OpenGL context.
 [[nodiscard]] std::vector<UserError> findProblems(const scene::Scene& scene);
 
-/// One sentence for each object that needs more memory at a time than software drivers and small cards
+/// Returns one sentence for each object that needs a larger buffer than software drivers and small GPUs
 /// allow.
 [[nodiscard]] std::vector<std::string> tooLargeForMany(const scene::Scene& scene);
 
-/// All objects of a scene, stepped together: a mesh that collides, bodies and fluids first, then the others
-/// in the scene's order, but what is made of another's field after them, and last who collides with a
-/// solid, and cloths in contact, a substep of each in turn. Frame 0 is at time 0; the pre-roll runs before
-/// it.
+/// All objects of a scene, stepped together in the order of stepOrder(): an object steps after those whose
+/// end-of-frame state it reads. Cloths in contact form a group that steps as late as possible, one substep
+/// of each member in turn. Frame 0 is at time 0; the pre-roll precedes it.
 class World {
  public:
-  /// Makes every simulation on the current context. `timing`: they measure their stages (Setting::timing).
-  /// `presteps`: Setting::presteps.
+  /// Creates every simulation on the current context. `timing`: simulations measure their stages
+  /// (Setting::timing). `presteps`: see Setting::presteps.
   explicit World(const scene::Scene& scene, bool timing = false,
                  const std::function<void(long done, long total)>& presteps = {});
   ~World();
@@ -36,57 +35,60 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Called after each step, counted from 1, of each object in turn.
+  /// Callback after each step of each object; steps are counted from 1.
   using Watch = std::function<void(std::size_t object, int step)>;
-  /// Called when an object has issued all of its steps of a frame; for those in contact one after the other
-  /// when all of them have.
+  /// Callback after an object has issued all of its steps of a frame; for a group, called for each member
+  /// after the whole group.
   using Stepped = std::function<void(std::size_t object)>;
-  /// Simulates up to `frame` (0: the pre-roll only). Never goes back.
+  /// Simulates up to `frame` (0: the pre-roll only). Cannot go backwards.
   void advanceTo(int frame, const Watch& watch = {}, const Stepped& stepped = {});
-  /// Hears what is to be drawn of the frame before each that advanceTo() goes to, where that takes a step.
+  /// Sets a callback that receives the drawables of the frame before the one that advanceTo() goes to, if
+  /// advanceTo() takes a step.
   void onFrameBefore(std::function<void(const Drawables& before)> hear);
-  /// The same, but nobody may look at the state there: neither draw, nor read, nor believe its hash, until
-  /// advanceTo() goes further or show() is called.
+  /// Simulates up to `frame` as advanceTo() does but skips work needed only for display. The state must not
+  /// be drawn, read or hashed until advanceTo() goes further or show() is called.
   void passTo(int frame);
-  /// Makes the state of a frame that was passed what advanceTo() would have left.
+  /// Completes the state of a passed frame to what advanceTo() would have left.
   void show();
-  /// What the next frame depends on, object by object: `begin` hears the name of each before its parts.
+  /// Saves or restores the state that the next frame depends on, object by object; calls `begin` with the
+  /// name of each before its parts.
   void carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin);
-  /// After it was put back: the present frame is `frame`, which must not be before the first.
+  /// Sets the current frame to `frame` (not before the first) after carryOver() has restored the state.
   void resumeAt(int frame);
-  /// Gives an object other values on the way (Retunable). Whether it could.
+  /// Changes an object's parameters during the run (see Retunable). Returns false if the object does not
+  /// support it.
   [[nodiscard]] bool retune(std::size_t index, const scene::Parameters& now);
-  /// The frame in which it starts: 0, or below it by the pre-roll.
+  /// Returns the first simulated frame: 0, or minus the number of pre-roll frames.
   [[nodiscard]] int firstFrame() const;
   [[nodiscard]] std::size_t objectCount() const;
   [[nodiscard]] const std::string& objectName(std::size_t index) const;
-  /// Whose step it is that Stepped tells of: the object, or all that are in contact, since these go a
-  /// substep of each in turn: "a and 9 more in contact".
+  /// Returns the name of the object or group whose step `Stepped` reports; for a group in contact, for
+  /// example "a and 9 more in contact".
   [[nodiscard]] std::string stepName(std::size_t index) const;
   [[nodiscard]] int frame() const;
-  [[nodiscard]] double time() const;  ///< s, of the current frame
+  [[nodiscard]] double time() const;  ///< time of the current frame in seconds
   [[nodiscard]] Drawables drawables() const;
-  /// After the drawables were drawn, before the next frame: whether one lacked memory, which is there now,
-  /// so that they are to be drawn again (Simulation::grow).
+  /// Grows buffers that were too small while drawing; call after drawing and before the next frame. Returns
+  /// true if the drawables must be drawn again (Simulation::grow).
   bool grow();
   [[nodiscard]] const Simulation& object(std::size_t index) const;
-  /// Searches the dispatches of the next frame's steps for races (RaceChecked), a line for each place.
+  /// Checks the dispatches of the next frame's steps for data races (RaceChecked). Returns one line per
+  /// race.
   [[nodiscard]] std::vector<std::string> races();
 
   using ArrayName = sim::ArrayName;
   using CountNames = sim::CountNames;
   using Summary = sim::Summary;
-  /// Every state array of every object, in the order in which they are hashed.
+  /// Returns every state array of every object in the order of hashing.
   [[nodiscard]] std::vector<ArrayName> arrays() const;
-  /// Every object that counts something, in the order of objects.
+  /// Returns every object with counts, in the order of objects.
   [[nodiscard]] std::vector<CountNames> countNames() const;
 
-  /// Starts hashing the state of the current frame on the GPU, and copying its counts; at most that many
-  /// may be under way.
+  /// Maximum number of summaries that startSummary() may have pending.
   static constexpr int maxSummaries = SummaryQueue::capacity;
   void startSummary();
-  /// A finished summary, oldest first. With `wait` blocks for the oldest. Throws UserError(device) when a
-  /// simulation lost its state.
+  /// Returns a finished summary, oldest first. With `wait` blocks for the oldest. Throws UserError(device)
+  /// if a simulation lost its state.
   [[nodiscard]] std::optional<Summary> takeSummary(bool wait);
 
  private:
@@ -96,8 +98,8 @@ class World {
   std::unique_ptr<State> state_;
 };
 
-/// Finds out which kernels the scene's World needs up to frame 0, and has a software driver compile them on
-/// the processors that are idle meanwhile. Changes no state; does nothing where there is nothing to gain.
+/// Determines which kernels the scene's World needs up to frame 0 and lets a software driver compile them
+/// on idle processors. Changes no state; does nothing if there is no gain.
 void compileWorldAhead(const scene::Scene& scene);
 
 }  // namespace simreel::sim

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t maxRuleBytes = std::size_t{64} << 20;
 
-/// The section @TREE.
+/// Parses the section @TREE.
 CellRule parseTree(const RuleFileText& file) {
   int states = 0, neighbours = 0, nodes = 0, read = 0;
   auto tree = std::make_shared<RuleTree>();
@@ -74,8 +74,9 @@ CellRule parseTree(const RuleFileText& file) {
   return rule;
 }
 
-/// Linear light of an 8-bit sRGB level, by a polynomial of arithmetic alone so that it is the same
-/// everywhere: c (c (0.305306011 c + 0.682171111) + 0.012522878), within 0.2 % of full scale.
+/// Converts an 8-bit sRGB level to linear light by a polynomial, c (c (0.305306011 c + 0.682171111) +
+/// 0.012522878), which is within 0.2 % of full scale. Plain arithmetic gives the same bits on every
+/// machine.
 float lightOf(double level) {
   const double c = level / 255;
   return static_cast<float>(c * (c * (0.305306011 * c + 0.682171111) + 0.012522878));
@@ -85,7 +86,7 @@ glm::vec3 lightOf(const std::array<int, 6>& levels, std::size_t first) {
   return {lightOf(levels[first]), lightOf(levels[first + 1]), lightOf(levels[first + 2])};
 }
 
-/// "1 0 128 255 blue", or of all states but 0: "0 0 255 255 0 0".
+/// Parses colours: "1 0 128 255 blue", or a gradient over all states except 0: "0 0 255 255 0 0".
 std::vector<glm::vec3> parseColors(const RuleFileText& file, int states) {
   std::vector<glm::vec3> colors;
   const auto count = static_cast<std::size_t>(states);

@@ -26,8 +26,8 @@ std::string lowWord(std::string_view text) {
   return low;
 }
 
-/// Where each of n neighbours goes, for every element of a symmetry; empty: no such symmetry.
-/// `permute` is no such list.
+/// Returns the permutations of n neighbours in a symmetry: the new index of each neighbour. Empty for an
+/// unknown symmetry; "permute" is handled separately.
 std::vector<std::vector<int>> permutations(const std::string& symmetry, int n) {
   const auto turned = [&](int steps, bool reflected) {
     std::vector<int> result(static_cast<std::size_t>(n));
@@ -121,7 +121,7 @@ class TableReader {
     if (states_ == 0) file_.wrong(line, 0, "\"n_states:\" stands before this");
   }
 
-  /// The states of a word: a number or a variable.
+  /// Returns the states that a word stands for: a number or a variable.
   States statesOf(const RuleFileText::Line& line, const RuleWord& word) const {
     if (const auto found = variables_.find(word.text); found != variables_.end()) return found->second;
     if (word.text.empty()) file_.wrong(line, word.at, "a state is missing here");
@@ -140,7 +140,7 @@ class TableReader {
     std::size_t open = line.text.find('{'), close = line.text.find('}');
     if (open == std::string_view::npos && close == std::string_view::npos &&
         line.text.find(',') == std::string_view::npos) {
-      open = equals;  // "var b=a"
+      open = equals;  // for example "var b=a"
       close = line.text.size();
     }
     if (equals == std::string_view::npos || open == std::string_view::npos ||
@@ -159,7 +159,7 @@ class TableReader {
 
   std::vector<RuleWord> wordsIn(const RuleFileText::Line& line) const {
     if (line.text.find(',') != std::string_view::npos) return wordsOf(line.text, true);
-    // Digits side by side.
+    // Without commas, each digit is a state.
     std::vector<RuleWord> words;
     for (std::size_t i = 0; i < line.text.size(); ++i)
       if (line.text[i] != ' ' && line.text[i] != '\t') words.push_back({i, line.text.substr(i, 1)});
@@ -176,7 +176,7 @@ class TableReader {
                   fmt::format("a transition has {} states here (the cell, {} neighbours, the new state), "
                               "not {}",
                               count, n, words.size()));
-    // Variables that stand more than once are one state each time.
+    // A variable that occurs more than once has the same state in all its places.
     std::vector<std::string> bound;
     for (std::size_t i = 0; i < words.size(); ++i) {
       if (!variables_.contains(words[i].text)) {
@@ -259,7 +259,7 @@ class TableReader {
     }
   }
 
-  /// Every different order of the neighbours.
+  /// Adds the transition for every distinct order of the neighbours.
   void permuted(const RuleFileText::Line& line, const RuleTransition& transition) {
     const auto n = static_cast<std::size_t>(neighboursOf(shape_));
     std::vector<std::pair<std::string, States>> sets;

@@ -4,7 +4,7 @@
 
 namespace simreel::sim {
 
-/// The section @TABLE as a rule without a name. Throws UserError as readRuleFile says.
+/// Parses the section @TABLE as a rule without a name. Throws the UserError of readRuleFile().
 [[nodiscard]] CellRule parseRuleTable(const RuleFileText& file);
 
 }  // namespace simreel::sim

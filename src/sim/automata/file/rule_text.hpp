@@ -6,27 +6,28 @@
 
 namespace simreel::sim {
 
-/// The lines of a rule file's section, with their places in the file.
+/// Lines of a rule file's sections, with their positions in the file.
 class RuleFileText {
  public:
   struct Line {
-    int number;             ///< from 1
-    std::size_t column;     ///< of its first character that is left, from 0
-    std::string_view text;  ///< without comment, blanks around it and line end
+    int number;             ///< line number, counted from 1
+    std::size_t column;     ///< zero-based column of the text's first character
+    std::string_view text;  ///< text without comment, surrounding blanks and line end
   };
-  /// `name` is what messages call the file.
+  /// `name` is the file's name in messages.
   RuleFileText(std::string_view text, std::string name);
 
-  /// Lines of the section "@NAME"; what follows the name on its own line is its first line.
+  /// Returns the lines of the section "@NAME"; text after the name on its own line counts as the first
+  /// line.
   [[nodiscard]] std::vector<Line> section(std::string_view name) const;
   [[nodiscard]] bool has(std::string_view name) const { return find(name) >= 0; }
-  /// The number of the line that begins the section, from 0; below 0: there is none.
+  /// Returns the zero-based index of the line that begins the section; negative: none.
   [[nodiscard]] int find(std::string_view name) const;
 
-  /// Throws UserError(usage): file:line:column and the message; `at` counts from the line's text.
+  /// Throws UserError(usage) with file:line:column and the message; `at` is an offset in the line's text.
   [[noreturn]] void wrong(const Line& line, std::size_t at, const std::string& message) const;
-  [[noreturn]] void wrong(const std::string& message) const;  ///< of the whole file
-  /// The number that is all of `word`, which begins at `at` of the line; up to `max`.
+  [[noreturn]] void wrong(const std::string& message) const;  ///< error of the whole file
+  /// Returns the number in `word`, at most `max`; `at` is its offset in the line, for messages.
   [[nodiscard]] int number(const Line& line, std::size_t at, std::string_view word, int max,
                            const char* what) const;
 
@@ -35,12 +36,12 @@ class RuleFileText {
   std::vector<std::string_view> lines_;
 };
 
-/// Words of a line between blanks, each with where it begins.
+/// Word of a line and its offset.
 struct RuleWord {
   std::size_t at;
   std::string_view text;
 };
-/// Words between blanks, or between commas (blanks around them left out).
+/// Splits a text at blanks, or at commas without the blanks around them.
 [[nodiscard]] std::vector<RuleWord> wordsOf(std::string_view text, bool commas);
 
 }  // namespace simreel::sim

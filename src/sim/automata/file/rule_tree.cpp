@@ -13,7 +13,7 @@ namespace {
 
 using Bits = std::vector<std::uint64_t>;
 
-/// Inputs of a table in the order of a rule tree; -1: none, any state does.
+/// Returns the table inputs in the order of a rule tree; -1: no input, so any state matches.
 std::vector<int> treeOrder(TableShape shape) {
   switch (shape) {
     case TableShape::vonNeumann:
@@ -28,8 +28,8 @@ std::vector<int> treeOrder(TableShape shape) {
   return {};
 }
 
-/// Transitions that still apply, after each input one set fewer; sets that leave the same transitions lead
-/// to one node, and so do nodes with the same children.
+/// Builds the diagram top down. A node corresponds to the set of transitions that can still apply; equal
+/// sets share a node, and so do nodes with equal children.
 class TreeBuilder {
  public:
   TreeBuilder(const std::vector<RuleTransition>& table, TableShape shape, int states)
@@ -41,7 +41,7 @@ class TreeBuilder {
     std::bitset<256> every;
     for (std::size_t s = 0; s < states_; ++s) every.set(s);
     for (std::size_t r = 0; r < table.size(); ++r) mark(certain_[order_.size()], r);
-    // Tables have few sets of states, which stand in many transitions.
+    // Tables use few distinct sets of states, so transitions are grouped by set.
     for (std::size_t depth = order_.size(); depth-- > 0;) {
       std::unordered_map<std::bitset<256>, Bits> having;
       for (std::size_t r = 0; r < table.size(); ++r) {
@@ -68,7 +68,8 @@ class TreeBuilder {
   static void mark(Bits& set, std::size_t i) { set[i / 64] |= std::uint64_t{1} << (i % 64); }
   static bool has(const Bits& set, std::size_t i) { return (set[i / 64] >> (i % 64) & 1U) != 0; }
 
-  /// Transitions after one that will apply, whatever comes, do not count.
+  /// Removes the transitions after the first one that is certain to apply whatever the remaining inputs
+  /// are.
   void shorten(std::size_t depth, Bits& set) const {
     for (std::size_t w = 0; w < set.size(); ++w)
       if (const std::uint64_t sure = set[w] & certain_[depth][w]; sure != 0) {
@@ -109,8 +110,8 @@ class TreeBuilder {
   const std::vector<RuleTransition>& table_;
   std::vector<int> order_;
   std::size_t states_;
-  std::vector<std::vector<Bits>> applies_;  ///< by depth and state
-  std::vector<Bits> certain_;               ///< by depth: all that comes applies
+  std::vector<std::vector<Bits>> applies_;  ///< transitions that accept a state, by depth and state
+  std::vector<Bits> certain_;               ///< by depth: transitions that accept all remaining inputs
   std::map<std::pair<std::size_t, Bits>, std::uint32_t> known_;
   std::map<std::size_t, std::map<std::vector<std::uint32_t>, std::uint32_t>> unique_;
   std::shared_ptr<RuleTree> tree_ = std::make_shared<RuleTree>();

@@ -10,21 +10,21 @@
 
 namespace simreel::sim {
 
-/// One transition of a rule table without variables: it applies where each input (the middle first, then
-/// the neighbours as the table's neighbourhood lists them) is among the states given, and the first that
-/// applies of a table counts.
+/// Transition of a rule table with variables expanded. It applies if each input (the centre first, then the
+/// neighbours in the table's order) is in its set of states. The first transition of a table that applies
+/// is used.
 struct RuleTransition {
   std::array<std::bitset<256>, 9> inputs;
   int output = 0;
 };
 
-/// Neighbourhoods of tables, with the orders of their neighbours:
-/// vonNeumann N E S W; moore N NE E SE S SW W NW; hexagonal N E SE S W NW; oneDimensional W E.
+/// Neighbourhoods of tables and the order of their neighbours: vonNeumann N E S W; moore N NE E SE S SW W
+/// NW; hexagonal N E SE S W NW; oneDimensional W E.
 enum class TableShape { vonNeumann, moore, hexagonal, oneDimensional };
 [[nodiscard]] int neighboursOf(TableShape shape);
 
-/// The diagram of a table of `states` states; what no transition applies to stays. Null where it would have
-/// more items than maxTreeItems.
+/// Returns the decision diagram of a table; cells to which no transition applies keep their state. Null if
+/// it would have more than maxTreeItems items.
 [[nodiscard]] std::shared_ptr<const RuleTree> treeOf(const std::vector<RuleTransition>& table,
                                                      TableShape shape, int states);
 inline constexpr std::size_t maxTreeItems = std::size_t{1} << 21;

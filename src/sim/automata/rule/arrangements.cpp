@@ -8,23 +8,24 @@ namespace simreel::sim {
 
 namespace {
 
-// One neighbourhood of each letter, rows from the upper left, for 1 to 4 neighbours. With 8 - n neighbours
-// a letter is the complement of that with n. Letters: A. Hensel, as in Golly's help and the LifeWiki.
+// One neighbourhood for each letter, rows from the upper left, for 1 to 4 neighbours. With 8 - n neighbours
+// a letter denotes the complement of its arrangement with n. Letters by A. Hensel, as in Golly's help and
+// the LifeWiki.
 struct Sample {
   char letter;
   const char* cells;
 };
 constexpr Sample samples[] = {
-    {'c', "o........"}, {'e', ".o......."},  // 1
+    {'c', "o........"}, {'e', ".o......."},  // arrangements of 1 neighbour
     {'c', "o.o......"}, {'e', ".o.o....."}, {'k', "o....o..."}, {'a', "oo......."},
-    {'i', ".o.....o."}, {'n', "o.......o"},  // 2
+    {'i', ".o.....o."}, {'n', "o.......o"},  // arrangements of 2 neighbours
     {'c', "o.o...o.."}, {'e', ".o.o.o..."}, {'k', "o....o.o."}, {'a', "oo.o....."},
     {'i', "ooo......"}, {'n', "o.o..o..."}, {'y', "o.o....o."}, {'q', "oo......o"},
-    {'j', "oo...o..."}, {'r', "oo.....o."},  // 3
+    {'j', "oo...o..."}, {'r', "oo.....o."},  // arrangements of 3 neighbours
     {'c', "o.o...o.o"}, {'e', ".o.o.o.o."}, {'k', "o.oo...o."}, {'a', "ooo..o..."},
     {'i', "o.oo.o..."}, {'n', "ooo...o.."}, {'y', "o.o..oo.."}, {'q', "oo.o....o"},
     {'j', "oo...o.o."}, {'r', "oo.o.o..."}, {'t', "ooo....o."}, {'w', "oo...o..o"},
-    {'z', "oo.....oo"},  // 4
+    {'z', "oo.....oo"},  // arrangements of 4 neighbours
 };
 constexpr unsigned middleBit = 1U << 4, allBits = 0x1EFU;
 

@@ -19,15 +19,15 @@ std::string lowerText(std::string_view text) {
   return low;
 }
 
-/// Letters and digits alone, so that "Brian's Brain" and "brians-brain" are one name.
+/// Returns the letters and digits in lower case, so that "Brian's Brain" and "brians-brain" match.
 std::string bareName(std::string_view text) {
   std::string bare = lowerText(text);
   std::erase_if(bare, [](char c) { return !isDigit(c) && (c < 'a' || c > 'z'); });
   return bare;
 }
 
-/// What a rule is that other programs know and this one does not: as "a rule of ..."; null: a mistake.
-/// Notations of Golly's help and of the LifeWiki.
+/// Returns the description ("a rule of ...") of a rule that other programs support but this one does not;
+/// null for other texts. Notations of Golly's help and of the LifeWiki.
 const char* otherKind(std::string_view text) {
   const std::string low = lowerText(text);
   if ((low.size() > 1 && low[0] == 'm' && isDigit(low[1])) || low.starts_with("margolus"))
@@ -132,7 +132,7 @@ RuleProblem parseCellRule(std::string_view text, CellRule& rule) {
   if (text.empty())
     return {0, "the rule is empty; write a rule as \"B3/S23\" (or \"23/3\", survival first)"};
   const std::string low = lowerText(text), bare = bareName(text);
-  // "23/3" has a bare name, too.
+  // Skips notations such as "23/3", because without its punctuation "313" would match a preset.
   if (text.find('/') == std::string_view::npos || text.find(' ') != std::string_view::npos)
     for (const RulePreset& preset : rulePresets())
       if (bare == bareName(preset.name)) {

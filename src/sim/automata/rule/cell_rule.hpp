@@ -10,128 +10,130 @@
 
 namespace simreel::sim {
 
-/// An outer-totalistic rule on the Moore neighbourhood: bit n of a mask for n living neighbours.
+/// Outer-totalistic rule on the Moore neighbourhood: bit n of a mask stands for n living neighbours.
 struct LifeRule {
   int born = 1 << 3;
   int survives = 1 << 2 | 1 << 3;
   bool operator==(const LifeRule&) const = default;
-  /// As "B3/S23".
+  /// Returns the rule in the notation "B3/S23".
   [[nodiscard]] std::string text() const;
 };
 
-/// Which cells around one are its neighbours: all within the range r in both directions; |dx| + |dy| <= r;
-/// |dx - dy| <= r, too (a hexagon of cells that lie askew); dx^2 + dy^2 < (r + 1/2)^2; dx^2 + dy^2 <= r^2;
-/// dx = 0 or dy = 0; those that a list names.
+/// Neighbourhood within the range r. moore: all cells; vonNeumann: |dx| + |dy| <= r; hexagonal: all cells
+/// with |dx - dy| <= r (a hexagon of skewed cells); circular: dx^2 + dy^2 < (r + 1/2)^2; euclidean: dx^2 +
+/// dy^2 <= r^2; cross: dx = 0 or dy = 0; places: the cells of a list.
 enum class NeighbourShape { moore, vonNeumann, hexagonal, circular, euclidean, cross, places };
 
-/// Counts from `low` to `high`.
+/// Range of counts, both limits included.
 struct CountRange {
   int low, high;
 };
 
-/// A cell that is counted, from the middle on, and how often.
+/// Offset of a counted cell from the centre, and its weight.
 struct NeighbourPlace {
   int dx, dy, weight;
   bool operator==(const NeighbourPlace&) const = default;
 };
 
-/// Larger than Life (Evans 1996): how many cells of state 1 lie around decides.
+/// Larger than Life (Evans 1996): the number of surrounding cells in state 1 determines the next state.
 struct WideRule {
   int range = 1;
-  bool middle = false;  ///< whether a cell counts itself
+  bool middle = false;  ///< true: a cell counts itself
   std::vector<CountRange> survive{{2, 3}}, born{{3, 3}};
   NeighbourShape shape = NeighbourShape::moore;
-  std::vector<NeighbourPlace> places;  ///< the middle among them; of shape `places` alone
-  bool flips = false;                  ///< dy the other way round where x + y is odd (triangles)
-  std::vector<int> stateWeights;  ///< how often cells of each state count; empty: those of state 1 once
-  /// Columns from the middle's to the first and to the last of a row's neighbours; first > last: none.
+  std::vector<NeighbourPlace> places;  ///< only for the shape `places`; includes the centre
+  bool flips = false;                  ///< true: dy is negated in cells with odd x + y (triangular grid)
+  std::vector<int> stateWeights;       ///< weight of each state; empty: only state 1 counts, with weight 1
+  /// First and last column of a row's neighbours, relative to the centre; first > last: none.
   struct Span {
     int first, last;
   };
   [[nodiscard]] Span span(int dy) const;
-  /// The highest count there is, that of the middle with it.
+  /// Returns the highest possible count, including the centre.
   [[nodiscard]] int most() const;
 };
 
-/// Cyclic automata (Griffeath 1988): a cell takes the next state, after the last 0, where at least
-/// `threshold` of its neighbours have it.
+/// Cyclic automaton (Griffeath 1988): a cell advances to the next state (0 after the last) if at least
+/// `threshold` of its neighbours have that state.
 struct CyclicRule {
   int range = 1, threshold = 1;
   NeighbourShape shape = NeighbourShape::moore;
 };
 
-/// A transition function as a decision diagram: from node to node by the states of the neighbours, in the
+/// Transition function as a decision diagram. Each level of nodes branches on one neighbour's state, in the
 /// order of Golly's rule trees (north-west, north-east, south-west, south-east, north, west, east, south,
-/// middle; of four: north, west, east, south, middle). Item node + state is where the next node begins, or
-/// in the end the new state.
+/// centre; with four neighbours: north, west, east, south, centre). The item at node + state is the index
+/// of the next node or, at the last level, the new state.
 struct RuleTree {
-  int neighbours = 8;  ///< or 4
+  int neighbours = 8;  ///< number of neighbours: 8 or 4
   std::uint32_t root = 0;
   std::vector<std::uint32_t> items;
 };
 
-/// A rule of an automaton of any known family.
+/// Rule of an automaton of any supported family.
 struct CellRule {
-  /// counts: LifeRule. map: any function of the cell and its eight neighbours, each alive (state 1) or not;
-  /// with more than two states the living that do not survive age through them (Generations).
+  /// counts: LifeRule. map: any function of the cell and its eight neighbours, each alive (state 1) or not.
+  /// With more than two states, cells that do not survive age through the remaining states (Generations).
   enum class Family { counts, map, wide, cyclic, tree };
   Family family = Family::counts;
   int states = 2;
   LifeRule counts;
-  /// Of map: bit i is what becomes of a cell in the neighbourhood i, whose bit k is the cell k of nine, row
-  /// by row from the upper left; k = 4 is the cell itself.
+  /// For the family map: bit i is the next state of a cell with the neighbourhood i. Bit k of i is cell k
+  /// of the nine, row by row from the upper left; k = 4 is the cell itself.
   std::array<std::uint32_t, 16> map{};
   WideRule wide;
   CyclicRule cyclic;
   std::shared_ptr<const RuleTree> tree;
-  std::vector<glm::vec3> colors;  ///< linear RGB of each state, of rule files that say so; else empty
-  std::string name;               ///< of all families but counts, as files write it
+  std::vector<glm::vec3> colors;  ///< linear RGB per state if the rule file defines colours; else empty
+  std::string name;               ///< notation of the rule, for all families except counts
 
   CellRule() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): the plain rules are rules
+  // NOLINTNEXTLINE(google-explicit-constructor): every LifeRule is a CellRule
   CellRule(const LifeRule& rule) : counts(rule) {}
   bool operator==(const CellRule& other) const {
     return family == other.family && states == other.states && text() == other.text();
   }
   [[nodiscard]] std::string text() const { return family == Family::counts ? counts.text() : name; }
-  /// Cells beside one that its next state depends on, in each direction.
+  /// Returns the distance of the farthest cells that affect a cell's next state.
   [[nodiscard]] int range() const;
-  /// What becomes of nine cells that are alive or not (bits as in `map`), of counts and map.
+  /// Returns the next state of the centre of nine cells (bits as in `map`), for the families counts and
+  /// map.
   [[nodiscard]] bool outcome(unsigned neighbourhood) const;
-  /// Whether it may run on bits (glsl/life): two states and nothing beyond the eight neighbours.
+  /// True if the rule can run on bits (glsl/life): two states, and only the eight neighbours matter.
   [[nodiscard]] bool onBits() const {
     return states == 2 && (family == Family::counts || family == Family::map);
   }
 };
 
-/// What a parser found wrong: at which character of the text, from 0.
+/// Error of a parser, with the zero-based position in the text.
 struct RuleProblem {
   std::size_t at = 0;
-  std::string message;  ///< empty: nothing
+  std::string message;  ///< error message; empty: no error
 };
 
-/// Reads a rule in the notations of Golly and of MCell:
-///   B3/S23, 23/3         neighbours for birth and survival, of eight; letters of either case
-///   B2-a/S12             after a number, letters of arrangements (Hensel's isotropic notation)
+/// Parses a rule in the notations of Golly and MCell:
+///   B3/S23, 23/3         neighbour counts for birth and survival, of eight; letters of either case
+///   B2-a/S12             a count may have letters of arrangements (Hensel's isotropic notation)
 ///   B2/S013V, B2/S34H    four neighbours (von Neumann), six (hexagonal)
-///   MAP...               512, 128 or 32 bits in base64: every neighbourhood
-///   /2/3, B2/S/C3        Generations: the last number counts states; also with letters, V, H and MAP
-///   W110                 one of Wolfram's rules of a row (even ones): what is alive stays, and the three
-///                        cells above decide whether one is born
+///   MAP...               512, 128 or 32 bits in base64: one for every neighbourhood
+///   /2/3, B2/S/C3        Generations: the last number is the number of states; also with
+///                        letters, V, H and MAP
+///   W110                 one of Wolfram's one-dimensional rules (even ones): living cells stay alive,
+///                        and the three cells above determine whether a cell is born
 ///   R5,C0,M1,S34..58,B34..45,NM    Larger than Life; also 5,34,45,34,58
-///   R2,C0,S2-3,8,B3,12-14,NN       the same with lists of counts; NM may be left out
-///                        NN von Neumann, NC circular, N2 Euclidean, N+ cross, NX saltire, N* star, N#
-///                        hash, NB and ND checkerboards, NH hexagonal, NA asterisk, N3 tripod, NL
-///                        triangular, NG Gaussian, N@ and hexadecimal digits: a bit a cell; NW: its weight,
-///                        then ",012A": those of states
+///   R2,C0,S2-3,8,B3,12-14,NN       Larger than Life with lists of counts; NM may be omitted
+///                        NN von Neumann, NC circular, N2 Euclidean, N+ cross, NX saltire, N* star,
+///                        N# hash, NB and ND checkerboards, NH hexagonal, NA asterisk, N3 tripod, NL
+///                        triangular, NG Gaussian; N@ and hexadecimal digits: one bit per cell; NW:
+///                        weights of cells, then optionally ",012A": weights of states
 ///   R1/T3/C3/NM          cyclic: range, threshold, states, neighbourhood
 /// and the names of rulePresets().
 [[nodiscard]] RuleProblem parseCellRule(std::string_view text, CellRule& rule);
 
-/// Whether a text that is no rule by itself may be the name of one, which a file NAME.rule explains.
+/// True if a text that is not a rule notation may be the name of a rule, which a file NAME.rule defines.
 [[nodiscard]] bool isRuleName(std::string_view text);
 
-/// A rule that has a name.
+/// Rule with a name.
 struct RulePreset {
   const char* name;
   const char* rule;

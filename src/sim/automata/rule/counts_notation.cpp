@@ -18,7 +18,7 @@ char lowerLetter(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Neighbours that live, as bits of nine cells.
+/// Masks of the neighbours among nine cells.
 constexpr unsigned aroundMoore = 0x1EF, aroundFour = 0xAA, aroundSix = 0x1EF & ~(1U << 2 | 1U << 6);
 
 unsigned around(NeighbourShape shape) {
@@ -27,7 +27,7 @@ unsigned around(NeighbourShape shape) {
                                               : aroundMoore;
 }
 
-/// Numbers of neighbours, each with its letters (bits of arrangementLetters).
+/// For each number of neighbours, its allowed arrangements (bits of arrangementLetters).
 using Counts = std::array<int, 9>;
 
 class CountsReader {
@@ -54,14 +54,14 @@ class CountsReader {
     return at_ < text_.size() && (text_[at_] == '/' || text_[at_] == '_');
   }
 
-  /// What is wrong where a number or a slash should stand.
+  /// Returns the error for a character that is neither a number nor a slash.
   [[nodiscard]] RuleProblem notANumber() const {
     if (at_ == text_.size()) return {at_, fmt::format("a slash is missing; {}", countsAdvice)};
     return {at_, fmt::format("{} is not a number of neighbours, 0 to {}; {}", shownCharacter(text_, at_),
                              maxCount(), countsAdvice)};
   }
 
-  /// Digits with their letters up to the first character that is neither.
+  /// Reads digits with their letters up to the first other character.
   RuleProblem take(Counts& counts) {
     unsigned seen = 0;
     while (at_ < text_.size() && isDigit(text_[at_])) {
@@ -111,7 +111,7 @@ class CountsReader {
     return result;
   }
 
-  /// Numbers behind the letters b and s, in either order; the slash between them may be missing.
+  /// Reads the numbers after the letters b and s, in either order; the slash between them is optional.
   RuleProblem lettered() {
     bool seen[2] = {};
     for (int part = 0; part < 2; ++part) {
@@ -137,7 +137,7 @@ class CountsReader {
     return take(counts_[0]);
   }
 
-  /// "/3", "/C3" or "/G3".
+  /// Reads the number of states: "/3", "/C3" or "/G3".
   RuleProblem states() {
     if (!slash()) return notANumber();
     ++at_;
@@ -201,7 +201,7 @@ class CountsReader {
   std::string_view text_;
   std::size_t at_ = 0;
   NeighbourShape shape_ = NeighbourShape::moore;
-  Counts counts_[2] = {};  ///< born, survives
+  Counts counts_[2] = {};  ///< counts for birth and for survival
   int states_ = 2;
 };
 

@@ -12,9 +12,10 @@ namespace {
 
 constexpr std::string_view base64 = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// The cells of nine (row by row) that a number of base64 digits speaks of; the first is the highest bit.
-/// Of the hexagonal ones Golly 3.3 has the row below first, which its help does not say and no rule that
-/// counts can tell: MAP strings that are one cell alone move patterns that way there.
+/// Returns the cells of nine (row by row) that index the bits of a map with this number of base64 digits;
+/// the first cell is the most significant bit. For hexagonal maps Golly 3.3 puts the row below first. Its
+/// help does not mention it, and rules by counts do not reveal it, but maps that copy a single cell move
+/// patterns accordingly.
 std::vector<unsigned> cellsOfMap(std::size_t digits) {
   if (digits == 86) return {0, 1, 2, 3, 4, 5, 6, 7, 8};
   if (digits == 22) return {7, 8, 3, 4, 5, 0, 1};
@@ -25,9 +26,10 @@ std::vector<unsigned> cellsOfMap(std::size_t digits) {
 }  // namespace
 
 RuleProblem parseMap(std::string_view text, CellRule& rule) {
-  constexpr std::size_t first = 3;  // after "MAP"
+  constexpr std::size_t first = 3;  // offset of the digits, after "MAP"
   std::size_t at = first;
-  // A slash is a digit as well: the whole length tells what is one. What follows the digits is "/3".
+  // A slash is also a base64 digit, so the total length determines where the digits end. Only a number of
+  // states such as "/3" may follow.
   std::size_t end = text.size();
   for (const std::size_t digits : {std::size_t{86}, std::size_t{22}, std::size_t{6}}) {
     const std::size_t stop = first + digits;

@@ -9,12 +9,12 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int maxPlacesRange = 500, maxTriangleRange = 250, maxGaussianRange = 50;  // Golly's
+constexpr int maxPlacesRange = 500, maxTriangleRange = 250, maxGaussianRange = 50;  // Golly's limits
 
-/// What the kernel that goes through a list can do in one go (glsl/automata/places.comp).
+/// Maximum number of listed cells that the kernel can process in one dispatch (glsl/automata/places.comp).
 constexpr std::size_t maxPlaces = 60000;
 
-/// The neighbourhood behind the N that ends a rule, for a rule of so many states.
+/// Reads the neighbourhood after the final N of a rule with the given number of states.
 class NeighbourhoodReader {
  public:
   NeighbourhoodReader(NotationReader& reader, WideRule& rule, int states)
@@ -86,7 +86,7 @@ class NeighbourhoodReader {
     if (letter == 'L') rule_.range *= 2;
   }
 
-  /// A bit a cell, row by row without the middle.
+  /// Reads one bit per cell, row by row without the centre.
   void custom(std::size_t at) {
     const std::vector<int> digits = reader_.hexDigits();
     const int side = 2 * rule_.range + 1, cells = side * side;
@@ -104,7 +104,7 @@ class NeighbourhoodReader {
     suffix();
   }
 
-  /// One or two digits a cell, row by row, the first bit for minus.
+  /// Reads one or two digits per cell, row by row; the highest bit is the sign.
   void weighted(std::size_t at) {
     const std::vector<int> digits = reader_.hexDigits();
     const int side = 2 * rule_.range + 1, cells = side * side;
@@ -134,7 +134,7 @@ class NeighbourhoodReader {
     suffix();
   }
 
-  /// H: to be drawn as hexagons; L: of triangles.
+  /// Reads the suffix H (hexagonal display) or L (triangular grid).
   void suffix() {
     if (reader_.here() != 'H' && reader_.here() != 'L') return;
     rule_.flips = reader_.here() == 'L';

@@ -7,22 +7,22 @@
 
 namespace simreel::sim {
 
-/// Readers of the notations that parseCellRule tells apart; each sets `rule` only where nothing is wrong.
+/// Parsers of the notations that parseCellRule() distinguishes; they modify `rule` only on success.
 [[nodiscard]] RuleProblem parseCounts(std::string_view text, CellRule& rule);
 [[nodiscard]] RuleProblem parseMap(std::string_view text, CellRule& rule);
 [[nodiscard]] RuleProblem parseWolfram(std::string_view text, CellRule& rule);
 [[nodiscard]] RuleProblem parseWide(std::string_view text, CellRule& rule);
 [[nodiscard]] RuleProblem parseCyclic(std::string_view text, CellRule& rule);
 
-/// The cells around one that count in a shape of Larger than Life that is no row of spans: 'X', '*', '#',
-/// 'B', 'D', 'A', '3', 'L' (its rows reach to `range`, columns twice as far) and 'G' (whose middle counts
-/// once more).
+/// Returns the counted cells of a Larger than Life shape that cannot be expressed by row spans: 'X', '*',
+/// '#', 'B', 'D', 'A', '3', 'L' (its rows reach to `range`, its columns twice as far) and 'G' (whose centre
+/// weighs one more).
 [[nodiscard]] std::vector<NeighbourPlace> placesOfShape(char letter, int range);
 
-/// A character as messages show it.
+/// Returns a character as shown in messages.
 [[nodiscard]] std::string shownCharacter(std::string_view text, std::size_t at);
 
-/// Reads the digits at `at` as a number of at most `max`; `what` names it in messages.
+/// Reads digits at `at` as a number from `min` to `max`; `what` names it in messages.
 [[nodiscard]] RuleProblem takeRuleNumber(std::string_view text, std::size_t& at, const char* what, int min,
                                          int max, int& value);
 

@@ -12,7 +12,7 @@
 
 namespace simreel::sim {
 
-/// Ranges of a list of counts at most: they are written into a kernel's text.
+/// Maximum number of ranges in a list of counts, because they are written into a kernel's source.
 inline constexpr std::size_t maxRanges = 200;
 
 inline char upperLetter(char c) {
@@ -24,18 +24,18 @@ inline int hexValue(char c) {
   return isDigit(upper) ? upper - '0' : upper >= 'A' && upper <= 'F' ? upper - 'A' + 10 : -1;
 }
 
-/// Goes through a notation from left to right; what is wrong first is what is told.
+/// Reads a notation from left to right and keeps the first error.
 class NotationReader {
  public:
   NotationReader(std::string_view text, const char* advice) : text_(text), advice_(advice) {}
 
   [[nodiscard]] bool good() const { return problem_.message.empty(); }
-  /// The character here, a capital; 0 at the end.
+  /// Returns the current character in upper case; 0 at the end.
   [[nodiscard]] char here() const { return at_ < text_.size() ? upperLetter(text_[at_]) : '\0'; }
   [[nodiscard]] std::size_t at() const { return at_; }
   void moveTo(std::size_t at) { at_ = at; }
 
-  /// A character, letters in either case; not found: the problem.
+  /// Skips an expected character, in either case; sets the error if it is missing.
   void expect(char wanted) {
     if (!good()) return;
     if (here() != wanted) {
@@ -50,7 +50,7 @@ class NotationReader {
     start_ = at_;
     problem_ = takeRuleNumber(text_, at_, what, min, max, value);
   }
-  /// "34..58" or "34,45", each up to `max`.
+  /// Reads two limits such as "34..58" or "34,45", each up to `max`.
   void limits(std::string_view between, const char* what, int max, std::vector<CountRange>& counts) {
     counts.assign(1, {0, 0});
     auto& [low, high] = counts[0];
@@ -61,7 +61,8 @@ class NotationReader {
     if (good() && low > high)
       wrong(first, fmt::format("{} to {}: the first of these limits is the greater one", low, high));
   }
-  /// "2-3,8", or nothing; a comma that no number follows is left.
+  /// Reads a list of ranges such as "2-3,8", which may be empty; does not consume a comma without a
+  /// following number.
   void list(const char* what, int max, std::vector<CountRange>& counts) {
     counts.clear();
     const std::size_t start = at_;
@@ -84,7 +85,7 @@ class NotationReader {
     if (counts.size() > maxRanges)
       wrong(start, fmt::format("{} ranges of counts; there are {} at most", counts.size(), maxRanges));
   }
-  /// Digits of base 16; behind them, here() is none.
+  /// Reads hexadecimal digits.
   [[nodiscard]] std::vector<int> hexDigits() {
     std::vector<int> digits;
     for (; at_ < text_.size() && hexValue(text_[at_]) >= 0; ++at_) digits.push_back(hexValue(text_[at_]));
@@ -107,7 +108,7 @@ class NotationReader {
   [[nodiscard]] const RuleProblem& problem() const { return problem_; }
 
  private:
-  /// Sorted, and those that touch as one.
+  /// Sorts ranges and merges adjacent ones.
   static void join(std::vector<CountRange>& counts) {
     std::ranges::sort(counts, {}, &CountRange::low);
     std::vector<CountRange> joined;
@@ -125,7 +126,7 @@ class NotationReader {
   RuleProblem problem_;
 };
 
-/// Reads the neighbourhood behind the N that ends a rule of Larger than Life, for a rule of so many states.
+/// Reads the neighbourhood after the final N of a Larger than Life rule with `states` states.
 void readNeighbourhood(NotationReader& reader, WideRule& rule, int states);
 
 }  // namespace simreel::sim

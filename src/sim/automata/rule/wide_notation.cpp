@@ -11,7 +11,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int maxWideRange = 500, maxCyclicRange = 10;  // Golly's
+constexpr int maxWideRange = 500, maxCyclicRange = 10;  // the same limits as in Golly
 
 constexpr const char* wideAdvice =
     "Larger than Life is written as \"R5,C0,M1,S34..58,B34..45,NM\" (or \"5,34,45,34,58\", or "
@@ -32,7 +32,7 @@ std::string listText(const std::vector<CountRange>& counts) {
   return text;
 }
 
-/// "R5,C0,M1,S34..58,B34..45,NM" and "R2,C0,S2-3,8,B3,NN".
+/// Reads "R5,C0,M1,S34..58,B34..45,NM" and "R2,C0,S2-3,8,B3,NN".
 class WideReader {
  public:
   explicit WideReader(std::string_view text) : text_(text), reader_(text, wideAdvice) {}
@@ -66,7 +66,8 @@ class WideReader {
   }
 
  private:
-  /// The neighbourhood stands last, and says what the limits before it may be.
+  /// Reads the neighbourhood ahead, because it is at the end but determines the maximum of the limits
+  /// before it.
   void neighbourhood() {
     const std::string upper = upperText(text_);
     const std::size_t at = upper.find(",N");
@@ -74,11 +75,12 @@ class WideReader {
     NotationReader after(text_, wideAdvice);
     after.moveTo(at + 2);
     readNeighbourhood(after, wide_, std::max(states_, 2));
-    // What stands before it is told first.
+    // An error here is reported only if the text before it is valid.
     problemAfter_ = after.problem();
     hood_ = upper.substr(at + 2, after.at() - at - 2);
   }
-  /// Of no neighbourhood nothing is known: its mistake is told once all before it is read.
+  /// Returns the maximum of a limit; very large if the neighbourhood has an error, which is reported after
+  /// the limits.
   [[nodiscard]] int most() const { return problemAfter_.message.empty() ? wide_.most() : 1'000'000; }
   void tellAfter() {
     if (!problemAfter_.message.empty()) reader_.wrong(problemAfter_.at, problemAfter_.message);
@@ -106,7 +108,8 @@ class WideReader {
   }
 
   void lists() {
-    const bool own = !hood_.empty() && hood_[0] == 'W';  // weights count the middle as they say
+    const bool own = !hood_.empty() && hood_[0] == 'W';  // true for explicit weights, which include the
+                                                         // centre
     reader_.expect('S');
     reader_.list("a count of S", most() - (own ? 0 : 1), wide_.survive);
     reader_.expect(',');

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-thread_local std::set<fs::path> readable;  ///< ReadableFolders
+thread_local std::set<fs::path> readable;  ///< readable folders, set by ReadableFolders
 
 bool isReadable(const fs::path& named) {
   std::error_code error;
@@ -110,7 +110,7 @@ void MeshBuilder::vertex(const glm::vec3& position, const glm::vec3& normal, con
                          const glm::vec3& color) {
   const auto within = [](float part) {
     return part >= 0 ? std::min(part, 1e4F) : 0.0F;
-  };  // what is no number, too
+  };  // NaN becomes 0, too
   vertex(position, normal, uv);
   mesh_.colors.resize(mesh_.positions.size(), glm::vec3(1));
   mesh_.colors.back() = {within(color.r), within(color.g), within(color.b)};
@@ -132,7 +132,7 @@ Mesh MeshBuilder::finish() {
   return std::move(mesh_);
 }
 
-/// Where there is no normal: the sum of the triangles' normals around the vertex, weighted by area.
+/// Fills in missing normals: the sum of the normals of the triangles around the vertex, weighted by area.
 void MeshBuilder::fillNormals() {
   std::vector<glm::vec3> sums(mesh_.positions.size(), glm::vec3(0));
   for (std::size_t i = 0; i < mesh_.indices.size(); i += 3) {

@@ -12,27 +12,27 @@
 
 namespace simreel::sim {
 
-/// Most vertices, and most triangles, of a mesh as a file has it; of a flat one's triangles each has three
-/// vertices of its own.
+/// Maximum number of vertices, and of triangles, in a mesh file. Flat shading can triple the vertices,
+/// because each triangle then has three of its own.
 constexpr std::size_t maxMeshItems = 8'000'000;
-/// Most levels of nodes in one another.
+/// Maximum nesting depth of nodes.
 constexpr int maxNodeDepth = 256;
 
-/// Throws UserError(inputOutput): the mesh `file`, then `why`.
+/// Throws UserError(inputOutput) with the message "the mesh FILE WHY".
 [[noreturn]] void refuseMesh(const std::filesystem::path& file, const std::string& why);
 
-/// Linear light of what pictures and scanners write, IEC 61966-2-1.
+/// Converts an sRGB colour (IEC 61966-2-1), as stored by images and scanners, to linear light.
 [[nodiscard]] glm::vec3 linearColor(const glm::vec3& encoded);
 
-/// Where a file lies that a mesh names, from the mesh's folder: with slashes for backslashes, none before
-/// blanks, where there is none by the name as it is.
+/// Returns the path of a file that a mesh refers to, relative to the mesh's folder. If no file has the
+/// literal name, replaces backslashes by slashes and removes backslashes before blanks.
 [[nodiscard]] std::filesystem::path besidePath(const std::filesystem::path& mesh, std::string_view name);
 
-/// Whether a file named by a mesh lies in the mesh's folder or below, links followed.
+/// True if a file that a mesh refers to lies in the mesh's folder or below, after resolving links.
 [[nodiscard]] bool liesBeside(const std::filesystem::path& mesh, const std::filesystem::path& named);
 
-/// While it lives, materials of this mesh that are read on this thread may name pictures in all folders
-/// that the scenes may read which name the mesh.
+/// Scope guard: while it exists, materials of this mesh that are read on this thread may use images in all
+/// folders readable by the scenes that refer to the mesh.
 class ReadableFolders {
  public:
   explicit ReadableFolders(const std::filesystem::path& mesh);
@@ -43,30 +43,30 @@ class ReadableFolders {
   ReadableFolders& operator=(ReadableFolders&&) = delete;
 };
 
-/// Why a file that a mesh's materials name is not read, for it is not there or not to be read; empty where
-/// it is.
+/// Returns the reason why a file that a mesh's materials refer to is not read (missing or not permitted);
+/// empty if it can be read.
 [[nodiscard]] std::string whyUnread(const std::filesystem::path& mesh, const std::filesystem::path& named);
 
-/// Puts a mesh together from parts with a transform each. Throws UserError for what loadMesh() refuses of
-/// any format.
+/// Assembles a mesh from parts with one transform each. Throws UserError for the errors of loadMesh() that
+/// do not depend on the format.
 class MeshBuilder {
  public:
   explicit MeshBuilder(const std::filesystem::path& file) : file_(file) {}
 
-  /// A part of that many vertices and triangles follows; `material`: its number, -1: none.
+  /// Starts a part with the given numbers of vertices and triangles; `material` is an index, -1: none.
   void begin(std::size_t vertices, std::size_t triangles, const glm::mat4& transform, bool hasUvs,
              int material = -1);
-  /// The next vertex; a normal of 0 is computed from the triangles around it.
+  /// Adds the next vertex. A zero normal is computed later from the surrounding triangles.
   void vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv);
-  /// The next one, with a colour (linear RGB); of others it is white.
+  /// Adds the next vertex with a colour (linear RGB); vertices without a colour are white.
   void vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv,
               const glm::vec3& color);
-  /// Where normals are computed, the last vertex has that of an earlier one, by its number in the mesh:
-  /// from the triangles around both.
+  /// Makes the last vertex share its computed normal with the earlier vertex `with` (index in the mesh):
+  /// the triangles around both contribute.
   void shareNormal(std::size_t with) { sharing_.back() = static_cast<unsigned>(with); }
-  /// So far.
+  /// Returns the number of vertices added so far.
   [[nodiscard]] std::size_t vertexCount() const { return mesh_.positions.size(); }
-  /// Corners by number within the part.
+  /// Adds a triangle; corners are vertex indices within the part.
   void triangle(const std::array<unsigned, 3>& corners);
   [[nodiscard]] Mesh finish();
 
@@ -75,14 +75,14 @@ class MeshBuilder {
 
   const std::filesystem::path& file_;
   Mesh mesh_;
-  std::vector<unsigned> sharing_;  ///< of each vertex: whose triangles make its normal, too
+  std::vector<unsigned> sharing_;  ///< per vertex: the vertex whose normal sum it shares
   glm::mat4 transform_{1};
-  glm::mat3 turn_{1};  ///< of normals
+  glm::mat3 turn_{1};  ///< matrix that transforms normals
   bool mirrored_ = false;
   bool hasUvs_ = false;
   int material_ = -1;
-  std::size_t first_ = 0;  ///< vertex of the part
-  std::size_t count_ = 0;  ///< vertices of the part
+  std::size_t first_ = 0;  ///< index of the part's first vertex
+  std::size_t count_ = 0;  ///< number of vertices in the part
 };
 
 }  // namespace simreel::sim

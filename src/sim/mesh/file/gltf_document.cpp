@@ -19,8 +19,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "values are copied as they lie in the file");
 
-constexpr std::int64_t maxNumber = std::int64_t{1} << 40;  // products of two still fit
-constexpr std::size_t maxContainers = 500'000;             // 100 bytes of memory and more each
+constexpr std::int64_t maxNumber = std::int64_t{1} << 40;  // limit at which the product of two numbers does
+                                                           // not overflow
+constexpr std::size_t maxContainers = 500'000;             // limit, because each container takes 100 bytes
+                                                           // of memory or more
 constexpr std::size_t maxZeros = 1'000'000;
 
 template <class T>
@@ -30,7 +32,7 @@ T read(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// Bytes of a component by its number in glTF; 0 for a number that is none.
+/// Returns the size in bytes of a glTF component type; 0 for an unknown type.
 std::size_t componentBytes(std::uint64_t type) {
   constexpr std::uint64_t first = 5120;
   constexpr std::array<std::size_t, 7> bytes = {1, 1, 2, 2, 0, 4, 4};
@@ -54,7 +56,7 @@ std::string decodeBase64(std::string_view text) {
   return bytes;
 }
 
-/// Numbers in each value of an accessor; 0 of a kind that is not read.
+/// Returns the number of components of an accessor's type; 0 for an unsupported type.
 std::size_t componentsOf(const JsonValue& accessor) {
   constexpr std::array<std::pair<std::string_view, std::size_t>, 5> types = {
       {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}}};
@@ -98,7 +100,8 @@ void GltfDocument::checkVersion() const {
     refuse(fmt::format("needs a reader of glTF {}, and this one reads 2.0", oneLine(least.substr(0, 20))));
 }
 
-/// The JSON of a binary file, whose first chunk it is; a second chunk holds bytes.
+/// Returns the JSON of a binary file, which is its first chunk, and stores the binary data of the second
+/// chunk.
 std::string_view GltfDocument::openGlb(std::string_view text) {
   std::array<std::string_view, 2> chunks;
   std::size_t at = 12;
@@ -193,7 +196,8 @@ std::string GltfDocument::bytesOf(const std::string& uri, std::uint64_t promised
     return decodeBase64(std::string_view(uri).substr(comma + 8));
   }
   const std::filesystem::path path = file_.parent_path() / decodePercent(uri);
-  const bool ofLooks = promised == 0;  // pictures, which may lie in any folder that the scene may read
+  const bool ofLooks = promised == 0;  // true for textures, which may lie in any folder that the scene may
+                                       // read
   if (!liesBeside(file_, path) && !(ofLooks && whyUnread(file_, path).empty()))
     refuse(fmt::format("names {}, which lies outside its folder", path.string()));
   std::error_code error;
@@ -289,7 +293,7 @@ GltfDocument::Values GltfDocument::values(const JsonValue& accessor) const {
 
 float GltfDocument::component(const Values& values, std::size_t element, std::size_t component) const {
   const std::size_t at = element * values.stride + component * componentBytes(values.type);
-  // glTF 2.0, 3.11: the most negative number counts as -1, too.
+  // glTF 2.0, 3.11: the most negative integer also maps to -1.
   const auto scaled = [&](auto number) {
     const auto value = static_cast<float>(number);
     return values.normalised

@@ -14,60 +14,62 @@
 
 namespace simreel::sim {
 
-/// "my%20buffer.bin" names "my buffer.bin".
+/// Decodes percent escapes: "my%20buffer.bin" becomes "my buffer.bin".
 [[nodiscard]] std::string decodePercent(const std::string& uri);
 
-/// The JSON of a glTF file and the bytes that it describes. Throws UserError, as loadMesh() does, and
-/// JsonError, for what is not so.
+/// JSON of a glTF file and access to the binary data that it describes. Throws UserError, as loadMesh()
+/// does, and JsonError for invalid content.
 class GltfDocument {
  public:
   GltfDocument(const std::filesystem::path& file, std::string_view text);
 
   [[nodiscard]] JsonValue root() const { return JsonValue(json_); }
-  /// The nodes that are drawn, without those below them: of the default scene; of a file without scenes,
-  /// the roots of all its nodes.
+  /// Returns the root nodes of the default scene, without their children; for a file without scenes, the
+  /// roots of all nodes.
   [[nodiscard]] std::vector<std::uint64_t> rootNodes() const;
-  /// An object of a list of the document, such as the accessor 3.
+  /// Returns an object of a list of the document, such as number 3 of "accessors".
   [[nodiscard]] JsonValue item(const char* list, std::size_t number) const;
   [[nodiscard]] std::size_t size(const char* list) const;
-  /// A whole number of an object, `otherwise` where it has none; required without that.
+  /// Returns an unsigned integer member of an object. If it is missing, returns `otherwise`, or throws if
+  /// `otherwise` is empty.
   [[nodiscard]] static std::uint64_t number(const JsonValue& object, const char* key,
                                             std::optional<std::uint64_t> otherwise = {});
-  /// Numbers of an object's list, which has to hold `count`; empty where there is no list.
+  /// Returns a list of numbers that must have `count` elements; empty if the member is missing.
   [[nodiscard]] static std::vector<float> numbers(const JsonValue& object, const char* key,
                                                   std::size_t count);
-  /// Whole numbers of an object's list; empty if it has no such list.
+  /// Returns a list of unsigned integers; empty if the member is missing.
   [[nodiscard]] static std::vector<std::uint64_t> wholeNumbers(const JsonValue& object, const char* key);
-  /// The rotation of a node as a quaternion x, y, z, w, normalized.
+  /// Returns a node's rotation as a normalized quaternion x, y, z, w.
   [[nodiscard]] static std::array<double, 4> rotation(const JsonValue& node);
 
-  /// How many vertices or indices an accessor has; checked against its bytes.
+  /// Returns the number of elements of an accessor, checked against the available bytes.
   [[nodiscard]] std::size_t count(std::size_t accessor) const;
-  /// How many components each of them has.
+  /// Returns the number of components per element of an accessor.
   [[nodiscard]] std::size_t components(std::size_t accessor) const;
-  /// The values of an accessor with that many components each, normalised where it says so.
+  /// Returns the values of an accessor that must have `components` components per element, normalized if
+  /// the accessor says so.
   [[nodiscard]] std::vector<float> floats(std::size_t accessor, std::size_t components) const;
-  /// The values of an accessor of whole numbers.
+  /// Returns the values of an integer accessor.
   [[nodiscard]] std::vector<std::uint32_t> indices(std::size_t accessor) const;
 
-  /// The bytes that an object's "uri" names, in the text or beside the file,
+  /// Returns the bytes of a "uri": embedded in the text, or in a file beside the document.
   [[nodiscard]] std::string bytesAt(const std::string& uri) const { return bytesOf(uri, 0); }
-  /// Why a file beside it is not to be read (whyUnread()),
+  /// Returns the reason why the file of a "uri" is not read (see whyUnread()).
   [[nodiscard]] std::string whyUnreadAt(const std::string& uri) const;
-  /// and those of a buffer view.
+  /// Returns the bytes of a buffer view.
   [[nodiscard]] std::string bytesOfView(std::size_t number) const;
 
-  /// Number of bytes of a binary file after the end that its header gives.
+  /// Returns the number of bytes of a binary file beyond the length given in its header.
   [[nodiscard]] std::size_t bytesBehind() const { return behind_; }
 
   [[noreturn]] void refuse(const std::string& why) const;
 
  private:
-  /// Values that lie in a buffer view.
+  /// Values stored in a buffer view.
   struct Values {
     std::string_view bytes;
     std::size_t count, stride, components;
-    std::uint64_t type;  ///< component type
+    std::uint64_t type;  ///< glTF component type
     bool normalised;
   };
 
@@ -85,7 +87,7 @@ class GltfDocument {
   nlohmann::json json_;
   std::optional<std::string_view> glbBytes_;
   std::size_t behind_ = 0;
-  mutable std::vector<std::optional<std::string>> buffers_;  ///< what was loaded so far
+  mutable std::vector<std::optional<std::string>> buffers_;  ///< buffers loaded so far
 };
 
 }  // namespace simreel::sim

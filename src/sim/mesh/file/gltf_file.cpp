@@ -19,7 +19,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// A drawn mesh with the transform of its node, or with its skin.
+/// Mesh instance with the transform of its node and, optionally, its skin.
 struct Placed {
   std::size_t mesh;
   glm::mat4 transform;
@@ -38,7 +38,7 @@ class GltfReader {
     for (const Placed& mesh : placed) {
       GltfSkin skin;
       if (mesh.skin) skin.pose = parts_.poseOf(*mesh.skin, nodes_);
-      // The joints have the vertices' place, whatever the node's (glTF 2.0, 3.7.3.2).
+      // The joints determine the vertices' positions, whatever the node's transform (glTF 2.0, 3.7.3.2).
       const glm::mat4 transform = mesh.skin ? glm::mat4(1) : mesh.transform;
       flat += glm::determinant(glm::mat3(transform)) == 0 ? 1 : 0;
       parts_.eachPart(mesh.mesh, skin, [&](const GltfPart& part) { add(part, transform); });
@@ -70,14 +70,15 @@ class GltfReader {
     const std::array<double, 4> q = GltfDocument::rotation(node);
     const auto x = static_cast<float>(q[0]), y = static_cast<float>(q[1]), z = static_cast<float>(q[2]),
                w = static_cast<float>(q[3]);
-    // The matrix of a unit quaternion, column by column, each scaled.
+    // Columns of the unit quaternion's rotation matrix, each scaled.
     return {glm::vec4(1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y), 0) * scale.x,
             glm::vec4(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x), 0) * scale.y,
             glm::vec4(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y), 0) * scale.z,
             glm::vec4(place, 1)};
   }
 
-  /// The meshes of the nodes that are drawn, which have to form trees; of a file without nodes all meshes.
+  /// Collects the mesh instances of the default scene's nodes, which must form trees; for a file without
+  /// nodes, all meshes.
   std::vector<Placed> walk() {
     struct Step {
       std::uint64_t node;
@@ -121,7 +122,7 @@ class GltfReader {
 
   GltfParts parts_;
   MeshBuilder builder_;
-  std::vector<std::optional<glm::mat4>> nodes_;  ///< where they are, of those that are drawn
+  std::vector<std::optional<glm::mat4>> nodes_;  ///< world transforms of the nodes that are drawn
   bool fades_ = false;
 };
 

@@ -6,11 +6,11 @@
 
 namespace simreel::sim {
 
-/// Triangles (also strips and fans) of the default scene of a glTF 2.0 or GLB file with this text:
-/// positions, normals and the first texture coordinates, v downwards. Buffers lie in the text or in files
-/// beside `file`. Everything is counted before it is allocated: each list against the bytes that hold it,
-/// nodes as the tree that they have to be, vertices over all nodes. Throws UserError as loadMesh() does,
-/// also for required extensions that change the mesh.
+/// Reads the triangles (also strips and fans) of the default scene of a glTF 2.0 or GLB file from its text:
+/// positions, normals and texture coordinates, v downwards. Buffers are embedded or in files beside `file`.
+/// All sizes are validated before allocation: lists against the bytes that hold them, nodes as a tree,
+/// vertices summed over all nodes. Throws UserError as loadMesh() does, also for required extensions that
+/// affect the mesh.
 [[nodiscard]] Mesh readGltf(const std::filesystem::path& file, std::string_view text, MeshNormals normals);
 
 }  // namespace simreel::sim

@@ -15,11 +15,12 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::uint64_t repeatWrap = 10497, mirrorWrap = 33648;  // GL_REPEAT, GL_MIRRORED_REPEAT
+constexpr std::uint64_t repeatWrap = 10497, mirrorWrap = 33648;  // values of GL_REPEAT and
+                                                                 // GL_MIRRORED_REPEAT
 constexpr std::uint64_t nearestFilter = 9728, linearFilter = 9729;
 constexpr std::size_t maxMaterials = 4096;
 constexpr const char* transformName = "KHR_texture_transform";
-constexpr MapNames gltfMapNames = {"baseColorTexture",         "",  // its opacity is the colour's own
+constexpr MapNames gltfMapNames = {"baseColorTexture",         "",  // no map: alpha of the colour
                                    "metallicRoughnessTexture", "normalTexture",
                                    "occlusionTexture",         "emissiveTexture"};
 
@@ -28,14 +29,14 @@ std::optional<JsonValue> textureTransformOf(const JsonValue& textureInfo) {
   return extensions ? extensions->find(transformName) : std::nullopt;
 }
 
-/// Which of the uvs a texture lies on.
+/// Returns the set number of the texture coordinates that a texture uses.
 std::uint64_t uvSetIn(const JsonValue& textureInfo) {
   const std::uint64_t set = GltfDocument::number(textureInfo, "texCoord", 0);
   const auto transform = textureTransformOf(textureInfo);
   return transform ? GltfDocument::number(*transform, "texCoord", set) : set;
 }
 
-/// Of a material.
+/// Returns the set number of the first texture that a material has.
 std::uint64_t firstUvSet(const JsonValue& material) {
   const auto pbr = material.find("pbrMetallicRoughness");
   for (const char* name : gltfMapNames) {
@@ -46,7 +47,7 @@ std::uint64_t firstUvSet(const JsonValue& material) {
   return 0;
 }
 
-/// u' = T R S u, R counter-clockwise as a picture is seen, whose v points down.
+/// Returns u' = T R S u, where R is counter-clockwise as the image is displayed, with v pointing down.
 TexturePlace transformedPlace(const JsonValue& transform) {
   constexpr float most = 1e6F;
   const auto pair = [&](const char* key, float otherwise) {
@@ -60,7 +61,7 @@ TexturePlace transformedPlace(const JsonValue& transform) {
   return {{scale.x * c, -scale.x * s, scale.y * s, scale.y * c}, pair("offset", 0)};
 }
 
-/// The name of a format that extensions of glTF bring and that is not read; null of others.
+/// Returns the name of an image format from glTF extensions that is not supported; null for others.
 const char* unreadFormat(std::string_view bytes) {
   if (bytes.starts_with("RIFF") && bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WEBP"))
     return "WebP";
@@ -91,7 +92,8 @@ class MaterialReader {
     all_.ignored.push_back(fmt::format("{} of material {}", key, name_));
   }
 
-  /// What is not of materials: extensions but those whose users are said, or that are read, and morphing.
+  /// Reports unsupported features outside of materials: used extensions that are neither supported nor
+  /// reported elsewhere, colours of unlit meshes, and morph targets.
   void ignoreElse() {
     if (const auto used = document_.root().find("extensionsUsed"))
       for (const std::string& extension : used->texts())
@@ -117,7 +119,7 @@ class MaterialReader {
     const auto found = object.find(key);
     return found ? static_cast<float>(found->number()) : otherwise;
   }
-  /// A factor, held between 0 and 1 as glTF has it.
+  /// Returns a factor clamped to 0..1, the range that glTF defines.
   static float share(const JsonValue& object, const char* key, float otherwise) {
     return std::clamp(number(object, key, otherwise), 0.0F, 1.0F);
   }
@@ -176,8 +178,8 @@ class MaterialReader {
     return extensions && extensions->has("KHR_materials_unlit");
   }
 
-  /// Of its colour, and that alone, whatever the light: it shines so, and mirrors nothing where it is not
-  /// seen from aside.
+  /// Converts an unlit material, whose colour does not depend on the light: it becomes emissive with no
+  /// diffuse colour, and rough enough to reflect nothing except at grazing angles.
   static MeshMaterial unlit(const MeshMaterial& material) {
     MeshMaterial shining;
     shining.color = glm::vec3(0);
@@ -217,7 +219,8 @@ class MaterialReader {
     }
   }
 
-  /// A thickness above 0 says that the mesh is a solid's surface; how thick it is, rays find themselves.
+  /// A thickness above 0 marks the mesh as a solid's surface; its value is not used, because rays find the
+  /// thickness themselves.
   void takeVolume(MeshMaterial& material, const JsonValue& value) {
     material.thin = number(value, "thicknessFactor", 0) <= 0;
     const float distance = number(value, "attenuationDistance", 0);
@@ -226,7 +229,7 @@ class MaterialReader {
     material.attenuationDistance = distance;
   }
 
-  /// A texture that an object names, its picture among those that are kept.
+  /// Returns the texture that an object refers to, and keeps its image.
   MeshMap map(const JsonValue& object, const char* key) {
     const auto found = object.find(key);
     if (!found) return {};
@@ -292,8 +295,9 @@ class MaterialReader {
   }
 
   const GltfDocument& document_;
-  std::string name_;       ///< of the material that is read
-  std::uint64_t set_ = 0;  ///< of uvs, that its textures lie on
+  std::string name_;       ///< name of the material that is being read
+  std::uint64_t set_ = 0;  ///< set number of the texture coordinates that the current material's textures
+                           ///< use
   std::map<std::uint64_t, int> numbers_;
   GltfMaterials all_;
 };

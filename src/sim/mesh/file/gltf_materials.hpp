@@ -9,20 +9,20 @@
 
 namespace simreel::sim {
 
-/// The materials of a glTF 2.0 file: metallic-roughness with its maps, and of the extensions
-/// KHR_materials_emissive_strength, KHR_materials_clearcoat, KHR_materials_sheen and
-/// KHR_materials_transmission, with it KHR_materials_ior and KHR_materials_volume, their numbers, and of
-/// KHR_texture_transform what all textures of a material have alike.
+/// Materials of a glTF 2.0 file: metallic-roughness with its maps; the numeric factors of the extensions
+/// KHR_materials_emissive_strength, _clearcoat, _sheen, _transmission, _ior and _volume (the last two only
+/// together with _transmission); and KHR_texture_transform if all textures of a material have the same one.
 struct GltfMaterials {
   std::vector<MeshMaterial> materials;
-  std::vector<MeshImage> images;     ///< those that the materials use, as their files have them
-  std::vector<std::string> ignored;  ///< what is not drawn: a key and whose it is
+  std::vector<MeshImage> images;     ///< encoded images that the materials use
+  std::vector<std::string> ignored;  ///< features that are not drawn: the key and the material
 };
 
-/// Throws as GltfDocument does.
+/// Reads the materials. Throws the errors of GltfDocument.
 [[nodiscard]] GltfMaterials readMaterials(const GltfDocument& document);
 
-/// The number of the uvs (TEXCOORD_n) that a material's textures lie on, those of others being ignored.
+/// Returns the set number n of the texture coordinates (TEXCOORD_n) that a material's textures use;
+/// textures with another set are ignored.
 [[nodiscard]] std::uint64_t uvSetOf(const GltfDocument& document, std::size_t material);
 
 }  // namespace simreel::sim

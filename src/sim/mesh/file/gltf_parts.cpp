@@ -17,9 +17,9 @@ namespace simreel::sim {
 
 namespace {
 
-/// Most primitives over all nodes.
+/// Maximum number of primitives over all nodes.
 constexpr std::size_t maxParts = 100'000;
-/// How far a vertex' weights may be from a sum of 1: those of 8 bits are off by some 1/255 each.
+/// Maximum deviation of a vertex' weight sum from 1; each 8-bit weight is off by up to about 1/255.
 constexpr float weightSlack = 0.02F;
 
 struct VertexHash {
@@ -45,7 +45,7 @@ void setNormal(GltfVertex& vertex, const glm::vec3& normal) {
   for (int k = 0; k < 3; ++k) vertex.values[3 + static_cast<std::size_t>(k)] = normal[k];
 }
 
-/// 0 of a triangle without area.
+/// Returns the normal of a triangle, or 0 if its area is 0.
 glm::vec3 normalOf(const GltfVertex& a, const GltfVertex& b, const GltfVertex& c) {
   const glm::dvec3 from(placeIn(a));
   const glm::dvec3 normal = glm::cross(glm::dvec3(placeIn(b)) - from, glm::dvec3(placeIn(c)) - from);
@@ -64,7 +64,8 @@ GltfParts::GltfParts(const std::filesystem::path& file, std::string_view text, M
   checkExtensions();
 }
 
-/// What has to be understood for the triangles to be right; looks and lights have not.
+/// Rejects required extensions, except KHR_mesh_quantization and those that affect only appearance or
+/// lights.
 void GltfParts::checkExtensions() const {
   const auto required = document_.root().find("extensionsRequired");
   if (!required) return;
@@ -104,7 +105,7 @@ std::size_t GltfParts::cornerCount(const JsonValue& primitive) const {
   return modeOf(primitive) == triangleList ? count : 3 * count;
 }
 
-/// Values of an attribute for each vertex; empty where it has none.
+/// Returns an attribute's values for each vertex; empty if the primitive does not have it.
 std::vector<float> GltfParts::attribute(const JsonValue& primitive, const char* name,
                                         std::size_t components, std::size_t vertices) const {
   const JsonValue attributes = primitive.at("attributes");
@@ -116,7 +117,7 @@ std::vector<float> GltfParts::attribute(const JsonValue& primitive, const char* 
   return document_.floats(accessor, components);
 }
 
-/// Where the file gives compressed vertices only.
+/// Rejects a primitive whose vertices exist only in compressed form.
 void GltfParts::checkCompression(const JsonValue& primitive) const {
   const auto extensions = primitive.find("extensions");
   const bool draco = extensions && extensions->has("KHR_draco_mesh_compression");
@@ -210,7 +211,7 @@ std::vector<glm::mat4> GltfParts::poseOf(std::uint64_t skin,
   return pose;
 }
 
-/// Every set of joints and weights counts. A vertex without weights stays.
+/// Moves vertices by a pose, using all sets of joints and weights. A vertex without weights does not move.
 void GltfParts::poseVertices(std::size_t mesh, const JsonValue& primitive,
                              const std::vector<glm::mat4>& pose, std::vector<GltfVertex>& vertices) const {
   const auto refuse = [&](const std::string& why) {
@@ -228,7 +229,7 @@ void GltfParts::poseVertices(std::size_t mesh, const JsonValue& primitive,
       refuse(fmt::format("which lacks JOINTS_{0} or WEIGHTS_{0}", set));
     for (std::size_t i = 0; i < bones.size(); ++i) {
       const float weight = weights[i], bone = bones[i];
-      if (weight == 0) continue;  // what is left over may name any joint
+      if (weight == 0) continue;  // skips joints with zero weight, whose index may be invalid
       if (!(weight > 0 && weight <= 2))
         refuse(fmt::format("whose vertex {} has the weight {}", i / 4, weight));
       if (!(bone >= 0 && bone < static_cast<float>(pose.size())))
@@ -271,7 +272,7 @@ void GltfParts::addBones(std::size_t mesh, const JsonValue& primitive,
       if (!(bone >= 0 && bone < 65536 && bone == std::floor(bone)))
         refuse(fmt::format("whose vertex {} follows the joint {}, which is no whole number", i, bone));
       sum += weight;
-      if (weight == 0) continue;  // what is left over may name any joint
+      if (weight == 0) continue;  // skips joints with zero weight, whose index may be invalid
       vertices[i].bones[k] = static_cast<std::uint32_t>(bone);
       vertices[i].weights[k] = weight;
     }
@@ -295,9 +296,9 @@ std::vector<std::array<unsigned, 3>> GltfParts::trianglesOf(const JsonValue& pri
   const std::uint64_t mode = modeOf(primitive);
   const std::size_t step = mode == triangleList ? 3 : 1;
   for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
-    if (mode == triangleFan)  // a fan around the first
+    if (mode == triangleFan)  // all triangles of a fan share the first vertex
       triangles.push_back({corners[0], corners[i + 1], corners[i + 2]});
-    else if (mode == triangleStrip && i % 2 == 1)  // every second of a strip is turned
+    else if (mode == triangleStrip && i % 2 == 1)  // every other triangle of a strip has reversed winding
       triangles.push_back({corners[i], corners[i + 2], corners[i + 1]});
     else
       triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});

@@ -16,57 +16,58 @@
 
 namespace simreel::sim {
 
-/// A vertex of a part of a glTF mesh.
+/// Vertex of a part of a glTF mesh.
 struct GltfVertex {
-  /// Position, normal, texture coordinates, colour (linear RGB); 0 where there are none, but for colours 1.
+  /// Position, normal, texture coordinates and colour (linear RGB). Missing attributes are 0, colours 1.
   std::array<float, 11> values{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1};
-  std::array<std::uint32_t, 4> bones{};  ///< numbers in the skin's list of joints
-  std::array<float, 4> weights{};        ///< of those; sum 1
+  std::array<std::uint32_t, 4> bones{};  ///< indices into the skin's list of joints
+  std::array<float, 4> weights{};        ///< weights of the joints in `bones`; the sum is 1
   bool operator==(const GltfVertex&) const = default;
 };
 
-/// Triangles with one material. Vertices that are equal in all that is read are one. Without normals the
-/// triangles are flat (glTF 2.0, 3.7.2.1) where they are shown.
+/// Triangles with one material. Vertices that are equal in all supported attributes are merged. If normals
+/// are missing, MeshNormals::shown makes the triangles flat (glTF 2.0, 3.7.2.1).
 struct GltfPart {
   bool hasUvs = false;
   bool hasColors = false;
-  bool fades = false;  ///< whether a colour has an opacity below 1, which is not read
-  int material = -1;   ///< its number; -1: none
+  bool fades = false;  ///< true if a colour has an opacity below 1, which is not supported
+  int material = -1;   ///< material index; -1: none
   std::vector<GltfVertex> vertices;
   std::vector<std::array<unsigned, 3>> triangles;
 };
 
-/// What a node makes of its mesh's bones: nothing; they stay, for who moves them; or they have moved it,
-/// by a matrix for each joint.
+/// Handling of a skinned mesh: ignored by default; `kept` stores joints and weights per vertex, for a body
+/// that animates them; a non-empty `pose` (one matrix per joint) moves the vertices.
 struct GltfSkin {
   bool kept = false;
   std::vector<glm::mat4> pose;
 };
 
 class MeshBuilder;
-/// The part's vertex as the file has it is the builder's next one.
+/// Passes a vertex of a part on to the builder as its next vertex.
 void addVertex(MeshBuilder& builder, const GltfPart& part, const GltfVertex& vertex);
 
-/// The triangles of a glTF 2.0 or GLB file, whatever becomes of them. Throws as GltfDocument does.
+/// Reader of the triangles of a glTF 2.0 or GLB file, independent of their use. Throws the errors of
+/// GltfDocument.
 class GltfParts {
  public:
-  /// Refuses required extensions that change the mesh.
+  /// Rejects required extensions that affect the mesh.
   GltfParts(const std::filesystem::path& file, std::string_view text,
             MeshNormals normals = MeshNormals::shown);
 
   [[nodiscard]] const GltfDocument& document() const { return document_; }
-  /// Notes that a mesh is used once more; refuses more vertices, triangles or parts than there may be,
-  /// before any of them is read.
+  /// Counts one more use of a mesh. Throws if the totals of vertices, triangles or parts exceed their
+  /// limits, before any of them is read.
   void count(std::size_t mesh);
-  /// The parts of a mesh; of a skin their bones, and a mistake where those are missing. `visit` takes a
-  /// GltfPart.
+  /// Calls `visit` with each part (GltfPart) of a mesh. Throws if `skin` requires joints and weights that
+  /// are missing.
   template <class Visit>
   void eachPart(std::size_t mesh, const GltfSkin& skin, const Visit& visit) const {
     forEachPrimitive(mesh, [&](const JsonValue& primitive) { visit(part(mesh, primitive, skin)); });
   }
-  /// Primitives of meshes counted that are lines or points: "lines (2)".
+  /// Returns the counted primitives that are lines or points, for example "lines (2)".
   [[nodiscard]] std::vector<std::string> undrawn() const;
-  /// The matrices of a skin's joints, given where the file's nodes are.
+  /// Returns the matrices of a skin's joints; `nodes` holds the nodes' world transforms.
   [[nodiscard]] std::vector<glm::mat4> poseOf(std::uint64_t skin,
                                               const std::vector<std::optional<glm::mat4>>& nodes) const;
 
@@ -88,11 +89,12 @@ class GltfParts {
 
   GltfDocument document_;
   MeshNormals normals_;
-  std::size_t vertices_ = 0, corners_ = 0, parts_ = 0;  ///< counted so far
-  std::size_t points_ = 0, lines_ = 0;                  ///< primitives of them
+  std::size_t vertices_ = 0, corners_ = 0, parts_ = 0;  ///< totals over the meshes counted so far
+  std::size_t points_ = 0, lines_ = 0;                  ///< number of point primitives and of line
+                                                        ///< primitives
 };
 
-/// Modes of a primitive by their numbers in glTF.
+/// Modes of a primitive as numbered by glTF.
 constexpr std::uint64_t triangleList = 4, triangleStrip = 5, triangleFan = 6;
 
 template <class Visit>
@@ -101,7 +103,7 @@ void GltfParts::forEachPrimitive(std::size_t mesh, const Visit& visit) const {
     if (!primitive.has("attributes")) document_.refuse("has a primitive without attributes");
     const std::uint64_t mode = GltfDocument::number(primitive, "mode", triangleList);
     if (mode > triangleFan) document_.refuse(fmt::format("has a primitive of mode {}", mode));
-    if (mode >= triangleList) visit(primitive);  // the others are points and lines
+    if (mode >= triangleList) visit(primitive);  // modes below triangleList are points and lines
   });
 }
 

@@ -27,7 +27,7 @@ namespace {
 
 constexpr int librarySide = 16384;
 
-/// Calls each(key, rest) for the lines of a text.
+/// Calls each(key, rest) for each line of a text.
 template <class Each>
 void eachKey(std::string_view text, const Each& each) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
@@ -39,8 +39,8 @@ void eachKey(std::string_view text, const Each& each) {
   }
 }
 
-/// What a line `mtllib` may name: all of it as one file, as names with blanks are written; its names by
-/// their ends ".mtl"; its words.
+/// Returns the files named by an `mtllib` line: the whole line if such a file exists (a name with blanks),
+/// else names that end in ".mtl", else words.
 std::vector<std::string> libraryNames(const std::filesystem::path& mesh, std::string_view line) {
   std::error_code error;
   if (std::filesystem::exists(besidePath(mesh, line), error)) return {std::string(line)};
@@ -56,7 +56,8 @@ std::vector<std::string> libraryNames(const std::filesystem::path& mesh, std::st
   return name.empty() ? byEnd : words;
 }
 
-/// The first numbers of a text, held between 0 and `most`; one stands for all that follow.
+/// Returns the first three numbers of a text, clamped to 0..`most`; a missing number repeats the previous
+/// one.
 std::array<float, 3> numbersIn(std::string_view text, float most) {
   std::array<float, 3> numbers{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -68,7 +69,7 @@ std::array<float, 3> numbersIn(std::string_view text, float most) {
   return numbers;
 }
 
-/// A key of a material that has numbers: how many at most, and the largest of them that means something.
+/// Numeric key of a material: the maximum count of its numbers and their largest meaningful value.
 struct NumberKey {
   std::string_view key;
   int numbers;
@@ -93,14 +94,14 @@ constexpr std::array<NumberKey, 16> numberKeys = {{{"Kd", 3, 1},
                                                    {"Ni", 1, unbounded},
                                                    {"illum", 1, unbounded}}};
 
-/// The number that is a text's first word, not beyond 1e6.
+/// Returns the first word of a text as a number, clamped to +-1e6; empty if it is not a number.
 std::optional<float> numberIn(std::string_view text) {
   const std::optional<double> value = doubleIn(takeWord(text));
   if (!value || !std::isfinite(*value)) return std::nullopt;
   return static_cast<float>(std::clamp(*value, -1e6, 1e6));
 }
 
-/// Takes the first word and the blanks behind it off a text.
+/// Removes the first word and the blanks after it from a text and returns the word.
 std::string_view takeFirst(std::string_view& text) {
   const std::string_view word = takeWord(text);
   text = withoutBlanks(text);
@@ -119,7 +120,7 @@ class LibraryReader {
   LibraryReader(const std::filesystem::path& file, Mesh& mesh) : file_(file), mesh_(mesh) {}
 
   void read(const std::string& library) {
-    if (!libraries_.insert(library).second) return;  // programs name it once an object
+    if (!libraries_.insert(library).second) return;  // some programs repeat the line
     const std::optional<std::string> text = beside(library, "material library");
     eachKey(text ? std::string_view(*text) : std::string_view(),
             [&](std::string_view key, std::string_view rest) {
@@ -143,7 +144,8 @@ class LibraryReader {
   [[nodiscard]] const std::map<std::string, MeshMaterial, std::less<>>& all() const { return all_; }
 
  private:
-  /// The text of a file beside the mesh; without, that it is not read has been noted.
+  /// Returns the text of a file beside the mesh; if it is not readable, reports it as ignored and returns
+  /// nothing.
   std::optional<std::string> beside(const std::string& name, const char* what) {
     const std::filesystem::path path = besidePath(file_, name);
     const std::string why = whyUnread(file_, path);
@@ -152,10 +154,10 @@ class LibraryReader {
     return std::nullopt;
   }
 
-  /// What a material says of light in terms that others have taken the place of.
+  /// Legacy lighting parameters of a material, which newer keys replace.
   struct OldLight {
-    std::optional<glm::vec3> ambient, mirrored;  ///< Ka, Ks
-    std::optional<float> index, model;           ///< Ni, illum
+    std::optional<glm::vec3> ambient, mirrored;  ///< colours given by Ka and Ks
+    std::optional<float> index, model;           ///< numbers given by Ni and illum
   };
 
   static bool isGrey(const glm::vec3& color) {
@@ -163,9 +165,10 @@ class LibraryReader {
     return std::max({color.x, color.y, color.z}) - std::min({color.x, color.y, color.z}) <= slack;
   }
 
-  /// Programs write these into every file, mostly with what they start from: a grey or black Ks, a Ka that
-  /// is grey or the colour itself, Ni between those of air and of plastics, an illum of what is opaque or,
-  /// beside a d below 1, of what is not. None of that would change a picture. What means more is noted.
+  /// Reports legacy lighting parameters that would change the image. Most programs write their defaults
+  /// into every file: a grey or black Ks, a Ka that is grey or equal to the colour, Ni between air and
+  /// plastics, an illum for opaque materials or, with d below 1, for transparent ones. These are not
+  /// reported.
   void ignoreLight(const MeshMaterial& material, const OldLight& said) {
     constexpr float plastic = 1.6F;
     if (said.ambient && !isGrey(*said.ambient) && *said.ambient != material.color) ignore("Ka");
@@ -181,7 +184,7 @@ class LibraryReader {
     mesh_.ignored.push_back(fmt::format("{} of material \"{}\"", key, name_));
   }
 
-  /// A name that comes again begins anew, as other programs have it.
+  /// Begins a material. A repeated name replaces the earlier material, as in other programs.
   void begin(std::string_view name) {
     name_ = name;
     MeshMaterial fresh;
@@ -192,10 +195,10 @@ class LibraryReader {
     light_.erase(name_);
   }
 
-  /// True if the numbers of a key can be used. Notes words that are no numbers, such as those of spectra or
-  /// CIE coordinates, and numbers that are clamped to their range.
+  /// True if the numbers of a key can be used. Reports as ignored: words that are not numbers (spectra, CIE
+  /// coordinates) and numbers that are clamped to their range.
   bool hasNumbers(const NumberKey& known, std::string_view key, std::string_view rest) {
-    constexpr double hair = 1e-4;  // of colours that were computed
+    constexpr double hair = 1e-4;  // tolerance for computed colours
     std::string_view words = rest;
     bool held = false;
     for (int i = 0; i < known.numbers; ++i) {
@@ -234,7 +237,7 @@ class LibraryReader {
     } else if (key == "Pm") {
       material.metallic = numbersIn(rest, 1)[0];
     } else if (key == "Ns") {
-      // Blinn and Phong's exponent n has about the lobe of alpha^2 = 2 / (n + 2).
+      // A Blinn-Phong exponent n has about the lobe of alpha^2 = 2 / (n + 2).
       if (hasRoughness_.count(name_) == 0)
         material.roughness = std::sqrt(std::sqrt(2.0F / (numbersIn(rest, 1e6F)[0] + 2)));
     } else if (key == "Ka") {
@@ -275,13 +278,14 @@ class LibraryReader {
     }
   }
 
-  /// A picture as a line has it.
+  /// Texture as named by a line, with its options.
   struct Named {
     MeshMap map;
-    float strength = 1;  ///< -bm
+    float strength = 1;  ///< value of the option -bm
   };
 
-  /// Up to three numbers before a name, which may look like one; those that are left out are as `numbers`.
+  /// Reads up to three numbers before a file name, which may look like a number itself; missing ones keep
+  /// the values of `numbers`.
   static glm::vec3 takeNumbers(std::string_view& rest, glm::vec3 numbers) {
     for (int i = 0; i < 3; ++i) {
       std::string_view after = rest;
@@ -295,7 +299,8 @@ class LibraryReader {
     return numbers;
   }
 
-  /// Takes an option off a line. False where there is none that is known.
+  /// Removes an option from a line and applies it. Returns false if the line does not start with a known
+  /// option.
   bool takeOption(std::string_view key, std::string_view& rest, Named& named, glm::vec2& scale,
                   glm::vec2& offset) {
     std::string_view after = rest;
@@ -321,7 +326,7 @@ class LibraryReader {
       if (word != "off") ignore(fmt::format("{} {} of {}", option, word, key));
     } else if (option == "-blendu" || option == "-blendv" || option == "-boost" || option == "-texres" ||
                option == "-type") {
-      takeFirst(after);  // how it is filtered
+      takeFirst(after);  // skips the value of a filter option, which has no effect
     } else {
       return false;
     }
@@ -329,8 +334,8 @@ class LibraryReader {
     return true;
   }
 
-  /// The picture that a line names, behind its options. Its u is -s u + -o, as programs that write these
-  /// files have it, v the same from below.
+  /// Returns the texture that a line names after its options. Its u coordinate is -s u + -o, as programs
+  /// that write such files define it; v likewise, counted from below.
   Named map(std::string_view key, std::string_view rest) {
     Named named;
     glm::vec2 scale(1), offset(0);
@@ -354,7 +359,7 @@ class LibraryReader {
     return named;
   }
 
-  /// Normals point outwards, so their pictures are blue in the mean.
+  /// True if an image looks like a normal map: normals point outwards, so the average colour is blue.
   [[nodiscard]] bool holdsNormals(const MeshMap& map) const {
     const MeshImage& image = mesh_.images.at(static_cast<std::size_t>(map.image));
     Picture picture;
@@ -373,12 +378,12 @@ class LibraryReader {
 
   const std::filesystem::path& file_;
   Mesh& mesh_;
-  std::string name_;  ///< of the material whose lines these are
+  std::string name_;  ///< name of the material whose lines are being read
   std::map<std::string, MeshMaterial, std::less<>> all_;
   std::map<std::string, bool> hasRoughness_;
-  std::map<std::string, OldLight> light_;  ///< of the library that is read
+  std::map<std::string, OldLight> light_;  ///< legacy lighting of each material in the current library
   std::map<std::string, int> numbers_;
-  std::set<std::string> libraries_;  ///< that have been read
+  std::set<std::string> libraries_;  ///< libraries read so far
 };
 
 }  // namespace
@@ -394,7 +399,7 @@ void addLibraryMaterials(const std::filesystem::path& file, const std::vector<st
   LibraryReader reader(file, mesh);
   for (const std::string& line : libraries)
     for (const std::string& library : libraryNames(file, line)) reader.read(library);
-  std::vector<int> numbers;  // of the library's materials among the mesh's
+  std::vector<int> numbers;  // indices of the library's materials within the mesh's
   for (const std::string& name : names) {
     const auto found = reader.all().find(name);
     numbers.push_back(found == reader.all().end() ? -1 : static_cast<int>(mesh.materials.size()));

@@ -7,16 +7,17 @@
 
 namespace simreel::sim {
 
-/// Refuses the mesh where a line `mtllib` of it names a file outside its folder.
+/// Throws if an `mtllib` line of the mesh names a file outside the mesh's folder.
 void checkLibrary(const std::filesystem::path& file, const std::string& line);
 
-/// The materials called `names` of the libraries that an OBJ's lines `mtllib` name, one or several a line,
-/// with pictures beside the file: Kd, Pr and Pm (else a
-/// roughness by Ns where Ks is there), Ke, d or Tr, map_Kd, norm (or bump and map_Bump where they hold
-/// normals), map_Ke and map_d, with their options -s, -o, -clamp and of normals -bm. What is partly seen
-/// through by d is blended; map_d cuts holes. A library or a picture that is not there, or lies outside the
-/// mesh's folder, a picture of another format, a name that no library has, other options and numbers that
-/// are none are among what is ignored. A backslash in a path may stand for a slash.
+/// Adds the materials called `names` from the libraries in an OBJ's `mtllib` lines (one or several per
+/// line), with textures beside the file.
+/// - Keys: Kd, Pr and Pm (else a roughness from Ns), Ke, d or Tr, map_Kd, norm (or bump and map_Bump if
+///   they hold normals), map_Ke and map_d, with the options -s, -o, -clamp and, for normals, -bm.
+/// - A d below 1 gives a blended material; map_d cuts holes.
+/// - Reported in Mesh::ignored: a library or texture that is missing or outside the mesh's folder, a
+///   texture in another format, a name that no library defines, other options, and malformed numbers.
+/// - A backslash in a path may stand for a slash.
 void addLibraryMaterials(const std::filesystem::path& file, const std::vector<std::string>& libraries,
                          const std::vector<std::string>& names, Mesh& mesh);
 

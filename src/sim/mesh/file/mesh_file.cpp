@@ -23,7 +23,7 @@ Mesh importMesh(const std::filesystem::path& file, MeshNormals normals) {
   const std::string extension = lowerExtension(file);
   if (extension != ".obj" && extension != ".ply" && !isGltf(file))
     fail(ExitCode::usage, "the mesh {} is none of .obj, .ply, .gltf and .glb", file.string());
-  const std::string text = readFile(file, "mesh");  // says why a file cannot be read, or is too large
+  const std::string text = readFile(file, "mesh");  // throws if the file is unreadable or too large
   if (isGltf(file)) return readGltf(file, text, normals);
   return extension == ".obj" ? readObj(file, text, normals) : readPly(file, text);
 }
@@ -32,10 +32,12 @@ std::string readApart(const std::filesystem::path& file, const std::function<std
   std::error_code unknown;
   const auto size = std::filesystem::file_size(file, unknown);
   const std::size_t bytes = unknown ? 0 : size;
-  // A byte of text becomes some 30 of memory; what becomes of glTF is counted beforehand.
+  // A byte of text takes some 30 bytes of memory after parsing; glTF validates its sizes before it
+  // allocates.
   const Allotment allotment{isGltf(file) ? std::size_t{4} << 30 : (std::size_t{256} << 20) + 64 * bytes,
                             10 + static_cast<int>(std::min<std::size_t>(bytes >> 20U, 3600))};
-  // Looked up here: the child of a process of several threads must not wait for a lock of theirs.
+  // Looked up before the fork, because the child of a multithreaded process must not wait for a lock held
+  // by another thread.
   const ReadableFolders readable(file);
   try {
     return runIsolated(allotment, read);

@@ -19,7 +19,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// The properties of a vertex that are read, by number; -1: not there.
+/// Indices of the vertex properties that are read; -1: missing.
 struct VertexLayout {
   explicit VertexLayout(const PlyElement& e)
       : place{e.find({"x"}), e.find({"y"}), e.find({"z"})},
@@ -38,7 +38,7 @@ bool allThere(const std::array<int, count>& properties) {
   return std::all_of(properties.begin(), properties.end(), [](int property) { return property >= 0; });
 }
 
-/// The most that a colour of this type can be.
+/// Returns the maximum value of a colour of this type.
 double brightest(const PlyType& type) {
   if (type.kind == 'f') return 1;
   return std::exp2(8.0 * type.bytes - (type.kind == 'i' ? 1 : 0)) - 1;
@@ -132,7 +132,7 @@ class PlyMesh {
     fades_ = fades_ || (layout_.color[3] >= 0 && color(3) < 1);
   }
 
-  /// A corner's number, which is checked once all vertices are there.
+  /// Returns a corner's vertex index; its upper bound is checked after all vertices have been read.
   static unsigned cornerIn(double value, std::uint64_t item) {
     if (!(value >= 0 && value < 4e9) || value != std::floor(value))
       throw PolygonProblem(fmt::format("has a face with vertex {} (number {})", value, item));
@@ -152,7 +152,7 @@ class PlyMesh {
     checkSize(corners_.size());
   }
 
-  /// Strips end at -1; every second triangle is turned.
+  /// Adds triangle strips. A strip ends at -1; every other triangle has reversed winding.
   void strip(std::span<const double> corners, std::uint64_t item) {
     std::size_t first = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -160,7 +160,7 @@ class PlyMesh {
       if (i < first + 2) continue;
       const unsigned a = cornerIn(corners[i - 2], item), b = cornerIn(corners[i - 1], item),
                      c = cornerIn(corners[i], item);
-      if (a == b || b == c || c == a) continue;  // joins two strips
+      if (a == b || b == c || c == a) continue;  // degenerate triangle that joins two strips
       if ((i - first) % 2 == 0)
         triangles_.push_back({a, b, c});
       else
@@ -200,7 +200,7 @@ class PlyMesh {
     if (thin_ > 0) mesh_.undrawn.push_back(fmt::format("faces of fewer than three corners ({})", thin_));
   }
 
-  /// The vertices that faces have, in the file's order.
+  /// Builds the mesh from the vertices that faces use, in the file's order.
   void build() {
     std::vector<unsigned> numbers(places_.size(), 0), used;
     for (const auto& triangle : triangles_)
@@ -213,7 +213,7 @@ class PlyMesh {
     builder_.begin(used.size(), triangles_.size(), glm::mat4(1), !uvs_.empty());
     for (const unsigned vertex : used) {
       const glm::vec3 normal = normals_.empty() ? glm::vec3(0) : normals_[vertex];
-      // v counts from a picture's last row, ours from the first.
+      // PLY counts v from an image's last row, Mesh from the first.
       const glm::vec2 uv = uvs_.empty() ? glm::vec2(0) : glm::vec2(uvs_[vertex].x, 1.0F - uvs_[vertex].y);
       if (colors_.empty())
         builder_.vertex(places_[vertex], normal, uv);
@@ -225,11 +225,11 @@ class PlyMesh {
 
   PlyFile ply_;
   MeshBuilder builder_;
-  Mesh mesh_;  ///< its notes
+  Mesh mesh_;  ///< used only for its notes (ignored, undrawn)
   std::size_t vertices_ = noElement;
   VertexLayout layout_{PlyElement()};
   std::array<double, 4> brightest_{1, 1, 1, 1};
-  std::map<std::size_t, Indices> lists_;  ///< by element
+  std::map<std::size_t, Indices> lists_;  ///< lists of vertex indices, by the index of their element
   std::vector<glm::vec3> places_, normals_, colors_;
   std::vector<glm::vec2> uvs_;
   std::vector<unsigned> corners_, counts_;

@@ -6,13 +6,13 @@
 
 namespace simreel::sim {
 
-/// The mesh of an OBJ's text, with the materials of its libraries. Faces without normals are smooth within
-/// a smoothing group (`s`), around each vertex by its number, and flat without one; with
+/// Reads a mesh from an OBJ's text, with the materials of its libraries. Faces without normals are smooth
+/// within a smoothing group (`s`), where vertices are matched by index, and flat outside of one; with
 /// MeshNormals::shared all are smooth.
 [[nodiscard]] Mesh readObj(const std::filesystem::path& file, std::string_view text, MeshNormals normals);
 
-/// The mesh of a PLY's bytes: its faces and triangle strips. Without normals it is smooth around each
-/// vertex by its number.
+/// Reads a mesh from a PLY's bytes: faces and triangle strips. Without normals it is smooth, with vertices
+/// matched by index.
 [[nodiscard]] Mesh readPly(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace simreel::sim

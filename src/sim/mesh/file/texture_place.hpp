@@ -6,16 +6,17 @@
 
 namespace simreel::sim {
 
-/// What a format calls the maps of a material: colour, opacity, metal and roughness, normals, occlusion,
-/// light of its own.
+/// Names that a format gives to the maps of a material: colour, opacity, metallic-roughness, normals,
+/// occlusion, emission.
 using MapNames = std::array<const char*, 6>;
 
-/// A mesh has one uv for all pictures of a material: takes off those that do not lie as the first of them
-/// does, each told to `without`.
+/// Removes maps with another texture transform than the material's first map, because a mesh has only one
+/// uv per vertex. Calls `without` with the name of each removed map.
 void agreeOnPlace(MeshMaterial& material, const MapNames& names,
                   const std::function<void(const char*)>& without);
 
-/// Moves the uvs of the triangles of each material as its first map lies. No vertex has two materials.
+/// Applies the texture transform of each material's first map to the uvs of its triangles. No vertex may
+/// belong to two materials.
 void placeTextures(Mesh& mesh);
 
 }  // namespace simreel::sim

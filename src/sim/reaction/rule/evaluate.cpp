@@ -10,7 +10,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// A row of a plane with what lies to both sides of it.
+/// Access to a plane's cells and, by the boundary condition, to values beyond its edges.
 class PlaneView {
  public:
   PlaneView(RuleField& field, const RulePlane& plane) : field_(field), plane_(plane) {
@@ -40,7 +40,7 @@ class PlaneView {
                  static_cast<std::size_t>(x)];
   }
   [[nodiscard]] float sides(int x, int y, int z) const { return at(x - 1, y, z) + at(x + 1, y, z); }
-  /// Of the layers before and behind.
+  /// Returns the sum of the cells in the previous and the next layer.
   [[nodiscard]] float faces(int x, int y, int z) const { return at(x, y, z - 1) + at(x, y, z + 1); }
 
   [[nodiscard]] float edges(int x, int y, int z) const {
@@ -54,7 +54,7 @@ class PlaneView {
     return flat + (sidesOfLayers + (faces(x, y - 1, z) + faces(x, y + 1, z)));
   }
 
-  /// Of cell x of a mesh: weights times differences, one after the other.
+  /// Returns the weighted sum of differences to the neighbours of cell x of a mesh, summed in order.
   [[nodiscard]] float linked(int x) const {
     const float here = at(x, 0, 0);
     const glm::ivec2 range = field_.links->ranges[static_cast<std::size_t>(x / 4)];
@@ -67,7 +67,7 @@ class PlaneView {
     return sum;
   }
 
-  /// Of cell x of a mesh: the sum of its neighbours.
+  /// Returns the sum of the neighbours of cell x of a mesh.
   [[nodiscard]] float neighbourSum(int x) const {
     const glm::ivec2 range = field_.links->ranges[static_cast<std::size_t>(x / 4)];
     float sum = 0;
@@ -113,7 +113,7 @@ class PlaneView {
   float edge_ = 0;
 };
 
-/// Of inputs that are no planes.
+/// Returns the value of an input node that is not read from a plane.
 float inputNumber(const RuleNode& node, const RuleField& field, int x, int row, unsigned step) {
   const auto cell =
       static_cast<unsigned>(row) * static_cast<unsigned>(field.size.x) + static_cast<unsigned>(x);
@@ -162,7 +162,7 @@ RulePlanes& RuleField::array(RuleArray which) {
 }
 
 std::vector<float> toldOf(const RuleGraph& graph, const RulePass& pass, std::span<const float> values) {
-  // Uniform nodes have uniform arguments alone, which stand before them.
+  // Arguments of uniform nodes are uniform, too, and precede them.
   const int count = pass.told.empty() ? 0 : pass.told.back() + 1;
   std::vector<bool> needed(static_cast<std::size_t>(count));
   for (const int node : pass.told) needed[static_cast<std::size_t>(node)] = true;
@@ -188,7 +188,8 @@ std::vector<float> toldOf(const RuleGraph& graph, const RulePass& pass, std::spa
   return told;
 }
 
-// A node at a time for a row of cells: the compiler makes vectors of the simple ones.
+// Evaluates one node at a time for a whole row of cells, so that the compiler can vectorize simple
+// operations.
 void evaluatePass(const RuleGraph& graph, const RulePass& pass, std::span<const float> told, unsigned step,
                   RuleField& field) {
   const auto width = static_cast<std::size_t>(field.size.x);

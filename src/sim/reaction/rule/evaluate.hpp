@@ -9,13 +9,13 @@
 
 namespace simreel::sim {
 
-/// What lies beyond the edges of the grid. noFlux: the cell beside it again, so the derivative across the
-/// edge is zero. fixed: a number of its own for each species; lets are as for noFlux.
+/// Values beyond the edges of the grid. noFlux repeats the border cell, so the derivative across the edge
+/// is zero. fixed gives each species a constant; lets behave as for noFlux.
 enum class RuleBoundary { torus, noFlux, fixed };
 
-/// Which cells of a mesh are neighbours, and what weight u_j - u_i has in the Laplacian at i: for each four
-/// cells, where their links begin and end; a link has a neighbour of each of the four, and weights; -1 and
-/// 0 where one has less of them.
+/// Neighbours of a mesh's cells, and the weights of u_j - u_i in the Laplacian at i. For each group of four
+/// cells, `ranges` holds the begin and end of its links. A link has one neighbour and weight for each of
+/// the four cells; -1 and 0 pad cells with fewer neighbours.
 struct RuleLinks {
   std::vector<glm::ivec2> ranges;
   std::vector<glm::ivec4> neighbours;
@@ -25,14 +25,15 @@ struct RuleLinks {
 /// Planes of one array, cell by cell, x fastest.
 using RulePlanes = std::vector<std::vector<float>>;
 
-/// Where passes are computed on the CPU, with the bits of the kernels: the twin, and the first state.
+/// Arrays of the CPU evaluation, which gives the same bits as the kernels: for the CPU reference and the
+/// initial state.
 struct RuleField {
   glm::ivec2 size{0, 0};
-  int depth = 1;  ///< layers of a volume; planes have one after the other
+  int depth = 1;  ///< number of layers in a volume; a plane stores them one after another
   RuleBoundary boundary = RuleBoundary::torus;
-  std::vector<float> edges;  ///< of species, for fixed
+  std::vector<float> edges;  ///< value of each species beyond the edge, for the boundary `fixed`
   unsigned seed = 0;
-  const RuleLinks* links = nullptr;  ///< of a mesh
+  const RuleLinks* links = nullptr;  ///< neighbours of a mesh's cells; null for a grid
   RulePlanes stage, base, sum, lets, weights, next;
 
   [[nodiscard]] RulePlanes& array(RuleArray which);
@@ -40,15 +41,16 @@ struct RuleField {
   [[nodiscard]] bool isVolume() const { return depth > 1; }
 };
 
-/// The numbers of a pass that are the same in all cells, by its list `told`; `values`: by ToldPlaces.
+/// Returns the uniform values of a pass, in the order of its list `told`; `values` are indexed by
+/// ToldPlaces.
 [[nodiscard]] std::vector<float> toldOf(const RuleGraph& graph, const RulePass& pass,
                                         std::span<const float> values);
 
-/// Runs a pass over all cells: `told` from toldOf, `step`: number of the step, for noise.
+/// Evaluates a pass for all cells. `told`: result of toldOf(); `step`: number of the step, used by noise.
 void evaluatePass(const RuleGraph& graph, const RulePass& pass, std::span<const float> told, unsigned step,
                   RuleField& field);
 
-/// The first state: what `starts` of the rule are in each cell.
+/// Returns the initial state: the values of the rule's `starts` in each cell.
 [[nodiscard]] RulePlanes evaluateStarts(const Rule& rule, std::span<const float> values, RuleField& field);
 
 }  // namespace simreel::sim

@@ -14,7 +14,7 @@ namespace {
 constexpr int lowestNormal = -126;
 constexpr int flushedQuantum = -96;
 
-/// The greatest q, at most 0, for which the number is a multiple of 2^q.
+/// Returns the largest q <= 0 for which the number is a multiple of 2^q.
 int quantumOf(float number) {
   if (number == 0) return 0;
   const auto bits = std::bit_cast<std::uint32_t>(number);
@@ -96,7 +96,7 @@ int RuleGraph::make(const RuleNode& node, int quantum) {
     values[i] = at(arguments[i]).number;
   }
   if (constants) return constant(static_cast<double>(computed(node.op, values[0], values[1], values[2])));
-  // What is uniform is computed on the CPU and told as a multiple of 2^-60.
+  // Uniform values are computed on the CPU and uploaded as multiples of 2^-60.
   return add(node, uniform ? storedQuantum : std::max(quantum, -149), uniform);
 }
 
@@ -113,7 +113,7 @@ int RuleGraph::input(RuleOp op, int index) {
   return add({op, 0, index}, quantum, false);
 }
 
-// All that is stored is a multiple of 2^-60, and these are whole multiples of such numbers.
+// Stored values are multiples of 2^-60, and stencils are integer combinations of them.
 int RuleGraph::stencil(RuleOp op, int argument) {
   if (isUniform(argument)) {
     const int factor = op == RuleOp::edges     ? edges_
@@ -157,10 +157,10 @@ int RuleGraph::quotient(int a, int b) {
 }
 
 int RuleGraph::function(RuleOp op, int a) {
-  // A result that is not 0 has at least the magnitude 2^m, and so is a multiple of 2^(m - 23).
+  // If a nonzero result has at least the magnitude 2^m, it is a multiple of 2^(m - 23).
   int q = quantum(a);
   if (op == RuleOp::reciprocal || op == RuleOp::exp)
-    q = -123;  // 1e-30 or more
+    q = -123;  // the magnitude is at least 1e-30
   else if (op == RuleOp::sqrt)
     q = q / 2 - 25;
   else if (op == RuleOp::log)

@@ -6,33 +6,34 @@
 
 namespace simreel::sim {
 
-/// What a node of a rule computes, all in single precision and each rounded once. Those of `exact...` are
-/// functions of glsl/common/exact.glsl and glsl/reaction/functions.glsl.
+/// Operations of a rule's nodes, all in single precision with one rounding each. Functions that are not
+/// basic arithmetic are those named exact... in glsl/common/exact.glsl and glsl/reaction/functions.glsl.
 enum class RuleOp : std::uint8_t {
-  constant,  ///< `number`
-  told,      ///< uniform: number `index` of what a step is told
-  species,   ///< of this cell: species `index`
-  weight,    ///< map `index` of this cell, 0 to 1
+  constant,  ///< the constant `number`
+  told,      ///< uniform value `index` of a step
+  species,   ///< value of species `index` in this cell
+  weight,    ///< map `index` in this cell, 0 to 1
   base,      ///< species `index` at the step's beginning
-  sum,       ///< what earlier stages of the step left for species `index`
-  x,         ///< cells from the left edge to this cell's middle
-  y,         ///< from the top; of a volume from the bottom
-  z,         ///< from the first layer
-  noise,     ///< of salt `index`: a number in [-1, 1) of cell and step
-  random,    ///< of the cell
-  sixfold,   ///< of the argument, 6 h^2 times the Laplacian: 4 edges + corners - 20 centre; of a volume 2
-             ///< edges + corners - 24 centre; on a mesh, the Laplacian itself
-  edges,     ///< sum of the four neighbours; of a volume of the six across faces; on a mesh of all
-  corners,   ///< sum of the four at the corners; of a volume of the twelve across edges
-  tips,      ///< sum of a volume's eight across corners
-  across,    ///< right less left neighbour
-  down,      ///< the one at y + 1 less the one at y - 1
-  deep,      ///< the one at z + 1 less the one at z - 1
+  sum,       ///< sum for species `index` stored by earlier stages of the step
+  x,         ///< distance in cells from the left edge to this cell's centre
+  y,         ///< distance in cells from the top; in a volume from the bottom
+  z,         ///< distance in cells from the first layer
+  noise,     ///< random number in [-1, 1) by cell and step, with the salt `index`
+  random,    ///< random number in [-1, 1) by cell
+  sixfold,   ///< 6 h^2 times the Laplacian of the argument: 4 edges + corners - 20 centre; in a volume 2
+             ///< edges + corners - 24 centre; on a mesh the Laplacian itself
+  edges,     ///< sum of the four edge neighbours; in a volume of the six face neighbours; on a mesh of all
+             ///< neighbours
+  corners,   ///< sum of the four corner neighbours; in a volume of the twelve edge neighbours
+  tips,      ///< sum of the eight corner neighbours in a volume
+  across,    ///< right neighbour minus left neighbour
+  down,      ///< neighbour at y + 1 minus the one at y - 1
+  deep,      ///< neighbour at z + 1 minus the one at z - 1
   add,
   subtract,
   multiply,
-  flush,   ///< rounded to a multiple of 2^-96 where it is below 2^-73
-  settle,  ///< rounded to a multiple of 2^-60 where it is below 2^-37: what is stored
+  flush,   ///< rounds to a multiple of 2^-96 if the magnitude is below 2^-73
+  settle,  ///< rounds to a multiple of 2^-60 if the magnitude is below 2^-37; applied to stored values
   reciprocal,
   min,
   max,
@@ -44,11 +45,11 @@ enum class RuleOp : std::uint8_t {
   sin,
   cos,
   tanh,
-  power,  ///< a^b for a >= 0
-  less,   ///< 1 or 0
+  power,  ///< power a^b for a >= 0
+  less,   ///< 1 if the comparison holds, else 0
   lessEqual,
   equal,
-  choose,  ///< a != 0 ? b : c
+  choose,  ///< b if a != 0, else c
 };
 
 struct RuleNode {
@@ -57,47 +58,48 @@ struct RuleNode {
   int index = 0;
   int a = -1, b = -1, c = -1;
   auto operator<=>(const RuleNode&) const =
-      default;  // NOLINT(modernize-use-nullptr): of the comparison that it makes
+      default;  // NOLINT(modernize-use-nullptr): false positive in the generated comparison
 };
 
-/// The expressions of a rule as one graph: equal parts are there once, constants are folded, and products
-/// that could be subnormal are flushed, since drivers disagree on those.
+/// Expressions of a rule as one graph. Equal subexpressions share a node, constants are folded, and
+/// products that could be subnormal are flushed, because drivers treat subnormals differently.
 ///
-/// For that each node has a quantum q: its value is a multiple of 2^q. Those of a product add up, and one
-/// with q >= -126 is 0 or a normal number. State is stored as multiples of 2^-60.
+/// To detect such products, each node has a quantum q: its value is a multiple of 2^q. The quanta of
+/// factors add up, and a value with q >= -126 is 0 or a normal number. Stored state consists of multiples
+/// of 2^-60.
 class RuleGraph {
  public:
-  /// `edges`, `corners`: neighbours that those sum up.
+  /// `edges`, `corners`: numbers of neighbours that these stencils sum.
   explicit RuleGraph(int edges = 4, int corners = 4) : edges_(edges), corners_(corners) {}
   int constant(double value);
   int told(int index) { return add({RuleOp::told, 0, index}, storedQuantum, true); }
-  /// species, weight, base, sum, x, y, z, noise, random.
+  /// Adds an input: species, weight, base, sum, x, y, z, noise or random.
   int input(RuleOp op, int index);
-  /// sixfold, edges, corners, tips, across, down, deep.
+  /// Adds a stencil: sixfold, edges, corners, tips, across, down or deep.
   int stencil(RuleOp op, int argument);
   int sum(int a, int b);
   int difference(int a, int b);
   int product(int a, int b);
-  /// Not flushed: for what is added to a number and then settled.
+  /// Adds a product without flush, for use as a summand of a value that is settled afterwards.
   int rawProduct(int a, int b);
   int quotient(int a, int b);
   int settled(int a) { return add({RuleOp::settle, 0, 0, a}, storedQuantum, false); }
-  /// abs, floor, sqrt, exp, log, sin, cos, tanh, reciprocal.
+  /// Adds abs, floor, sqrt, exp, log, sin, cos, tanh or reciprocal.
   int function(RuleOp op, int a);
-  /// min, max, power, less, lessEqual, equal.
+  /// Adds min, max, power, less, lessEqual or equal.
   int function(RuleOp op, int a, int b);
   int choose(int condition, int then, int otherwise);
 
   [[nodiscard]] const RuleNode& at(int node) const { return nodes_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
   [[nodiscard]] bool isConstant(int node) const { return at(node).op == RuleOp::constant; }
-  /// Whether it is the same in all cells.
+  /// True if the node has the same value in all cells.
   [[nodiscard]] bool isUniform(int node) const { return uniform_[static_cast<std::size_t>(node)]; }
   static constexpr int storedQuantum = -60;
 
  private:
   int add(const RuleNode& node, int quantum, bool uniform);
-  /// Folded where all arguments are constants.
+  /// Adds a node, or folds it if all arguments are constants.
   int make(const RuleNode& node, int quantum);
   [[nodiscard]] int quantum(int node) const { return quanta_[static_cast<std::size_t>(node)]; }
   [[nodiscard]] bool is(int node, float number) const {
@@ -111,7 +113,7 @@ class RuleGraph {
   std::map<RuleNode, int> known_;
 };
 
-/// One operation on numbers; not for inputs and stencils.
+/// Computes one operation on numbers; not for inputs and stencils.
 [[nodiscard]] float computed(RuleOp op, float a, float b, float c);
 
 }  // namespace simreel::sim

@@ -13,7 +13,8 @@ namespace simreel::shader::reaction {
 
 namespace simreel::sim {
 
-/// Grains of glsl/reaction/functions.glsl: what is stored is a multiple of 2^-60, what is flushed of 2^-96.
+/// Constants for grained() in glsl/reaction/functions.glsl: storedGrain rounds to multiples of 2^-60,
+/// flushedGrain to multiples of 2^-96.
 inline constexpr float storedGrain = 0x1.8p-37F, flushedGrain = 0x1.8p-73F;
 
 }  // namespace simreel::sim

@@ -71,12 +71,12 @@ class Planning {
     return roots;
   }
 
-  /// u + (told number) k, as it is stored.
+  /// Returns the node of u + dt k rounded for storage; `told` is the index of the uniform factor dt.
   int moved(int from, int told, int k) {
     return graph_.settled(graph_.sum(from, graph_.rawProduct(graph_.told(told), k)));
   }
 
-  /// What each stage leaves, in words of Butcher's tableaus.
+  /// Returns the outputs of each stage, as given by the method's Butcher tableau.
   std::vector<Outputs> stageOutputs(RuleMethod method) {
     const std::size_t stages = method == RuleMethod::euler ? 1 : method == RuleMethod::heun ? 2 : 4;
     std::vector<Outputs> all(stages);
@@ -85,7 +85,7 @@ class Planning {
         const auto index = static_cast<int>(i);
         const int k = rule_.rates[i];
         const bool first = s == 0, last = s + 1 == stages;
-        // At the first stage the base is what rates are asked for.
+        // In the first stage the current species are the state at the step's beginning.
         const int base = graph_.input(first ? RuleOp::species : RuleOp::base, index);
         const int sum = first ? k : graph_.sum(graph_.input(RuleOp::sum, index), weighted(method, last, k));
         if (!last) all[s].push_back({{RuleArray::sum, index}, graph_.settled(sum)});
@@ -99,7 +99,7 @@ class Planning {
       }
     return all;
   }
-  /// k in the sum: k1 + 2 k2 + 2 k3 + k4, or k1 + k2.
+  /// Returns k with its weight in the sum: k1 + 2 k2 + 2 k3 + k4 for rk4, k1 + k2 for Heun.
   int weighted(RuleMethod method, bool last, int k) {
     return method == RuleMethod::rk4 && !last ? graph_.product(graph_.constant(2), k) : k;
   }
@@ -114,7 +114,8 @@ class Planning {
     return needed;
   }
 
-  /// Which nodes get a plane, and in which pass each node can be computed.
+  /// Determines which nodes are stored in a plane of their own (let plane), and the first pass (level) in
+  /// which each node can be computed.
   void findPlanes(const std::vector<int>& roots) {
     const std::vector<bool> needed = neededBy(roots);
     levels_.assign(static_cast<std::size_t>(graph_.size()), 0);
@@ -131,7 +132,7 @@ class Planning {
     }
   }
 
-  /// Passes for the planes that these need: one for each level.
+  /// Adds the passes that compute the let planes required by `roots`: one per level.
   std::vector<int> addLets(RuleProgram& program, const std::vector<int>& roots) {
     const std::vector<bool> needed = neededBy(roots);
     std::map<int, Outputs> byLevel;
@@ -149,7 +150,7 @@ class Planning {
     return numbers;
   }
 
-  /// The place where a node's plane lies, if it has one that is there before a pass of this level.
+  /// Returns the let plane of a node if it is stored before a pass of this level, else null.
   [[nodiscard]] const int* storedBefore(int node, int level) const {
     const auto plane = planes_.find(node);
     return plane != planes_.end() && levels_[static_cast<std::size_t>(node)] < level ? &plane->second
@@ -214,8 +215,8 @@ class Planning {
   Rule& rule_;
   RuleGraph& graph_;
   std::vector<int> levels_;
-  std::map<int, int> planes_;   ///< node: plane of lets
-  std::map<int, int> settled_;  ///< node of a plane: what is stored
+  std::map<int, int> planes_;   ///< let plane of each node that has one
+  std::map<int, int> settled_;  ///< stored (settled) node of each node with a plane
 };
 
 }  // namespace

@@ -6,60 +6,62 @@
 
 namespace simreel::sim {
 
-/// How a step goes. Heun 1900 and the classical Runge-Kutta method of order 4 (Kutta 1901).
+/// Time integration method: Euler, Heun (1900), or the classical Runge-Kutta method of order 4 (Kutta
+/// 1901).
 enum class RuleMethod { euler, heun, rk4 };
 
-/// What passes read and write: planes of cells.
+/// Arrays that passes read and write; each consists of planes of cells.
 enum class RuleArray { stage, base, sum, lets, weights, next };
 
 struct RulePlane {
   RuleArray array = RuleArray::stage;
   int plane = 0;
   auto operator<=>(const RulePlane&) const =
-      default;  // NOLINT(modernize-use-nullptr): of the comparison that it makes
+      default;  // NOLINT(modernize-use-nullptr): false positive in the generated comparison
 };
 
-/// One sweep over all cells.
+/// One dispatch over all cells.
 struct RulePass {
   struct Output {
     RulePlane plane;
     int node;
   };
-  /// A stencil of a plane, or the plane itself, which node `node` of the graph is.
+  /// Plane read by node `node` of the graph, directly or through a stencil.
   struct Read {
     int node;
-    RuleOp op;  ///< sixfold, edges, corners, across, down, deep; species: the cell itself
+    RuleOp op;  ///< operation: a stencil, or species for the cell itself
     RulePlane plane;
   };
   std::vector<Read> reads;
-  std::vector<int> nodes;  ///< that are computed, arguments first
+  std::vector<int> nodes;  ///< nodes to compute; arguments precede the nodes that use them
   std::vector<int> told;   ///< uniform nodes, computed on the CPU
   std::vector<Output> outputs;
-  bool usesTime = false;  ///< what is told changes from step to step
+  bool usesTime = false;  ///< true if uniform values change from step to step
   bool usesNoise = false;
 
-  /// Its place among `told`; -1: it is none.
+  /// Returns the index of a node in `told`; -1 if it is not uniform.
   [[nodiscard]] int placeOf(int node) const;
 };
 
-/// The passes of a step. Each stage has those of the lets that a stencil is laid over, then its own.
+/// Passes of a step. Each stage consists of passes that store the lets (named subexpressions) that stencils
+/// read, then its own pass.
 struct RuleProgram {
   struct Stage {
     std::vector<int> passes;
-    double time = 0;    ///< of the step, in steps
-    bool last = false;  ///< its outputs are the new state
+    double time = 0;    ///< time within the step, as a fraction of the step
+    bool last = false;  ///< true: its outputs are the new state
   };
   std::vector<RulePass> passes;
   std::vector<Stage> stages;
-  /// Passes of what is shown or tints it, as far as that is no species.
+  /// Passes that compute the shown and tint values, unless these are species.
   std::vector<int> showing;
-  int lets = 0;      ///< planes
-  RulePlane shown;   ///< a species (stage) or one of lets
-  RulePlane tint{};  ///< the same; what is shown where nothing tints it
+  int lets = 0;      ///< number of let planes
+  RulePlane shown;   ///< plane of a species (stage) or of the lets
+  RulePlane tint{};  ///< plane that colours the surface; without a tint the same as `shown`
   bool sums = false;
 };
 
-/// Adds the nodes of the stages to the rule's graph.
+/// Creates the passes of a rule; adds the nodes of the integration stages to the rule's graph.
 [[nodiscard]] RuleProgram programOf(Rule& rule, RuleMethod method);
 
 }  // namespace simreel::sim

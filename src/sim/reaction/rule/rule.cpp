@@ -125,7 +125,8 @@ class Understanding {
     }
   }
 
-  /// Of all nodes of a tree, whose arguments stand before them, so nothing recurs but lets.
+  /// Adds the nodes of an expression tree and returns its root. Arguments precede the nodes that use them,
+  /// so only lets cause recursion.
   int nodeOf(const RulePath& path, const ExpressionTree& tree) {
     std::vector<int> nodes;
     nodes.reserve(tree.nodes.size());
@@ -313,7 +314,8 @@ class Understanding {
     return graph().product(graph().told(ToldPlaces::perLaplacian), graph().stencil(RuleOp::sixfold, a));
   }
 
-  // Over the neighbours j of i with the weights w: sum w (D_i + D_j) / 2 (u_j - u_i)
+  // Returns the diffusion with a variable coefficient. With the neighbours j of i and the weights w:
+  //   sum w (D_i + D_j) / 2 (u_j - u_i)
   //   = (D_i lap(u) + lap(D u) - u_i lap(D)) / 2.
   int diffuse(int d, int u) {
     RuleGraph& g = graph();
@@ -334,7 +336,7 @@ class Understanding {
       return g.function(RuleOp::power, base, exponent);
     if (whole < 0 && g.isConstant(base) && g.at(base).number == 0)
       throw RuleMistake{path, written.begin, written.end, "division by zero"};
-    // By squares: a^5 = a (a^2)^2.
+    // Exponentiation by squaring: a^5 = a (a^2)^2.
     int result = g.constant(1), square = base;
     for (int left = std::abs(whole); left > 0; left /= 2) {
       if (left % 2 == 1) result = g.product(result, square);

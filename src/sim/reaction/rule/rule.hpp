@@ -8,10 +8,10 @@
 
 namespace simreel::sim {
 
-/// What a rule's cells fill: a plane, a volume of layers of planes, or the surface of a mesh.
+/// Domain of a rule's cells: a plane, a volume of layers, or the surface of a mesh.
 enum class RuleSpace { plane, volume, mesh };
 
-/// Texts of a rule, as a scene gives them.
+/// Source texts of a rule, as given by a scene.
 struct RuleText {
   struct Species {
     std::string name, rate, start, next;
@@ -20,8 +20,8 @@ struct RuleText {
   struct Parameter {
     std::string name;
     bool isMapped = false;
-    bool mayBeIdle = false;  ///< no expression need have it
-    bool isField = false;    ///< another object's values, cell by cell
+    bool mayBeIdle = false;  ///< true: the parameter need not occur in any expression
+    bool isField = false;    ///< true: the parameter is another object's values, cell by cell
   };
   struct Let {
     std::string name, text;
@@ -29,19 +29,19 @@ struct RuleText {
   std::vector<Species> species;
   std::vector<Parameter> parameters;
   std::vector<Let> lets;
-  std::string show;  ///< empty: the first species
-  std::string tint;  ///< what colours a surface of that; empty: nothing
+  std::string show;  ///< expression to show; empty: the first species
+  std::string tint;  ///< expression that colours a surface; empty: none
   RuleSpace space = RuleSpace::plane;
 };
 
-/// A mistake in one of them: the members that lead to it in a scene, and the bytes of the text.
+/// Error in one of the texts: the path of members that leads to it in a scene, and the range of characters.
 struct RuleMistake {
   std::vector<std::string> path;
   std::size_t begin = 0, end = 1;
   std::string message;
 };
 
-/// Numbers that steps are told, by their place in RuleOp::told.
+/// Indices of a step's uniform values, as used by RuleOp::told.
 struct ToldPlaces {
   enum : int {
     dt,
@@ -56,41 +56,41 @@ struct ToldPlaces {
     depth,
     fixedCount
   };
-  int parameters = 0;  ///< how many
+  int parameters = 0;  ///< number of parameters
 
   [[nodiscard]] static int value(int parameter) { return fixedCount + parameter; }
   [[nodiscard]] int span(int parameter) const { return fixedCount + parameters + parameter; }
-  /// D / (6 h^2) of a species.
+  /// Returns the index of D / (6 h^2) of a species.
   [[nodiscard]] int diffusion(int species) const { return fixedCount + 2 * parameters + species; }
-  /// What a species is beyond a fixed edge.
+  /// Returns the index of a species' value beyond a fixed edge.
   [[nodiscard]] int edge(int species) const { return fixedCount + 2 * parameters + 8 + species; }
   [[nodiscard]] int count() const { return fixedCount + 2 * parameters + 16; }
 };
 
-/// On a mesh, maps of places come after those of parameters: x, y and z.
+/// Number of coordinate maps (x, y and z) on a mesh; they follow the maps of parameters.
 inline constexpr int placeMaps = 3;
 
 inline constexpr int maxSpecies = 8;
-/// Whole exponents up to it are products, of negative numbers, too; other powers are exp(b log a), of what
-/// is not above 1e-30 zero.
+/// Largest integer exponent that is evaluated by multiplication, which also allows negative bases. Other
+/// powers are exp(b log a), with 0 for bases up to 1e-30.
 inline constexpr int greatestWholePower = 1024;
-/// Of a step with Euler's method, in additions or multiplications a cell.
+/// Maximum cost of a step with Euler's method, in additions or multiplications per cell.
 inline constexpr int maxRuleCost = 4000;
 
-/// A rule understood: one graph of all its expressions.
+/// Compiled rule: one graph of all its expressions.
 struct Rule {
   RuleGraph graph;
   ToldPlaces told;
-  std::vector<int> rates;     ///< a node for each species, diffusion included
-  std::vector<int> nexts;     ///< what a species becomes, that has no rate then; -1: it has one
-  std::vector<int> starts;    ///< the first state
-  int shown = -1, tint = -1;  ///< the second -1: nothing
-  /// As C would have it, a line for each let and rate.
+  std::vector<int> rates;     ///< node of each species' rate, including diffusion
+  std::vector<int> nexts;     ///< node of a species' next value if it has no rate; -1: it has a rate
+  std::vector<int> starts;    ///< nodes of the initial state
+  int shown = -1, tint = -1;  ///< nodes of the shown value and of the colour; tint = -1: no colour
+  /// C-like text with one line per let and rate.
   std::string text;
   int cost = 0;
 };
 
-/// Throws RuleMistake.
+/// Compiles a rule. Throws RuleMistake.
 [[nodiscard]] Rule understandRule(const RuleText& text);
 
 }  // namespace simreel::sim

@@ -3,8 +3,8 @@
 
 namespace simreel::sim {
 
-/// What the rates and nexts of a rule cost in a step with Euler's method, in additions or multiplications a
-/// cell.
+/// Returns the cost of a rule's rates and nexts in a step with Euler's method, in additions or
+/// multiplications per cell.
 [[nodiscard]] int costOfRule(const Rule& rule);
 
 }  // namespace simreel::sim

@@ -64,13 +64,14 @@ class KernelWriter {
   }
 
  private:
-  /// Of a plane: whether rows beside this one are looked at, columns, and of a volume layers.
+  /// Accesses to a plane beyond the current cell: rows above and below, sums or differences of columns, and
+  /// layers in a volume.
   struct Use {
     bool above = false, sides = false, across = false, deep = false;
   };
   [[nodiscard]] bool isVolume() const { return space_ == RuleSpace::volume; }
   [[nodiscard]] bool isMesh() const { return space_ == RuleSpace::mesh; }
-  /// A row's number in its plane.
+  /// Returns the variable that holds a row's index in its plane.
   [[nodiscard]] const char* rowName() const { return isVolume() ? "row" : "y"; }
 
   template <class... Args>
@@ -94,7 +95,8 @@ class KernelWriter {
 
   void declareTold() { text_ += toldText(pass_, boundary_); }
 
-  /// What an invocation holds of a row: the four cells and sums or differences of those beside them.
+  /// Declares a struct that holds the four cells of a row and the sums or differences of the cells beside
+  /// them.
   void declareRow(const RulePlane& plane, const Use& use) {
     const std::string name = nameOf(plane);
     const bool inPlace = plane.array == RuleArray::sum;
@@ -138,7 +140,7 @@ class KernelWriter {
     if (isVolume()) declareLayers(name, use);
   }
 
-  /// A row together with those before and behind it.
+  /// Declares the function that combines a row with the same row of the previous and of the next layer.
   void declareLayers(const std::string& name, const Use& use) {
     line("{0}Row {0}RowAt(int x, int y, int z) {{", name);
     line("  {0}Row r = {0}LineAt(x, y, z);", name);
@@ -217,7 +219,7 @@ class KernelWriter {
     line("}}");
   }
 
-  /// Sums over the neighbours of a mesh's cells, of all planes that ask for them at once.
+  /// Writes one loop over the neighbours of a mesh's cells that computes the sums of all planes.
   void writeLinks() {
     bool any = false;
     for (const auto& [plane, use] : uses_) {
@@ -250,7 +252,7 @@ class KernelWriter {
     if (isMesh() && read.op == RuleOp::sixfold) return line("    vec4 v{} = {}Sum;", n, name);
     switch (read.op) {
       case RuleOp::sixfold:
-        // The product by four, or two, is exact: the same bits in one instruction as in two.
+        // The product by 4 or 2 is exact, so fma gives the same bits as a product and a sum.
         line("    precise vec4 v{0} = fma(vec4({2}.0), {1}Edges, {1}Corners) - {3}.0 * {1}Here.here;", n,
              name, isVolume() ? 2 : 4, isVolume() ? 24 : 20);
         break;
@@ -286,7 +288,8 @@ class KernelWriter {
         rule_.graph, i, [this](int node) { return value(node); }, seed_, rowName());
   }
 
-  // A lost cell is looked for in all rows and noted once: software drivers run the code of every branch.
+  // Writes the outputs. Checks all rows for lost cells and reports at most one at the end, because software
+  // drivers execute both sides of every branch.
   void writeOutputs() {
     line("    if (y < size.y) {{");
     for (const RulePass::Output& output : pass_.outputs)

@@ -6,33 +6,35 @@
 
 namespace simreel::sim {
 
-/// How a kernel is cut up; every choice gives the same bits.
+/// Partition of a kernel's work among invocations; every choice gives the same bits.
 struct RuleCut {
-  int rows = 2;  ///< that an invocation goes down
+  int rows = 2;  ///< number of rows per invocation
   int groupX = 32, groupY = 4;
-  int stepsPerPass = 1;   ///< more than 1: several steps a pass in strips, of what stripsCan
-  int stripElements = 1;  ///< elements (four cells) across a strip that each of its invocations takes
-  int stripRows = 0;      ///< and rows that they go down; 0: as the grid's size asks
-  int stripSpecies = maxSpecies;  ///< rules of more go one step a pass: of each, four rows of every step
-                                  ///< are held in registers
-  double stripsAfter = 0;  ///< cells times steps that go one a pass before strips are worth compiling
-  int volumeRows = 2;      ///< `rows` of a volume
+  int stepsPerPass = 1;  ///< more than 1: a pass computes several steps in strips, if stripsCan() allows it
+  int stripElements = 1;          ///< number of elements (four cells) per invocation across a strip
+  int stripRows = 0;              ///< number of rows in a strip; 0: chosen by the grid's size
+  int stripSpecies = maxSpecies;  ///< maximum number of species for several steps per pass, because
+                                  ///< registers hold four rows of every species and step
+  double stripsAfter = 0;  ///< number of cells times steps computed one step at a time before compiling the
+                           ///< strip kernel pays off
+  int volumeRows = 2;      ///< value of `rows` for a volume
 };
 
-/// Whether a rule's steps can go several a pass: by Euler's method on a grid whose width is a multiple of
-/// four and whose edges are not fixed, with stencils of species alone, on a torus ddy among them, and no
-/// place, time or noise in it.
+/// True if a pass can compute several of a rule's steps. Requires Euler's method, a plane whose width is a
+/// multiple of four, edges that are not fixed, stencils of species only (ddy only on a torus), and no
+/// coordinates, time or noise.
 [[nodiscard]] bool stripsCan(const Rule& rule, const RuleProgram& program, RuleSpace space,
                              RuleBoundary boundary, int width);
 
-/// As kernelText, of such a pass.
+/// Returns the compute shader of a pass of several steps in strips; see kernelText().
 [[nodiscard]] std::string stripText(const Rule& rule, const RulePass& pass, const RuleCut& cut);
 
-/// Of the uniform block of a pass: what is told, the two grains, then values beyond fixed edges.
+/// Returns the number of vec4 in the uniform block of a pass: the uniform values, the two grains, then the
+/// values beyond fixed edges.
 [[nodiscard]] std::size_t toldVectors(const RulePass& pass);
 
-/// The compute shader of a pass, for gl::Program::computeText: names of a scene do not occur in it, only
-/// numbers of planes and of what is told. `seed`: of noise.
+/// Returns the compute shader of a pass for gl::Program::computeText(). It contains no names of the scene,
+/// only numbers of planes and uniforms. `seed`: for noise.
 [[nodiscard]] std::string kernelText(const Rule& rule, const RulePass& pass, RuleSpace space,
                                      RuleBoundary boundary, unsigned seed, const RuleCut& cut);
 

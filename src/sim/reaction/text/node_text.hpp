@@ -6,13 +6,14 @@
 
 namespace simreel::sim {
 
-/// A line or two of GLSL that compute node `i` of four cells, as v<i>. `value`: what its arguments are
-/// called; `row`: the number of the cells' row in its plane.
+/// Returns one or two lines of GLSL that compute node `i` for four cells into the variable v<i>. `value`
+/// returns the expression of an argument; `row` is the name of the variable with the row's index.
 [[nodiscard]] std::string nodeText(const RuleGraph& graph, int i,
                                    const std::function<std::string(int node)>& value, unsigned seed,
                                    const char* row);
 
-/// Declares what a pass is told: k<node> of each, the grains, and values beyond fixed edges.
+/// Returns the declarations of a pass' uniform values: k<node> for each, the grains, and values beyond
+/// fixed edges.
 [[nodiscard]] std::string toldText(const RulePass& pass, RuleBoundary boundary);
 
 }  // namespace simreel::sim

@@ -16,7 +16,8 @@ bool isOfStrips(RuleOp op) {
          op == RuleOp::down;
 }
 
-/// A pass of several steps (glsl/reaction/strips.glsl): the same operations in the same order as of one.
+/// Writes a pass of several steps (glsl/reaction/strips.glsl) with the same operations in the same order as
+/// in single steps.
 class StripWriter {
  public:
   StripWriter(const Rule& rule, const RulePass& pass, const RuleCut& cut)
@@ -85,7 +86,7 @@ class StripWriter {
     return pass_.placeOf(node) >= 0 ? fmt::format("vec4(k{})", node) : fmt::format("v{}", node);
   }
 
-  // Takes the row below and gives the row here one step later.
+  // Writes the function that takes the row below and returns the current row one step later.
   void writeAdvanced() {
     line("Row advanced(inout Level level, Row below, int row, int number, bool stored) {{");
     line("  Row belowSides = sidesOf(below);");
@@ -180,7 +181,7 @@ class StripWriter {
     for (int s = 0; s < cut_.stepsPerPass; ++s) line("  Level level{} = empty;", s);
     line("  int row = wrapped(top - STEPS, folds * size.y);");
     line("  Row pending = loadRow(columnsOf, back, row);");
-    // Three rows a round: what is above comes to lie where it was, so nothing is copied.
+    // Unrolled by three rows, so that the roles of above, here and below rotate without copies.
     line("  for (int i = 0; i < count; i += 3) {{");
     for (int turn = 0; turn < 3; ++turn) {
       line("    {{");
@@ -223,7 +224,7 @@ bool stripsCan(const Rule& rule, const RuleProgram& program, RuleSpace space, Ru
   const RulePass& pass = program.passes[static_cast<std::size_t>(program.stages[0].passes[0])];
   if (pass.usesTime) return false;
   const bool reads = std::all_of(pass.reads.begin(), pass.reads.end(), [&](const RulePass::Read& read) {
-    // What is odd steps differently in a mirror.
+    // An odd stencil changes its sign in the mirrored part beyond an edge, so it needs a torus.
     const bool odd = read.op == RuleOp::down && boundary != RuleBoundary::torus;
     return read.plane.array == RuleArray::stage && isOfStrips(read.op) && !odd;
   });

@@ -21,10 +21,10 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double tolerance = 1e-3;  // heights of H
+constexpr double tolerance = 1e-3;  // maximum deviation of curves, in heights of H
 constexpr int mostPieces = 64;
 
-/// Collects the polygons of an outline.
+/// Collects the polygons of an outline from FreeType's callbacks.
 struct Pen {
   double perUnit;
   TextOutlines outlines;
@@ -32,7 +32,8 @@ struct Pen {
   [[nodiscard]] glm::dvec2 place(const FT_Vector* at) const {
     return perUnit * glm::dvec2(static_cast<double>(at->x), static_cast<double>(at->y));
   }
-  /// Of a curve that leaves its chords by `bend` / (8 n^2) at most, when it is cut into n.
+  /// Returns the number of pieces n for a curve whose deviation from its chords is at most `bend` / (8
+  /// n^2).
   static int pieces(double bend) {
     return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8 * tolerance)))), 1, mostPieces);
   }
@@ -46,7 +47,8 @@ struct Pen {
     pen.outlines.back().push_back(pen.place(to));
     return 0;
   }
-  // Deviation from the chord of a piece: max |B''| / (8 n^2); B'' of a conic is 2 (a - 2 b + c).
+  // Adds a conic curve. The deviation from a chord is at most max |B''| / (8 n^2), and B'' of a conic is 2
+  // (a - 2 b + c).
   static int conic(const FT_Vector* control, const FT_Vector* to, void* user) {
     auto& pen = *static_cast<Pen*>(user);
     const glm::dvec2 a = pen.outlines.back().back(), b = pen.place(control), c = pen.place(to);
@@ -72,7 +74,7 @@ struct Pen {
   }
 };
 
-/// Without points that lie on the one before, and without what is no polygon then.
+/// Removes repeated points and then polygons with fewer than three points.
 void clean(TextOutlines& outlines) {
   for (auto& polygon : outlines) {
     polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
@@ -98,11 +100,11 @@ struct Font::Library {
   Library(Library&&) = delete;
   Library& operator=(Library&&) = delete;
 
-  /// Memory at once: outlines of glyphs made of glyphs made of glyphs would take gigabytes.
+  /// Limit of FreeType's memory, because glyphs nested in composite glyphs could take gigabytes.
   static constexpr std::size_t mostMemory = std::size_t{64} << 20;
   std::size_t taken = 0;
   FT_MemoryRec_ memory{this, take, giveBack, resize};
-  std::string bytes;  ///< which FreeType reads from
+  std::string bytes;  ///< font data that FreeType reads
   FT_Library library = nullptr;
   FT_Face face = nullptr;
 
@@ -116,7 +118,7 @@ struct Font::Library {
     static_cast<Library*>(memory->user)->taken -= size;
     std::free(start);
   }
-  // A block begins with its size.
+  // Reallocates a block; each block is preceded by its size.
   static void* resize(FT_Memory memory, long before, long size, void* block) {
     auto& library = *static_cast<Library*>(memory->user);
     const auto wanted = static_cast<std::size_t>(size);
@@ -145,7 +147,7 @@ Font::Font(std::filesystem::path file) : file_(std::move(file)), library_(std::m
   if (has(U'H'))
     for (const auto& polygon : glyph(U'H').outlines)
       for (const glm::dvec2& point : polygon) height = std::max(height, point.y);
-  if (!(height > 0)) height = 0.7;  // of the em, as most fonts have it
+  if (!(height > 0)) height = 0.7;  // typical height of capitals as a fraction of the em
   perUnit_ /= height;
   glyphs_.clear();
 }

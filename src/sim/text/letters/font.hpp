@@ -9,19 +9,20 @@
 
 namespace simreel::sim {
 
-/// Closed polygons, y up. What they go round is filled, whichever way they go (not zero times).
+/// Closed polygons with y up; the interior is given by the nonzero winding rule.
 using TextOutlines = std::vector<std::vector<glm::dvec2>>;
 
-/// The outlines of a font file, without hints, so they are those of the file on every machine. Lengths are
-/// in heights of its capital H.
+/// Glyph outlines of a font file, unhinted, so that they are the same on every machine. The unit of length
+/// is the height of the capital H.
 class Font {
  public:
   struct Glyph {
-    TextOutlines outlines;  ///< from where it is written
+    TextOutlines outlines;  ///< polygons relative to the pen position
     double advance = 0;
   };
 
-  /// Reads TrueType or OpenType. Throws UserError(inputOutput) for other files, and the errors of readFile.
+  /// Reads TrueType or OpenType. Throws UserError(inputOutput) for other files, and the errors of
+  /// readFile().
   explicit Font(std::filesystem::path file);
   ~Font();
   Font(Font&&) = delete;
@@ -30,19 +31,19 @@ class Font {
   Font& operator=(const Font&) = delete;
 
   [[nodiscard]] bool has(char32_t character) const;
-  /// Of one that it has, or of what stands for those it has not. Curves are polygons that lie within a
-  /// thousandth of a capital's height of them.
+  /// Returns the glyph of a character, or the font's replacement glyph if the font does not have it. Curves
+  /// are approximated by polygons to within a thousandth of a capital's height.
   [[nodiscard]] const Glyph& glyph(char32_t character);
-  /// By how much two characters are moved apart.
+  /// Returns the kerning distance between two characters.
   [[nodiscard]] double kerning(char32_t first, char32_t second) const;
-  /// From one baseline to the next.
+  /// Returns the distance between baselines.
   [[nodiscard]] double lineHeight() const;
 
  private:
   struct Library;
   std::filesystem::path file_;
   std::unique_ptr<Library> library_;
-  double perUnit_ = 0;  ///< heights of H
+  double perUnit_ = 0;  ///< scale from font units to heights of H
   std::map<char32_t, Glyph> glyphs_;
 };
 

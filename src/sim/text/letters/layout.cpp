@@ -11,7 +11,7 @@ namespace simreel::sim {
 
 namespace {
 
-/// Characters of lines. What is not UTF-8 is left out; checkWritable() has refused it.
+/// Returns the lines as code points. Skips invalid UTF-8, which checkWritable() rejects.
 std::vector<std::u32string> linesOf(std::string_view text) {
   std::vector<std::u32string> lines(1);
   for (std::size_t i = 0; i < text.size();) {
@@ -30,7 +30,7 @@ std::vector<std::u32string> linesOf(std::string_view text) {
   return lines;
 }
 
-/// Puts a line from (0, y) on to the right. Its length.
+/// Adds a line that starts at (0, y). Returns its length.
 double putLine(Font& font, const std::u32string& line, double y, TextOutlines& into) {
   double x = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -55,7 +55,7 @@ TextOutlines written(Font& font, std::string_view text, const TextAnchor& anchor
   const auto lines = linesOf(text);
   const double apart = spacing * font.lineHeight();
   const double depth = apart * static_cast<double>(lines.size() - 1);
-  // Heights of the first baseline.
+  // Height of the first baseline.
   double y = 0;
   if (anchor.down == TextAnchor::Down::top) y = -1;
   if (anchor.down == TextAnchor::Down::middle) y = 0.5 * (depth - 1);

@@ -5,7 +5,7 @@
 
 namespace simreel::sim {
 
-/// Where (0, 0) lies of what is written.
+/// Point of the text that is placed at (0, 0).
 struct TextAnchor {
   enum class Across { left, center, right };
   enum class Down { baseline, top, middle, bottom };  ///< baseline: of the first line; top: of its capitals
@@ -13,13 +13,13 @@ struct TextAnchor {
   Down down = Down::baseline;
 };
 
-/// Outlines of UTF-8 text, in heights of a capital, y up. Lines end with "\n" and lie `spacing` times the
-/// font's own distance apart.
+/// Returns the outlines of UTF-8 text in units of a capital's height, y up. "\n" separates lines; their
+/// distance is `spacing` times the font's own.
 [[nodiscard]] TextOutlines written(Font& font, std::string_view text, const TextAnchor& anchor,
                                    double spacing);
 
-/// Throws UserError(usage) for text that is not UTF-8, or that has characters which the font has not, and
-/// says which.
+/// Throws UserError(usage) if the text is not UTF-8 or contains a character that the font does not have;
+/// the message names it.
 void checkWritable(const Font& font, std::string_view text);
 
 }  // namespace simreel::sim
