@@ -1,4 +1,4 @@
-// What the air does to each corner of a face, a face an invocation; predict.comp adds it up around vertices.
+// Forces of the air on each corner of a face, a face an invocation; predict.comp adds it up around vertices.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)

@@ -1,4 +1,4 @@
-// What is drawn of the cloth: the file's vertices, of which several may be one vertex of the cloth, and their normals.
+// Drawn surface of the cloth: the file's vertices, of which several may be one vertex of the cloth, and their normals.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 INPUT_ARRAY(positionsBinding, PositionBlock, positions)

@@ -1,4 +1,4 @@
-// What the vertices of a mesh get of thin colliders: by the edges and faces around each.
+// Shifts of a mesh's vertices by thin colliders: by the edges and faces around each.
 #include "garment/kernel.glsl"
 layout(local_size_x = 64) in;
 #include "cloth/thin_kernel.glsl"

@@ -1,4 +1,4 @@
-// Where the particle kernels' arrays are bound.
+// Bindings of the particle kernels' arrays.
 #ifndef PARTICLE_BINDINGS
 #define PARTICLE_BINDINGS
 

@@ -1,19 +1,15 @@
 #pragma once
+#include "kernels/request.hpp"
 #include "kernels/shader/shader.hpp"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace simreel::kernels {
 
-struct Request {
-  std::filesystem::path file;
-  std::vector<std::filesystem::path> folders;  ///< that #include may read, beside the file's own
-  std::vector<std::string> kernels;            ///< by name; none: all
-  std::vector<std::string> keywords;           ///< chosen ones of multi_compile
-  bool fast = false;                           ///< as written, without exactness
-};
+/// Returns the names of the kernels that a file announces, without compiling them. Throws UserError(usage)
+/// for a file that cannot be read.
+[[nodiscard]] std::vector<std::string> kernelNames(const Request& request);
 
 /// Compiles the kernels of a file, in a process of its own: compilers are not made for hostile files.
 /// Throws UserError(usage) that reports mistakes at file, line and column.

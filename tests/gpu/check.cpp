@@ -268,14 +268,18 @@ TEST_CASE("checks: what a scene does not have is refused with what it has") {
 
 TEST_CASE("checks: every kind measures as many numbers as it names") {
   testContext();
-  const std::map<std::string, std::string> needs = {{"particles", R"("groups": [{}])"},
-                                                    {"body", R"("file": "meshes/walker.gltf")"},
-                                                    {"chart", R"("curves": [{"of": "cells.population"}])"},
-                                                    {"contour", R"("field": "cells")"},
-                                                    {"epidemic", R"("infected": 0.01)"},
-                                                    {"mesh", R"("deform": [{"ripple": {}}])"},
-                                                    {"reaction", R"("preset": "barkley")"},
-                                                    {"wildfire", R"("strokes": [{"from": [9, 9, 0]}])"}};
+  const std::map<std::string, std::string> needs = {
+      {"particles", R"("groups": [{}])"},
+      {"body", R"("file": "meshes/walker.gltf")"},
+      {"chart", R"("curves": [{"of": "cells.population"}])"},
+      {"contour", R"("field": "cells")"},
+      {"epidemic", R"("infected": 0.01)"},
+      {"image", R"("file": "kernels/Folds.frag", "size": [8, 8])"},
+      {"kernels",
+       R"("file": "kernels/GameOfLife.compute", "textures": {"_Current": [8, 8], "_Next": [8, 8]}, "constants": {"_Width": 8, "_Height": 8})"},
+      {"mesh", R"("deform": [{"ripple": {}}])"},
+      {"reaction", R"("preset": "barkley")"},
+      {"wildfire", R"("strokes": [{"from": [9, 9, 0]}])"}};
   for (const scene::Kind& kind : sim::kinds().list) {
     CAPTURE(std::string(kind.name));
     const auto given = needs.find(kind.name);

@@ -1,4 +1,4 @@
-// Where the gravity tree's arrays are bound.
+// Bindings of the gravity tree's arrays.
 #ifndef TREE_BINDINGS
 #define TREE_BINDINGS
 

@@ -1,15 +1,18 @@
 #include "kernels/compile/front_end.hpp"
 
 #include "gl/shader_source.hpp"
+#include "kernels/compile/learn.hpp"
 #include "kernels/compile/messages.hpp"
 #include "kernels/spirv/module.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -55,7 +58,7 @@ class Includer : public glslang::TShader::Includer {
         failed_.emplace_back(name, reason);
       return nullptr;
     }
-    const std::string& text = files_.text(*found);
+    const std::string& text = files_.remediedText(*found);
     // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): until releaseInclude()
     return new IncludeResult(std::to_string(*found), text.data(), text.size(), nullptr);
   }
@@ -96,11 +99,12 @@ constexpr const char* unityNames = R"(#define SHADER_API_D3D11 1
 #define SAMPLE_TEXTURE3D_LOD(name, state, at, lod) name.SampleLevel(state, at, lod)
 )";
 
-std::string preamble(const Unit& unit) {
+std::string preamble(const Unit& unit, const Remedies& remedies) {
   std::string text =
       unit.language == Language::hlsl ? unityNames : "#extension GL_GOOGLE_include_directive : enable\n";
+  text += functionMacros(remedies);
   for (const auto& [name, value] : unit.defines) text += fmt::format("#define {} {}\n", name, value);
-  return text;
+  return text + unit.before;
 }
 
 /// A shader, and a program with it: glslang wants the program destroyed first.
@@ -131,13 +135,14 @@ bool takesOthers(const std::vector<std::uint32_t>& words) {
   });
 }
 
-std::vector<std::uint32_t> compiledAs(Files& files, const Unit& unit, bool renamed) {
+/// Compiles once; returns nothing if a new remedy may cure what was refused.
+std::optional<std::vector<std::uint32_t>> attempt(Files& files, const Unit& unit, bool renamed) {
   Compiled compiled;
   glslang::TShader& shader = compiled.shader;
-  const std::string before = preamble(unit);
+  const std::string before = preamble(unit, files.remedies);
   const std::string name = "0";
   const bool hlsl = unit.language == Language::hlsl;
-  std::string whole = files.text(0);
+  std::string whole = files.remediedText(0) + unit.behind;
   const std::string entry = hlsl ? entryName(whole, unit.entry, renamed) : "main";
   const char* text = whole.data();
   const int length = static_cast<int>(whole.size());
@@ -158,6 +163,7 @@ std::vector<std::uint32_t> compiledAs(Files& files, const Unit& unit, bool renam
   if (hlsl) messages = static_cast<EShMessages>(messages | EShMsgReadHlsl);
   Includer includer(files);
   const bool parsed = shader.parse(GetDefaultResources(), hlsl ? 500 : 450, false, messages, includer);
+  if (!parsed && hlsl && learn(files, shader.getInfoLog())) return std::nullopt;
   if (!parsed) files.fail(explained(shader.getInfoLog(), files, includer.failed(), unit));
   compiled.program = std::make_unique<glslang::TProgram>();
   compiled.program->addShader(&shader);
@@ -166,6 +172,37 @@ std::vector<std::uint32_t> compiledAs(Files& files, const Unit& unit, bool renam
   if (!linked || log.find(noEntry) != std::string::npos)
     files.fail(explained(log, files, includer.failed(), unit));
   return words(compiled, true);
+}
+
+/// The words with the own names of constants that have another for a remedy's sake.
+std::vector<std::uint32_t> withOwnNames(const std::vector<std::uint32_t>& words) {
+  constexpr std::size_t header = 5;
+  std::vector<std::uint32_t> result(words.begin(), words.begin() + header);
+  for (std::size_t at = header; at < words.size();) {
+    const std::size_t length = std::max(words[at] >> 16U, 1U);
+    const auto begin = words.begin() + static_cast<std::ptrdiff_t>(at);
+    std::vector<std::uint32_t> one(begin, begin + static_cast<std::ptrdiff_t>(length));
+    at += length;
+    if ((one[0] & 0xFFFFU) == SpvOpMemberName && one.size() > 3) {
+      std::string name(reinterpret_cast<const char*>(&one[3]), (one.size() - 3) * sizeof one[0]);
+      if (name.starts_with(constantPrefix)) {
+        name.erase(0, constantPrefix.size());
+        name.resize(name.find('\0'));
+        one.resize(3 + name.size() / sizeof one[0] + 1);
+        std::fill(one.begin() + 3, one.end(), 0U);
+        std::memcpy(&one[3], name.data(), name.size());
+        one[0] = static_cast<std::uint32_t>(one.size()) << 16U | SpvOpMemberName;
+      }
+    }
+    result.insert(result.end(), one.begin(), one.end());
+  }
+  return result;
+}
+
+std::vector<std::uint32_t> compiledAs(Files& files, const Unit& unit, bool renamed) {
+  for (;;)
+    if (auto made = attempt(files, unit, renamed); made)
+      return files.remedies.assigned.empty() ? *made : withOwnNames(*made);
 }
 
 }  // namespace

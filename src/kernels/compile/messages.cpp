@@ -14,6 +14,8 @@ namespace simreel::kernels {
 
 namespace {
 
+constexpr std::string_view error = "ERROR: ";
+
 std::string trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == ':')) text.remove_prefix(1);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
@@ -54,6 +56,14 @@ void reword(Mistake& mistake) {
       {"no matching overloaded function found", "has no function with these arguments"},
   };
   const bool named = !mistake.token.empty();
+  if (mistake.message.find("can't modify a uniform") != std::string::npos) {
+    mistake.message = "a kernel cannot write to a constant";
+    return;
+  }
+  if (mistake.token.starts_with("GL_EXT_ray") || mistake.token.starts_with("GL_NV_ray")) {
+    mistake.message = fmt::format("{}: OpenGL has no ray queries", scene::inQuotes(mistake.token));
+    return;
+  }
   for (const Wording& wording : wordings)
     if (mistake.message.find(wording.theirs) != std::string::npos && named) {
       mistake.message = fmt::format("{} {}", scene::inQuotes(mistake.token), wording.ours);
@@ -89,12 +99,47 @@ const std::pair<std::string, std::string>* failedInclude(
   return nullptr;
 }
 
+/// The line that a mistake is in.
+std::string_view lineOf(const Mistake& mistake, const Files& files) {
+  std::string_view text = files.text(mistake.file);
+  for (int line = 1; line < mistake.line && !text.empty(); ++line)
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+/// Without what glslang says as a consequence of other mistakes, and with names for types that it does not
+/// know.
+void keepCauses(std::vector<Mistake>& mistakes, const Files& files) {
+  for (Mistake& mistake : mistakes)
+    for (const std::string_view type : {"RaytracingAccelerationStructure", "RayQuery", "RayDesc"})
+      if (mistake.message.ends_with(": Expected") &&
+          lineOf(mistake, files).find(type) != std::string_view::npos) {
+        mistake.token = type;
+        mistake.message = fmt::format("{}: OpenGL has no ray queries", scene::inQuotes(type));
+      }
+  const auto follows = [](const Mistake& one) {
+    return one.message.find("cannot be preceded by another token") != std::string::npos ||
+           one.message.find("extra tokens -- expected newline") != std::string::npos ||
+           one.message.find("missing #endif") != std::string::npos;
+  };
+  if (std::any_of(mistakes.begin(), mistakes.end(), std::not_fn(follows))) std::erase_if(mistakes, follows);
+}
+
 }  // namespace
 
 std::size_t fileNumber(std::string_view name, std::size_t count) {
   std::size_t number = 0;
   const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
   return read.ec == std::errc() && read.ptr == name.data() + name.size() && number < count ? number : 0;
+}
+
+std::vector<Mistake> told(std::string_view log, std::size_t files) {
+  std::vector<Mistake> mistakes;
+  std::istringstream lines{std::string(log)};
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(error))
+      mistakes.push_back(located(std::string_view(line).substr(error.size()), files));
+  return mistakes;
 }
 
 std::vector<Mistake> explained(std::string_view log, const Files& files,
@@ -107,7 +152,6 @@ std::vector<Mistake> explained(std::string_view log, const Files& files,
   std::vector<Mistake> mistakes;
   std::istringstream lines{std::string(log)};
   for (std::string line; std::getline(lines, line) && mistakes.size() < most;) {
-    constexpr std::string_view error = "ERROR: ";
     if (!line.starts_with(error)) continue;
     Mistake mistake = located(std::string_view(line).substr(error.size()), files.count());
     if (mistake.message.find("compilation errors") != std::string::npos ||
@@ -128,6 +172,7 @@ std::vector<Mistake> explained(std::string_view log, const Files& files,
     });
     if (!known) mistakes.push_back(std::move(mistake));
   }
+  keepCauses(mistakes, files);
   // The reader of HLSL says what it expected at every level above a mistake.
   const auto expected = [](const Mistake& one) { return one.message.ends_with(": Expected"); };
   if (std::any_of(mistakes.begin(), mistakes.end(), std::not_fn(expected)))

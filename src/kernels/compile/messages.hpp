@@ -12,6 +12,9 @@ namespace simreel::kernels {
 /// The number that a name of glslang's is; 0, the first file, for what is no number of a file.
 [[nodiscard]] std::size_t fileNumber(std::string_view name, std::size_t count);
 
+/// The mistakes of a log as glslang tells them.
+[[nodiscard]] std::vector<Mistake> told(std::string_view log, std::size_t files);
+
 /// Warning of glslang where the kernel has no function.
 inline constexpr const char* noEntry = "Entry point not found";
 

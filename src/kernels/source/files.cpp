@@ -40,6 +40,54 @@ const char* unityFile(const std::string& name) {
   return nullptr;
 }
 
+std::string lowered(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// The one file of a name below a folder, whatever the case of its letters; nothing where there is none, or
+/// several.
+std::filesystem::path withoutCase(const std::filesystem::path& folder, const std::filesystem::path& name) {
+  std::vector<std::filesystem::path> found = {folder};
+  for (const auto& part : name) {
+    std::vector<std::filesystem::path> next;
+    for (const auto& path : found) {
+      if (part == ".." || part == ".") {
+        next.push_back(path / part);
+        continue;
+      }
+      std::error_code error;
+      for (std::filesystem::directory_iterator entry(path, error), end; !error && entry != end;
+           entry.increment(error))
+        if (lowered(entry->path().filename().string()) == lowered(part.string()))
+          next.push_back(entry->path());
+    }
+    found = std::move(next);
+  }
+  return found.size() == 1 ? found[0] : std::filesystem::path();
+}
+
+/// True for the name of a file that comes with Unity.
+bool isUnitys(std::string_view name) {
+  return name.starts_with("Packages/com.unity.") || name.starts_with("Unity") ||
+         name == "AutoLight.cginc" || name == "Lighting.cginc" || name == "Tessellation.cginc" ||
+         name == "TerrainEngine.cginc";
+}
+
+/// Files of Unity's names that the program has.
+std::string unityFiles() {
+  std::string names;
+  for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {
+    const std::string_view path = shader.path;
+    if (!path.starts_with(unityFolder)) continue;
+    const std::string_view name = path.substr(std::string_view(unityFolder).size());
+    names += (names.empty() ? "" : ", ");
+    names += name.starts_with("core/") ? "the core package's " : "";
+    names += name.substr(name.starts_with("core/") ? 5 : 0);
+  }
+  return names;
+}
+
 }  // namespace
 
 Files::Files(const std::filesystem::path& file, const std::vector<std::filesystem::path>& folders) {
@@ -66,7 +114,7 @@ std::optional<std::size_t> Files::add(std::string name, const std::filesystem::p
     return std::nullopt;
   }
   std::string text = plain(original);
-  files_.push_back({std::move(name), path, std::move(original), std::move(text)});
+  files_.push_back({std::move(name), path, std::move(original), std::move(text), {}, 0});
   return files_.size() - 1;
 }
 
@@ -78,10 +126,18 @@ std::optional<std::size_t> Files::include(const std::string& asked, bool beside,
   std::vector<std::filesystem::path> tried;
   if (beside && !files_[from].path.empty()) tried.push_back(files_[from].path.parent_path() / name);
   for (const auto& folder : folders_) tried.push_back(folder / name);
+  const auto isFile = [](const std::filesystem::path& path) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error);
+  };
+  if (std::none_of(tried.begin(), tried.end(), isFile))
+    for (auto& path : tried) {
+      const std::filesystem::path folder = path.string().substr(0, path.string().size() - name.size());
+      path = withoutCase(folder.empty() ? "." : folder, name);
+    }
   bool outside = false;
   for (const auto& path : tried) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) continue;
+    if (!isFile(path)) continue;
     if (std::none_of(folders_.begin(), folders_.end(),
                      [&](const auto& folder) { return liesBelow(path, folder); })) {
       outside = true;
@@ -103,6 +159,14 @@ std::optional<std::size_t> Files::include(const std::string& asked, bool beside,
       if (files_[i].name == shown) return i;
     return add(shown, {}, ours, reason);
   }
+  if (!outside && isUnitys(name)) {
+    reason = fmt::format(
+        "{} comes with Unity, and simreel has no file of its own for it; copy what the kernel needs from "
+        "it. "
+        "simreel has {}",
+        scene::inQuotes(asked), unityFiles());
+    return std::nullopt;
+  }
   reason = outside ? fmt::format(
                          "{} lies outside the folders that may be read: the shader's own and those "
                          "given with -I",
@@ -110,6 +174,14 @@ std::optional<std::size_t> Files::include(const std::string& asked, bool beside,
                    : fmt::format("{} is not in the shader's folder; give the folder that has it with -I",
                                  scene::inQuotes(asked));
   return std::nullopt;
+}
+
+const std::string& Files::remediedText(std::size_t file) {
+  File& one = files_[file];
+  if (remedies.count() == 0) return one.text;
+  if (one.remedies != remedies.count()) one.remedied = remedied(one.text, file, remedies);
+  one.remedies = remedies.count();
+  return one.remedied;
 }
 
 std::vector<std::filesystem::path> Files::read() const {

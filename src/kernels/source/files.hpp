@@ -1,4 +1,5 @@
 #pragma once
+#include "kernels/source/remedies.hpp"
 #include "scene/json/diagnostics.hpp"
 
 #include <cstddef>
@@ -42,6 +43,9 @@ class Files {
   /// What compilers are given: line ends, the byte order mark and what only other compilers know are
   /// made plain; each character stands in its line and column.
   [[nodiscard]] const std::string& text(std::size_t file) const { return files_[file].text; }
+  /// The text with remedies, which stays until these change.
+  [[nodiscard]] const std::string& remediedText(std::size_t file);
+  Remedies remedies;
   [[nodiscard]] const std::string& name(std::size_t file) const { return files_[file].name; }
   /// Files of the user's, not ours.
   [[nodiscard]] std::vector<std::filesystem::path> read() const;
@@ -54,6 +58,8 @@ class Files {
     std::string name;            ///< as messages say it
     std::filesystem::path path;  ///< empty for one of ours
     std::string original, text;
+    std::string remedied;
+    std::size_t remedies = 0;  ///< that `remedied` has
   };
   std::optional<std::size_t> add(std::string name, const std::filesystem::path& path, std::string original,
                                  std::string& reason);

@@ -1,6 +1,7 @@
 #include "kernels/source/plain.hpp"
 
 #include "base/text.hpp"
+#include "kernels/source/dialect.hpp"
 #include "kernels/source/files.hpp"
 
 #include <algorithm>
@@ -29,6 +30,18 @@ void eachWord(std::string_view code, std::string_view word, Found found) {
     const std::size_t end = at + word.size();
     if ((at == 0 || !partOfName(code[at - 1])) && (end >= code.size() || !partOfName(code[end])))
       found(at, end);
+  }
+}
+
+/// "#include <util\\HlslCompat.h>": glslang takes the backslash for an escape.
+void turnBackslashes(std::string& text, std::string_view code) {
+  for (std::size_t at = code.find("include"); at != std::string_view::npos;
+       at = code.find("include", at + 1)) {
+    const std::size_t line = at == 0 ? 0 : code.rfind('\n', at - 1) + 1;
+    const std::size_t sharp = code.find_first_not_of(" \t", line);
+    if (code[sharp] != '#' || code.find_first_not_of(" \t", sharp + 1) != at) continue;
+    for (std::size_t i = at; i + 1 < code.size() && code[i] != '\n'; ++i)
+      if (code[i] == '\\' && code[i + 1] != '\n') text[i] = '/';
   }
 }
 
@@ -206,6 +219,7 @@ std::string plain(std::string_view original) {
         text[at] = ' ';
     }
   const std::string code = withoutComments(text);
+  turnBackslashes(text, code);
   blankPackOffsets(text, code);
   shortenNumbers(text, code);
   if (code.find("#version") == std::string::npos) blankConstOfGlobals(text, code);
@@ -218,7 +232,8 @@ std::string plain(std::string_view original) {
     if (const std::size_t end = code.find("]]", at); end != std::string::npos) blank(text, at, end + 2);
   for (const std::string_view mark : {"#[compute]", "#[versions]"})
     if (const std::size_t at = code.find(mark); at != std::string::npos) blank(text, at, at + mark.size());
-  return withMatrixElements(LoopVariables::declared(text));
+  const bool glsl = code.find("#version") != std::string::npos;
+  return withMatrixElements(LoopVariables::declared(glsl ? text : dialect(text)));
 }
 
 std::string tooDeep(std::string_view text) {

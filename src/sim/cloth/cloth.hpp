@@ -11,7 +11,7 @@ namespace simreel::sim {
 /// Throws what makeSheet would throw on any device.
 void checkSheet(const scene::Object& object, const Setting& setting);
 
-/// What a cloth meets beside its shapes, and the wind around it, of the plan of a sheet or a mesh.
+/// Bodies that a cloth meets beside its shapes, and the wind around it.
 template <class Plan>
 Touch::Wanted touchedBy(const Plan& plan) {
   const auto& p = plan.parameters();

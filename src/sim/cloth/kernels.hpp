@@ -10,7 +10,7 @@
 
 namespace simreel::sim {
 
-/// What glsl/cloth/kernel.glsl is given in a substep, a part of the kernels' interfaces.
+/// Inputs of glsl/cloth/kernel.glsl in a substep, a part of the kernels' interfaces.
 struct ClothPart {
   gl::Uniform<"size", glm::ivec2> size;
   gl::Block<"StepBlock", shader::ClothStep> step;
@@ -34,7 +34,7 @@ class ClothKernels {
 
   /// For the frame from `begin` to `end` (s).
   void beginFrame(double begin, double end) { hold_.beginFrame(plan_->skinPins(), begin, end); }
-  /// Where a substep leads; finish() takes it as the state.
+  /// Result of a substep; finish() takes it as the state.
   void predict(int substep, const ClothPart& part);
   /// The same again of particles that contact has pushed since.
   void settle(const ClothPart& part) const;
@@ -48,7 +48,7 @@ class ClothKernels {
   [[nodiscard]] const gl::Vec4Array& velocities() const {
     return velocities_[hasTrends() && predicted_ ? 1 : 0];
   }
-  /// Of constraints (glsl/cloth/motion.glsl).
+  /// Constraints (glsl/cloth/motion.glsl).
   [[nodiscard]] gl::Vec4Array& trends() { return trends_; }
   [[nodiscard]] const gl::Vec4Array& trends() const { return trends_; }
   /// True where constraints have a trend: those that keep energy are forces.

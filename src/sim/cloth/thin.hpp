@@ -6,7 +6,7 @@
 
 namespace simreel::sim {
 
-/// What glsl/cloth/thin_kernel.glsl is given, a part of the interface of a kernel that finds shifts.
+/// Inputs of glsl/cloth/thin_kernel.glsl, a part of the interface of a kernel that finds shifts.
 struct ThinPart {
   gl::Block<"StepBlock", shader::ClothStep> step;
   gl::In<"positions"> before;

@@ -61,6 +61,19 @@ TEST_CASE("what has not the same bits everywhere is refused where it stands") {
            "e.comp:3:12: error: numbers of 64 bits");
 }
 
+TEST_CASE(
+    "ray queries are refused by their name in HLSL and in GLSL, and a constant buffer cannot be written") {
+  checkHas(
+      report("l.hlsl", "RaytracingAccelerationStructure scene;\n" + std::string(head) + "void K() {}\n"),
+      "l.hlsl:1:1: error: \"RaytracingAccelerationStructure\": OpenGL has no ray queries");
+  const std::string rays =
+      report("m.comp", "#version 460\n#extension GL_EXT_ray_tracing : enable\nvoid main() {}\n");
+  checkHas(rays, "m.comp:2:12: error: \"GL_EXT_ray_tracing\": OpenGL has no ray queries");
+  CHECK(!has(rays, "extra tokens"));
+  checkHas(report("n.hlsl", "cbuffer C { float a; }\n" + std::string(head) + "void K() { a = 1; }\n"),
+           "a kernel cannot write to a constant");
+}
+
 TEST_CASE("a kernel without a function, and a file without kernels, are told") {
   CHECK(has(report("f.compute", "#pragma kernel Gone\n" + std::string(head) + "void K() {}\n"),
             "f.compute:1:16: error: the file has no function \"Gone\"\n"));
@@ -97,6 +110,15 @@ TEST_CASE(
   checkHas(told("#include \"/etc/passwd\""), "is not in the shader's folder");
   checkHas(told("#include \"loop.cginc\""), "deep");
   CHECK(told("#include \"UnityCG.cginc\"") == "fine");
+  checkHas(told("#include \"UnityDeferredLibrary.cginc\""), "comes with Unity, and simreel has no file");
+  std::filesystem::create_directories(folder / "shader" / "Util");
+  std::ofstream(folder / "shader" / "Util" / "Deep.hlsl") << "#define DEEP 1\n";
+  CHECK(told("#include \"Util\\Deep.hlsl\"") == "fine");
+  CHECK(told("#include \"util/deep.HLSL\"") == "fine");
+  std::ofstream(folder / "shader" / "Util" / "deep.hlsl") << "#define DEEP 1\n";
+  checkHas(told("#include \"util/deep.HLSL\""), "is not in the shader's folder");
+  std::ofstream(folder / "shader" / "both.cginc") << "#include \"near.cginc\"\n#include \"../far.cginc\"\n";
+  CHECK(!has(told("#include \"both.cginc\"", {folder}), "preceded by another token"));
   std::filesystem::remove_all(folder);
 }
 

@@ -2,6 +2,13 @@
 #ifndef SIMREEL_CORE_COMMON
 #define SIMREEL_CORE_COMMON
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Macros.hlsl"
+#define real float
+#define real2 float2
+#define real3 float3
+#define real4 float4
+#define real2x2 float2x2
+#define real3x3 float3x3
+#define real4x4 float4x4
 float Sq(float x) {
   return x * x;
 }

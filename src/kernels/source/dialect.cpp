@@ -1,0 +1,85 @@
+#include "kernels/source/dialect.hpp"
+
+#include "kernels/source/files.hpp"
+#include "kernels/source/tokens.hpp"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace simreel::kernels {
+
+namespace {
+
+/// "unsigned int3" and "unsigned".
+void shortenUnsigned(const std::vector<Token>& all, Edits& edits) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].text != "unsigned") continue;
+    const bool withType = i + 1 < all.size() && all[i + 1].text.starts_with("int");
+    edits.replace(all[i].at, all[i].end(), withType ? "" : "uint");
+    if (withType) edits.insert(all[i + 1].at, "u");
+  }
+}
+
+/// The number of the token that closes the braces at or after token `i`; the number of tokens without.
+std::size_t closing(const std::vector<Token>& all, std::size_t i) {
+  while (i < all.size() && (all[i].text != "{" || all[i].directive)) ++i;
+  const int outside = i < all.size() ? all[i].depth : 0;
+  for (++i; i < all.size(); ++i)
+    if (all[i].text == "}" && all[i].depth == outside + 1 && !all[i].directive) return i;
+  return all.size();
+}
+
+/// A constant buffer that has nothing else goes.
+void takeOutShared(std::string_view code, const std::vector<Token>& all, Edits& edits) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].text != "cbuffer" || all[i].directive) continue;
+    const std::size_t close = closing(all, i);
+    if (close == all.size()) continue;
+    std::string moved;
+    Edits inside;
+    std::size_t left = 0;
+    std::size_t k = i;
+    while (all[k].text != "{") ++k;
+    for (++k; k < close; ++k) {
+      const std::size_t begin = all[k].at;
+      const bool shared = all[k].text == "groupshared";
+      while (k < close && all[k].text != ";") ++k;
+      if (k == close) return;
+      if (shared) {
+        moved += " " + std::string(code.substr(begin, all[k].end() - begin));
+        inside.replace(begin, all[k].end(), "");
+      } else {
+        ++left;
+      }
+    }
+    if (moved.empty()) continue;
+    for (char& c : moved)
+      if (c == '\n') c = ' ';
+    const bool semicolon = close + 1 < all.size() && all[close + 1].text == ";";
+    const std::size_t end = all[semicolon ? close + 1 : close].end();
+    if (left == 0)
+      edits.replace(all[i].at, end, moved);
+    else {
+      edits.add(inside);
+      edits.insert(end, (semicolon ? "" : ";") + moved);
+    }
+    i = close;
+  }
+}
+
+}  // namespace
+
+std::string dialect(const std::string& text) {
+  const bool asks =
+      text.find("unsigned") != std::string::npos || text.find("groupshared") != std::string::npos;
+  if (!asks) return text;
+  const std::string code = withoutComments(text);
+  const std::vector<Token> all = tokens(code);
+  Edits edits;
+  shortenUnsigned(all, edits);
+  takeOutShared(code, all, edits);
+  return edits.applied(text);
+}
+
+}  // namespace simreel::kernels
