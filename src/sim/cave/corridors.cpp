@@ -8,7 +8,7 @@
 
 namespace simreel::sim {
 
-/// glsl/cave/ways.glsl.
+/// Members of glsl/cave/ways.glsl.
 struct CaveTreesPart {
   CavePart cave;
   gl::In<"LabelBlock"> labels;

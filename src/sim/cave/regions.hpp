@@ -23,7 +23,7 @@ struct CaveGrid {
   }
 };
 
-/// What glsl/cave/cells.glsl is given, a part of the kernels' interfaces.
+/// Members of glsl/cave/cells.glsl, a part of the kernels' interfaces.
 struct CavePart {
   gl::Uniform<"size", glm::ivec2> size;
   gl::Uniform<"rowWords", int> rowWords;
@@ -33,7 +33,7 @@ struct CavePart {
   return {.size = grid.size, .rowWords = grid.rowWords(), .cells = cells};
 }
 
-/// What glsl/cave/runs.glsl is given.
+/// Members of glsl/cave/runs.glsl.
 struct CaveRunsPart {
   CavePart cave;
   gl::InOut<"LabelBlock"> labels;

@@ -5,37 +5,37 @@
 /// Interfaces of contact's kernels (glsl/contact).
 namespace simreel::sim {
 
-/// glsl/contact/kernel.glsl.
+/// Members of glsl/contact/kernel.glsl.
 struct ContactShared {
   gl::Block<"StepBlock", shader::ContactStep> step;
   gl::InOut<"points"> points;
   gl::InOut<"ControlBlock"> control;
 };
-/// glsl/contact/near_list.glsl.
+/// Members of glsl/contact/near_list.glsl.
 struct ContactNearList {
   gl::In<"corners"> corners;
   gl::InOut<"nears"> nears;
   gl::InOut<"TallyBlock"> tallies;
-  gl::In<"told"> told;  // the same
+  gl::In<"told"> told;  // the tallies as texels
 };
 /// Vertices of a part among all.
 struct ContactRange {
   gl::Uniform<"first", int> first;
   gl::Uniform<"count", int> count;
 };
-/// A set that has both: kinds of pairs.
+/// The kind of pairs: edges with edges, or vertices with faces.
 struct ContactPairs {
-  gl::Flag<"EDGES"> edges;  // else vertices with faces
+  gl::Flag<"EDGES"> edges;
 };
 
-/// A kernel that is given nothing else.
+/// A kernel that reads and writes the shared memory alone.
 template <gl::Name path>
 struct ContactPlain {
   static constexpr auto file = path.text;
   ContactShared shared;
 };
 
-/// A kernel over what is near.
+/// A kernel with an invocation for each near pair.
 template <gl::Name path>
 struct ContactNears {
   static constexpr auto file = path.text;

@@ -12,7 +12,7 @@
 
 namespace simreel::sim {
 
-/// What glsl/contour/vertices.glsl is given.
+/// Members of glsl/contour/vertices.glsl.
 struct SolidVertices {
   gl::Uniform<"corner", glm::vec2> corner;
   gl::Uniform<"spacing", float> spacing;

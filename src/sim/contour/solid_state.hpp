@@ -15,7 +15,7 @@ struct SolidVariant {
   gl::Range<"LEVELS", 1, maxSolidLevels> levels;
   SolidCeiling ceiling;
 };
-/// What glsl/contour/samples.glsl is given.
+/// Members of glsl/contour/samples.glsl.
 struct SolidSamples {
   gl::Uniform<"samples", glm::ivec2> samples;
   gl::Uniform<"rowElements", int> rowElements;

@@ -11,7 +11,7 @@
 
 namespace simreel::sim {
 
-/// What glsl/common/state_words.glsl is given, a part of a kernel's interface.
+/// Members of glsl/common/state_words.glsl, a part of a kernel's interface.
 struct StateWordsPart {
   gl::Uniform<"texels", int> texels;
   gl::Uniform<"planes", int> planes;

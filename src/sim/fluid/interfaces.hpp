@@ -143,7 +143,7 @@ struct FluidPaintBack {
   gl::Out<"nextDye"> nextDye;
 };
 
-/// What is shown of the state.
+/// Computes what is shown of the state.
 struct FluidShowPart {
   FluidPart part;
   gl::Uniform<"stopCount", int> stopCount;

@@ -110,7 +110,7 @@ class FluidKernels {
   gl::Kernel<FluidLines> showLines_;
   Tiled<FluidProject> project_;  ///< of storage blocks only others
   Tiled<FluidDyePass> moveDye_;
-  // Of storage blocks; one pass of dye, and two at once.
+  // These read storage blocks; one pass of dye, and two at once.
   gl::Kernel<FluidProjectOpen> projectOpen_;
   gl::Kernel<FluidSettle> settle_;
   gl::Kernel<FluidCheck> check_;

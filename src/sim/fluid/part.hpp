@@ -4,7 +4,7 @@
 
 namespace simreel::sim {
 
-/// What glsl/fluid/grid.glsl is given beside the cells, a part of the kernels' interfaces.
+/// Members of glsl/fluid/grid.glsl besides the cells, a part of the kernels' interfaces.
 struct FluidPart {
   gl::Block<"FluidBlock", shader::FluidStep> step;
   gl::Uniform<"size", glm::ivec2> size;

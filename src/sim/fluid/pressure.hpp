@@ -41,7 +41,7 @@ class FluidPressure {
 
   /// Where obstacles are from now on.
   void setSolids(const FluidSolids& solids);
-  /// What a step is told and what kernels know of obstacles.
+  /// Returns what all kernels read of a step (`step`) and of obstacles.
   [[nodiscard]] FluidPart part(const gl::Resource& step) const;
 
   /// Of `flow`; the sum of corrections is left in the front of `pool`. `raised` is overwritten, too.
@@ -65,7 +65,7 @@ class FluidPressure {
   struct Pair {
     gl::Kernel<Interface> open, others, both;
   };
-  /// What the kernels of a solve share.
+  /// Memory that the kernels of a solve share.
   struct Memory {
     gl::Resource pool, raised;
     const gl::Buffer* status;

@@ -21,7 +21,7 @@ class Tally {
   Tally() = default;
   Tally(const std::string& name, const gl::Defines& defines);
 
-  /// Where a kernel that includes glsl/grid/tally.glsl leaves the sums of its `lanes` invocations.
+  /// Returns where kernels that include glsl/grid/tally.glsl leave the sums of their `lanes` invocations.
   [[nodiscard]] const gl::Vec4Array& laneSums() const { return laneSums_; }
   /// Once it has. `sumFactor`, `mostFactor`: of the results.
   void join(const glm::vec4& sumFactor, const glm::vec4& mostFactor) const;

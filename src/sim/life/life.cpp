@@ -96,7 +96,7 @@ class Life : public Simulation {
     while (generation_ < end) {
       const int steps = watch ? 1 : stepsAtOnce(end);
       if (engine_)
-        runEngine();
+        engine_->run(cells_[0], cells_[1]);
       else
         stepper_.run(cells_[0], cells_[1], steps);
       std::swap(cells_[0], cells_[1]);
@@ -176,13 +176,6 @@ class Life : public Simulation {
   }
 
  private:
-  /// The engine's kernels know nothing of what others write, nor these of what it writes.
-  void runEngine() {
-    gl::barrier();
-    engine_->run(cells_[0], cells_[1]);
-    gl::barrier();
-  }
-
   /// Before gigabytes are filled with zeros.
   void checkLimits() const {
     const long blocks = plan_.blocks();

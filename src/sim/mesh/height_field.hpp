@@ -11,7 +11,7 @@ namespace simreel::sim {
 
 struct HeightsKernel;
 
-/// What glsl/mesh/height_array.glsl is given where HEIGHTS is 1, a part of a kernel's interface.
+/// Members of glsl/mesh/height_array.glsl where HEIGHTS is 1, a part of a kernel's interface.
 struct HeightPart {
   gl::Uniform<"heightGrid.corner", glm::vec2> corner;
   gl::Uniform<"heightGrid.perCell", glm::vec2> perCell;

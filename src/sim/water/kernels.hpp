@@ -26,7 +26,7 @@ class WaterKernels {
   /// `plan` outlives this.
   WaterKernels(const std::string& name, const WaterPlan& plan, bool fast);
 
-  /// What the steps of the frame that starts at `time` (s) are told.
+  /// Uploads the parameters of the steps of the frame that starts at `time` (s).
   void startFrame(double time);
   /// Step `number` of the frame, from 1.
   void step(int number);
@@ -34,7 +34,7 @@ class WaterKernels {
   void fall(double time, int number) const;
   /// Makes what is drawn and shown.
   void look() const;
-  /// What is measured of the present state, for the table beside the frames.
+  /// Measures the present state, for the table beside the frames.
   void tally(double time);
 
   [[nodiscard]] gl::Vec4Array& cells() { return cells_[0]; }

@@ -65,7 +65,7 @@ struct WindowSumsKernel {
   gl::Out<"sums"> sums;
 };
 
-/// What the kernels of rules have in common.
+/// Members that all kernels of rules have.
 struct CellRulePart {
   gl::Uniform<"size", glm::ivec2> size;
   gl::Uniform<"rowItems", int> rowItems;

@@ -38,7 +38,7 @@ class CellEngine {
   CellEngine(CellEngine&&) = delete;
   CellEngine& operator=(CellEngine&&) = delete;
 
-  /// One generation. Earlier writes must be visible (gl::barrier).
+  /// Computes one generation.
   void run(const gl::WordsArray& from, const gl::WordsArray& to);
 
   /// Bytes of the padded cells, and of the sums of columns where there are any.

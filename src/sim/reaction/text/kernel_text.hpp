@@ -31,7 +31,7 @@ struct RuleCut {
 /// Of the uniform block of a pass: what is told, the two grains, then values beyond fixed edges.
 [[nodiscard]] std::size_t toldVectors(const RulePass& pass);
 
-/// The compute shader of a pass, for gl::Program::computeText: names of a scene do not occur in it, only
+/// The compute shader of a pass, for gl::Kernel::generated: names of a scene do not occur in it, only
 /// numbers of planes and of what is told. `seed`: of noise.
 [[nodiscard]] std::string kernelText(const Rule& rule, const RulePass& pass, RuleSpace space,
                                      RuleBoundary boundary, unsigned seed, const RuleCut& cut);
