@@ -179,6 +179,8 @@ TEST_CASE("all that the program's kernels name is declared in their shaders") {
   for (const gl::KernelNames* names : gl::kernelInterfaces()) {
     const std::string file = names->file;
     CAPTURE(file);
-    if (file != "copy") CHECK_NOTHROW(gl::checkDeclared(*names, gl::loadShader(file, {}).text));
+    // A text above, and the worked example, whose shaders are elsewhere (tests/example/heat.cpp).
+    if (file == "copy" || file.starts_with("heat/")) continue;
+    CHECK_NOTHROW(gl::checkDeclared(*names, gl::loadShader(file, {}).text));
   }
 }

@@ -10,7 +10,7 @@
 
 namespace simreel::sim {
 
-/// What glsl/contour/wall_array.glsl is given where WALLS is 1, a part of a kernel's interface.
+/// Members of glsl/contour/wall_array.glsl where WALLS is 1, a part of a kernel's interface.
 struct WallPart {
   gl::Uniform<"wallGrid.corner", glm::vec2> corner;
   gl::Uniform<"wallGrid.spacing", float> spacing;

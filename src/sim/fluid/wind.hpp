@@ -29,7 +29,7 @@ struct FluidPlane {
 /// shared with the CPU twins.
 [[nodiscard]] shader::WindGrid fluidWindGrid(const FluidPlane& plane, glm::ivec2 size);
 
-/// What glsl/fluid/wind_array.glsl is given where WIND is defined, a part of a kernel's interface.
+/// Members of glsl/fluid/wind_array.glsl where WIND is defined, a part of a kernel's interface.
 struct FluidWindPart {
   gl::Uniform<"windGrid.across", glm::vec4> across;
   gl::Uniform<"windGrid.down", glm::vec4> down;

@@ -4,7 +4,7 @@
 
 namespace simreel::sim {
 
-/// What glsl/grid/field.glsl is given, a part of a kernel's interface.
+/// Members of glsl/grid/field.glsl, a part of a kernel's interface.
 struct FieldPart {
   gl::Uniform<"fieldSize", glm::ivec2> size;
   gl::Uniform<"rowWords", int> rowWords;

@@ -276,7 +276,7 @@ glm::ivec4 Strokes::box(const shader::Stroke& s, glm::ivec2 grid) {
   return {a.x, a.y, b.x - a.x, b.y - a.y};
 }
 
-StrokeUniforms uniformsOf(const shader::Stroke& stroke, glm::ivec4 box) {
+StrokeMembers uniformsOf(const shader::Stroke& stroke) {
   return {.from = stroke.from,
           .to = stroke.to,
           .radius2 = stroke.radius2,
@@ -286,22 +286,18 @@ StrokeUniforms uniformsOf(const shader::Stroke& stroke, glm::ivec4 box) {
           .picked = stroke.picked,
           .imageWord = stroke.imageWord,
           .imageFrom = stroke.imageFrom,
-          .imageSize = stroke.imageSize,
-          .box = box};
+          .imageSize = stroke.imageSize};
 }
 
-void setStroke(const gl::Program& program, const shader::Stroke& stroke, glm::ivec4 box) {
-  program.set("stroke.from", stroke.from);
-  program.set("stroke.to", stroke.to);
-  program.set("stroke.radius2", stroke.radius2);
-  program.set("stroke.perLength2", stroke.perLength2);
-  program.set("stroke.value", stroke.value);
-  program.set("stroke.seed", stroke.seed);
-  program.set("stroke.picked", stroke.picked);
-  program.set("stroke.imageWord", stroke.imageWord);
-  program.set("stroke.imageFrom", stroke.imageFrom);
-  program.set("stroke.imageSize", stroke.imageSize);
-  program.set("strokeBox", box);
+StrokeUniforms uniformsOf(const shader::Stroke& stroke, glm::ivec4 box) {
+  return {.stroke = uniformsOf(stroke), .box = box};
+}
+
+std::vector<glm::uvec4> Strokes::imageElements() const {
+  std::vector<glm::uvec4> elements;
+  for (std::size_t i = 0; i + 3 < bits_.size(); i += 4)
+    elements.emplace_back(bits_[i], bits_[i + 1], bits_[i + 2], bits_[i + 3]);
+  return elements;
 }
 
 }  // namespace simreel::sim

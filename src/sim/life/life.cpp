@@ -96,7 +96,7 @@ class Life : public Simulation {
     while (generation_ < end) {
       const int steps = watch ? 1 : stepsAtOnce(end);
       if (engine_)
-        runEngine();
+        engine_->run(cells_[0], cells_[1]);
       else
         stepper_.run(cells_[0], cells_[1], steps);
       std::swap(cells_[0], cells_[1]);
@@ -176,14 +176,6 @@ class Life : public Simulation {
   }
 
  private:
-  /// Runs one generation between barriers, because the engine's kernels do not track dependencies on other
-  /// kernels' arrays, nor the other way round.
-  void runEngine() {
-    gl::barrier();
-    engine_->run(cells_[0], cells_[1]);
-    gl::barrier();
-  }
-
   /// Throws UserError(device) if a buffer exceeds the device's limit; called before gigabytes are
   /// allocated.
   void checkLimits() const {

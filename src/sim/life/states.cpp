@@ -57,9 +57,7 @@ class LifeStates : public Simulation {
     const long end = plan_.generationAt(frame + 1);
     int done = 0;
     while (generation_ < end) {
-      gl::barrier();
       engine_.run(cells_[0], cells_[1]);
-      gl::barrier();  // needed because the engine's gl::Program kernels do not track dependencies
       std::swap(cells_[0], cells_[1]);
       ++generation_;
       paint(plan_.strokesInto(generation_));

@@ -33,7 +33,7 @@ struct RuleCut {
 /// values beyond fixed edges.
 [[nodiscard]] std::size_t toldVectors(const RulePass& pass);
 
-/// Returns the compute shader of a pass for gl::Program::computeText(). It contains no names of the scene,
+/// Returns the compute shader of a pass for gl::Kernel::generated. It contains no names of the scene,
 /// only numbers of planes and uniforms. `seed`: for noise.
 [[nodiscard]] std::string kernelText(const Rule& rule, const RulePass& pass, RuleSpace space,
                                      RuleBoundary boundary, unsigned seed, const RuleCut& cut);
