@@ -93,7 +93,7 @@ struct UniformsOf<label, T, std::index_sequence<indices...>> {
 template <Name label, class T, std::size_t most>
 using Uniforms = typename UniformsOf<label, T, std::make_index_sequence<most>>::Type;
 
-enum class Access { read, write, both };
+enum class Access { read, write, both, together };
 
 /// A storage block (by its name or a member's), a uniform block, a sampler or an image; or an array that
 /// glsl/common/memory.glsl or words.glsl declare, whatever it is on the current memory path.
@@ -103,6 +103,7 @@ struct ResourceField : Resource {
   static constexpr const char* name = label.text;
   static constexpr Access access = wanted;
   static constexpr std::size_t blockBytes = 0;
+  static constexpr bool ambient = false;
   using Resource::Resource;
   ResourceField() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): what a function returns
@@ -115,6 +116,24 @@ using Out = ResourceField<label, Access::write>;
 template <Name label>
 using InOut = ResourceField<label, Access::both>;
 
+/// A resource that dispatches read and write together: by atomics whose results commute, or each at places
+/// of its own. They do not wait for each other, only for others that read or write it.
+template <Name label>
+using Shared = ResourceField<label, Access::together>;
+
+/// A block, sampler or image that may stay bound for many kernels at the number that GLSL gives it, such as
+/// the values of a frame: a dispatch that is not given it finds what is bound. The code that binds it makes
+/// the barriers around it.
+template <Name label>
+struct Ambient : In<label> {
+  static constexpr bool ambient = true;
+  using Base = In<label>;
+  using Base::Base;
+  Ambient() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): what a function returns
+  Ambient(const Resource& resource) : In<label>(resource) {}
+};
+
 /// A uniform block, which has to be as large as the C++ struct of its contents.
 template <Name label, class Contents>
 struct Block : In<label> {
@@ -126,19 +145,23 @@ struct Block : In<label> {
   Block(const Resource& resource) : In<label>(resource) {}
 };
 
-/// Members of a Variant become #defines. `defines` lists the defines of each value that tools compile.
+/// Members of a Variant become #defines. `all` lists the defines of each value that tools compile, `key` is
+/// another number for each value.
 
-/// Defined as 1, or not at all.
-template <Name label>
+/// Defined as 1, with extensions that the shader then requires, or not at all.
+template <Name label, Name... extensions>
 struct Flag {
   using Field = void;
   static constexpr const char* name = label.text;
   Flag() = default;
   Flag(bool now) : on(now) {}  // NOLINT(google-explicit-constructor): a variant is given the value itself.
   void addTo(Defines& defines) const {
-    if (on) defines.emplace_back(name, "1");
+    if (!on) return;
+    defines.emplace_back(name, "1");
+    (defines.emplace_back(extensionDefine, extensions.text), ...);
   }
-  static std::vector<Defines> all() { return {{}, {{name, "1"}}}; }
+  static std::vector<Defines> all() { return {{}, {{name, "1"}, {extensionDefine, extensions.text}...}}; }
+  [[nodiscard]] int key() const { return on ? 1 : 0; }
   bool on = false;
 };
 
@@ -157,6 +180,7 @@ struct Choice {
     defines.emplace_back(name, std::to_string(value));
   }
   static std::vector<Defines> all() { return {{{name, std::to_string(values)}}...}; }
+  [[nodiscard]] int key() const { return value; }
   int value = std::array{values...}[0];
 };
 
@@ -176,6 +200,7 @@ struct Range {
   static std::vector<Defines> all() {
     return {{{name, std::to_string(least)}}, {{name, std::to_string(most)}}};
   }
+  [[nodiscard]] int key() const { return defined ? value : most + 1; }
   int value = 0;
   bool defined = false;
 };

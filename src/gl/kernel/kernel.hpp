@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -27,6 +28,13 @@ template <class Interface>
 struct VariantOf<Interface> {
   using Type = typename Interface::Variant;
 };
+
+/// Adds the defines of a variant.
+template <class Variant>
+Defines with(Defines defines, const Variant& variant) {
+  visitFields(variant, [&](const auto& field) { field.addTo(defines); });
+  return defines;
+}
 
 /// Defines of every set of values that a Variant can have.
 template <class Variant>
@@ -54,7 +62,7 @@ const KernelNames& namesOf() {
     visitFields(given, [&](const auto& field) {
       using Field = std::remove_cvref_t<decltype(field)>;
       if constexpr (std::is_base_of_v<Resource, Field>)
-        all.memories.push_back({Field::name, Field::access, Field::blockBytes});
+        all.memories.push_back({Field::name, Field::access, Field::blockBytes, Field::ambient});
       else
         all.numbers.push_back({Field::name, Field::type});
     });
@@ -80,9 +88,9 @@ inline const bool listedKernel = (kernelInterfaces().push_back(&namesOf<Interfac
 ///         gl::Choice<"RADIUS", 1, 2, 4> radius;
 ///       };
 ///       gl::Uniform<"size", glm::ivec2> size;
-///       gl::In<"cells"> cells;                  // the name of a block, a block's member, a sampler or an
-///       image gl::Out<"nextCells"> next; gl::In<"weights"> weights = {};         // may be left out, where
-///       the variant does not read it
+///       gl::In<"cells"> cells;  // the name of a block, a block's member, a sampler or an image
+///       gl::Out<"nextCells"> next;
+///       gl::In<"weights"> weights = {};  // may be left out where the variant does not read it
 ///     };
 ///     gl::Kernel<BlurKernel> blur(gl::kernelDefines(fast), {.down = true, .radius = 2});
 ///     blur.dispatch(size, {.size = size, .cells = now, .next = next});
@@ -136,15 +144,9 @@ class Kernel {
   }
 
  private:
-  template <class Variant>
-  static Defines with(Defines defines, const Variant& variant) {
-    visitFields(variant, [&](const auto& field) { field.addTo(defines); });
-    return defines;
-  }
-
   template <class Run>
   static void run(const Interface& given, const Run& dispatch) {
-    constexpr std::size_t most = 64;
+    constexpr std::size_t most = 96;
     std::array<const GivenNumber*, most> numbers{};
     std::array<const Resource*, most> memories{};
     std::size_t numberCount = 0, memoryCount = 0;
@@ -158,6 +160,26 @@ class Kernel {
   }
 
   std::unique_ptr<KernelBase> base_;
+};
+
+/// The kernels of one interface, one for each variant, made when first needed.
+template <class Interface>
+class Kernels {
+ public:
+  explicit Kernels(Defines common = {}) : common_(std::move(common)) {}
+  template <class I = Interface>
+  const Kernel<I>& of(const typename VariantOf<I>::Type& variant) {
+    std::array<int, 48> key{};
+    std::size_t count = 0;
+    visitFields(variant, [&](const auto& field) { key.at(count++) = field.key(); });
+    const auto found = made_.find(key);
+    if (found != made_.end()) return found->second;
+    return made_.emplace(key, Kernel<Interface>(common_, variant)).first->second;
+  }
+
+ private:
+  Defines common_;
+  std::map<std::array<int, 48>, Kernel<Interface>> made_;
 };
 
 }  // namespace simreel::gl

@@ -1,6 +1,5 @@
 #include "gl/kernel/kernel_base.hpp"
 
-#include "gl/access_log.hpp"
 #include "gl/context.hpp"
 #include "gl/kernel/declared.hpp"
 #include "gl/limits.hpp"
@@ -161,6 +160,7 @@ void KernelBase::resolve() {
 bool KernelBase::rehearsed(const Given& given) const {
   if (!Rehearsal::now()) return false;
   BoundViews views;
+  if (std::ranges::any_of(names_.memories, &KernelNames::Memory::ambient)) views = Rehearsal::bound();
   for (std::size_t i = 0; i < given.memories.size(); ++i) {
     const Resource& resource = *given.memories[i];
     if (const Texture* texture = resource.texture())
@@ -183,9 +183,13 @@ void KernelBase::setNumbers(const Given& given) {
   if (linked_->user() != this) linked_->giveTo(this, numbers_);
 }
 
-bool KernelBase::writes(const Slot& slot, const Resource& resource) const {
-  if (names_.memories[slot.memory].access == Access::read) return false;
-  return slot.kind == Slot::Kind::storage || (slot.kind == Slot::Kind::image && resource.buffer() == 0);
+AccessLog::Way KernelBase::wayOf(const Slot& slot, const Resource& resource) const {
+  using enum AccessLog::Way;
+  const Access access = names_.memories[slot.memory].access;
+  if (access == Access::together) return together;
+  const bool stores =
+      slot.kind == Slot::Kind::storage || (slot.kind == Slot::Kind::image && resource.buffer() == 0);
+  return access != Access::read && stores ? write : read;
 }
 
 void KernelBase::bind(const Slot& slot, const Resource& resource) const {
@@ -214,21 +218,26 @@ void KernelBase::bind(const Slot& slot, const Resource& resource) const {
 void KernelBase::prepare(const Given& given, GLbitfield more) {
   using enum Slot::Kind;
   GLbitfield barriers = more;
+  const auto staysBound = [&](const Slot& slot) {
+    return names_.memories[slot.memory].ambient && given.memories[slot.memory]->empty();
+  };
   for (const Slot& slot : slots_) {
+    if (staysBound(slot)) continue;
     const Resource& resource = *given.memories[slot.memory];
     const bool view = slot.kind == texture || slot.kind == image;
     if (view ? resource.texture() == nullptr : resource.buffer() == 0)
       missing(view ? "image or sampler" : "block", names_.memories[slot.memory].name);
     barriers |= AccessLog::needed(
         memoryOf(resource), barrierOf(slot.kind == storage, slot.kind == uniformBlock, slot.kind == image),
-        writes(slot, resource));
+        wayOf(slot, resource));
   }
   setNumbers(given);
   if (barriers != 0) AccessLog::barrier(barriers);
   for (const Slot& slot : slots_) {
+    if (staysBound(slot)) continue;
     const Resource& resource = *given.memories[slot.memory];
     bind(slot, resource);
-    AccessLog::note(memoryOf(resource), writes(slot, resource));
+    AccessLog::note(memoryOf(resource), wayOf(slot, resource));
   }
   glUseProgram(linked_->name());
 }
@@ -260,8 +269,8 @@ void KernelBase::dispatchIndirect(const Buffer& commands, std::size_t offset, co
   }
   resolve();
   const AccessLog::Memory memory{commands.name(), false};
-  prepare(given, AccessLog::needed(memory, GL_COMMAND_BARRIER_BIT, false));
-  AccessLog::note(memory, false);
+  prepare(given, AccessLog::needed(memory, GL_COMMAND_BARRIER_BIT, AccessLog::Way::read));
+  AccessLog::note(memory, AccessLog::Way::read);
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, commands.name());
   linked_->dispatch([&] { glDispatchComputeIndirect(static_cast<GLintptr>(offset)); });
 }
