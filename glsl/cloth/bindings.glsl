@@ -1,4 +1,4 @@
-// Bindings of the arrays of the cloth kernels. Compiles as GLSL and as C++ (src/sim/cloth).
+// Bindings of the arrays of the cloth kernels.
 #ifndef CLOTH_BINDINGS
 #define CLOTH_BINDINGS
 

@@ -24,7 +24,7 @@ vec4 taken(ivec2 at, int i) {
 #ifdef FIRST
   vec4 here = loadPosition(i);
   vec4 velocity = LOAD_INPUT(velocities, i);
-  Motion m = advance(at, here, velocity, LOAD_INPUT(trends, i).xyz, false, AIR, FABRIC, false, false, false);
+  Motion m = advance(at, here, velocity, LOAD_INPUT(trends, i).xyz, false, AIR == 1, FABRIC == 1, false, false, false);
   if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
   STORE_STATE(aims, i, vec4(m.velocity, velocity.w));
   return vec4(m.position, here.w);

@@ -126,8 +126,8 @@ void fill() {
   vec4 here = loadPosition(i), there = loadPosition(j);
   vec4 velocity = LOAD_INPUT(velocities, i), otherVelocity = LOAD_INPUT(velocities, j);
   vec4 trend = LOAD_INPUT(trends, i), otherTrend = LOAD_INPUT(trends, j);
-  Motion m = advance(corner + a, here, velocity, trend.xyz, false, AIR, FABRIC, false, false, false);
-  Motion n = advance(corner + b, there, otherVelocity, otherTrend.xyz, false, AIR, FABRIC, false, false, false);
+  Motion m = advance(corner + a, here, velocity, trend.xyz, false, AIR == 1, FABRIC == 1, false, false, false);
+  Motion n = advance(corner + b, there, otherVelocity, otherTrend.xyz, false, AIR == 1, FABRIC == 1, false, false, false);
   tile[place(within)] = vec4(m.position, here.w);
   tile[place(other)] = vec4(n.position, there.w);
   if (isOwn(within)) STORE_STATE(aims, i, vec4(m.velocity, velocity.w));

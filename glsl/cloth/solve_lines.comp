@@ -138,9 +138,9 @@ void main() {
   lineSoftening = stepData.softening;
 #endif
 #ifdef ROWS
-  lineCompliance = FABRIC ? fabricCompliance(true, line) : scaledCompliance(0);
+  lineCompliance = FABRIC == 1 ? fabricCompliance(true, line) : scaledCompliance(0);
 #else
-  lineCompliance = FABRIC ? fabricCompliance(false, line) : scaledCompliance(0);
+  lineCompliance = FABRIC == 1 ? fabricCompliance(false, line) : scaledCompliance(0);
 #endif
   int segments = (lineLinks + segmentLinks - 1) / segmentLinks;
   int first = segment * segmentLinks, last = min(first + segmentLinks, lineLinks) - 1;

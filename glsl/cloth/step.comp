@@ -24,7 +24,7 @@ void main() {
   int i = at.y * size.x + at.x;
   vec4 here = loadPosition(i);
   vec4 velocity = LOAD_ONCE(velocities, i);
-  Motion m = advance(at, here, velocity, vec3(0.0f), SPRINGS, AIR, FABRIC, CONTACT, HEIGHTS == 1, WALLS == 1);
+  Motion m = advance(at, here, velocity, vec3(0.0f), SPRINGS == 1, AIR == 1, FABRIC == 1, CONTACT == 1, HEIGHTS == 1, WALLS == 1);
   if (isLost(m)) noteLost(uint(stepData.substep), uint(i));
   STORE_STATE(nextPositions, i, vec4(m.position, here.w));
   STORE_STATE(velocities, i, vec4(m.velocity, velocity.w));

@@ -1,4 +1,7 @@
 // The solid that cloth and particles collide with, where WALLS is 1; without, nothing is bound or read.
+#ifndef WALLS
+#define WALLS 0
+#endif
 #if WALLS
 #include "common/words.glsl"
 #include "contour/wall_types.glsl"

@@ -1,4 +1,7 @@
 // The heights that cloth and particles fall onto, where HEIGHTS is 1; without, nothing is bound or read.
+#ifndef HEIGHTS
+#define HEIGHTS 0
+#endif
 #include "mesh/height_types.glsl"
 uniform HeightGrid heightGrid;
 #if HEIGHTS

@@ -1,4 +1,4 @@
-// Where the particle kernels' arrays are bound. Compiles as GLSL and as C++ (src/sim/particles).
+// Where the particle kernels' arrays are bound.
 #ifndef PARTICLE_BINDINGS
 #define PARTICLE_BINDINGS
 

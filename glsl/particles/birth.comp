@@ -11,7 +11,7 @@ void main() {
   }
   if (e == stepData.emitterCount) return;
   int i = newbornSlot(e, k);
-  ParticleMotion m = newbornMoved(e, k, ATTRACTOR, TURBULENCE);
+  ParticleMotion m = newbornMoved(e, k, ATTRACTOR == 1, TURBULENCE == 1);
   if (SOLIDS == 1) m = outOfSolids(m, m.position.xyz);
   if (HEIGHTS == 1) m = overHeights(m);
   if (WALLS == 1) m = besideWalls(m, m.position.xyz);
@@ -19,7 +19,7 @@ void main() {
 #ifdef ATTRACTS
   STORE_STATE(velocities, i, m.velocity);
 #else
-  vec3 acceleration = fieldAcceleration(stepData.fields, m.position.xyz, ATTRACTOR, TURBULENCE);
+  vec3 acceleration = fieldAcceleration(stepData.fields, m.position.xyz, ATTRACTOR == 1, TURBULENCE == 1);
   vec4 velocity = kicked(m.velocity, acceleration, paceOf(livedSeconds(e, k), stepData.constants.damping));
   STORE_STATE(velocities, i, velocity);
   STORE_STATE(accelerations, i, vec4(acceleration, 0.0f));

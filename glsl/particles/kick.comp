@@ -13,7 +13,7 @@ void main() {
     m = pulledSinceBirth(m, pull, pace);
     STORE_STATE(positions, i, m.position);
   }
-  precise vec3 acceleration = pull + fieldAcceleration(stepData.fields, m.position.xyz, ATTRACTOR, TURBULENCE);
+  precise vec3 acceleration = pull + fieldAcceleration(stepData.fields, m.position.xyz, ATTRACTOR == 1, TURBULENCE == 1);
   vec4 velocity = kicked(m.velocity, acceleration, pace);
   STORE_STATE(accelerations, i, vec4(acceleration, 0.0f));
   STORE_STATE(velocities, i, velocity);

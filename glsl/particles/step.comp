@@ -9,7 +9,7 @@ void main() {
   if (SOLIDS == 1) m = outOfSolids(m, from.xyz);
   if (HEIGHTS == 1) m = overHeights(m);
   if (WALLS == 1) m = besideWalls(m, from.xyz);
-  vec3 acceleration = fieldAcceleration(stepData.fields, m.position.xyz, ATTRACTOR, TURBULENCE);
+  vec3 acceleration = fieldAcceleration(stepData.fields, m.position.xyz, ATTRACTOR == 1, TURBULENCE == 1);
   vec4 velocity = kicked(m.velocity, acceleration, stepData.pace);
   STORE_STATE(positions, i, m.position);
   STORE_STATE(velocities, i, velocity);

@@ -50,6 +50,27 @@ Texture Texture::image(const std::string& label, GLenum format, int width, int h
   return texture;
 }
 
+Texture Texture::layered(const std::string& label, GLenum format, int width, int height, int depth,
+                         bool array) {
+  checkSize(label, width, height);
+  GLint most = 0;
+  glGetIntegerv(array ? GL_MAX_ARRAY_TEXTURE_LAYERS : GL_MAX_3D_TEXTURE_SIZE, &most);
+  if (depth > most || (!array && std::max(width, height) > most))
+    fail(ExitCode::device, "{} of {} x {} x {} texels is beyond this device's limit of {} ({})", label,
+         width, height, depth, most, array ? "GL_MAX_ARRAY_TEXTURE_LAYERS" : "GL_MAX_3D_TEXTURE_SIZE");
+  Texture texture;
+  texture.handle_ =
+      Handle<DeleteTexture>(createTexture(array ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_3D, label));
+  texture.format_ = format;
+  texture.width_ = width;
+  texture.height_ = height;
+  texture.depth_ = depth;
+  texture.levels_ = 1;
+  glTextureStorage3D(texture.name(), 1, format, width, height, depth);
+  texture.unfiltered();
+  return texture;
+}
+
 Texture Texture::multisampled(const std::string& label, GLenum format, int width, int height, int samples) {
   checkSize(label, width, height);
   Texture texture;

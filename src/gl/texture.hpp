@@ -8,12 +8,15 @@
 
 namespace simreel::gl {
 
-/// A 2-D texture, a multisampled one, or a texel view of a Buffer.
+/// A 2-D texture, a multisampled one, one of layers or of three dimensions, or a texel view of a Buffer.
 class Texture {
  public:
   Texture() = default;
   /// Immutable storage. levels 0: the whole mip chain.
   static Texture image(const std::string& label, GLenum format, int width, int height, int levels = 1);
+  /// Immutable storage of one level: layers of 2-D pictures (`array`), or a 3-D texture.
+  static Texture layered(const std::string& label, GLenum format, int width, int height, int depth,
+                         bool array);
   static Texture multisampled(const std::string& label, GLenum format, int width, int height, int samples);
   /// The same memory seen through samplerBuffer / imageBuffer; `format` for example GL_RGBA32F. The
   /// Buffer must outlive the view. Throws UserError(device) beyond GL_MAX_TEXTURE_BUFFER_SIZE.
@@ -28,7 +31,7 @@ class Texture {
   void show(const Buffer& buffer, std::size_t texelBytes);
 
   void bind(GLuint unit) const {
-    Rehearsal::bound(unit, *this);
+    if (depth_ == 0) Rehearsal::bound(unit, *this);
     glBindTextureUnit(unit, name());
   }
   /// What reads beyond the border find: GL_REPEAT or GL_CLAMP_TO_EDGE.
@@ -45,8 +48,8 @@ class Texture {
 
   /// Binds one level as an image, read or written as `format`.
   void bindImage(GLuint unit, GLint level, GLenum access, GLenum format) const {
-    Rehearsal::boundImage(unit, *this, level, access, format);
-    glBindImageTexture(unit, name(), level, GL_FALSE, 0, access, format);
+    if (depth_ == 0) Rehearsal::boundImage(unit, *this, level, access, format);
+    glBindImageTexture(unit, name(), level, depth_ == 0 ? GL_FALSE : GL_TRUE, 0, access, format);
   }
 
   /// Properties that a software driver's machine code depends on.
@@ -54,6 +57,7 @@ class Texture {
   [[nodiscard]] GLuint name() const { return handle_.get(); }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] int depth() const { return depth_; }
   [[nodiscard]] GLenum format() const { return format_; }
   /// OpenGL name of the buffer that a view shows; 0 for other textures.
   [[nodiscard]] GLuint buffer() const { return buffer_; }
@@ -66,6 +70,7 @@ class Texture {
   GLenum format_ = GL_NONE;
   int width_ = 0;
   int height_ = 0;
+  int depth_ = 0;   ///< of layered(); 0: other textures
   int levels_ = 0;  ///< 0: a view
   std::size_t offset_ = 0;
   GLuint buffer_ = 0;

@@ -7,8 +7,14 @@
 #include "kernels/exact/calls.hpp"
 #include "kernels/exact/refuse.hpp"
 #include "kernels/exact/sampling.hpp"
+#include "kernels/guards/loops.hpp"
+#include "kernels/guards/previous.hpp"
+#include "kernels/guards/race.hpp"
+#include "kernels/guards/report.hpp"
+#include "kernels/guards/shared.hpp"
 #include "kernels/source/files.hpp"
 #include "kernels/source/pragmas.hpp"
+#include "kernels/source/toy.hpp"
 #include "kernels/spirv/layout.hpp"
 #include "kernels/spirv/module.hpp"
 #include "kernels/spirv/optimize.hpp"
@@ -24,23 +30,67 @@ namespace simreel::kernels {
 
 namespace {
 
-Kernel lowered(Files& files, const Unit& unit, bool fast) {
+/// The module with loops that end and operations that are exact, and what SPIRV-Tools makes of it.
+Module prepared(Files& files, const Unit& unit, const Request& request, Report* report) {
+  const Module compiled(compile(files, unit));
+  if (auto mistakes = refused(compiled, files, request.fast); !mistakes.empty()) files.fail(mistakes);
   const bool hlsl = unit.language == Language::hlsl;
-  Module module(compile(files, unit));
-  if (auto mistakes = refused(module, files, fast); !mistakes.empty()) files.fail(mistakes);
-  if (!fast) linkLibrary(module, placeCalls(module, unit.language));
-  Module plain(optimized(module.words(), hlsl));
-  if (!fast) {
-    keepInside(plain);
-    filterExactly(plain);
-  }
-  layOut(plain, hlsl);
-  Kernel kernel = reflected(plain, unit.language);
-  for (Buffer& buffer : kernel.buffers)
+  const auto made = [&](bool unrolled) {
+    Module module = compiled;
+    if (report != nullptr || !request.previous.empty() || request.race == Race::check) repeatLines(module);
+    if (request.maxIterations != 0) {
+      limitLoops(module, request.maxIterations, unrolled, report);
+      if (report != nullptr) report->hold(module);
+    }
+    if (!request.fast) linkLibrary(module, placeCalls(module, unit.language));
+    return Module(optimized(module.words(), hlsl));
+  };
+  Module plain = made(!hlsl);
+  return hlsl && request.maxIterations != 0 && keepsUnrolled(plain) ? made(true) : plain;
+}
+
+/// What the runtime gives, apart from the user's own buffers.
+void describeGuards(Kernel& kernel, bool fast) {
+  for (Buffer& buffer : kernel.buffers) {
+    if (buffer.name == reportBlock) kernel.report = buffer.binding;
+    if (buffer.name.ends_with(previousSuffix))
+      buffer.previousOf = buffer.name.substr(0, buffer.name.rfind('.'));
+    if (buffer.name.ends_with(shadowSuffix)) {
+      buffer.shadowOf = buffer.name.substr(0, buffer.name.rfind('.'));
+      buffer.shadowWords = static_cast<int>(shadowWords);
+      continue;
+    }
     if (!fast && !buffer.members.empty() && !buffer.members.back().array.empty() &&
         buffer.members.back().array[0] == 0)
       buffer.guards = static_cast<int>(guardElements);
-  writeGlsl(plain, kernel);
+  }
+  std::erase_if(kernel.buffers, [](const Buffer& buffer) { return buffer.name == reportBlock; });
+}
+
+Kernel lowered(Files& files, const Unit& unit, const Request& request) {
+  Report reporting(files);
+  Report* const report = request.report && request.race != Race::check ? &reporting : nullptr;
+  Module module = prepared(files, unit, request, report);
+  const bool hlsl = unit.language == Language::hlsl;
+  if (auto mistakes = readPrevious(module, files, hlsl, request.previous); !mistakes.empty())
+    files.fail(mistakes);
+  if (!request.fast) {
+    keepInside(module, report);
+    filterExactly(module);
+  }
+  layOut(module, hlsl);
+  const std::uint32_t guards = request.fast ? 0 : guardElements;
+  if (request.race == Race::record) recordWrites(module, hlsl, guards);
+  if (request.race == Race::check) {
+    checkAccesses(module, hlsl, guards, reporting);
+    checkShared(module, reporting);
+  }
+  reporting.complete(module);
+  bindResources(module);
+  Kernel kernel = reflected(module, unit.language);
+  describeGuards(kernel, request.fast);
+  kernel.places = reporting.places();
+  writeGlsl(module, kernel);
   kernel.name = unit.entry;
   kernel.line = unit.line;
   return kernel;
@@ -81,8 +131,28 @@ std::vector<std::string> heldKeywords(const Announcements& announced, const Requ
 
 }  // namespace
 
+namespace {
+
+/// The one kernel of a ShaderToy pass.
+Shader loadToy(Files& files, const Request& request) {
+  if (!isToy(files.text(0)))
+    fail(ExitCode::usage, "{} has no function mainImage(out vec4, in vec2)", request.file.string());
+  Unit unit{Language::glsl, "main", {}, 1};
+  unit.before = textBefore(request.pass);
+  unit.behind = textBehind(request.pass, request.upsideDown);
+  Shader shader;
+  shader.language = "GLSL";
+  shader.kernels.push_back(lowered(files, unit, request));
+  shader.kernels.back().name = request.pass;
+  for (const auto& path : files.read()) shader.files.push_back(path.string());
+  return shader;
+}
+
+}  // namespace
+
 Shader loadHere(const Request& request) {
   Files files(request.file, request.folders);
+  if (!request.pass.empty()) return loadToy(files, request);
   const Announcements announced = announcements(files);
   const std::vector<std::string> keywords = heldKeywords(announced, request);
   Shader shader;
@@ -92,7 +162,7 @@ Shader loadHere(const Request& request) {
     Unit unit{announced.language, one.name, one.defines, one.line};
     for (const std::string& keyword : keywords) unit.defines.emplace_back(keyword, "1");
     try {
-      shader.kernels.push_back(lowered(files, unit, request.fast));
+      shader.kernels.push_back(lowered(files, unit, request));
     } catch (const UserError&) {
       throw;
     } catch (const std::exception& error) {
@@ -103,6 +173,13 @@ Shader loadHere(const Request& request) {
   }
   for (const auto& path : files.read()) shader.files.push_back(path.string());
   return shader;
+}
+
+std::vector<std::string> kernelNames(const Request& request) {
+  const Files files(request.file, request.folders);
+  std::vector<std::string> names;
+  for (const Announced& kernel : announcements(files).kernels) names.push_back(kernel.name);
+  return names;
 }
 
 Shader load(const Request& request) {

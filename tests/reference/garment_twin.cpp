@@ -35,12 +35,12 @@ struct GarmentKernel : WindKernel {
   [[nodiscard]] uvec4 loadFieldCell(int i) const { return fieldCells[i]; }
   [[nodiscard]] int loadWallClass(int x, int y) const { return walls->classAt(x, y); }
   [[nodiscard]] float loadWallValue(int x, int y) const { return walls->valueAt(x, y); }
-#include "glsl/cloth/mesh/model.glsl"
 #include "glsl/cloth/thin.glsl"
 #include "glsl/collide/closest.glsl"
 #include "glsl/contour/model.glsl"
 #include "glsl/contour/wall_model.glsl"
 #include "glsl/fluid/wind_model.glsl"
+#include "glsl/garment/model.glsl"
 #include "glsl/mesh/height_model.glsl"
 };
 #undef precise

@@ -10,7 +10,7 @@
 
 #include <glm/vec4.hpp>
 
-/// Cloth of a mesh on the CPU: the kernels' own model (glsl/cloth/mesh compiled as C++) in plain loops.
+/// Cloth of a mesh on the CPU: the kernels' own model (glsl/garment compiled as C++) in plain loops.
 /// Equals the GPU bit for bit in exact mode.
 class GarmentTwin {
  public:

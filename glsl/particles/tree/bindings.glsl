@@ -1,4 +1,4 @@
-// Where the gravity tree's arrays are bound. Compiles as GLSL and as C++ (src/sim/particles/gravity_tree.cpp).
+// Where the gravity tree's arrays are bound.
 #ifndef TREE_BINDINGS
 #define TREE_BINDINGS
 

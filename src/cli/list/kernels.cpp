@@ -4,6 +4,12 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "cli/commands.hpp"
+#include "cli/list/kernel_scene.hpp"
+#include "cli/options/device_options.hpp"
+#include "gl/context.hpp"
+#include "scene/load.hpp"
+#include "sim/world/list.hpp"
+#include "sim/world/world.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -20,7 +26,11 @@ namespace {
 struct KernelsOptions {
   kernels::Request request;
   bool glsl = false;
+  bool scene = false;
+  std::string checked;  ///< scene whose dispatches are searched for races
+  gl::ContextOptions on;
   std::string format = "text";
+  std::string race;
 };
 
 std::string typed(const kernels::Member& member) {
@@ -80,6 +90,7 @@ std::string described(const kernels::Kernel& kernel) {
 std::string listed(const kernels::Shader& shader, const KernelsOptions& o) {
   if (o.format == "json") return kernels::toJson(shader, 2) + "\n";
   std::string out;
+  if (o.scene) return sceneOf(shader, o.request.file);
   if (o.glsl) {
     for (const kernels::Kernel& kernel : shader.kernels)
       out += shader.kernels.size() == 1 ? kernel.glsl
@@ -90,6 +101,23 @@ std::string listed(const kernels::Shader& shader, const KernelsOptions& o) {
     out += fmt::format("keywords {}: {} unless --keyword says otherwise\n", fmt::join(list, ", "), list[0]);
   for (const kernels::Kernel& kernel : shader.kernels) out += described(kernel);
   return out;
+}
+
+/// Prints the races of a scene's kernels.
+void checkRaces(const KernelsOptions& o) {
+  const scene::Scene scene = scene::loadScene(o.checked, {}, sim::kinds());
+  const gl::Context context(o.on);
+  sim::World world(scene);
+  world.advanceTo(0);
+  const std::vector<std::string> found = world.races();
+  std::string lines;
+  for (const std::string& line : found) lines += line + "\n";
+  printText(lines);
+  if (!found.empty())
+    fail(ExitCode::different, "{}: {} place{} of its kernels race{}", o.checked, found.size(),
+         found.size() == 1 ? "" : "s", found.size() == 1 ? "s" : "");
+  info("simreel: {}: no kernel reads or writes what another invocation of the same dispatch writes",
+       o.checked);
 }
 
 }  // namespace
@@ -103,7 +131,22 @@ void addKernels(CLI::App& app) {
   command->add_option("--kernel", o->request.kernels, "Only this kernel; may be given again")
       ->type_name("NAME");
   command->add_flag("--glsl", o->glsl, "Print the GLSL 4.5 that runs, with the same bits on every driver");
+  command->add_flag("--scene", o->scene,
+                    "Print a scene that runs the kernels, to start from: sizes and values are guesses");
   command->add_flag("--fast", o->request.fast, "With the driver's own arithmetic, as the file is written");
+  command->add_flag("--report", o->request.report,
+                    "With the code that notes reads and writes out of bounds, and loops at their limit");
+  command
+      ->add_option("--previous", o->request.previous,
+                   "A buffer that kernels read as it was before the dispatch; may be given again")
+      ->type_name("NAME");
+  command
+      ->add_option("--race", o->race,
+                   "With the code that records which invocation changes each word (record), or that "
+                   "compares accesses with such a record (check)")
+      ->check(CLI::IsMember({"record", "check"}));
+  command->add_option("--max-iterations", o->request.maxIterations,
+                      "Of a loop, which then ends (default 0: no limit)");
   command
       ->add_option("-I", o->request.folders,
                    "A folder that #include may read, beside the file's own; may be given again")
@@ -115,7 +158,17 @@ void addKernels(CLI::App& app) {
       ->type_name("NAME");
   command->add_option("--format", o->format, "text (the default) or json")
       ->check(CLI::IsMember({"text", "json"}));
-  command->callback([o] { printText(listed(kernels::load(o->request), *o)); });
+  command
+      ->add_option("--check", o->checked,
+                   "Search the dispatches of this scene's first steps for races, and print them")
+      ->type_name("SCENE");
+  addDevice(*command, o->on);
+  command->callback([o] {
+    if (!o->checked.empty()) return checkRaces(*o);
+    if (o->race == "record") o->request.race = kernels::Race::record;
+    if (o->race == "check") o->request.race = kernels::Race::check;
+    printText(listed(kernels::load(o->request), *o));
+  });
 }
 
 }  // namespace simreel::cli

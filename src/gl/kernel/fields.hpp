@@ -61,16 +61,18 @@ struct Uniform : GivenNumber {
 
 template <Name label, std::size_t index>
 consteval auto elementName() {
-  static_assert(index < 10);
-  constexpr std::size_t length = sizeof(label.text) - 1;
-  Name<length + 4> name;
+  static_assert(index < 100);
+  constexpr std::size_t length = sizeof(label.text) - 1, digits = index < 10 ? 1 : 2;
+  Name<length + digits + 3> name;
   std::copy_n(label.text, length, name.text);
-  std::copy_n("[0]", 3, name.text + length);
-  name.text[length + 1] = static_cast<char>('0' + index);
+  name.text[length] = '[';
+  if (digits == 2) name.text[length + 1] = static_cast<char>('0' + index / 10);
+  name.text[length + digits] = static_cast<char>('0' + index % 10);
+  name.text[length + digits + 1] = ']';
   return name;
 }
 
-/// The elements of a uniform array, up to ten, or the first of them.
+/// The elements of a uniform array, up to a hundred, or the first of them.
 template <Name label, class T, std::size_t... indices>
 struct UniformElements {
   using Field = void;
@@ -183,6 +185,9 @@ struct Choice {
   [[nodiscard]] int key() const { return value; }
   int value = std::array{values...}[0];
 };
+/// Defined as 0 or 1.
+template <Name label>
+using Switch = Choice<label, 0, 1>;
 
 /// A whole number of a range, of which tools compile both ends. Left out, it is not defined.
 template <Name label, int least, int most>

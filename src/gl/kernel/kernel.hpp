@@ -146,9 +146,9 @@ class Kernel {
  private:
   template <class Run>
   static void run(const Interface& given, const Run& dispatch) {
-    constexpr std::size_t most = 96;
-    std::array<const GivenNumber*, most> numbers{};
-    std::array<const Resource*, most> memories{};
+    constexpr std::size_t most = 128;
+    std::array<const GivenNumber*, most> numbers;  // NOLINT(*-member-init): filled as far as it is read
+    std::array<const Resource*, most> memories;    // NOLINT(*-member-init)
     std::size_t numberCount = 0, memoryCount = 0;
     visitFields(given, [&](const auto& field) {
       if constexpr (std::is_base_of_v<Resource, std::remove_cvref_t<decltype(field)>>)

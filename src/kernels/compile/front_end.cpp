@@ -100,7 +100,7 @@ std::string preamble(const Unit& unit) {
   std::string text =
       unit.language == Language::hlsl ? unityNames : "#extension GL_GOOGLE_include_directive : enable\n";
   for (const auto& [name, value] : unit.defines) text += fmt::format("#define {} {}\n", name, value);
-  return text;
+  return text + unit.before;
 }
 
 /// A shader, and a program with it: glslang wants the program destroyed first.
@@ -137,7 +137,7 @@ std::vector<std::uint32_t> compiledAs(Files& files, const Unit& unit, bool renam
   const std::string before = preamble(unit);
   const std::string name = "0";
   const bool hlsl = unit.language == Language::hlsl;
-  std::string whole = files.text(0);
+  std::string whole = files.text(0) + unit.behind;
   const std::string entry = hlsl ? entryName(whole, unit.entry, renamed) : "main";
   const char* text = whole.data();
   const int length = static_cast<int>(whole.size());

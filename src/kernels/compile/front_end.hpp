@@ -14,7 +14,9 @@ struct Unit {
   Language language = Language::hlsl;
   std::string entry = "main";
   std::vector<std::pair<std::string, std::string>> defines;
-  int line = 1;  ///< where the file announces it
+  int line = 1;             ///< where the file announces it
+  std::string before = {};  ///< text in front of the file, which counts no lines
+  std::string behind = {};  ///< and after it
 };
 
 /// SPIR-V 1.3 as the front end makes it, unoptimized, with the lines of the first file and of what it

@@ -1,9 +1,13 @@
 #include "kernels/exact/bounds.hpp"
 
+#include "kernels/exact/texels.hpp"
 #include "kernels/spirv/resource.hpp"
+#include "kernels/spirv/writing.hpp"
 
 #include <GLSL.std.450.h>
 #include <algorithm>
+#include <span>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -26,20 +30,38 @@ struct Guarded {
 
 class Bounds {
  public:
-  explicit Bounds(Module& module) : module_(module), set_(module.extendedSet()) {}
+  Bounds(Module& module, Report* report) : module_(module), set_(module.extendedSet()), report_(report) {}
 
   void run() {
     enlargeShared();
     std::vector<Instruction> body = std::move(module_.body);
     module_.body.clear();
     for (const Instruction& one : body) noteUse(one);
-    for (Instruction& one : body) place(one);
-    if (queries_)
-      module_.head.insert(module_.head.begin(), {SpvOpCapability, 0, 0, {SpvCapabilityImageQuery}});
+    for (Instruction& one : body) {
+      if (report_ != nullptr) at_.follow(module_, report_->files(), one);
+      place(one);
+    }
     module_.index();
   }
 
  private:
+  struct Use {
+    bool reads = false, writes = false;
+  };
+  /// An index that is compared with a length.
+  struct Checked {
+    std::size_t at;
+    Id inside, index;
+  };
+  /// A chain's indices.
+  struct Walk {
+    Words held;                    ///< those that lead inside, apart from that of a buffer's elements
+    std::vector<Checked> checked;  ///< those that are no constants
+    Id inside;                     ///< whether those in `held` led there already; 0 where all are constants
+    Id length, runtime, among;  ///< of a buffer: its length, the index of an element, whether it is below
+    std::size_t runtimeAt;
+  };
+
   Id emit(SpvOp op, Id type, Words operands) {
     const Id made = module_.fresh();
     module_.noteType(made, type);
@@ -62,15 +84,8 @@ class Bounds {
     const SpvOp op = typeMaking(type).op;
     return op == SpvOpTypeFloat || op == SpvOpTypeInt || op == SpvOpTypeBool || op == SpvOpTypeVector;
   }
-  /// `a` where the condition holds, `b` elsewhere; `result`: an id that is there already.
   Id select(Id condition, Id type, Id a, Id b, Id result = 0) {
-    if (const Instruction made = typeMaking(type); made.op == SpvOpTypeVector) {
-      const Id wide = module_.vectorType(module_.boolType(), made.operands[1]);
-      condition = emit(SpvOpCompositeConstruct, wide, Words(made.operands[1], condition));
-    }
-    if (result == 0) return emit(SpvOpSelect, type, {condition, a, b});
-    module_.body.push_back({SpvOpSelect, type, result, {condition, a, b}});
-    return result;
+    return Writing(module_, module_.body).select(condition, type, a, b, result);
   }
 
   /// Arrays in shared memory get an element that takes dropped writes, while there is room.
@@ -167,8 +182,6 @@ class Bounds {
       case SpvOpVectorExtractDynamic:
       case SpvOpVectorInsertDynamic:
         return component(one);
-      case SpvOpImageFetch:
-        return fetch(one);
       default:
         break;
     }
@@ -192,12 +205,10 @@ class Bounds {
     }
   }
 
-  /// The chain with indices that lead inside; false where all are constants.
-  bool guard(const Instruction& one, const Chain& flat) {
+  /// Compares the indices of a chain that are no constants with their lengths.
+  Walk walk(const Chain& flat) {
+    Walk found{flat.indices, {}, 0, 0, 0, 0, 0};
     Id type = typeMaking(module_.typeOf(flat.base)).operands[1];
-    Words held = flat.indices;
-    Id inside = 0, length = 0, runtime = 0;
-    std::size_t runtimeAt = 0, dynamic = 0;
     for (std::size_t i = 0; i < flat.indices.size(); ++i) {
       const Instruction made = typeMaking(type);
       const auto constant = module_.constant(flat.indices[i]);
@@ -208,55 +219,75 @@ class Bounds {
       if (made.op == SpvOpTypeRuntimeArray) {
         const Id whole =
             emit(SpvOpArrayLength, module_.uintType(), {flat.base, *module_.constant(flat.indices[i - 1])});
-        length = emit(SpvOpISub, module_.uintType(), {whole, module_.uintConstant(guardElements)});
-        runtime = asUint(flat.indices[i]);
-        runtimeAt = i;
-        ++dynamic;
+        found.length = emit(SpvOpISub, module_.uintType(), {whole, module_.uintConstant(guardElements)});
+        found.runtime = asUint(flat.indices[i]);
+        found.runtimeAt = i;
+        found.among = emit(SpvOpULessThan, module_.boolType(), {found.runtime, found.length});
+        found.checked.push_back({i, found.among, found.runtime});
       } else if (!constant) {
         std::uint32_t count =
             made.op == SpvOpTypeArray ? module_.constant(made.operands[1]).value_or(1) : made.operands[1];
         if (const auto enlarged = shared_.find(flat.base); enlarged != shared_.end() && i == 0)
           count = enlarged->second;
         const Id index = asUint(flat.indices[i]);
-        inside =
-            both(inside, emit(SpvOpULessThan, module_.boolType(), {index, module_.uintConstant(count)}));
-        held[i] = least(index, module_.uintConstant(count - 1));
-        ++dynamic;
+        const Id below = emit(SpvOpULessThan, module_.boolType(), {index, module_.uintConstant(count)});
+        found.inside = both(found.inside, below);
+        found.held[i] = least(index, module_.uintConstant(count - 1));
+        found.checked.push_back({i, below, index});
       }
       type = made.operands[0];
     }
-    if (dynamic == 0) return false;
+    return found;
+  }
+
+  Id append(const Instruction& one, Id result, Id base, const Words& indices) {
+    Words operands = {base};
+    operands.insert(operands.end(), indices.begin(), indices.end());
+    module_.noteType(result, one.type);
+    module_.body.push_back({SpvOpAccessChain, one.type, result, std::move(operands)});
+    return result;
+  }
+
+  /// The chain with indices that lead inside; false where all are constants.
+  bool guard(const Instruction& one, const Chain& flat) {
+    Walk found = walk(flat);
+    if (found.checked.empty()) return false;
     const Use use = uses_[one.result];
+    for (const Checked& index : found.checked) note(index, flat, use);
+    const Id inside = found.inside, number = module_.uintType();
     Guarded made{inside, inside, 0, false};
-    const auto append = [&](Id result, const Words& indices) {
-      Words operands = {flat.base};
-      operands.insert(operands.end(), indices.begin(), indices.end());
-      module_.noteType(result, one.type);
-      module_.body.push_back({SpvOpAccessChain, one.type, result, std::move(operands)});
-      return result;
-    };
-    if (runtime != 0) {
-      const Id among = emit(SpvOpULessThan, module_.boolType(), {runtime, length});
-      const Id all = both(inside, among);
+    if (found.runtime != 0) {
+      const Id all = both(inside, found.among);
       made = {0, all, 0, true};
       if (use.writes) {
-        Words writes = held;
-        const Id last = emit(SpvOpIAdd, module_.uintType(), {length, module_.uintConstant(1)});
-        writes[runtimeAt] = select(all, module_.uintType(), runtime, last);
-        made.write = append(module_.fresh(), writes);
+        Words writes = found.held;
+        const Id last = emit(SpvOpIAdd, number, {found.length, module_.uintConstant(1)});
+        writes[found.runtimeAt] = select(all, number, found.runtime, last);
+        made.write = append(one, module_.fresh(), flat.base, writes);
       }
-      held[runtimeAt] =
-          inside == 0 ? least(runtime, length) : select(all, module_.uintType(), runtime, length);
+      found.held[found.runtimeAt] = inside == 0 ? least(found.runtime, found.length)
+                                                : select(all, number, found.runtime, found.length);
     } else if (use.writes && shared_.contains(flat.base) && !module_.constant(flat.indices[0])) {
-      Words writes = held;
-      writes[0] = select(inside, module_.uintType(), held[0], module_.uintConstant(shared_[flat.base]));
-      made.write = append(module_.fresh(), writes);
+      Words writes = found.held;
+      writes[0] = select(inside, number, found.held[0], module_.uintConstant(shared_[flat.base]));
+      made.write = append(one, module_.fresh(), flat.base, writes);
       made.drops = true;
     }
-    if (use.reads || made.write == 0) append(one.result, held);
+    if (use.reads || made.write == 0) append(one, one.result, flat.base, found.held);
     if (made.write == 0) made.write = one.result;
     guarded_[one.result] = made;
     return true;
+  }
+
+  /// Notes an index outside, in code of the user's.
+  void note(const Checked& index, const Chain& flat, const Use& use) {
+    if (report_ == nullptr || at_.line == 0) return;
+    const std::string name = indexedName(module_, flat.base, std::span(flat.indices).first(index.at + 1));
+    note(index.inside, use.writes ? "write" : "read", name, index.index);
+  }
+  void note(Id inside, const char* kind, const std::string& name, Id index) {
+    if (report_ != nullptr && at_.line != 0)
+      report_->note(module_, module_.body, inside, report_->place(kind, name, at_), index, index);
   }
 
   const Guarded* guardedBy(Id pointer) const {
@@ -311,42 +342,16 @@ class Bounds {
     }
     const Id index = asUint(one.operands[at]), vector = one.operands[0];
     const Id inside = emit(SpvOpULessThan, module_.boolType(), {index, module_.uintConstant(count)});
+    note(inside, insert ? "write" : "read", "a vector", index);
     one.operands[at] = least(index, module_.uintConstant(count - 1));
     const Id made = emit(one.op, one.type, one.operands);
     select(inside, one.type, made, insert ? vector : zero(one.type), one.result);
   }
 
-  /// A texel beyond the picture is zero; OpenGL says so of images only.
-  void fetch(Instruction& one) {
-    const Id image = one.operands[0], at = one.operands[1];
-    const Instruction type = typeMaking(module_.typeOf(image));
-    const bool hasLod = one.operands.size() > 3 && (one.operands[2] & SpvImageOperandsLodMask) != 0;
-    if (type.operands[4] == 1 || (type.operands[1] != SpvDimBuffer && !hasLod)) {
-      module_.body.push_back(std::move(one));
-      return;
-    }
-    const Instruction shape = typeMaking(module_.typeOf(at));
-    const std::uint32_t length = shape.op == SpvOpTypeVector ? shape.operands[1] : 1;
-    const Id whole = module_.globalOf(SpvOpTypeInt, 0, {32, 1}), sizes = module_.vectorType(whole, length);
-    const Id places = module_.vectorType(module_.uintType(), length),
-             flags = module_.vectorType(module_.boolType(), length);
-    const Id size = hasLod ? emit(SpvOpImageQuerySizeLod, sizes, {image, one.operands[3]})
-                           : emit(SpvOpImageQuerySize, sizes, {image});
-    const Id place = module_.typeOf(at) == places ? at : emit(SpvOpBitcast, places, {at});
-    const Id below = emit(SpvOpULessThan, flags, {place, emit(SpvOpBitcast, places, {size})});
-    const Id inside = length == 1 ? below : emit(SpvOpAll, module_.boolType(), {below});
-    one.operands[1] = select(inside, module_.typeOf(at), at, zero(module_.typeOf(at)));
-    const Id texel = emit(SpvOpImageFetch, one.type, one.operands);
-    select(inside, one.type, texel, zero(one.type), one.result);
-    queries_ = true;
-  }
-
   Module& module_;
   Id set_;
-  bool queries_ = false;
-  struct Use {
-    bool reads = false, writes = false;
-  };
+  Report* report_;
+  Position at_;
 
   std::unordered_map<Id, Use> uses_;
   std::unordered_map<Id, Chain> chains_;
@@ -357,8 +362,9 @@ class Bounds {
 
 }  // namespace
 
-void keepInside(Module& module) {
-  Bounds(module).run();
+void keepInside(Module& module, Report* report) {
+  Bounds(module, report).run();
+  keepTexelsInside(module, report);
 }
 
 }  // namespace simreel::kernels

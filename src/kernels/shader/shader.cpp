@@ -4,12 +4,15 @@
 
 namespace simreel::kernels {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Member, name, type, offset, bytes, array, stride, members)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Buffer, name, binding, reads, writes, counterOf, guards, members)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Member, name, type, offset, bytes, array, stride, members, used)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Buffer, name, binding, reads, writes, counterOf, previousOf, shadowOf,
+                                   shadowWords, guards, members)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Texture, name, type, values, format, sampler, uniform, binding, reads,
                                    writes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Block, name, binding, bytes, members)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Kernel, name, line, threads, buffers, textures, blocks, glsl)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Place, kind, what, part, file, line)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Kernel, name, line, threads, buffers, textures, blocks, report, places,
+                                   glsl)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Shader, language, keywords, kernels, files)
 
 std::string Kernel::body() const {

@@ -15,6 +15,7 @@ struct Member {
   std::vector<std::size_t> array;  ///< lengths, the outer one first; 0 is as many as the buffer has
   std::size_t stride = 0;          ///< from element to element of an array
   std::vector<Member> members;     ///< of a struct
+  bool used = true;                ///< of a block: the kernel reads it
 };
 
 /// A storage buffer. In HLSL its one member is an array of its elements.
@@ -22,7 +23,12 @@ struct Buffer {
   std::string name;
   int binding = 0;
   bool reads = false, writes = false;
-  std::string counterOf;  ///< the append or consume buffer whose counter this is
+  std::string counterOf;   ///< the append or consume buffer whose counter this is
+  std::string previousOf;  ///< the buffer whose state before the dispatch this has to hold
+  /// The buffer or image whose shadow this is: `shadowWords` words for each word of the buffer, with its
+  /// guards, or for each texel of the image; zeros before the run that records.
+  std::string shadowOf;
+  int shadowWords = 0;
   int guards =
       0;  ///< elements that the buffer has beyond its length: one of zeros, one that takes what is dropped
   std::vector<Member> members;
@@ -48,6 +54,31 @@ struct Block {
   std::vector<Member> members;
 };
 
+/// A place in a kernel where an invocation can go wrong. The block `Kernel::report` has four words for
+/// each place, in the order of `Kernel::places`:
+///
+///   0  number of invocations whose first fault is here (uint)            initially 0
+///   1  the lowest of these invocations, x first, then y, then z (uint)   0xFFFFFFFF
+///   2  the lowest index (int); loop: iterations                          INT_MAX
+///   3  the highest index (int)                                           INT_MIN
+///
+/// Of races, word 1 is the invocation that reads or writes, word 2 the lowest of the other invocations that
+/// changed what it reads or stored another value, word 3 the highest index of an element; of an image that
+/// is x + width * (y + height * z).
+/// None depends on the order of invocations. To learn the indices of the invocation in word 1, run the
+/// dispatch again from the same state with word 0 set to 0x80000000, word 1 kept, 2 and 3 as initially.
+struct Place {
+  std::string kind;  ///< "read" or "write" out of bounds; "loop" that reached the limit; "race-read",
+                     ///< "race-write" of what another invocation changes
+  std::string what;  ///< the buffer, texture, array or struct member that the index is of, as the user
+                     ///< named it; empty for loops
+  std::string
+      part;  ///< out of bounds of a texture: the axis, "x", "y" or "z"; race: the member of the element
+  std::string file;  ///< as messages name it
+  int line = 0;
+  bool operator==(const Place&) const = default;
+};
+
 struct Kernel {
   std::string name;
   int line = 0;                                 ///< that announces it
@@ -55,6 +86,8 @@ struct Kernel {
   std::vector<Buffer> buffers;
   std::vector<Texture> textures;
   std::vector<Block> blocks;
+  int report = -1;  ///< the binding of the storage block of reports; -1: none
+  std::vector<Place> places;
   std::string glsl;  ///< GLSL 4.5 with "#version"; loadShaderText() wants body()
   /// The text without the line "#version", which the loader of shaders writes itself.
   [[nodiscard]] std::string body() const;

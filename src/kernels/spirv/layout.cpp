@@ -117,6 +117,15 @@ void withoutPushConstants(Module& module) {
 
 void layOut(Module& module, bool hlsl) {
   withoutPushConstants(module);
+  const std::vector<Instruction> globals = module.globals;
+  for (const Instruction& one : globals) {
+    const Resource kind = resourceOf(module, one);
+    if (kind == Resource::block || (kind == Resource::storage && hlsl))
+      Layout(module, kind == Resource::block).size(resourceType(module, one).result);
+  }
+}
+
+void bindResources(Module& module) {
   std::erase_if(module.decorations, [](const Instruction& one) {
     return one.op == SpvOpDecorate &&
            (one.operands[1] == SpvDecorationBinding || one.operands[1] == SpvDecorationDescriptorSet);
@@ -128,11 +137,9 @@ void layOut(Module& module, bool hlsl) {
     switch (resourceOf(module, one)) {
       case Resource::storage:
         next = &buffers;
-        if (hlsl) Layout(module, false).size(resourceType(module, one).result);
         break;
       case Resource::block:
         next = &blocks;
-        Layout(module, true).size(resourceType(module, one).result);
         break;
       case Resource::image:
         next = &images;

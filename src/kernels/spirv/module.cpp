@@ -223,6 +223,9 @@ Id Module::floatType() {
 Id Module::uintType() {
   return globalOf(SpvOpTypeInt, 0, {32, 0});
 }
+Id Module::intType() {
+  return globalOf(SpvOpTypeInt, 0, {32, 1});
+}
 Id Module::boolType() {
   return globalOf(SpvOpTypeBool, 0, {});
 }

@@ -54,6 +54,7 @@ class Module {
 
   Id floatType();
   Id uintType();
+  Id intType();
   Id boolType();
   Id vectorType(Id component, std::uint32_t length);
   Id uintConstant(std::uint32_t value);

@@ -25,4 +25,23 @@ Resource resourceOf(const Module& module, const Instruction& variable) {
   }
 }
 
+bool isArrayed(const Module& module, const Instruction& variable) {
+  return resourceType(module, variable).result != module.global(variable.type)->operands[1];
+}
+
+std::string blockName(const Module& module, Id variable, bool hlsl) {
+  const Id type = resourceType(module, *module.global(variable)).result;
+  const std::string name = module.name(hlsl ? variable : type);
+  return name.empty() ? module.name(hlsl ? type : variable) : name;
+}
+
+std::string bufferName(const Module& module, Id variable, bool hlsl) {
+  return plainName(blockName(module, variable, hlsl));
+}
+
+std::string plainName(const std::string& name) {
+  const std::size_t at = name.find('@');
+  return at == 0 ? name.substr(1) : name.substr(0, at);
+}
+
 }  // namespace simreel::kernels

@@ -30,12 +30,6 @@ const char* formatName(std::uint32_t format) {
   return format < std::size(names) ? names[format] : "";
 }
 
-/// A name without what glslang marks with @: "@data" of a buffer's elements, "_Found@count" of a counter.
-std::string plainName(const std::string& name) {
-  const std::size_t at = name.find('@');
-  return at == 0 ? name.substr(1) : name.substr(0, at);
-}
-
 class Reflecting {
  public:
   Reflecting(const Module& module, Language language)
@@ -130,6 +124,8 @@ class Reflecting {
 
 struct Use {
   bool reads = false, writes = false;
+  std::unordered_set<std::uint32_t> members;  ///< of a block, that the body names
+  bool whole = false;                         ///< it is used without a member's name
 };
 
 /// Uses of each variable in the body, followed through chains of pointers and loaded images.
@@ -144,6 +140,11 @@ std::unordered_map<Id, Use> uses(const Module& module) {
     switch (one.op) {
       case SpvOpAccessChain:
       case SpvOpInBoundsAccessChain:
+        if (one.operands.size() > 1)
+          if (const auto member = module.constant(one.operands[1]))
+            found[one.operands[0]].members.insert(*member);
+        from[one.result] = one.operands[0];
+        break;
       case SpvOpImageTexelPointer:
       case SpvOpCopyObject:
       case SpvOpSampledImage:
@@ -152,6 +153,7 @@ std::unordered_map<Id, Use> uses(const Module& module) {
         break;
       case SpvOpLoad:
         from[one.result] = one.operands[0];
+        found[one.operands[0]].whole = true;
         // of an image: what is done with it shows later
         if (const Instruction* type = module.global(one.type);
             type == nullptr || (type->op != SpvOpTypeImage && type->op != SpvOpTypeSampledImage))
@@ -170,7 +172,7 @@ std::unordered_map<Id, Use> uses(const Module& module) {
         for (std::size_t i = 1; i < one.operands.size(); ++i) {
           const Id variable = root(one.operands[i]);
           if (module.global(variable) != nullptr && module.global(variable)->op == SpvOpVariable)
-            found[variable] = {true, true};
+            found[variable] = {true, true, {}, true};
         }
         break;
       default:
@@ -184,14 +186,6 @@ std::unordered_map<Id, Use> uses(const Module& module) {
     }
   }
   return found;
-}
-
-/// In OpenGL a block is known by its type's name; buffers of HLSL may share a type, cbuffers have no
-/// variable's.
-std::string bufferName(const Module& module, Language language, Id variable, Id type) {
-  const std::string name = language == Language::hlsl ? module.name(variable) : module.name(type);
-  if (!name.empty()) return name;
-  return language == Language::hlsl ? module.name(type) : module.name(variable);
 }
 
 }  // namespace
@@ -221,18 +215,26 @@ Kernel reflected(const Module& module, Language language) {
     const int binding = static_cast<int>(module.decoration(one.result, SpvDecorationBinding).value_or(0));
     const Use use = used[one.result];
     if (resource == Resource::storage) {
-      const std::string name = bufferName(module, language, one.result, pointee);
-      Buffer buffer{plainName(name), binding, use.reads, use.writes, {}, 0, reflecting.members(pointee)};
+      const std::string name = blockName(module, one.result, language == Language::hlsl);
+      Buffer buffer;
+      buffer.name = plainName(name);
+      buffer.binding = binding;
+      buffer.reads = use.reads;
+      buffer.writes = use.writes;
+      buffer.members = reflecting.members(pointee);
       if (name.find("@count") != std::string::npos) {
         buffer.counterOf = buffer.name;
         buffer.name += ".counter";
       }
       kernel.buffers.push_back(std::move(buffer));
     } else if (resource == Resource::block) {
-      std::string name = bufferName(module, language, one.result, pointee);
+      std::string name = blockName(module, one.result, language == Language::hlsl);
       if (name.starts_with('$') || name == "gl_DefaultUniformBlock") name.clear();
-      kernel.blocks.push_back({name, binding, (reflecting.bytes(pointee, false, 16) + 15) / 16 * 16,
-                               reflecting.members(pointee)});
+      std::vector<Member> members = reflecting.members(pointee);
+      for (std::uint32_t i = 0; i < members.size(); ++i)
+        members[i].used = use.whole || use.members.contains(i);
+      kernel.blocks.push_back(
+          {name, binding, (reflecting.bytes(pointee, false, 16) + 15) / 16 * 16, std::move(members)});
     } else if (resource == Resource::image) {
       Texture image;
       image.name = image.uniform = module.name(one.result);

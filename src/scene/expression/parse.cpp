@@ -19,7 +19,7 @@ using ExpressionNode = ExpressionTree::Node;
 
 class Parser {
  public:
-  explicit Parser(std::string_view text) : text_(text) {
+  Parser(std::string_view text, std::span<const char* const> lookups) : text_(text), lookups_(lookups) {
     if (text.size() > maxExpressionBytes)
       throw ExpressionMistake{
           0, 1,
@@ -222,6 +222,7 @@ class Parser {
     const auto function = std::find_if(functions.begin(), functions.end(),
                                        [&](const ExpressionFunction& f) { return name == f.name; });
     if (take("(")) {
+      if (std::find(lookups_.begin(), lookups_.end(), name) != lookups_.end()) return lookup(name, begin);
       if (function == functions.end()) unknownFunction(name, begin, end);
       return call(*function, begin, end);
     }
@@ -233,6 +234,21 @@ class Parser {
     node.name = name;
     node.begin = begin;
     node.end = end;
+    return add(std::move(node));
+  }
+
+  /// A call of a function of a name, behind its (.
+  int lookup(const std::string& function, std::size_t begin) {
+    std::size_t end = at_;
+    while (end < text_.size() && (isWord(text_[end]) || text_[end] == '.')) ++end;
+    ExpressionNode node;
+    node.operation = Operation::name;
+    node.name = fmt::format("{}({})", function, text_.substr(at_, end - at_));
+    at_ = end;
+    skipSpace();
+    if (!take(")")) fail(begin, at_ + 1, fmt::format("\"{0}\" takes one name: {0}(NAME)", function));
+    node.begin = begin;
+    node.end = at_;
     return add(std::move(node));
   }
 
@@ -303,6 +319,7 @@ class Parser {
   };
 
   std::string_view text_;
+  std::span<const char* const> lookups_;
   std::size_t at_ = 0;
   int depth_ = 0;
   ExpressionTree tree_;
@@ -310,8 +327,8 @@ class Parser {
 
 }  // namespace
 
-ExpressionTree parseExpression(std::string_view text) {
-  return Parser(text).whole();
+ExpressionTree parseExpression(std::string_view text, std::span<const char* const> lookups) {
+  return Parser(text, lookups).whole();
 }
 
 }  // namespace simreel::scene

@@ -93,6 +93,9 @@ inline constexpr int maxExpressionDepth = 64;  ///< of parentheses, signs and po
 
 /// Parses sums, products, powers (a^b, from right to left, before the sign: -a^2 = -(a^2)), comparisons,
 /// and, or, not, calls of expressionFunctions(), numbers and names. Throws ExpressionMistake.
-[[nodiscard]] ExpressionTree parseExpression(std::string_view text);
+///
+/// `lookups`: functions of a name, such as count(_Points): each call is a name node "count(_Points)".
+[[nodiscard]] ExpressionTree parseExpression(std::string_view text,
+                                             std::span<const char* const> lookups = {});
 
 }  // namespace simreel::scene

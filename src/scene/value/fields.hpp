@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/value/animated.hpp"
+#include "scene/value/formula.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -33,9 +34,10 @@ inline constexpr Range anyNumber{-1e9, 1e9};
 /// What a field holds: the member of a parameter struct. An int with words is the index of one of them, or
 /// -1 where none applies unless one is given; a std::vector<int> with words some of them. Where the first
 /// words are "false" and "true", a scene says those two without quotes.
-using Member = std::variant<bool*, int*, float*, double*, std::string*, std::filesystem::path*, glm::vec3*,
-                            glm::ivec2*, Animated<float>*, Animated<glm::vec3>*, std::optional<int>*,
-                            std::optional<double>*, std::vector<int>*, std::vector<glm::ivec2>*>;
+using Member =
+    std::variant<bool*, int*, float*, double*, std::string*, std::filesystem::path*, glm::vec3*,
+                 glm::ivec2*, Animated<float>*, Animated<glm::vec3>*, std::optional<int>*,
+                 std::optional<double>*, std::vector<int>*, std::vector<glm::ivec2>*, Formula*, Formulas*>;
 
 /// What is said of a field beside its name.
 struct Spec {
@@ -77,7 +79,7 @@ class Fields {
   /// What the field declared next was called before: still read, with a warning that says the name.
   virtual void formerly(const char* /*old*/, const char* /*name*/) {}
   /// The group declared next may be given as one word, which is the value of its field `field` then. Of
-  /// groups under names each may be given as that value: a word, a number, keyframes.
+  /// groups under names, and of lists, each may be given as that value: a word, a number, keyframes.
   virtual void shorthand(const char* /*group*/, const char* /*field*/) {}
   /// The optional group declared next may be given as true, which is the group without fields, or false.
   virtual void switchable(const char* /*group*/) {}
@@ -158,6 +160,12 @@ class Fields {
               const char* doc) {
     field(name, &value, {doc, "", {}, words});
   }
+  /// A value of one or more components: numbers, expressions, or numbers that move.
+  void formula(const char* name, Formula& value, const char* unit, const char* doc) {
+    field(name, &value, {doc, unit});
+  }
+  /// The same under names that the scene chooses, or one without a name.
+  void formulas(const char* name, Formulas& value, const char* doc) { field(name, &value, {doc}); }
   /// A file of the scene's folder or the asset folder; the value becomes its full path. Empty: none.
   void asset(const char* name, std::filesystem::path& value, const char* doc) {
     field(name, &value, {doc});

@@ -27,6 +27,8 @@ std::string rangeOf(const Member& member, const Spec& spec) {
   if (std::holds_alternative<bool*>(member)) return "true, false";
   if (std::holds_alternative<std::string*>(member)) return "text";
   if (std::holds_alternative<std::filesystem::path*>(member)) return "file";
+  if (std::holds_alternative<Formula*>(member)) return "numbers, expressions";
+  if (std::holds_alternative<Formulas*>(member)) return "numbers, expressions, by name";
   const bool several = std::holds_alternative<std::vector<int>*>(member);
   if (!spec.words.empty())
     return fmt::format("{}{}", several ? "some of " : "", fmt::join(spec.words, ", "));
@@ -36,7 +38,7 @@ std::string rangeOf(const Member& member, const Spec& spec) {
 
 bool mayMove(const Member& member) {
   return std::holds_alternative<Animated<float>*>(member) ||
-         std::holds_alternative<Animated<glm::vec3>*>(member);
+         std::holds_alternative<Animated<glm::vec3>*>(member) || std::holds_alternative<Formula*>(member);
 }
 
 }  // namespace
@@ -88,8 +90,11 @@ void HelpWriter::listOf(const char* name, const char* doc, std::size_t maxItems,
   const nlohmann::ordered_json standard = standardItems(items, resize, describe);
   constexpr std::size_t widest = 30;  // the schema has longer ones
   const std::string text = standard.dump();
+  const auto value = shorthands_.find(name);
   add(name, text.size() <= widest ? text : fmt::format("{} items", standard.size()),
-      fmt::format("up to {}", maxItems), "", doc);
+      fmt::format("up to {}", maxItems), "",
+      value == shorthands_.end() ? doc
+                                 : fmt::format("{} A value alone is its \"{}\".", doc, value->second));
   rows_.back().group = true;
   if (!expandGroups_) return;
   const std::string outer = prefix_;

@@ -5,6 +5,7 @@
 #include "scene/value/value_reader.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -96,6 +97,19 @@ class MemberReader {
     }
   }
 
+  void operator()(Formula* value) const {
+    if (auto read = formula(node_)) *value = std::move(*read);
+  }
+  void operator()(Formulas* values) const {
+    values->list.clear();
+    if (node_.kind != Node::Kind::object || node_.find("keys") != nullptr) {
+      if (auto read = formula(node_)) values->list.push_back({"", std::move(*read)});
+      return;
+    }
+    for (const Node& one : node_.children)
+      if (auto read = formula(one)) values->list.push_back({one.key, std::move(*read)});
+  }
+
   void operator()(std::vector<glm::ivec2>* values) const {
     if (!one_.isList(node_, "a list of pairs [[a, b], ...]")) return;
     values->clear();
@@ -104,6 +118,62 @@ class MemberReader {
   }
 
  private:
+  /// Numbers and expressions, in lists or alone, or keyframes of up to four numbers.
+  [[nodiscard]] std::optional<Formula> formula(const Node& node) const {
+    Formula value;
+    if (node.kind == Node::Kind::object) {
+      Animated<glm::vec4> moving;
+      const std::size_t errorsBefore = context_.diagnostics.count();
+      animated(moving, node, [&](const Node& part) { return upToFour(part, value.width); });
+      if (context_.diagnostics.count() != errorsBefore) return std::nullopt;
+      value.moving = std::move(moving);
+      return value;
+    }
+    if (!addParts(value, node)) return std::nullopt;
+    return value;
+  }
+  bool addParts(Formula& value, const Node& node) const {
+    if (node.kind == Node::Kind::list) {
+      for (const Node& part : node.children)
+        if (!addParts(value, part)) return false;
+      if (node.children.empty()) context_.diagnostics.add(node.place(), "expected numbers or expressions");
+      return !node.children.empty();
+    }
+    if (value.parts.size() == maxFormulaParts) {
+      context_.diagnostics.add(node.place(),
+                               fmt::format("a value has at most {} numbers", maxFormulaParts));
+      return false;
+    }
+    if (node.kind == Node::Kind::text) {
+      value.parts.push_back({0, node.text});
+    } else if (node.kind == Node::Kind::boolean) {
+      value.parts.push_back({node.boolean ? 1.0 : 0.0});
+    } else {
+      if (!one_.expect(node, Node::Kind::number, "a number or an expression")) return false;
+      value.parts.push_back({node.number});
+    }
+    return true;
+  }
+  /// A number or a list of two to four; all keyframes of one value have as many.
+  std::optional<glm::vec4> upToFour(const Node& node, int& width) const {
+    const bool list = node.kind == Node::Kind::list;
+    const std::size_t count = list ? node.children.size() : 1;
+    if (count < 1 || count > 4 || (width != 0 && width != static_cast<int>(count))) {
+      context_.diagnostics.add(
+          node.place(), width == 0 ? "expected a number or a list of up to four numbers"
+                                   : fmt::format("expected {} numbers, as in the keyframe before", width));
+      return std::nullopt;
+    }
+    width = static_cast<int>(count);
+    glm::vec4 numbers(0);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto read = one_.number(list ? node.children[i] : node);
+      if (!read) return std::nullopt;
+      numbers[static_cast<int>(i)] = static_cast<float>(*read);
+    }
+    return numbers;
+  }
+
   [[nodiscard]] std::optional<int> whole(const Node& node) const {
     return spec_.words.empty() ? one_.integer(node) : one_.oneOf(node, spec_.words);
   }
@@ -116,18 +186,22 @@ class MemberReader {
   /// A plain value, or {"keys": [[time, value], ...], "ease": "linear"}.
   template <class T, class ReadOne>
   void animated(Animated<T>& value, ReadOne readOne) const {
-    if (node_.kind != Node::Kind::object) {
-      if (const auto constant = readOne(node_)) value = Animated<T>(T(*constant));
+    animated(value, node_, readOne);
+  }
+  template <class T, class ReadOne>
+  void animated(Animated<T>& value, const Node& node, ReadOne readOne) const {
+    if (node.kind != Node::Kind::object) {
+      if (const auto constant = readOne(node)) value = Animated<T>(T(*constant));
       return;
     }
     const std::size_t errorsBefore = context_.diagnostics.count();
     std::vector<typename Animated<T>::Key> keys;
     int ease = 0;
-    Reader::readObject(node_, context_, [&](Reader& fields) {
+    Reader::readObject(node, context_, [&](Reader& fields) {
       const Node* list = fields.take("keys");
       fields.oneOf("ease", ease, {easeWords.begin(), easeWords.end()}, "");
       if (list == nullptr) {
-        context_.diagnostics.add(node_.headPlace(), "keyframes need \"keys\": [[time, value], ...]");
+        context_.diagnostics.add(node.headPlace(), "keyframes need \"keys\": [[time, value], ...]");
       } else if (list->kind != Node::Kind::list || list->children.empty()) {
         context_.diagnostics.add(list->place(), "expected at least one keyframe, [[time, value], ...]");
       } else {
@@ -171,6 +245,15 @@ Node spelledOut(const Node& word, const std::string& field) {
 /// Whether what stands for a named group is the value of one of its fields.
 bool isValue(const Node& node) {
   return node.kind != Node::Kind::object || node.find("keys") != nullptr;
+}
+
+/// The item of a list whose place `number` says, from 0; the list itself where it has none there.
+const Node* itemOf(const Node& list, const std::string& number) {
+  std::size_t at = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), at);
+  const bool found =
+      error == std::errc() && end == number.data() + number.size() && at < list.children.size();
+  return found ? &list.children[at] : &list;
 }
 
 /// Where byte `at` of a text that was read is written: `written` has its quotes and escapes.
@@ -281,7 +364,8 @@ void Reader::listOf(const char* name, const char* /*doc*/, std::size_t maxItems,
                     const std::function<void(std::size_t)>& resize,
                     const std::function<void(Fields&, std::size_t)>& describe) {
   const Node* node = take(name);
-  if (node == nullptr || !ValueReader(name, context_.diagnostics).isList(*node, "a list of objects"))
+  if (node == nullptr || !ValueReader(name, context_.diagnostics)
+                              .isList(*node, shorthands_.contains(name) ? "a list" : "a list of objects"))
     return;
   if (node->children.size() > maxItems) {
     context_.diagnostics.add(node->headPlace(), fmt::format("\"{}\" may have {} items, found {}", name,
@@ -291,8 +375,13 @@ void Reader::listOf(const char* name, const char* /*doc*/, std::size_t maxItems,
   // From nothing, so that no default item lends its values to a given one.
   resize(0);
   resize(node->children.size());
-  for (std::size_t i = 0; i < node->children.size(); ++i)
-    readObject(node->children[i], context_, [&](Reader& fields) { describe(fields, i); });
+  const auto value = shorthands_.find(name);
+  for (std::size_t i = 0; i < node->children.size(); ++i) {
+    const Node& item = node->children[i];
+    const bool isShort = value != shorthands_.end() && isValue(item);
+    readObject(isShort ? spelledOut(item, value->second) : item, context_,
+               [&](Reader& fields) { describe(fields, i); });
+  }
 }
 
 void Reader::namedGroups(const char* name, const char* /*doc*/, const char* one, std::size_t maxItems,
@@ -334,8 +423,12 @@ void Reader::errorIn(const std::vector<std::string>& path, std::size_t begin, st
                      const std::string& message) {
   if (context_.diagnostics.count() != errorsBefore_) return;
   const Node* node = object_;
-  for (const std::string& member : path)
-    if (node != nullptr && node->kind == Node::Kind::object) node = node->find(member);
+  for (const std::string& member : path) {
+    if (node != nullptr && node->kind == Node::Kind::object)
+      node = node->find(member);
+    else if (node != nullptr && node->kind == Node::Kind::list)
+      node = itemOf(*node, member);
+  }
   if (node == object_ || node == nullptr) return context_.diagnostics.add(place_, message);
   Place place = node->place();
   if (node->kind == Node::Kind::text) {

@@ -68,6 +68,16 @@ class Types {
     return {{"anyOf", Json::array({numberSchema("integer", spec_.range), {{"const", spec_.none}}})}};
   }
   Json operator()(const std::optional<double>*) const { return numberSchema("number", spec_.range); }
+  Json operator()(const Formula*) const {
+    Json plain = {{"type", Json::array({"number", "string", "boolean", "array"})},
+                  {"maxItems", maxFormulaParts}};
+    return animatedSchema(plain);
+  }
+  Json operator()(const Formulas*) const {
+    Json one = (*this)(static_cast<const Formula*>(nullptr));
+    one["anyOf"].push_back({{"type", "object"}});
+    return one;
+  }
   template <class T>
   Json operator()(const std::vector<T>*) const {
     Json list = {{"type", "array"}, {"items", (*this)(static_cast<const T*>(nullptr))}};
@@ -88,6 +98,13 @@ class Types {
 
   const Spec& spec_;
 };
+
+/// The schema of a field that stands for its whole group.
+Json shortFor(const std::string& field, const Json& properties) {
+  Json schema = properties.at(field);
+  schema["description"] = fmt::format("Short for {{\"{}\": ...}}.", field);
+  return schema;
+}
 
 }  // namespace
 
@@ -133,8 +150,11 @@ void SchemaWriter::listOf(const char* name, const char* doc, std::size_t maxItem
   Json standard = standardItems(items, resize, describe);
   SchemaWriter inner;
   describe(inner, 0);
+  Json item = inner.object();
+  if (const auto value = shorthands_.find(name); value != shorthands_.end())
+    item = {{"anyOf", Json::array({shortFor(value->second, inner.properties_), std::move(item)})}};
   add(name, {{"type", "array"},
-             {"items", inner.object()},
+             {"items", std::move(item)},
              {"maxItems", maxItems},
              {"default", std::move(standard)},
              {"description", doc}});
@@ -150,9 +170,7 @@ void SchemaWriter::namedGroups(const char* name, const char* doc, const char* /*
   rename(names);
   Json group = inner.object();
   if (const auto value = shorthands_.find(name); value != shorthands_.end()) {
-    Json shortly = inner.properties_[value->second];
-    shortly["description"] = fmt::format("Short for {{\"{}\": ...}}.", value->second);
-    group = {{"anyOf", Json::array({std::move(shortly), std::move(group)})}};
+    group = {{"anyOf", Json::array({shortFor(value->second, inner.properties_), std::move(group)})}};
   }
   add(name, {{"type", "object"},
              {"propertyNames", {{"pattern", plainNamePattern}}},

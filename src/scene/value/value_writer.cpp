@@ -24,6 +24,22 @@ class Writer {
   Json operator()(const std::optional<int>& value) const { return value ? Json(*value) : Json(spec_.none); }
   Json operator()(const std::optional<double>& value) const { return shortest(value.value()); }
 
+  Json operator()(const Formula& value) const {
+    if (value.moving) return keyframes(value);
+    Json list = Json::array();
+    for (const Formula::Part& part : value.parts)
+      list.push_back(part.text.empty() ? shortest(part.number) : Json(part.text));
+    return list.size() == 1 ? list[0] : list;
+  }
+  Json operator()(const Formulas& value) const {
+    Json all = Json::object();
+    for (const Formulas::Named& one : value.list) {
+      if (one.name.empty()) return (*this)(one.formula);
+      all[one.name] = (*this)(one.formula);
+    }
+    return all;
+  }
+
   template <class T>
   Json operator()(const std::vector<T>& items) const {
     Json list = Json::array();
@@ -40,6 +56,15 @@ class Writer {
   }
 
  private:
+  [[nodiscard]] static Json keyframes(const Formula& value) {
+    Json keys = Json::array();
+    for (const auto& key : value.moving->keys()) {
+      Json numbers = Json::array();
+      for (int i = 0; i < value.width; ++i) numbers.push_back(shortest(key.value[i]));
+      keys.push_back(Json::array({shortest(key.time), value.width == 1 ? numbers[0] : numbers}));
+    }
+    return {{"keys", keys}, {"ease", easeWords[static_cast<std::size_t>(value.moving->ease())]}};
+  }
   [[nodiscard]] Json word(int index) const {
     if (spec_.isSwitch() && index < 2) return index == 1;
     return spec_.words[static_cast<std::size_t>(index)];
@@ -50,6 +75,8 @@ class Writer {
 
 bool isNone(const Member& member, const Spec& spec) {
   if (const auto* number = std::get_if<std::optional<double>*>(&member)) return !**number;
+  if (const auto* formula = std::get_if<Formula*>(&member)) return (*formula)->empty();
+  if (const auto* formulas = std::get_if<Formulas*>(&member)) return (*formulas)->list.empty();
   const auto* index = std::get_if<int*>(&member);
   return index != nullptr && !spec.words.empty() && **index < 0;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/core/simulation.hpp"
+#include "sim/touch/touch.hpp"
 
 #include <memory>
 
@@ -9,5 +10,17 @@ namespace simreel::sim {
 [[nodiscard]] std::unique_ptr<Simulation> makeSheet(const scene::Object& object, const Setting& setting);
 /// Throws what makeSheet would throw on any device.
 void checkSheet(const scene::Object& object, const Setting& setting);
+
+/// What a cloth meets beside its shapes, and the wind around it, of the plan of a sheet or a mesh.
+template <class Plan>
+Touch::Wanted touchedBy(const Plan& plan) {
+  const auto& p = plan.parameters();
+  return {.walls = p.walls,
+          .wind = p.hasAir ? p.air.fluid : "",
+          .margin = p.margin,
+          .colliders = plan.colliderCount(),
+          .substeps = plan.substeps(),
+          .substepSeconds = plan.substepSeconds()};
+}
 
 }  // namespace simreel::sim

@@ -102,6 +102,7 @@ struct ClothParameters : ObjectParameters, TouchesMeshes, shader::ClothConstants
     return hasMesh ? 0 : std::int64_t{24} * (size.x - 1) * (size.y - 1);
   }
   [[nodiscard]] Looks looks() const override { return Looks::cloth; }
+  [[nodiscard]] bool wanders() const override { return true; }
   /// The same with as many substeps as what it touches takes; 0: its own.
   [[nodiscard]] ClothParameters inStep(int contactSubsteps) const;
   /// Fewest substeps of a frame that "auto" takes of cloth in contact: it is solved by a round or two in

@@ -2,11 +2,9 @@
 
 #include "base/error.hpp"
 #include "gl/context.hpp"
-#include "sim/contour/wall_plan.hpp"
 
+#include <span>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace simreel::sim {
 
@@ -29,44 +27,29 @@ void Walls::checkReach(const std::string& who, float margin) const {
         who, margin, name_, solid_->shape().spacing, maxWallSquares, widest);
 }
 
-void Walls::bind() const {
-  solid_->classes().bindInput(shader::wallClassesBinding);
-  solid_->field().words->bind(shader::wallFieldUnit);
+WallPart Walls::part(const WallContact& contact) const {
+  const shader::WallGrid grid = wallGrid(solid_->shape(), solid_->heights(), position_, grip_, contact);
+  return {.corner = grid.corner,
+          .spacing = grid.spacing,
+          .perSpacing = grid.perSpacing,
+          .bottom = grid.bottom,
+          .roof = grid.roof,
+          .reach = grid.reach,
+          .kept = grid.kept,
+          .bounce = grid.bounce,
+          .levelCount = grid.levelCount,
+          .ceiling = grid.ceiling,
+          .squares = grid.squares,
+          .samples = grid.samples,
+          .heights = std::span<const float>(grid.heights),
+          .levels = std::span<const float>(grid.levels),
+          .rowElements = solid_->rowElements(),
+          .classes = solid_->classes(),
+          .field = partOf(solid_->field())};
 }
 
-void Walls::tell(const gl::Program& kernel, double seconds, float margin, float bounce) const {
-  const shader::WallGrid grid =
-      wallGrid(solid_->shape(), solid_->heights(), position_, grip_, {margin, bounce, seconds});
-  kernel.set("wallGrid.corner", grid.corner);
-  kernel.set("wallGrid.spacing", grid.spacing);
-  kernel.set("wallGrid.perSpacing", grid.perSpacing);
-  kernel.set("wallGrid.bottom", grid.bottom);
-  kernel.set("wallGrid.roof", grid.roof);
-  kernel.set("wallGrid.reach", grid.reach);
-  kernel.set("wallGrid.kept", grid.kept);
-  kernel.set("wallGrid.bounce", grid.bounce);
-  kernel.set("wallGrid.levelCount", grid.levelCount);
-  kernel.set("wallGrid.ceiling", grid.ceiling);
-  kernel.set("wallGrid.squares", grid.squares);
-  kernel.set("wallGrid.samples", grid.samples);
-  for (int k = 0; k <= grid.levelCount; ++k)
-    kernel.set(fmt::format("wallGrid.heights[{}]", k).c_str(), grid.heights[k]);
-  for (int k = 0; k < grid.levelCount; ++k)
-    kernel.set(fmt::format("wallGrid.levels[{}]", k).c_str(), grid.levels[k]);
-  const Field& field = solid_->field();
-  kernel.set("fieldSize", field.size);
-  kernel.set("rowWords", field.rowWords);
-  kernel.set("firstWord", field.firstWord);
-  kernel.set("cellWords", field.cellWords);
-  kernel.set("rowElements", solid_->rowElements());
-}
-
-void addWallDefines(gl::Defines& defines, const Walls* walls) {
-  defines.emplace_back("WALLS", walls != nullptr ? "1" : "0");
-  if (walls == nullptr) return;
-  const Field::Cells cells = walls->solid().field().cells;
-  if (!gl::softwareDriver()) defines.emplace_back("BRANCHES", "1");
-  defines.emplace_back("CELLS", std::to_string(static_cast<int>(cells)));
+WallVariant Walls::variant() const {
+  return {.walls = true, .branches = !gl::softwareDriver(), .cells = solid_->field().cells};
 }
 
 }  // namespace simreel::sim

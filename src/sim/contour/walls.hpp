@@ -1,13 +1,40 @@
 #pragma once
-#include "gl/program.hpp"
-#include "sim/contour/solid.hpp"
+#include "gl/kernel/kernel.hpp"
+#include "sim/contour/wall_plan.hpp"
 #include "sim/core/port.hpp"
+#include "sim/grid/field_part.hpp"
 
 #include <string>
 
 #include <glm/vec3.hpp>
 
 namespace simreel::sim {
+
+/// What glsl/contour/wall_array.glsl is given where WALLS is 1, a part of a kernel's interface.
+struct WallPart {
+  gl::Uniform<"wallGrid.corner", glm::vec2> corner;
+  gl::Uniform<"wallGrid.spacing", float> spacing;
+  gl::Uniform<"wallGrid.perSpacing", float> perSpacing;
+  gl::Uniform<"wallGrid.bottom", float> bottom;
+  gl::Uniform<"wallGrid.roof", float> roof;
+  gl::Uniform<"wallGrid.reach", float> reach;
+  gl::Uniform<"wallGrid.kept", float> kept;
+  gl::Uniform<"wallGrid.bounce", float> bounce;
+  gl::Uniform<"wallGrid.levelCount", int> levelCount;
+  gl::Uniform<"wallGrid.ceiling", int> ceiling;
+  gl::Uniform<"wallGrid.squares", int> squares;
+  gl::Uniform<"wallGrid.samples", glm::ivec2> samples;
+  gl::Uniforms<"wallGrid.heights", float, maxSolidLevels + 1> heights;
+  gl::Uniforms<"wallGrid.levels", float, maxSolidLevels> levels;
+  gl::Uniform<"rowElements", int> rowElements;
+  gl::In<"wallClasses"> classes;
+  FieldPart field;
+};
+struct WallVariant {
+  gl::Switch<"WALLS"> walls;
+  gl::Flag<"BRANCHES"> branches;
+  FieldCells cells;
+};
 
 /// A solid as others collide with it, in the state in which its latest make() left it.
 class Walls {
@@ -19,11 +46,9 @@ class Walls {
 
   /// Throws UserError(usage) where that margin (m) reaches over more squares than kernels go through.
   void checkReach(const std::string& who, float margin) const;
-  /// For glsl/contour/wall_array.glsl of a kernel.
-  void bind() const;
-  /// Tells a kernel what the solid is like now; `seconds` of a substep, others as WallContact has them.
-  void tell(const gl::Program& kernel, double seconds, float margin, float bounce) const;
-  [[nodiscard]] const Solid& solid() const { return *solid_; }
+  /// What the solid is like now.
+  [[nodiscard]] WallPart part(const WallContact& contact) const;
+  [[nodiscard]] WallVariant variant() const;
 
  private:
   std::string name_;
@@ -31,8 +56,5 @@ class Walls {
   glm::vec3 position_;
   float grip_;
 };
-
-/// Defines of a kernel that includes wall_array.glsl; `walls` null: it meets none.
-void addWallDefines(gl::Defines& defines, const Walls* walls);
 
 }  // namespace simreel::sim

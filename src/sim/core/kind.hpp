@@ -11,6 +11,8 @@ namespace simreel::sim {
 struct ObjectParameters : scene::Parameters {
   /// Declares what the object provides to the others of a scene and what it takes from them.
   virtual void ports(Ports& /*ports*/) const {}
+  /// Returns true where only a run tells the places that it goes to.
+  [[nodiscard]] virtual bool wanders() const { return false; }
   /// Bytes of one buffer that it needs at least, as far as its parameters alone tell; and what software
   /// drivers (llvmpipe of Mesa 22) and small cards allow.
   [[nodiscard]] virtual std::int64_t leastBlockBytes() const { return 0; }

@@ -10,6 +10,39 @@
 
 namespace simreel::sim {
 
+struct TraceKernel {
+  static constexpr auto file = "fluid/tracers/trace.comp";
+  struct Variant {
+    gl::Flag<"FIRST"> first;
+  };
+  FluidWindPart wind;
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"tracerData.dt", float> dt;
+  gl::Uniform<"tracerData.seconds", float> seconds;
+  gl::Uniform<"tracerData.seed", int> seed;
+  gl::Uniform<"tracerData.wrapsX", int> wrapsX;
+  gl::Uniform<"tracerData.wrapsY", int> wrapsY;
+  gl::InOut<"tracers"> tracers;
+  gl::In<"solidBits"> solid;
+  gl::InOut<"TrailBlock"> trail;
+};
+
+struct TrailFade {
+  static constexpr auto file = "fluid/tracers/trail_fade.comp";
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"kept", float> kept;
+  gl::InOut<"TrailBlock"> trail;
+};
+
+struct TrailShow {
+  static constexpr auto file = "fluid/tracers/trail_show.comp";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"color", glm::vec3> color;
+  gl::Uniform<"perUnit", float> perUnit;
+  gl::InOut<"shown"> shown;
+  gl::In<"trail"> trail;
+};
+
 void TracerParameters::describe(scene::Fields& f) {
   f.integer("count", count, {1, 1e7}, "", "Number of tracers at any time.");
   f.number("seconds", seconds, {1e-2, 1e6}, "s", "Mean lifetime; then a tracer begins again elsewhere.");
@@ -49,7 +82,11 @@ std::vector<glm::uvec4> solidBits(const std::vector<std::uint8_t>& solid) {
 Tracers::Tracers(const std::string& name, const TracerParameters& parameters, const FluidWind& wind,
                  const std::vector<std::uint8_t>& solid, const shader::TracerStep& step,
                  double frameSeconds, bool fast)
-    : parameters_(parameters), wind_(&wind), size_(wind.grid().size) {
+    : parameters_(parameters),
+      wind_(&wind),
+      size_(wind.grid().size),
+      step_(step),
+      kept_(trailKept(parameters, frameSeconds)) {
   const std::int64_t most =
       std::min<std::int64_t>(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels);
   if (parameters.count > most)
@@ -60,33 +97,25 @@ Tracers::Tracers(const std::string& name, const TracerParameters& parameters, co
   tracers_ = gl::Vec4Array(name + " tracers", parameters.count);
   solid_ = gl::WordsArray(name + " solid cells", solidBits(solid));
   trail_ = gl::WordsArray(name + " trail", (size_.x * size_.y + 3) / 4);
-  gl::Defines defines = gl::kernelDefines(fast);
-  fade_ = gl::Program::compute("fluid/tracers/trail_fade.comp", defines);
-  fade_.set("count", size_.x * size_.y);
-  fade_.set("kept", trailKept(parameters, frameSeconds));
-  show_ = gl::Program::compute("fluid/tracers/trail_show.comp", defines);
-  show_.set("size", size_);
-  show_.set("color", parameters.color);
-  show_.set("perUnit", parameters.brightness / 4096.0F);
-  const auto tell = [&](const gl::Program& kernel) {
-    wind.tell(kernel);
-    kernel.set("count", parameters.count);
-    kernel.set("tracerData.dt", step.dt);
-    kernel.set("tracerData.seconds", step.seconds);
-    kernel.set("tracerData.seed", step.seed);
-    kernel.set("tracerData.wrapsX", step.wrapsX);
-    kernel.set("tracerData.wrapsY", step.wrapsY);
-  };
-  trace_ = gl::Program::compute("fluid/tracers/trace.comp", defines);
-  tell(trace_);
-  defines.emplace_back("FIRST", "1");
-  const gl::Program first = gl::Program::compute("fluid/tracers/trace.comp", defines);
-  tell(first);
-  solid_.bindInput(shader::solidBinding);
-  tracers_.bindState(shader::tracersBinding);
+  const gl::Defines defines = gl::kernelDefines(fast);
+  fade_ = gl::Kernel<TrailFade>(defines);
+  show_ = gl::Kernel<TrailShow>(defines);
+  trace_ = gl::Kernel<TraceKernel>(defines);
   gl::barrier();
-  first.dispatch(parameters.count);
-  gl::barrier();
+  trace(gl::Kernel<TraceKernel>(defines, {.first = true}));
+}
+
+void Tracers::trace(const gl::Kernel<TraceKernel>& kernel) const {
+  kernel.dispatch(parameters_.count, {.wind = wind_->part(),
+                                      .count = parameters_.count,
+                                      .dt = step_.dt,
+                                      .seconds = step_.seconds,
+                                      .seed = step_.seed,
+                                      .wrapsX = step_.wrapsX,
+                                      .wrapsY = step_.wrapsY,
+                                      .tracers = tracers_,
+                                      .solid = solid_,
+                                      .trail = trail_.buffer()});
 }
 
 void Tracers::setSolid(const std::vector<std::uint8_t>& solid) {
@@ -94,27 +123,23 @@ void Tracers::setSolid(const std::vector<std::uint8_t>& solid) {
   solid_.buffer().write(0, std::as_bytes(std::span(bits)));
 }
 
-void Tracers::beginFrame() {
-  trail_.buffer().bindStorage(shader::trailBinding);
-  gl::barrier();
-  fade_.dispatch(size_.x * size_.y);
+void Tracers::beginFrame() const {
+  const int cells = size_.x * size_.y;
+  fade_.dispatch(cells, {.count = cells, .kept = kept_, .trail = trail_.buffer()});
 }
 
-void Tracers::advance() {
-  wind_->bind();
-  solid_.bindInput(shader::solidBinding);
-  tracers_.bindState(shader::tracersBinding);
-  trail_.buffer().bindStorage(shader::trailBinding);
+void Tracers::advance() const {
   gl::barrier();
-  trace_.dispatch(parameters_.count);
-  gl::barrier();
+  trace(trace_);
 }
 
 void Tracers::show(const FluidArray& shown) const {
-  trail_.bindInput(shader::trailBinding);
-  shown.bindState(shader::shownBinding);
   gl::barrier();
-  show_.dispatch(size_.x, size_.y);
+  show_.dispatch(size_, {.size = size_,
+                         .color = parameters_.color,
+                         .perUnit = parameters_.brightness / 4096.0F,
+                         .shown = shown.resource(),
+                         .trail = trail_});
   gl::barrier();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/core/simulation.hpp"
@@ -35,6 +35,10 @@ struct TracerParameters {
 /// Of what they drew, that is left after a frame.
 [[nodiscard]] float trailKept(const TracerParameters& parameters, double frameSeconds);
 
+struct TraceKernel;
+struct TrailFade;
+struct TrailShow;
+
 /// Specks without mass that a fluid carries along, each substep by the velocities at its end, and the
 /// streaks that they draw into its picture. Sums of integers: the same bits in any order.
 class Tracers {
@@ -47,21 +51,27 @@ class Tracers {
 
   /// Obstacles that have moved; a byte a cell.
   void setSolid(const std::vector<std::uint8_t>& solid);
-  void beginFrame();
+  void beginFrame() const;
   /// A substep, once the fluid has made it.
-  void advance();
+  void advance() const;
   /// Over what is shown: the fluid's cells and their ring.
   void show(const FluidArray& shown) const;
   void carryOver(CarryOver& carry);
   [[nodiscard]] std::vector<StateArray> state() const;
 
  private:
+  void trace(const gl::Kernel<TraceKernel>& kernel) const;
+
   TracerParameters parameters_;
   const FluidWind* wind_ = nullptr;
   glm::ivec2 size_{0, 0};
   gl::Vec4Array tracers_;
   gl::WordsArray solid_, trail_;
-  gl::Program trace_, fade_, show_;
+  shader::TracerStep step_{};
+  float kept_ = 1;  ///< of a frame's trail
+  gl::Kernel<TraceKernel> trace_;
+  gl::Kernel<TrailFade> fade_;
+  gl::Kernel<TrailShow> show_;
 };
 
 }  // namespace simreel::sim

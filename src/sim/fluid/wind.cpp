@@ -67,20 +67,4 @@ FluidWindPart FluidWind::part() const {
           .cells = flow_().resource()};
 }
 
-void FluidWind::bind() const {
-  flow_().bindInput(shader::windBinding);
-}
-
-void FluidWind::tell(const gl::Program& kernel) const {
-  kernel.set("windGrid.across", grid_.across);
-  kernel.set("windGrid.down", grid_.down);
-  kernel.set("windGrid.alongX", grid_.alongX);
-  kernel.set("windGrid.alongY", grid_.alongY);
-  kernel.set("windGrid.size", grid_.size);
-}
-
-void addWindDefines(gl::Defines& defines, const FluidWind* wind) {
-  if (wind != nullptr) defines.emplace_back("WIND", "1");
-}
-
 }  // namespace simreel::sim

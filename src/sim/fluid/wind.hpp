@@ -1,6 +1,5 @@
 #pragma once
 #include "gl/kernel/fields.hpp"
-#include "gl/program.hpp"
 #include "glsl/common/cpp.hpp"
 #include "sim/core/port.hpp"
 #include "sim/fluid/array.hpp"
@@ -60,10 +59,6 @@ class FluidWind {
   FluidWind& operator=(FluidWind&&) = delete;
 
   [[nodiscard]] FluidWindPart part() const;
-  /// For glsl/fluid/wind_array.glsl of a gl::Program.
-  void bind() const;
-  /// Tells such a program, once, where the fluid lies.
-  void tell(const gl::Program& kernel) const;
   [[nodiscard]] const shader::WindGrid& grid() const { return grid_; }
   [[nodiscard]] float speed() const { return speed_; }
 
@@ -74,8 +69,5 @@ class FluidWind {
   gl::Buffer still_;  ///< of a wind that does not change
   FluidArray stillFlow_;
 };
-
-/// Defines of a kernel that includes wind_array.glsl; `wind` null: none blows.
-void addWindDefines(gl::Defines& defines, const FluidWind* wind);
 
 }  // namespace simreel::sim

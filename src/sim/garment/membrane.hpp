@@ -9,7 +9,7 @@
 
 namespace simreel::sim {
 
-/// The faces of a mesh as pieces of a fabric (glsl/cloth/mesh/membrane.glsl).
+/// The faces of a mesh as pieces of a fabric (glsl/garment/membrane.glsl).
 struct MembraneElement {
   double p, q, r, s;  ///< 1/m: fu = (b - a) p + (c - a) q, fv = (b - a) r + (c - a) s
   double area;        ///< m^2

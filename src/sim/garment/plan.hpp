@@ -21,7 +21,7 @@ struct GarmentBending {
   std::vector<glm::uvec4> fans;  ///< of each vertex: first ring, how many, first pair of entries, how many
 };
 
-/// What the kernels of cloth of a mesh read and never write (glsl/cloth/mesh).
+/// What the kernels of cloth of a mesh read and never write (glsl/garment).
 struct GarmentArrays {
   std::vector<glm::uvec4> corners;  ///< of each face, colour by colour: three vertices
   std::vector<int> colours;         ///< first face of each colour, and their number

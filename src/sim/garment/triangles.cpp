@@ -19,9 +19,9 @@ constexpr double leastArea = 1e-5;
 /// Faces around a vertex: each has a colour of its own, and all colours are one after the other.
 constexpr unsigned mostAround = 256;
 
-using Place = std::array<float, 3>;
+using Spot = std::array<float, 3>;
 
-Place placeOf(const glm::vec3& p) {
+Spot placeOf(const glm::vec3& p) {
   return {p.x, p.y, p.z};
 }
 
@@ -30,8 +30,8 @@ std::vector<unsigned> firstAtPlace(const Mesh& mesh) {
   std::vector<unsigned> order(mesh.positions.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](unsigned a, unsigned b) {
-    const Place p = placeOf(mesh.positions[a]);
-    const Place q = placeOf(mesh.positions[b]);
+    const Spot p = placeOf(mesh.positions[a]);
+    const Spot q = placeOf(mesh.positions[b]);
     return p != q ? p < q : a < b;
   });
   std::vector<unsigned> first(order.size());

@@ -45,17 +45,17 @@ void HeightField::take(const gl::Vec4Array& positions, int component) {
   gl::barrier();
 }
 
-void HeightField::tell(const gl::Program& kernel, int substep, int substeps, float margin,
-                       float bounce) const {
+HeightPart HeightField::part(int substep, int substeps, float margin, float bounce) const {
   const shader::HeightGrid grid = plan_.at(substep, substeps, margin, bounce);
-  kernel.set("heightGrid.corner", grid.corner);
-  kernel.set("heightGrid.perCell", grid.perCell);
-  kernel.set("heightGrid.size", grid.size);
-  kernel.set("heightGrid.progress", grid.progress);
-  kernel.set("heightGrid.perFrame", grid.perFrame);
-  kernel.set("heightGrid.kept", grid.kept);
-  kernel.set("heightGrid.bounce", grid.bounce);
-  kernel.set("heightGrid.margin", grid.margin);
+  return {.corner = grid.corner,
+          .perCell = grid.perCell,
+          .size = grid.size,
+          .progress = grid.progress,
+          .perFrame = grid.perFrame,
+          .kept = grid.kept,
+          .bounce = grid.bounce,
+          .margin = grid.margin,
+          .heights = heights_};
 }
 
 }  // namespace simreel::sim

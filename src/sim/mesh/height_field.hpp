@@ -1,7 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
 #include "gl/kernel/kernel.hpp"
-#include "gl/program.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/core/port.hpp"
 #include "sim/mesh/height_plan.hpp"
@@ -11,6 +10,19 @@
 namespace simreel::sim {
 
 struct HeightsKernel;
+
+/// What glsl/mesh/height_array.glsl is given where HEIGHTS is 1, a part of a kernel's interface.
+struct HeightPart {
+  gl::Uniform<"heightGrid.corner", glm::vec2> corner;
+  gl::Uniform<"heightGrid.perCell", glm::vec2> perCell;
+  gl::Uniform<"heightGrid.size", glm::ivec2> size;
+  gl::Uniform<"heightGrid.progress", float> progress;
+  gl::Uniform<"heightGrid.perFrame", float> perFrame;
+  gl::Uniform<"heightGrid.kept", float> kept;
+  gl::Uniform<"heightGrid.bounce", float> bounce;
+  gl::Uniform<"heightGrid.margin", float> margin;
+  gl::In<"heights"> heights;
+};
 
 /// Heights of a deformed plane on the GPU, at the beginning and at the end of a frame, for those that fall
 /// onto it (glsl/mesh/height_model.glsl).
@@ -24,10 +36,8 @@ class HeightField {
   /// `component` of them that is the height: 1, or 0.
   void take(const gl::Vec4Array& positions, int component = 1);
   void carryOver(CarryOver& carry) { carry.array("heights", heights_.buffer()); }
-  /// For height_array.glsl of a kernel.
-  void bind() const { heights_.bindInput(shader::heightsBinding); }
-  /// Tells a kernel where in the frame it is; arguments as of HeightPlan::at.
-  void tell(const gl::Program& kernel, int substep, int substeps, float margin, float bounce) const;
+  /// Heights and the place in the frame; arguments as of HeightPlan::at.
+  [[nodiscard]] HeightPart part(int substep, int substeps, float margin, float bounce) const;
 
  private:
   HeightPlan plan_;

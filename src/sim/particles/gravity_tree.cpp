@@ -7,11 +7,76 @@
 #include <cstdint>
 #include <vector>
 
-namespace simreel::shader::tree {
-#include "glsl/particles/tree/bindings.glsl"
-}
-
 namespace simreel::sim {
+
+/// The box around bodies, or around boxes.
+struct TreeReduce {
+  static constexpr auto file = "particles/tree/reduce.comp";
+  struct Variant {
+    gl::Flag<"FROM_BODIES"> fromBodies;
+  };
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"first", int> first;
+  gl::Uniform<"result", int> result;
+  gl::Uniform<"results", int> results;
+  gl::In<"positions"> positions;
+  gl::InOut<"corners"> corners;
+};
+
+struct TreeKey {
+  static constexpr auto file = "particles/tree/key.comp";
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"box", int> box;
+  gl::In<"positions"> positions;
+  gl::In<"corners"> corners;
+  gl::Out<"records"> records;
+};
+
+struct TreeGather {
+  static constexpr auto file = "particles/tree/gather.comp";
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"padded", int> padded;
+  gl::In<"positions"> positions;
+  gl::In<"records"> records;
+  gl::Out<"bodies"> bodies;
+};
+
+struct TreeBuild {
+  static constexpr auto file = "particles/tree/build.comp";
+  struct Variant {
+    gl::Flag<"LEAVES"> leaves;
+  };
+  gl::Uniform<"roots", int> roots;
+  gl::Uniform<"width", int> width;
+  gl::Uniform<"perOpening", float> perOpening;
+  gl::In<"bodies"> bodies;
+  gl::InOut<"boxes"> boxes;
+  gl::InOut<"cells"> cells;
+  gl::InOut<"moments"> moments;
+};
+
+struct TreeWalkPart {
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"gravity", float> gravity;
+  gl::Uniform<"softening2", float> softening2;
+  gl::Uniform<"firstRoot", int> firstRoot;
+  gl::Uniform<"lastRoot", int> lastRoot;
+  gl::Uniform<"finish", bool> finish;
+  gl::In<"bodies"> bodies;
+  gl::In<"boxes"> boxes;
+  gl::In<"cells"> cells;
+  gl::In<"moments"> moments;
+  gl::In<"records"> records;
+  gl::InOut<"accelerations"> accelerations;
+};
+struct TreeWalk {
+  static constexpr auto file = "particles/tree/walk.comp";
+  TreeWalkPart part;
+};
+struct TreeWalkList {
+  static constexpr auto file = "particles/tree/walk_list.comp";
+  TreeWalkPart part;
+};
 
 namespace {
 
@@ -51,20 +116,16 @@ GravityTree::GravityTree(const std::string& name, int capacity, bool fast)
   cells_ = zeros(name + " node centers", roots * rootNodes);
   moments_ = zeros(name + " node moments", 2 * roots * rootNodes);
   const gl::Defines defines = gl::kernelDefines(fast);
-  const auto with = [&](const char* define, const char* path) {
-    gl::Defines more = defines;
-    more.emplace_back(define, "1");
-    return gl::Program::compute(path, more);
-  };
-  reduceBodies_ = with("FROM_BODIES", "particles/tree/reduce.comp");
-  reduceBoxes_ = gl::Program::compute("particles/tree/reduce.comp", defines);
-  key_ = gl::Program::compute("particles/tree/key.comp", defines);
-  gather_ = gl::Program::compute("particles/tree/gather.comp", defines);
-  leaves_ = with("LEAVES", "particles/tree/build.comp");
-  parents_ = gl::Program::compute("particles/tree/build.comp", defines);
-  const bool texels = gl::memoryPath() == gl::MemoryPath::texel;
-  walk_ =
-      gl::Program::compute(texels ? "particles/tree/walk.comp" : "particles/tree/walk_list.comp", defines);
+  reduceBodies_ = gl::Kernel<TreeReduce>(defines, {.fromBodies = true});
+  reduceBoxes_ = gl::Kernel<TreeReduce>(defines);
+  key_ = gl::Kernel<TreeKey>(defines);
+  gather_ = gl::Kernel<TreeGather>(defines);
+  leaves_ = gl::Kernel<TreeBuild>(defines, {.leaves = true});
+  parents_ = gl::Kernel<TreeBuild>(defines);
+  if (gl::memoryPath() == gl::MemoryPath::texel)
+    walk_ = gl::Kernel<TreeWalk>(defines);
+  else
+    walkList_ = gl::Kernel<TreeWalkList>(defines);
 }
 
 /// Before anything is filled: a set far beyond the limit would first take gigabytes.
@@ -92,16 +153,14 @@ void GravityTree::findBox(const gl::Vec4Array& positions, int count) {
   int first = 0;
   int result = 0;
   do {
-    const gl::Program& program = result == 0 ? reduceBodies_ : reduceBoxes_;
     const int results = ceilDivide(items, reduction);
-    positions.bindInput(shader::tree::positionsBinding);
-    corners_.bindState(shader::tree::cornersBinding);
-    program.set("count", items);
-    program.set("first", first);
-    program.set("result", result);
-    program.set("results", results);
-    gl::barrier();
-    program.dispatch(results);
+    (result == 0 ? reduceBodies_ : reduceBoxes_)
+        .dispatch(results, {.count = items,
+                            .first = first,
+                            .result = result,
+                            .results = results,
+                            .positions = positions,
+                            .corners = corners_});
     first = result;
     result += results;
     items = results;
@@ -113,38 +172,32 @@ void GravityTree::sort(const gl::Vec4Array& positions, int count) {
   SIMREEL_CHECK(count <= capacity_);
   if (count <= 0) return;
   findBox(positions, count);
-  positions.bindInput(shader::tree::positionsBinding);
-  corners_.bindInput(shader::tree::cornersBinding);
-  sort_.records().bindState(shader::tree::recordsBinding);
-  key_.set("count", count);
-  key_.set("box", box_);
-  gl::barrier();
-  key_.dispatch(count);
+  key_.dispatch(count, {.count = count,
+                        .box = box_,
+                        .positions = positions,
+                        .corners = corners_,
+                        .records = sort_.records()});
   sort_.sort(count, keyBits, keyBits);
 }
 
 void GravityTree::build(const gl::Vec4Array& positions, int count, float opening) {
   if (count <= 0) return;
   const int roots = ceilDivide(count, rootBodies);
-  positions.bindInput(shader::tree::positionsBinding);
-  bodies_.bindState(shader::tree::bodiesBinding);
-  sort_.records().bindInput(shader::tree::recordsBinding);
-  gather_.set("count", count);
-  gather_.set("padded", roots * rootBodies);
-  gl::barrier();
-  gather_.dispatch(roots * rootBodies);
-  bodies_.bindInput(shader::tree::bodiesBinding);
-  boxes_.bindState(shader::tree::boxesBinding);
-  cells_.bindState(shader::tree::cellsBinding);
-  moments_.bindState(shader::tree::momentsBinding);
-  for (int width = rootLeaves; width > 0; width /= 2) {
-    const gl::Program& program = width == rootLeaves ? leaves_ : parents_;
-    program.set("roots", roots);
-    program.set("width", width);
-    program.set("perOpening", perOpening(opening));
-    gl::barrier();
-    program.dispatch(roots * width);
-  }
+  const int padded = roots * rootBodies;
+  gather_.dispatch(padded, {.count = count,
+                            .padded = padded,
+                            .positions = positions,
+                            .records = sort_.records(),
+                            .bodies = bodies_});
+  for (int width = rootLeaves; width > 0; width /= 2)
+    (width == rootLeaves ? leaves_ : parents_)
+        .dispatch(roots * width, {.roots = roots,
+                                  .width = width,
+                                  .perOpening = perOpening(opening),
+                                  .bodies = bodies_,
+                                  .boxes = boxes_,
+                                  .cells = cells_,
+                                  .moments = moments_});
 }
 
 // An invocation carries 8 bodies through texels (walk.comp); through storage blocks 64 of them share a list
@@ -158,26 +211,25 @@ void GravityTree::build(const gl::Vec4Array& positions, int count, float opening
 void GravityTree::walk(const gl::Vec4Array& accelerations, int count, float gravity, float softening) {
   if (count <= 0) return;
   const int roots = ceilDivide(count, rootBodies);
-  const bool texels = gl::memoryPath() == gl::MemoryPath::texel;
-  bodies_.bindInput(shader::tree::bodiesBinding);
-  boxes_.bindInput(shader::tree::boxesBinding);
-  cells_.bindInput(shader::tree::cellsBinding);
-  moments_.bindInput(shader::tree::momentsBinding);
-  sort_.records().bindInput(shader::tree::recordsBinding);
-  accelerations.bindState(shader::tree::accelerationsBinding);
-  walk_.set("count", count);
-  walk_.set("gravity", gravity);
-  walk_.set("softening2", softeningSquare(softening));
   const int step = gl::softwareDriver() ? 1 : roots;
   for (int root = 0; root < roots; root += step) {
-    walk_.set("firstRoot", root);
-    walk_.set("lastRoot", root + step);
-    walk_.set("finish", root + step == roots ? 1 : 0);
-    gl::barrier();
-    walk_.dispatch(texels ? ceilDivide(count, 8)
-                          : ceilDivide(count, shader::groupBodies) * shader::groupBodies);
+    const TreeWalkPart part = {.count = count,
+                               .gravity = gravity,
+                               .softening2 = softeningSquare(softening),
+                               .firstRoot = root,
+                               .lastRoot = root + step,
+                               .finish = root + step == roots,
+                               .bodies = bodies_,
+                               .boxes = boxes_,
+                               .cells = cells_,
+                               .moments = moments_,
+                               .records = sort_.records(),
+                               .accelerations = accelerations};
+    if (walk_)
+      walk_.dispatch(ceilDivide(count, 8), {part});
+    else
+      walkList_.dispatch(ceilDivide(count, shader::groupBodies) * shader::groupBodies, {part});
   }
-  gl::barrier();
 }
 
 }  // namespace simreel::sim

@@ -1,5 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/radix_sort.hpp"
 #include "sim/core/shader_code.hpp"
 
@@ -10,6 +11,13 @@ namespace simreel::shader {
 }  // namespace simreel::shader
 
 namespace simreel::sim {
+
+struct TreeReduce;
+struct TreeKey;
+struct TreeGather;
+struct TreeBuild;
+struct TreeWalk;
+struct TreeWalkList;
 
 /// Gravity of many bodies in O(N log N) on the device, without readback. Bodies are sorted along a Hilbert
 /// curve and cut into leaves of 8 under binary trees without pointers (glsl/particles/tree/types.glsl); a
@@ -54,7 +62,12 @@ class GravityTree {
   gl::Vec4Array cells_;    ///< one a node
   gl::Vec4Array moments_;  ///< two a node
   gl::RadixSort sort_;
-  gl::Program reduceBodies_, reduceBoxes_, key_, gather_, leaves_, parents_, walk_;
+  gl::Kernel<TreeReduce> reduceBodies_, reduceBoxes_;
+  gl::Kernel<TreeKey> key_;
+  gl::Kernel<TreeGather> gather_;
+  gl::Kernel<TreeBuild> leaves_, parents_;
+  gl::Kernel<TreeWalk> walk_;  ///< of texels
+  gl::Kernel<TreeWalkList> walkList_;
 };
 
 /// 1/opening as the kernels take it. Not below 0.87 (opening 1.15), where a node could stand for bodies of

@@ -4,29 +4,34 @@
 #include "sim/particles/plan.hpp"
 
 #include <algorithm>
-#include <string>
-
-namespace simreel::shader::particles {
-#include "glsl/particles/bindings.glsl"
-}
 
 namespace simreel::sim {
+
+struct PairKernel {
+  static constexpr auto file = "particles/accelerate.comp";
+  struct Variant {
+    gl::Choice<"TARGETS", 1, 4> targets;
+  };
+  gl::Uniform<"targets", glm::ivec2> targets;
+  gl::Uniform<"bodies", glm::ivec2> bodies;
+  gl::Uniform<"softeningSquared", float> softeningSquared;
+  gl::Uniform<"gravity", float> gravity;
+  gl::Uniform<"continued", bool> continued;
+  gl::Uniform<"last", bool> last;
+  gl::In<"positions"> positions;
+  gl::InOut<"accelerations"> accelerations;
+};
 
 namespace {
 
 constexpr int targetsPerTexelInvocation = 8;
 constexpr int manyTargets = 4;
 
-gl::Program makeProgram(bool fast, int targets) {
-  gl::Defines defines = gl::kernelDefines(fast);
-  defines.emplace_back("TARGETS", std::to_string(targets));
-  return gl::Program::compute("particles/accelerate.comp", defines);
-}
-
 }  // namespace
 
-PairGravity::PairGravity(bool fast) : pairs_(makeProgram(fast, 1)) {
-  if (gl::memoryPath() == gl::MemoryPath::storage) manyPairs_ = makeProgram(fast, manyTargets);
+PairGravity::PairGravity(bool fast) : pairs_(gl::kernelDefines(fast), {.targets = 1}) {
+  if (gl::memoryPath() == gl::MemoryPath::storage)
+    manyPairs_ = gl::Kernel<PairKernel>(gl::kernelDefines(fast), {.targets = manyTargets});
   splitAfter(gl::softwareDriver() ? 32768 : 1 << 24);
 }
 
@@ -48,22 +53,19 @@ void PairGravity::accelerate(const gl::Vec4Array& positions, const gl::Vec4Array
   const int wanted = targets.y - targets.x;
   const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
   const bool many = !texel && wanted >= manyFrom_;
-  const gl::Program& program = many ? manyPairs_ : pairs_;
+  const gl::Kernel<PairKernel>& kernel = many ? manyPairs_ : pairs_;
   const int each = texel ? targetsPerTexelInvocation : many ? manyTargets : 1;
-  positions.bindInput(shader::particles::positionsBinding);
-  accelerations.bindState(shader::particles::accelerationsBinding);
-  program.set("targets", targets);
-  program.set("softeningSquared", softening * softening);
-  program.set("gravity", gravity);
   for (int first = 0; first < count; first += bodiesPerDispatch_) {
     const int end = std::min(count - first, bodiesPerDispatch_) + first;
-    program.set("bodies", glm::ivec2(first, end));
-    program.set("continued", first > 0 ? 1 : 0);
-    program.set("last", end == count ? 1 : 0);
-    gl::barrier();
-    program.dispatch((wanted - 1) / each + 1);
+    kernel.dispatch((wanted - 1) / each + 1, {.targets = targets,
+                                              .bodies = glm::ivec2(first, end),
+                                              .softeningSquared = softening * softening,
+                                              .gravity = gravity,
+                                              .continued = first > 0,
+                                              .last = end == count,
+                                              .positions = positions,
+                                              .accelerations = accelerations});
   }
-  gl::barrier();
 }
 
 }  // namespace simreel::sim

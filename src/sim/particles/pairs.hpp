@@ -1,10 +1,12 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 
 #include <glm/vec2.hpp>
 
 namespace simreel::sim {
+
+struct PairKernel;
 
 /// All-pairs gravity with Plummer softening, a_i = G sum_j m_j d_ij / (|d_ij|^2 + eps^2)^(3/2), in a fixed
 /// order of summation: the same bits on both memory paths and however the work is split.
@@ -27,7 +29,7 @@ class PairGravity {
   void useManyFrom(int targets);
 
  private:
-  gl::Program pairs_, manyPairs_;
+  gl::Kernel<PairKernel> pairs_, manyPairs_;
   /// Four an invocation still give every multiprocessor of a large GPU a group then.
   int manyFrom_ = 131072;
   int bodiesPerDispatch_ = 0;

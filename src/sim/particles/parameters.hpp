@@ -92,6 +92,7 @@ struct ParticleParameters : ObjectParameters, TouchesMeshes, shader::ParticleCon
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
+  [[nodiscard]] bool wanders() const override { return true; }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t leastBlockBytes() const override {
     std::int64_t bytes = 0;

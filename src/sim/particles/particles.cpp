@@ -2,18 +2,15 @@
 
 #include "base/error.hpp"
 #include "gl/element_array.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/limits.hpp"
-#include "gl/program.hpp"
-#include "sim/collide/distance_fields.hpp"
 #include "sim/contact/lock_step.hpp"
-#include "sim/contour/walls.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/core/step_blocks.hpp"
-#include "sim/fluid/wind.hpp"
-#include "sim/mesh/height_field.hpp"
 #include "sim/particles/gravity_tree.hpp"
 #include "sim/particles/pairs.hpp"
 #include "sim/particles/plan.hpp"
+#include "sim/touch/touch.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -21,10 +18,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace simreel::shader::particles {
-#include "glsl/particles/bindings.glsl"
-}
 
 namespace simreel::sim {
 
@@ -46,6 +39,77 @@ const std::vector<ColliderShape>& shapesIn(const Setting& setting) {
   return setting.colliders != nullptr ? *setting.colliders : none;
 }
 
+/// glsl/particles/kernel.glsl.
+struct ParticlePart {
+  gl::Block<"StepBlock", shader::ParticleStep> step;
+  TouchPart touch;
+  gl::InOut<"StatusBlock"> status;
+  gl::InOut<"positions"> positions;
+  gl::InOut<"velocities"> velocities;
+};
+struct ParticleFields {
+  gl::Switch<"ATTRACTOR"> attractor;
+  gl::Switch<"TURBULENCE"> turbulence;
+};
+struct ParticleSolids {
+  TouchVariant touch;
+  gl::Switch<"SOLIDS"> solids;  // shapes and meshes
+};
+
+struct ParticleKick {
+  static constexpr auto file = "particles/kick.comp";
+  struct Variant {
+    gl::Flag<"WIND"> wind;
+    ParticleFields fields;
+  };
+  ParticlePart part;
+  gl::InOut<"accelerations"> accelerations;
+};
+
+/// A substep of particles that attract each other, up to the kick.
+struct ParticleDrift {
+  static constexpr auto file = "particles/drift.comp";
+  using Variant = ParticleSolids;
+  ParticlePart part;
+  gl::InOut<"accelerations"> accelerations;
+};
+
+/// A whole substep of others.
+struct ParticleWhole {
+  static constexpr auto file = "particles/step.comp";
+  struct Variant {
+    ParticleSolids solids;
+    ParticleFields fields;
+  };
+  ParticlePart part;
+  gl::InOut<"accelerations"> accelerations;
+};
+
+struct ParticleBirth {
+  static constexpr auto file = "particles/birth.comp";
+  struct Variant {
+    ParticleSolids solids;
+    ParticleFields fields;
+    gl::Flag<"ATTRACTS"> attracts;
+  };
+  ParticlePart part;
+  gl::InOut<"accelerations"> accelerations;
+};
+
+struct ParticleKeep {
+  static constexpr auto file = "particles/keep.comp";
+  gl::Uniform<"count", int> count;
+  gl::In<"starts"> starts;
+  gl::Out<"positions"> positions;
+};
+
+struct ParticleSettle {
+  static constexpr auto file = "particles/settle.comp";
+  using Variant = ParticleSolids;
+  ParticlePart part;
+  gl::In<"starts"> starts;
+};
+
 class Particles : public Simulation, public LockStep {
  public:
   Particles(const scene::Object& object, const Setting& setting)
@@ -54,14 +118,15 @@ class Particles : public Simulation, public LockStep {
         plan_(parametersOf<ParticleParameters>(object).inStep(setting.together<LockStep>().steps),
               setting.seed, setting.frameSeconds, maxParticles(), shapesIn(setting)) {
     const ParticleParameters& p = plan_.parameters();
-    if (p.collides) heights_ = setting.find<HeightField>();
-    meshes_ = MeshTouch(name_, p.collides ? setting.find<DistanceFields>() : nullptr, p.substeps,
-                        plan_.substepSeconds());
-    if (!p.walls.empty()) {
-      walls_ = setting.wanted<Walls>(p.walls);
-      walls_->checkReach(name_, p.margin);
-    }
-    wind_ = setting.wanted<FluidWind>(p.windFluid);
+    touch_ = Touch(name_, setting,
+                   {.walls = p.walls,
+                    .wind = p.windFluid,
+                    .solids = p.collides,
+                    .margin = p.margin,
+                    .bounce = p.bounce,
+                    .colliders = plan_.colliderCount(),
+                    .substeps = p.substeps,
+                    .substepSeconds = plan_.substepSeconds()});
     if (p.method == GravityMethod::allPairs) pairs_ = PairGravity(setting.fast);
     if (p.method == GravityMethod::tree) tree_.emplace(name_, plan_.count(), setting.fast);
     const ParticleCloud cloud = plan_.firstCloud();
@@ -77,7 +142,7 @@ class Particles : public Simulation, public LockStep {
         gl::Vec4Array(name_ + " accelerations", std::vector<glm::vec4>(cloud.positions.size()));
     const unsigned fine[4] = {0xffffffffU, 0xffffffffU, 0, 0};
     status_ = gl::Buffer::of<unsigned>(name_ + " status", fine);
-    makePrograms(setting.fast);
+    makeKernels(setting.fast);
     steps_ = StepBlocks<shader::ParticleStep>(name_ + " steps", p.substeps);
     if (colors_.empty()) colors_ = {glm::vec3(0.02F), glm::vec3(1.0F)};
   }
@@ -99,26 +164,20 @@ class Particles : public Simulation, public LockStep {
     if (!primed_) prime(time);
     stepsOfFrame_ = plan_.frame(time);
     steps_.upload(stepsOfFrame_);
-    meshes_.beginFrame(time);
-    tellWalls();
+    touch_.beginFrame(time);
     if (inContact_) copy(accelerations_.buffer(), savedAccelerations_);
   }
   void predict(int substep) override {
     gl::barrier();
-    positions_[0].bindInput(shader::particles::startsBinding);
-    positions_[1].bindState(shader::particles::positionsBinding);
-    keep_.set("count", plan_.count());
-    keep_.dispatch(plan_.count());
+    keep_.dispatch(plan_.count(),
+                   {.count = plan_.count(), .starts = positions_[0], .positions = positions_[1]});
     next_ = 1;
     advance(substep);
   }
   void settle(int substep) override {
     if (!settles_) return;
-    bind(substep);
-    tellHeights(settle_, substep);
-    positions_[0].bindInput(shader::particles::startsBinding);
     gl::barrier();
-    settle_.dispatch(plan_.count());
+    settle_.dispatch(plan_.count(), {.part = partAt(substep), .starts = positions_[0]});
   }
   [[nodiscard]] Contact::Part arrays() const override {
     return {&positions_[0], &positions_[1], &velocities_};
@@ -204,48 +263,41 @@ class Particles : public Simulation, public LockStep {
   }
 
  private:
-  void makePrograms(bool fast) {
+  void makeKernels(bool fast) {
     const ParticleParameters& p = plan_.parameters();
-    gl::Defines defines = gl::kernelDefines(fast);
-    defines.emplace_back("SOLIDS", plan_.colliderCount() + meshes_.count() > 0 ? "1" : "0");
-    if (gl::memoryPath() == gl::MemoryPath::texel)
-      defines.emplace_back("COLLIDERS", std::to_string(plan_.colliderCount()));
-    meshes_.addDefines(defines);
-    defines.emplace_back("HEIGHTS", heights_ != nullptr ? "1" : "0");
-    defines.emplace_back("ATTRACTOR", p.hasAttractor ? "true" : "false");
-    defines.emplace_back("TURBULENCE", p.turbulence.strength > 0 ? "true" : "false");
-    addWallDefines(defines, walls_);
-    addWindDefines(defines, wind_);
-    kick_ = gl::Program::compute("particles/kick.comp", defines);
-    kick_.checkUniformBlock("StepBlock", sizeof(shader::ParticleStep));
-    move_ = gl::Program::compute(attracts() ? "particles/drift.comp" : "particles/step.comp", defines);
-    meshes_.check(move_);
-    if (wind_ != nullptr) wind_->tell(kick_);
-    if (wind_ != nullptr && !attracts()) wind_->tell(move_);
-    settles_ = plan_.colliderCount() + meshes_.count() > 0 || heights_ != nullptr || walls_ != nullptr;
+    const gl::Defines defines = gl::kernelDefines(fast);
+    const ParticleFields fields = {.attractor = p.hasAttractor, .turbulence = p.turbulence.strength > 0};
+    const bool shapes = plan_.colliderCount() > 0;
+    const ParticleSolids solids = {.touch = touch_.variant(), .solids = shapes || touch_.meshCount() > 0};
+    kick_ = gl::Kernel<ParticleKick>(defines, {.wind = solids.touch.wind, .fields = fields});
+    if (attracts())
+      drift_ = gl::Kernel<ParticleDrift>(defines, solids);
+    else
+      whole_ = gl::Kernel<ParticleWhole>(defines, {.solids = solids, .fields = fields});
+    settles_ = shapes || touch_.meets();
     if (inContact_) {
-      keep_ = gl::Program::compute("particles/keep.comp", gl::kernelDefines(fast));
-      settle_ = gl::Program::compute("particles/settle.comp", defines);
-      meshes_.check(settle_);
+      keep_ = gl::Kernel<ParticleKeep>(defines);
+      settle_ = gl::Kernel<ParticleSettle>(defines, solids);
     }
-    if (p.emitters.empty()) return;
-    if (attracts()) defines.emplace_back("ATTRACTS", "1");
-    birth_ = gl::Program::compute("particles/birth.comp", defines);
-    if (wind_ != nullptr) wind_->tell(birth_);
+    if (!p.emitters.empty())
+      birth_ =
+          gl::Kernel<ParticleBirth>(defines, {.solids = solids, .fields = fields, .attracts = attracts()});
   }
 
   [[nodiscard]] bool attracts() const { return plan_.parameters().method != GravityMethod::none; }
 
   /// A substep of what lies in positions_[next_].
   void advance(int substep) {
-    bind(substep);
     gl::barrier();
-    move_.dispatch(plan_.count());
-    giveBirth(stepsOfFrame_[static_cast<std::size_t>(substep)]);
+    const ParticlePart part = partAt(substep);
+    if (attracts())
+      drift_.dispatch(plan_.count(), {part, accelerations_});
+    else
+      whole_.dispatch(plan_.count(), {part, accelerations_});
+    giveBirth(stepsOfFrame_[static_cast<std::size_t>(substep)], part);
     if (!attracts()) return;
     attract();
-    bind(substep);
-    kick_.dispatch(plan_.count());
+    kick_.dispatch(plan_.count(), {part, accelerations_});
   }
 
   static void copy(const gl::Buffer& from, const gl::Buffer& to) {
@@ -254,62 +306,36 @@ class Particles : public Simulation, public LockStep {
     gl::barrier();
   }
 
-  void giveBirth(const shader::ParticleStep& step) const {
+  void giveBirth(const shader::ParticleStep& step, const ParticlePart& part) const {
     int newborns = 0;
     for (const shader::EmitterStep& emitter : step.emitters) newborns += emitter.newborns;
-    if (newborns == 0) return;
-    gl::barrier();
-    birth_.dispatch(newborns);
+    birth_.dispatch(newborns, {part, accelerations_});
   }
 
   /// The first accelerations: a kick of no length.
   void prime(double time) {
     steps_.upload(std::vector{plan_.prime(time)});
+    gl::barrier();
     if (attracts()) attract();
-    bind(0);
-    gl::barrier();
-    kick_.dispatch(plan_.count());
-    gl::barrier();
+    kick_.dispatch(plan_.count(), {partAt(0), accelerations_});
     primed_ = true;
   }
 
   void attract() {
     const ParticleParameters& p = plan_.parameters();
-    gl::barrier();
     if (p.method == GravityMethod::tree)
       tree_->accelerate(positions_[next_], accelerations_, plan_.count(), p.gravity, p.softening,
                         p.opening);
     else
       pairs_.accelerate(positions_[next_], accelerations_, plan_.count(), p.gravity, p.softening);
-    gl::barrier();
   }
 
-  void tellWalls() const {
-    if (walls_ == nullptr) return;
-    const ParticleParameters& p = plan_.parameters();
-    walls_->tell(move_, plan_.substepSeconds(), p.margin, p.bounce);
-    if (!p.emitters.empty()) walls_->tell(birth_, plan_.substepSeconds(), p.margin, p.bounce);
-    if (inContact_) walls_->tell(settle_, plan_.substepSeconds(), p.margin, p.bounce);
-  }
-
-  void bind(int substep) const {
-    steps_.bind(static_cast<std::size_t>(substep));
-    positions_[next_].bindState(shader::particles::positionsBinding);
-    velocities_.bindState(shader::particles::velocitiesBinding);
-    accelerations_.bindState(shader::particles::accelerationsBinding);
-    status_.bindStorage(shader::statusBinding);
-    meshes_.bind(substep);
-    if (walls_ != nullptr) walls_->bind();
-    if (wind_ != nullptr) wind_->bind();
-    tellHeights(move_, substep);
-    if (!plan_.parameters().emitters.empty()) tellHeights(birth_, substep);
-  }
-
-  void tellHeights(const gl::Program& program, int substep) const {
-    if (heights_ == nullptr) return;
-    const ParticleParameters& p = plan_.parameters();
-    heights_->bind();
-    heights_->tell(program, substep, p.substeps, p.margin, p.bounce);
+  [[nodiscard]] ParticlePart partAt(int substep) const {
+    return {.step = steps_.at(static_cast<std::size_t>(substep)),
+            .touch = touch_.at(substep),
+            .status = status_,
+            .positions = positions_[next_],
+            .velocities = velocities_};
   }
 
   /// Mass of an ordinary particle: of the first group, else of the first emitter.
@@ -332,12 +358,13 @@ class Particles : public Simulation, public LockStep {
   gl::Buffer status_;
   StepBlocks<shader::ParticleStep> steps_;
   std::vector<shader::ParticleStep> stepsOfFrame_;
-  const HeightField* heights_ = nullptr;  ///< null: it falls onto nothing
-  const Walls* walls_ = nullptr;          ///< null: it meets none
-  const FluidWind* wind_ = nullptr;       ///< null: none blows
-  MeshTouch meshes_;
-  gl::Program keep_, settle_;
-  gl::Program move_, birth_, kick_;  ///< move_: the whole substep unless they attract each other
+  Touch touch_;
+  gl::Kernel<ParticleKeep> keep_;
+  gl::Kernel<ParticleSettle> settle_;
+  gl::Kernel<ParticleDrift> drift_;
+  gl::Kernel<ParticleWhole> whole_;
+  gl::Kernel<ParticleBirth> birth_;
+  gl::Kernel<ParticleKick> kick_;
   PairGravity pairs_;
   std::optional<GravityTree> tree_;
   std::vector<glm::vec3> colors_;  ///< where the parameters give none

@@ -97,9 +97,9 @@ std::vector<Trapezoid> trapezoids(const TextOutlines& outlines) {
 namespace {
 
 /// Puts a mesh together; positions in m.
-class Solid {
+class TextSolid {
  public:
-  Solid(const TextOutlines& outlines, double height, double depth) : height_(height), depth_(depth) {
+  TextSolid(const TextOutlines& outlines, double height, double depth) : height_(height), depth_(depth) {
     low_ = high_ = outlines.front().front();
     for (const auto& polygon : outlines)
       for (const glm::dvec2& point : polygon) {
@@ -252,7 +252,7 @@ class Solid {
 
 Mesh solidText(const TextOutlines& outlines, double height, double depth) {
   if (outlines.empty()) return {};
-  return Solid(outlines, height, depth).take();
+  return TextSolid(outlines, height, depth).take();
 }
 
 }  // namespace simreel::sim

@@ -8,6 +8,8 @@
 #include "sim/fluid/fluid.hpp"
 #include "sim/garment/garment.hpp"
 #include "sim/gray_scott/gray_scott.hpp"
+#include "sim/kernels/image.hpp"
+#include "sim/kernels/kernels.hpp"
 #include "sim/lenia/lenia.hpp"
 #include "sim/life/life.hpp"
 #include "sim/mesh/mesh.hpp"
@@ -28,10 +30,10 @@ namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
   static const std::vector<SimulationKind> list = {
-      clothKind(),    particlesKind(), lifeKind(),     leniaKind(), grayScottKind(),
-      reactionKind(), epidemicKind(),  wildfireKind(), fluidKind(), waterKind(),
-      caveKind(),     contourKind(),   meshKind(),     bodyKind(),  sphereKind(),
-      capsuleKind(),  planeKind(),     textKind(),     chartKind(),
+      clothKind(),    particlesKind(), lifeKind(),   leniaKind(),   grayScottKind(), reactionKind(),
+      epidemicKind(), wildfireKind(),  fluidKind(),  waterKind(),   caveKind(),      contourKind(),
+      meshKind(),     bodyKind(),      sphereKind(), capsuleKind(), planeKind(),     textKind(),
+      chartKind(),    kernelsKind(),   imageKind(),
   };
   return list;
 }

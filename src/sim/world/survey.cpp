@@ -34,8 +34,8 @@ const ParticleParameters* particlesOf(const scene::Object& object) {
 }
 
 bool goesItsWay(const scene::Object& object) {
-  return particlesOf(object) != nullptr ||
-         dynamic_cast<const ClothParameters*>(object.parameters.get()) != nullptr;
+  const auto* parameters = dynamic_cast<const ObjectParameters*>(object.parameters.get());
+  return parameters != nullptr && parameters->wanders();
 }
 
 /// While it lives the scene is computed exactly, and nobody hears what making its world says, which the
@@ -62,7 +62,8 @@ class Quietly {
 
 /// What a byte of its state costs in a step beside one of a cloth of springs, as measured.
 double weightOf(const scene::Object& object) {
-  constexpr double tree = 40, contact = 8, ofMesh = 5;
+  constexpr double tree = 40, contact = 8, ofMesh = 5, ofUser = 2;
+  if (object.kind == "kernels") return ofUser;
   if (const ParticleParameters* particles = particlesOf(object))
     return particles->method == GravityMethod::tree ? tree : 1;
   const auto* cloth = dynamic_cast<const ClothParameters*>(object.parameters.get());

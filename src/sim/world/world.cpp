@@ -1,6 +1,7 @@
 #include "sim/world/world.hpp"
 
 #include "base/error.hpp"
+#include "sim/core/race_checked.hpp"
 #include "sim/core/retunable.hpp"
 #include "sim/world/state.hpp"
 
@@ -159,6 +160,14 @@ std::vector<World::ArrayName> World::arrays() const {
 
 std::vector<World::CountNames> World::countNames() const {
   return state_->summaries->countNames();
+}
+
+std::vector<std::string> World::races() {
+  std::vector<std::string> all;
+  for (const auto& object : state_->objects)
+    if (auto* checked = dynamic_cast<RaceChecked*>(object.get()))
+      for (std::string& line : checked->races(time())) all.push_back(std::move(line));
+  return all;
 }
 
 const Simulation& World::object(std::size_t index) const {

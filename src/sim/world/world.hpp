@@ -70,6 +70,8 @@ class World {
   /// so that they are to be drawn again (Simulation::grow).
   bool grow();
   [[nodiscard]] const Simulation& object(std::size_t index) const;
+  /// Searches the dispatches of the next frame's steps for races (RaceChecked), a line for each place.
+  [[nodiscard]] std::vector<std::string> races();
 
   using ArrayName = sim::ArrayName;
   using CountNames = sim::CountNames;

@@ -1,0 +1,28 @@
+// What the vertices of a mesh get of thin colliders: by the edges and faces around each.
+#include "garment/kernel.glsl"
+layout(local_size_x = 64) in;
+#include "cloth/thin_kernel.glsl"
+INPUT_WORDS(fansBinding, FanBlock, fans)
+INPUT_WORDS(ringsBinding, RingBlock, rings)
+
+void main() {
+  int i = int(gl_GlobalInvocationID.x);
+  if (i >= count) return;
+  Corner here = loadCorner(i);
+  uvec4 fan = LOAD_INPUT_WORDS(fans, i);
+  Fended sum = notFended();
+  int last = stepData.colliderCount + stepData.thinCount;
+  for (int c = stepData.colliderCount; c < last; ++c) {
+    if (here.inverseMass == 0.0f || !mayMeet(c, here)) continue;
+    Fended most = notFended();
+    for (uint k = 0u; k < fan.y; ++k) {
+      uvec4 ring = LOAD_INPUT_WORDS(rings, int(fan.x + k));
+      Corner one = loadCorner(int(ring.x)), other = loadCorner(int(ring.y));
+      most = fendedByEdge(most, c, here, one);
+      most = fendedByEdge(most, c, here, other);
+      most = fendedByFace(most, c, here, one, other);
+    }
+    sum = together(sum, most);
+  }
+  leaveShift(i, sum);
+}

@@ -1,0 +1,316 @@
+#include "sim/kernels/drawn.hpp"
+
+#include "base/error.hpp"
+#include "sim/grid/color_map.hpp"
+#include "sim/grid/sheet_mesh.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+namespace simreel::sim {
+
+struct GatherKernel {
+  static constexpr auto file = "kernels/run/gather.comp";
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"start", int> start;
+  gl::Uniform<"stride", int> stride;
+  gl::Uniform<"places", glm::ivec4> places;
+  gl::Uniform<"fill", glm::vec4> fill;
+  gl::Uniform<"number", int> number;
+  gl::Uniform<"alive", int> alive;
+  gl::Uniform<"aliveNumber", int> aliveNumber;
+  gl::Uniform<"encoded", bool> encoded;
+  gl::In<"words"> words;
+  gl::Out<"drawn"> drawn;
+};
+
+struct NormalKernel {
+  static constexpr auto file = "kernels/run/normals.comp";
+  gl::Uniform<"count", int> count;
+  gl::In<"positions"> positions;
+  gl::In<"ranges"> ranges;
+  gl::In<"faces"> faces;
+  gl::Out<"normals"> normals;
+};
+
+namespace {
+
+int typeOf(const KernelSlot& slot) {
+  return slot.number == KernelSlot::Number::signedInteger     ? 1
+         : slot.number == KernelSlot::Number::unsignedInteger ? 2
+                                                              : 0;
+}
+
+/// The slot of a name; an element that has no members is one itself.
+const KernelSlot* slotOf(const std::vector<KernelSlot>& slots, const std::string& name) {
+  const KernelSlot* found = slotNamed(slots, name);
+  return found == nullptr && slots.size() == 1 ? slots.data() : found;
+}
+
+}  // namespace
+
+KernelDrawn::KernelDrawn(const std::string& name, const KernelPlan& plan, const scene::Material& material)
+    : name_(name),
+      plan_(plan),
+      material_(material),
+      gather_(gl::kernelDefines(false)),
+      normal_(gl::kernelDefines(false)) {
+  const PlannedDrawing& drawn = plan.drawn();
+  if (drawn.points) pointColors_ = colorMapStops(drawn.points->map);
+  if (drawn.field) fieldColors_ = drawn.field->display.colors();
+}
+
+KernelDrawn::~KernelDrawn() = default;
+
+KernelDrawn::Source KernelDrawn::source(const KernelStore& store, const std::string& of) const {
+  const std::vector<KernelSlot> slots = plan_.slots(of);
+  if (const int place = plan_.bufferNamed(of); place >= 0) {
+    const PlannedBuffer& buffer = plan_.buffers()[static_cast<std::size_t>(place)];
+    return {&store.buffer(place), static_cast<int>(buffer.header / 4), static_cast<int>(buffer.stride / 4),
+            static_cast<int>(buffer.count()), slots};
+  }
+  const int place = plan_.textureNamed(of);
+  return {&store.words(place), 0, 4,
+          static_cast<int>(plan_.textures()[static_cast<std::size_t>(place)].count()), slots};
+}
+
+void KernelDrawn::gather(const Source& from, const std::string& member, const std::string& fourth,
+                         const std::string& alive, const glm::vec4& fill, gl::Vec4Array& to) const {
+  glm::ivec4 places(-1);
+  int number = 0;
+  if (const KernelSlot* slot = slotOf(from.slots, member); slot != nullptr) {
+    for (std::size_t c = 0; c < std::min<std::size_t>(slot->offsets.size(), 3); ++c)
+      places[static_cast<int>(c)] = static_cast<int>(slot->offsets[c] / 4);
+    number = typeOf(*slot);
+  }
+  const KernelSlot* last = fourth.empty() ? nullptr : slotNamed(from.slots, fourth);
+  const KernelSlot* living = alive.empty() ? nullptr : slotNamed(from.slots, alive);
+  if (last != nullptr) places.w = static_cast<int>(last->offsets[0] / 4);
+  gather_.dispatch(from.count, {.count = from.count,
+                                .start = from.start,
+                                .stride = from.stride,
+                                .places = places,
+                                .fill = fill,
+                                .number = number,
+                                .alive = living == nullptr ? -1 : static_cast<int>(living->offsets[0] / 4),
+                                .aliveNumber = living == nullptr ? 0 : typeOf(*living),
+                                .encoded = from.encoded,
+                                .words = *from.words,
+                                .drawn = to});
+}
+
+void KernelDrawn::makeFaces(const std::vector<unsigned>& indices, std::size_t vertices) {
+  std::vector<glm::ivec2> ranges(vertices), faces(std::max<std::size_t>(1, indices.size()));
+  for (const unsigned index : indices)
+    if (index < vertices) ++ranges[index].y;
+  int begin = 0;
+  for (glm::ivec2& range : ranges) {
+    range.x = begin;
+    begin += range.y;
+    range.y = range.x;
+  }
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const std::size_t face = i / 3 * 3;
+    if (indices[i] >= vertices) continue;
+    faces[static_cast<std::size_t>(ranges[indices[i]].y++)] = {indices[face + (i + 1) % 3],
+                                                               indices[face + (i + 2) % 3]};
+  }
+  ranges_ = gl::Buffer::of(name_ + " faces of vertices", std::span<const glm::ivec2>(ranges));
+  faces_ = gl::Buffer::of(name_ + " faces", std::span<const glm::ivec2>(faces));
+}
+
+void KernelDrawn::makeSurface(const KernelStore& store) {
+  const KernelSurface& surface = *plan_.drawn().surface;
+  const Source from = source(store, surface.of);
+  const auto vertices = static_cast<std::size_t>(from.count);
+  vertices_ = gl::Vec4Array(name_ + " vertices", from.count);
+  if (!surface.mesh.empty()) {
+    const Mesh mesh = loadMesh(surface.mesh, MeshNormals::shared);
+    if (mesh.positions.size() > vertices)
+      fail(ExitCode::usage, "kernels \"{}\": {} has {} vertices, the buffer {} only {}", name_,
+           surface.mesh.filename().string(), mesh.positions.size(), surface.of, vertices);
+    triangles_ = mesh.indices;
+    textureCoordinates_ = mesh.uvs;
+  } else if (!surface.indices.empty()) {
+    const int place = plan_.bufferNamed(surface.indices);
+    const PlannedBuffer& planned = plan_.buffers()[static_cast<std::size_t>(place)];
+    const auto words = store.buffer(place).readAll<unsigned>();
+    const std::size_t first = planned.header / 4, count = planned.count() * planned.stride / 4 / 3 * 3;
+    triangles_.assign(words.begin() + static_cast<std::ptrdiff_t>(first),
+                      words.begin() + static_cast<std::ptrdiff_t>(first + count));
+    for (const unsigned index : triangles_)
+      if (index >= vertices)
+        fail(ExitCode::usage, "kernels \"{}\": the buffer {} has the index {}, but {} has {} vertices",
+             name_, surface.indices, index, surface.of, vertices);
+  } else {
+    triangles_ = gridIndices(surface.grid);
+  }
+  indices_ = gl::Buffer::of(name_ + " indices", std::span<const unsigned>(triangles_));
+  indexCount_ = static_cast<int>(triangles_.size());
+  if (surface.mesh.empty() && surface.indices.empty()) return;
+  normals_ = gl::Vec4Array(name_ + " normals", from.count);
+  textureCoordinates_.resize(vertices);
+  uvs_ = gl::Buffer::of(name_ + " texture coordinates", std::span<const glm::vec2>(textureCoordinates_));
+  uvView_ = gl::Texture::view(name_ + " texture coordinates", GL_RG32F, uvs_, 8);
+  makeFaces(triangles_, vertices);
+}
+
+void KernelDrawn::update(const KernelStore& store) {
+  const PlannedDrawing& drawn = plan_.drawn();
+  if (drawn.surface) {
+    if (!made_) makeSurface(store);
+    const Source from = source(store, drawn.surface->of);
+    gather(from, drawn.surface->position, "", "", glm::vec4(0, 0, 0, 1), vertices_);
+    if (normals_.buffer().bytes() > 0 && !drawn.surface->normal.empty())
+      gather(from, drawn.surface->normal, "", "", glm::vec4(0, 1, 0, 0), normals_);
+    else if (normals_.buffer().bytes() > 0)
+      normal_.dispatch(from.count, {.count = from.count,
+                                    .positions = vertices_,
+                                    .ranges = ranges_,
+                                    .faces = faces_,
+                                    .normals = normals_});
+  }
+  if (drawn.points) {
+    const KernelPoints& points = *drawn.points;
+    const Source from = source(store, points.of);
+    if (!made_) {
+      places_ = gl::Vec4Array(name_ + " places", from.count);
+      speeds_ = gl::Vec4Array(name_ + " velocities", from.count);
+    }
+    gather(from, points.position, points.mass, "", glm::vec4(0, 0, 0, 1), places_);
+    // Without a velocity nothing is copied but what is alive.
+    Source moving = from;
+    if (points.velocity.empty())
+      std::erase_if(moving.slots, [&](const KernelSlot& slot) { return slot.path != points.alive; });
+    gather(moving, points.velocity, "", points.alive, glm::vec4(0), speeds_);
+  }
+  if (drawn.field) updateField(store);
+  made_ = true;
+  gl::barrier();
+}
+
+void KernelDrawn::updateField(const KernelStore& store) {
+  const KernelField& field = *plan_.drawn().field;
+  const Source from = source(store, field.of);
+  const int place = plan_.bufferNamed(field.of);
+  const glm::ivec3 size =
+      place >= 0 ? plan_.buffers()[static_cast<std::size_t>(place)].size
+                 : plan_.textures()[static_cast<std::size_t>(plan_.textureNamed(field.of))].size;
+  if (!made_) {
+    cells_ = gl::Vec4Array(name_ + " cells", from.count);
+    words_ = gl::Texture::view(name_ + " cells", GL_RGBA32UI, cells_.buffer());
+  }
+  const bool texture = place < 0;
+  const KernelSlot* slot = field.show.empty() ? nullptr : slotNamed(from.slots, field.show);
+  const bool red =
+      texture &&
+      plan_.textures()[static_cast<std::size_t>(plan_.textureNamed(field.of))].format.starts_with("r") &&
+      !plan_.textures()[static_cast<std::size_t>(plan_.textureNamed(field.of))].format.starts_with("rg");
+  Source shown = from;
+  if (texture && slot == nullptr && !red) {
+    KernelSlot color = from.slots[0];
+    color.path = "color";
+    color.offsets = {0, 4, 8};
+    shown.slots = {color};
+    slot = shown.slots.data();
+  }
+  if (slot == nullptr) slot = from.slots.data();
+  const bool colors = slot->offsets.size() >= 3;
+  // The fourth number is what skins take: the first one of a colour.
+  KernelSlot one = *slot;
+  one.path = "first";
+  one.offsets.resize(1);
+  shown.slots = {*slot, one};
+  shown.encoded = field.encoded;
+  gather(shown, slot->path, "first", "", glm::vec4(0), cells_);
+  field_ = {};
+  field_.name = &name_;
+  field_.words = &words_;
+  field_.cells = colors ? Field::Cells::colors : Field::Cells::floats;
+  field_.size = {size.x, size.y};
+  field_.rowWords = 4 * size.x;
+  field_.cellWords = 4;
+  field_.range = {static_cast<float>(field.display.low), static_cast<float>(field.display.high)};
+  field_.colors = &fieldColors_;
+  field_.display = &field.display;
+}
+
+void KernelDrawn::publish(Drawables& drawables) const {
+  const PlannedDrawing& drawn = plan_.drawn();
+  if (drawn.surface) {
+    Surface surface;
+    surface.positions = &vertices_.view();
+    if (normals_.buffer().bytes() > 0) {
+      surface.normals = &normals_.view();
+      surface.uvs = &uvView_;
+    } else {
+      surface.grid = drawn.surface->grid;
+    }
+    surface.vertexCount = static_cast<int>(vertices_.buffer().bytes() / 16);
+    if (surface.grid.x > 0) surface.vertexCount = surface.grid.x * surface.grid.y;
+    surface.indices = &indices_;
+    surface.indexCount = indexCount_;
+    surface.doubleSided = drawn.surface->doubleSided;
+    surface.material = &material_;
+    drawables.surfaces.push_back(surface);
+  }
+  if (drawn.points) {
+    const KernelPoints& points = *drawn.points;
+    Instances instances;
+    instances.positions = &places_.view();
+    instances.velocities = &speeds_.view();
+    instances.capacity = static_cast<int>(places_.buffer().bytes() / 16);
+    instances.shape = points.shape;
+    instances.mesh = points.mesh;
+    instances.alongVelocity = points.alongVelocity;
+    instances.size = points.size;
+    instances.massExponent = points.massExponent;
+    instances.colorBy = points.colorBy;
+    instances.colorRange = points.colorRange;
+    instances.colors = &pointColors_;
+    instances.additive = points.additive;
+    instances.brightness = points.brightness;
+    instances.material = &material_;
+    drawables.instances.push_back(instances);
+  }
+  if (drawn.field) drawables.fields.push_back(field_);
+}
+
+PointTable KernelDrawn::points() const {
+  PointTable table;
+  const bool surface = plan_.drawn().surface.has_value();
+  if (!surface && !plan_.drawn().points) return table;
+  table.columns = {"x", "y", "z"};
+  const auto at = (surface ? vertices_ : places_).buffer().readAll<glm::vec4>();
+  const auto speeds = surface ? std::vector<glm::vec4>() : speeds_.buffer().readAll<glm::vec4>();
+  if (!surface) table.columns.insert(table.columns.end(), {"vx", "vy", "vz", "mass"});
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (!surface && speeds[i].w < 0) continue;
+    table.values.insert(table.values.end(), {at[i].x, at[i].y, at[i].z});
+    if (!surface) table.values.insert(table.values.end(), {speeds[i].x, speeds[i].y, speeds[i].z, at[i].w});
+  }
+  return table;
+}
+
+std::optional<MeshTable> KernelDrawn::mesh() const {
+  if (!plan_.drawn().surface) return std::nullopt;
+  const auto at = vertices_.buffer().readAll<glm::vec4>();
+  if (normals_.buffer().bytes() == 0) {
+    const glm::ivec2 grid = plan_.drawn().surface->grid;
+    return sheetMesh(
+        grid, std::span(at).first(static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y)));
+  }
+  MeshTable table;
+  for (const glm::vec4& vertex : at) table.positions.emplace_back(vertex);
+  for (const glm::vec4& normal : normals_.buffer().readAll<glm::vec4>()) table.normals.emplace_back(normal);
+  table.uvs = textureCoordinates_;
+  table.indices = triangles_;
+  table.doubleSided = plan_.drawn().surface->doubleSided;
+  return table;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,222 @@
+#include "sim/kernels/kernels.hpp"
+
+#include "base/error.hpp"
+#include "sim/core/kind.hpp"
+#include "sim/core/numerics.hpp"
+#include "sim/core/race_checked.hpp"
+#include "sim/kernels/drawn.hpp"
+#include "sim/kernels/memory.hpp"
+#include "sim/kernels/parameters.hpp"
+#include "sim/kernels/plan.hpp"
+#include "sim/kernels/programs.hpp"
+#include "sim/kernels/races.hpp"
+#include "sim/kernels/reports.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+namespace simreel::sim {
+
+void checkKernels(const scene::Object& object, const Setting& /*setting*/) {
+  const auto& parameters = parametersOf<KernelsParameters>(object);
+  if (parameters.file.empty())
+    fail(ExitCode::usage, "{} \"{}\" needs \"file\", a shader", object.kind, object.name);
+  if (parameters.plan != nullptr) return;
+  if (parameters.problemIsReport)
+    throw UserError(ExitCode::usage, parameters.problem, UserError::Form::report);
+  fail(ExitCode::usage, "{} \"{}\": {}", object.kind, object.name, parameters.problem);
+}
+
+namespace {
+
+class Kernels : public Simulation, public RaceChecked {
+ public:
+  Kernels(const scene::Object& object, const Setting& setting)
+      : name_(object.name),
+        parameters_(parametersOf<KernelsParameters>(object)),
+        frameSeconds_(setting.frameSeconds),
+        seed_(setting.seed),
+        plan_((checkKernels(object, setting), parameters_.plan)),
+        store_(name_, *plan_, static_cast<unsigned>(setting.seed)),
+        drawn_(name_, *plan_, object.material),
+        reports_(name_, *plan_, parameters_.boundsIgnored),
+        programs_(name_, plan_->shaderPointer()),
+        kind_(object.kind) {
+    checkLoops();
+    run(plan_->first(), nowAt(setting.startTime, 0), true);
+    finish(setting.startTime);
+  }
+
+  void step(double time, const StepWatch& watch) override {
+    advance(time, watch);
+    finish(time + frameSeconds_);
+  }
+  void pass(double time) override {
+    advance(time, {});
+    store_.settle();
+    reports_.collect(frameAt(time) + 1);
+  }
+  void resumed(double time) override {
+    store_.putBack();
+    finish(time);
+  }
+  [[nodiscard]] const gl::Buffer* status() const override { return reports_.status(); }
+  [[nodiscard]] std::string remark(int /*frame*/) const override { return reports_.told(); }
+  [[nodiscard]] std::string explainLoss(unsigned /*step*/, unsigned /*element*/) const override {
+    return reports_.told();
+  }
+  [[nodiscard]] int stepsPerFrame() const override { return parameters_.steps; }
+  [[nodiscard]] std::string elementName(long element) const override {
+    return fmt::format("bytes {} to {}", 16 * element, 16 * element + 15);
+  }
+  void publish(double /*time*/, Drawables& drawables) const override { drawn_.publish(drawables); }
+  void carryOver(CarryOver& carry) override {
+    for (std::size_t i = 0; i < plan_->buffers().size(); ++i)
+      carry.array(plan_->buffers()[i].name.c_str(), store_.buffer(static_cast<int>(i)));
+    for (std::size_t i = 0; i < plan_->textures().size(); ++i)
+      carry.array(plan_->textures()[i].name.c_str(), store_.words(static_cast<int>(i)));
+  }
+  [[nodiscard]] std::vector<StateArray> state() const override {
+    std::vector<StateArray> arrays;
+    for (std::size_t i = 0; i < plan_->buffers().size(); ++i)
+      arrays.push_back({plan_->buffers()[i].name.c_str(), &store_.buffer(static_cast<int>(i)),
+                        !plan_->buffers()[i].allFloats});
+    for (std::size_t i = 0; i < plan_->textures().size(); ++i)
+      arrays.push_back({plan_->textures()[i].name.c_str(), &store_.words(static_cast<int>(i)),
+                        plan_->textures()[i].integers()});
+    return arrays;
+  }
+  [[nodiscard]] std::vector<std::string> races(double time) override {
+    if (parameters_.request.file.empty()) return {};  // an image: each invocation writes its own pixel
+    const KernelStore::Saved before = store_.save();
+    races_ = std::make_unique<KernelRaces>(name_, parameters_.request);
+    run(plan_->first(), nowAt(time, 0), true);
+    store_.restore(before);
+    for (int i = 0; i < std::min(parameters_.steps, 2); ++i) run(plan_->step(), nowAt(time, i), false);
+    store_.restore(before);
+    store_.settle();
+    std::vector<std::string> found = races_->found();
+    races_.reset();
+    return found;
+  }
+  [[nodiscard]] PointTable points() const override { return drawn_.points(); }
+  [[nodiscard]] std::optional<MeshTable> mesh() const override { return drawn_.mesh(); }
+  [[nodiscard]] std::vector<double> measure() const override {
+    std::vector<double> values;
+    for (const KernelMeasure& one : parameters_.measured) values.push_back(measured(one));
+    return values;
+  }
+
+ private:
+  /// A driver that ends loops by itself would do so in silence.
+  void checkLoops() const {
+    if (parameters_.iterations > 0 && parameters_.iterations <= 65535) return;
+    if (const unsigned reached = probeLoop(); reached < loopProbeRounds)
+      fail(ExitCode::device,
+           "{} \"{}\": this driver ends each loop after {} iterations; give \"iterations\" at most that",
+           kind_, name_, reached);
+  }
+  [[nodiscard]] long frameAt(double time) const { return std::lround(time / frameSeconds_); }
+  [[nodiscard]] KernelPlan::Now nowAt(double time, int step) const {
+    const double dt = frameSeconds_ / std::max(1, parameters_.steps);
+    const long frame = frameAt(time);
+    return {dt, time + step * dt, frame, frame * parameters_.steps + step, seed_};
+  }
+
+  void advance(double time, const StepWatch& watch) {
+    for (int i = 0; i < parameters_.steps; ++i) {
+      run(plan_->step(), nowAt(time, i), false);
+      if (!watch) continue;
+      store_.settle();
+      watch(i + 1);
+    }
+  }
+
+  void finish(double time) {
+    store_.settle();
+    drawn_.update(store_);
+    reports_.collect(frameAt(time));
+  }
+
+  void run(const std::vector<PlannedEntry>& entries, const KernelPlan::Now& now, bool first) {
+    for (const PlannedEntry& entry : entries) {
+      if (!first && now.step % entry.every != 0) continue;
+      for (int i = 0; i < entry.repeat; ++i) {
+        if (entry.kernel >= 0) dispatch(entry, now);
+        if (entry.count >= 0) store_.copyCounter(entry);
+        if (!entry.clear.empty()) store_.clear(entry.clear);
+        if (!entry.swapA.empty()) store_.swap(entry.swapA, entry.swapB);
+      }
+    }
+  }
+
+  void dispatch(const PlannedEntry& entry, const KernelPlan::Now& now) {
+    if (races_) return races_->dispatch(store_, entry, now);
+    const auto& group = programs_.kernel(entry.kernel).threads;
+    reports_.bind(static_cast<std::size_t>(entry.kernel),
+                  KernelPrograms::groups(*plan_, entry, now) * glm::uvec3(group[0], group[1], group[2]));
+    programs_.dispatch(store_, entry, now);
+  }
+
+  [[nodiscard]] double measured(const KernelMeasure& measure) const {
+    const std::vector<KernelSlot> slots = plan_->slots(measure.of);
+    const KernelSlot& slot = *slotNamed(slots, measure.member);
+    const int place = plan_->bufferNamed(measure.of);
+    const gl::Buffer& memory =
+        place >= 0 ? store_.buffer(place) : store_.words(plan_->textureNamed(measure.of));
+    const auto bytes = memory.readAll<std::byte>();
+    std::size_t header = 0, stride = 16, count = memory.bytes() / 16;
+    if (place >= 0) {
+      const PlannedBuffer& buffer = plan_->buffers()[static_cast<std::size_t>(place)];
+      header = buffer.header, stride = buffer.stride, count = buffer.count();
+    }
+    double sum = 0, least = std::numeric_limits<double>::infinity(), most = -least;
+    for (std::size_t i = 0; i < count; ++i) {
+      double value = 0;
+      for (std::size_t c = 0; c < slot.offsets.size(); ++c) {
+        const double part = loadSlot(bytes.data() + header + i * stride, slot, c);
+        value = slot.offsets.size() == 1 ? part : value + part * part;
+      }
+      if (slot.offsets.size() > 1) value = std::sqrt(value);
+      sum += value;
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+    using What = KernelMeasure::What;
+    return measure.what == What::sum   ? sum
+           : measure.what == What::min ? least
+           : measure.what == What::max ? most
+                                       : sum / static_cast<double>(count);
+  }
+
+  std::string name_;
+  KernelsParameters parameters_;
+  double frameSeconds_;
+  int seed_;
+  std::shared_ptr<const KernelPlan> plan_;
+  KernelStore store_;
+  KernelDrawn drawn_;
+  KernelReports reports_;
+  KernelPrograms programs_;
+  std::string kind_;
+  std::unique_ptr<KernelRaces> races_;  ///< while races are looked for
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> makeKernels(const scene::Object& object, const Setting& setting) {
+  return std::make_unique<Kernels>(object, setting);
+}
+
+SimulationKind kernelsKind() {
+  return kindOf<KernelsParameters>(
+      "kernels", "Compute shaders of your own: Unity's .compute, HLSL or GLSL.", checkKernels, makeKernels);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,67 @@
+#pragma once
+#include "gl/element_array.hpp"
+#include "gl/kernel/kernel.hpp"
+#include "gl/program.hpp"
+#include "sim/kernels/plan.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace simreel::sim {
+
+struct TexelCopy;
+
+/// Buffers and textures of a user's kernels on the GPU.
+class KernelStore {
+ public:
+  /// Throws UserError(device) where memory is beyond a limit of the device.
+  KernelStore(const std::string& name, const KernelPlan& plan, unsigned seed);
+  ~KernelStore();
+  KernelStore(const KernelStore&) = delete;
+  KernelStore& operator=(const KernelStore&) = delete;
+
+  /// Binds what a kernel reads and writes.
+  void bind(const kernels::Kernel& kernel);
+  void swap(const std::string& a, const std::string& b);
+  void clear(const std::string& name);
+  /// Copies a counter into a buffer.
+  void copyCounter(const PlannedEntry& entry);
+  /// Copies of all memory.
+  struct Saved {
+    std::vector<gl::Buffer> buffers, words;
+  };
+  [[nodiscard]] Saved save();
+  void restore(const Saved& saved);
+  /// Zeroes what was written out of bounds, and copies textures into words(). Call before state is read.
+  void settle();
+  /// Fills the textures from words(), after these were put back.
+  void putBack();
+
+  [[nodiscard]] const gl::Buffer& buffer(int place) const {
+    return buffers_[static_cast<std::size_t>(place)];
+  }
+  [[nodiscard]] gl::Buffer& buffer(int place) { return buffers_[static_cast<std::size_t>(place)]; }
+  /// Returns the texels of a texture: four words each, as settle() left them.
+  [[nodiscard]] const gl::Buffer& words(int texture) const {
+    return words_[static_cast<std::size_t>(texture)].buffer();
+  }
+  [[nodiscard]] gl::Buffer& words(int texture) {
+    return words_[static_cast<std::size_t>(texture)].buffer();
+  }
+  [[nodiscard]] const KernelPlan& plan() const { return plan_; }
+
+ private:
+  void makeTexture(const std::string& name, const PlannedTexture& planned, unsigned seed);
+  void putBack(std::size_t texture);
+  void keepPrevious(int copy, int original);
+
+  const KernelPlan& plan_;
+  std::vector<gl::Buffer> buffers_;
+  std::vector<gl::Texture> textures_;
+  std::vector<gl::WordsArray> words_;
+  std::vector<gl::Kernel<TexelCopy>> copies_;
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,249 @@
+#include "sim/kernels/parameters.hpp"
+
+#include "base/error.hpp"
+#include "kernels/kernels.hpp"
+#include "scene/value/asset_path.hpp"
+#include "scene/value/implied_shape.hpp"
+#include "sim/grid/color_map.hpp"
+#include "sim/kernels/plan.hpp"
+#include "sim/ports/field_source.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace simreel::sim {
+
+namespace {
+
+void describe(scene::Fields& f, KernelMemory& memory, bool texture) {
+  f.formula("size", memory.size, "",
+            texture
+                ? "Texels along x, y and, of a volume or layers, z; or expressions of count(BUFFER) and "
+                  "width(TEXTURE)."
+                : "Elements, along x or x and y or x, y and z (x fastest); or expressions of "
+                  "count(BUFFER) and width(TEXTURE).");
+  f.leftOut("size", texture ? "the file's" : "the file's rows, or 1");
+  f.formulas("start", memory.start,
+             texture
+                 ? "First values: one formula, or one for each channel, of x, y, z, i (the texel's place), "
+                   "width, height, depth, random(k) and the columns of \"file\"."
+                 : "First values by member of the struct, such as {\"position\": [\"x\", \"0\", \"y\"]}, "
+                   "or of the element itself: formulas of i (its place), x, y, z, count, random(k) and "
+                   "the columns of \"file\". What is left out is zero.");
+  f.asset("file", memory.file,
+          texture
+              ? "Picture with the first values: linear red, green, blue, and opacity, as r, g, b, a."
+              : "Table with first values: CSV (a column is called as its first line says), npy (c0, c1, "
+                "...), or OBJ, PLY, glTF (vertices: x, y, z, nx, ny, nz, u, v).");
+  if (texture) {
+    f.text("format", memory.format, "Format of a texel, such as \"rgba32f\" or \"r32ui\".");
+    f.leftOut("format", "the shader's, or of 32 bits a channel");
+    f.choice("filter", memory.filter, {"shader", "point", "linear"},
+             "Reads between texels; \"shader\": as the sampler's name says (linear, point), else linear.");
+    f.choice("wrap", memory.wrap, {"shader", "repeat", "clamp", "mirror"},
+             "Reads beyond the edges; \"shader\": as the sampler's name says, else repeat.");
+  } else {
+    f.boolean("previous", memory.previous,
+              "Kernels that read and write the buffer read it as it was before their dispatch, so no "
+              "invocation sees "
+              "what others write.");
+    f.number("counter", memory.counter, {0, 4e9}, "",
+             "First value of the counter of an append or consume buffer.");
+  }
+}
+
+void describeEntry(scene::Fields& f, KernelEntry& entry) {
+  f.text("kernel", entry.kernel, "Kernel to dispatch.");
+  f.formula("threads", entry.threads, "",
+            "Invocations along x, y, z: numbers or expressions of count(BUFFER), width(TEXTURE), ...");
+  f.leftOut("threads", "one for each element or texel of the first memory that the kernel writes");
+  f.integer("repeat", entry.repeat, {1, 1e6}, "", "Times in a row.");
+  f.integer("every", entry.every, {1, 1e9}, "steps", "Runs in every n-th step, from the first one on.");
+  f.text("indirect", entry.indirect, "Buffer that holds the numbers of work groups: three uints.");
+  f.integer("offset", entry.offset, {0, 2e9}, "bytes", "Where they begin in that buffer, or in \"into\".");
+  f.formula("swap", entry.swap, "",
+            "Two buffers or textures that exchange their memory, after the kernel.");
+  f.text("clear", entry.clear, "Buffer, counter (NAME.counter) or texture that becomes zero.");
+  f.text("count", entry.count, "Append or consume buffer whose counter is copied to \"into\".");
+  f.text("into", entry.into, "Buffer that gets a counter, at \"offset\".");
+}
+
+void describe(scene::Fields& f, KernelSurface& surface) {
+  f.text("of", surface.of, "Buffer whose elements are the vertices.");
+  f.text("position", surface.position, "Member that holds a vertex's place (m).");
+  f.text("normal", surface.normal, "Member that holds its normal.");
+  f.leftOut("normal", "from the neighbours of a grid, or from the triangles");
+  f.pair("grid", surface.grid, {0, 16384}, "vertices",
+         "Width and height of a grid of vertices, x fastest.");
+  f.leftOut("grid", "the buffer's size");
+  f.text("indices", surface.indices, "Buffer of uints, three a triangle.");
+  f.asset("mesh", surface.mesh, "OBJ, PLY or glTF file whose triangles join the vertices.");
+  f.boolean("doubleSided", surface.doubleSided, "Shows both sides.");
+}
+
+void describe(scene::Fields& f, KernelPoints& points) {
+  f.text("of", points.of, "Buffer whose elements are drawn.");
+  f.text("position", points.position, "Member that holds an element's place (m).");
+  f.text("velocity", points.velocity, "Member that holds its velocity (m/s).");
+  f.text("mass", points.mass, "Member that holds its mass (kg).");
+  f.text("alive", points.alive, "Member; elements in which it is not above 0 are not drawn.");
+  f.leftOut("alive", "all are drawn");
+  f.choice("shape", points.shape, {"sprite", "sphere", "mesh"},
+           "Discs that face the camera, lit as balls or glowing; spheres; or a mesh.");
+  f.asset("mesh", points.mesh, "OBJ, PLY or glTF file of shape \"mesh\".");
+  scene::implyShape(f, points.shape, Instances::Shape::mesh, "mesh", points.mesh, "mesh", "sprite");
+  f.boolean("alongVelocity", points.alongVelocity, "Turns a mesh's z axis along the velocity.");
+  f.number("size", points.size, {1e-5, 1e5}, "m", "Diameter; for a mesh, a factor on its coordinates.");
+  f.number("massExponent", points.massExponent, {0, 2}, "", "Size grows with mass to this power.");
+  f.choice("colorBy", points.colorBy, {"material", "speed", "mass"},
+           "The object's material, or a colour map of the speed or mass.");
+  f.number("colorFrom", points.colorRange.x, scene::anyNumber, "",
+           "Speed (m/s) or mass (kg) at the start of the colour map.");
+  f.number("colorTo", points.colorRange.y, scene::anyNumber, "",
+           "Speed (m/s) or mass (kg) at the end of the colour map.");
+  const auto& names = colorMapNames();
+  int map = static_cast<int>(std::find(names.begin(), names.end(), points.map) - names.begin());
+  std::vector<const char*> words;
+  for (const std::string& name : names) words.push_back(name.c_str());
+  f.oneOf("colors", map, words, "Colour map.");
+  points.map = names[static_cast<std::size_t>(map)];
+  f.boolean("additive", points.additive, "Light that adds up and casts no shadow, for sparks and stars.");
+  f.number("brightness", points.brightness, {0, 1e5}, "", "Factor on the colours of additive elements.");
+  f.idleUnless(points.additive, "additive", {"brightness"}, "points that are \"additive\"");
+  if (points.colorRange.x == points.colorRange.y) f.error("colorTo", "colorFrom and colorTo must differ");
+}
+
+}  // namespace
+
+void KernelsParameters::describe(scene::Fields& f) {
+  f.asset("file", file, "Shader file: Unity's .compute, HLSL, or GLSL.");
+  f.formula("keywords", keywords, "", "Keywords of multi_compile that hold.");
+  f.boolean("fast", fast, "Runs the shader with the driver's own arithmetic, as it is written.");
+  describeMemory(f);
+  f.formulas(
+      "constants", constants,
+      "Values of the shader's constants: numbers, lists of them, keyframes, or expressions of dt, time, "
+      "frame, step, seed, count(BUFFER), width(TEXTURE), height(TEXTURE), depth(TEXTURE).");
+  f.integer("steps", steps, {0, 100000}, "per frame", "Steps a frame takes; dt is their length.");
+  f.shorthand("first", "kernel");
+  f.list("first", first, "What runs once, before the first frame.",
+         [](scene::Fields& e, KernelEntry& entry) { describeEntry(e, entry); });
+  f.shorthand("step", "kernel");
+  f.list("step", step, "What runs in each step, in this order.",
+         [](scene::Fields& e, KernelEntry& entry) { describeEntry(e, entry); });
+  f.leftOut("step", "all kernels of the file in its order");
+  int bounds = boundsIgnored ? 1 : 0;
+  f.oneOf("bounds", bounds, {"stop", "ignore"},
+          "Reads and writes out of bounds give zero and do nothing; the run stops there, or goes on.");
+  boundsIgnored = bounds == 1;
+  f.integer("iterations", iterations, {0, 2e9}, "",
+            "Most iterations of a loop, which then ends and stops the run; 0: no limit. Software drivers "
+            "(llvmpipe) "
+            "count up to 65,535.");
+  describeDrawn(f);
+  if (f.given("file")) compile(f);
+}
+
+void KernelsParameters::describeMemory(scene::Fields& f) {
+  f.shorthand("buffers", "size");
+  f.named(
+      "buffers", buffers, "Buffers of the shader.", "buffer",
+      [](scene::Fields& b, KernelMemory& buffer) { sim::describe(b, buffer, false); }, 64);
+  f.shorthand("textures", "size");
+  f.named(
+      "textures", textures, "Textures and images of the shader.", "texture",
+      [](scene::Fields& t, KernelMemory& texture) { sim::describe(t, texture, true); }, 64);
+}
+
+void KernelsParameters::describeDrawn(scene::Fields& f) {
+  f.optionalGroup("surface", surface, "Draws a buffer as a surface.",
+                  [](scene::Fields& g, KernelSurface& group) { sim::describe(g, group); });
+  f.optionalGroup("points", points, "Draws the elements of a buffer.",
+                  [](scene::Fields& g, KernelPoints& group) { sim::describe(g, group); });
+  f.optionalGroup("field", field, "Lays a texture or buffer over the picture.",
+                  [](scene::Fields& g, KernelField& group) {
+                    g.text("of", group.of, "Texture, or buffer.");
+                    g.text("show", group.show, "Channel (r, g, b, a) or member that is shown.");
+                    g.leftOut("show", "the colour, if there are three or four numbers; else the number");
+                    g.group("display", "Placement over the picture.",
+                            [&](scene::Fields& d) { group.display.describe(d); });
+                  });
+  f.named(
+      "measures", measured, "Numbers of the state, for checks and charts.", "measure",
+      [](scene::Fields& m, KernelMeasure& measure) {
+        m.text("of", measure.of, "Buffer or texture.");
+        m.text("member", measure.member, "Member or channel; of several components their length.");
+        m.choice("what", measure.what, {"mean", "sum", "min", "max"}, "Statistic over all elements.");
+      },
+      32);
+}
+
+void KernelsParameters::compile(scene::Fields& f) {
+  plan.reset();
+  problem.clear();
+  request = {};
+  request.file = file;
+  request.fast = fast;
+  request.report = true;
+  request.maxIterations = static_cast<unsigned>(iterations);
+  for (const auto& folder : scene::foldersAround(file)) request.folders.push_back(folder);
+  for (const KernelMemory& buffer : buffers)
+    if (buffer.previous) request.previous.push_back(buffer.name);
+  for (const scene::Formula::Part& part : keywords.parts) request.keywords.push_back(part.text);
+  try {
+    const std::vector<std::string> known = kernels::kernelNames(request);
+    if (!step.empty())
+      for (const auto* entries : {&first, &step})
+        for (const KernelEntry& entry : *entries)
+          if (std::find(known.begin(), known.end(), entry.kernel) != known.end() &&
+              std::find(request.kernels.begin(), request.kernels.end(), entry.kernel) ==
+                  request.kernels.end())
+            request.kernels.push_back(entry.kernel);
+    makePlan(f, KernelPlan::shaderOf(request), known);
+  } catch (const UserError& error) {
+    keepProblem(error);
+  }
+}
+
+void KernelsParameters::makePlan(scene::Fields& f, std::shared_ptr<const kernels::Shader> shader,
+                                 const std::vector<std::string>& announced,
+                                 const std::map<std::string, std::string>& aliases) {
+  auto made = std::make_shared<KernelPlan>(*this, std::move(shader), announced, aliases);
+  for (const KernelPlan::Mistake& mistake : made->mistakes())
+    f.errorIn(mistake.path, mistake.begin, mistake.end, mistake.message);
+  plan = std::move(made);
+  quantityList.clear();
+  for (const KernelMeasure& measure : measured)
+    quantityList.push_back({measure.name.c_str(), "", "As the scene says."});
+}
+
+void KernelsParameters::keepProblem(const UserError& error) {
+  problem = error.what();
+  problemIsReport = error.form() == UserError::Form::report;
+}
+
+void KernelsParameters::ports(Ports& ports) const {
+  if (plan != nullptr && plan->drawn().field) ports.provide<FieldSource>();
+}
+
+const char* KernelsParameters::drawnWith() const {
+  const bool onlyField =
+      plan != nullptr && plan->drawn().field && !plan->drawn().surface && !plan->drawn().points;
+  return onlyField ? "its \"field\"" : nullptr;
+}
+
+std::optional<scene::Box> KernelsParameters::framed() const {
+  return plan == nullptr ? std::nullopt : plan->box();
+}
+
+scene::Parameters::Looks KernelsParameters::looks() const {
+  if (plan == nullptr) return Looks::solid;
+  if (plan->drawn().points && plan->drawn().points->additive) return Looks::shining;
+  return plan->drawn().surface ? Looks::cloth : Looks::solid;
+}
+
+bool KernelsParameters::wanders() const {
+  return plan != nullptr && (plan->drawn().surface || plan->drawn().points);
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,444 @@
+#include "sim/kernels/plan.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "gl/shader_source.hpp"
+#include "kernels/source/files.hpp"
+#include "scene/json/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <mutex>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr const char* lookups[] = {"count", "width", "height", "depth"};
+constexpr const char* plainNames[] = {"dt", "time", "frame", "step", "seed", "pi"};
+constexpr double mostElements = 1 << 28;
+
+/// Values of Unity's constants where a scene gives none.
+struct Standard {
+  const char* name;
+  std::vector<const char*> parts;
+};
+const std::vector<Standard>& standards() {
+  static const std::vector<Standard> list = {
+      {"_Time", {"time / 20", "time", "time * 2", "time * 3"}},
+      {"_SinTime", {"sin(time / 8)", "sin(time / 4)", "sin(time / 2)", "sin(time)"}},
+      {"_CosTime", {"cos(time / 8)", "cos(time / 4)", "cos(time / 2)", "cos(time)"}},
+      {"unity_DeltaTime", {"dt", "1 / dt", "dt", "1 / dt"}},
+  };
+  return list;
+}
+
+/// Name of a constant without its block's: scenes give members of all blocks by name.
+std::vector<std::string> namesOf(const std::vector<KernelSlot>& slots) {
+  std::vector<std::string> names;
+  for (const KernelSlot& slot : slots) names.push_back(slot.path);
+  return names;
+}
+
+bool isSamplerBlock(const kernels::Block& block) {
+  return block.name == "simreel_Samplers";
+}
+
+}  // namespace
+
+unsigned PlannedTexture::samplerState(std::string_view sampler) const {
+  using Filter = KernelMemory::Filter;
+  using Wrap = KernelMemory::Wrap;
+  const auto says = [&](const char* word) {
+    std::string lower(sampler);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return lower.find(word) != std::string::npos;
+  };
+  const Filter filter = given == nullptr ? Filter::shader : given->filter;
+  const Wrap wrap = given == nullptr ? Wrap::shader : given->wrap;
+  const bool linear = filter == Filter::linear || (filter == Filter::shader && !says("point"));
+  unsigned mode = 0;
+  if (wrap == Wrap::clamp || (wrap == Wrap::shader && says("clamp"))) mode = 1;
+  if (wrap == Wrap::mirror || (wrap == Wrap::shader && says("mirror"))) mode = 2;
+  return (linear && !integers() ? 1U : 0U) | mode << 2 | mode << 4 | mode << 6;
+}
+
+std::shared_ptr<const kernels::Shader> KernelPlan::shaderOf(const kernels::Request& request) {
+  struct Known {
+    std::shared_ptr<const kernels::Shader> shader;
+    std::map<std::string, std::filesystem::file_time_type> files;
+  };
+  static std::map<std::string, Known> all;
+  static std::mutex mutex;
+  const std::scoped_lock lock(mutex);
+  const std::string key = fmt::format("{} {} {} {} {} {} {} {} {}", request.file.string(), request.pass,
+                                      request.upsideDown, fmt::join(request.kernels, " "),
+                                      fmt::join(request.keywords, " "), fmt::join(request.previous, " "),
+                                      request.fast, request.maxIterations, static_cast<int>(request.race));
+  const auto changed = [](const Known& known) {
+    return std::any_of(known.files.begin(), known.files.end(), [](const auto& file) {
+      std::error_code error;
+      return std::filesystem::last_write_time(file.first, error) != file.second || error;
+    });
+  };
+  const auto found = all.find(key);
+  if (found != all.end() && !changed(found->second)) return found->second.shader;
+  Known known{std::make_shared<kernels::Shader>(kernels::load(request)), {}};
+  for (const std::string& file : known.shader->files) {
+    std::error_code error;
+    known.files[file] = std::filesystem::last_write_time(file, error);
+  }
+  return (all[key] = std::move(known)).shader;
+}
+
+KernelPlan::KernelPlan(const KernelsParameters& parameters, std::shared_ptr<const kernels::Shader> shader,
+                       const std::vector<std::string>& announced,
+                       const std::map<std::string, std::string>& aliases)
+    : shader_(std::move(shader)),
+      aliases_(aliases.begin(), aliases.end()),
+      givenBuffers_(parameters.buffers),
+      givenTextures_(parameters.textures) {
+  for (const kernels::Kernel& kernel : shader_->kernels) {
+    for (const kernels::Buffer& buffer : kernel.buffers) collectBuffer(buffer);
+    for (const kernels::Texture& texture : kernel.textures) collectTexture(texture);
+  }
+  holdNames(parameters);
+  size(parameters);
+  if (!mistakes_.empty()) return;
+  planConstants(parameters);
+  planEntries(parameters.first, "first", announced, first_);
+  planEntries(parameters.step, "step", announced, step_);
+  if (parameters.step.empty()) everyKernel();
+  planStarts();
+  if (mistakes_.empty()) planDrawing(parameters);
+  if (mistakes_.empty()) planMeasures(parameters);
+}
+
+void KernelPlan::mistake(std::vector<std::string> path, std::string message, std::size_t begin,
+                         std::size_t end) {
+  mistakes_.push_back({std::move(path), begin, end, std::move(message)});
+}
+
+void KernelPlan::unknown(std::vector<std::string> path, const std::string& name,
+                         const std::vector<std::string>& known, const std::string& what) {
+  mistake(std::move(path), known.empty()
+                               ? fmt::format("the shader has no {} {}", what, scene::inQuotes(name))
+                               : fmt::format("the shader has no {} {}; {}", what, scene::inQuotes(name),
+                                             scene::suggestion(name, known)));
+}
+
+bool KernelPlan::mentioned(const std::string& word) const {
+  return std::any_of(shader_->files.begin(), shader_->files.end(), [&](const std::string& file) {
+    std::string text;
+    try {
+      text = readFile(file, "shader", kernels::maxFileBytes);
+    } catch (const UserError&) {
+      return false;
+    }
+    return gl::mentions(text, word);
+  });
+}
+
+int KernelPlan::bufferNamed(std::string_view name) const {
+  for (std::size_t i = 0; i < buffers_.size(); ++i)
+    if (buffers_[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+int KernelPlan::textureNamed(std::string_view name) const {
+  if (const auto alias = aliases_.find(name); alias != aliases_.end()) name = alias->second;
+  for (std::size_t i = 0; i < textures_.size(); ++i)
+    if (textures_[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+void KernelPlan::collectBuffer(const kernels::Buffer& from) {
+  PlannedBuffer buffer;
+  buffer.name = from.name;
+  buffer.counterOf = from.counterOf;
+  buffer.guards = from.guards;
+  std::vector<kernels::Member> fixed = from.members;
+  const bool open = !fixed.empty() && !fixed.back().array.empty() && fixed.back().array[0] == 0;
+  if (open) {
+    buffer.header = fixed.back().offset;
+    buffer.stride = fixed.back().stride;
+    buffer.element = slotsOfElement(fixed.back());
+    fixed.pop_back();
+    buffer.fixed = slotsOf(fixed);
+  } else {
+    buffer.element = slotsOf(fixed);
+    std::size_t end = 4;
+    for (const KernelSlot& slot : buffer.element)
+      for (const std::size_t offset : slot.offsets) end = std::max(end, offset + slot.width());
+    buffer.stride = (end + 15) / 16 * 16;
+    buffer.sized = true;
+  }
+  buffer.previousOf = from.previousOf;
+  if (!buffer.counterOf.empty() || !buffer.previousOf.empty()) buffer.sized = true;
+  for (const auto* slots : {&buffer.element, &buffer.fixed})
+    for (const KernelSlot& slot : *slots)
+      buffer.allFloats = buffer.allFloats && slot.number == KernelSlot::Number::real;
+  if (const int known = bufferNamed(buffer.name); known >= 0) {
+    PlannedBuffer& before = buffers_[static_cast<std::size_t>(known)];
+    before.written = before.written || from.writes;
+    before.guards = std::max(before.guards, buffer.guards);
+    if (before.stride != buffer.stride || before.header != buffer.header)
+      mistake({"file"},
+              fmt::format("kernels of this file have different elements for the buffer {}: {} and {} bytes",
+                          scene::inQuotes(buffer.name), before.stride, buffer.stride));
+    return;
+  }
+  buffer.written = from.writes;
+  buffers_.push_back(std::move(buffer));
+}
+
+void KernelPlan::collectTexture(const kernels::Texture& from) {
+  if (const int known = textureNamed(from.name); known >= 0) {
+    PlannedTexture& before = textures_[static_cast<std::size_t>(known)];
+    before.written = before.written || from.writes;
+    if (!from.format.empty()) before.format = from.format;
+    before.formatted = before.formatted || !from.format.empty();
+    if (before.type != from.type)
+      mistake({"file"}, fmt::format("kernels of this file have the texture {} as {} and as {}",
+                                    scene::inQuotes(from.name), before.type, from.type));
+    return;
+  }
+  const auto alias = aliases_.find(from.name);
+  PlannedTexture texture{alias == aliases_.end() ? from.name : alias->second, from.type, from.format};
+  texture.written = from.writes;
+  texture.formatted = !from.format.empty();
+  if (from.type != "2D" && from.type != "3D" && from.type != "2DArray")
+    mistake(
+        {"file"},
+        fmt::format("the texture {} is of the kind {}; scenes have those of the kinds 2D, 3D and 2DArray",
+                    scene::inQuotes(from.name), from.type));
+  if (texture.format.empty())
+    texture.format = from.values == "int" ? "rgba32i" : from.values == "uint" ? "rgba32ui" : "rgba32f";
+  textures_.push_back(std::move(texture));
+}
+
+void KernelPlan::holdNames(const KernelsParameters& /*parameters*/) {
+  std::vector<std::string> known;
+  for (const PlannedBuffer& buffer : buffers_)
+    if (buffer.counterOf.empty() && buffer.previousOf.empty()) known.push_back(buffer.name);
+  for (const KernelMemory& given : givenBuffers_) {
+    const int place = bufferNamed(given.name);
+    if (place < 0 && mentioned(given.name)) continue;
+    if (place < 0)
+      unknown({"buffers", given.name}, given.name, known, "buffer");
+    else
+      buffers_[static_cast<std::size_t>(place)].given = &given;
+  }
+  known.clear();
+  for (const PlannedTexture& texture : textures_) known.push_back(texture.name);
+  for (const KernelMemory& given : givenTextures_) {
+    const int place = textureNamed(given.name);
+    if (place < 0 && mentioned(given.name)) continue;
+    if (place < 0) {
+      unknown({"textures", given.name}, given.name, known, "texture");
+      continue;
+    }
+    PlannedTexture& texture = textures_[static_cast<std::size_t>(place)];
+    texture.given = &given;
+    if (given.format.empty()) continue;
+    texture.format = given.format;
+    texture.formatted = true;
+  }
+}
+
+void KernelPlan::sizeOf(const char* list, const KernelMemory& given, glm::ivec3& size, bool& sized) {
+  if (!given.file.empty()) {
+    try {
+      const KernelTable& table = tables_.of(given.file);
+      if (given.size.empty()) {
+        size = {table.size, 1};
+        sized = true;
+      }
+    } catch (const UserError& error) {
+      mistake({list, given.name, "file"}, error.what());
+    }
+  }
+  if (given.size.empty()) return;
+  if (given.size.moving || given.size.components() > 3)
+    return mistake({list, given.name, "size"}, "a size is one to three numbers or expressions");
+  glm::ivec3 read(1);
+  for (std::size_t i = 0; i < given.size.parts.size(); ++i) {
+    const std::size_t before = mistakes_.size();
+    const PlannedNumber part = compiled(given.size.parts[i], {list, given.name, "size"});
+    if (mistakes_.size() != before) return;
+    const double value = part.expression ? part.expression->at(values({})) : part.number;
+    if (!(value >= 1 && value <= mostElements) || value != std::floor(value))
+      return mistake({list, given.name, "size"},
+                     fmt::format("a size is a whole number from 1 to {}, found {}", mostElements, value));
+    read[static_cast<int>(i)] = static_cast<int>(value);
+  }
+  if (1.0 * read.x * read.y * read.z > mostElements)
+    return mistake({list, given.name, "size"}, fmt::format("{} x {} x {} are more than {} elements", read.x,
+                                                           read.y, read.z, mostElements));
+  size = read;
+  sized = true;
+}
+
+void KernelPlan::size(const KernelsParameters& /*parameters*/) {
+  for (PlannedTexture& texture : textures_)
+    if (texture.given != nullptr) sizeOf("textures", *texture.given, texture.size, texture.sized);
+  for (PlannedBuffer& buffer : buffers_)
+    if (buffer.given != nullptr) sizeOf("buffers", *buffer.given, buffer.size, buffer.sized);
+  for (PlannedBuffer& buffer : buffers_)
+    if (!buffer.previousOf.empty())
+      buffer.size = buffers_[static_cast<std::size_t>(bufferNamed(buffer.previousOf))].size;
+  for (const PlannedTexture& texture : textures_)
+    if (!texture.sized)
+      mistake(
+          {"textures"},
+          fmt::format(
+              "the texture {0} has no size; give \"textures\": {{\"{0}\": {{\"size\": [width, height]}}}}",
+              texture.name));
+  for (const PlannedBuffer& buffer : buffers_)
+    if (!buffer.sized)
+      mistake({"buffers"},
+              fmt::format("the buffer {0} has no size; give \"buffers\": {{\"{0}\": {{\"size\": COUNT}}}}",
+                          buffer.name));
+}
+
+int KernelPlan::placeOf(const std::string& name) {
+  for (std::size_t i = 0; i < std::size(plainNames); ++i)
+    if (name == plainNames[i]) return static_cast<int>(i);
+  for (std::size_t i = 0; i < lookups_.size(); ++i)
+    if (name == lookups_[i].first) return static_cast<int>(std::size(plainNames) + i);
+  const std::size_t open = name.find('(');
+  if (open == std::string::npos) return -1;
+  const std::string function = name.substr(0, open), memory = name.substr(open + 1, name.size() - open - 2);
+  const int buffer = bufferNamed(memory), texture = textureNamed(memory);
+  if (buffer < 0 && texture < 0) return -1;
+  const glm::ivec3 size = buffer >= 0 ? buffers_[static_cast<std::size_t>(buffer)].size
+                                      : textures_[static_cast<std::size_t>(texture)].size;
+  lookups_.emplace_back(name, function == "count"    ? 1.0 * size.x * size.y * size.z
+                              : function == "width"  ? size.x
+                              : function == "height" ? size.y
+                                                     : size.z);
+  return static_cast<int>(std::size(plainNames) + lookups_.size()) - 1;
+}
+
+PlannedNumber KernelPlan::compiled(const scene::Formula::Part& part, std::vector<std::string> path) {
+  if (part.text.empty()) return {part.number, nullptr};
+  std::vector<std::string> known(std::begin(plainNames), std::end(plainNames));
+  for (const PlannedBuffer& buffer : buffers_) known.push_back(fmt::format("count({})", buffer.name));
+  for (const PlannedTexture& texture : textures_) known.push_back(fmt::format("width({})", texture.name));
+  try {
+    return {0, std::make_shared<Expression>(
+                   part.text, [this](const std::string& name) { return placeOf(name); }, known, lookups)};
+  } catch (const scene::ExpressionMistake& wrong) {
+    mistake(std::move(path), wrong.message, wrong.begin, wrong.end);
+    return {};
+  }
+}
+
+std::vector<double> KernelPlan::values(const Now& now) const {
+  std::vector<double> all = {now.dt,
+                             now.time,
+                             static_cast<double>(now.frame),
+                             static_cast<double>(now.step),
+                             static_cast<double>(now.seed),
+                             3.14159265358979323846};
+  for (const auto& [name, value] : lookups_) all.push_back(value);
+  return all;
+}
+
+void KernelPlan::planConstants(const KernelsParameters& parameters) {
+  for (const scene::Formulas::Named& given : parameters.constants.list) {
+    Constant constant;
+    constant.moving = given.formula.moving;
+    constant.width = static_cast<int>(given.formula.components());
+    for (std::size_t i = 0; i < given.formula.parts.size(); ++i) {
+      std::vector<std::string> path = {"constants", given.name};
+      if (given.formula.parts.size() > 1) path.push_back(std::to_string(i));
+      constant.parts.push_back(compiled(given.formula.parts[i], std::move(path)));
+    }
+    constants_[given.name] = std::move(constant);
+  }
+  holdConstants();
+}
+
+void KernelPlan::holdConstants() {
+  std::set<std::string> used;
+  std::vector<std::string> known;
+  for (const kernels::Kernel& kernel : shader_->kernels)
+    for (const kernels::Block& block : kernel.blocks)
+      if (!isSamplerBlock(block))
+        for (const std::string& name : namesOf(slotsOf(block.members))) known.push_back(name);
+  for (const auto& [name, constant] : constants_)
+    if (std::find(known.begin(), known.end(), name) == known.end() && !mentioned(name))
+      unknown({"constants", name}, name, known, "constant");
+  for (const kernels::Kernel& kernel : shader_->kernels)
+    for (const kernels::Block& block : kernel.blocks) {
+      if (isSamplerBlock(block)) continue;
+      const std::vector<KernelSlot> slots = slotsOf(block.members);
+      for (const KernelSlot& slot : slots) {
+        const auto standard = std::find_if(standards().begin(), standards().end(), [&](const Standard& s) {
+          return slot.path == s.name && slot.offsets.size() == s.parts.size();
+        });
+        if (!constants_.contains(slot.path) && standard != standards().end()) {
+          Constant& constant = constants_[slot.path];
+          for (const char* part : standard->parts) constant.parts.push_back(compiled({0, part}, {}));
+          constant.width = static_cast<int>(constant.parts.size());
+        }
+        const auto found = constants_.find(slot.path);
+        if (found == constants_.end()) {
+          if (slot.used && used.insert(slot.path).second)
+            mistake({"constants"}, fmt::format("kernel {} reads the constant {} ({}), which has no value; "
+                                               "give \"constants\": {{\"{}\": ...}}",
+                                               scene::inQuotes(kernel.name), scene::inQuotes(slot.path),
+                                               slot.type, slot.path));
+          continue;
+        }
+        used.insert(slot.path);
+        const auto width = static_cast<std::size_t>(found->second.width);
+        if (width != slot.offsets.size() && width != 1)
+          mistake({"constants", slot.path},
+                  fmt::format("{} is a {}: expected {} number(s), found {}", scene::inQuotes(slot.path),
+                              slot.type, slot.offsets.size(), width));
+      }
+    }
+}
+
+std::vector<std::byte> KernelPlan::blockBytes(const kernels::Block& block, const Now& now) const {
+  std::vector<std::byte> bytes(block.bytes);
+  if (isSamplerBlock(block)) {
+    for (KernelSlot slot : slotsOf(block.members)) {
+      const PlannedTexture* read = nullptr;
+      if (const auto alias = aliases_.find(slot.path); alias != aliases_.end()) slot.path = alias->second;
+      for (const PlannedTexture& texture : textures_)
+        if ((slot.path == texture.name || slot.path.starts_with(texture.name + "_")) &&
+            (read == nullptr || read->name.size() < texture.name.size()))
+          read = &texture;
+      if (read != nullptr)
+        storeSlot(bytes.data(), slot, 0,
+                  read->samplerState(std::string_view(slot.path).substr(read->name.size())));
+    }
+    return bytes;
+  }
+  const std::vector<double> all = values(now);
+  for (const KernelSlot& slot : slotsOf(block.members)) {
+    const auto found = constants_.find(slot.path);
+    if (found == constants_.end()) continue;
+    const Constant& constant = found->second;
+    const glm::vec4 moved = constant.moving ? constant.moving->at(now.time) : glm::vec4(0);
+    for (std::size_t i = 0; i < slot.offsets.size(); ++i) {
+      const std::size_t part = constant.width == 1 ? 0 : i;
+      const double value = constant.moving ? static_cast<double>(moved[static_cast<int>(part)])
+                           : constant.parts[part].expression ? constant.parts[part].expression->at(all)
+                                                             : constant.parts[part].number;
+      storeSlot(bytes.data(), slot, i, value);
+    }
+  }
+  return bytes;
+}
+
+}  // namespace simreel::sim

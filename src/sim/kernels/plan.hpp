@@ -1,0 +1,179 @@
+#pragma once
+#include "kernels/kernels.hpp"
+#include "sim/core/expression.hpp"
+#include "sim/kernels/parameters.hpp"
+#include "sim/kernels/slots.hpp"
+#include "sim/kernels/table.hpp"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace simreel::sim {
+
+/// A buffer of all kernels of a file: a header of fixed members, then elements.
+struct PlannedBuffer {
+  std::string name;
+  std::string counterOf;   ///< buffer whose counter it is
+  std::string previousOf;  ///< buffer whose state before a dispatch it holds
+  std::size_t header = 0, stride = 4;
+  int guards = 0;            ///< elements behind `count` that keep accesses out of bounds
+  glm::ivec3 size{1, 1, 1};  ///< elements
+  bool sized = false;        ///< the scene or a file says how many
+  std::vector<KernelSlot> fixed, element;
+  bool written = false, allFloats = true;
+  const KernelMemory* given = nullptr;
+
+  [[nodiscard]] std::size_t count() const {
+    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+           static_cast<std::size_t>(size.z);
+  }
+  /// Bytes that a kernel is given.
+  [[nodiscard]] std::size_t bytes() const {
+    return header + (count() + static_cast<std::size_t>(guards)) * stride;
+  }
+};
+
+/// A texture or image of all kernels of a file.
+struct PlannedTexture {
+  std::string name, type, format;  ///< "2D", "3D", "2DArray"; a format as GLSL has it
+  glm::ivec3 size{1, 1, 1};
+  bool sized = false, written = false;
+  bool formatted = false;  ///< the shader or the scene says the format
+  const KernelMemory* given = nullptr;
+
+  [[nodiscard]] std::size_t count() const {
+    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+           static_cast<std::size_t>(size.z);
+  }
+  /// Number that simreel_Samplers has for it, read with that sampler.
+  [[nodiscard]] unsigned samplerState(std::string_view sampler) const;
+  [[nodiscard]] bool integers() const { return format.ends_with("i"); }
+};
+
+/// Component of a constant or of a number of threads.
+struct PlannedNumber {
+  double number = 0;
+  std::shared_ptr<const Expression> expression;  ///< null: the number
+};
+
+/// One entry of a schedule.
+struct PlannedEntry {
+  int kernel = -1;  ///< in the shader; -1: no dispatch
+  std::vector<PlannedNumber> threads;
+  int repeat = 1, every = 1;
+  int indirect = -1;  ///< place of a buffer
+  std::size_t offset = 0;
+  std::string swapA, swapB, clear;
+  int count = -1, into = -1;  ///< places of buffers
+};
+
+/// What is drawn, with everything that a scene left out filled in.
+struct PlannedDrawing {
+  std::optional<KernelSurface> surface;
+  std::optional<KernelPoints> points;
+  std::optional<KernelField> field;
+};
+
+/// What a scene says of its kernels, held to what their file has. Needs no device.
+class KernelPlan {
+ public:
+  /// Mistake of a scene: the members that lead to the value, and bytes of its text.
+  struct Mistake {
+    std::vector<std::string> path;
+    std::size_t begin = 0, end = 1;
+    std::string message;
+  };
+
+  /// Compiles the file, once for as long as neither it nor what it includes changes.
+  [[nodiscard]] static std::shared_ptr<const kernels::Shader> shaderOf(const kernels::Request& request);
+
+  /// `announced`: the names of all kernels of the file; the shader has those that run. `aliases`: textures
+  /// of the shader that are another one's memory.
+  KernelPlan(const KernelsParameters& parameters, std::shared_ptr<const kernels::Shader> shader,
+             const std::vector<std::string>& announced,
+             const std::map<std::string, std::string>& aliases = {});
+
+  [[nodiscard]] const std::vector<Mistake>& mistakes() const { return mistakes_; }
+  [[nodiscard]] const kernels::Shader& shader() const { return *shader_; }
+  [[nodiscard]] const std::shared_ptr<const kernels::Shader>& shaderPointer() const { return shader_; }
+  [[nodiscard]] const std::vector<PlannedBuffer>& buffers() const { return buffers_; }
+  [[nodiscard]] const std::vector<PlannedTexture>& textures() const { return textures_; }
+  [[nodiscard]] const std::vector<PlannedEntry>& first() const { return first_; }
+  [[nodiscard]] const std::vector<PlannedEntry>& step() const { return step_; }
+  [[nodiscard]] const PlannedDrawing& drawn() const { return drawn_; }
+  [[nodiscard]] int bufferNamed(std::string_view name) const;
+  [[nodiscard]] int textureNamed(std::string_view name) const;
+  /// Returns the slots of a buffer's element, or of a texture's texel.
+  [[nodiscard]] std::vector<KernelSlot> slots(const std::string& memory) const;
+  /// Returns a box around what is drawn in the first state; nothing where that is in no space.
+  [[nodiscard]] std::optional<scene::Box> box() const;
+
+  /// First contents of a buffer, PlannedBuffer::bytes() long; of a texture four numbers a texel.
+  [[nodiscard]] std::vector<std::byte> firstBytes(const PlannedBuffer& buffer, unsigned seed) const;
+  [[nodiscard]] std::vector<double> firstTexels(const PlannedTexture& texture, unsigned seed) const;
+
+  /// Numbers that constants and threads are computed from.
+  struct Now {
+    double dt = 0, time = 0;
+    long frame = 0, step = 0;
+    int seed = 1;
+  };
+  [[nodiscard]] std::vector<double> values(const Now& now) const;
+  /// Contents of a uniform block.
+  [[nodiscard]] std::vector<std::byte> blockBytes(const kernels::Block& block, const Now& now) const;
+  [[nodiscard]] glm::uvec3 groups(const PlannedEntry& entry, const Now& now) const;
+
+ private:
+  struct Constant {
+    std::vector<PlannedNumber> parts;
+    std::optional<scene::Animated<glm::vec4>> moving;
+    int width = 0;
+  };
+  void collectBuffer(const kernels::Buffer& from);
+  void collectTexture(const kernels::Texture& from);
+  void holdNames(const KernelsParameters& parameters);
+  void size(const KernelsParameters& parameters);
+  void sizeOf(const char* list, const KernelMemory& given, glm::ivec3& size, bool& sized);
+  void planConstants(const KernelsParameters& parameters);
+  void holdConstants();
+  void planEntries(const std::vector<KernelEntry>& given, const char* list,
+                   const std::vector<std::string>& announced, std::vector<PlannedEntry>& planned);
+  void planThreads(const KernelEntry& given, const std::vector<std::string>& path, PlannedEntry& entry);
+  void planBetween(const KernelEntry& given, const std::vector<std::string>& path, PlannedEntry& entry);
+  void everyKernel();
+  void useUsualThreads(std::vector<std::string> path, PlannedEntry& entry);
+  /// Returns true if a file of the shader has the word, also where no kernel that runs needs it.
+  [[nodiscard]] bool mentioned(const std::string& word) const;
+  void planStarts();
+  void planDrawing(const KernelsParameters& parameters);
+  void chooseDrawing();
+  bool holdMember(const char* group, const char* key, const std::string& of, const std::string& member,
+                  bool needed, std::size_t least);
+  void planMeasures(const KernelsParameters& parameters);
+  PlannedNumber compiled(const scene::Formula::Part& part, std::vector<std::string> path);
+  int placeOf(const std::string& name);
+  void mistake(std::vector<std::string> path, std::string message, std::size_t begin = 0,
+               std::size_t end = 1);
+  void unknown(std::vector<std::string> path, const std::string& name,
+               const std::vector<std::string>& known, const std::string& what);
+
+  std::shared_ptr<const kernels::Shader> shader_;
+  std::map<std::string, std::string, std::less<>> aliases_;
+  std::vector<PlannedBuffer> buffers_;
+  std::vector<PlannedTexture> textures_;
+  std::vector<PlannedEntry> first_, step_;
+  std::map<std::string, Constant> constants_;
+  std::vector<std::pair<std::string, double>> lookups_;  ///< count(NAME) and so on, behind the plain names
+  PlannedDrawing drawn_;
+  std::vector<Mistake> mistakes_;
+  KernelTables tables_;
+  std::vector<KernelMemory> givenBuffers_, givenTextures_;
+};
+
+}  // namespace simreel::sim

@@ -1,0 +1,193 @@
+// Schedules of a KernelPlan: what runs, how many invocations of it, and what happens in between.
+#include "scene/json/words.hpp"
+#include "sim/kernels/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+/// Invocations of a kernel by what it writes: the first texture, else the first buffer, else by the first
+/// that it reads. Nothing where that is a row of elements and the groups are none.
+std::optional<glm::ivec3> usualThreads(const KernelPlan& plan, const kernels::Kernel& kernel) {
+  for (const bool writes : {true, false}) {
+    for (const kernels::Texture& texture : kernel.textures)
+      if (texture.writes == writes)
+        return plan.textures()[static_cast<std::size_t>(plan.textureNamed(texture.name))].size;
+    for (const kernels::Buffer& buffer : kernel.buffers)
+      if (buffer.writes == writes && buffer.counterOf.empty() && buffer.previousOf.empty()) {
+        const PlannedBuffer& planned =
+            plan.buffers()[static_cast<std::size_t>(plan.bufferNamed(buffer.name))];
+        // A kernel in a row of groups counts elements whatever grid they lie in.
+        if (kernel.threads[1] == 1 && kernel.threads[2] == 1)
+          return glm::ivec3(static_cast<int>(planned.count()), 1, 1);
+        if (planned.size.y == 1 && planned.count() > 1) return std::nullopt;
+        return planned.size;
+      }
+  }
+  return glm::ivec3(1);
+}
+
+}  // namespace
+
+void KernelPlan::everyKernel() {
+  for (std::size_t i = 0; i < shader_->kernels.size(); ++i) {
+    PlannedEntry entry;
+    entry.kernel = static_cast<int>(i);
+    useUsualThreads({"file"}, entry);
+    step_.push_back(std::move(entry));
+  }
+}
+
+void KernelPlan::useUsualThreads(std::vector<std::string> path, PlannedEntry& entry) {
+  const kernels::Kernel& kernel = shader_->kernels[static_cast<std::size_t>(entry.kernel)];
+  const std::optional<glm::ivec3> threads = usualThreads(*this, kernel);
+  if (!threads)
+    return mistake(std::move(path), fmt::format("kernel {} has groups of {} x {} x {}, and what it writes "
+                                                "is one row; give \"threads\": [x, y, z], or "
+                                                "the buffer a \"size\" of as many axes",
+                                                scene::inQuotes(kernel.name), kernel.threads[0],
+                                                kernel.threads[1], kernel.threads[2]));
+  entry.threads = {{1.0 * threads->x, nullptr}, {1.0 * threads->y, nullptr}, {1.0 * threads->z, nullptr}};
+}
+
+void KernelPlan::planEntries(const std::vector<KernelEntry>& given, const char* list,
+                             const std::vector<std::string>& announced,
+                             std::vector<PlannedEntry>& planned) {
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const KernelEntry& from = given[i];
+    const std::vector<std::string> path = {list, std::to_string(i)};
+    const auto at = [&](const char* key) {
+      std::vector<std::string> longer = path;
+      longer.emplace_back(key);
+      return longer;
+    };
+    PlannedEntry entry;
+    entry.repeat = from.repeat;
+    entry.every = from.every;
+    entry.offset = static_cast<std::size_t>(from.offset);
+    if (!from.kernel.empty()) {
+      const auto& kernels = shader_->kernels;
+      const auto found = std::find_if(kernels.begin(), kernels.end(), [&](const kernels::Kernel& kernel) {
+        return kernel.name == from.kernel;
+      });
+      if (found == kernels.end()) {
+        unknown(at("kernel"), from.kernel, announced, "kernel");
+        continue;
+      }
+      entry.kernel = static_cast<int>(found - kernels.begin());
+      planThreads(from, path, entry);
+    }
+    planBetween(from, path, entry);
+    if (from.kernel.empty() && from.swap.empty() && from.clear.empty() && from.count.empty())
+      mistake(path, "an entry has a \"kernel\", a \"swap\", a \"clear\" or a \"count\"");
+    planned.push_back(std::move(entry));
+  }
+}
+
+void KernelPlan::planThreads(const KernelEntry& given, const std::vector<std::string>& path,
+                             PlannedEntry& entry) {
+  const auto at = [&](const char* key) {
+    std::vector<std::string> longer = path;
+    longer.emplace_back(key);
+    return longer;
+  };
+  if (!given.indirect.empty()) {
+    entry.indirect = bufferNamed(given.indirect);
+    if (entry.indirect < 0) {
+      std::vector<std::string> known;
+      for (const PlannedBuffer& buffer : buffers_) known.push_back(buffer.name);
+      return unknown(at("indirect"), given.indirect, known, "buffer");
+    }
+    const PlannedBuffer& buffer = buffers_[static_cast<std::size_t>(entry.indirect)];
+    if (entry.offset % 4 != 0 || entry.offset + 12 > buffer.header + buffer.count() * buffer.stride)
+      mistake(at("offset"), fmt::format("three uints at byte {} are beyond the buffer of {} bytes",
+                                        entry.offset, buffer.header + buffer.count() * buffer.stride));
+    if (!given.threads.empty())
+      mistake(at("threads"), "an \"indirect\" dispatch has its number of work groups in the buffer");
+    return;
+  }
+  if (given.threads.moving || given.threads.components() > 3)
+    return mistake(at("threads"), "\"threads\" is one to three numbers or expressions");
+  for (const scene::Formula::Part& part : given.threads.parts)
+    entry.threads.push_back(compiled(part, at("threads")));
+  if (!entry.threads.empty()) return;
+  useUsualThreads(path, entry);
+}
+
+void KernelPlan::planBetween(const KernelEntry& given, const std::vector<std::string>& path,
+                             PlannedEntry& entry) {
+  const auto at = [&](const char* key) {
+    std::vector<std::string> longer = path;
+    longer.emplace_back(key);
+    return longer;
+  };
+  std::vector<std::string> known;
+  for (const PlannedBuffer& buffer : buffers_) known.push_back(buffer.name);
+  for (const PlannedTexture& texture : textures_) known.push_back(texture.name);
+  const auto there = [&](const std::string& name) {
+    return std::find(known.begin(), known.end(), name) != known.end();
+  };
+  if (!given.clear.empty()) {
+    if (!there(given.clear)) return unknown(at("clear"), given.clear, known, "buffer or texture");
+    entry.clear = given.clear;
+  }
+  if (!given.swap.empty()) {
+    if (given.swap.parts.size() != 2 || given.swap.parts[0].text.empty() ||
+        given.swap.parts[1].text.empty())
+      return mistake(at("swap"), "\"swap\" is a list of two names");
+    entry.swapA = given.swap.parts[0].text;
+    entry.swapB = given.swap.parts[1].text;
+    for (const std::string& name : {entry.swapA, entry.swapB})
+      if (!there(name)) return unknown(at("swap"), name, known, "buffer or texture");
+    const int a = bufferNamed(entry.swapA), b = bufferNamed(entry.swapB);
+    const int c = textureNamed(entry.swapA), d = textureNamed(entry.swapB);
+    const auto place = [](int i) { return static_cast<std::size_t>(i); };
+    if (c >= 0 && d >= 0) {
+      // A texture that is only read has the format of the one that it is exchanged with.
+      PlannedTexture &one = textures_[place(c)], &other = textures_[place(d)];
+      if (!one.formatted) one.format = other.format;
+      if (!other.formatted) other.format = one.format;
+    }
+    const bool buffers = a >= 0 && b >= 0 && buffers_[place(a)].bytes() == buffers_[place(b)].bytes();
+    const bool textures = c >= 0 && d >= 0 && textures_[place(c)].size == textures_[place(d)].size &&
+                          textures_[place(c)].format == textures_[place(d)].format &&
+                          textures_[place(c)].type == textures_[place(d)].type;
+    if (!buffers && !textures)
+      mistake(at("swap"),
+              fmt::format("{} and {} are not alike: only memory of one size and kind is exchanged",
+                          scene::inQuotes(entry.swapA), scene::inQuotes(entry.swapB)));
+  }
+  if (given.count.empty()) return;
+  entry.count = bufferNamed(given.count + ".counter");
+  entry.into = bufferNamed(given.into);
+  std::vector<std::string> counted, targets;
+  for (const PlannedBuffer& buffer : buffers_)
+    (buffer.counterOf.empty() ? targets : counted)
+        .push_back(buffer.counterOf.empty() ? buffer.name : buffer.counterOf);
+  if (entry.count < 0) return unknown(at("count"), given.count, counted, "append or consume buffer");
+  if (entry.into < 0) return unknown(at("into"), given.into, targets, "buffer");
+  const PlannedBuffer& into = buffers_[static_cast<std::size_t>(entry.into)];
+  if (entry.offset % 4 != 0 || entry.offset + 4 > into.header + into.count() * into.stride)
+    mistake(at("offset"), fmt::format("byte {} is beyond the buffer of {} bytes", entry.offset,
+                                      into.header + into.count() * into.stride));
+}
+
+glm::uvec3 KernelPlan::groups(const PlannedEntry& entry, const Now& now) const {
+  const std::vector<double> all = values(now);
+  glm::uvec3 groups(1);
+  const kernels::Kernel& kernel = shader_->kernels[static_cast<std::size_t>(entry.kernel)];
+  for (std::size_t i = 0; i < entry.threads.size(); ++i) {
+    const PlannedNumber& part = entry.threads[i];
+    const double threads =
+        std::clamp(std::ceil(part.expression ? part.expression->at(all) : part.number), 0.0, 4e9);
+    groups[static_cast<int>(i)] = static_cast<unsigned>(std::ceil(threads / kernel.threads[i]));
+  }
+  return groups;
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,48 @@
+#include "sim/kernels/programs.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+KernelPrograms::KernelPrograms(const std::string& name, std::shared_ptr<const kernels::Shader> shader)
+    : shader_(std::move(shader)) {
+  const std::string file =
+      shader_->files.empty() ? name : std::filesystem::path(shader_->files.front()).filename().string();
+  for (const kernels::Kernel& kernel : shader_->kernels) {
+    programs_.push_back(
+        gl::Program::computeText(fmt::format("{}: kernel {}", file, kernel.name), kernel.body()));
+    std::vector<gl::Buffer>& blocks = blocks_.emplace_back();
+    for (const kernels::Block& block : kernel.blocks)
+      blocks.emplace_back(fmt::format("{} constants of {}", name, kernel.name),
+                          std::max<std::size_t>(16, block.bytes));
+  }
+}
+
+glm::uvec3 KernelPrograms::groups(const KernelPlan& plan, const PlannedEntry& entry,
+                                  const KernelPlan::Now& now) {
+  return entry.indirect >= 0 ? glm::uvec3(1) : plan.groups(entry, now);
+}
+
+void KernelPrograms::dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now) {
+  const auto place = static_cast<std::size_t>(entry.kernel);
+  const kernels::Kernel& kernel = shader_->kernels[place];
+  for (std::size_t b = 0; b < kernel.blocks.size(); ++b) {
+    const std::vector<std::byte> bytes = store.plan().blockBytes(kernel.blocks[b], now);
+    blocks_[place][b].write(0, bytes);
+    blocks_[place][b].bindUniform(static_cast<GLuint>(kernel.blocks[b].binding), 0,
+                                  blocks_[place][b].bytes());
+  }
+  store.bind(kernel);
+  gl::AccessLog::barrier(GL_ALL_BARRIER_BITS);
+  if (entry.indirect >= 0)
+    return programs_[place].dispatchIndirect(store.buffer(entry.indirect), entry.offset);
+  const glm::uvec3 groups = store.plan().groups(entry, now);
+  if (groups.x > 0 && groups.y > 0 && groups.z > 0)
+    programs_[place].dispatchGroups(groups.x, groups.y, groups.z);
+}
+
+}  // namespace simreel::sim

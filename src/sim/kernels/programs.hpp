@@ -1,0 +1,33 @@
+#pragma once
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+#include "sim/kernels/memory.hpp"
+#include "sim/kernels/plan.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace simreel::sim {
+
+/// The compiled kernels of one shader, and their constants.
+class KernelPrograms {
+ public:
+  KernelPrograms(const std::string& name, std::shared_ptr<const kernels::Shader> shader);
+
+  [[nodiscard]] const kernels::Kernel& kernel(int place) const {
+    return shader_->kernels[static_cast<std::size_t>(place)];
+  }
+  /// Returns the work groups of an entry; one where a buffer has their number.
+  [[nodiscard]] static glm::uvec3 groups(const KernelPlan& plan, const PlannedEntry& entry,
+                                         const KernelPlan::Now& now);
+  /// Runs an entry's kernel. What else it binds (reports, shadows) must be bound.
+  void dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now);
+
+ private:
+  std::shared_ptr<const kernels::Shader> shader_;
+  std::vector<gl::Program> programs_;
+  std::vector<std::vector<gl::Buffer>> blocks_;
+};
+
+}  // namespace simreel::sim

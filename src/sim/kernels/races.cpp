@@ -1,0 +1,128 @@
+#include "sim/kernels/races.hpp"
+
+#include "scene/json/words.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <climits>
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+std::shared_ptr<const kernels::Shader> variant(kernels::Request request, kernels::Race race) {
+  request.race = race;
+  request.report = race == kernels::Race::check;
+  return KernelPlan::shaderOf(request);
+}
+
+std::string invocation(unsigned linear, const glm::uvec3& all) {
+  return fmt::format("({}, {}, {})", linear % all.x, linear / all.x % all.y, linear / all.x / all.y);
+}
+
+/// Where an element lies: of textures, and of buffers whose size has several axes.
+std::string elementText(const KernelPlan& plan, const std::string& of, unsigned index) {
+  glm::ivec3 size(0);
+  if (const int buffer = plan.bufferNamed(of); buffer >= 0)
+    size = plan.buffers()[static_cast<std::size_t>(buffer)].size;
+  if (const int texture = plan.textureNamed(of); texture >= 0)
+    size = plan.textures()[static_cast<std::size_t>(texture)].size;
+  if (size.y <= 1) return fmt::format("element {}", index);
+  const auto width = static_cast<unsigned>(size.x), height = static_cast<unsigned>(size.y);
+  if (size.z <= 1) return fmt::format("element ({}, {})", index % width, index / width);
+  return fmt::format("element ({}, {}, {})", index % width, index / width % height, index / width / height);
+}
+
+/// What to do about a race.
+const char* cureOf(const KernelPlan& plan, const std::string& of) {
+  if (plan.textureNamed(of) >= 0) return "write to a second texture, and \"swap\" them";
+  if (plan.bufferNamed(of) < 0)
+    return "put a barrier between: GroupMemoryBarrierWithGroupSync() or barrier()";
+  return "write to a second buffer and \"swap\" them, or give the buffer \"previous\": true";
+}
+
+/// Shadows of what a kernel writes, by name, as both variants need them.
+using Shadows = std::map<std::string, gl::Buffer>;
+
+void bindShadows(const KernelPlan& plan, const kernels::Kernel& kernel, Shadows& shadows) {
+  for (const kernels::Buffer& buffer : kernel.buffers) {
+    if (buffer.shadowOf.empty()) continue;
+    gl::Buffer& shadow = shadows[buffer.name];
+    if (shadow.bytes() == 0) {
+      const int of = plan.bufferNamed(buffer.shadowOf);
+      const std::size_t words =
+          of >= 0 ? plan.buffers()[static_cast<std::size_t>(of)].bytes() / 4
+                  : plan.textures()[static_cast<std::size_t>(plan.textureNamed(buffer.shadowOf))].count();
+      shadow = gl::Buffer("shadow of " + buffer.shadowOf,
+                          words * 4 * static_cast<std::size_t>(std::max(1, buffer.shadowWords)));
+    }
+    shadow.bindStorage(static_cast<GLuint>(buffer.binding));
+  }
+}
+
+}  // namespace
+
+KernelRaces::KernelRaces(const std::string& name, const kernels::Request& request)
+    : name_(name),
+      recording_(variant(request, kernels::Race::record)),
+      checking_(variant(request, kernels::Race::check)),
+      record_(name, recording_),
+      check_(name, checking_) {}
+
+void KernelRaces::dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now) {
+  Shadows shadows;
+  const bool again = !searched_.insert(entry.kernel).second;
+  const KernelStore::Saved before = again ? KernelStore::Saved{} : store.save();
+  bindShadows(store.plan(), record_.kernel(entry.kernel), shadows);
+  record_.dispatch(store, entry, now);
+  if (again) return;
+  store.restore(before);
+  const kernels::Kernel& kernel = check_.kernel(entry.kernel);
+  const std::vector<glm::uvec4> none(std::max<std::size_t>(1, kernel.places.size()),
+                                     {0, UINT_MAX, INT_MAX, 0x80000000U});
+  gl::Buffer reports = gl::Buffer::of(name_ + " races", std::span<const glm::uvec4>(none));
+  bindShadows(store.plan(), kernel, shadows);
+  if (kernel.report >= 0) reports.bindStorage(static_cast<GLuint>(kernel.report));
+  check_.dispatch(store, entry, now);
+  gl::AccessLog::barrier(GL_ALL_BARRIER_BITS);
+  const auto counted = reports.readAll<glm::uvec4>();
+  if (std::none_of(counted.begin(), counted.end(), [](const glm::uvec4& place) { return place.x > 0; }))
+    return;
+  // Once more for the first invocation of each place alone: what it met.
+  std::vector<glm::uvec4> first = none;
+  for (std::size_t i = 0; i < first.size(); ++i)
+    first[i] = {0x80000000U, counted[i].y, INT_MAX, 0x80000000U};
+  reports.write(0, std::as_bytes(std::span(first)));
+  store.restore(before);
+  check_.dispatch(store, entry, now);
+  gl::AccessLog::barrier(GL_ALL_BARRIER_BITS);
+  std::vector<glm::uvec4> met = reports.readAll<glm::uvec4>();
+  for (std::size_t i = 0; i < met.size(); ++i) met[i] = {counted[i].x, counted[i].y, met[i].z, met[i].w};
+  collect(store, entry, now, met);
+}
+
+void KernelRaces::collect(const KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now,
+                          const std::vector<glm::uvec4>& words) {
+  const kernels::Kernel& kernel = check_.kernel(entry.kernel);
+  const glm::uvec3 all = glm::max(KernelPrograms::groups(store.plan(), entry, now) *
+                                      glm::uvec3(kernel.threads[0], kernel.threads[1], kernel.threads[2]),
+                                  glm::uvec3(1));
+  for (std::size_t i = 0; i < kernel.places.size(); ++i) {
+    const kernels::Place& place = kernel.places[i];
+    if (words[i].x == 0 || !place.kind.starts_with("race")) continue;
+    const std::string member = place.part.empty() ? "" : scene::inQuotes(place.part) + " of ";
+    found_.push_back(
+        fmt::format("kernels {}: {}:{}: kernel {} races: invocation {} {} {}{} of {}, which invocation {} "
+                    "writes in the same dispatch ({} "
+                    "invocation{} in all); {}",
+                    scene::inQuotes(name_), place.file, place.line, scene::inQuotes(kernel.name),
+                    invocation(words[i].y, all), place.kind == "race-read" ? "reads" : "writes", member,
+                    elementText(store.plan(), place.what, words[i].w), scene::inQuotes(place.what),
+                    invocation(words[i].z, all), words[i].x, words[i].x == 1 ? "" : "s",
+                    cureOf(store.plan(), place.what)));
+  }
+}
+
+}  // namespace simreel::sim

@@ -1,0 +1,38 @@
+#pragma once
+#include "kernels/kernels.hpp"
+#include "sim/kernels/memory.hpp"
+#include "sim/kernels/plan.hpp"
+#include "sim/kernels/programs.hpp"
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace simreel::sim {
+
+/// Searches the dispatches of a user's kernels for races: each runs twice from one state. The first run
+/// records which invocation changes each word, the second compares its accesses with that.
+class KernelRaces {
+ public:
+  /// Throws as KernelPlan::shaderOf().
+  KernelRaces(const std::string& name, const kernels::Request& request);
+
+  /// Runs an entry's kernel in both variants; the store has the state after it then. A kernel that was
+  /// searched before runs once.
+  void dispatch(KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now);
+  /// Returns what was found, a line each.
+  [[nodiscard]] const std::vector<std::string>& found() const { return found_; }
+
+ private:
+  void collect(const KernelStore& store, const PlannedEntry& entry, const KernelPlan::Now& now,
+               const std::vector<glm::uvec4>& words);
+
+  std::string name_;
+  std::shared_ptr<const kernels::Shader> recording_, checking_;
+  KernelPrograms record_, check_;
+  std::set<int> searched_;
+  std::vector<std::string> found_;
+};
+
+}  // namespace simreel::sim

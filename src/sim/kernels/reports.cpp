@@ -1,0 +1,127 @@
+#include "sim/kernels/reports.hpp"
+
+#include "gl/element_array.hpp"
+#include "scene/json/words.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <climits>
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+struct ReportsKernel {
+  static constexpr auto file = "kernels/run/reports.comp";
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"first", int> first;
+  gl::Uniform<"frame", unsigned> frame;
+  gl::Uniform<"goesOn", bool> goesOn;
+  gl::In<"reports"> reports;
+  gl::InOut<"caught"> caught;
+  gl::InOut<"StatusBlock"> status;
+};
+
+namespace {
+
+constexpr glm::uvec4 nothing{0, UINT_MAX, INT_MAX, 0x80000000U};
+
+/// Elements that an index may have: of a buffer, of an axis of a texture; 0: the shader alone knows.
+std::size_t lengthOf(const KernelPlan& plan, const kernels::Place& place) {
+  if (const int buffer = plan.bufferNamed(place.what); buffer >= 0)
+    return plan.buffers()[static_cast<std::size_t>(buffer)].count();
+  const int texture = plan.textureNamed(place.what);
+  if (texture < 0) return 0;
+  const glm::ivec3 size = plan.textures()[static_cast<std::size_t>(texture)].size;
+  return static_cast<std::size_t>(place.part == "y" ? size.y : place.part == "z" ? size.z : size.x);
+}
+
+std::string indices(const KernelPlan& plan, const kernels::Place& place, const glm::uvec4& words) {
+  const auto low = static_cast<int>(words.z), high = static_cast<int>(words.w);
+  const std::string range = low == high ? std::to_string(low) : fmt::format("{} to {}", low, high);
+  const std::size_t length = lengthOf(plan, place);
+  const std::string axis = place.part.empty() ? "" : place.part + " = ";
+  return length == 0 ? fmt::format("at {}{}, out of bounds", axis, range)
+                     : fmt::format("at {}{}, but it has {} {}", axis, range, length,
+                                   place.part.empty() ? "elements" : "texels there");
+}
+
+}  // namespace
+
+KernelReports::KernelReports(const std::string& name, const KernelPlan& plan, bool goesOn)
+    : name_(name), plan_(plan), goesOn_(goesOn) {
+  for (const kernels::Kernel& kernel : plan.shader().kernels) {
+    const std::vector<glm::uvec4> words(std::max<std::size_t>(1, kernel.places.size()), nothing);
+    reports_.push_back(gl::Buffer::of(fmt::format("{} reports of {}", name, kernel.name),
+                                      std::span<const glm::uvec4>(words)));
+    places_ += kernel.places.size();
+  }
+  threads_.resize(reports_.size(), glm::uvec3(1));
+  const std::array<unsigned, 4> well = {UINT_MAX, UINT_MAX, 0, UINT_MAX};
+  status_ = gl::Buffer::of(name + " status", std::span<const unsigned>(well));
+  caught_ = gl::Buffer(name + " caught reports", std::max<std::size_t>(1, places_) * 16);
+  kernel_ = gl::Kernel<ReportsKernel>(gl::kernelDefines(false));
+}
+
+KernelReports::~KernelReports() = default;
+
+void KernelReports::bind(std::size_t kernel, glm::uvec3 threads) {
+  threads_[kernel] = threads;
+  const int binding = plan_.shader().kernels[kernel].report;
+  if (binding >= 0) reports_[kernel].bindStorage(static_cast<GLuint>(binding));
+}
+
+void KernelReports::collect(long frame) {
+  if (places_ == 0) return;
+  int first = 0;
+  for (std::size_t i = 0; i < reports_.size(); ++i) {
+    const auto count = static_cast<int>(plan_.shader().kernels[i].places.size());
+    if (count > 0)
+      kernel_.dispatch(1, {.count = count,
+                           .first = first,
+                           .frame = static_cast<unsigned>(std::max(0L, frame)),
+                           .goesOn = goesOn_,
+                           .reports = reports_[i],
+                           .caught = caught_,
+                           .status = status_});
+    first += count;
+  }
+  gl::barrier();
+}
+
+std::string KernelReports::told() const {
+  const auto words = caught_.readAll<glm::uvec4>();
+  const auto status = status_.readAll<unsigned>();
+  std::size_t at = 0;
+  std::string line;
+  int others = 0;
+  bool loop = false;
+  for (std::size_t k = 0; k < reports_.size(); ++k) {
+    const kernels::Kernel& kernel = plan_.shader().kernels[k];
+    for (const kernels::Place& place : kernel.places) {
+      const glm::uvec4& caught = words[at++];
+      if (caught.x == 0) continue;
+      if (!line.empty()) {
+        ++others;
+        continue;
+      }
+      loop = place.kind == "loop";
+      const glm::uvec3 all = glm::max(threads_[k], glm::uvec3(1));
+      const unsigned i = caught.y;
+      const std::string deed = place.kind == "loop"
+                                   ? "has a loop that did not end within \"iterations\""
+                                   : fmt::format("{}s {} {}", place.kind, scene::inQuotes(place.what),
+                                                 indices(plan_, place, caught));
+      line = fmt::format(
+          "kernels {}, frame {}: {}:{}: kernel {} {} ({} invocation{}; the first is ({}, {}, {}))",
+          scene::inQuotes(name_), status[3], place.file, place.line, scene::inQuotes(kernel.name), deed,
+          caught.x, caught.x == 1 ? "" : "s", i % all.x, i / all.x % all.y, i / all.x / all.y);
+    }
+  }
+  if (others > 0) line += fmt::format(", and {} more place{}", others, others == 1 ? "" : "s");
+  if (loop) return line + "; mend the loop, or raise \"iterations\"";
+  return line + (goesOn_ ? "; such reads give 0, such writes do nothing"
+                         : "; test the index in the kernel, or give \"bounds\": \"ignore\"");
+}
+
+}  // namespace simreel::sim

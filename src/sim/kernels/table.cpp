@@ -1,0 +1,201 @@
+#include "sim/kernels/table.hpp"
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/srgb.hpp"
+#include "scene/json/words.hpp"
+#include "sim/grid/picture_file.hpp"
+#include "sim/mesh/file/mesh_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace simreel::sim {
+
+namespace {
+
+constexpr std::size_t mostBytes = std::size_t{1} << 30;
+constexpr int mostSide = 16384;
+
+[[noreturn]] void broken(const std::string& name, const std::string& why) {
+  fail(ExitCode::inputOutput, "{}: {}", name, why);
+}
+
+std::string_view trimmed(std::string_view text) {
+  const char* spaces = " \t\r\"";
+  const std::size_t begin = text.find_first_not_of(spaces);
+  return begin == std::string_view::npos ? std::string_view()
+                                         : text.substr(begin, text.find_last_not_of(spaces) - begin + 1);
+}
+
+std::vector<std::string_view> cells(std::string_view line) {
+  const char separator = line.find(';') != std::string_view::npos    ? ';'
+                         : line.find('\t') != std::string_view::npos ? '\t'
+                                                                     : ',';
+  std::vector<std::string_view> found;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(separator, begin), line.size());
+    found.push_back(trimmed(line.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return found;
+}
+
+KernelTable tableOfCsv(std::string_view text, const std::string& name) {
+  KernelTable table;
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  int number = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    ++number;
+    if (line.empty() || line.front() == '#') continue;
+    const std::vector<std::string_view> parts = cells(line);
+    if (table.columns.empty()) {
+      for (const std::string_view part : parts) {
+        std::string column(part);
+        for (char& c : column)
+          if (!(std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_')) c = '_';
+        table.columns.push_back(column);
+      }
+      continue;
+    }
+    if (parts.size() != table.columns.size())
+      broken(name, fmt::format("line {}: expected {} values, found {}", number, table.columns.size(),
+                               parts.size()));
+    for (const std::string_view part : parts) {
+      double value = 0;
+      const auto [at, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+      if (error != std::errc() || at != part.data() + part.size() || !std::isfinite(value))
+        broken(name, fmt::format("line {}: expected a number, found {}", number,
+                                 scene::inQuotes(std::string(part))));
+      table.values.push_back(value);
+    }
+  }
+  if (table.values.empty()) broken(name, "there are no rows of numbers");
+  table.size = {static_cast<int>(table.rows()), 1};
+  return table;
+}
+
+/// Little-endian arrays of one or two axes, in C's order.
+KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
+  const auto header = [&]() -> std::string {
+    if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY")) broken(name, "this is no npy file");
+    const bool old = bytes[6] == 1;
+    std::uint32_t length = 0;
+    std::memcpy(&length, bytes.data() + 8, old ? 2 : 4);
+    if (std::size_t{length} + (old ? 10 : 12) > bytes.size())
+      broken(name, "the header of this npy file is cut off");
+    return bytes.substr(old ? 10 : 12, length);
+  }();
+  const std::size_t begin = (bytes[6] == 1 ? 10 : 12) + header.size();
+  const auto has = [&](const char* text) { return header.find(text) != std::string::npos; };
+  if (has("'fortran_order': True"))
+    broken(name, "the array is in Fortran's order; save numpy.ascontiguousarray(a)");
+  const char kind = has("'<f4'")   ? 'f'
+                    : has("'<f8'") ? 'd'
+                    : has("'<i4'") ? 'i'
+                    : has("'<u4'") ? 'u'
+                    : has("'|u1'") ? 'b'
+                                   : '?';
+  if (kind == '?') broken(name, "expected float32, float64, int32, uint32 or uint8, little-endian");
+  std::vector<std::size_t> shape;
+  const std::size_t at = header.find("'shape'");
+  for (std::size_t i = header.find('(', at) + 1;
+       at != std::string::npos && i < header.size() && header[i] != ')';) {
+    if (std::isdigit(static_cast<unsigned char>(header[i])) == 0) {
+      ++i;
+      continue;
+    }
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(header.data() + i, header.data() + header.size(), value);
+    if (error != std::errc() || value > mostBytes) broken(name, "the shape of this array is too large");
+    shape.push_back(value);
+    i = static_cast<std::size_t>(end - header.data());
+  }
+  if (shape.empty() || shape.size() > 2)
+    broken(name, fmt::format("expected an array of one or two axes, found {}", shape.size()));
+  const std::size_t rows = shape[0], columns = shape.size() == 2 ? shape[1] : 1;
+  const std::size_t width = kind == 'd' ? 8 : kind == 'b' ? 1 : 4;
+  if (rows == 0 || columns == 0 || rows > mostBytes / columns / width ||
+      bytes.size() - begin < rows * columns * width)
+    broken(name, "the array is empty or cut off");
+  KernelTable table;
+  for (std::size_t c = 0; c < columns; ++c) table.columns.push_back(fmt::format("c{}", c));
+  table.size = {static_cast<int>(rows), 1};
+  table.values.reserve(rows * columns);
+  const auto add = [&]<class T>(T value, std::size_t i) {
+    std::memcpy(&value, bytes.data() + begin + i * sizeof(T), sizeof(T));
+    table.values.push_back(static_cast<double>(value));
+  };
+  for (std::size_t i = 0; i < rows * columns; ++i) {
+    if (kind == 'f') add(0.0F, i);
+    if (kind == 'd') add(0.0, i);
+    if (kind == 'i') add(std::int32_t{0}, i);
+    if (kind == 'u') add(std::uint32_t{0}, i);
+    if (kind == 'b') add(std::uint8_t{0}, i);
+  }
+  return table;
+}
+
+KernelTable tableOfMesh(const std::filesystem::path& file) {
+  const Mesh mesh = loadMesh(file, MeshNormals::shared);
+  KernelTable table{
+      {"x", "y", "z", "nx", "ny", "nz", "u", "v"}, {}, {static_cast<int>(mesh.positions.size()), 1}};
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const glm::vec2 uv = mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[i];
+    for (int c = 0; c < 3; ++c) table.values.push_back(static_cast<double>(mesh.positions[i][c]));
+    for (int c = 0; c < 3; ++c) table.values.push_back(static_cast<double>(mesh.normals[i][c]));
+    for (int c = 0; c < 2; ++c) table.values.push_back(static_cast<double>(uv[c]));
+  }
+  return table;
+}
+
+KernelTable tableOfPicture(const std::string& bytes, const std::string& name) {
+  const Picture picture = decodePicture(bytes, name, "picture", mostSide);
+  double linear[256];
+  for (int i = 0; i < 256; ++i) linear[i] = linearOfSrgb(i / 255.0);
+  KernelTable table{{"r", "g", "b", "a"}, {}, picture.size};
+  table.values.reserve(picture.rgba.size());
+  for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+    table.values.push_back(i % 4 == 3 ? picture.rgba[i] / 255.0 : linear[picture.rgba[i]]);
+  return table;
+}
+
+}  // namespace
+
+KernelTable readKernelTable(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  for (const char* mesh : {".obj", ".ply", ".gltf", ".glb"})
+    if (ending == mesh) return tableOfMesh(file);
+  const std::string bytes = readFile(file, "table", mostBytes);
+  const std::string name = file.filename().string();
+  if (ending == ".csv" || ending == ".txt" || ending == ".tsv") return tableOfCsv(bytes, name);
+  if (ending == ".npy") return tableOfNpy(bytes, name);
+  if (beginsAsPicture(bytes)) return tableOfPicture(bytes, name);
+  fail(ExitCode::usage,
+       "{}: expected a table (.csv, .npy), a mesh (.obj, .ply, .gltf, .glb) or a picture (.png, .jpg)",
+       name);
+}
+
+const KernelTable& KernelTables::of(const std::filesystem::path& file) {
+  std::shared_ptr<const KernelTable>& table = tables_[file];
+  if (table == nullptr) table = std::make_shared<KernelTable>(readKernelTable(file));
+  return *table;
+}
+
+const KernelTable* KernelTables::read(const std::filesystem::path& file) const {
+  const auto found = tables_.find(file);
+  return found == tables_.end() ? nullptr : found->second.get();
+}
+
+}  // namespace simreel::sim
