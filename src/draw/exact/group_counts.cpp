@@ -5,8 +5,7 @@
 namespace simreel::draw {
 
 void GroupCounts::fill(const gl::Buffer& counts, const Order& order, const gl::Buffer& groups) const {
-  kernel_.dispatch(std::get<int>(order.counts.value),
-                   {.order = order, .counters = counts, .groups = groups});
+  kernel_.dispatch(order.counts.value, {.order = order, .counters = counts, .groups = groups});
 }
 
 void GroupCounts::prepareLists(const gl::Buffer& counts, const Order& order,

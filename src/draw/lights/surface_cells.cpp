@@ -89,8 +89,7 @@ void SurfaceCells::find(const std::vector<sim::Surface>& surfaces) {
   const int count = static_cast<int>(surfaces.size());
   list_.dispatch(count,
                  {.boxes = boxes_, .cells = cellNumbers_, .arguments = arguments_, .surfaces = count});
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  gl::barrier(GL_COMMAND_BARRIER_BIT);
 }
 
 void SurfaceCells::draw(const gl::Program& program, std::size_t i) const {

@@ -8,6 +8,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <tuple>
@@ -27,10 +28,10 @@ struct Name {
   char text[size] = {};
 };
 
-/// A uniform's value that a dispatch is given, or nothing.
+/// A uniform's value that a dispatch is given, where the interface has it; or nothing.
 struct GivenNumber {
-  UniformSlot::Value value;
-  bool given = false;
+  const void* value;
+  bool given;
 };
 
 template <class T>
@@ -49,14 +50,16 @@ consteval GLenum uniformType() {
 
 /// A uniform outside blocks: "a", a member "a.b", an element "a[1]".
 template <Name label, class T>
-struct Uniform : GivenNumber {
+struct Uniform {
   using Field = void;
+  using Value = std::conditional_t<std::same_as<T, bool>, int, T>;
   static constexpr const char* name = label.text;
   static constexpr GLenum type = uniformType<T>();
   Uniform() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): a dispatch is given the value itself.
-  Uniform(const T& now)
-      : GivenNumber{UniformSlot::Value(std::conditional_t<std::same_as<T, bool>, int, T>(now)), true} {}
+  Uniform(const T& now) : value(now), given(true) {}
+  Value value{};
+  bool given = false;
 };
 
 template <Name label, std::size_t index>
@@ -148,7 +151,7 @@ struct Block : In<label> {
 };
 
 /// Members of a Variant become #defines. `all` lists the defines of each value that tools compile, `key` is
-/// another number for each value.
+/// another number for each value, less than `keys`.
 
 /// Defined as 1, with extensions that the shader then requires, or not at all.
 template <Name label, Name... extensions>
@@ -163,7 +166,8 @@ struct Flag {
     (defines.emplace_back(extensionDefine, extensions.text), ...);
   }
   static std::vector<Defines> all() { return {{}, {{name, "1"}, {extensionDefine, extensions.text}...}}; }
-  [[nodiscard]] int key() const { return on ? 1 : 0; }
+  static constexpr std::uint64_t keys = 2;
+  [[nodiscard]] std::uint64_t key() const { return on ? 1 : 0; }
   bool on = false;
 };
 
@@ -182,7 +186,12 @@ struct Choice {
     defines.emplace_back(name, std::to_string(value));
   }
   static std::vector<Defines> all() { return {{{name, std::to_string(values)}}...}; }
-  [[nodiscard]] int key() const { return value; }
+  static constexpr std::uint64_t keys = sizeof...(values) + 1;  ///< the last: of a value that is not listed
+  [[nodiscard]] std::uint64_t key() const {
+    std::uint64_t index = 0;
+    static_cast<void>(((value == values || (++index, false)) || ...));
+    return index;
+  }
   int value = std::array{values...}[0];
 };
 /// Defined as 0 or 1.
@@ -205,7 +214,12 @@ struct Range {
   static std::vector<Defines> all() {
     return {{{name, std::to_string(least)}}, {{name, std::to_string(most)}}};
   }
-  [[nodiscard]] int key() const { return defined ? value : most + 1; }
+  /// The first: not defined. The last: beyond the ends.
+  static constexpr std::uint64_t keys = most - least + 3;
+  [[nodiscard]] std::uint64_t key() const {
+    if (!defined) return 0;
+    return value < least || value > most ? keys - 1 : static_cast<std::uint64_t>(value - least) + 1;
+  }
   int value = 0;
   bool defined = false;
 };

@@ -4,7 +4,6 @@
 #include "gl/program.hpp"
 
 #include <type_traits>
-#include <variant>
 
 namespace simreel::gl {
 
@@ -20,7 +19,7 @@ void give(const Program& program, const Fields& fields) {
     if constexpr (std::is_base_of_v<Resource, Field>)
       bindByName(program.name(), Field::name, field);
     else if (field.given)
-      std::visit([&](const auto& now) { program.set(Field::name, now); }, field.value);
+      program.set(Field::name, field.value);
   });
 }
 

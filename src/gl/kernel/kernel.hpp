@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <type_traits>
@@ -64,7 +65,7 @@ const KernelNames& namesOf() {
       if constexpr (std::is_base_of_v<Resource, Field>)
         all.memories.push_back({Field::name, Field::access, Field::blockBytes, Field::ambient});
       else
-        all.numbers.push_back({Field::name, Field::type});
+        all.numbers.push_back({Field::name, Field::type, typename Field::Value{}});
     });
     using Variant = typename VariantOf<Interface>::Type;
     const Variant variant{};
@@ -147,20 +148,33 @@ class Kernel {
   template <class Run>
   static void run(const Interface& given, const Run& dispatch) {
     constexpr std::size_t most = 128;
-    std::array<const GivenNumber*, most> numbers;  // NOLINT(*-member-init): filled as far as it is read
-    std::array<const Resource*, most> memories;    // NOLINT(*-member-init)
+    std::array<GivenNumber, most> numbers;       // NOLINT(*-member-init): filled as far as it is read
+    std::array<const Resource*, most> memories;  // NOLINT(*-member-init)
     std::size_t numberCount = 0, memoryCount = 0;
     visitFields(given, [&](const auto& field) {
       if constexpr (std::is_base_of_v<Resource, std::remove_cvref_t<decltype(field)>>)
         memories.at(memoryCount++) = &field;
       else
-        numbers.at(numberCount++) = &field;
+        numbers.at(numberCount++) = {&field.value, field.given};
     });
     dispatch({{numbers.data(), numberCount}, {memories.data(), memoryCount}});
   }
 
   std::unique_ptr<KernelBase> base_;
 };
+
+/// True where a number of 64 bits tells all values of a variant apart.
+template <class Variant>
+consteval bool distinctKeys(const Variant& variant) {
+  std::uint64_t keys = 1;
+  bool distinct = true;
+  visitFields(variant, [&](const auto& field) {
+    constexpr std::uint64_t most = ~std::uint64_t{0}, more = std::remove_cvref_t<decltype(field)>::keys;
+    distinct = distinct && keys <= most / more;
+    keys *= more;
+  });
+  return distinct;
+}
 
 /// The kernels of one interface, one for each variant, made when first needed.
 template <class Interface>
@@ -169,9 +183,11 @@ class Kernels {
   explicit Kernels(Defines common = {}) : common_(std::move(common)) {}
   template <class I = Interface>
   const Kernel<I>& of(const typename VariantOf<I>::Type& variant) {
-    std::array<int, 48> key{};
-    std::size_t count = 0;
-    visitFields(variant, [&](const auto& field) { key.at(count++) = field.key(); });
+    static_assert(distinctKeys(typename VariantOf<I>::Type{}));
+    std::uint64_t key = 0;
+    visitFields(variant, [&](const auto& field) {
+      key = key * std::remove_cvref_t<decltype(field)>::keys + field.key();
+    });
     const auto found = made_.find(key);
     if (found != made_.end()) return found->second;
     return made_.emplace(key, Kernel<Interface>(common_, variant)).first->second;
@@ -179,7 +195,7 @@ class Kernels {
 
  private:
   Defines common_;
-  std::map<std::array<int, 48>, Kernel<Interface>> made_;
+  std::map<std::uint64_t, Kernel<Interface>> made_;
 };
 
 }  // namespace simreel::gl

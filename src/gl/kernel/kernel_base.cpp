@@ -17,14 +17,15 @@ namespace simreel::gl {
 
 namespace {
 
-/// -0 is not 0, and a NaN is itself.
-bool sameBits(const UniformSlot::Value& a, const UniformSlot::Value& b) {
-  if (a.index() != b.index()) return false;
+/// Makes `value` what is at `now`, of the same type. False where it was that: -0 is not 0, a NaN is itself.
+bool change(UniformSlot::Value& value, const void* now) {
   return std::visit(
-      [&](const auto& one) {
-        return std::memcmp(&one, &std::get<std::remove_cvref_t<decltype(one)>>(b), sizeof one) == 0;
+      [&](auto& one) {
+        if (std::memcmp(&one, now, sizeof one) == 0) return false;
+        std::memcpy(&one, now, sizeof one);
+        return true;
       },
-      a);
+      value);
 }
 
 /// "a" of "a", "a.b" and "a[1]".
@@ -93,7 +94,7 @@ KernelBase::KernelBase(const KernelNames& names, const Defines& defines, const c
   linked_ = LinkedProgram::of(names.file, {{GL_COMPUTE_SHADER, names.file,
                                             text_.empty() ? loadShader(names.file, defines)
                                                           : loadShaderText(names.file, text_, defines)}});
-  for (const KernelNames::Number& number : names.numbers) numbers_.push_back({number.name, 0});
+  for (const KernelNames::Number& number : names.numbers) numbers_.push_back({number.name, number.zero});
 }
 
 void KernelBase::missing(const char* what, const std::string& name) const {
@@ -173,12 +174,10 @@ bool KernelBase::rehearsed(const Given& given) const {
 
 void KernelBase::setNumbers(const Given& given) {
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    const GivenNumber& now = *given.numbers[i];
     if (numbers_[i].location < 0) continue;
-    if (!now.given) missing("uniform", numbers_[i].name);
-    if (sameBits(numbers_[i].value, now.value)) continue;
-    numbers_[i].value = now.value;
-    if (linked_->user() == this) numbers_[i].putInto(linked_->name());
+    if (!given.numbers[i].given) missing("uniform", numbers_[i].name);
+    if (change(numbers_[i].value, given.numbers[i].value) && linked_->user() == this)
+      numbers_[i].putInto(linked_->name());
   }
   if (linked_->user() != this) linked_->giveTo(this, numbers_);
 }

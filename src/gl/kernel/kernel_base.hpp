@@ -17,6 +17,7 @@ struct KernelNames {
   struct Number {
     const char* name;
     GLenum type;
+    UniformSlot::Value zero;  ///< of that type
   };
   struct Memory {
     const char* name;
@@ -41,7 +42,7 @@ class KernelBase {
  public:
   /// Values of one dispatch, in the order of the names.
   struct Given {
-    std::span<const GivenNumber* const> numbers;
+    std::span<const GivenNumber> numbers;
     std::span<const Resource* const> memories;
   };
 

@@ -99,8 +99,7 @@ void Occlusion::find(const shader::ExactView& view, float radius) const {
                    {.nearness = nearness_.view, .arcs = arcs_.view, .smooth = smooth_.buffer});
   down_.dispatch(inColumns,
                  {.nearness = nearness_.view, .arcs = smooth_.view, .openness = openness_.buffer});
-  gl::barrier();
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  gl::barrier(GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 }  // namespace simreel::draw

@@ -76,8 +76,7 @@ class FilmPass final : public FramePass {
   }
   void run() override {
     expose(picture_, *f.asked.picture);
-    gl::barrier();
-    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
+    gl::barrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
     if (f.passes != nullptr) f.passes->keepBytes("picture", "film", *f.asked.picture);
     if (f.wanted) keepLight();
   }

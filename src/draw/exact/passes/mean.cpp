@@ -30,8 +30,7 @@ class MeanPass final : public FramePass {
                            .share = last ? 1.0F / static_cast<float>(f.views) : 0.0F,
                            .light = f.light,
                            .total = total_});
-    gl::barrier();
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    gl::barrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     if (f.number == 0) middle_ = exactView(f.seen, f.scene.camera, f.size);
     if (!last) return;
     f.values = middle_;  // the sky is seen through the middle
