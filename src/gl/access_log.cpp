@@ -11,7 +11,7 @@ namespace {
 /// Barriers are counted. An access after barrier number n has time n + 1.
 using Time = std::uint64_t;
 struct Stamp {
-  Time read = 0, written = 0;
+  Time read = 0, written = 0, together = 0;
 };
 
 constexpr std::array<GLbitfield, 5> kinds = {
@@ -34,17 +34,19 @@ Stamp& stampOf(AccessLog::Memory memory) {
 
 }  // namespace
 
-GLbitfield AccessLog::needed(Memory memory, GLbitfield kind, bool writes) {
+GLbitfield AccessLog::needed(Memory memory, GLbitfield kind, Way way) {
   std::size_t index = 0;
   while (kinds[index] != kind) ++index;
   const Stamp& stamp = stampOf(memory);
   const Time last = lastBarrier[index];
-  return stamp.written > last || (writes && stamp.read > last) ? kind : 0;
+  const bool due = stamp.written > last || (way != Way::read && stamp.read > last) ||
+                   (way != Way::together && stamp.together > last);
+  return due ? kind : 0;
 }
 
-void AccessLog::note(Memory memory, bool writes) {
+void AccessLog::note(Memory memory, Way way) {
   Stamp& stamp = stampOf(memory);
-  (writes ? stamp.written : stamp.read) = now;
+  (way == Way::read ? stamp.read : way == Way::write ? stamp.written : stamp.together) = now;
 }
 
 void AccessLog::barrier(GLbitfield bits) {

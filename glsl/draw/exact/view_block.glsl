@@ -2,12 +2,12 @@
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/types.glsl"
 #ifdef FACES
-// All of some lamps' maps in one dispatch: FACES is the coordinate of a group that says which.
+// All of some lamps' maps in one dispatch: FACES is which coordinate of a group says which.
 layout(std140, binding = viewBinding) uniform ViewBlock {
   ExactView viewBlocks[maxFaceViews];
 };
 uniform int firstView;
-int face_ = int(FACES);
+int face_ = int(gl_WorkGroupID[FACES]);
 #define viewBlock viewBlocks[firstView + face_]
 #else
 layout(std140, binding = viewBinding) uniform ViewBlock {

@@ -11,6 +11,20 @@
 
 namespace simreel::draw {
 
+struct BoundsOfInstances {
+  static constexpr auto file = "draw/surface/shadow_bounds.comp";
+  struct Variant {
+    gl::Flag<"INSTANCES"> instances;
+    gl::Flag<"BOX"> box;
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  InstanceFields instance;
+  gl::Uniforms<"corners", glm::vec3, 2> corners;
+  gl::Uniform<"vertexCount", int> vertexCount;
+  gl::Uniform<"invocations", int> invocations;
+  gl::Shared<"BoundsBlock"> bounds;
+};
+
 namespace {
 
 /// Smaller glows shimmer as they move over the pixels; smaller balls fall between samples.
@@ -41,6 +55,16 @@ void setInstance(const gl::Program& program, const sim::Instances& instances, fl
   instances.velocities->bind(velocityUnit);
 }
 
+InstanceFields instanceFields(const sim::Instances& instances, float shapeRadius, float minPixels) {
+  return {.positions = *instances.positions,
+          .velocities = *instances.velocities,
+          .size = instances.size,
+          .shapeRadius = shapeRadius,
+          .massExponent = instances.massExponent,
+          .perMassReference = 1.0F / instances.massReference,
+          .minPixels = minPixels};
+}
+
 const InstanceShape& InstanceShapes::of(const sim::Instances& instances) {
   switch (instances.shape) {
     case sim::Instances::Shape::sprite:
@@ -63,27 +87,21 @@ const InstanceShape& InstanceShapes::of(const sim::Instances& instances) {
       .first->second;
 }
 
-void InstanceBounds::grow(const sim::Drawables& drawables, InstanceShapes& shapes) {
+void InstanceBounds::grow(const sim::Drawables& drawables, InstanceShapes& shapes,
+                          const gl::Buffer& bounds) {
   constexpr int maxInvocations = 1 << 14;
   constexpr int each = 32;
   for (const sim::Instances& instances : drawables.instances) {
     if (!castsShadow(instances)) continue;
     const bool boxed = instances.boundsMin != instances.boundsMax;
-    gl::Program& bounds = boxed ? boxed_ : measured_;
-    if (bounds.name() == 0)
-      bounds =
-          gl::Program::compute("draw/surface/shadow_bounds.comp", {{boxed ? "BOX" : "INSTANCES", "1"}});
     const int count = boxed ? 8 : instances.capacity;
     const int invocations = boxed ? 8 : std::clamp((count + each - 1) / each, 1, maxInvocations);
-    bounds.set("vertexCount", count);
-    bounds.set("invocations", invocations);
-    if (boxed) {
-      bounds.set("corners[0]", instances.boundsMin);
-      bounds.set("corners[1]", instances.boundsMax);
-    } else {
-      setInstance(bounds, instances, shapes.of(instances).radius(), 0);
-    }
-    bounds.dispatch(invocations);
+    kernels_.of({.instances = !boxed, .box = boxed})
+        .dispatch(invocations, {.instance = instanceFields(instances, shapes.of(instances).radius(), 0),
+                                .corners = std::vector{instances.boundsMin, instances.boundsMax},
+                                .vertexCount = count,
+                                .invocations = invocations,
+                                .bounds = bounds});
   }
 }
 
@@ -103,6 +121,19 @@ void InstanceColors::update(const sim::Instances& instances) {
   view_ = {};
   buffer_ = gl::Buffer::of<glm::vec4>("colour stops", texels);
   view_ = gl::Texture::view("colour stops", GL_RGBA32F, buffer_);
+}
+
+InstanceLook InstanceColors::look(const sim::Instances& instances) const {
+  const glm::vec2 range = instances.colorRange;
+  const float scale = 1.0F / (range.y > range.x ? range.y - range.x : 1e-20F);
+  return {.stops = view_,
+          .colorBy = static_cast<int>(instances.colorBy),
+          .colorFactor = scale,
+          .colorOffset = -range.x * scale,
+          .stopCount = static_cast<int>(stops_.size()),
+          .color = instances.material->color,
+          .brightness = instances.brightness,
+          .fade = instances.fade};
 }
 
 void InstanceColors::set(const gl::Program& program, const sim::Instances& instances) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/instances/instance_shape.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/program.hpp"
 #include "sim/core/drawable.hpp"
 
@@ -21,6 +22,30 @@ namespace simreel::draw {
 void setInstance(const gl::Program& program, const sim::Instances& instances, float shapeRadius,
                  float minPixels);
 
+/// Fields of glsl/draw/instances/instance.glsl.
+struct InstanceFields {
+  gl::In<"positions"> positions;
+  gl::In<"velocities"> velocities;
+  gl::Uniform<"size", float> size;
+  gl::Uniform<"shapeRadius", float> shapeRadius;
+  gl::Uniform<"massExponent", float> massExponent;
+  gl::Uniform<"perMassReference", float> perMassReference;
+  gl::Uniform<"minPixels", float> minPixels;
+};
+[[nodiscard]] InstanceFields instanceFields(const sim::Instances& instances, float shapeRadius,
+                                            float minPixels);
+/// Those of glsl/draw/instances/instance_list.glsl that say what colour one has.
+struct InstanceLook {
+  gl::In<"stops"> stops;
+  gl::Uniform<"colorBy", int> colorBy;
+  gl::Uniform<"colorFactor", float> colorFactor;
+  gl::Uniform<"colorOffset", float> colorOffset;
+  gl::Uniform<"stopCount", int> stopCount;
+  gl::Uniform<"color", glm::vec3> color;
+  gl::Uniform<"brightness", float> brightness;
+  gl::Uniform<"fade", float> fade;
+};
+
 /// The shapes that instances repeat, made when first needed.
 class InstanceShapes {
  public:
@@ -34,13 +59,15 @@ class InstanceShapes {
   std::map<std::filesystem::path, InstanceShape> meshes_;
 };
 
+struct BoundsOfInstances;
+
 /// Grows the sun's bounds by what casts shadows; see ShadowPass::fit.
 class InstanceBounds {
  public:
-  void grow(const sim::Drawables& drawables, InstanceShapes& shapes);
+  void grow(const sim::Drawables& drawables, InstanceShapes& shapes, const gl::Buffer& bounds);
 
  private:
-  gl::Program measured_, boxed_;
+  gl::Kernels<BoundsOfInstances> kernels_;
 };
 
 /// The colours of instances on the device.
@@ -50,6 +77,7 @@ class InstanceColors {
   void update(const sim::Instances& instances);
   /// Sets and binds what glsl/draw/instances/instance_list.glsl reads of them.
   void set(const gl::Program& program, const sim::Instances& instances) const;
+  [[nodiscard]] InstanceLook look(const sim::Instances& instances) const;
 
  private:
   std::vector<glm::vec3> stops_;

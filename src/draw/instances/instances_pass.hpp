@@ -27,7 +27,9 @@ class InstancesPass {
                 glm::ivec2 size, int samples);
 
   /// Grows the shadow's bounds.
-  void growBounds(const sim::Drawables& drawables) { bounds_.grow(drawables, shapes_); }
+  void growBounds(const sim::Drawables& drawables, const gl::Buffer& bounds) {
+    bounds_.grow(drawables, shapes_, bounds);
+  }
   /// Finds those in the light's box (its map is bound), then draws them into the bound shadow map.
   void cullForLight(const sim::Drawables& drawables);
   void castShadows(const sim::Drawables& drawables);

@@ -2,6 +2,8 @@
 
 #include "draw/frame_values.hpp"
 #include "draw/surface/skin_look.hpp"
+#include "draw/surface_fields.hpp"
+#include "gl/kernel/give.hpp"
 
 #include <iterator>
 
@@ -102,11 +104,9 @@ void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
               (surface.palette != nullptr && skin == nullptr ? palette : 0U) |
               (surface.colors != nullptr && skin == nullptr ? vertexColors : 0U));
   DrawState{.depthTest = true, .cullBack = !surface.doubleSided, .depthOffset = false}.set();
-  shader.set("model", surface.model);
+  gl::give(shader, placed(surface));
   shader.set("metallic", material.metallic);
   shader.set("translucency", material.translucency);
-  bindPositions(surface, shader);
-  bindDeformation(surface);
   if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
   if (surface.colors != nullptr) surface.colors->bind(paletteUnit);
   if (isGrid) {

@@ -224,7 +224,7 @@ TEST_CASE("instances: the sun's map has who reaches into it, small ones as squar
   instances.boundsMin = glm::vec3(-2.1F, -1.8F, -1.9F);  // less than there is
   instances.boundsMax = glm::vec3(2, 2, 2);
   const sim::Drawables drawables{{}, {instances}};
-  stage.shadow.fit(drawables, [&] { stage.pass.growBounds(drawables); });
+  stage.shadow.fit(drawables, [&](const gl::Buffer& bounds) { stage.pass.growBounds(drawables, bounds); });
   stage.pass.cullForLight(drawables);
   gl::barrier();
   const auto light = wordsAt<glm::vec4>(draw::lightUnit, 4);

@@ -5,6 +5,11 @@
 //
 // REFLECTED: what reflections change is found once for the four pixels of a half pixel, of each part of the thing at the first sample
 // that shows it: uint partOfThing(number) says which belong together.
+#if defined REFLECTED && !defined GROUND_BELOW
+// Nothing is lit but the ground that mirrors show.
+#undef SHADOW
+#undef LAMPS
+#endif
 #include "draw/exact/tiles/shaded_tile.glsl"
 
 vec4 lightOf(ivec2 pixel, uint number, int firstSample);
