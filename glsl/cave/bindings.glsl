@@ -1,4 +1,4 @@
-// Storage blocks of the kernels of this folder. Compiles as GLSL and as C++.
+// Storage blocks of the kernels of this folder.
 #ifndef CAVE_BINDINGS
 #define CAVE_BINDINGS
 

@@ -1,4 +1,4 @@
-// What the kernels of this folder bind. Compiles as GLSL and as C++.
+// What the kernels of this folder bind.
 #ifndef CONTOUR_BINDINGS
 #define CONTOUR_BINDINGS
 

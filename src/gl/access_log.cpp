@@ -1,5 +1,7 @@
 #include "gl/access_log.hpp"
 
+#include "gl/access_together.hpp"
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -20,6 +22,7 @@ constexpr std::array<GLbitfield, 5> kinds = {
 
 Time now = 1;
 std::array<Time, kinds.size()> lastBarrier{};
+Time together = 0;  ///< first time of the present AccessTogether; 0: there is none
 
 /// Returns the stamp of a buffer or texture, by its OpenGL name; names start at 1. Names 65,536 apart share
 /// a stamp, and a new object inherits the stamp of a deleted one. Both cost at most one barrier too many.
@@ -39,9 +42,10 @@ GLbitfield AccessLog::needed(Memory memory, GLbitfield kind, Way way) {
   while (kinds[index] != kind) ++index;
   const Stamp& stamp = stampOf(memory);
   const Time last = lastBarrier[index];
-  const bool due = stamp.written > last || (way != Way::read && stamp.read > last) ||
-                   (way != Way::together && stamp.together > last);
-  return due ? kind : 0;
+  const auto due = [&](Time access) { return access > last && (together == 0 || access < together); };
+  const bool any = due(stamp.written) || (way != Way::read && due(stamp.read)) ||
+                   (way != Way::together && due(stamp.together));
+  return any ? kind : 0;
 }
 
 void AccessLog::note(Memory memory, Way way) {
@@ -54,6 +58,14 @@ void AccessLog::barrier(GLbitfield bits) {
   for (std::size_t i = 0; i < kinds.size(); ++i)
     if ((bits & kinds[i]) != 0) lastBarrier[i] = now;
   ++now;
+}
+
+AccessTogether::AccessTogether() {
+  together = ++now;
+}
+
+AccessTogether::~AccessTogether() {
+  together = 0;
 }
 
 }  // namespace simreel::gl

@@ -121,6 +121,14 @@ class Kernel {
     return kernel;
   }
 
+  /// A text that the program has made; `file` of the interface names it in messages. It declares what it
+  /// reads, and perhaps not all that the interface has.
+  static Kernel generated(const std::string& text, const Defines& defines) {
+    Kernel kernel;
+    kernel.base_ = std::make_unique<KernelBase>(namesOf<Interface>(), defines, text.c_str(), true);
+    return kernel;
+  }
+
   explicit operator bool() const { return base_ != nullptr; }
 
   /// Runs at least `items` (or x by y) invocations, as Program::dispatch.

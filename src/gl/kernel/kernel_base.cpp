@@ -89,8 +89,8 @@ void checkDeclared(const KernelNames& names, const std::string& text) {
   for (const char* define : names.defines) check(mentions(text, define), "name for the define", define);
 }
 
-KernelBase::KernelBase(const KernelNames& names, const Defines& defines, const char* text)
-    : names_(names), text_(text != nullptr ? text : "") {
+KernelBase::KernelBase(const KernelNames& names, const Defines& defines, const char* text, bool generated)
+    : names_(names), text_(text != nullptr ? text : ""), generated_(generated) {
   linked_ = LinkedProgram::of(names.file, {{GL_COMPUTE_SHADER, names.file,
                                             text_.empty() ? loadShader(names.file, defines)
                                                           : loadShaderText(names.file, text_, defines)}});
@@ -146,7 +146,9 @@ void KernelBase::checkTypes() const {
 void KernelBase::resolve() {
   if (resolved_) return;
   linked_->link();
-  if (!text_.empty())
+  if (generated_)
+    text_.clear();
+  else if (!text_.empty())
     checkDeclared(names_, loadShaderText(names_.file, text_, {}).text);
   else if (firstCheck(names_))
     checkDeclared(names_, loadShader(names_.file, {}).text);

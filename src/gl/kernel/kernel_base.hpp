@@ -46,8 +46,9 @@ class KernelBase {
     std::span<const Resource* const> memories;
   };
 
-  /// `text` takes the place of the file where it is not null.
-  KernelBase(const KernelNames& names, const Defines& defines, const char* text = nullptr);
+  /// `text` takes the place of the file where it is not null. `generated`: it may lack declarations.
+  KernelBase(const KernelNames& names, const Defines& defines, const char* text = nullptr,
+             bool generated = false);
   ~KernelBase() { linked_->leave(this); }
   KernelBase(KernelBase&&) = delete;
   KernelBase(const KernelBase&) = delete;
@@ -83,6 +84,7 @@ class KernelBase {
 
   const KernelNames& names_;
   std::string text_;
+  bool generated_;
   std::shared_ptr<LinkedProgram> linked_;
   bool resolved_ = false;
   std::vector<UniformSlot> numbers_;

@@ -3,8 +3,7 @@
 #include "base/error.hpp"
 #include "frame/summaries.hpp"
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
-#include "glsl/common/cpp.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "golden/trace/layout.hpp"
 #include "golden/trace/traced_run.hpp"
 #include "sim/core/state_hash.hpp"
@@ -17,13 +16,23 @@ namespace simreel::golden {
 
 namespace {
 
+struct BlockHash {
+  static constexpr auto file = "common/block_hash.comp";
+  struct Variant {
+    gl::Flag<"PLANES"> planes;
+  };
+  sim::StateWordsPart state;
+  gl::Uniform<"perInvocation", int> perInvocation;
+  gl::Uniform<"perBlock", int> perBlock;
+  gl::Uniform<"place", int> place;
+  gl::InOut<"SumBlock"> sums;
+};
+
 /// Steps a world and hashes what each step leaves.
 class Tracer {
  public:
   explicit Tracer(const scene::Scene& scene, AfterStep afterStep = {})
-      : world_(scene),
-        hash_(gl::Program::compute("common/block_hash.comp")),
-        afterStep_(std::move(afterStep)) {
+      : world_(scene), hash_(gl::Defines()), afterStep_(std::move(afterStep)) {
     for (std::size_t object = 0; object < world_.objectCount(); ++object)
       owners_.insert(owners_.end(), world_.object(object).state().size(), object);
   }
@@ -67,21 +76,20 @@ class Tracer {
 
   void addArray(const sim::StateArray& state, const StepTrace::Array& array, std::uint32_t place) {
     const bool planes = state.planes.count > 0;
-    if (planes && !ofPlanes_) ofPlanes_ = gl::Program::compute("common/block_hash.comp", {{"PLANES", "1"}});
-    const gl::Program& hash = planes ? ofPlanes_ : hash_;
+    if (planes && !ofPlanes_) ofPlanes_ = gl::Kernel<BlockHash>(gl::Defines(), {.planes = true});
     const sim::StateWords words(state);
-    words.bind(hash);
-    sums_.bindStorage(shader::sumsBinding);
     const std::uint32_t perInvocation = elementsPerInvocation(array.perBlock);
-    hash.set("texels", static_cast<int>(array.elements));
-    hash.set("perInvocation", static_cast<int>(perInvocation));
-    hash.set("perBlock", static_cast<int>(array.perBlock));
-    hash.set("place", static_cast<int>(place));
-    hash.dispatch(static_cast<int>((array.elements - 1) / perInvocation + 1));
+    (planes ? ofPlanes_ : hash_)
+        .dispatch(static_cast<int>((array.elements - 1) / perInvocation + 1),
+                  {.state = words.part(),
+                   .perInvocation = static_cast<int>(perInvocation),
+                   .perBlock = static_cast<int>(array.perBlock),
+                   .place = static_cast<int>(place),
+                   .sums = sums_});
   }
 
   sim::World world_;
-  gl::Program hash_, ofPlanes_;  ///< of elements; of planes, once there are some
+  gl::Kernel<BlockHash> hash_, ofPlanes_;  ///< of elements; of planes, once there are some
   gl::Buffer sums_;
   AfterStep afterStep_;
   std::vector<std::size_t> owners_;  ///< object of each array

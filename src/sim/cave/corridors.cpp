@@ -6,11 +6,65 @@
 #include <array>
 #include <utility>
 
-namespace simreel::shader::cave {
-#include "glsl/cave/bindings.glsl"
-}
-
 namespace simreel::sim {
+
+/// glsl/cave/ways.glsl.
+struct CaveTreesPart {
+  CavePart cave;
+  gl::In<"LabelBlock"> labels;
+  gl::InOut<"TreeBlock"> trees;
+  gl::InOut<"FlagBlock"> flags;
+  gl::In<"SourceBlock"> sources;
+  gl::InOut<"WeightBlock"> weights;
+  gl::InOut<"EdgeBlock"> edges;
+  gl::InOut<"LinkBlock"> links;
+};
+
+struct CaveRooms {
+  static constexpr auto file = "cave/rooms.comp";
+  CaveRunsPart part;
+  gl::Out<"SourceBlock"> sources;
+  gl::Out<"WeightBlock"> weights;
+  gl::Out<"EdgeBlock"> edges;
+};
+
+struct CaveNearest {
+  static constexpr auto file = "cave/nearest.comp";
+  CavePart cave;
+  gl::Uniform<"reach", glm::ivec2> reach;
+  gl::In<"SourceBlock"> sources;
+  gl::Out<"NextBlock"> next;
+};
+
+struct CaveWeigh {
+  static constexpr auto file = "cave/weigh.comp";
+  CaveTreesPart part;
+  gl::Uniform<"pass", int> pass;
+};
+
+struct CaveDig {
+  static constexpr auto file = "cave/dig.comp";
+  CaveTreesPart part;
+  gl::Uniform<"width", int> width;
+  gl::Uniform<"firstStep", int> firstStep;
+  gl::Uniform<"steps", int> steps;
+  gl::InOut<"DugBlock"> dug;
+};
+
+struct CaveLink {
+  static constexpr auto file = "cave/link.comp";
+  CaveTreesPart part;
+};
+
+struct CaveFollow {
+  static constexpr auto file = "cave/follow.comp";
+  CaveTreesPart part;
+};
+
+struct CaveMerge {
+  static constexpr auto file = "cave/merge.comp";
+  CaveTreesPart part;
+};
 
 namespace {
 
@@ -26,66 +80,48 @@ gl::Buffer words(const std::string& label, std::int64_t count) {
 CaveCorridors::CaveCorridors(const std::string& name, const CaveGrid& grid)
     : name_(name),
       grid_(grid),
-      rooms_(gl::Program::compute("cave/rooms.comp")),
-      nearest_(gl::Program::compute("cave/nearest.comp")),
-      weigh_(gl::Program::compute("cave/weigh.comp")),
-      dig_(gl::Program::compute("cave/dig.comp")),
-      link_(gl::Program::compute("cave/link.comp")),
-      follow_(gl::Program::compute("cave/follow.comp")),
-      merge_(gl::Program::compute("cave/merge.comp")),
+      rooms_(gl::Defines()),
+      nearest_(gl::Defines()),
+      weigh_(gl::Defines()),
+      dig_(gl::Defines()),
+      link_(gl::Defines()),
+      follow_(gl::Defines()),
+      merge_(gl::Defines()),
       sources_(words(name + " nearest cells", grid.numbers())),
       nextSources_(words(name + " next nearest cells", grid.numbers())),
       weights_(words(name + " ways", grid.numbers())),
       edges_(words(name + " edges", grid.numbers())),
       links_(words(name + " links", grid.numbers())),
       dug_(words(name + " corridors", grid.words())),
-      flags_(name + " corridor flags", 16) {
-  for (const gl::Program* program : {&rooms_, &nearest_, &weigh_, &dig_, &link_, &follow_, &merge_})
-    grid.set(*program);
-}
+      flags_(name + " corridor flags", 16) {}
 
-void CaveCorridors::findNearest() {
-  const int pitch = 32 * grid_.rowWords();
+void CaveCorridors::findNearest(const gl::Buffer& cells) {
+  const glm::ivec2 items(32 * grid_.rowWords(), grid_.size.y);
   const auto reachOut = [&](glm::ivec2 reach) {
-    sources_.bindStorage(shader::cave::sourcesBinding);
-    nextSources_.bindStorage(shader::cave::nextSourcesBinding);
-    nearest_.set("reach", reach);
-    nearest_.dispatch(pitch, grid_.size.y);
-    gl::barrier();
+    nearest_.dispatch(items, {partOf(grid_, cells), reach, sources_, nextSources_});
     std::swap(sources_, nextSources_);
   };
   for (int reach = 1; reach < grid_.size.x; reach *= 2) reachOut({reach, 0});
   for (int reach = 1; reach < grid_.size.y; reach *= 2) reachOut({0, reach});
-  sources_.bindStorage(shader::cave::sourcesBinding);
 }
 
-void CaveCorridors::digChosen(int width) {
-  dug_.bindStorage(shader::cave::dugBinding);
+void CaveCorridors::digChosen(const CaveTreesPart& part, int width) const {
   const int longest = std::max(grid_.size.x, grid_.size.y);
   const int steps = std::max(1, cellsDug / (2 * width + 2));
-  dig_.set("width", width);
-  dig_.set("steps", steps);
-  for (int first = 0; first < longest; first += steps) {
-    dig_.set("firstStep", first);
-    dig_.dispatch(grid_.words());
-  }
-  gl::barrier();
+  for (int first = 0; first < longest; first += steps)
+    dig_.dispatch(grid_.words(),
+                  {.part = part, .width = width, .firstStep = first, .steps = steps, .dug = dug_});
 }
 
-bool CaveCorridors::joinTrees() {
+bool CaveCorridors::joinTrees(const CaveTreesPart& part) {
   const std::array<unsigned, 4> none{};
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   flags_.write(0, std::as_bytes(std::span(none)));
-  links_.bindStorage(shader::cave::linksBinding);
-  link_.dispatch(grid_.words());
-  gl::barrier();
+  link_.dispatch(grid_.words(), {part});
   // Chains of trees are halved each time.
-  for (std::int64_t longest = 1; longest < grid_.numbers(); longest *= 2) {
-    follow_.dispatch(grid_.words());
-    gl::barrier();
-  }
-  merge_.dispatch(grid_.words());
-  gl::barrier();
+  for (std::int64_t longest = 1; longest < grid_.numbers(); longest *= 2)
+    follow_.dispatch(grid_.words(), {part});
+  merge_.dispatch(grid_.words(), {part});
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::array<unsigned, 4> flags{};
   flags_.read(0, std::as_writable_bytes(std::span(flags)));
@@ -98,27 +134,26 @@ void CaveCorridors::dig(gl::Buffer& cells, const CaveRegions& regions, int width
     glCopyNamedBufferSubData(from.name(), to.name(), 0, 0, static_cast<GLsizeiptr>(dug_.bytes()));
   };
   copy(cells, dug_);
-  cells.bindStorage(shader::cave::cellsBinding);
-  regions.labels().bindStorage(shader::cave::labelsBinding);
-  regions.tally().bindStorage(shader::cave::tallyBinding);
-  flags_.bindStorage(shader::cave::flagsBinding);
-  sources_.bindStorage(shader::cave::sourcesBinding);
-  weights_.bindStorage(shader::cave::weightsBinding);
-  edges_.bindStorage(shader::cave::edgesBinding);
   gl::barrier();
-  rooms_.dispatch(grid_.words());
-  gl::barrier();
-  findNearest();
-  weights_.bindStorage(shader::cave::weightsBinding);
+  rooms_.dispatch(grid_.words(), {.part = {partOf(grid_, cells), regions.labels(), regions.tally(), flags_},
+                                  .sources = sources_,
+                                  .weights = weights_,
+                                  .edges = edges_});
+  findNearest(cells);
+  const CaveTreesPart part = {.cave = partOf(grid_, cells),
+                              .labels = regions.labels(),
+                              .trees = regions.tally(),
+                              .flags = flags_,
+                              .sources = sources_,
+                              .weights = weights_,
+                              .edges = edges_,
+                              .links = links_};
   bool more = true;
   while (more) {
-    for (int pass = 0; pass < 2; ++pass) {
-      weigh_.set("pass", pass);
-      weigh_.dispatch(32 * grid_.rowWords(), grid_.size.y);
-      gl::barrier();
-    }
-    digChosen(width);
-    more = joinTrees();
+    for (int pass = 0; pass < 2; ++pass)
+      weigh_.dispatch({32 * grid_.rowWords(), grid_.size.y}, {part, pass});
+    digChosen(part, width);
+    more = joinTrees(part);
   }
   copy(dug_, cells);
 }

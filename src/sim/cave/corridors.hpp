@@ -5,6 +5,15 @@
 
 namespace simreel::sim {
 
+struct CaveTreesPart;
+struct CaveRooms;
+struct CaveNearest;
+struct CaveWeigh;
+struct CaveDig;
+struct CaveLink;
+struct CaveFollow;
+struct CaveMerge;
+
 /// Joins the rooms of a cave by corridors along a minimum spanning tree: the distance between two rooms is
 /// that of their nearest cells (L1); of equal ones the lowest goes first (Boruvka 1926). On the GPU, exact.
 class CaveCorridors {
@@ -16,14 +25,20 @@ class CaveCorridors {
   void dig(gl::Buffer& cells, const CaveRegions& regions, int width);
 
  private:
-  void findNearest();
-  void digChosen(int width);
+  void findNearest(const gl::Buffer& cells);
+  void digChosen(const CaveTreesPart& part, int width) const;
   /// The trees that the rooms now form; false when there is but one.
-  bool joinTrees();
+  bool joinTrees(const CaveTreesPart& part);
 
   std::string name_;
   CaveGrid grid_;
-  gl::Program rooms_, nearest_, weigh_, dig_, link_, follow_, merge_;
+  gl::Kernel<CaveRooms> rooms_;
+  gl::Kernel<CaveNearest> nearest_;
+  gl::Kernel<CaveWeigh> weigh_;
+  gl::Kernel<CaveDig> dig_;
+  gl::Kernel<CaveLink> link_;
+  gl::Kernel<CaveFollow> follow_;
+  gl::Kernel<CaveMerge> merge_;
   gl::Buffer sources_, nextSources_, weights_, edges_, links_, dug_, flags_;
 };
 

@@ -7,13 +7,22 @@
 
 #include <utility>
 
-namespace simreel::shader::cave {
-#include "glsl/cave/bindings.glsl"
-}
-
 namespace simreel::sim {
 
+struct CaveSmooth {
+  static constexpr auto file = "cave/smooth.comp";
+  CavePart cave;
+  gl::Out<"NextBlock"> next;
+};
+
 namespace {
+
+struct CaveFill {
+  static constexpr auto file = "cave/fill.comp";
+  CavePart cave;
+  gl::Uniform<"seed", unsigned> seed;
+  gl::Uniform<"threshold", unsigned> threshold;
+};
 
 constexpr int walkRounds = 200;
 
@@ -36,36 +45,29 @@ CaveGrowth::CaveGrowth(const std::string& name, const CaveParameters& parameters
       parameters_(parameters),
       grid_(checked(name, parameters.size)),
       distances_(name + " distances", static_cast<int>(grid_.numbers() / 4)),
-      smooth_(gl::Program::compute("cave/smooth.comp")),
+      smooth_(gl::Defines()),
       regions_(name, grid_),
       waves_(name, grid_) {
   cells_[0] = gl::WordsArray(name + " cells", grid_.words() / 4);
   cells_[1] = gl::WordsArray(name + " next cells", grid_.words() / 4);
   roomCells_ = gl::WordsArray(name + " cells of rooms", grid_.words() / 4);
-  grid_.set(smooth_);
   fill(seed);
 }
 
 void CaveGrowth::fill(int seed) {
-  const gl::Program program = gl::Program::compute("cave/fill.comp");
-  grid_.set(program);
-  program.set("seed", static_cast<unsigned>(seed));
-  program.set("threshold", parameters_.threshold());
-  cells_[0].buffer().bindStorage(shader::cave::cellsBinding);
-  program.dispatch(grid_.words());
+  gl::Kernel<CaveFill>(gl::Defines())
+      .dispatch(grid_.words(), {.cave = partOf(grid_, cells_[0].buffer()),
+                                .seed = static_cast<unsigned>(seed),
+                                .threshold = parameters_.threshold()});
   gl::barrier();
 }
 
 void CaveGrowth::smooth() {
-  cells_[0].buffer().bindStorage(shader::cave::cellsBinding);
-  cells_[1].buffer().bindStorage(shader::cave::nextCellsBinding);
-  smooth_.dispatch(grid_.words());
+  smooth_.dispatch(grid_.words(), {partOf(grid_, cells_[0].buffer()), cells_[1].buffer()});
   gl::barrier();
   std::swap(cells_[0], cells_[1]);
 }
 
-/// Small rooms first: what they become may be rock that is small no more. Rock that is removed joins no two
-/// rooms: one room surrounds it.
 void CaveGrowth::clean() {
   const gl::Buffer& cells = cells_[0].buffer();
   regions_.label(cells, CaveKind::open);

@@ -20,6 +20,8 @@ struct CaveWay {
   std::vector<glm::dvec2> walk;               ///< the same, smooth
 };
 
+struct CaveSmooth;
+
 /// The automaton on the GPU: its cells, stage by stage, and what is found in them in the end.
 class CaveGrowth {
  public:
@@ -56,7 +58,7 @@ class CaveGrowth {
   gl::WordsArray cells_[2];
   gl::WordsArray roomCells_;  ///< before corridors
   gl::WordsArray distances_;
-  gl::Program smooth_;
+  gl::Kernel<CaveSmooth> smooth_;
   CaveRegions regions_;
   std::optional<CaveCorridors> corridors_;
   CaveWaves waves_;

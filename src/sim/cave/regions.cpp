@@ -5,11 +5,22 @@
 
 #include <array>
 
-namespace simreel::shader::cave {
-#include "glsl/cave/bindings.glsl"
-}
-
 namespace simreel::sim {
+
+struct CaveLargest {
+  static constexpr auto file = "cave/largest.comp";
+  using Variant = CaveRunsKernel<"cave/largest.comp">::Variant;
+  CaveRunsPart part;
+  gl::Uniform<"pass", int> pass;
+};
+
+struct CaveRemove {
+  static constexpr auto file = "cave/remove.comp";
+  using Variant = CaveLargest::Variant;
+  CaveRunsPart part;
+  gl::Uniform<"fewest", unsigned> fewest;
+  gl::Uniform<"kept", unsigned> kept;
+};
 
 namespace {
 
@@ -34,11 +45,6 @@ void writeFlags(gl::Buffer& buffer, const Flags& flags) {
 
 }  // namespace
 
-void CaveGrid::set(const gl::Program& program) const {
-  program.set("size", size);
-  program.set("rowWords", rowWords());
-}
-
 CaveRegions::CaveRegions(const std::string& name, const CaveGrid& grid)
     : name_(name),
       grid_(grid),
@@ -46,64 +52,41 @@ CaveRegions::CaveRegions(const std::string& name, const CaveGrid& grid)
       tally_(name + " region sizes", static_cast<std::size_t>(grid.numbers()) * 4),
       flags_(name + " region flags", sizeof(Flags)) {
   for (const CaveKind kind : {CaveKind::open, CaveKind::rock}) {
-    gl::Defines defines;
-    if (kind == CaveKind::rock) defines.emplace_back("ROCK", "1");
+    const bool rock = kind == CaveKind::rock;
     Kernels& made = kernels_[static_cast<std::size_t>(kind)];
-    made = {gl::Program::compute("cave/label_start.comp", defines),
-            gl::Program::compute("cave/label_join.comp", defines),
-            gl::Program::compute("cave/label_end.comp", defines),
-            gl::Program::compute("cave/largest.comp", defines),
-            gl::Program::compute("cave/remove.comp", defines)};
-    for (const gl::Program* program : {&made.start, &made.join, &made.end, &made.largest, &made.remove})
-      grid.set(*program);
+    made.start = decltype(made.start)({}, {rock});
+    made.join = decltype(made.join)({}, {rock});
+    made.end = decltype(made.end)({}, {rock});
+    made.largest = gl::Kernel<CaveLargest>({}, {rock});
+    made.remove = gl::Kernel<CaveRemove>({}, {rock});
   }
-}
-
-void CaveRegions::bind(const gl::Buffer& cells) const {
-  cells.bindStorage(shader::cave::cellsBinding);
-  labels_.bindStorage(shader::cave::labelsBinding);
-  tally_.bindStorage(shader::cave::tallyBinding);
-  flags_.bindStorage(shader::cave::flagsBinding);
-  gl::barrier();
 }
 
 void CaveRegions::label(const gl::Buffer& cells, CaveKind kind) {
   kind_ = kind;
-  bind(cells);
-  kernels().start.dispatch(grid_.words());
-  gl::barrier();
+  const CaveRunsPart given = part(cells);
+  kernels().start.dispatch(grid_.words(), {given});
   bool changed = true;
   for (int round = 0; changed; round += roundsTogether) {
     SIMREEL_CHECK(round < maxRounds);
     for (int i = 0; i < roundsTogether; ++i) {
       if (i == roundsTogether - 1) writeFlags(flags_, {});
-      kernels().join.dispatch(grid_.words());
-      gl::barrier();
+      kernels().join.dispatch(grid_.words(), {given});
     }
     changed = readFlags(flags_)[0] != 0;
   }
-  kernels().end.dispatch(grid_.words());
-  gl::barrier();
+  kernels().end.dispatch(grid_.words(), {given});
 }
 
 CaveRegions::Largest CaveRegions::largest(const gl::Buffer& cells) {
-  bind(cells);
   writeFlags(flags_, {0, 0, noCell, 0});
-  for (int pass = 0; pass < 2; ++pass) {
-    kernels().largest.set("pass", pass);
-    kernels().largest.dispatch(grid_.words());
-    gl::barrier();
-  }
+  for (int pass = 0; pass < 2; ++pass) kernels().largest.dispatch(grid_.words(), {part(cells), pass});
   const Flags flags = readFlags(flags_);
   return {flags[1], flags[2]};
 }
 
 void CaveRegions::remove(const gl::Buffer& cells, unsigned fewest, unsigned kept) {
-  bind(cells);
-  kernels().remove.set("fewest", fewest);
-  kernels().remove.set("kept", kept);
-  kernels().remove.dispatch(grid_.words());
-  gl::barrier();
+  kernels().remove.dispatch(grid_.words(), {part(cells), fewest, kept});
 }
 
 }  // namespace simreel::sim

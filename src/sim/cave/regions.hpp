@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 
 #include <cstdint>
 #include <string>
@@ -21,9 +21,35 @@ struct CaveGrid {
     const auto pitch = 32U * static_cast<unsigned>(rowWords());
     return {static_cast<int>(cell % pitch), static_cast<int>(cell / pitch)};
   }
-  /// Tells a kernel.
-  void set(const gl::Program& program) const;
 };
+
+/// What glsl/cave/cells.glsl is given, a part of the kernels' interfaces.
+struct CavePart {
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"rowWords", int> rowWords;
+  gl::InOut<"CellBlock"> cells;
+};
+[[nodiscard]] inline CavePart partOf(const CaveGrid& grid, const gl::Buffer& cells) {
+  return {.size = grid.size, .rowWords = grid.rowWords(), .cells = cells};
+}
+
+/// What glsl/cave/runs.glsl is given.
+struct CaveRunsPart {
+  CavePart cave;
+  gl::InOut<"LabelBlock"> labels;
+  gl::InOut<"TallyBlock"> tally;
+  gl::InOut<"FlagBlock"> flags;
+};
+template <gl::Name path>
+struct CaveRunsKernel {
+  static constexpr auto file = path.text;
+  struct Variant {
+    gl::Flag<"ROCK"> rock;
+  };
+  CaveRunsPart part;
+};
+struct CaveLargest;
+struct CaveRemove;
 
 /// One kind of region: of rock, joined over corners too, or of open cells, joined over edges.
 enum class CaveKind { open, rock };
@@ -53,10 +79,16 @@ class CaveRegions {
 
  private:
   struct Kernels {
-    gl::Program start, join, end, largest, remove;
+    gl::Kernel<CaveRunsKernel<"cave/label_start.comp">> start;
+    gl::Kernel<CaveRunsKernel<"cave/label_join.comp">> join;
+    gl::Kernel<CaveRunsKernel<"cave/label_end.comp">> end;
+    gl::Kernel<CaveLargest> largest;
+    gl::Kernel<CaveRemove> remove;
   };
   [[nodiscard]] const Kernels& kernels() const { return kernels_[static_cast<std::size_t>(kind_)]; }
-  void bind(const gl::Buffer& cells) const;
+  [[nodiscard]] CaveRunsPart part(const gl::Buffer& cells) const {
+    return {partOf(grid_, cells), labels_, tally_, flags_};
+  }
 
   std::string name_;
   CaveGrid grid_;

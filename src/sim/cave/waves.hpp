@@ -6,6 +6,11 @@
 
 namespace simreel::sim {
 
+struct CaveWaveStart;
+struct CaveWave;
+struct CaveShow;
+struct CaveWavePart;
+
 /// Distances over the open cells of a cave, in steps over edges, by breadth-first waves on the GPU.
 class CaveWaves {
  public:
@@ -25,8 +30,12 @@ class CaveWaves {
   [[nodiscard]] std::vector<unsigned> distances() const { return distances_.readAll<unsigned>(); }
 
  private:
+  [[nodiscard]] CaveWavePart part(const gl::Buffer& cells) const;
+
   CaveGrid grid_;
-  gl::Program start_, waves_, show_;
+  gl::Kernel<CaveWaveStart> start_;
+  gl::Kernel<CaveWave> waves_;
+  gl::Kernel<CaveShow> show_;
   gl::Buffer distances_, queue_, wave_;
 };
 

@@ -1,11 +1,13 @@
 #include "sim/contact/contact.hpp"
 
 #include "base/error.hpp"
+#include "gl/access_together.hpp"
 #include "gl/limits.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace simreel::shader::contact {
@@ -52,45 +54,40 @@ Contact::Contact(ContactPlan plan, int substeps, bool fast) : plan_(std::move(pl
                         4 * at::countWords + std::size_t{16} * (at::levelDispatch + at::maxLevels));
   steps_ = StepBlocks<shader::ContactStep>("contact steps", substeps);
   allocate(std::max(2 * plan_.vertices(), 1 << 15));  // which grows with what is there
-  makePrograms(fast);
+  makeKernels(fast);
 }
 
-void Contact::makePrograms(bool fast) {
+void Contact::makeKernels(bool fast) {
   gl::Defines defines = gl::kernelDefines(fast);
   if (plan_.movable() == plan_.vertices()) defines.emplace_back("NO_SOLIDS", "1");
   if (plan_.balls() == plan_.movable()) defines.emplace_back("NO_BALLS", "1");
-  const auto make = [&](const char* name) { return gl::Program::compute(name, defines); };
-  gather_ = make("contact/gather.comp");
-  begin_ = make("contact/begin.comp");
-  reach_ = make("contact/reach.comp");
-  leafBoxes_ = make("contact/leaves.comp");
-  searchVertices_ = make("contact/search.comp");
-  pairLists_ = make("contact/lists.comp");
-  siftVertices_ = make("contact/sift.comp");
-  nearVertices_ = make("contact/near.comp");
-  claim_ = make("contact/claim.comp");
-  push_ = make("contact/push.comp");
-  apply_ = make("contact/apply.comp");
-  hand_ = make("contact/hand.comp");
-  take_ = make("contact/take.comp");
-  hold_ = make("contact/hold.comp");
-  leave_ = make("contact/leave.comp");
-  for (std::size_t i = 0; i < std::size(refit_); ++i) {
-    defines.emplace_back("AT_ONCE", std::to_string(i + 1));
-    refit_[i] = make("contact/refit.comp");
-    defines.pop_back();
-  }
-  start_ = make("contact/start.comp");
-  spread_ = make("contact/spread.comp");
-  defines.emplace_back("NEAR", "1");
-  nearList_ = make("contact/lists.comp");
-  defines.back().first = "CANDIDATES";
-  candidateLists_ = make("contact/lists.comp");
-  defines.back().first = "EDGES";
-  siftEdges_ = make("contact/sift.comp");
-  searchEdges_ = make("contact/search.comp");
-  nearEdges_ = make("contact/near.comp");
-  begin_.checkUniformBlock("StepBlock", sizeof(shader::ContactStep));
+  const auto make = [&](auto& kernel, const auto&... variant) {
+    kernel = std::remove_cvref_t<decltype(kernel)>(defines, variant...);
+  };
+  make(gather_);
+  make(begin_);
+  make(reach_);
+  make(leafBoxes_);
+  make(searchVertices_);
+  make(searchEdges_, ContactPairs{true});
+  make(candidateLists_, ContactLists::Variant{.near = false, .candidates = true});
+  make(pairLists_);
+  make(nearList_, ContactLists::Variant{.near = true, .candidates = false});
+  make(siftVertices_);
+  make(siftEdges_, ContactPairs{true});
+  make(nearVertices_);
+  make(nearEdges_, ContactPairs{true});
+  make(claim_);
+  make(push_);
+  make(apply_);
+  make(hand_);
+  make(take_);
+  make(hold_);
+  make(leave_);
+  for (int i = 0; i < static_cast<int>(std::size(refit_)); ++i)
+    make(refit_[i], ContactRefit::Variant{i + 1});
+  make(start_);
+  make(spread_);
 }
 
 void Contact::allocate(int pairs) {
@@ -154,12 +151,22 @@ bool Contact::endFrame() {
   return enough;
 }
 
-void Contact::dispatchIndirect(const gl::Program& program, int number) const {
-  program.dispatchIndirect(control_,
-                           4 * at::countWords + std::size_t{16} * static_cast<std::size_t>(number));
+template <class Interface>
+void Contact::dispatchIndirect(const gl::Kernel<Interface>& kernel, int number,
+                               const Interface& given) const {
+  kernel.dispatchIndirect(control_, 4 * at::countWords + std::size_t{16} * static_cast<std::size_t>(number),
+                          given);
 }
 
-void Contact::fit() const {
+ContactShared Contact::shared(int index) const {
+  return {.step = steps_.at(static_cast<std::size_t>(index)), .points = points_, .control = control_};
+}
+
+ContactNearList Contact::nearList() const {
+  return {.corners = corners_, .nears = nears_, .tallies = tallies_.buffer(), .told = tallies_};
+}
+
+void Contact::fit(const ContactShared& shared) const {
   struct Fitting {
     const Tree* tree;
     int dispatch;
@@ -167,64 +174,45 @@ void Contact::fit() const {
   };
   Fitting fittings[] = {{&faces_, at::faceDispatch, faces_.levels},
                         {&edges_, at::edgeDispatch, edges_.levels}};
-  for (const Fitting& f : fittings) {
-    f.tree->leaves.bindInput(at::leavesBinding);
-    f.tree->boxes.bindState(at::boxesBinding);
-    leafBoxes_.set("levels", f.tree->levels);
-    dispatchIndirect(leafBoxes_, f.dispatch);
+  {
+    const gl::AccessTogether together;
+    for (const Fitting& f : fittings)
+      dispatchIndirect(leafBoxes_, f.dispatch,
+                       {shared, f.tree->levels, f.tree->leaves, f.tree->boxes.buffer()});
   }
   while (fittings[0].levels > 0 || fittings[1].levels > 0) {
-    gl::barrier();
+    const gl::AccessTogether together;
     for (Fitting& f : fittings) {
       const int levels = std::min(f.levels, static_cast<int>(std::size(refit_)));
       if (levels == 0) continue;
       f.levels -= levels;
-      const gl::Program& program = refit_[levels - 1];
-      f.tree->boxes.bindState(at::boxesBinding);
-      program.set("levels", f.tree->levels);
-      program.set("level", f.levels);
-      dispatchIndirect(program, at::levelDispatch + f.levels);
+      dispatchIndirect(refit_[levels - 1], at::levelDispatch + f.levels,
+                       {shared, f.levels, f.tree->levels, f.tree->boxes});
     }
   }
 }
 
-void Contact::search() const {
-  const auto next = [] {
-    gl::barrier();
-    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  };
-  begin_.dispatch(1);
-  next();
-  dispatchIndirect(reach_, at::vertexDispatch);
-  gl::barrier();
-  fit();
-  gl::barrier();
-  candidates_.buffer().bindStorage(at::candidatesBinding);
-  const auto walk = [&](const gl::Program& program, const Tree& tree, int dispatch) {
-    tree.leaves.bindInput(at::leavesBinding);
-    tree.boxes.bindInput(at::boxesBinding);
-    program.set("levels", tree.levels);
-    dispatchIndirect(program, dispatch);
-  };
-  walk(searchVertices_, faces_, at::vertexDispatch);
-  walk(searchEdges_, edges_, at::edgeDispatch);
-  gl::barrier();
-  candidateLists_.dispatch(1);
-  next();
-  candidates_.bindInput(at::candidatesBinding);
-  pairs_.buffer().bindStorage(at::pairsBinding);
-  dispatchIndirect(siftVertices_, at::vertexCandidateDispatch);
-  dispatchIndirect(siftEdges_, at::edgeCandidateDispatch);
-  gl::barrier();
-  pairLists_.dispatch(1);
-  next();
-}
-
-void Contact::bind(int index) const {
-  steps_.bind(static_cast<std::size_t>(index));
-  points_.bindState(at::pointsBinding);
-  tallies_.buffer().bindStorage(at::talliesBinding);
-  control_.bindStorage(at::controlBinding);
+void Contact::search(const ContactShared& shared) const {
+  begin_.dispatch(1, {shared});
+  dispatchIndirect(reach_, at::vertexDispatch, {shared});
+  fit(shared);
+  {
+    const gl::AccessTogether together;
+    const auto walk = [&](const gl::Kernel<ContactSearch>& kernel, const Tree& tree, int dispatch) {
+      dispatchIndirect(kernel, dispatch,
+                       {shared, tree.levels, tree.leaves, tree.boxes, candidates_.buffer()});
+    };
+    walk(searchVertices_, faces_, at::vertexDispatch);
+    walk(searchEdges_, edges_, at::edgeDispatch);
+  }
+  candidateLists_.dispatch(1, {shared});
+  {
+    const gl::AccessTogether together;
+    const ContactSift given = {shared, candidates_, pairs_.buffer()};
+    dispatchIndirect(siftVertices_, at::vertexCandidateDispatch, given);
+    dispatchIndirect(siftEdges_, at::edgeCandidateDispatch, given);
+  }
+  pairLists_.dispatch(1, {shared});
 }
 
 std::span<const Contact::Part> Contact::cloths(std::span<const Part> parts) const {
@@ -232,79 +220,61 @@ std::span<const Contact::Part> Contact::cloths(std::span<const Part> parts) cons
   return parts.first(static_cast<std::size_t>(firstSolid - plan_.firsts().begin()));
 }
 
-template <class Bind>
-void Contact::forParts(const gl::Program& program, std::span<const Part> parts, const Bind& bind) const {
+template <class Run>
+void Contact::forParts(std::span<const Part> parts, const Run& run) const {
+  const gl::AccessTogether together;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const auto count = static_cast<int>(parts[i].now->buffer().bytes() / 16);
-    bind(parts[i]);
-    program.set("first", plan_.firsts()[i]);
-    program.set("count", count);
-    program.dispatch(count);
+    run(parts[i], ContactRange{plan_.firsts()[i], count}, count);
   }
-  gl::barrier();
 }
 
 /// From where cloth may be held back, where solids move.
-void Contact::carry() const {
+void Contact::carry(const ContactShared& shared) const {
   if (plan_.movable() == plan_.vertices()) return;
   for (int round = 0; round <= ContactPlan::carryRounds; ++round) {
-    if (round > 0) dispatchIndirect(spread_, at::carryDispatch);
-    gl::barrier();
-    dispatchIndirect(start_, at::startDispatch);
-    gl::barrier();
+    if (round > 0) dispatchIndirect(spread_, at::carryDispatch, {shared, nearList()});
+    dispatchIndirect(start_, at::startDispatch, {shared, tallies_.buffer()});
   }
 }
 
 void Contact::push(int index, std::span<const Part> parts) {
   SIMREEL_CHECK(parts.size() == plan_.firsts().size());
-  bind(index);
+  const ContactShared given = shared(index);
+  const gl::Buffer& tallies = tallies_.buffer();
   gl::barrier();
-  forParts(gather_, parts, [](const Part& part) {
-    part.now->bindInput(at::partNowBinding);
-    part.next->bindInput(at::partNextBinding);
+  forParts(parts, [&](const Part& part, const ContactRange& range, int count) {
+    gather_.dispatch(count, {given, range, *part.now, *part.next, tallies});
   });
-  search();
-  pairs_.bindInput(at::pairsBinding);
-  corners_.buffer().bindStorage(at::cornersBinding);
-  nears_.bindState(at::nearsBinding);
-  dispatchIndirect(nearVertices_, at::vertexPairDispatch);
-  dispatchIndirect(nearEdges_, at::edgePairDispatch);
-  gl::barrier();
-  nearList_.dispatch(1);
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  corners_.bindInput(at::cornersBinding);
-  carry();
-  tallies_.bindInput(at::toldBinding);
-  for (int round = 0; round < plan_.rounds(); ++round) {
-    dispatchIndirect(claim_, at::nearDispatch);
-    gl::barrier();
-    dispatchIndirect(push_, at::nearDispatch);
-    gl::barrier();
-    apply_.dispatch(plan_.movable());
-    gl::barrier();
+  search(given);
+  {
+    const gl::AccessTogether together;
+    const ContactNear near = {given, pairs_, corners_.buffer(), nears_.buffer(), tallies};
+    dispatchIndirect(nearVertices_, at::vertexPairDispatch, near);
+    dispatchIndirect(nearEdges_, at::edgePairDispatch, near);
   }
-  forParts(hand_, cloths(parts), [](const Part& part) {
-    part.next->bindState(at::partNextBinding);
-    part.velocities->bindState(at::partVelocitiesBinding);
+  nearList_.dispatch(1, {given});
+  carry(given);
+  for (int round = 0; round < plan_.rounds(); ++round) {
+    dispatchIndirect(claim_, at::nearDispatch, {given, nearList()});
+    dispatchIndirect(push_, at::nearDispatch, {given, nearList()});
+    apply_.dispatch(plan_.movable(), {given, tallies});
+  }
+  forParts(cloths(parts), [&](const Part& part, const ContactRange& range, int count) {
+    hand_.dispatch(count, {given, range, *part.next, *part.velocities});
   });
 }
 
 void Contact::hold(int index, std::span<const Part> parts) {
-  bind(index);
+  const ContactShared given = shared(index);
   gl::barrier();
-  forParts(take_, parts, [](const Part& part) { part.next->bindInput(at::partNextBinding); });
-  corners_.bindInput(at::cornersBinding);
-  nears_.bindState(at::nearsBinding);
-  tallies_.bindInput(at::toldBinding);
-  for (int round = 0; round < holdRounds; ++round) {
-    hold_.set("round", round);
-    dispatchIndirect(hold_, at::nearDispatch);
-    gl::barrier();
-  }
-  forParts(leave_, cloths(parts), [](const Part& part) {
-    part.next->bindState(at::partNextBinding);
-    part.velocities->bindState(at::partVelocitiesBinding);
+  forParts(parts, [&](const Part& part, const ContactRange& range, int count) {
+    take_.dispatch(count, {given, range, *part.next});
+  });
+  for (int round = 0; round < holdRounds; ++round)
+    dispatchIndirect(hold_, at::nearDispatch, {given, nearList(), round});
+  forParts(cloths(parts), [&](const Part& part, const ContactRange& range, int count) {
+    leave_.dispatch(count, {given, range, *part.next, *part.velocities, tallies_.buffer()});
   });
 }
 

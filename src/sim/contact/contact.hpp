@@ -1,6 +1,7 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
+#include "sim/contact/interfaces.hpp"
 #include "sim/contact/plan.hpp"
 #include "sim/core/step_blocks.hpp"
 
@@ -43,7 +44,7 @@ class Contact {
   void hold(int index, std::span<const Part> parts);
 
  private:
-  void makePrograms(bool fast);
+  void makeKernels(bool fast);
   void uploadSteps();
   void copySaved(std::span<const Part> parts, bool saving) const;
   void allocate(int pairs);
@@ -52,15 +53,18 @@ class Contact {
     gl::WordsArray leaves;
     gl::Vec4Array boxes;
   };
-  void search() const;
+  void search(const ContactShared& shared) const;
   /// Boxes of both trees.
-  void fit() const;
-  void carry() const;
-  void bind(int index) const;
-  template <class Bind>
-  void forParts(const gl::Program& program, std::span<const Part> parts, const Bind& bind) const;
+  void fit(const ContactShared& shared) const;
+  void carry(const ContactShared& shared) const;
+  [[nodiscard]] ContactShared shared(int index) const;
+  [[nodiscard]] ContactNearList nearList() const;
+  /// Calls `run` with each part, its range, and how many vertices it has.
+  template <class Run>
+  void forParts(std::span<const Part> parts, const Run& run) const;
   [[nodiscard]] std::span<const Part> cloths(std::span<const Part> parts) const;
-  void dispatchIndirect(const gl::Program& program, int number) const;
+  template <class Interface>
+  void dispatchIndirect(const gl::Kernel<Interface>& kernel, int number, const Interface& given) const;
 
   ContactPlan plan_;
   int stepCount_;  ///< of a frame
@@ -71,10 +75,24 @@ class Contact {
   gl::Buffer control_;
   std::vector<gl::Buffer> saved_;  ///< of each part `now`, `velocities` and `trends`
   StepBlocks<shader::ContactStep> steps_;
-  gl::Program refit_[3];  ///< of one, two, three levels at once
-  gl::Program gather_, begin_, reach_, leafBoxes_, searchVertices_, searchEdges_, candidateLists_,
-      siftVertices_, siftEdges_, pairLists_, nearVertices_, nearEdges_, nearList_, claim_, push_, apply_,
-      hand_, take_, hold_, leave_, start_, spread_;
+  gl::Kernel<ContactRefit> refit_[3];  ///< of one, two, three levels at once
+  gl::Kernel<ContactGather> gather_;
+  gl::Kernel<ContactPlain<"contact/begin.comp">> begin_;
+  gl::Kernel<ContactPlain<"contact/reach.comp">> reach_;
+  gl::Kernel<ContactLeaves> leafBoxes_;
+  gl::Kernel<ContactSearch> searchVertices_, searchEdges_;
+  gl::Kernel<ContactLists> candidateLists_, pairLists_, nearList_;
+  gl::Kernel<ContactSift> siftVertices_, siftEdges_;
+  gl::Kernel<ContactNear> nearVertices_, nearEdges_;
+  gl::Kernel<ContactNears<"contact/claim.comp">> claim_;
+  gl::Kernel<ContactNears<"contact/push.comp">> push_;
+  gl::Kernel<ContactNears<"contact/spread.comp">> spread_;
+  gl::Kernel<ContactTallied> apply_;
+  gl::Kernel<ContactStart> start_;
+  gl::Kernel<ContactHand> hand_;
+  gl::Kernel<ContactTake> take_;
+  gl::Kernel<ContactHold> hold_;
+  gl::Kernel<ContactLeave> leave_;
 };
 
 }  // namespace simreel::sim

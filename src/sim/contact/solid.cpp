@@ -5,11 +5,22 @@
 
 #include <glm/matrix.hpp>
 
-namespace simreel::shader::contact {
-#include "glsl/contact/bindings.glsl"
-}  // namespace simreel::shader::contact
-
 namespace simreel::sim {
+
+struct MoveKernel {
+  static constexpr auto file = "contact/move.comp";
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"now", float> now;
+  gl::Uniform<"begin.row0", glm::vec4> begin0;
+  gl::Uniform<"begin.row1", glm::vec4> begin1;
+  gl::Uniform<"begin.row2", glm::vec4> begin2;
+  gl::Uniform<"end.row0", glm::vec4> end0;
+  gl::Uniform<"end.row1", glm::vec4> end1;
+  gl::Uniform<"end.row2", glm::vec4> end2;
+  gl::In<"begins"> begins;
+  gl::In<"ends"> ends;
+  gl::Out<"places"> places;
+};
 
 constinit const PortInfo ContactSolid::port = {
     .name = "faces",
@@ -20,19 +31,11 @@ constinit const PortInfo ContactSolid::port = {
 
 namespace {
 
-namespace at = shader::contact;
-
 /// Of a face, squared and times four, in m^4.
 double areaSquared(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 u = b - a, v = c - a;
   const glm::dvec3 n(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
   return n.x * n.x + n.y * n.y + n.z * n.z;
-}
-
-void setPlacement(const gl::Program& program, const char* name, const glm::mat4& matrix) {
-  const glm::mat4 rows = glm::transpose(matrix);
-  for (int row = 0; row < 3; ++row)
-    program.set((std::string(name) + ".row" + std::to_string(row)).c_str(), rows[row]);
 }
 
 }  // namespace
@@ -59,9 +62,7 @@ MovedVertices::MovedVertices(const std::string& name, std::span<const glm::vec4>
       begins_(name + " at a frame's beginning", positions),
       ends_(name + " at a frame's end", positions),
       places_{gl::Vec4Array(name + " touched", positions), gl::Vec4Array(name + " touched", positions)},
-      move_(gl::Program::compute("contact/move.comp", gl::kernelDefines(fast))) {
-  move_.set("count", count_);
-}
+      move_(gl::kernelDefines(fast)) {}
 
 void MovedVertices::take(const gl::Vec4Array& from, const gl::Vec4Array& to) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -70,8 +71,8 @@ void MovedVertices::take(const gl::Vec4Array& from, const gl::Vec4Array& to) {
 }
 
 void MovedVertices::place(const glm::mat4& begin, const glm::mat4& end) {
-  setPlacement(move_, "begin", begin);
-  setPlacement(move_, "end", end);
+  begin_ = glm::transpose(begin);
+  end_ = glm::transpose(end);
   substep_ = -1;
 }
 
@@ -89,11 +90,17 @@ void MovedVertices::moveTo(int substep, int substeps) {
 }
 
 void MovedVertices::makeAt(double share, const gl::Vec4Array& places) const {
-  move_.set("now", static_cast<float>(share));
-  begins_.bindInput(at::beginBinding);
-  ends_.bindInput(at::endBinding);
-  places.bindState(at::placesBinding);
-  move_.dispatch(count_);
+  move_.dispatch(count_, {.count = count_,
+                          .now = static_cast<float>(share),
+                          .begin0 = begin_[0],
+                          .begin1 = begin_[1],
+                          .begin2 = begin_[2],
+                          .end0 = end_[0],
+                          .end1 = end_[1],
+                          .end2 = end_[2],
+                          .begins = begins_,
+                          .ends = ends_,
+                          .places = places});
 }
 
 }  // namespace simreel::sim

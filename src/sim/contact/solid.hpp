@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/contact/plan.hpp"
 #include "sim/core/port.hpp"
 
@@ -35,6 +35,8 @@ class ContactSolid {
 [[nodiscard]] ContactPart solidPart(std::span<const glm::vec3> positions, std::span<const unsigned> indices,
                                     const std::optional<double>& friction);
 
+struct MoveKernel;
+
 /// Vertices of a mesh that is moved, deformed or both: over a frame each goes in a straight line.
 class MovedVertices {
  public:
@@ -59,7 +61,8 @@ class MovedVertices {
   gl::Vec4Array begins_, ends_, places_[2];
   int substep_ = -1;  ///< that places_ are of; -1: none
   int substeps_ = 0;
-  gl::Program move_;
+  glm::mat4 begin_{1}, end_{1};  ///< transposed
+  gl::Kernel<MoveKernel> move_;
 };
 
 }  // namespace simreel::sim

@@ -4,6 +4,7 @@
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "sim/contour/solid_state.hpp"
+#include "sim/grid/field_part.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,28 +12,87 @@
 
 namespace simreel::sim {
 
+/// What glsl/contour/vertices.glsl is given.
+struct SolidVertices {
+  gl::Uniform<"corner", glm::vec2> corner;
+  gl::Uniform<"spacing", float> spacing;
+  gl::Uniforms<"heights", float, maxSolidLevels + 1> heights;
+  gl::Uniform<"fixedIndices", unsigned> fixedIndices;
+  gl::Uniform<"indexRoom", unsigned> indexRoom;
+  gl::In<"DrawBlock"> draw;
+  gl::Out<"PositionBlock"> positions;
+};
+
+struct SolidClassify {
+  static constexpr auto file = "contour/classify.comp";
+  struct Variant {
+    gl::Range<"LEVELS", 1, maxSolidLevels> levels;
+    FieldCells cells;
+  };
+  SolidSamples samples;
+  FieldPart field;
+  gl::Uniforms<"levels", float, maxSolidLevels> levels;
+  gl::Out<"classes"> classes;
+};
+
+struct SolidCount {
+  static constexpr auto file = "contour/count.comp";
+  using Variant = SolidCeiling;
+  SolidSamples samples;
+  gl::In<"classes"> classes;
+  gl::Out<"tallies"> tallies;
+};
+
+struct SolidSheet {
+  static constexpr auto file = "contour/sheet.comp";
+  struct Variant {
+    SolidVariant shape;
+    gl::Flag<"FRESH"> fresh;
+  };
+  SolidSamples samples;
+  SolidVertices vertices;
+  gl::In<"classes"> classes;
+  gl::In<"tallies"> tallies;
+  gl::Out<"IndexBlock"> indices;
+  gl::Out<"NormalBlock"> normals;
+};
+
+struct SolidList {
+  static constexpr auto file = "contour/list.comp";
+  using Variant = SolidCeiling;
+  SolidSamples samples;
+  gl::Uniform<"fixedIndices", unsigned> fixedIndices;
+  gl::Uniform<"sheetIndices", unsigned> sheetIndices;
+  gl::Uniform<"pointRoom", unsigned> pointRoom;
+  gl::In<"classes"> classes;
+  gl::In<"tallies"> tallies;
+  gl::In<"DrawBlock"> draw;
+  gl::Out<"squares"> squares;
+};
+
+struct SolidRaise {
+  static constexpr auto file = "contour/raise.comp";
+  struct Variant {
+    SolidVariant shape;
+    FieldCells cells;
+  };
+  SolidSamples samples;
+  SolidVertices vertices;
+  FieldPart field;
+  gl::Uniforms<"levels", float, maxSolidLevels> levels;
+  gl::Uniform<"firstPoint", unsigned> firstPoint;
+  gl::Uniform<"pointRoom", unsigned> pointRoom;
+  gl::Uniform<"sheetIndices", unsigned> sheetIndices;
+  gl::In<"classes"> classes;
+  gl::In<"squares"> squares;
+  gl::Out<"NormalBlock"> normals;
+  gl::Out<"IndexBlock"> indices;
+  gl::Out<"NextBlock"> next;
+};
+
 namespace {
 
 constexpr std::int64_t maxVertices = 2'000'000'000;
-
-gl::Defines definesOf(const SolidShape& shape) {
-  gl::Defines defines = gl::kernelDefines(false);
-  defines.emplace_back("LEVELS", std::to_string(shape.levels.size()));
-  if (shape.ceiling) defines.emplace_back("CEILING", "1");
-  return defines;
-}
-
-void setField(const gl::Program& program, const Field& field) {
-  program.set("fieldSize", field.size);
-  program.set("rowWords", field.rowWords);
-  program.set("firstWord", field.firstWord);
-  program.set("cellWords", field.cellWords);
-}
-
-void setEach(const gl::Program& program, const char* name, const std::vector<float>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    program.set(fmt::format("{}[{}]", name, i).c_str(), values[i]);
-}
 
 }  // namespace
 
@@ -48,12 +108,10 @@ Solid::State::State(const std::string& label, const SolidShape& given)
   classes = gl::WordsArray(name + " classes", count);
   tallies = gl::WordsArray(name + " tallies", count);
   totals = Totals(name, count);
-  const gl::Defines defines = definesOf(shape);
-  tally = gl::Program::compute("contour/count.comp", defines);
-  gl::Defines freshDefines = defines;
-  freshDefines.emplace_back("FRESH", "1");
-  freshSheet = gl::Program::compute("contour/sheet.comp", freshDefines);
-  list = gl::Program::compute("contour/list.comp", defines);
+  const gl::Defines defines = gl::kernelDefines(false);
+  tally = gl::Kernel<SolidCount>(defines, variant().ceiling);
+  freshSheet = gl::Kernel<SolidSheet>(defines, {.shape = variant(), .fresh = true});
+  list = gl::Kernel<SolidList>(defines, variant().ceiling);
   cornerVertices = shape.ceiling ? 2 * corners : corners;
   heights = shape.heights;
   border = solidBorder(shape, heights, static_cast<unsigned>(cornerVertices));
@@ -98,75 +156,66 @@ void Solid::State::getRoom(std::int64_t points, std::int64_t indexCount) {
 const FieldKernels& Solid::State::kernelsFor(Field::Cells cells) {
   const auto found = kernels.find(cells);
   if (found != kernels.end()) return found->second;
-  gl::Defines defines = definesOf(shape);
-  defines.emplace_back("CELLS", std::to_string(static_cast<int>(cells)));
+  const gl::Defines defines = gl::kernelDefines(false);
   return kernels
-      .emplace(cells, FieldKernels{gl::Program::compute("contour/classify.comp", defines),
-                                   gl::Program::compute("contour/raise.comp", defines)})
+      .emplace(cells, FieldKernels{gl::Kernel<SolidClassify>(defines,
+                                                             {.levels = variant().levels, .cells = cells}),
+                                   gl::Kernel<SolidRaise>(defines, {.shape = variant(), .cells = cells})})
       .first->second;
 }
 
-void Solid::State::setPlace(const gl::Program& program) const {
-  program.set("samples", samples);
-  program.set("rowElements", rowElements);
-  program.set("outside", shape.outside);
-  program.set("corner", solidCorner(shape));
-  program.set("spacing", shape.spacing);
-  program.set("fixedIndices", static_cast<unsigned>(border.indices.size()));
-  program.set("sheetIndices", static_cast<unsigned>(sheetIndices()));
-  program.set("pointRoom", static_cast<unsigned>(pointRoom));
-  program.set("indexRoom", static_cast<unsigned>(indexRoom));
-  program.set("firstPoint", static_cast<unsigned>(firstPoint()));
-  setEach(program, "heights", heights);
+SolidVertices Solid::State::vertices() const {
+  return {.corner = solidCorner(shape),
+          .spacing = shape.spacing,
+          .heights = heights,
+          .fixedIndices = static_cast<unsigned>(border.indices.size()),
+          .indexRoom = static_cast<unsigned>(indexRoom),
+          .draw = totals.draw(),
+          .positions = positions};
 }
 
 /// Classes of the samples, tallies, and the sums of those before each.
 void Solid::State::count(const FieldKernels& made) {
   const auto all = static_cast<int>(elements);
-  setPlace(made.classify);
-  setField(made.classify, field);
-  setEach(made.classify, "levels", shape.levels);
-  field.words->bind(shader::fieldUnit);
-  classes.bindState(shader::classesBinding);
   gl::barrier();
-  made.classify.dispatch(all);
-  gl::barrier();
-  classes.bindInput(shader::classesBinding);
-  tallies.bindState(shader::talliesBinding);
-  setPlace(tally);
-  tally.dispatch(all);
+  made.classify.dispatch(
+      all, {.samples = samplesPart(), .field = partOf(field), .levels = shape.levels, .classes = classes});
+  tally.dispatch(all, {.samples = samplesPart(), .classes = classes, .tallies = tallies});
   totals.run(tallies, {static_cast<std::int64_t>(border.indices.size()),
                        static_cast<unsigned>(sheetIndices()), 6, pointRoom, indexRoom});
 }
 
-const gl::Program& Solid::State::laterSheet() {
-  if (!sheet) sheet = gl::Program::compute("contour/sheet.comp", definesOf(shape));
-  return sheet;
-}
-
 void Solid::State::emit(const FieldKernels& made) {
-  classes.bindInput(shader::classesBinding);
-  tallies.bindInput(shader::talliesBinding);
-  totals.draw().bindStorage(shader::drawBinding);
-  positions.bindStorage(shader::positionsBinding);
-  indices.bindStorage(shader::indicesBinding);
-  normals.bindStorage(shader::normalsBinding);
-  const gl::Program& kernel = fresh ? freshSheet : laterSheet();
+  const auto sheets = static_cast<unsigned>(sheetIndices()), room = static_cast<unsigned>(pointRoom);
+  if (!fresh && !sheet) sheet = gl::Kernel<SolidSheet>(gl::kernelDefines(false), {variant(), false});
+  (fresh ? freshSheet : sheet)
+      .dispatch(samples, {.samples = samplesPart(),
+                          .vertices = vertices(),
+                          .classes = classes,
+                          .tallies = tallies,
+                          .indices = indices,
+                          .normals = normals});
   fresh = false;
-  setPlace(kernel);
-  kernel.dispatch(samples.x, samples.y);
-  squares.bindState(shader::listedBinding);
-  setPlace(list);
-  list.dispatch(static_cast<int>(elements));
-  gl::barrier();
-  squares.bindInput(shader::squaresBinding);
-  positions.bindStorage(shader::positionsBinding);
-  field.words->bind(shader::fieldUnit);
-  next.bindStorage(shader::nextPointsBinding);
-  setPlace(made.raise);
-  setField(made.raise, field);
-  setEach(made.raise, "levels", shape.levels);
-  made.raise.dispatch(static_cast<int>(pointRoom));
+  list.dispatch(static_cast<int>(elements), {.samples = samplesPart(),
+                                             .fixedIndices = static_cast<unsigned>(border.indices.size()),
+                                             .sheetIndices = sheets,
+                                             .pointRoom = room,
+                                             .classes = classes,
+                                             .tallies = tallies,
+                                             .draw = totals.draw(),
+                                             .squares = squares});
+  made.raise.dispatch(static_cast<int>(pointRoom), {.samples = samplesPart(),
+                                                    .vertices = vertices(),
+                                                    .field = partOf(field),
+                                                    .levels = shape.levels,
+                                                    .firstPoint = static_cast<unsigned>(firstPoint()),
+                                                    .pointRoom = room,
+                                                    .sheetIndices = sheets,
+                                                    .classes = classes,
+                                                    .squares = squares,
+                                                    .normals = normals,
+                                                    .indices = indices,
+                                                    .next = next});
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
   gl::barrier();
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/contour/border.hpp"
 #include "sim/contour/solid.hpp"
 #include "sim/contour/totals.hpp"
@@ -8,9 +8,30 @@
 
 namespace simreel::sim {
 
+struct SolidCeiling {
+  gl::Flag<"CEILING"> ceiling;
+};
+struct SolidVariant {
+  gl::Range<"LEVELS", 1, maxSolidLevels> levels;
+  SolidCeiling ceiling;
+};
+/// What glsl/contour/samples.glsl is given.
+struct SolidSamples {
+  gl::Uniform<"samples", glm::ivec2> samples;
+  gl::Uniform<"rowElements", int> rowElements;
+  gl::Uniform<"outside", int> outside;
+};
+struct SolidClassify;
+struct SolidCount;
+struct SolidSheet;
+struct SolidList;
+struct SolidRaise;
+struct SolidVertices;
+
 /// Kernels that read the field, made for the kind of its cells.
 struct FieldKernels {
-  gl::Program classify, raise;
+  gl::Kernel<SolidClassify> classify;
+  gl::Kernel<SolidRaise> raise;
 };
 
 /// Memory and kernels of a solid.
@@ -34,8 +55,9 @@ struct Solid::State {
   Totals totals;
   gl::Buffer positions, normals, indices, next;
   gl::Texture positionView, normalView;
-  gl::Program tally, list;
-  gl::Program freshSheet, sheet;  ///< the second when it is first needed
+  gl::Kernel<SolidCount> tally;
+  gl::Kernel<SolidList> list;
+  gl::Kernel<SolidSheet> freshSheet, sheet;  ///< the second when it is first needed
   std::map<Field::Cells, FieldKernels> kernels;
   Field field;
   bool fresh = true;  ///< normals of the samples are not there yet
@@ -49,10 +71,15 @@ struct Solid::State {
   void checkLimits() const;
   void checkRoom(const char* what, std::int64_t count, int bytes) const;
   void getRoom(std::int64_t points, std::int64_t indexCount);
-  void setPlace(const gl::Program& program) const;
+  [[nodiscard]] SolidVariant variant() const {
+    return {.levels = static_cast<int>(shape.levels.size()), .ceiling = {shape.ceiling}};
+  }
+  [[nodiscard]] SolidSamples samplesPart() const {
+    return {.samples = samples, .rowElements = rowElements, .outside = shape.outside};
+  }
+  [[nodiscard]] SolidVertices vertices() const;
   void make();
   void count(const FieldKernels& made);
-  [[nodiscard]] const gl::Program& laterSheet();
   void emit(const FieldKernels& made);
   const FieldKernels& kernelsFor(Field::Cells cells);
 };

@@ -7,7 +7,6 @@
 #include <string>
 
 namespace simreel::shader {
-#include "glsl/contour/bindings.glsl"
 #include "glsl/contour/types.glsl"
 static_assert(sizeof(ContourDraw) == 48);
 }  // namespace simreel::shader

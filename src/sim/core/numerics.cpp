@@ -4,7 +4,7 @@
 #include "base/hash.hpp"
 #include "gl/buffer.hpp"
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "scene/scene.hpp"
 #include "sim/core/shader_code.hpp"
 
@@ -19,6 +19,19 @@
 namespace simreel::sim {
 
 namespace {
+
+struct ProbeKernel {
+  static constexpr auto file = "common/probe.comp";
+  gl::Uniform<"count", int> count;
+  gl::In<"inputs"> inputs;
+  gl::Out<"outputs"> outputs;
+};
+
+struct LoopProbe {
+  static constexpr auto file = "common/loop_probe.comp";
+  gl::Uniform<"rounds", int> rounds;
+  gl::Out<"reached"> reached;
+};
 
 constexpr int probes = 253;
 constexpr int exactFunctions = 11;
@@ -60,12 +73,7 @@ Numerics probeNumerics() {
   const auto values = inputs();
   const auto in = gl::Buffer::of<float>("probe inputs", values);
   const gl::Buffer out("probe outputs", probes * functions * sizeof(float));
-  const auto program = gl::Program::compute("common/probe.comp");
-  in.bindStorage(shader::inputsBinding);
-  out.bindStorage(shader::outputsBinding);
-  program.set("count", probes);
-  program.dispatch(probes);
-  gl::barrier();
+  gl::Kernel<ProbeKernel>(gl::Defines()).dispatch(probes, {probes, in, out});
   const auto results = out.readAll<float>();
 
   Numerics found;
@@ -90,11 +98,7 @@ Numerics probeNumerics() {
 
 unsigned probeLoop() {
   const gl::Buffer out("loop probe", 16);
-  const auto program = gl::Program::compute("common/loop_probe.comp");
-  out.bindStorage(shader::outputsBinding);
-  program.set("rounds", static_cast<int>(loopProbeRounds));
-  program.dispatch(1);
-  gl::barrier();
+  gl::Kernel<LoopProbe>(gl::Defines()).dispatch(1, {static_cast<int>(loopProbeRounds), out});
   return out.readAll<unsigned>().front();
 }
 

@@ -1,13 +1,26 @@
 #include "sim/core/state_hash.hpp"
 
 #include "gl/context.hpp"
-#include "glsl/common/cpp.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 namespace simreel::sim {
+
+struct StateHashKernel {
+  static constexpr auto file = "common/state_hash.comp";
+  struct Variant {
+    gl::Flag<"GROUPED"> grouped;
+    gl::Flag<"PLANES"> planes;
+  };
+  StateWordsPart state;
+  gl::Uniform<"slot", int> slot;
+  gl::Uniform<"salt", unsigned> salt;
+  gl::Uniform<"invocations", int> invocations;
+  gl::Uniform<"perInvocation", int> perInvocation;
+  gl::InOut<"SumBlock"> sums;
+};
 
 namespace {
 
@@ -19,23 +32,22 @@ bool grouped() {
   return gl::memoryPath() == gl::MemoryPath::storage;
 }
 
-gl::Defines defines() {
-  return grouped() ? gl::Defines{{"GROUPED", "1"}} : gl::Defines{};
-}
-
 }  // namespace
 
 StateWords::StateWords(const StateArray& array) : array_(array) {
   if (array.planes.count == 0) view_ = gl::Texture::view("state words", GL_RGBA32UI, *array.buffer);
 }
 
-void StateWords::bind(const gl::Program& program) const {
-  if (array_.planes.count == 0) return view_.bind(shader::wordsBinding);
-  array_.planes.part.bindStorage(shader::planesBinding);
-  program.set("planes", array_.planes.count);
+StateWordsPart StateWords::part() const {
+  StateWordsPart part{.texels = static_cast<int>(array_.elements()),
+                      .planes = array_.planes.count,
+                      .words = view_,
+                      .planeWords = {}};
+  if (array_.planes.count > 0) part.planeWords = array_.planes.part;
+  return part;
 }
 
-StateHash::StateHash() : program_(gl::Program::compute("common/state_hash.comp", defines())) {}
+StateHash::StateHash() : kernel_(gl::Defines(), {.grouped = grouped(), .planes = false}) {}
 
 void StateHash::add(const gl::Buffer& array, std::size_t number, const gl::Buffer& sums,
                     std::size_t place) const {
@@ -45,26 +57,19 @@ void StateHash::add(const gl::Buffer& array, std::size_t number, const gl::Buffe
 void StateHash::add(const StateArray& array, std::size_t number, const gl::Buffer& sums,
                     std::size_t place) const {
   const int texels = static_cast<int>(array.elements());
-  if (array.planes.count > 0 && !ofPlanes_) {
-    gl::Defines with = defines();
-    with.emplace_back("PLANES", "1");
-    ofPlanes_ = gl::Program::compute("common/state_hash.comp", with);
-  }
-  const gl::Program& program = array.planes.count > 0 ? ofPlanes_ : program_;
+  const bool planes = array.planes.count > 0;
+  if (planes && !ofPlanes_)
+    ofPlanes_ = gl::Kernel<StateHashKernel>(gl::Defines(), {.grouped = grouped(), .planes = true});
   const StateWords words(array);
-  words.bind(program);
-  sums.bindStorage(shader::sumsBinding);
-  program.set("texels", texels);
-  program.set("slot", static_cast<int>(place));
-  program.set("salt", static_cast<unsigned>(number + 1) * 0x9e3779b9U);
-  if (grouped()) {
-    const int invocations = std::min((texels - 1) / groupSize + 1, maxGroups) * groupSize;
-    program.set("invocations", invocations);
-    program.dispatch(invocations);
-  } else {
-    program.set("perInvocation", texelsPerInvocation);
-    program.dispatch((texels - 1) / texelsPerInvocation + 1);
-  }
+  const int each = grouped() ? groupSize : texelsPerInvocation, parts = (texels - 1) / each + 1;
+  const int invocations = grouped() ? std::min(parts, maxGroups) * groupSize : parts;
+  (planes ? ofPlanes_ : kernel_)
+      .dispatch(invocations, {.state = words.part(),
+                              .slot = static_cast<int>(place),
+                              .salt = static_cast<unsigned>(number + 1) * 0x9e3779b9U,
+                              .invocations = invocations,
+                              .perInvocation = texelsPerInvocation,
+                              .sums = sums});
 }
 
 std::string StateHash::text(const glm::uvec4& hash) {

@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/state_array.hpp"
 
@@ -11,12 +11,22 @@
 
 namespace simreel::sim {
 
+/// What glsl/common/state_words.glsl is given, a part of a kernel's interface.
+struct StateWordsPart {
+  gl::Uniform<"texels", int> texels;
+  gl::Uniform<"planes", int> planes;
+  gl::In<"words"> words;
+  gl::In<"PlaneBlock"> planeWords;
+};
+
+struct StateHashKernel;
+
 /// A state array as kernels of glsl/common/state_words.glsl read it, for as long as it lives; PLANES is
 /// defined for arrays that are in planes.
 class StateWords {
  public:
   explicit StateWords(const StateArray& array);
-  void bind(const gl::Program& program) const;
+  [[nodiscard]] StateWordsPart part() const;
 
  private:
   StateArray array_;
@@ -37,8 +47,8 @@ class StateHash {
   [[nodiscard]] static std::string text(const glm::uvec4& hash);
 
  private:
-  gl::Program program_;
-  mutable gl::Program ofPlanes_;  ///< made for the first array that is in planes
+  gl::Kernel<StateHashKernel> kernel_;
+  mutable gl::Kernel<StateHashKernel> ofPlanes_;  ///< made for the first array that is in planes
 };
 
 }  // namespace simreel::sim

@@ -15,9 +15,6 @@ class FluidArray {
   FluidArray(const std::string& label, const gl::BufferPart& part);
   /// For a gl::Kernel.
   [[nodiscard]] gl::Resource resource() const { return {part_, texels_}; }
-  void bindInput(GLuint unit) const;
-  void bindState(GLuint unit) const;
-  void bindStorage(GLuint unit) const { part_.bindStorage(unit); }
   /// As words, for Field.
   [[nodiscard]] const gl::Texture& words() const { return words_; }
   [[nodiscard]] const gl::BufferPart& part() const { return part_; }

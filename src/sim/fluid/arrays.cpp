@@ -7,15 +7,20 @@
 #include <algorithm>
 #include <vector>
 
-namespace simreel::shader::fluid {
-#include "glsl/fluid/bindings.glsl"
-}
-
 namespace simreel::sim {
 
-namespace {
+struct FluidGather {
+  static constexpr auto file = "fluid/gather.comp";
+  struct Variant {
+    gl::Flag<"SCATTER"> scatter;
+  };
+  gl::Uniform<"planes", int> planes;
+  gl::Uniform<"elements", int> elements;
+  gl::InOut<"PlaneBlock"> apart;
+  gl::InOut<"ElementBlock"> together;
+};
 
-namespace at = shader::fluid;
+namespace {
 
 std::size_t bytesOf(int floats) {
   return static_cast<std::size_t>(floats) * 4;
@@ -35,21 +40,6 @@ std::vector<float> planesOf(std::span<const glm::vec4> elements) {
 FluidArray::FluidArray(const std::string& label, const gl::BufferPart& part)
     : part_(part), words_(gl::Texture::view(label + " words", GL_RGBA32UI, part)) {
   if (gl::memoryPath() == gl::MemoryPath::texel) texels_ = gl::Texture::view(label, GL_RGBA32F, part);
-}
-
-void FluidArray::bindInput(GLuint unit) const {
-  if (texels_)
-    texels_.bind(unit);
-  else
-    part_.bindStorage(unit);
-}
-
-void FluidArray::bindState(GLuint unit) const {
-  if (texels_) {
-    texels_.bindImage(unit, GL_READ_ONLY);
-    texels_.bind(unit);
-  }
-  part_.bindStorage(unit);
 }
 
 FluidArrays::FluidArrays(const std::string& name, const FluidPlan& plan, std::span<const glm::vec4> flow)
@@ -108,18 +98,12 @@ void FluidArrays::carryOver(CarryOver& carry) {
 void FluidArrays::carryOver(CarryOver& carry, int array, const char* name, int planes) {
   if (texels_) return carry.array(name, buffers_[array]);
   if (!gather_) {
-    gather_ = gl::Program::compute("fluid/gather.comp", gl::kernelDefines(false));
-    gl::Defines scatter = gl::kernelDefines(false);
-    scatter.emplace_back("SCATTER", "1");
-    scatter_ = gl::Program::compute("fluid/gather.comp", scatter);
+    gather_ = gl::Kernel<FluidGather>(gl::kernelDefines(false));
+    scatter_ = gl::Kernel<FluidGather>(gl::kernelDefines(false), {.scatter = true});
   }
-  const auto run = [&](const gl::Program& program, const gl::Buffer& elements) {
-    program.set("planes", planes);
-    program.set("elements", elements_);
-    arrays_[array].bindStorage(at::flowBinding);
-    elements.bindStorage(at::carriedBinding);
+  const auto run = [&](const gl::Kernel<FluidGather>& kernel, const gl::Buffer& elements) {
     gl::barrier();
-    program.dispatch(elements_);
+    kernel.dispatch(elements_, {planes, elements_, arrays_[array].part(), elements});
     gl::barrier();
   };
   gl::Buffer elements(std::string(name) + " for a file", 4 * bytesOf(elements_));

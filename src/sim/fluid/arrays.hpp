@@ -1,5 +1,5 @@
 #pragma once
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/core/state_array.hpp"
 #include "sim/fluid/array.hpp"
@@ -12,6 +12,8 @@
 #include <glm/vec4.hpp>
 
 namespace simreel::sim {
+
+struct FluidGather;
 
 /// The memory of a fluid's state and of what its steps are at. Of texels four arrays of four floats a cell,
 /// of which any can be any. On the storage path a float of neighbouring cells lies together, and each array
@@ -60,7 +62,7 @@ class FluidArrays {
   gl::Buffer buffers_[4];
   FluidArray arrays_[4], free_[2];  ///< free: before the dye, after it
   int flow_ = 0, dye_ = 1, scratch_ = 2, spare_ = 3;
-  gl::Program gather_, scatter_;  ///< made when they are wanted
+  gl::Kernel<FluidGather> gather_, scatter_;  ///< made when they are wanted
 };
 
 }  // namespace simreel::sim

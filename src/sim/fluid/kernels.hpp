@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/core/step_blocks.hpp"
 #include "sim/fluid/arrays.hpp"
 #include "sim/fluid/plan.hpp"
@@ -13,6 +13,22 @@
 #include <glm/vec3.hpp>
 
 namespace simreel::sim {
+
+struct FluidPush;
+struct FluidCarry;
+struct FluidCorrect;
+struct FluidFastest;
+struct FluidPaint;
+struct FluidPaintBack;
+struct FluidShow;
+struct FluidLines;
+struct FluidProject;
+struct FluidDyePass;
+struct FluidProjectOpen;
+struct FluidSettle;
+struct FluidCheck;
+struct FluidDyeStrips;
+struct FluidSums;
 
 /// A fluid's cells on the GPU and the kernels that step them.
 class FluidKernels {
@@ -52,22 +68,27 @@ class FluidKernels {
 
  private:
   /// Kernels for tiles in the open, and for the others and the ring.
+  template <class Interface>
   struct Tiled {
-    gl::Program open, others;
+    gl::Kernel<Interface> open, others;
   };
-  void run(const gl::Program& program) const;
-  void run(const Tiled& tiled) const;
-  void runOthers(const gl::Program& program) const;
-  void runOpen(const gl::Program& program) const;
-  void runTiles(const gl::Program& program, int start, int count) const;
+  /// Over the grid and the ring around it.
+  [[nodiscard]] glm::ivec2 everywhere() const { return plan_.size() + 2; }
+  [[nodiscard]] FluidPart part() const { return pressure_.part(steps_.at(step_)); }
+  template <class Interface>
+  void runOthers(const gl::Kernel<Interface>& kernel, Interface given) const;
+  template <class Interface>
+  void runOpen(const gl::Kernel<Interface>& kernel, Interface given) const;
   /// `all`: the ring around the grid, too, wherever brushes are.
   void paint(double time, int step, bool all);
   void project(unsigned number);
+  [[nodiscard]] FluidProject projection(unsigned number) const;
   /// Of storage blocks: in place, and what is told of it by a kernel that finds ways for dye, too.
   void projectInPlace(unsigned number);
   void moveDye();
   /// One pass or two, from where dye is to where it is free.
   void moveDye(int passes) const;
+  void makeShowing(const std::string& name, const gl::Defines& defines);
 
   const FluidPlan& plan_;
   std::shared_ptr<const FluidSolids> solids_;
@@ -78,12 +99,26 @@ class FluidKernels {
   gl::Buffer status_, brushes_;
   gl::Buffer kept_;  ///< glsl/fluid/kept.glsl
   StepBlocks<shader::FluidStep> steps_;
-  gl::Program push_, carry_, correct_, fastest_, paint_, paintBack_, show_;
-  Tiled project_, moveDye_;
-  gl::Program settle_, check_, dyeStrips_[2];  ///< of storage blocks; one pass of dye, and two at once
+  std::size_t step_ = 0;  ///< of steps_, the one that kernels are told
+  gl::Kernel<FluidPush> push_;
+  gl::Kernel<FluidCarry> carry_;
+  gl::Kernel<FluidCorrect> correct_;
+  gl::Kernel<FluidFastest> fastest_;
+  gl::Kernel<FluidPaint> paint_;
+  gl::Kernel<FluidPaintBack> paintBack_;
+  gl::Kernel<FluidShow> show_;
+  gl::Kernel<FluidLines> showLines_;
+  Tiled<FluidProject> project_;  ///< of storage blocks only others
+  Tiled<FluidDyePass> moveDye_;
+  // Of storage blocks; one pass of dye, and two at once.
+  gl::Kernel<FluidProjectOpen> projectOpen_;
+  gl::Kernel<FluidSettle> settle_;
+  gl::Kernel<FluidCheck> check_;
+  gl::Kernel<FluidDyeStrips> dyeStrips_[2];
   FluidPressure pressure_;
   FluidArrays arrays_;
   Tally tally_;
+  gl::Kernel<FluidSums> sums_;
   glm::vec4 perCells_{1};  ///< of the sums: means over open cells, and over corners in the open
 };
 

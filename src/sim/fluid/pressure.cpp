@@ -1,8 +1,10 @@
 #include "sim/fluid/pressure.hpp"
 
 #include "base/error.hpp"
+#include "gl/access_together.hpp"
 #include "gl/errors.hpp"
 #include "gl/limits.hpp"
+#include "sim/fluid/solver_interfaces.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -12,40 +14,18 @@
 #include <utility>
 #include <vector>
 
-namespace simreel::shader::fluid {
-#include "glsl/fluid/bindings.glsl"
-}
-
 namespace simreel::sim {
 
 namespace {
 
-namespace at = shader::fluid;
-
 constexpr std::size_t lastSpeedWord = 7,
                       controlWords = 9;  // before the groups: glsl/fluid/solver/solve_control.glsl
-
-/// Between the solver's kernels, which hand each other storage blocks only where there are no texels:
-/// waiting for more takes a card longer than a kernel that is empty.
-void barrier() {
-  if (gl::memoryPath() == gl::MemoryPath::storage)
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  else
-    gl::barrier();
-}
 
 /// Cycles that most projections want; those beyond them, if any, are left out together.
 constexpr int usualCycles = 4;
 
 GLintptr groupsAt(std::size_t dispatch) {
   return static_cast<GLintptr>((controlWords + 3 * dispatch) * 4);
-}
-
-/// For tiles in the open (1), the others (0) or both (2).
-gl::Program onTiles(const char* path, const gl::Defines& defines, int tiles) {
-  gl::Defines with = defines;
-  with.emplace_back("IN_THE_OPEN", std::to_string(tiles));
-  return gl::Program::compute(path, with);
 }
 
 /// Whether on a torus all levels but the coarsest are an even number of cells around.
@@ -67,19 +47,18 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
       tileAGroup_(gl::memoryPath() == gl::MemoryPath::storage && isEven(plan)),
       weights_(name + " openings", std::span<const glm::uvec4>(plan.solidsAt(0, 0)->words())),
       solids_(name + " obstacles", sizeof(shader::FluidSolidSet)),
-      descend_(pairOf("fluid/solver/descend.comp", defines)),
-      ascend_(pairOf("fluid/solver/ascend.comp", defines)),
-      residual_(pairOf("fluid/solver/residual.comp", defines)),
-      divergence_(gl::Program::compute("fluid/solver/divergence.comp", defines)),
-      bottom_(onTiles("fluid/solver/bottom.comp", defines, 0)),
-      decide_(gl::Program::compute("fluid/solver/decide.comp", defines)),
-      firstCoarse_(plan.levels().levels().size() - 1),
+      divergence_(defines),
+      bottom_(defines, {.open = 0}),
+      decide_(defines),
+      judge_(defines, {.judge = true}),
+      firstCoarse_(levels_.levels().size() - 1),
+      mostSpeed_(plan.parameters().speed),
       firstDown_(firstCoarse_),
       firstUp_(firstCoarse_),
       tilesStart_(plan.solidsAt(0, 0)->tilesStart()) {
-  gl::Defines judging = defines;
-  judging.emplace_back("JUDGE", "1");
-  judge_ = gl::Program::compute("fluid/solver/decide.comp", judging);
+  makePair(descend_, defines);
+  makePair(ascend_, defines);
+  makePair(residual_, defines);
   if (gl::memoryPath() == gl::MemoryPath::storage) makeCoarse(plan, defines);
   if (tileAGroup_ && coarse_) makeMiddle(defines);
   if (gl::memoryPath() == gl::MemoryPath::storage) condition_.emplace();
@@ -91,15 +70,6 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
   places_ =
       StepBlocks<shader::FluidLevelPlace>(name + " levels", static_cast<int>(levels_.levels().size()));
   places_.upload(places(*plan.solidsAt(0, 0)));
-  bottom_.checkUniformBlock("LevelBlock", sizeof(shader::FluidLevelPlace));
-  const auto& finest = levels_.levels().front();
-  divergence_.set("size", finest.cells);
-  divergence_.set("rhsStart", 2 * finest.elements());
-  divergence_.set("solidsStart", levels_.elements());
-  decide_.set("dispatches", static_cast<int>(groups_.size()) / 3);
-  decide_.set("tolerance", aimedFluidDivergence);
-  judge_.set("tolerance", maxFluidDivergence);
-  judge_.set("mostSpeed", plan.parameters().speed);
 }
 
 void FluidPressure::makeCoarse(const FluidPlan& plan, const gl::Defines& defines) {
@@ -114,56 +84,55 @@ void FluidPressure::makeCoarse(const FluidPlan& plan, const gl::Defines& defines
   while (first > 0 && fits(levels[first - 1])) --first;
   if (first == levels.size()) return;
   firstCoarse_ = firstDown_ = firstUp_ = first;
-  gl::Defines with = defines;
-  if (gl::limits().shuffle32) with.emplace_back("SUBGROUPS", "1");
-  coarse_ = gl::Program::compute("fluid/solver/coarse.comp", with);
+  coarse_ = gl::Kernel<FluidCoarse>(defines, {.subgroups = gl::limits().shuffle32});
+  coarseLevels_ = placesFrom(first, levels.size() - first, FluidCoarse::most);
   int cells = 0;
   for (std::size_t i = first; i < levels.size(); ++i) {
-    const std::string name = "levels[" + std::to_string(i - first) + "]";
-    coarse_.set(name.c_str(), glm::ivec4(levels[i].cells, levels[i].start, cells));
+    coarseLevels_[i - first].w = cells;
     cells += levels[i].cells.x * levels[i].cells.y;
   }
-  coarse_.set("levelCount", static_cast<int>(levels.size() - first));
-  coarse_.set("rhsStart", 2 * levels.front().elements() + levels[first].start);
-  coarse_.set("upStart", levels[first].start);
+}
+
+std::vector<glm::ivec4> FluidPressure::placesFrom(std::size_t first, std::size_t count,
+                                                  std::size_t elements) const {
+  std::vector<glm::ivec4> places(elements, glm::ivec4(0));
+  for (std::size_t i = 0; i < count; ++i) {
+    const FluidLevel& level = levels_.levels()[first + i];
+    places.at(i) = glm::ivec4(level.cells, level.start, 0);
+  }
+  return places;
 }
 
 // On the way down windows grow by each level, so fewer share a dispatch.
 void FluidPressure::makeMiddle(const gl::Defines& defines) {
-  const std::vector<FluidLevel>& levels = levels_.levels();
-  const auto make = [&](const char* path, std::size_t most, std::size_t& from) {
+  const auto make = [&](auto& kernel, std::size_t most, std::size_t& from,
+                        std::vector<glm::ivec4>& places) {
     const std::size_t count = std::min(firstCoarse_, most);
-    if (count == 0) return gl::Program();
+    if (count == 0) return;
     from = firstCoarse_ - count;
-    gl::Defines with = defines;
-    with.emplace_back("LEVELS", std::to_string(count));
-    gl::Program program = gl::Program::compute(path, with);
-    for (std::size_t i = 0; i <= count; ++i) {
-      const FluidLevel& level = levels[from + i];
-      program.set(("levels[" + std::to_string(i) + "]").c_str(), glm::ivec4(level.cells, level.start, 0));
-    }
-    program.set("rhsStart", 2 * levels.front().elements());
-    program.set("wayStart", levels_.elements());
-    return program;
+    kernel = std::remove_cvref_t<decltype(kernel)>(defines, {.levels = static_cast<int>(count)});
+    places = placesFrom(from, count + 1, most + 1);
   };
-  down_ = make("fluid/solver/down.comp", 3, firstDown_);
-  up_ = make("fluid/solver/up.comp", 4, firstUp_);
+  make(down_, FluidDown::most, firstDown_, downLevels_);
+  make(up_, FluidUp::most, firstUp_, upLevels_);
 }
 
 bool FluidPressure::joins(std::size_t level) const {
   return gl::memoryPath() == gl::MemoryPath::storage && levels_.levels()[level].hasOpenTiles();
 }
 
-// The program for both is made only where a level joins its tiles: drivers take seconds for each.
-FluidPressure::Pair FluidPressure::pairOf(const char* path, const gl::Defines& defines) const {
-  gl::Defines others = defines;
-  if (tileAGroup_) others.emplace_back("TILE_A_GROUP", "1");
+// The kernel for both is made only where a level joins its tiles: drivers take seconds for each.
+template <class Interface>
+void FluidPressure::makePair(Pair<Interface>& pair, const gl::Defines& defines) const {
   bool any = false;
   for (std::size_t i = 0; i < levels_.levels().size(); ++i) any = any || joins(i);
+  const auto of = [&](int open, bool tileAGroup) {
+    return gl::Kernel<Interface>(defines, {.open = open, .tileAGroup = tileAGroup});
+  };
   // Without any all tiles are others there.
-  const bool storage = gl::memoryPath() == gl::MemoryPath::storage;
-  return {storage ? gl::Program() : onTiles(path, defines, 1), onTiles(path, others, 0),
-          any ? onTiles(path, others, 2) : gl::Program()};
+  if (gl::memoryPath() != gl::MemoryPath::storage) pair.open = of(1, false);
+  pair.others = of(0, tileAGroup_);
+  if (any) pair.both = of(2, tileAGroup_);
 }
 
 std::vector<std::uint32_t> FluidPressure::groupsOf(const FluidSolids& solids) const {
@@ -208,9 +177,12 @@ void FluidPressure::setSolids(const FluidSolids& solids) {
   solids_.write(0, std::as_bytes(std::span(&solids.set(), 1)));
 }
 
-void FluidPressure::bindSolids() const {
-  weights_.bindInput(at::weightsBinding);
-  solids_.bindUniform(at::solidsBinding, 0, solids_.bytes());
+FluidPart FluidPressure::part(const gl::Resource& step) const {
+  return {.step = step,
+          .size = levels_.levels().front().cells,
+          .solids = solids_,
+          .solidsStart = levels_.elements(),
+          .weights = weights_};
 }
 
 std::vector<shader::FluidLevelPlace> FluidPressure::places(const FluidSolids& solids) const {
@@ -236,68 +208,88 @@ std::vector<shader::FluidLevelPlace> FluidPressure::places(const FluidSolids& so
   return places;
 }
 
-void FluidPressure::indirect(const gl::Program& program, std::size_t number) const {
-  program.dispatchIndirect(control_, static_cast<std::size_t>(groupsAt(number)));
+template <class Interface>
+void FluidPressure::indirect(const gl::Kernel<Interface>& kernel, std::size_t number,
+                             const Interface& given) const {
+  kernel.dispatchIndirect(control_, static_cast<std::size_t>(groupsAt(number)), given);
 }
 
-void FluidPressure::onLevel(const Pair& pair, std::size_t number) const {
-  places_.bind(number, at::levelBinding);
-  barrier();
-  if (joins(number)) return indirect(pair.both, 2 * number);
-  indirect(pair.others, 2 * number + 1);
-  if (levels_.levels()[number].hasOpenTiles()) indirect(pair.open, 2 * number);
+template <class Interface>
+void FluidPressure::onLevel(const Pair<Interface>& pair, std::size_t number, const Interface& given) const {
+  if (joins(number)) return indirect(pair.both, 2 * number, given);
+  const gl::AccessTogether together;
+  indirect(pair.others, 2 * number + 1, given);
+  if (levels_.levels()[number].hasOpenTiles()) indirect(pair.open, 2 * number, given);
 }
 
-void FluidPressure::cycle() const {
+FluidLevelPart FluidPressure::levelPart(std::size_t level, const Memory& memory) const {
+  return {.level = places_.at(level), .pool = memory.pool, .raised = memory.raised, .weights = weights_};
+}
+
+FluidDecide FluidPressure::decision(const gl::Buffer& status, bool first, float tolerance) const {
+  return {.dispatches = static_cast<int>(groups_.size()) / 3,
+          .first = first ? 1 : 0,
+          .tolerance = tolerance,
+          .mostSpeed = mostSpeed_,
+          .status = status,
+          .control = control_};
+}
+
+void FluidPressure::bottom(const Memory& memory) const {
   const std::size_t single = 2 * levels_.levels().size();
-  const auto alone = [&](const gl::Program& program, std::size_t number) {
-    barrier();
-    indirect(program, number);
-  };
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);  // how much there is to do
-  for (std::size_t i = 0; i < firstDown_; ++i) onLevel(descend_, i);
-  if (firstDown_ < firstCoarse_) alone(down_, single + 1);
-  places_.bind(firstCoarse_, at::levelBinding);
-  alone(coarse_ ? coarse_ : bottom_, single);
-  if (firstUp_ < firstCoarse_) alone(up_, single + 2);
-  for (std::size_t i = firstUp_; i-- > 0;) onLevel(ascend_, i);
-  onLevel(residual_, 0);
-  alone(decide_, single);
+  if (!coarse_) return indirect(bottom_, single, {levelPart(firstCoarse_, memory), memory.raised});
+  const FluidLevel& level = levels_.levels()[firstCoarse_];
+  indirect(coarse_, single,
+           {.levels = coarseLevels_,
+            .levelCount = static_cast<int>(levels_.levels().size() - firstCoarse_),
+            .rhsStart = 2 * levels_.levels().front().elements() + level.start,
+            .upStart = level.start,
+            .pool = memory.pool,
+            .weights = weights_,
+            .raisedOut = memory.raised});
 }
 
-void FluidPressure::solve(const FluidArray& flow, const FluidArray& pool, const FluidArray& raised) {
-  const glm::ivec2 blocks = levels_.levels().front().blocks();
-  flow.bindInput(at::flowBinding);
-  bindSolids();
-  pool.bindStorage(at::poolOutBinding);
-  control_.bindStorage(at::controlBinding);
-  gl::barrier();
-  divergence_.dispatch(blocks.x, blocks.y);
-  gl::barrier();
-  decide_.set("first", 1);
-  decide_.dispatch(1);
-  decide_.set("first", 0);
-  pool.bindInput(at::poolBinding);
-  raised.bindInput(at::raisedBinding);
-  raised.bindStorage(at::raisedOutBinding);
+void FluidPressure::cycle(const Memory& memory) const {
+  const std::size_t single = 2 * levels_.levels().size();
+  const int rhsStart = 2 * levels_.levels().front().elements(), wayStart = levels_.elements();
+  for (std::size_t i = 0; i < firstDown_; ++i)
+    onLevel(descend_, i, {levelPart(i, memory), memory.pool, memory.raised});
+  if (firstDown_ < firstCoarse_)
+    indirect(down_, single + 1,
+             {downLevels_, rhsStart, wayStart, memory.pool, weights_, memory.pool, memory.raised});
+  bottom(memory);
+  if (firstUp_ < firstCoarse_)
+    indirect(up_, single + 2,
+             {upLevels_, rhsStart, wayStart, memory.pool, memory.raised, weights_, memory.raised});
+  for (std::size_t i = firstUp_; i-- > 0;) onLevel(ascend_, i, {levelPart(i, memory), memory.raised});
+  onLevel(residual_, 0, {levelPart(0, memory), memory.pool, control_});
+  indirect(decide_, single, decision(*memory.status, false, aimedFluidDivergence));
+}
+
+void FluidPressure::solve(const FluidPart& part, const FluidArray& flow, const FluidArray& pool,
+                          const FluidArray& raised, const gl::Buffer& status) const {
+  const Memory memory = {pool.resource(), raised.resource(), &status};
+  divergence_.dispatch(levels_.levels().front().blocks(),
+                       {.part = part,
+                        .rhsStart = 2 * levels_.levels().front().elements(),
+                        .flow = flow.resource(),
+                        .poolOut = memory.pool,
+                        .control = control_});
+  decide_.dispatch(1, decision(status, true, aimedFluidDivergence));
   const bool leaves = condition_ && cycles_ > usualCycles;
   for (int i = 0; i < cycles_; ++i) {
     if (leaves && i == usualCycles) {
       glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
       condition_->begin(control_.name(), groupsAt(2 * levels_.levels().size()));
     }
-    cycle();
+    cycle(memory);
   }
   if (leaves) condition_->end();
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
-  gl::barrier();
 }
 
 void FluidPressure::judge(const gl::Buffer& status) const {
-  control_.bindStorage(at::controlBinding);
-  status.bindStorage(shader::statusBinding);
-  gl::barrier();
-  judge_.dispatch(1);
+  judge_.dispatch(1, decision(status, false, maxFluidDivergence));
 }
 
 void FluidPressure::resume() {

@@ -102,13 +102,6 @@ int bandRowsFor(int columns, int rows) {
   return static_cast<int>(std::max<std::int64_t>(reach / 2 / rowBytes, 1));
 }
 
-std::vector<glm::uvec4> elementsOf(const std::vector<std::uint32_t>& words) {
-  std::vector<glm::uvec4> elements;
-  for (std::size_t i = 0; i + 3 < words.size(); i += 4)
-    elements.emplace_back(words[i], words[i + 1], words[i + 2], words[i + 3]);
-  return elements;
-}
-
 }  // namespace
 
 // Long, wide strips repeat least; an H200 wants some 4,000 of them (9 of the widest are at work on each of
@@ -148,7 +141,7 @@ GrayScottKernels::GrayScottKernels(const std::string& name, const GrayScottPlan&
   const gl::Defines defines = gl::kernelDefines(fast);
   const bool odd = size_.x % 2 == 1;
   if (!plan.strokes().empty()) {
-    stamps_ = gl::WordsArray(name + " brush images", elementsOf(plan.strokes().imageBits()));
+    stamps_ = gl::WordsArray(name + " brush images", plan.strokes().imageElements());
     paint_ = gl::Kernel<GrayScottPaint>(defines);
   }
   step_ = gl::Kernel<GrayScottStep>(defines, {.mapped = mapped_,

@@ -290,18 +290,11 @@ StrokeUniforms uniformsOf(const shader::Stroke& stroke, glm::ivec4 box) {
           .box = box};
 }
 
-void setStroke(const gl::Program& program, const shader::Stroke& stroke, glm::ivec4 box) {
-  program.set("stroke.from", stroke.from);
-  program.set("stroke.to", stroke.to);
-  program.set("stroke.radius2", stroke.radius2);
-  program.set("stroke.perLength2", stroke.perLength2);
-  program.set("stroke.value", stroke.value);
-  program.set("stroke.seed", stroke.seed);
-  program.set("stroke.picked", stroke.picked);
-  program.set("stroke.imageWord", stroke.imageWord);
-  program.set("stroke.imageFrom", stroke.imageFrom);
-  program.set("stroke.imageSize", stroke.imageSize);
-  program.set("strokeBox", box);
+std::vector<glm::uvec4> Strokes::imageElements() const {
+  std::vector<glm::uvec4> elements;
+  for (std::size_t i = 0; i + 3 < bits_.size(); i += 4)
+    elements.emplace_back(bits_[i], bits_[i + 1], bits_[i + 2], bits_[i + 3]);
+  return elements;
 }
 
 }  // namespace simreel::sim

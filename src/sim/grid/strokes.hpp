@@ -1,6 +1,5 @@
 #pragma once
 #include "gl/kernel/fields.hpp"
-#include "gl/program.hpp"
 #include "scene/value/animated.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/shader_code.hpp"
@@ -12,6 +11,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace simreel::sim {
 
@@ -61,6 +61,8 @@ class Strokes {
                                                  std::vector<int>* numbers = nullptr) const;
   /// Bits of the stamps, one per pixel in words, rows packed without gaps (shader::Stroke::image).
   [[nodiscard]] const std::vector<std::uint32_t>& imageBits() const { return bits_; }
+  /// The same, four words an element: what kernels read as "stamps".
+  [[nodiscard]] std::vector<glm::uvec4> imageElements() const;
   /// Whether a stroke paints this cell: reach or stamp, and share. What the kernels do, for twins.
   [[nodiscard]] bool paints(const shader::Stroke& stroke, glm::ivec2 cell) const;
   /// Cells that it may paint on a grid: first column and row, and how many of each; none: 0, 0.
@@ -97,8 +99,5 @@ struct StrokeUniforms {
   gl::Uniform<"strokeBox", glm::ivec4> box;
 };
 [[nodiscard]] StrokeUniforms uniformsOf(const shader::Stroke& stroke, glm::ivec4 box);
-
-/// Sets the uniforms of a stroke on a gl::Program.
-void setStroke(const gl::Program& program, const shader::Stroke& stroke, glm::ivec4 box);
 
 }  // namespace simreel::sim

@@ -11,31 +11,29 @@ static_assert(tallyLanes == tallyJoined * tallyJoined);
 
 namespace simreel::sim {
 
-Tally::Tally(const std::string& name, const char* path, const gl::Defines& defines)
+struct TallyJoin {
+  static constexpr auto file = "grid/tally_join.comp";
+  gl::Uniform<"lanes", int> lanes;
+  gl::Uniform<"sumFactor", glm::vec4> sumFactor;
+  gl::Uniform<"mostFactor", glm::vec4> mostFactor;
+  gl::In<"lanesBefore"> before;
+  gl::Out<"joined"> joined;
+};
+
+const int Tally::lanes = shader::tally::tallyLanes;
+
+Tally::Tally(const std::string& name, const gl::Defines& defines)
     : laneSums_(name + " lane sums", 2 * shader::tally::tallyLanes),
       joined_(name + " joined sums", 2 * shader::tally::tallyJoined),
       total_(name + " totals", 2),
-      lanes_(gl::Program::compute(path, defines)),
-      join_(gl::Program::compute("grid/tally_join.comp", defines)) {}
+      join_(defines) {}
 
-void Tally::take(const glm::vec4& sumFactor, const glm::vec4& mostFactor) {
-  laneSums_.bindState(shader::tally::sumsOutBinding);
+void Tally::join(const glm::vec4& sumFactor, const glm::vec4& mostFactor) const {
+  const glm::vec4 one(1);
+  const int some = shader::tally::tallyJoined;
+  join_.dispatch(some, {some, one, one, laneSums_, joined_});
+  join_.dispatch(1, {1, sumFactor, mostFactor, joined_, total_});
   gl::barrier();
-  lanes_.dispatch(shader::tally::tallyLanes);
-  join(laneSums_, joined_, shader::tally::tallyJoined, glm::vec4(1), glm::vec4(1));
-  join(joined_, total_, 1, sumFactor, mostFactor);
-  gl::barrier();
-}
-
-void Tally::join(const gl::Vec4Array& from, const gl::Vec4Array& to, int lanes, const glm::vec4& sumFactor,
-                 const glm::vec4& mostFactor) const {
-  from.bindInput(shader::tally::sumsInBinding);
-  to.bindState(shader::tally::sumsOutBinding);
-  join_.set("lanes", lanes);
-  join_.set("sumFactor", sumFactor);
-  join_.set("mostFactor", mostFactor);
-  gl::barrier();
-  join_.dispatch(lanes);
 }
 
 CountTable Tally::table(std::vector<const char*> columns) const {

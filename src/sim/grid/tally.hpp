@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/core/simulation.hpp"
 
 #include <string>
@@ -10,27 +10,27 @@
 
 namespace simreel::sim {
 
+struct TallyJoin;
+
 /// Four sums over the cells of a field and four greatest values, once a frame, on the GPU in an order that
 /// is the same on every machine: for the table beside the frames.
 class Tally {
  public:
-  Tally() = default;
-  /// `path`: a kernel that includes glsl/grid/tally.glsl.
-  Tally(const std::string& name, const char* path, const gl::Defines& defines);
+  static const int lanes;
 
-  /// For what it reads.
-  [[nodiscard]] const gl::Program& kernel() const { return lanes_; }
-  /// Once that is bound. `sumFactor`, `mostFactor`: of the results.
-  void take(const glm::vec4& sumFactor, const glm::vec4& mostFactor);
+  Tally() = default;
+  Tally(const std::string& name, const gl::Defines& defines);
+
+  /// Where a kernel that includes glsl/grid/tally.glsl leaves the sums of its `lanes` invocations.
+  [[nodiscard]] const gl::Vec4Array& laneSums() const { return laneSums_; }
+  /// Once it has. `sumFactor`, `mostFactor`: of the results.
+  void join(const glm::vec4& sumFactor, const glm::vec4& mostFactor) const;
   /// The sums, then the greatest values, under these names: at most eight.
   [[nodiscard]] CountTable table(std::vector<const char*> columns) const;
 
  private:
-  void join(const gl::Vec4Array& from, const gl::Vec4Array& to, int lanes, const glm::vec4& sumFactor,
-            const glm::vec4& mostFactor) const;
-
   gl::Vec4Array laneSums_, joined_, total_;
-  gl::Program lanes_, join_;
+  gl::Kernel<TallyJoin> join_;
 };
 
 }  // namespace simreel::sim

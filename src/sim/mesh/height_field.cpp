@@ -36,13 +36,11 @@ HeightField::HeightField(const std::string& name, const HeightPlan& plan)
 
 void HeightField::take(const gl::Vec4Array& positions, int component) {
   const auto count = static_cast<int>(countOf(plan_.size()));
-  gl::barrier();
   keep_.dispatch(count, {.count = count,
                          .lift = plan_.lift(),
                          .component = component,
                          .positions = positions,
                          .heights = heights_});
-  gl::barrier();
 }
 
 HeightPart HeightField::part(int substep, int substeps, float margin, float bounce) const {

@@ -4,7 +4,6 @@
 #include "base/log.hpp"
 #include "gl/limits.hpp"
 #include "sim/reaction/rule/model.hpp"
-#include "sim/reaction/sampling.hpp"
 #include "sim/reaction/stability.hpp"
 
 #include <algorithm>
@@ -16,9 +15,48 @@
 
 namespace simreel::sim {
 
-namespace {
+/// A pass of a rule, whose text reads some of it (reaction/text).
+struct RuleKernel {
+  static constexpr auto file = "reaction/rule";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"columns", int> columns;
+  gl::Uniform<"stepNumber", int> stepNumber;
+  gl::Uniform<"depth", int> depth;
+  gl::Uniform<"planeRows", int> planeRows;
+  gl::Uniform<"layerItems", int> layerItems;
+  gl::In<"ToldBlock"> told;
+  gl::InOut<"StatusBlock"> status;
+  gl::In<"stage"> stage;
+  gl::In<"base"> base;
+  gl::InOut<"sum"> sum;
+  gl::In<"lets"> lets;
+  gl::In<"weights"> maps;
+  gl::In<"links"> links;
+  gl::Out<"next"> next;
+};
 
-namespace bindings = shader::reaction;
+struct StripKernel {
+  static constexpr auto file = "reaction/strips";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"columns", int> columns;
+  gl::Uniform<"stepNumber", int> stepNumber;
+  gl::Uniform<"lostFirst", int> lostFirst;
+  gl::In<"ToldBlock"> told;
+  gl::InOut<"StatusBlock"> status;
+  gl::In<"stage"> stage;
+  gl::Out<"next"> next;
+  gl::InOut<"LostBlock"> lost;
+};
+
+struct LostKernel {
+  static constexpr auto file = "reaction/lost.comp";
+  gl::Uniform<"lostFirst", int> lostFirst;
+  gl::Uniform<"count", int> count;
+  gl::InOut<"StatusBlock"> status;
+  gl::In<"LostBlock"> lost;
+};
+
+namespace {
 
 /// Before anything is filled.
 void checkRuleLimits(const std::string& name, const ReactionParameters& p, std::int64_t planes) {
@@ -32,13 +70,6 @@ void checkRuleLimits(const std::string& name, const ReactionParameters& p, std::
   };
   refuse(elements * 16, "bytes", gl::limits().storageBlockBytes, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE");
   refuse(elements, "texels", gl::limits().texelBufferTexels, "GL_MAX_TEXTURE_BUFFER_SIZE");
-}
-
-std::vector<glm::uvec4> stampElements(const std::vector<std::uint32_t>& words) {
-  std::vector<glm::uvec4> elements;
-  for (std::size_t i = 0; i + 3 < words.size(); i += 4)
-    elements.emplace_back(words[i], words[i + 1], words[i + 2], words[i + 3]);
-  return elements;
 }
 
 /// Steps whose lost cells are noted apart: more than a frame usually has.
@@ -70,15 +101,6 @@ std::vector<glm::uvec4> linkWords(const RuleLinks& links) {
     words.emplace_back(std::bit_cast<std::uint32_t>(weight.x), std::bit_cast<std::uint32_t>(weight.y),
                        std::bit_cast<std::uint32_t>(weight.z), std::bit_cast<std::uint32_t>(weight.w));
   }
-  return words;
-}
-
-/// As glsl/reaction/sample.comp has them.
-std::vector<glm::uvec4> placeWords(const std::vector<glm::ivec2>& places) {
-  std::vector<glm::uvec4> words((places.size() + 3) / 4, glm::uvec4(0));
-  for (std::size_t i = 0; i < places.size(); ++i)
-    words[i / 4][static_cast<int>(i % 4)] =
-        static_cast<unsigned>(places[i].x) | static_cast<unsigned>(places[i].y) << 16;
   return words;
 }
 
@@ -126,8 +148,6 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
                 static_cast<std::int64_t>(plan.parameters().parameters.size()) +
                     (plan.links() != nullptr ? placeMaps : 0)}));
   if (plan.links() != nullptr) links_ = gl::WordsArray(name + " links", linkWords(*plan.links()));
-  if (!plan.places().empty() && plan.parameters().readsFields())
-    places_ = gl::WordsArray(name + " places", placeWords(plan.places()));
   const RuleField field = plan.firstField();
   warnOfGrowth(name, plan, field.stage);
   const std::vector<glm::vec4> first = packed(field.stage);
@@ -151,37 +171,18 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
 
   gl::Defines defines = gl::kernelDefines(fast);
   const RuleSpace space = plan.parameters().space();
+  makeInputs(name, defines);
   if (space == RuleSpace::volume) defines.emplace_back("VOLUME", "1");
   if (space == RuleSpace::mesh) defines.emplace_back("MESH", "1");
-  if (space != RuleSpace::plane && !plan.parameters().strokes.empty()) {
-    paint_ = gl::Program::compute("reaction/brush.comp", defines);
-    paint_.set("size", size_);
-    paint_.set("depth", depth_);
-    paint_.set("columns", columns_);
-    paint_.set("places", static_cast<int>(plan.parameters().parameters.size()));
-  }
-  if (!plan.strokes().empty()) {
-    stamps_ = gl::WordsArray(name + " brush images", stampElements(plan.strokes().imageBits()));
-    paint_ = gl::Program::compute("reaction/paint.comp", defines);
-    paint_.set("size", size_);
-    paint_.set("columns", columns_);
-  }
   defines.emplace_back("BOUNDARY", std::to_string(static_cast<int>(plan.parameters().boundary)));
   defines.emplace_back("TAIL", std::to_string((size_.x - 1) % 4));
-  for (std::size_t i = 0; i < program.passes.size(); ++i) {
-    const RulePass& pass = program.passes[i];
-    Kernel kernel;
-    kernel.program = gl::Program::computeText(
-        "reaction/rule",
-        kernelText(plan.rule(), pass, space, plan.parameters().boundary, plan.noiseSeed(), cut_), defines);
-    kernel.program.set("size", size_);
-    kernel.program.set("depth", depth_);
-    kernel.program.set("planeRows", size_.y * depth_);
-    kernel.program.set("layerItems", layerItems_);
-    kernel.program.set("columns", columns_);
-    kernel.told = gl::Buffer(name + " told", toldVectors(pass) * sizeof(glm::vec4));
-    kernels_.push_back(std::move(kernel));
-  }
+  for (const RulePass& pass : program.passes)
+    passes_.push_back(
+        {gl::Kernel<RuleKernel>::generated(
+             kernelText(plan.rule(), pass, space, plan.parameters().boundary, plan.noiseSeed(), cut_),
+             defines),
+         gl::Buffer(name + " told", toldVectors(pass) * sizeof(glm::vec4)),
+         {}});
   mayStrip_ = cut_.stepsPerPass > 1 && static_cast<int>(plan.rule().rates.size()) <= cut_.stripSpecies &&
               stripsCan(plan.rule(), program, space, plan.parameters().boundary, size_.x);
   name_ = name;
@@ -191,15 +192,17 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
 void ReactionKernels::makeStrips() {
   gl::Defines defines = stripDefines_;
   if (cut_.stripRows == 0) cut_.stripRows = stripRowsFor(cut_, columns_, size_.y);
-  lost_ = gl::Program::compute("reaction/lost.comp", defines);
+  lost_ = gl::Kernel<LostKernel>(defines);
   if (gl::limits().shuffle32) defines.emplace_back("SUBGROUPS", "1");
   const RulePass& pass =
       plan_.program().passes[static_cast<std::size_t>(plan_.program().stages[0].passes[0])];
-  strips_ = gl::Program::computeText("reaction/strips", stripText(plan_.rule(), pass, cut_), defines);
-  strips_.set("size", size_);
-  strips_.set("columns", columns_);
+  strips_ = gl::Kernel<StripKernel>::generated(stripText(plan_.rule(), pass, cut_), defines);
   const std::vector<unsigned> none(lostSteps, 0xffffffffU);
   lostCells_ = gl::Buffer::of<unsigned>(name_ + " lost cells", none);
+}
+
+ReactionKernels::Pass& ReactionKernels::firstPass() {
+  return passes_[static_cast<std::size_t>(plan_.program().stages[0].passes[0])];
 }
 
 std::vector<glm::vec4> ReactionKernels::packed(const RulePlanes& planes) const {
@@ -217,41 +220,44 @@ std::vector<glm::vec4> ReactionKernels::packed(const RulePlanes& planes) const {
 
 void ReactionKernels::setValues(const std::vector<float>& values) {
   values_ = values;
-  for (std::size_t i = 0; i < kernels_.size(); ++i)
+  for (std::size_t i = 0; i < passes_.size(); ++i)
     if (!plan_.program().passes[i].usesTime) tell(static_cast<int>(i));
 }
 
 // What is told, then a grain each for what is stored and flushed, then values beyond fixed edges.
 void ReactionKernels::tell(int pass) {
-  Kernel& kernel = kernels_[static_cast<std::size_t>(pass)];
+  Pass& to = passes_[static_cast<std::size_t>(pass)];
   std::vector<float> told =
       toldOf(plan_.rule().graph, plan_.program().passes[static_cast<std::size_t>(pass)], values_);
   told.resize((told.size() + 4) / 4 * 4);
   told.insert(told.end(), {storedGrain, flushedGrain, 0, 0});
   const std::vector<float> edges = plan_.edges();
   told.insert(told.end(), edges.begin(), edges.end());
-  if (told == kernel.written) return;
-  kernel.written = told;
-  kernel.told.write(0, std::as_bytes(std::span(told)));
+  if (told == to.written) return;
+  to.written = told;
+  to.told.write(0, std::as_bytes(std::span(told)));
 }
 
 void ReactionKernels::run(int pass, const gl::Vec4Array& stage, const gl::Vec4Array& next, long number) {
   const RulePass& what = plan_.program().passes[static_cast<std::size_t>(pass)];
-  Kernel& kernel = kernels_[static_cast<std::size_t>(pass)];
+  const Pass& given = passes_[static_cast<std::size_t>(pass)];
   if (what.usesTime) tell(pass);
   const bool toLets = what.outputs.front().plane.array == RuleArray::lets;
-  kernel.told.bindUniform(shader::stepBinding, 0, kernel.told.bytes());
-  stage.bindInput(bindings::stageBinding);
-  cells_[0].bindInput(bindings::baseBinding);
-  if (plan_.program().sums) sums_.bindState(bindings::sumBinding);
-  if (plan_.program().lets > 0) lets_.bindInput(bindings::letsBinding);
-  if (plan_.links() != nullptr) links_.bindInput(bindings::linksBinding);
-  if (weights_.buffer().bytes() > 0) weights_.bindInput(bindings::weightsBinding);
-  (toLets ? lets_ : next).bindState(bindings::nextBinding);
-  status_.bindStorage(shader::statusBinding);
-  kernel.program.set("stepNumber", static_cast<int>(number));
-  gl::barrier();
-  kernel.program.dispatch(columns_, layerItems_ * depth_);
+  given.kernel.dispatch({columns_, layerItems_ * depth_}, {.size = size_,
+                                                           .columns = columns_,
+                                                           .stepNumber = static_cast<int>(number),
+                                                           .depth = depth_,
+                                                           .planeRows = size_.y * depth_,
+                                                           .layerItems = layerItems_,
+                                                           .told = given.told,
+                                                           .status = status_,
+                                                           .stage = stage,
+                                                           .base = cells_[0],
+                                                           .sum = sums_,
+                                                           .lets = lets_,
+                                                           .maps = weights_,
+                                                           .links = links_,
+                                                           .next = toLets ? lets_ : next});
 }
 
 void ReactionKernels::advance(long number, int steps, long first) {
@@ -259,8 +265,7 @@ void ReactionKernels::advance(long number, int steps, long first) {
   cellSteps_ += static_cast<double>(steps) * size_.x * size_.y;
   const int together = strips_ ? cut_.stepsPerPass : steps + 1;
   for (int begun = 0; steps >= together; steps -= together, number += together) {
-    strips_.set("lostFirst", static_cast<int>(number) - begun);
-    strips(number);
+    strips(number, number - begun);
     begun += together;
     if (begun + together <= lostSteps && steps >= 2 * together) continue;
     tellLost(number + together - begun, begun);
@@ -269,28 +274,25 @@ void ReactionKernels::advance(long number, int steps, long first) {
   for (int i = 0; i < steps; ++i) step(number + i, first);
 }
 
-void ReactionKernels::strips(long number) {
-  Kernel& kernel = kernels_[static_cast<std::size_t>(plan_.program().stages[0].passes[0])];
-  kernel.told.bindUniform(shader::stepBinding, 0, kernel.told.bytes());
-  cells_[0].bindInput(bindings::stageBinding);
-  cells_[1].bindState(bindings::nextBinding);
-  lostCells_.bindStorage(bindings::sumBinding);
-  strips_.set("stepNumber", static_cast<int>(number));
-  gl::barrier();
+void ReactionKernels::strips(long number, long lostFirst) {
   const int lanes = gl::memoryPath() == gl::MemoryPath::texel ? 1 : 32;
   const int across = (columns_ - 1) / stripWidth(cut_) + 1;
-  strips_.dispatch(across * lanes, (size_.y - 1) / cut_.stripRows + 1);
+  strips_.dispatch({across * lanes, (size_.y - 1) / cut_.stripRows + 1},
+                   {.size = size_,
+                    .columns = columns_,
+                    .stepNumber = static_cast<int>(number),
+                    .lostFirst = static_cast<int>(lostFirst),
+                    .told = firstPass().told,
+                    .status = status_,
+                    .stage = cells_[0],
+                    .next = cells_[1],
+                    .lost = lostCells_});
   std::swap(cells_[0], cells_[1]);
   std::swap(words_[0], words_[1]);
 }
 
 void ReactionKernels::tellLost(long first, int steps) {
-  lostCells_.bindStorage(bindings::sumBinding);
-  status_.bindStorage(shader::statusBinding);
-  lost_.set("lostFirst", static_cast<int>(first));
-  lost_.set("count", steps);
-  gl::barrier();
-  lost_.dispatch(1);
+  lost_.dispatch(1, {static_cast<int>(first), steps, status_, lostCells_});
 }
 
 void ReactionKernels::step(long number, long first) {
@@ -311,77 +313,6 @@ void ReactionKernels::show(long number, long first) {
   values_[ToldPlaces::time] = plan_.modelTime(number, first, 0);
   for (const int pass : plan_.program().showing) run(pass, cells_[0], cells_[1], 0);
   gl::barrier();
-}
-
-const gl::Program& ReactionKernels::samplerOf(Field::Cells cells, bool layers) {
-  const auto found = samplers_.find({cells, layers});
-  if (found != samplers_.end()) return found->second;
-  gl::Defines defines = gl::kernelDefines(false);
-  defines.emplace_back("CELLS", std::to_string(static_cast<int>(cells)));
-  if (layers) defines.emplace_back("LAYERS", "1");
-  if (plan_.links() != nullptr) defines.emplace_back("MESH", "1");
-  gl::Program program = gl::Program::compute("reaction/sample.comp", defines);
-  program.set("size", size_);
-  program.set("columns", columns_);
-  program.set("depth", depth_);
-  program.set("storedGrain", storedGrain);
-  return samplers_.emplace(std::pair(cells, layers), std::move(program)).first->second;
-}
-
-void ReactionKernels::take(int parameter, const Field& field, int layers) {
-  if (std::max(field.size.x, field.size.y / layers) > maxSampledSide)
-    fail(ExitCode::usage, "the field \"{}\" has {}x{} cells; as a parameter it may have up to {} across",
-         *field.name, field.size.x, field.size.y, maxSampledSide);
-  const gl::Program& sampler = samplerOf(field.cells, layers > 1);
-  sampler.set("plane", parameter);
-  sampler.set("fieldSize", field.size);
-  sampler.set("rowWords", field.rowWords);
-  sampler.set("firstWord", field.firstWord);
-  sampler.set("cellWords", field.cellWords);
-  if (plan_.links() != nullptr) {
-    // No grid is one row: that is the same mesh.
-    sampler.set("byCell", field.size == size_ ? 1 : 0);
-    places_.bindInput(bindings::linksBinding);
-  }
-  field.words->bind(bindings::stageBinding);
-  weights_.bindState(bindings::nextBinding);
-  gl::barrier();
-  if (layers > 1) sampler.set("fieldLayers", layers);
-  sampler.dispatch(columns_, size_.y * (layers > 1 ? depth_ : 1));
-}
-
-void ReactionKernels::paint(const ReactionPlan::Painted& painted) {
-  if (plan_.parameters().space() != RuleSpace::plane) return paintInSpace(painted);
-  const shader::Stroke& stroke = painted.stroke;
-  const glm::ivec4 box = Strokes::box(stroke, size_);
-  if (box.z == 0) return;
-  setStroke(paint_, stroke, box);
-  paint_.set("plane", painted.species);
-  cells_[0].bindState(bindings::nextBinding);
-  stamps_.bindInput(bindings::stampsBinding);
-  gl::barrier();
-  paint_.dispatch(columns_, box.w);
-}
-
-void ReactionKernels::paintInSpace(const ReactionPlan::Painted& painted) {
-  const Brush& brush = painted.brush;
-  const bool mesh = plan_.links() != nullptr;
-  const glm::ivec2 rows = mesh ? glm::ivec2(0, 1) : brushRange(brush, 1, size_.y);
-  const glm::ivec2 layers = mesh ? glm::ivec2(0, 1) : brushRange(brush, 2, depth_);
-  if (rows.y * layers.y == 0) return;
-  paint_.set("stroke.value", painted.stroke.value);
-  paint_.set("stroke.seed", painted.stroke.seed);
-  paint_.set("stroke.picked", painted.stroke.picked);
-  paint_.set("brush.from", brush.from);
-  paint_.set("brush.to", brush.to);
-  paint_.set("brush.radius2", brush.radius2);
-  paint_.set("brush.perLength2", brush.perLength2);
-  paint_.set("boxRows", glm::ivec4(rows, layers));
-  paint_.set("plane", painted.species);
-  cells_[0].bindState(bindings::nextBinding);
-  if (mesh) weights_.bindInput(bindings::weightsBinding);
-  gl::barrier();
-  paint_.dispatch(columns_, rows.y * layers.y);
 }
 
 }  // namespace simreel::sim

@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/core/drawable.hpp"
 #include "sim/reaction/plan.hpp"
 #include "sim/reaction/text/kernel_text.hpp"
@@ -11,6 +11,13 @@
 #include <vector>
 
 namespace simreel::sim {
+
+struct RuleKernel;
+struct StripKernel;
+struct LostKernel;
+struct ReactionPaint;
+struct BrushKernel;
+struct SampleKernel;
 
 /// The planes of a rule on the GPU and the kernels that step them.
 class ReactionKernels {
@@ -47,16 +54,18 @@ class ReactionKernels {
   [[nodiscard]] int columns() const { return columns_; }
 
  private:
-  struct Kernel {
-    gl::Program program;
+  struct Pass {
+    gl::Kernel<RuleKernel> kernel;
     gl::Buffer told;
     std::vector<float> written;
   };
+  [[nodiscard]] Pass& firstPass();
+  void makeInputs(const std::string& name, const gl::Defines& defines);
   void paintInSpace(const ReactionPlan::Painted& painted);
   void step(long number, long first);
   /// Several steps, in strips.
-  void strips(long number);
-  const gl::Program& samplerOf(Field::Cells cells, bool layers);
+  void strips(long number, long lostFirst);
+  const gl::Kernel<SampleKernel>& samplerOf(Field::Cells cells, bool layers);
   void makeStrips();
   void tellLost(long first, int steps);
   void run(int pass, const gl::Vec4Array& stage, const gl::Vec4Array& next, long number);
@@ -79,10 +88,13 @@ class ReactionKernels {
   gl::Texture letWords_;
   gl::WordsArray stamps_, links_, places_;
   gl::Buffer status_;
-  gl::Program paint_;
-  std::map<std::pair<Field::Cells, bool>, gl::Program> samplers_;  ///< of other objects' fields; of volumes
-  std::vector<Kernel> kernels_;                                    ///< one a pass
-  gl::Program strips_, lost_;
+  gl::Kernel<ReactionPaint> paint_;
+  gl::Kernel<BrushKernel> brush_;  ///< in space
+  std::map<std::pair<Field::Cells, bool>, gl::Kernel<SampleKernel>>
+      samplers_;  ///< of other objects' fields; of volumes
+  std::vector<Pass> passes_;
+  gl::Kernel<StripKernel> strips_;
+  gl::Kernel<LostKernel> lost_;
   gl::Buffer lostCells_;  ///< the lowest that is lost in each of some steps
   std::vector<float> values_;
 };

@@ -27,6 +27,15 @@ namespace simreel::sim {
 
 namespace {
 
+struct ReactionSums {
+  static constexpr auto file = "reaction/tally.comp";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"columns", int> columns;
+  gl::Uniform<"species", int> species;
+  gl::In<"cells"> cells;
+  gl::Out<"laneSums"> laneSums;
+};
+
 class Reaction : public Simulation, public FrameStarter, public Retunable {
  public:
   Reaction(const scene::Object& object, const Setting& setting)
@@ -196,13 +205,15 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     return {&kernels_.wordsOf(plane), row, row * rows() * plane.plane};
   }
 
+  /// Species in the table beside the frames.
+  [[nodiscard]] int counted() const {
+    return std::min(static_cast<int>(plan_.parameters().species.size()), 4);
+  }
   void makeTally(bool fast) {
     const ReactionParameters& p = plan_.parameters();
-    const int species = std::min(static_cast<int>(p.species.size()), 4);
-    tally_ = Tally(name_, "reaction/tally.comp", gl::kernelDefines(fast));
-    tally_.kernel().set("size", glm::ivec2(p.size.x, rows()));
-    tally_.kernel().set("columns", kernels_.columns());
-    tally_.kernel().set("species", species);
+    const int species = counted();
+    tally_ = Tally(name_, gl::kernelDefines(fast));
+    sums_ = gl::Kernel<ReactionSums>(gl::kernelDefines(fast));
     for (int i = 0; i < 4; ++i) {
       const std::string& name = p.species[static_cast<std::size_t>(i % species)].name;
       countNames_.push_back("mean_" + name + (i < species ? "" : "^" + std::to_string(i / species + 1)));
@@ -213,11 +224,15 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
   /// What is drawn and counted of the present state, which is that of a time (s).
   void look(double time) {
     kernels_.show(now_, first_);
-    kernels_.cells().bindInput(shader::reaction::stageBinding);
     const ReactionParameters& p = plan_.parameters();
     shownTime_ = time;
     const glm::vec2 range(static_cast<float>(p.display.low), static_cast<float>(p.display.high));
-    tally_.take(glm::vec4(static_cast<float>(1 / (static_cast<double>(p.size.x) * rows()))), glm::vec4(1));
+    sums_.dispatch(Tally::lanes, {.size = glm::ivec2(p.size.x, rows()),
+                                  .columns = kernels_.columns(),
+                                  .species = counted(),
+                                  .cells = kernels_.cells(),
+                                  .laneSums = tally_.laneSums()});
+    tally_.join(glm::vec4(static_cast<float>(1 / (static_cast<double>(p.size.x) * rows()))), glm::vec4(1));
     const RuleProgram& program = plan_.program();
     if (isosurface_)
       isosurface_->make(valuesOf(program.shown), p.levelAt(time), {valuesOf(program.tint), range});
@@ -293,6 +308,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
   ReactionKernels kernels_;
   std::vector<glm::vec3> colors_;
   Tally tally_;
+  gl::Kernel<ReactionSums> sums_;
   std::optional<Isosurface> isosurface_;  ///< of a volume
   std::optional<PaintedMesh> painted_;    ///< of a mesh
   std::vector<std::string> countNames_;

@@ -1,7 +1,6 @@
 #include "sim/water/float_kernels.hpp"
 
 #include "base/log.hpp"
-#include "sim/water/bindings.hpp"
 
 #include <filesystem>
 #include <map>
@@ -9,9 +8,47 @@
 
 namespace simreel::sim {
 
+struct FloatMove {
+  static constexpr auto file = "water/floats.comp";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"stepNumber", int> stepNumber;
+  gl::Uniform<"cellCount", int> cellCount;
+  gl::Block<"FloatBlock", shader::FloatStep> step;
+  gl::InOut<"StatusBlock"> status;
+  gl::In<"cells"> cells;
+  gl::In<"bodies"> bodies;
+  gl::Out<"nextBodies"> next;
+  gl::In<"told"> told;
+  gl::In<"points"> points;
+  gl::InOut<"FloatSumBlock"> sums;
+};
+
+struct FloatPress {
+  static constexpr auto file = "water/float_press.comp";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"side", int> side;
+  gl::Uniform<"first", int> first;
+  gl::Block<"FloatBlock", shader::FloatStep> step;
+  gl::InOut<"cells"> cells;
+  gl::In<"bodies"> bodies;
+  gl::In<"told"> told;
+  gl::InOut<"FloatSumBlock"> sums;
+};
+
+struct FloatShow {
+  static constexpr auto file = "water/float_show.comp";
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"body", int> body;
+  gl::Uniform<"origin", glm::vec3> origin;
+  gl::In<"bodies"> bodies;
+  gl::In<"hullPositions"> hullPositions;
+  gl::In<"hullNormals"> hullNormals;
+  gl::Out<"placedPositions"> positions;
+  gl::Out<"placedNormals"> normals;
+};
+
 namespace {
 
-namespace at = shader::water;
 namespace fs = std::filesystem;
 
 std::vector<glm::vec4> texelsOf(const std::vector<glm::vec3>& vectors) {
@@ -60,64 +97,50 @@ FloatKernels::FloatKernels(const std::string& name, const WaterPlan& plan, bool 
       std::vector<glm::ivec4>(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)));
   steps_.upload(std::vector<shader::FloatStep>{floats.step()});
   const gl::Defines defines = gl::kernelDefines(fast);
-  move_ = gl::Program::compute("water/floats.comp", defines);
-  move_.checkUniformBlock("FloatBlock", sizeof(shader::FloatStep));
-  move_.set("size", size);
-  move_.set("cellCount", size.x * size.y);
-  press_ = gl::Program::compute("water/float_press.comp", defines);
-  press_.set("size", size);
-  press_.set("side", floats.side());
-  show_ = gl::Program::compute("water/float_show.comp", defines);
-  show_.set("origin", plan.parameters().position);
+  move_ = gl::Kernel<FloatMove>(defines);
+  press_ = gl::Kernel<FloatPress>(defines);
+  show_ = gl::Kernel<FloatShow>(defines);
 }
 
 void FloatKernels::startFrame(double time) {
   told_.write(plan_->floats().toldAt(time));
 }
 
-void FloatKernels::begin(gl::Vec4Array& cells, const gl::Buffer& status) {
-  press_.set("first", 1);
-  run(-1, cells, status);
-  press_.set("first", 0);
-}
-
-void FloatKernels::step(int index, gl::Vec4Array& cells, const gl::Buffer& status) {
-  run(index, cells, status);
-}
-
-void FloatKernels::run(int index, gl::Vec4Array& cells, const gl::Buffer& status) {
-  steps_.bind(0);
-  status.bindStorage(shader::statusBinding);
-  cells.bindInput(at::cellsBinding);
-  bodies_[0].bindInput(at::floatsBinding);
-  bodies_[1].bindState(at::nextFloatsBinding);
-  told_.bindInput(at::floatToldBinding);
-  points_.bindInput(at::floatPointsBinding);
-  sums_.bindStorage(at::floatSumsBinding);
-  move_.set("stepNumber", index);
-  gl::barrier();
-  move_.dispatch(static_cast<int>(drawn_.size()) * shader::floatLanes);
-  cells.bindState(at::cellsBinding);
-  bodies_[0].bindInput(at::floatsBinding);
-  const int side = plan_->floats().side();
-  gl::barrier();
-  press_.dispatch(side, side * static_cast<int>(drawn_.size()));
+void FloatKernels::step(int index, const gl::Vec4Array& cells, const gl::Buffer& status) {
+  const glm::ivec2 size = plan_->parameters().size;
+  const int side = plan_->floats().side(), count = static_cast<int>(drawn_.size());
+  move_.dispatch(count * shader::floatLanes, {.size = size,
+                                              .stepNumber = index,
+                                              .cellCount = size.x * size.y,
+                                              .step = steps_.at(0),
+                                              .status = status,
+                                              .cells = cells,
+                                              .bodies = bodies_[0],
+                                              .next = bodies_[1],
+                                              .told = told_,
+                                              .points = points_,
+                                              .sums = sums_});
+  press_.dispatch({side, side * count}, {.size = size,
+                                         .side = side,
+                                         .first = index < 0 ? 1 : 0,
+                                         .step = steps_.at(0),
+                                         .cells = cells,
+                                         .bodies = bodies_[0],
+                                         .told = told_,
+                                         .sums = sums_});
   std::swap(bodies_[0], bodies_[1]);
 }
 
-void FloatKernels::show() {
-  gl::barrier();
-  for (std::size_t i = 0; i < drawn_.size(); ++i) {
-    const Drawn& drawn = drawn_[i];
-    bodies_[0].bindInput(at::floatsBinding);
-    drawn.rest.bindInput(at::hullPositionsBinding);
-    drawn.restNormals.bindInput(at::hullNormalsBinding);
-    drawn.positions.bindState(at::placedPositionsBinding);
-    drawn.normals.bindState(at::placedNormalsBinding);
-    show_.set("count", drawn.count);
-    show_.set("body", static_cast<int>(i));
-    show_.dispatch(drawn.count);
-  }
+void FloatKernels::show() const {
+  for (std::size_t i = 0; i < drawn_.size(); ++i)
+    show_.dispatch(drawn_[i].count, {.count = drawn_[i].count,
+                                     .body = static_cast<int>(i),
+                                     .origin = plan_->parameters().position,
+                                     .bodies = bodies_[0],
+                                     .hullPositions = drawn_[i].rest,
+                                     .hullNormals = drawn_[i].restNormals,
+                                     .positions = drawn_[i].positions,
+                                     .normals = drawn_[i].normals});
   gl::barrier();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/core/carry_over.hpp"
 #include "sim/core/simulation.hpp"
 #include "sim/core/step_blocks.hpp"
@@ -14,6 +14,10 @@
 
 namespace simreel::sim {
 
+struct FloatMove;
+struct FloatPress;
+struct FloatShow;
+
 /// Bodies that float, on the GPU.
 class FloatKernels {
  public:
@@ -21,21 +25,19 @@ class FloatKernels {
   FloatKernels(const std::string& name, const WaterPlan& plan, bool fast);
 
   /// What the first state's bodies displace, from which later steps go on.
-  void begin(gl::Vec4Array& cells, const gl::Buffer& status);
+  void begin(const gl::Vec4Array& cells, const gl::Buffer& status) { step(-1, cells, status); }
   /// What the frame that starts at `time` (s) is told.
   void startFrame(double time);
   /// Step `index` of the frame, from 0, after that of the water: moves bodies and water.
-  void step(int index, gl::Vec4Array& cells, const gl::Buffer& status);
+  void step(int index, const gl::Vec4Array& cells, const gl::Buffer& status);
   /// Makes what is drawn.
-  void show();
+  void show() const;
   void publish(Drawables& drawables) const;
   void carryOver(CarryOver& carry);
   void addState(std::vector<StateArray>& arrays) const;
   [[nodiscard]] const gl::Buffer& state() const { return bodies_[0].buffer(); }
 
  private:
-  void run(int index, gl::Vec4Array& cells, const gl::Buffer& status);
-
   /// What is drawn of a body.
   struct Drawn {
     Drawn(const std::string& name, const Hull& hull);
@@ -53,7 +55,9 @@ class FloatKernels {
   /// Four numbers a cell: units of depth and discharge that come, and the depth that is displaced.
   gl::Buffer sums_;
   StepBlocks<shader::FloatStep> steps_;
-  gl::Program move_, press_, show_;
+  gl::Kernel<FloatMove> move_;
+  gl::Kernel<FloatPress> press_;
+  gl::Kernel<FloatShow> show_;
 };
 
 }  // namespace simreel::sim

@@ -6,20 +6,168 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <utility>
+#include <memory>
 #include <vector>
 
 #include <fmt/format.h>
 
-namespace simreel::shader::automata {
-#include "glsl/automata/bindings.glsl"
-}
-
 namespace simreel::sim {
+
+struct PadKernel {
+  static constexpr auto file = "automata/pad.comp";
+  struct Variant {
+    gl::Flag<"BITS"> bits;
+  };
+  gl::Uniform<"grid.width", int> width;
+  gl::Uniform<"grid.height", int> height;
+  gl::Uniform<"grid.across", int> across;
+  gl::Uniform<"grid.down", int> down;
+  gl::Uniform<"grid.shiftX", int> shiftX;
+  gl::Uniform<"grid.shiftY", int> shiftY;
+  gl::Uniform<"rowItems", int> rowItems;
+  gl::Uniform<"paddedItems", int> paddedItems;
+  gl::Uniform<"marginX", int> marginX;
+  gl::Uniform<"range", int> range;
+  gl::In<"cells"> cells;
+  gl::Out<"padded"> padded;
+};
+
+struct RowSumsKernel {
+  static constexpr auto file = "automata/row_sums.comp";
+  gl::Uniform<"rows", int> rows;
+  gl::Uniform<"paddedItems", int> paddedItems;
+  gl::In<"padded"> padded;
+  gl::Out<"sums"> sums;
+};
+
+struct ColumnsKernel {
+  static constexpr auto file = "automata/columns.comp";
+  struct Variant {
+    gl::Range<"STATES", 2, 256> states;
+    gl::Range<"RANGE", 1, 500> range;
+    gl::Range<"ROWS", 64, 64> rows;
+  };
+  gl::Uniform<"height", int> height;
+  gl::Uniform<"paddedItems", int> paddedItems;
+  gl::In<"padded"> padded;
+  gl::Out<"sums"> sums;
+};
+
+struct WindowSumsKernel {
+  static constexpr auto file = "automata/window_sums.comp";
+  struct Variant {
+    gl::Range<"RANGE", 1, 500> range;
+    gl::Range<"ROWS", 64, 64> rows;
+  };
+  gl::Uniform<"height", int> height;
+  gl::Uniform<"paddedItems", int> paddedItems;
+  gl::In<"rowSums"> rowSums;
+  gl::Out<"sums"> sums;
+};
+
+/// What the kernels of rules have in common.
+struct CellRulePart {
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"rowItems", int> rowItems;
+  gl::Uniform<"rowWords", int> rowWords;
+  gl::Uniform<"marginX", int> marginX;
+  gl::Out<"newCells"> next;
+};
+struct CellDefines {
+  gl::Range<"STATES", 2, 256> states;
+  gl::Flag<"BITS"> bits;
+};
+/// glsl/automata/wide.glsl.
+struct WideDefines {
+  CellDefines cells;
+  gl::Switch<"MIDDLE"> middle;
+  gl::Code<"SURVIVES", "(count>=2&&count<=3)"> survives;
+  gl::Code<"BORN", "(count>=3&&count<=3)"> born;
+};
+/// Rows around a cell: where each begins and ends.
+struct SpanDefines {
+  gl::Code<"LEFTS", "-1,-1,-1"> lefts;
+  gl::Code<"RIGHTS", "1,1,1"> rights;
+};
 
 namespace {
 
-namespace bind = shader::automata;
+struct NineKernel {
+  static constexpr auto file = "automata/step.comp";
+  struct Variant {
+    CellDefines cells;
+    gl::Flag<"MAP"> map;
+    gl::Range<"NEIGHBOURS", 4, 8> neighbours;  // of trees
+  };
+  CellRulePart rule;
+  gl::Uniforms<"map", glm::ivec4, 4> map;
+  gl::Uniform<"root", int> root;
+  gl::In<"paddedWords"> paddedWords;
+  gl::In<"tree"> tree;
+};
+
+struct CyclicKernel {
+  static constexpr auto file = "automata/cyclic.comp";
+  struct Variant {
+    CellDefines cells;
+    gl::Range<"RANGE", 1, 500> range;
+    gl::Range<"THRESHOLD", 1, 1000000> threshold;
+    gl::Flag<"DIAMOND"> diamond;
+  };
+  CellRulePart rule;
+  gl::In<"paddedBytes"> paddedBytes;
+};
+
+struct RowsKernel {
+  static constexpr auto file = "automata/rows.comp";
+  struct Variant {
+    WideDefines wide;
+    gl::Range<"RANGE", 1, 500> range;
+    gl::Range<"ITEMS", 1, 64> items;
+  };
+  CellRulePart rule;
+  gl::In<"paddedWords"> paddedWords;
+  gl::In<"columnWords"> columnWords;
+};
+
+struct SpansKernel {
+  static constexpr auto file = "automata/spans.comp";
+  struct Variant {
+    WideDefines wide;
+    SpanDefines spans;
+    gl::Range<"RANGE", 1, 500> range;
+    gl::Range<"ITEMS", 1, 64> items;
+  };
+  CellRulePart rule;
+  gl::In<"paddedBytes"> paddedBytes;
+};
+
+struct FarKernel {
+  static constexpr auto file = "automata/far.comp";
+  struct Variant {
+    WideDefines wide;
+    SpanDefines spans;
+    gl::Range<"ROWS", 1, 1001> rows;
+  };
+  CellRulePart rule;
+  gl::Uniform<"range", int> range;
+  gl::In<"paddedWords"> paddedWords;
+  gl::In<"sums"> sums;
+};
+
+struct PlacesKernel {
+  static constexpr auto file = "automata/places.comp";
+  struct Variant {
+    WideDefines wide;
+    gl::Flag<"FLIPPED"> flipped;
+    gl::Flag<"STATE_WEIGHTS"> stateWeights;
+  };
+  CellRulePart rule;
+  gl::Uniform<"range", int> range;
+  gl::Uniform<"places", int> places;
+  gl::In<"paddedWords"> paddedWords;
+  gl::In<"list"> list;
+};
 
 constexpr int columnRows = 64;
 
@@ -42,19 +190,14 @@ std::string anyOf(const std::vector<CountRange>& counts) {
 }
 
 /// How spans.comp and far.comp take the rows around a cell, of which these are the first and the last.
-void defineSpans(gl::Defines& defines, const WideRule& rule, int top, int bottom) {
+SpanDefines spansOf(const WideRule& rule, int top, int bottom) {
   std::string lefts, rights;
   for (int dy = top; dy <= bottom; ++dy) {
     const WideRule::Span span = rule.span(dy);
     lefts += (lefts.empty() ? "" : ",") + std::to_string(span.first);
     rights += (rights.empty() ? "" : ",") + std::to_string(span.last);
   }
-  defines.emplace_back("LEFTS", lefts);
-  defines.emplace_back("RIGHTS", rights);
-}
-
-void define(gl::Defines& defines, const char* name, int value) {
-  defines.emplace_back(name, std::to_string(value));
+  return {lefts, rights};
 }
 
 /// Whether sums of rows are whole words, from their beginnings on.
@@ -73,7 +216,8 @@ CellEngine::CellEngine(const CellRule& rule, const GridShape& shape, glm::ivec2 
       marginX_((rule.range() + 1 + 15) / 16 * 16),
       rowItems_(bits ? (size.x + 127) / 128 : (size.x + 15) / 16),
       paddedItems_((size.x + 15) / 16 + 2 * marginX_ / 16),
-      states_(rule.states) {
+      states_(rule.states),
+      join_(shape.join(size)) {
   // Four times as much where sums are whole words (makeFar).
   const long items = long{paddedItems_} * (isFar(rule) ? 4 : 1) * (size.y + 2L * range_) + spareItems;
   // Single bytes are texels, too.
@@ -86,20 +230,7 @@ CellEngine::CellEngine(const CellRule& rule, const GridShape& shape, glm::ivec2 
   padded_ = gl::WordsArray("padded cells", paddedItems_ * (size.y + 2 * range_) + spareItems);
   paddedWords_ = gl::Texture::view("padded words", GL_R32UI, padded_.buffer(), 4);
   paddedBytes_ = gl::Texture::view("padded bytes", GL_R8UI, padded_.buffer(), 1);
-  gl::Defines pad = gl::kernelDefines(false);
-  if (bits_) define(pad, "BITS", 1);
-  pad_ = gl::Program::compute("automata/pad.comp", pad);
-  const shader::GridJoin join = shape.join(size);
-  pad_.set("grid.width", join.width);
-  pad_.set("grid.height", join.height);
-  pad_.set("grid.across", join.across);
-  pad_.set("grid.down", join.down);
-  pad_.set("grid.shiftX", join.shiftX);
-  pad_.set("grid.shiftY", join.shiftY);
-  pad_.set("rowItems", rowItems_);
-  pad_.set("paddedItems", paddedItems_);
-  pad_.set("marginX", marginX_);
-  pad_.set("range", range_);
+  pad_ = gl::Kernel<PadKernel>(gl::kernelDefines(false), {bits_});
   switch (rule.family) {
     case CellRule::Family::wide:
       makeWide(rule);
@@ -112,28 +243,12 @@ CellEngine::CellEngine(const CellRule& rule, const GridShape& shape, glm::ivec2 
   }
 }
 
-gl::Defines CellEngine::defines() const {
-  gl::Defines all = gl::kernelDefines(false);
-  define(all, "STATES", states_);
-  if (bits_) define(all, "BITS", 1);
-  return all;
-}
-
-void CellEngine::makeRule(const char* kernel, const gl::Defines& defines) {
-  rule_ = gl::Program::compute(kernel, defines);
-  rule_.set("size", size_);
-  rule_.set("rowItems", rowItems_);
-  rule_.set("rowWords", paddedItems_ * 4);
-  rule_.set("marginX", marginX_);
-}
-
-void CellEngine::makeColumns(const char* kernel) {
-  gl::Defines all = defines();
-  define(all, "RANGE", range_);
-  define(all, "ROWS", columnRows);
-  columns_ = gl::Program::compute(kernel, all);
-  columns_.set("height", size_.y);
-  columns_.set("paddedItems", paddedItems_);
+template <class Kernel, class Given>
+void CellEngine::makeRule(const typename Kernel::Variant& variant, const Given& given) {
+  auto kernel = std::make_shared<gl::Kernel<Kernel>>(gl::kernelDefines(false), variant);
+  rule_ = [kernel, given](const CellRulePart& rule, glm::ivec2 items) {
+    kernel->dispatch(items, given(rule));
+  };
 }
 
 void CellEngine::makeList(const char* name, const std::vector<std::uint32_t>& list) {
@@ -142,96 +257,98 @@ void CellEngine::makeList(const char* name, const std::vector<std::uint32_t>& li
 }
 
 void CellEngine::makeNine(const CellRule& rule) {
-  gl::Defines all = defines();
+  const CellDefines cells = {states_, bits_};
   if (rule.family == CellRule::Family::tree) {
     SIMREEL_CHECK(rule.tree);
-    define(all, "NEIGHBOURS", rule.tree->neighbours);
-    makeRule("automata/step.comp", all);
-    rule_.set("root", static_cast<int>(rule.tree->root));
     makeList("rule tree", rule.tree->items);
+    makeRule<NineKernel>(
+        {.cells = cells, .map = false, .neighbours = rule.tree->neighbours},
+        [this, root = static_cast<int>(rule.tree->root)](const CellRulePart& part) {
+          return NineKernel{
+              .rule = part, .map = {}, .root = root, .paddedWords = paddedWords_, .tree = treeItems_};
+        });
     return;
   }
-  define(all, "MAP", 1);
-  makeRule("automata/step.comp", all);
+  std::vector<glm::ivec4> map(4, glm::ivec4(0));
   std::uint32_t words[16] = {};
   for (unsigned i = 0; i < 512; ++i)
     if (rule.outcome(i)) words[i / 32] |= 1U << (i % 32);
-  static constexpr const char* names[] = {"map[0]", "map[1]", "map[2]", "map[3]"};
-  for (int i = 0; i < 4; ++i) {
-    glm::ivec4 four;
-    std::memcpy(&four, words + 4 * i, sizeof four);
-    rule_.set(names[i], four);
-  }
+  std::memcpy(map.data(), words, sizeof words);
+  makeRule<NineKernel>(
+      {.cells = cells, .map = true, .neighbours = {}}, [this, map](const CellRulePart& part) {
+        return NineKernel{.rule = part, .map = map, .root = {}, .paddedWords = paddedWords_, .tree = {}};
+      });
 }
 
 void CellEngine::makeCyclic(const CellRule& rule) {
-  gl::Defines all = defines();
-  define(all, "RANGE", rule.cyclic.range);
-  define(all, "THRESHOLD", rule.cyclic.threshold);
-  if (rule.cyclic.shape == NeighbourShape::vonNeumann) define(all, "DIAMOND", 1);
-  makeRule("automata/cyclic.comp", all);
+  makeRule<CyclicKernel>({.cells = {states_, bits_},
+                          .range = rule.cyclic.range,
+                          .threshold = rule.cyclic.threshold,
+                          .diamond = rule.cyclic.shape == NeighbourShape::vonNeumann},
+                         [this](const CellRulePart& part) {
+                           return CyclicKernel{part, paddedBytes_};
+                         });
 }
 
 void CellEngine::makeWide(const CellRule& rule) {
   const WideRule& wide = rule.wide;
-  gl::Defines all = defines();
-  define(all, "MIDDLE", wide.middle ? 1 : 0);
-  all.emplace_back("SURVIVES", anyOf(wide.survive));
-  all.emplace_back("BORN", anyOf(wide.born));
+  const WideDefines all = {.cells = {states_, bits_},
+                           .middle = wide.middle,
+                           .survives = anyOf(wide.survive),
+                           .born = anyOf(wide.born)};
   if (wide.shape == NeighbourShape::places)
-    makePlaces(wide, std::move(all));
+    makePlaces(wide, all);
   else if (isFar(rule))
-    makeFar(wide, std::move(all));
+    makeFar(wide, all);
   else
-    makeRunning(wide, std::move(all));
+    makeRunning(wide, all);
 }
 
-void CellEngine::makeRunning(const WideRule& rule, gl::Defines all) {
+void CellEngine::makeRunning(const WideRule& rule, const WideDefines& wide) {
   // Long enough that the first sum of a segment costs little beside those that run.
   items_ = bits_ ? std::max(1, range_ / 128) : std::max(4, range_ / 16);
-  define(all, "RANGE", range_);
-  define(all, "ITEMS", items_);
   if (rule.shape == NeighbourShape::moore) {
-    makeRule("automata/rows.comp", all);
-    makeColumns("automata/columns.comp");
+    makeRule<RowsKernel>({.wide = wide, .range = range_, .items = items_},
+                         [this](const CellRulePart& part) {
+                           return RowsKernel{part, paddedWords_, sumWords_};
+                         });
+    columns_ = gl::Kernel<ColumnsKernel>(gl::kernelDefines(false),
+                                         {.states = states_, .range = range_, .rows = columnRows});
     sums_ = gl::WordsArray("sums of columns", paddedItems_ * size_.y + spareItems);
     sumWords_ = gl::Texture::view("sums of columns", GL_R32UI, sums_.buffer(), 4);
     return;
   }
-  defineSpans(all, rule, -range_, range_);
-  makeRule("automata/spans.comp", all);
+  makeRule<SpansKernel>(
+      {.wide = wide, .spans = spansOf(rule, -range_, range_), .range = range_, .items = items_},
+      [this](const CellRulePart& part) {
+        return SpansKernel{part, paddedBytes_};
+      });
   turned_ = true;
 }
 
-void CellEngine::makeFar(const WideRule& rule, gl::Defines all) {
+void CellEngine::makeFar(const WideRule& rule, const WideDefines& wide) {
   lanes_ = bits_ ? 8 : 1;
   const bool square = rule.shape == NeighbourShape::moore;
   const int rows = square ? 0 : range_;  // above and below; a square's are in its sums
-  defineSpans(all, rule, -rows, rows);
-  define(all, "ROWS", 2 * rows + 1);
-  makeRule("automata/far.comp", all);
-  rule_.set("range", range_);
-  rowSum_ = gl::Program::compute("automata/row_sums.comp", defines());
-  rowSum_.set("rows", size_.y + 2 * range_);
-  rowSum_.set("paddedItems", paddedItems_);
+  makeRule<FarKernel>({.wide = wide, .spans = spansOf(rule, -rows, rows), .rows = 2 * rows + 1},
+                      [this](const CellRulePart& part) {
+                        return FarKernel{part, range_, paddedWords_, sumWords_};
+                      });
+  rowSum_ = gl::Kernel<RowSumsKernel>(gl::kernelDefines(false));
   const auto array = [&](const char* name, int height) {
     return gl::WordsArray(name, paddedItems_ * 4 * height + spareItems);
   };
   rowSums_ = array("sums of rows", size_.y + 2 * range_);
   if (square) {
-    makeColumns("automata/window_sums.comp");
+    windowSum_ =
+        gl::Kernel<WindowSumsKernel>(gl::kernelDefines(false), {.range = range_, .rows = columnRows});
     sums_ = array("sums of squares", size_.y);
   }
   sumWords_ = gl::Texture::view("sums", GL_R32UI, (square ? sums_ : rowSums_).buffer(), 4);
 }
 
-void CellEngine::makePlaces(const WideRule& rule, gl::Defines all) {
+void CellEngine::makePlaces(const WideRule& rule, const WideDefines& wide) {
   lanes_ = bits_ ? 8 : 1;
-  if (rule.flips) define(all, "FLIPPED", 1);
-  if (!rule.stateWeights.empty()) define(all, "STATE_WEIGHTS", 1);
-  makeRule("automata/places.comp", all);
-  rule_.set("range", range_);
-  rule_.set("places", static_cast<int>(rule.places.size()));
   std::vector<std::uint32_t> list;
   for (const NeighbourPlace& place : rule.places) {
     list.push_back(static_cast<std::uint32_t>(place.dx + 512 + (place.dy + 512) * 1024));
@@ -240,37 +357,34 @@ void CellEngine::makePlaces(const WideRule& rule, gl::Defines all) {
   for (const int weight : rule.stateWeights) list.push_back(static_cast<std::uint32_t>(weight));
   if (list.empty()) list.push_back(0);
   makeList("places", list);
+  makeRule<PlacesKernel>({.wide = wide, .flipped = rule.flips, .stateWeights = !rule.stateWeights.empty()},
+                         [this, places = static_cast<int>(rule.places.size())](const CellRulePart& part) {
+                           return PlacesKernel{part, range_, places, paddedWords_, treeItems_};
+                         });
 }
 
 void CellEngine::run(const gl::WordsArray& from, const gl::WordsArray& to) {
-  from.bindInput(bind::cellsBinding);
-  padded_.bindState(bind::paddedBinding);
-  pad_.dispatch(paddedItems_, size_.y + 2 * range_);
-  gl::barrier();
-  const bool sumsRows = static_cast<bool>(rowSum_);
-  if (sumsRows) {
-    padded_.bindInput(bind::paddedBinding);
-    rowSums_.bindState(bind::sumsBinding);
-    rowSum_.dispatch(size_.y + 2 * range_);
-    gl::barrier();
-    rowSums_.bindInput(bind::rowSumsBinding);
-  }
-  if (columns_) {
-    padded_.bindInput(bind::paddedBinding);
-    sums_.bindState(bind::sumsBinding);
-    columns_.dispatch(paddedItems_ * (sumsRows ? 4 : 1), (size_.y + columnRows - 1) / columnRows);
-    gl::barrier();
-  }
-  if (sumWords_) sumWords_.bind(bind::sumsBinding);
-  paddedWords_.bind(bind::wordsBinding);
-  paddedBytes_.bind(bind::bytesBinding);
-  if (treeItems_) treeItems_.bind(bind::treeBinding);
-  to.bindState(bind::nextCellsBinding);
+  pad_.dispatch({paddedItems_, size_.y + 2 * range_}, {.width = join_.width,
+                                                       .height = join_.height,
+                                                       .across = join_.across,
+                                                       .down = join_.down,
+                                                       .shiftX = join_.shiftX,
+                                                       .shiftY = join_.shiftY,
+                                                       .rowItems = rowItems_,
+                                                       .paddedItems = paddedItems_,
+                                                       .marginX = marginX_,
+                                                       .range = range_,
+                                                       .cells = from,
+                                                       .padded = padded_});
+  const int segments = (size_.y + columnRows - 1) / columnRows, rows = size_.y + 2 * range_;
+  if (rowSum_) rowSum_.dispatch(rows, {rows, paddedItems_, padded_, rowSums_});
+  if (columns_) columns_.dispatch({paddedItems_, segments}, {size_.y, paddedItems_, padded_, sums_});
+  if (windowSum_)
+    windowSum_.dispatch({paddedItems_ * 4, segments}, {size_.y, paddedItems_, rowSums_, sums_});
   const int across = (rowItems_ + items_ - 1) / items_ * lanes_;
-  if (turned_)
-    rule_.dispatch(size_.y, across);
-  else
-    rule_.dispatch(across, size_.y);
+  rule_(
+      {.size = size_, .rowItems = rowItems_, .rowWords = paddedItems_ * 4, .marginX = marginX_, .next = to},
+      turned_ ? glm::ivec2(size_.y, across) : glm::ivec2(across, size_.y));
 }
 
 }  // namespace simreel::sim

@@ -1,18 +1,26 @@
 #pragma once
 #include "gl/buffer.hpp"
 #include "gl/element_array.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 #include "sim/automata/engine/grid_shape.hpp"
 #include "sim/automata/rule/cell_rule.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
 namespace simreel::sim {
+
+struct PadKernel;
+struct RowSumsKernel;
+struct ColumnsKernel;
+struct WindowSumsKernel;
+struct CellRulePart;
+struct WideDefines;
 
 /// Advances a grid of cells by any rule with any border (glsl/automata): first the cells as bytes with a
 /// margin that the border fills, then the rule, which so meets no edge. For what LifeStepper cannot do.
@@ -23,6 +31,12 @@ class CellEngine {
   /// message calls it.
   CellEngine(const CellRule& rule, const GridShape& shape, glm::ivec2 size, bool bits,
              const std::string& object);
+
+  ~CellEngine() = default;
+  CellEngine(const CellEngine&) = delete;
+  CellEngine& operator=(const CellEngine&) = delete;
+  CellEngine(CellEngine&&) = delete;
+  CellEngine& operator=(CellEngine&&) = delete;
 
   /// One generation. Earlier writes must be visible (gl::barrier).
   void run(const gl::WordsArray& from, const gl::WordsArray& to);
@@ -36,16 +50,14 @@ class CellEngine {
   void makeNine(const CellRule& rule);
   void makeCyclic(const CellRule& rule);
   void makeWide(const CellRule& rule);
-  void makeRunning(const WideRule& rule, gl::Defines all);
-  void makeFar(const WideRule& rule, gl::Defines all);
-  void makePlaces(const WideRule& rule, gl::Defines all);
-  /// The last pass, which writes the next cells.
-  void makeRule(const char* kernel, const gl::Defines& defines);
-  /// The pass before it, which adds up 2 range + 1 rows.
-  void makeColumns(const char* kernel);
+  void makeRunning(const WideRule& rule, const WideDefines& wide);
+  void makeFar(const WideRule& rule, const WideDefines& wide);
+  void makePlaces(const WideRule& rule, const WideDefines& wide);
+  /// Makes the last pass, which writes the next cells, of a kernel and of what its dispatch is given.
+  template <class Kernel, class Given>
+  void makeRule(const typename Kernel::Variant& variant, const Given& given);
   /// What the last pass reads besides cells.
   void makeList(const char* name, const std::vector<std::uint32_t>& list);
-  [[nodiscard]] gl::Defines defines() const;
 
   glm::ivec2 size_;
   bool bits_;
@@ -56,7 +68,12 @@ class CellEngine {
   gl::WordsArray padded_, rowSums_, sums_;
   gl::Texture paddedWords_, paddedBytes_, sumWords_, treeItems_;
   gl::Buffer tree_;
-  gl::Program pad_, rowSum_, columns_, rule_;
+  gl::Kernel<PadKernel> pad_;
+  gl::Kernel<RowSumsKernel> rowSum_;
+  gl::Kernel<ColumnsKernel> columns_;       ///< adds up 2 range + 1 rows
+  gl::Kernel<WindowSumsKernel> windowSum_;  ///< the same of sums of rows
+  std::function<void(const CellRulePart&, glm::ivec2 items)> rule_;
+  shader::GridJoin join_;
 };
 
 }  // namespace simreel::sim

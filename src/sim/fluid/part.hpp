@@ -1,0 +1,16 @@
+#pragma once
+#include "gl/kernel/kernel.hpp"
+#include "sim/fluid/plan.hpp"
+
+namespace simreel::sim {
+
+/// What glsl/fluid/grid.glsl is given beside the cells, a part of the kernels' interfaces.
+struct FluidPart {
+  gl::Block<"FluidBlock", shader::FluidStep> step;
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Block<"SolidBlock", shader::FluidSolidSet> solids;
+  gl::Uniform<"solidsStart", int> solidsStart;
+  gl::In<"weights"> weights;
+};
+
+}  // namespace simreel::sim

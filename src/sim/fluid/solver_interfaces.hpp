@@ -1,0 +1,119 @@
+#pragma once
+#include "sim/fluid/part.hpp"
+
+/// Interfaces of the kernels that solve for a fluid's pressure.
+namespace simreel::sim {
+
+/// glsl/fluid/solver/levels.glsl.
+struct FluidLevelPart {
+  gl::Block<"LevelBlock", shader::FluidLevelPlace> level;
+  gl::In<"pool"> pool;
+  gl::In<"raisedPool"> raised;
+  gl::In<"weights"> weights;
+};
+struct FluidTiles {
+  gl::Choice<"IN_THE_OPEN", 0, 1, 2> open;  // 2: both kinds
+};
+struct FluidTileGroups {
+  gl::Choice<"IN_THE_OPEN", 0, 1, 2> open;
+  gl::Flag<"TILE_A_GROUP"> tileAGroup;
+};
+
+struct FluidDescend {
+  static constexpr auto file = "fluid/solver/descend.comp";
+  using Variant = FluidTileGroups;
+  FluidLevelPart part;
+  gl::Out<"PoolOutBlock"> poolOut;
+  gl::Out<"RaisedOutBlock"> raisedOut;
+};
+
+struct FluidAscend {
+  static constexpr auto file = "fluid/solver/ascend.comp";
+  using Variant = FluidTileGroups;
+  FluidLevelPart part;
+  gl::Out<"RaisedOutBlock"> raisedOut;
+};
+
+struct FluidResidual {
+  static constexpr auto file = "fluid/solver/residual.comp";
+  using Variant = FluidTileGroups;
+  FluidLevelPart part;
+  gl::Out<"PoolOutBlock"> poolOut;
+  gl::InOut<"ControlBlock"> control;
+};
+
+struct FluidBottom {
+  static constexpr auto file = "fluid/solver/bottom.comp";
+  using Variant = FluidTiles;
+  FluidLevelPart part;
+  gl::Out<"RaisedOutBlock"> raisedOut;
+};
+
+struct FluidDivergence {
+  static constexpr auto file = "fluid/solver/divergence.comp";
+  FluidPart part;
+  gl::Uniform<"rhsStart", int> rhsStart;
+  gl::In<"flow"> flow;
+  gl::Out<"PoolOutBlock"> poolOut;
+  gl::InOut<"ControlBlock"> control;
+};
+
+struct FluidDecide {
+  static constexpr auto file = "fluid/solver/decide.comp";
+  struct Variant {
+    gl::Flag<"JUDGE"> judge;
+  };
+  gl::Uniform<"dispatches", int> dispatches;
+  gl::Uniform<"first", int> first;
+  gl::Uniform<"tolerance", float> tolerance;
+  gl::Uniform<"mostSpeed", float> mostSpeed;
+  gl::InOut<"StatusBlock"> status;
+  gl::InOut<"ControlBlock"> control;
+};
+
+struct FluidCoarse {
+  static constexpr auto file = "fluid/solver/coarse.comp";
+  static constexpr std::size_t most = 4;  // levels
+  struct Variant {
+    gl::Flag<"SUBGROUPS"> subgroups;
+  };
+  gl::Uniforms<"levels", glm::ivec4, most> levels;
+  gl::Uniform<"levelCount", int> levelCount;
+  gl::Uniform<"rhsStart", int> rhsStart;
+  gl::Uniform<"upStart", int> upStart;
+  gl::In<"PoolBlock"> pool;
+  gl::In<"weights"> weights;
+  gl::Out<"RaisedOutBlock"> raisedOut;
+};
+
+struct FluidDown {
+  static constexpr auto file = "fluid/solver/down.comp";
+  static constexpr std::size_t most = 3;  // levels
+  struct Variant {
+    gl::Range<"LEVELS", 1, most> levels;
+  };
+  gl::Uniforms<"levels", glm::ivec4, most + 1> levels;
+  gl::Uniform<"rhsStart", int> rhsStart;
+  gl::Uniform<"wayStart", int> wayStart;
+  gl::In<"PoolBlock"> pool;
+  gl::In<"weights"> weights;
+  gl::Out<"PoolOutBlock"> poolOut;
+  gl::Out<"RaisedOutBlock"> raisedOut;
+};
+
+struct FluidUp {
+  static constexpr auto file = "fluid/solver/up.comp";
+  static constexpr std::size_t most = 4;  // levels
+  struct Variant {
+    gl::Range<"LEVELS", 1, most> levels;
+  };
+  gl::Uniforms<"levels", glm::ivec4, most + 1> levels;
+  gl::Uniform<"rhsStart", int> rhsStart;
+  gl::Uniform<"wayStart", int> wayStart;
+  gl::In<"PoolBlock"> pool;
+  gl::In<"RaisedBlock"> raised;
+  gl::In<"weights"> weights;
+  gl::Out<"RaisedOutBlock"> raisedOut;
+};
+
+}  // namespace simreel::sim
