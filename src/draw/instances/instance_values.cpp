@@ -1,7 +1,6 @@
 #include "draw/instances/instance_values.hpp"
 
 #include "base/log.hpp"
-#include "draw/draw_state.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 
 #include <algorithm>
@@ -44,17 +43,6 @@ float minPixelsOf(const sim::Instances& instances) {
   return instances.additive ? minGlow : minBall;
 }
 
-void setInstance(const gl::Program& program, const sim::Instances& instances, float shapeRadius,
-                 float minPixels) {
-  program.set("size", instances.size);
-  program.set("shapeRadius", shapeRadius);
-  program.set("massExponent", instances.massExponent);
-  program.set("perMassReference", 1.0F / instances.massReference);
-  program.set("minPixels", minPixels);
-  instances.positions->bind(positionUnit);
-  instances.velocities->bind(velocityUnit);
-}
-
 InstanceFields instanceFields(const sim::Instances& instances, float shapeRadius, float minPixels) {
   return {.positions = *instances.positions,
           .velocities = *instances.velocities,
@@ -63,6 +51,12 @@ InstanceFields instanceFields(const sim::Instances& instances, float shapeRadius
           .massExponent = instances.massExponent,
           .perMassReference = 1.0F / instances.massReference,
           .minPixels = minPixels};
+}
+
+MaterialFields materialFields(const scene::Material& material) {
+  return {.roughness = material.roughness,
+          .metallic = material.metallic,
+          .translucency = material.translucency};
 }
 
 const InstanceShape& InstanceShapes::of(const sim::Instances& instances) {
@@ -134,19 +128,6 @@ InstanceLook InstanceColors::look(const sim::Instances& instances) const {
           .color = instances.material->color,
           .brightness = instances.brightness,
           .fade = instances.fade};
-}
-
-void InstanceColors::set(const gl::Program& program, const sim::Instances& instances) const {
-  const glm::vec2 range = instances.colorRange;
-  const float scale = 1.0F / (range.y > range.x ? range.y - range.x : 1e-20F);
-  program.set("colorBy", static_cast<int>(instances.colorBy));
-  program.set("colorFactor", scale);
-  program.set("colorOffset", -range.x * scale);
-  program.set("stopCount", static_cast<int>(stops_.size()));
-  program.set("color", instances.material->color);
-  program.set("brightness", instances.brightness);
-  program.set("fade", instances.fade);
-  view_.bind(stopUnit);
 }
 
 }  // namespace simreel::draw

@@ -1,7 +1,6 @@
 #pragma once
 #include "draw/instances/instance_shape.hpp"
 #include "gl/kernel/kernel.hpp"
-#include "gl/program.hpp"
 #include "sim/core/drawable.hpp"
 
 #include <filesystem>
@@ -18,10 +17,6 @@ namespace simreel::draw {
 /// No sprite is drawn with a smaller radius than so many pixels; 0 for other shapes.
 [[nodiscard]] float minPixelsOf(const sim::Instances& instances);
 
-/// Sets what glsl/draw/instances/instance.glsl reads. `shapeRadius`: m, at size 1.
-void setInstance(const gl::Program& program, const sim::Instances& instances, float shapeRadius,
-                 float minPixels);
-
 /// Fields of glsl/draw/instances/instance.glsl.
 struct InstanceFields {
   gl::In<"positions"> positions;
@@ -32,6 +27,7 @@ struct InstanceFields {
   gl::Uniform<"perMassReference", float> perMassReference;
   gl::Uniform<"minPixels", float> minPixels;
 };
+/// `shapeRadius`: m, at size 1.
 [[nodiscard]] InstanceFields instanceFields(const sim::Instances& instances, float shapeRadius,
                                             float minPixels);
 /// Those of glsl/draw/instances/instance_list.glsl that say what colour one has.
@@ -45,6 +41,19 @@ struct InstanceLook {
   gl::Uniform<"brightness", float> brightness;
   gl::Uniform<"fade", float> fade;
 };
+/// The rest of that file: a level of a VisibleList.
+struct ListFields {
+  gl::In<"list"> list;
+  gl::In<"arguments"> arguments;
+  gl::Uniform<"level", int> level;
+};
+/// Fields of glsl/draw/surface/material.glsl.
+struct MaterialFields {
+  gl::Uniform<"roughness", float> roughness;
+  gl::Uniform<"metallic", float> metallic;
+  gl::Uniform<"translucency", float> translucency;
+};
+[[nodiscard]] MaterialFields materialFields(const scene::Material& material);
 
 /// The shapes that instances repeat, made when first needed.
 class InstanceShapes {
@@ -75,8 +84,6 @@ class InstanceColors {
  public:
   /// To what they are now.
   void update(const sim::Instances& instances);
-  /// Sets and binds what glsl/draw/instances/instance_list.glsl reads of them.
-  void set(const gl::Program& program, const sim::Instances& instances) const;
   [[nodiscard]] InstanceLook look(const sim::Instances& instances) const;
 
  private:

@@ -21,6 +21,17 @@
 
 namespace simreel::draw {
 
+struct ReadSamples {
+  static constexpr auto file = "probe/samples.comp";
+  struct Variant {
+    gl::Range<"SAMPLES", 1, 64> samples;
+  };
+  gl::In<"light"> light;
+  gl::In<"depth"> depth;
+  gl::Out<"SampleBlock"> words;
+  gl::Uniform<"size", glm::ivec2> size;
+};
+
 namespace {
 
 constexpr glm::ivec2 size(64, 48);  // pixels
@@ -159,12 +170,8 @@ std::string probePictures() {
   drawTriangles(target);
   const int count = size.x * size.y * samples;
   const gl::Buffer out("probe samples", 5 * sizeof(std::uint32_t) * static_cast<std::size_t>(count));
-  const auto reader = gl::Program::compute("probe/samples.comp", defines);
-  light.bind(sceneUnit);
-  depth.bind(depthUnit);
-  out.bindStorage(sampleBinding);
-  reader.set("size", size);
-  reader.dispatch(count);
+  const gl::Kernel<ReadSamples> reader({}, {.samples = samples});
+  reader.dispatch(count, {.light = light, .depth = depth, .words = out, .size = size});
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<std::uint32_t> words = out.readAll<std::uint32_t>();
   const auto pixels = finish(light, defines);

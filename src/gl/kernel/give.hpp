@@ -23,4 +23,15 @@ void give(const Program& program, const Fields& fields) {
   });
 }
 
+/// Program::checkUniformBlock for each block of the fields whose C++ struct is known.
+template <class Fields>
+void checkBlocks(const Program& program) {
+  const Fields none{};
+  visitFields(none, [&](const auto& field) {
+    using Field = std::remove_cvref_t<decltype(field)>;
+    if constexpr (std::is_base_of_v<Resource, Field>)
+      if constexpr (Field::blockBytes != 0) program.checkUniformBlock(Field::name, Field::blockBytes);
+  });
+}
+
 }  // namespace simreel::gl
