@@ -29,6 +29,12 @@ WorldVertices worldVertices(const sim::Surface& surface) {
   return {.placed = placed(surface), .grid = surface.grid, .normals = orNone(surface.normals)};
 }
 
+MaterialFields materialFields(const scene::Material& material) {
+  return {.roughness = material.roughness,
+          .metallic = material.metallic,
+          .translucency = material.translucency};
+}
+
 WorldVariant worldVariant(const sim::Surface& surface) {
   return {.grid = surface.normals == nullptr, .deformed = surface.deform != nullptr};
 }

@@ -48,4 +48,12 @@ struct WorldVariant {
 [[nodiscard]] WorldVertices worldVertices(const sim::Surface& surface);
 [[nodiscard]] WorldVariant worldVariant(const sim::Surface& surface);
 
+/// draw/surface/material.glsl.
+struct MaterialFields {
+  gl::Uniform<"roughness", float> roughness;
+  gl::Uniform<"metallic", float> metallic;
+  gl::Uniform<"translucency", float> translucency;
+};
+[[nodiscard]] MaterialFields materialFields(const scene::Material& material);
+
 }  // namespace simreel::draw

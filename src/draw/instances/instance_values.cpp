@@ -53,12 +53,6 @@ InstanceFields instanceFields(const sim::Instances& instances, float shapeRadius
           .minPixels = minPixels};
 }
 
-MaterialFields materialFields(const scene::Material& material) {
-  return {.roughness = material.roughness,
-          .metallic = material.metallic,
-          .translucency = material.translucency};
-}
-
 const InstanceShape& InstanceShapes::of(const sim::Instances& instances) {
   switch (instances.shape) {
     case sim::Instances::Shape::sprite:

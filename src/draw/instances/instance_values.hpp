@@ -1,5 +1,6 @@
 #pragma once
 #include "draw/instances/instance_shape.hpp"
+#include "draw/surface_fields.hpp"
 #include "gl/kernel/kernel.hpp"
 #include "sim/core/drawable.hpp"
 
@@ -47,13 +48,6 @@ struct ListFields {
   gl::In<"arguments"> arguments;
   gl::Uniform<"level", int> level;
 };
-/// Fields of glsl/draw/surface/material.glsl.
-struct MaterialFields {
-  gl::Uniform<"roughness", float> roughness;
-  gl::Uniform<"metallic", float> metallic;
-  gl::Uniform<"translucency", float> translucency;
-};
-[[nodiscard]] MaterialFields materialFields(const scene::Material& material);
 
 /// The shapes that instances repeat, made when first needed.
 class InstanceShapes {

@@ -3,6 +3,7 @@
 #include "base/hash.hpp"
 #include "draw/draw_state.hpp"
 #include "draw/surface/mip_levels.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"

@@ -6,6 +6,11 @@
 
 namespace simreel::draw {
 
+/// The frame's values, as large as the C++ struct.
+struct FrameBlock : gl::Ambient<"FrameBlock"> {
+  static constexpr std::size_t blockBytes = sizeof(shader::Frame);
+};
+
 struct ToneMap {
   static constexpr auto file = "draw/screen/tone_map.glsl";
   struct Variant {
@@ -14,7 +19,7 @@ struct ToneMap {
     gl::Flag<"BLOOM"> bloom;
   };
   ScreenFields screen = {};
-  gl::Ambient<"FrameBlock", shader::Frame> frame = {};
+  FrameBlock frame = {};
   gl::In<"scene"> light;
   gl::In<"scattered"> scattered;
   gl::Uniform<"bloomStrength", float> bloomStrength;

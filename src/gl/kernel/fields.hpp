@@ -114,14 +114,6 @@ struct ResourceField : Resource {
   // NOLINTNEXTLINE(google-explicit-constructor): what a function returns
   ResourceField(const Resource& resource) : Resource(resource) {}
 };
-template <class Contents>
-consteval std::size_t bytesOf() {
-  if constexpr (std::is_void_v<Contents>)
-    return 0;
-  else
-    return sizeof(Contents);
-}
-
 template <Name label>
 using In = ResourceField<label, Access::read>;
 template <Name label>
@@ -136,11 +128,10 @@ using Shared = ResourceField<label, Access::together>;
 
 /// A block, sampler or image that may stay bound for many kernels at the number that GLSL gives it, such as
 /// the values of a frame: a dispatch that is not given it finds what is bound. The code that binds it makes
-/// the barriers around it. `Contents`: as of a Block, where the C++ struct is known.
-template <Name label, class Contents = void>
+/// the barriers around it.
+template <Name label>
 struct Ambient : In<label> {
   static constexpr bool ambient = true;
-  static constexpr std::size_t blockBytes = bytesOf<Contents>();
   using Base = In<label>;
   using Base::Base;
   Ambient() = default;
