@@ -276,7 +276,7 @@ glm::ivec4 Strokes::box(const shader::Stroke& s, glm::ivec2 grid) {
   return {a.x, a.y, b.x - a.x, b.y - a.y};
 }
 
-StrokeUniforms uniformsOf(const shader::Stroke& stroke, glm::ivec4 box) {
+StrokeMembers uniformsOf(const shader::Stroke& stroke) {
   return {.from = stroke.from,
           .to = stroke.to,
           .radius2 = stroke.radius2,
@@ -286,8 +286,11 @@ StrokeUniforms uniformsOf(const shader::Stroke& stroke, glm::ivec4 box) {
           .picked = stroke.picked,
           .imageWord = stroke.imageWord,
           .imageFrom = stroke.imageFrom,
-          .imageSize = stroke.imageSize,
-          .box = box};
+          .imageSize = stroke.imageSize};
+}
+
+StrokeUniforms uniformsOf(const shader::Stroke& stroke, glm::ivec4 box) {
+  return {.stroke = uniformsOf(stroke), .box = box};
 }
 
 std::vector<glm::uvec4> Strokes::imageElements() const {

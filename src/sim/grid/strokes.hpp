@@ -84,8 +84,8 @@ class Strokes {
   StrokeGrid grid_;
 };
 
-/// Uniforms of glsl/grid/stroke_paint.glsl, a part of the interfaces of kernels that paint.
-struct StrokeUniforms {
+/// Members of the uniform `stroke` (glsl/grid/stroke.glsl).
+struct StrokeMembers {
   gl::Uniform<"stroke.from", glm::vec2> from;
   gl::Uniform<"stroke.to", glm::vec2> to;
   gl::Uniform<"stroke.radius2", float> radius2;
@@ -96,6 +96,12 @@ struct StrokeUniforms {
   gl::Uniform<"stroke.imageWord", int> imageWord;
   gl::Uniform<"stroke.imageFrom", glm::ivec2> imageFrom;
   gl::Uniform<"stroke.imageSize", glm::ivec2> imageSize;
+};
+[[nodiscard]] StrokeMembers uniformsOf(const shader::Stroke& stroke);
+
+/// Uniforms of glsl/grid/stroke_paint.glsl, a part of the interfaces of kernels that paint.
+struct StrokeUniforms {
+  StrokeMembers stroke;
   gl::Uniform<"strokeBox", glm::ivec4> box;
 };
 [[nodiscard]] StrokeUniforms uniformsOf(const shader::Stroke& stroke, glm::ivec4 box);

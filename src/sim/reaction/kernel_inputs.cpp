@@ -30,9 +30,7 @@ struct BrushKernel {
   gl::Uniform<"depth", int> depth;
   gl::Uniform<"plane", int> plane;
   gl::Uniform<"places", int> places;
-  gl::Uniform<"stroke.value", float> value;
-  gl::Uniform<"stroke.seed", int> seed;
-  gl::Uniform<"stroke.picked", int> picked;
+  StrokeMembers stroke;
   gl::Uniform<"brush.from", glm::vec3> from;
   gl::Uniform<"brush.to", glm::vec3> to;
   gl::Uniform<"brush.radius2", float> radius2;
@@ -139,9 +137,7 @@ void ReactionKernels::paintInSpace(const ReactionPlan::Painted& painted) {
                    .depth = depth_,
                    .plane = painted.species,
                    .places = static_cast<int>(plan_.parameters().parameters.size()),
-                   .value = painted.stroke.value,
-                   .seed = painted.stroke.seed,
-                   .picked = painted.stroke.picked,
+                   .stroke = uniformsOf(painted.stroke),
                    .from = brush.from,
                    .to = brush.to,
                    .radius2 = brush.radius2,
