@@ -40,13 +40,6 @@ struct DrawState {
 
 #include "glsl/draw/bindings.glsl"
 
-/// What a surface that the vertex shader displaces needs (glsl/draw/surface/deformed_vertex.glsl).
-inline void bindDeformation(const sim::Surface& surface) {
-  if (surface.deform == nullptr) return;
-  surface.deform->bindUniform(deformBinding, 0, surface.deform->bytes());
-  surface.trail->bind(trailUnit);
-}
-
 /// Vertices are pulled by number, yet drawing needs a vertex array: this one has no attributes.
 class VertexArray {
  public:
@@ -66,23 +59,6 @@ class VertexArray {
   }
   gl::Handle<gl::DeleteVertexArray> handle_;
 };
-
-/// Positions of a surface for draw/surface/vertex_texel.glsl of a program.
-inline void bindPositions(const sim::Surface& surface, const gl::Program& program) {
-  surface.positions->bind(positionUnit);
-  const sim::GridHeights* heights = surface.heights;
-  const bool colored = heights != nullptr && heights->colors != nullptr;
-  if (surface.palette != nullptr) {
-    (colored ? heights->colors : surface.positions)->bind(vertexColorUnit);
-    program.set("colorComponent", colored ? 0 : 3);
-  }
-  program.set("heightShape", heights == nullptr
-                                 ? glm::ivec4(0)
-                                 : glm::ivec4(surface.grid, heights->component, heights->walls));
-  program.set("heightGrid",
-              heights == nullptr ? glm::vec4(0) : glm::vec4(heights->corner, heights->cell, heights->base));
-  program.set("heightRim", heights == nullptr ? 0.0F : heights->rim);
-}
 
 /// `rowOf` of draw/exact/triangles/surface_triangle.glsl.
 inline glm::ivec2 rowOf(const sim::Surface& surface) {

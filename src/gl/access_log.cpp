@@ -13,7 +13,7 @@ namespace {
 /// Barriers are counted. An access after barrier number n has time n + 1.
 using Time = std::uint64_t;
 struct Stamp {
-  Time read = 0, written = 0;
+  Time read = 0, written = 0, together = 0;
 };
 
 constexpr std::array<GLbitfield, 5> kinds = {
@@ -37,18 +37,20 @@ Stamp& stampOf(AccessLog::Memory memory) {
 
 }  // namespace
 
-GLbitfield AccessLog::needed(Memory memory, GLbitfield kind, bool writes) {
+GLbitfield AccessLog::needed(Memory memory, GLbitfield kind, Way way) {
   std::size_t index = 0;
   while (kinds[index] != kind) ++index;
   const Stamp& stamp = stampOf(memory);
   const Time last = lastBarrier[index];
   const auto due = [&](Time access) { return access > last && (together == 0 || access < together); };
-  return due(stamp.written) || (writes && due(stamp.read)) ? kind : 0;
+  const bool any = due(stamp.written) || (way != Way::read && due(stamp.read)) ||
+                   (way != Way::together && due(stamp.together));
+  return any ? kind : 0;
 }
 
-void AccessLog::note(Memory memory, bool writes) {
+void AccessLog::note(Memory memory, Way way) {
   Stamp& stamp = stampOf(memory);
-  (writes ? stamp.written : stamp.read) = now;
+  (way == Way::read ? stamp.read : way == Way::write ? stamp.written : stamp.together) = now;
 }
 
 void AccessLog::barrier(GLbitfield bits) {

@@ -17,11 +17,14 @@ class AccessLog {
     bool texture = false;
   };
 
+  /// `together`: reads and writes that need no order among themselves (gl::Shared).
+  enum class Way { read, write, together };
+
   /// The barrier bits to be issued before `memory` is accessed the way that `kind` says (one bit of
-  /// glMemoryBarrier); 0 where none is due. Reads wait for writes, writes for reads and writes.
-  [[nodiscard]] static GLbitfield needed(Memory memory, GLbitfield kind, bool writes);
+  /// glMemoryBarrier); 0 where none is due. Each way waits for all others, writes for writes, too.
+  [[nodiscard]] static GLbitfield needed(Memory memory, GLbitfield kind, Way way);
   /// Notes an access of the dispatch that comes next.
-  static void note(Memory memory, bool writes);
+  static void note(Memory memory, Way way);
   /// glMemoryBarrier.
   static void barrier(GLbitfield kinds);
 };

@@ -64,10 +64,11 @@ class ElementArray {
 using Vec4Array = ElementArray<glm::vec4, GL_RGBA32F>;
 using WordsArray = ElementArray<glm::uvec4, GL_RGBA32UI>;
 
-/// Makes writes of the last dispatch visible to the next one and to drawing.
-inline void barrier() {
+/// Makes writes of the last dispatch visible to the next one and to drawing, and to `more` (bits of
+/// glMemoryBarrier).
+inline void barrier(GLbitfield more = 0) {
   AccessLog::barrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
-                     GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT);
+                     GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT | more);
 }
 
 /// Defines that select the memory path, and built-in arithmetic when `fast`.

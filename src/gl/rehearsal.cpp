@@ -46,6 +46,11 @@ bool Rehearsal::note(const std::shared_ptr<LinkedProgram>& program, const BoundV
   return true;
 }
 
+const BoundViews& Rehearsal::bound() {
+  SIMREEL_CHECK(current != nullptr);
+  return current->bound_;
+}
+
 void Rehearsal::bound(GLuint unit, const Texture& texture) {
   if (current != nullptr) current->bound_.textures[unit] = texture.shape();
 }

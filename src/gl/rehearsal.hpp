@@ -36,6 +36,8 @@ class Rehearsal {
   static bool note(const std::shared_ptr<LinkedProgram>& program);
   /// Notes a dispatch whose views are given by name instead of by unit.
   static bool note(const std::shared_ptr<LinkedProgram>& program, const BoundViews& given);
+  /// The textures and images that are bound, while a rehearsal exists.
+  [[nodiscard]] static const BoundViews& bound();
   static void bound(GLuint unit, const Texture& texture);
   static void boundImage(GLuint unit, const Texture& texture, GLint level, GLenum access, GLenum format);
 

@@ -152,6 +152,56 @@ TEST_CASE("a kernel waits for what was written of what it reads, and makes no ot
   CHECK(callsOf(reading) == without);
 }
 
+namespace {
+
+struct TallyKernel {
+  static constexpr auto file = "copy";
+  gl::Ambient<"First"> first = {};
+  gl::Shared<"Words"> words;
+};
+
+const char* const tallyText =
+    "layout(local_size_x = 1) in;\n"
+    "layout(std140, binding = 5) uniform First { uint first; };\n"
+    "layout(std430, binding = 1) buffer Words { uint words[]; };\n"
+    "void main() { atomicAdd(words[0], first); }\n";
+
+}  // namespace
+
+TEST_CASE("kernels that share what they write do not wait for each other, but others do") {
+  testContext();
+  const Stage stage;
+  const auto tally = gl::Kernel<TallyKernel>::ofText(tallyText);
+  const auto kernel = gl::Kernel<CopyKernel>::ofText(copyText.c_str());
+  const gl::Buffer first = gl::Buffer::of<GLuint>("first", std::array<GLuint, 4>{7, 0, 0, 0});
+  const gl::Buffer words = gl::Buffer::of<GLuint>("words", std::array<GLuint, 2>{});
+  first.bindUniform(5, 0, first.bytes());
+  const auto callsOf = [&] {
+    const GlCalls calls;
+    tally.dispatchGroups({1, 1, 1}, {.words = words});
+    return GlCalls::count;
+  };
+  gl::barrier();
+  tally.dispatchGroups({1, 1, 1}, {.words = words});
+  const long without = callsOf();
+  CHECK(callsOf() == without);
+  CHECK(words.readAll<GLuint>().front() == 21);
+  CopyKernel copies = stage.given(0, 1);
+  copies.words = words;
+  kernel.dispatchGroups({1, 1, 1}, copies);
+  CHECK(callsOf() == without + 1);
+}
+
+TEST_CASE("what may stay bound of a kernel's blocks is bound where a dispatch is given it") {
+  testContext();
+  const auto tally = gl::Kernel<TallyKernel>::ofText(tallyText);
+  const gl::Buffer first = gl::Buffer::of<GLuint>("first", std::array<GLuint, 4>{5, 0, 0, 0});
+  const gl::Buffer words = gl::Buffer::of<GLuint>("words", std::array<GLuint, 2>{});
+  tally.dispatchGroups({1, 1, 1}, {.first = first, .words = words});
+  tally.dispatchGroups({1, 1, 1}, {.words = words});
+  CHECK(words.readAll<GLuint>().front() == 10);
+}
+
 TEST_CASE("a rehearsal notes a kernel once, with what it is given by name") {
   testContext();
   const Stage stage;

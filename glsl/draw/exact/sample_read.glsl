@@ -4,23 +4,23 @@
 #define EXACT_SAMPLE_READ
 #include "draw/exact/bindings.glsl"
 #ifdef PAIRED
-layout(binding = nearUnit) uniform usamplerBuffer samplePairs;
+layout(binding = nearUnit) uniform usamplerBuffer nearestKeys;
 // Texel view of the same buffer, two samples per texel.
-layout(binding = nearFoursUnit) uniform usamplerBuffer pairsOfTwo;
+layout(binding = nearFoursUnit) uniform usamplerBuffer nearestFours;
 
 uint keyAt(int at) {
-  return texelFetch(samplePairs, at).y;
+  return texelFetch(nearestKeys, at).y;
 }
 uint idAt(int at) {
-  return texelFetch(samplePairs, at).x;
+  return texelFetch(nearestKeys, at).x;
 }
 // Returns the keys of the samples `at` to at + 3; `at` must be a multiple of 4.
 uvec4 fourKeysAt(int at) {
-  uvec4 a = texelFetch(pairsOfTwo, at / 2), b = texelFetch(pairsOfTwo, at / 2 + 1);
+  uvec4 a = texelFetch(nearestFours, at / 2), b = texelFetch(nearestFours, at / 2 + 1);
   return uvec4(a.y, a.w, b.y, b.w);
 }
 uvec4 fourIdsAt(int at) {
-  uvec4 a = texelFetch(pairsOfTwo, at / 2), b = texelFetch(pairsOfTwo, at / 2 + 1);
+  uvec4 a = texelFetch(nearestFours, at / 2), b = texelFetch(nearestFours, at / 2 + 1);
   return uvec4(a.x, a.z, b.x, b.z);
 }
 #else

@@ -8,7 +8,7 @@ layout(std140, binding = viewBinding) uniform ViewBlock {
   ExactView viewBlocks[maxFaceViews];
 };
 uniform int firstView;
-int face_ = int(FACES);
+int face_ = int(gl_WorkGroupID[FACES]);
 #define viewBlock viewBlocks[firstView + face_]
 #else
 layout(std140, binding = viewBinding) uniform ViewBlock {

@@ -33,9 +33,9 @@ int sampleIndex(ivec2 pixel, int s) {
 #ifndef ADDS
 // Buffers of keys and ids, the same memory that sample_read.glsl reads.
 #ifdef ONE_PASS
-layout(std430, binding = nearBinding) restrict buffer PairBlock { uint64_t pairs[]; };
+layout(std430, binding = nearBinding) restrict buffer NearBlock { uint64_t pairs[]; };
 #elif defined PAIRED
-layout(std430, binding = nearBinding) restrict buffer PairBlock { uint words[]; };
+layout(std430, binding = nearBinding) restrict buffer NearBlock { uint words[]; };
 #else
 layout(std430, binding = nearBinding) restrict buffer NearBlock { uint nearKeys[]; };
 layout(std430, binding = idBinding) restrict buffer IdBlock { uint ids[]; };

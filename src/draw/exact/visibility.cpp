@@ -1,7 +1,7 @@
 #include "draw/exact/visibility.hpp"
 
 #include "base/error.hpp"
-#include "draw/exact/bindings.hpp"
+#include "draw/exact/exact_view.hpp"
 #include "gl/context.hpp"
 #include "gl/limits.hpp"
 
@@ -10,6 +10,14 @@
 #include <string>
 
 namespace simreel::draw {
+
+struct ClearSamples {
+  static constexpr auto file = "draw/exact/clear.comp";
+  gl::Out<"NearBlock"> nearest;
+  gl::Out<"IdBlock"> ids;
+  gl::Uniform<"quads", int> quads;
+  gl::Uniform<"both", bool> both;
+};
 
 namespace {
 
@@ -46,18 +54,6 @@ SampleLayout sampleLayout() {
   return SampleLayout::wholes;
 }
 
-gl::Defines definesOf(const SampleKind& kind) {
-  gl::Defines defines;
-  if (kind.parallel) defines.emplace_back("PARALLEL", "1");
-  if (kind == SampleLayout::apart) return defines;
-  defines.emplace_back("PAIRED", "1");
-  if (kind == SampleLayout::pairs) return defines;
-  defines.emplace_back("ONE_PASS", "1");
-  defines.emplace_back(gl::extensionDefine, "GL_ARB_gpu_shader_int64");
-  defines.emplace_back(gl::extensionDefine, "GL_NV_shader_atomic_int64");
-  return defines;
-}
-
 int smallTriangle() {
   return gl::softwareDriver() ? 64 : 6;
 }
@@ -86,23 +82,22 @@ int fansOfTriangles() {
   return gl::softwareDriver() ? 1 << 17 : 0;
 }
 
-gl::Defines laneDefines() {
-  gl::Defines defines;
-  if (!gl::softwareDriver()) defines.emplace_back("BRANCHES", "1");
-  addBallot(defines);
-  return defines;
+ListVariant listVariant() {
+  return {.ballot = gl::limits().ballot};
 }
 
-void addBallot(gl::Defines& defines) {
-  if (!gl::limits().ballot) return;
-  defines.emplace_back("BALLOT", "1");
-  defines.emplace_back(gl::extensionDefine, "GL_KHR_shader_subgroup_basic");
-  defines.emplace_back(gl::extensionDefine, "GL_KHR_shader_subgroup_ballot");
+gl::Resource viewOf(const MapFace& face) {
+  if (face.views == nullptr) return {};
+  return {*face.views, face.view, sizeof(shader::ExactView)};
 }
 
-void dispatchRows(const gl::Program& program, int items) {
+LaneVariant laneVariant() {
+  return {.list = listVariant(), .branches = !gl::softwareDriver()};
+}
+
+glm::ivec2 inRows(int items) {
   constexpr int row = rowGroups * groupItems;
-  program.dispatch(std::min(items, row), (items + row - 1) / row);
+  return {std::min(items, row), (items + row - 1) / row};
 }
 
 std::size_t Visibility::maxSamples() {
@@ -125,7 +120,7 @@ Visibility::Visibility(const std::string& label, glm::ivec2 size, int samples, b
     idView_ = gl::Texture::view(label, GL_R32UI, ids_, sizeof(GLuint));
     idFours_ = gl::Texture::view(label, GL_RGBA32UI, ids_, 4 * sizeof(GLuint));
   }
-  if (!gl::softwareDriver()) clear_ = gl::Program::compute("draw/exact/clear.comp");
+  if (!gl::softwareDriver()) clear_ = gl::Kernel<ClearSamples>(gl::Defines());
 }
 
 void Visibility::clear() const {
@@ -138,22 +133,28 @@ void Visibility::clear() const {
       glClearNamedBufferData(ids_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &most);
     return;
   }
-  near_.bindStorage(nearBinding);
-  if (ids_.name() != 0) ids_.bindStorage(idBinding);
   const int quads = static_cast<int>(near_.bytes() / 16);
-  clear_.set("quads", quads);
-  clear_.set("both", static_cast<int>(ids_.name() != 0));
-  dispatchRows(clear_, quads);
+  const bool both = ids_.name() != 0;
+  clear_.dispatch(inRows(quads),
+                  {.nearest = near_, .ids = both ? ids_ : near_, .quads = quads, .both = both});
 }
 
-void Visibility::bind() const {
-  near_.bindStorage(nearBinding);
-  nearView_.bind(nearUnit);
-  nearFours_.bind(nearFoursUnit);
-  if (ids_.name() == 0) return;
-  ids_.bindStorage(idBinding);
-  idView_.bind(idUnit);
-  idFours_.bind(idFoursUnit);
+SampleTarget Visibility::target(const MapPart& part, const gl::Resource& view) const {
+  return {.view = view,
+          .before = read<gl::Access::together>(),
+          .nearest = near_,
+          .ids = ids_.name() != 0 ? ids_ : near_,
+          .mapTexels = size_.x,
+          .firstKey = part.firstKey,
+          .keyStride = part.keyStride};
+}
+
+TargetVariant Visibility::variant(Target target, int pass) const {
+  return {.samples = variant(),
+          .wholes = layout_ == SampleLayout::wholes,
+          .pass = pass,
+          .sunMap = target == Target::sunMap,
+          .lampMap = target == Target::lampMap};
 }
 
 std::size_t Visibility::count() const {

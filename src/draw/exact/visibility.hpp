@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 
 #include <compare>
@@ -26,8 +26,70 @@ struct SampleKind {
   auto operator<=>(const SampleKind&) const = default;
   bool operator==(SampleLayout other) const { return layout == other; }
 };
-/// Defines of all that reads or writes such samples.
-[[nodiscard]] gl::Defines definesOf(const SampleKind& kind);
+
+// Groups of fields, one for each of the files that they name, and of their defines.
+
+/// glsl/draw/exact/sample_read.glsl.
+template <gl::Access access>
+struct SampleFields {
+  gl::ResourceField<"nearestKeys", access> keys;
+  gl::ResourceField<"nearestFours", access> keyFours;
+  gl::ResourceField<"visibleIds", access> ids;
+  gl::ResourceField<"visibleFours", access> idFours;
+};
+using SamplesRead = SampleFields<gl::Access::read>;
+struct SampleVariant {
+  gl::Choice<"SAMPLES", 1, 2, 4, 8, 16> samples;
+  gl::Flag<"PAIRED"> paired;
+};
+/// glsl/draw/exact/visible_sample.glsl. What its kernels find does not depend on their order, but for the
+/// numbers (PASS 1), which come behind a barrier.
+struct SampleTarget {
+  gl::Ambient<"ViewBlock"> view;
+  SampleFields<gl::Access::together> before;
+  gl::Shared<"NearBlock"> nearest;
+  gl::Shared<"IdBlock"> ids;
+  gl::Uniform<"mapTexels", int> mapTexels;
+  gl::Uniform<"firstKey", int> firstKey;
+  gl::Uniform<"keyStride", int> keyStride;
+};
+struct TargetVariant {
+  SampleVariant samples;
+  gl::Flag<"ONE_PASS", "GL_ARB_gpu_shader_int64", "GL_NV_shader_atomic_int64"> wholes;
+  gl::Choice<"PASS", 0, 1> pass;
+  gl::Flag<"SUN_MAP"> sunMap;
+  gl::Flag<"LAMP_MAP"> lampMap;
+};
+/// glsl/draw/exact/list_place.glsl: kernels that list one thing an invocation, as suits the device.
+struct ListVariant {
+  gl::Flag<"BALLOT", "GL_KHR_shader_subgroup_basic", "GL_KHR_shader_subgroup_ballot"> ballot;
+};
+[[nodiscard]] ListVariant listVariant();
+/// The same, of those that draw one thing an invocation.
+struct LaneVariant {
+  ListVariant list;
+  gl::Flag<"BRANCHES"> branches;
+};
+[[nodiscard]] LaneVariant laneVariant();
+/// Where a shadow map lies among the keys, and how it is drawn.
+struct MapPart {
+  float slopeOffset = 0;  ///< texels by whose slope what casts shadows is moved away
+  int side = 0;           ///< of a lamp's map: texels on a side,
+  int firstKey = 0;       ///< its first key,
+  int keyStride = 0;      ///< and how many there are from a row to the next
+};
+/// A lamp's shadow map to draw, seen as a picture is.
+struct MapFace {
+  const gl::Buffer* views = nullptr;
+  std::size_t view = 0;  ///< where its shader::ExactView is (bytes)
+  MapPart part;
+};
+/// The view block of a face, or none.
+[[nodiscard]] gl::Resource viewOf(const MapFace& face);
+/// Pictures and maps that samples are drawn into.
+enum class Target { picture, sunMap, lampMap };
+
+struct ClearSamples;
 
 /// What is nearest at each sample of a picture: a key that is less the nearer it is, and the number of the
 /// primitive; or of a shadow map the keys alone. 8 bytes a sample.
@@ -44,8 +106,20 @@ class Visibility {
 
   /// Nothing is visible yet.
   void clear() const;
-  /// For kernels that draw, and for those that read.
-  void bind() const;
+
+  template <gl::Access access = gl::Access::read>
+  [[nodiscard]] SampleFields<access> read() const {
+    return {.keys = nearView_, .keyFours = nearFours_, .ids = idView_, .idFours = idFours_};
+  }
+  /// For kernels that draw into it. `view`: the view block, unless that is bound.
+  [[nodiscard]] SampleTarget target(const MapPart& part, const gl::Resource& view = {}) const;
+  [[nodiscard]] SampleVariant variant() const {
+    return {.samples = samples_, .paired = layout_ != SampleLayout::apart};
+  }
+  /// Of what draws into it.
+  [[nodiscard]] TargetVariant variant(Target target, int pass) const;
+  [[nodiscard]] const gl::Buffer& nearestBuffer() const { return near_; }
+  [[nodiscard]] const gl::Buffer& idBuffer() const { return ids_; }
 
   [[nodiscard]] glm::ivec2 size() const { return size_; }
   [[nodiscard]] int samples() const { return samples_; }
@@ -69,22 +143,9 @@ class Visibility {
   gl::Buffer near_;  ///< keys; where they lie together, numbers too
   gl::Buffer ids_;
   gl::Texture nearView_, nearFours_, idView_, idFours_;
-  gl::Program clear_;
+  gl::Kernel<ClearSamples> clear_;
 };
 
-/// Where a shadow map lies among the keys, and how it is drawn.
-struct MapPart {
-  float slopeOffset = 0;  ///< texels by whose slope what casts shadows is moved away
-  int side = 0;           ///< of a lamp's map: texels on a side,
-  int firstKey = 0;       ///< its first key,
-  int keyStride = 0;      ///< and how many there are from a row to the next
-  /// Sets what glsl/draw/exact/visible_sample.glsl and raster_triangle.glsl read.
-  void set(const gl::Program& program) const {
-    program.set("slopeOffset", slopeOffset);
-    program.set("firstKey", firstKey);
-    program.set("keyStride", keyStride);
-  }
-};
 /// The longest side (pixels) of the box of a triangle that an invocation best draws alone on this device:
 /// software drivers work through all the lanes of a group anyway, cards want more of them. Of one that
 /// sixteen invocations draw; 0: none is.
@@ -98,12 +159,8 @@ int mediumBall();
 /// How many large ones are best clipped for all that draw them: none on cards, which wait for each kernel's
 /// end.
 int fansOfTriangles();
-/// Defines of kernels that draw or list one thing an invocation, as suits the device.
-[[nodiscard]] gl::Defines laneDefines();
-/// Of kernels that list one thing an invocation (glsl/draw/exact/list_place.glsl), as suits the device.
-void addBallot(gl::Defines& defines);
 
-/// Runs `items` invocations of a kernel whose groups of 64 stand in rows of at most 32,768.
-void dispatchRows(const gl::Program& program, int items);
+/// Invocations, `items` at least, of a kernel whose groups of 64 stand in rows of at most 32,768.
+[[nodiscard]] glm::ivec2 inRows(int items);
 
 }  // namespace simreel::draw

@@ -1,15 +1,27 @@
 #include "draw/instances/glow_sums.hpp"
 
 #include "base/error.hpp"
-#include "draw/draw_state.hpp"
 #include "gl/context.hpp"
 #include "gl/limits.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
 
 namespace simreel::draw {
+
+struct SumGlows {
+  static constexpr auto file = "draw/instances/glow_sums.comp";
+  struct Variant {
+    gl::Range<"SAMPLES", 1, 64> samples;
+    gl::Flag<"LARGE"> large;
+    gl::Range<"SLICES", 1, 64> slices = {};
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  GlowFields glows;
+  gl::In<"sceneDepth"> depth;
+  gl::Shared<"GlowBlock"> sums;
+  gl::Uniform<"strides", int> strides;
+};
 
 namespace {
 
@@ -34,32 +46,23 @@ bool GlowSums::takes(const sim::Instances& instances) {
 }
 
 GlowSums::GlowSums(glm::ivec2 size, int samples) : sums_(sumsFor(size)) {
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples)}};
-  small_ = gl::Program::compute("draw/instances/glow_sums.comp", defines);
-  defines.emplace_back("LARGE", "1");
-  defines.emplace_back("SLICES", std::to_string(slices));
-  large_ = gl::Program::compute("draw/instances/glow_sums.comp", defines);
+  small_ = gl::Kernel<SumGlows>({}, {.samples = samples, .large = false});
+  large_ = gl::Kernel<SumGlows>({}, {.samples = samples, .large = true, .slices = slices});
 }
 
-void GlowSums::add(bool large, const gl::Texture& depth, int capacity) const {
+void GlowSums::add(bool large, const GlowFields& glows, const gl::Texture& depth, int capacity) const {
   constexpr int maxInvocations = 1 << 20;
   constexpr int maxGroups = 1 << 12;
-  const gl::Program& program = kernel(large);
-  bind();
-  depth.bind(depthUnit);
-  if (large) {
-    const int groups = std::min(capacity, maxGroups);
-    program.set("strides", groups);
-    program.dispatch(8 * groups, 8 * slices);
-  } else {
-    const int invocations = std::min(capacity, maxInvocations);
-    program.set("strides", (invocations + 63) / 64 * 64);
-    program.dispatch(invocations);
-  }
-}
-
-void GlowSums::bind() const {
-  sums_.bindStorage(glowBinding);
+  const int groups = std::min(capacity, maxGroups);
+  const int invocations = std::min(capacity, maxInvocations);
+  const SumGlows given{.glows = glows,
+                       .depth = depth,
+                       .sums = sums_,
+                       .strides = large ? groups : (invocations + 63) / 64 * 64};
+  if (large)
+    large_.dispatch(glm::ivec2(8 * groups, 8 * slices), given);
+  else
+    small_.dispatch(invocations, given);
 }
 
 }  // namespace simreel::draw

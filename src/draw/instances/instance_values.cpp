@@ -1,7 +1,6 @@
 #include "draw/instances/instance_values.hpp"
 
 #include "base/log.hpp"
-#include "draw/draw_state.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 
 #include <algorithm>
@@ -10,6 +9,20 @@
 #include <glm/vec4.hpp>
 
 namespace simreel::draw {
+
+struct BoundsOfInstances {
+  static constexpr auto file = "draw/surface/shadow_bounds.comp";
+  struct Variant {
+    gl::Flag<"INSTANCES"> instances;
+    gl::Flag<"BOX"> box;
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  InstanceFields instance;
+  gl::Uniforms<"corners", glm::vec3, 2> corners;
+  gl::Uniform<"vertexCount", int> vertexCount;
+  gl::Uniform<"invocations", int> invocations;
+  gl::Shared<"BoundsBlock"> bounds;
+};
 
 namespace {
 
@@ -30,15 +43,14 @@ float minPixelsOf(const sim::Instances& instances) {
   return instances.additive ? minGlow : minBall;
 }
 
-void setInstance(const gl::Program& program, const sim::Instances& instances, float shapeRadius,
-                 float minPixels) {
-  program.set("size", instances.size);
-  program.set("shapeRadius", shapeRadius);
-  program.set("massExponent", instances.massExponent);
-  program.set("perMassReference", 1.0F / instances.massReference);
-  program.set("minPixels", minPixels);
-  instances.positions->bind(positionUnit);
-  instances.velocities->bind(velocityUnit);
+InstanceFields instanceFields(const sim::Instances& instances, float shapeRadius, float minPixels) {
+  return {.positions = *instances.positions,
+          .velocities = *instances.velocities,
+          .size = instances.size,
+          .shapeRadius = shapeRadius,
+          .massExponent = instances.massExponent,
+          .perMassReference = 1.0F / instances.massReference,
+          .minPixels = minPixels};
 }
 
 const InstanceShape& InstanceShapes::of(const sim::Instances& instances) {
@@ -63,27 +75,21 @@ const InstanceShape& InstanceShapes::of(const sim::Instances& instances) {
       .first->second;
 }
 
-void InstanceBounds::grow(const sim::Drawables& drawables, InstanceShapes& shapes) {
+void InstanceBounds::grow(const sim::Drawables& drawables, InstanceShapes& shapes,
+                          const gl::Buffer& bounds) {
   constexpr int maxInvocations = 1 << 14;
   constexpr int each = 32;
   for (const sim::Instances& instances : drawables.instances) {
     if (!castsShadow(instances)) continue;
     const bool boxed = instances.boundsMin != instances.boundsMax;
-    gl::Program& bounds = boxed ? boxed_ : measured_;
-    if (bounds.name() == 0)
-      bounds =
-          gl::Program::compute("draw/surface/shadow_bounds.comp", {{boxed ? "BOX" : "INSTANCES", "1"}});
     const int count = boxed ? 8 : instances.capacity;
     const int invocations = boxed ? 8 : std::clamp((count + each - 1) / each, 1, maxInvocations);
-    bounds.set("vertexCount", count);
-    bounds.set("invocations", invocations);
-    if (boxed) {
-      bounds.set("corners[0]", instances.boundsMin);
-      bounds.set("corners[1]", instances.boundsMax);
-    } else {
-      setInstance(bounds, instances, shapes.of(instances).radius(), 0);
-    }
-    bounds.dispatch(invocations);
+    kernels_.of({.instances = !boxed, .box = boxed})
+        .dispatch(invocations, {.instance = instanceFields(instances, shapes.of(instances).radius(), 0),
+                                .corners = std::vector{instances.boundsMin, instances.boundsMax},
+                                .vertexCount = count,
+                                .invocations = invocations,
+                                .bounds = bounds});
   }
 }
 
@@ -105,17 +111,17 @@ void InstanceColors::update(const sim::Instances& instances) {
   view_ = gl::Texture::view("colour stops", GL_RGBA32F, buffer_);
 }
 
-void InstanceColors::set(const gl::Program& program, const sim::Instances& instances) const {
+InstanceLook InstanceColors::look(const sim::Instances& instances) const {
   const glm::vec2 range = instances.colorRange;
   const float scale = 1.0F / (range.y > range.x ? range.y - range.x : 1e-20F);
-  program.set("colorBy", static_cast<int>(instances.colorBy));
-  program.set("colorFactor", scale);
-  program.set("colorOffset", -range.x * scale);
-  program.set("stopCount", static_cast<int>(stops_.size()));
-  program.set("color", instances.material->color);
-  program.set("brightness", instances.brightness);
-  program.set("fade", instances.fade);
-  view_.bind(stopUnit);
+  return {.stops = view_,
+          .colorBy = static_cast<int>(instances.colorBy),
+          .colorFactor = scale,
+          .colorOffset = -range.x * scale,
+          .stopCount = static_cast<int>(stops_.size()),
+          .color = instances.material->color,
+          .brightness = instances.brightness,
+          .fade = instances.fade};
 }
 
 }  // namespace simreel::draw

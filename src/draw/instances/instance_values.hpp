@@ -1,6 +1,7 @@
 #pragma once
 #include "draw/instances/instance_shape.hpp"
-#include "gl/program.hpp"
+#include "draw/surface_fields.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/core/drawable.hpp"
 
 #include <filesystem>
@@ -17,9 +18,36 @@ namespace simreel::draw {
 /// No sprite is drawn with a smaller radius than so many pixels; 0 for other shapes.
 [[nodiscard]] float minPixelsOf(const sim::Instances& instances);
 
-/// Sets what glsl/draw/instances/instance.glsl reads. `shapeRadius`: m, at size 1.
-void setInstance(const gl::Program& program, const sim::Instances& instances, float shapeRadius,
-                 float minPixels);
+/// Fields of glsl/draw/instances/instance.glsl.
+struct InstanceFields {
+  gl::In<"positions"> positions;
+  gl::In<"velocities"> velocities;
+  gl::Uniform<"size", float> size;
+  gl::Uniform<"shapeRadius", float> shapeRadius;
+  gl::Uniform<"massExponent", float> massExponent;
+  gl::Uniform<"perMassReference", float> perMassReference;
+  gl::Uniform<"minPixels", float> minPixels;
+};
+/// `shapeRadius`: m, at size 1.
+[[nodiscard]] InstanceFields instanceFields(const sim::Instances& instances, float shapeRadius,
+                                            float minPixels);
+/// Those of glsl/draw/instances/instance_list.glsl that say what colour one has.
+struct InstanceLook {
+  gl::In<"stops"> stops;
+  gl::Uniform<"colorBy", int> colorBy;
+  gl::Uniform<"colorFactor", float> colorFactor;
+  gl::Uniform<"colorOffset", float> colorOffset;
+  gl::Uniform<"stopCount", int> stopCount;
+  gl::Uniform<"color", glm::vec3> color;
+  gl::Uniform<"brightness", float> brightness;
+  gl::Uniform<"fade", float> fade;
+};
+/// The rest of that file: a level of a VisibleList.
+struct ListFields {
+  gl::In<"list"> list;
+  gl::In<"arguments"> arguments;
+  gl::Uniform<"level", int> level;
+};
 
 /// The shapes that instances repeat, made when first needed.
 class InstanceShapes {
@@ -34,13 +62,15 @@ class InstanceShapes {
   std::map<std::filesystem::path, InstanceShape> meshes_;
 };
 
+struct BoundsOfInstances;
+
 /// Grows the sun's bounds by what casts shadows; see ShadowPass::fit.
 class InstanceBounds {
  public:
-  void grow(const sim::Drawables& drawables, InstanceShapes& shapes);
+  void grow(const sim::Drawables& drawables, InstanceShapes& shapes, const gl::Buffer& bounds);
 
  private:
-  gl::Program measured_, boxed_;
+  gl::Kernels<BoundsOfInstances> kernels_;
 };
 
 /// The colours of instances on the device.
@@ -48,8 +78,7 @@ class InstanceColors {
  public:
   /// To what they are now.
   void update(const sim::Instances& instances);
-  /// Sets and binds what glsl/draw/instances/instance_list.glsl reads of them.
-  void set(const gl::Program& program, const sim::Instances& instances) const;
+  [[nodiscard]] InstanceLook look(const sim::Instances& instances) const;
 
  private:
   std::vector<glm::vec3> stops_;

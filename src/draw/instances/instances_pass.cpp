@@ -2,6 +2,7 @@
 
 #include "draw/surface/surface_pass.hpp"
 #include "gl/context.hpp"
+#include "gl/kernel/give.hpp"
 
 #include <algorithm>
 #include <string>
@@ -14,6 +15,12 @@ namespace {
 constexpr float maxPointGlow = 64.0F;
 /// Larger glows are shared among the invocations of a group.
 constexpr float maxSmallSum = 5.0F;
+
+gl::Defines lightingDefines(const ShadowPass& shadow, const Lamps& lamps) {
+  gl::Defines defines = shadow.defines();
+  defines.insert(defines.end(), lamps.defines().begin(), lamps.defines().end());
+  return defines;
+}
 
 std::vector<glm::vec2> offsetsOf(const gl::Framebuffer& target, int samples) {
   std::vector<glm::vec2> offsets;
@@ -31,25 +38,15 @@ std::vector<glm::vec2> offsetsOf(const gl::Framebuffer& target, int samples) {
 
 InstancesPass::InstancesPass(const ShadowPass& shadow, const Lamps& lamps, const gl::Framebuffer& target,
                              glm::ivec2 size, int samples)
-    : lightDefines_(shadow.defines()),
+    : lightDefines_(lightingDefines(shadow, lamps)),
+      lampDefines_(lamps.order().shadowed > 0 ? lamps.shadowDefines() : gl::Defines()),
       shadowed_(shadow.on()),
       shadowSize_(shadow.size()),
       size_(size),
       samples_(samples),
-      sampleOffsets_(offsetsOf(target, samples)) {
-  lightDefines_.insert(lightDefines_.end(), lamps.defines().begin(), lamps.defines().end());
-  if (lamps.order().shadowed > 0) lampDefines_ = lamps.shadowDefines();
-}
-
-const CullPrograms& InstancesPass::cullPrograms(Viewer viewer, int levels) {
-  gl::Defines sight;
-  if (viewer == Viewer::sun) sight.emplace_back("FOR_LIGHT", "1");
-  if (viewer == Viewer::lamps) {
-    sight = lampDefines_;
-    sight.emplace_back("FOR_LAMPS", "1");
-  }
-  return cullPrograms_.try_emplace({viewer, levels}, sight, levels).first->second;
-}
+      sampleOffsets_(offsetsOf(target, samples)),
+      culling_(lampDefines_),
+      small_(lightDefines_) {}
 
 const gl::Program& InstancesPass::cached(const char* vertexPath, const char* fragmentPath,
                                          const gl::Defines& defines) {
@@ -60,19 +57,14 @@ const gl::Program& InstancesPass::cached(const char* vertexPath, const char* fra
   return programs_.emplace(key, gl::Program::graphics(vertexPath, fragmentPath, defines)).first->second;
 }
 
-gl::Defines InstancesPass::lightingDefines(const sim::Instances& instances) const {
-  gl::Defines defines = lightDefines_;
-  if (isReflective(*instances.material)) defines.emplace_back("REFLECTIVE", "1");
-  if (instances.material->translucency > 0) defines.emplace_back("TRANSLUCENT", "1");
-  return defines;
-}
-
 const gl::Program& InstancesPass::program(const sim::Instances& instances) {
   if (instances.additive)
     return isSprite(instances)
                ? cached("draw/instances/glow.vert", "draw/instances/glow.frag", {})
                : cached("draw/screen/copy.vert", "draw/screen/copy.frag", {{"ADDITIVE", "1"}});
-  gl::Defines defines = lightingDefines(instances);
+  gl::Defines defines = lightDefines_;
+  if (isReflective(*instances.material)) defines.emplace_back("REFLECTIVE", "1");
+  if (instances.material->translucency > 0) defines.emplace_back("TRANSLUCENT", "1");
   defines.emplace_back("SAMPLES", std::to_string(samples_));
   if (isSprite(instances)) return cached("draw/instances/ball.vert", "draw/instances/ball.frag", defines);
   // A mesh may be open.
@@ -111,29 +103,29 @@ InstancesPass::Entry& InstancesPass::entry(const sim::Instances& instances, std:
   return entry;
 }
 
-void InstancesPass::setInstance(const gl::Program& program, const sim::Instances& instances,
-                                Viewer viewer) {
-  draw::setInstance(program, instances, shape(instances).radius(),
-                    viewer == Viewer::camera ? minPixelsOf(instances) : 0.0F);
+InstanceFields InstancesPass::seenBy(Viewer viewer, const sim::Instances& instances) {
+  return instanceFields(instances, shape(instances).radius(),
+                        viewer == Viewer::camera ? minPixelsOf(instances) : 0.0F);
 }
 
 void InstancesPass::fill(const sim::Instances& instances, std::size_t i, Viewer viewer) {
   const Entry& own = entry(instances, i);
   const InstanceShape& form = shape(instances);
-  const CullPrograms& programs = cullPrograms(viewer, static_cast<int>(form.levels().size()));
-  setInstance(programs.cull, instances, viewer);
   const bool forLight = viewer != Viewer::camera;
   // Coarser on the CPU, where triangles cost most. Not in shadows: of a ball of few texels the surface
   // shows each.
   const bool coarse = !forLight && gl::softwareDriver() && !isSprite(instances);
   // A square of a disk's area misses the disk by 1/8 of the radius; a glow is the same as a point.
   const float maxGlow = GlowSums::takes(instances) ? maxSmallSum : maxPointGlow;
-  programs.cull.set("pointPixels", instances.additive ? maxGlow : forLight ? 4.0F : 1.6F);
-  programs.cull.set("levelError", coarse ? 0.5F : 0.2F);
+  const SightFields sight{.instance = seenBy(viewer, instances),
+                          .pointPixels = instances.additive ? maxGlow
+                                         : forLight         ? 4.0F
+                                                            : 1.6F,
+                          .levelError = coarse ? 0.5F : 0.2F};
   const auto& list = viewer == Viewer::camera ? own.forCamera
                      : viewer == Viewer::sun  ? own.forLight
                                               : own.forLamps;
-  list->fill(programs, form);
+  list->fill(culling_, viewer, sight, form);
 }
 
 void InstancesPass::cull(const sim::Drawables& drawables) {
@@ -156,7 +148,7 @@ void InstancesPass::drawLevel(const gl::Program& program, const sim::Instances& 
   const InstanceShape& form = shape(instances);
   program.set("vertexBits", form.vertexBits());
   program.set("alongVelocity", static_cast<int>(instances.alongVelocity));
-  program.set("level", static_cast<int>(level));
+  gl::give(program, list.fields(static_cast<int>(level)));
   program.set("batch", form.levels()[level].batch);
   program.set("swell", form.levels()[level].swell);
   if (form.vertices()) form.vertices().bind(shapeUnit);
@@ -168,12 +160,10 @@ void InstancesPass::drawLevel(const gl::Program& program, const sim::Instances& 
                          reinterpret_cast<const void*>(level * VisibleList::argumentBytes));
 }
 
-void InstancesPass::drawSmall(const gl::Program& kernel, SmallSprites::Use use,
+void InstancesPass::drawSmall(const SmallSprites::Kind& kind, const SpriteFields& all,
                               const sim::Instances& instances, const VisibleList& list, glm::ivec2 target) {
-  kernel.set("level", 0);
-  list.bind();
-  small_.prepare(kernel, instances.capacity);
-  const gl::Program& shader = small_.shader(use);
+  small_.prepare(kind, all, instances.capacity);
+  const gl::Program& shader = small_.shader(kind.use);
   shader.set("targetSize", glm::vec2(target));
   drawLevel(shader, instances, list, 0);
 }
@@ -187,13 +177,12 @@ void InstancesPass::castShadows(const sim::Drawables& drawables) {
               .depthOffset = true}
         .set();
     const VisibleList& list = *entries_[i].forLight;
-    if (isSprite(instances)) {
-      const gl::Program& kernel = small_.kernel(SmallSprites::Use::shadow, {});
-      setInstance(kernel, instances, Viewer::sun);
-      drawSmall(kernel, SmallSprites::Use::shadow, instances, list, shadowSize_);
-    }
+    const InstanceFields seen = seenBy(Viewer::sun, instances);
+    if (isSprite(instances))
+      drawSmall({.use = SmallSprites::Use::shadow}, {.instance = seen, .listed = list.fields(0)}, instances,
+                list, shadowSize_);
     const gl::Program& shader = shadowProgram(instances);
-    setInstance(shader, instances, Viewer::sun);
+    gl::give(shader, seen);
     for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size(); ++level)
       drawLevel(shader, instances, list, level);
   }
@@ -204,7 +193,7 @@ void InstancesPass::castLampShadows(const sim::Drawables& drawables, int cells) 
     const sim::Instances& instances = drawables.instances[i];
     if (!castsShadow(instances)) continue;
     const gl::Program& shader = lampShadowProgram(instances);
-    setInstance(shader, instances, Viewer::lamps);
+    gl::give(shader, seenBy(Viewer::lamps, instances));
     for (int cell = 0; cell < cells; ++cell) {
       shader.set("cell", cell);
       // Sprites of few texels are squares of level 1, too.
@@ -213,17 +202,6 @@ void InstancesPass::castLampShadows(const sim::Drawables& drawables, int cells) 
         drawLevel(shader, instances, *entries_[i].forLamps, level);
     }
   }
-}
-
-void InstancesPass::setLook(const gl::Program& program, const sim::Instances& instances,
-                            const Entry& own) const {
-  const scene::Material& material = *instances.material;
-  own.colors.set(program, instances);
-  program.set("roughness", material.roughness);
-  program.set("metallic", material.metallic);
-  program.set("translucency", material.translucency);
-  for (std::size_t s = 0; s < sampleOffsets_.size(); ++s)
-    program.set(("sampleOffsets[" + std::to_string(s) + "]").c_str(), sampleOffsets_[s]);
 }
 
 void InstancesPass::draw(const sim::Drawables& drawables, bool adding) {
@@ -236,16 +214,19 @@ void InstancesPass::draw(const sim::Drawables& drawables, bool adding) {
               .adding = adding}
         .set();
     const VisibleList& list = *entries_[i].forCamera;
-    if (isSprite(instances)) {
-      const auto use = adding ? SmallSprites::Use::glow : SmallSprites::Use::ball;
-      const gl::Program& kernel = small_.kernel(use, lightingDefines(instances));
-      setInstance(kernel, instances, Viewer::camera);
-      setLook(kernel, instances, entries_[i]);
-      drawSmall(kernel, use, instances, list, size_);
-    }
+    const SpriteFields all{.instance = seenBy(Viewer::camera, instances),
+                           .look = entries_[i].colors.look(instances),
+                           .material = materialFields(*instances.material),
+                           .listed = list.fields(0)};
+    if (isSprite(instances))
+      drawSmall({.use = adding ? SmallSprites::Use::glow : SmallSprites::Use::ball,
+                 .reflective = isReflective(*instances.material),
+                 .translucent = instances.material->translucency > 0},
+                all, instances, list, size_);
     const gl::Program& shader = program(instances);
-    setInstance(shader, instances, Viewer::camera);
-    setLook(shader, instances, entries_[i]);
+    gl::give(shader, all);
+    for (std::size_t s = 0; s < sampleOffsets_.size(); ++s)
+      shader.set(("sampleOffsets[" + std::to_string(s) + "]").c_str(), sampleOffsets_[s]);
     for (std::size_t level = isSprite(instances) ? 1 : 0; level < shape(instances).levels().size(); ++level)
       drawLevel(shader, instances, list, level);
   }
@@ -255,15 +236,13 @@ void InstancesPass::sumUp(const sim::Drawables& drawables, const gl::Texture& de
   for (std::size_t i = 0; i < drawables.instances.size(); ++i) {
     const sim::Instances& instances = drawables.instances[i];
     if (!GlowSums::takes(instances)) continue;
-    for (int level = 0; level < 2; ++level) {
-      const gl::Program& kernel = sums.kernel(level == 1);
-      setInstance(kernel, instances, Viewer::camera);
-      setLook(kernel, instances, entries_[i]);
-      kernel.set("level", level);
-      kernel.set("roundPixels", maxPointGlow);
-      entries_[i].forCamera->bind();
-      sums.add(level == 1, depth, instances.capacity);
-    }
+    for (int level = 0; level < 2; ++level)
+      sums.add(level == 1,
+               {.instance = seenBy(Viewer::camera, instances),
+                .look = entries_[i].colors.look(instances),
+                .listed = entries_[i].forCamera->fields(level),
+                .roundPixels = maxPointGlow},
+               depth, instances.capacity);
   }
 }
 

@@ -14,7 +14,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace simreel::draw {
@@ -27,7 +26,9 @@ class InstancesPass {
                 glm::ivec2 size, int samples);
 
   /// Grows the shadow's bounds.
-  void growBounds(const sim::Drawables& drawables) { bounds_.grow(drawables, shapes_); }
+  void growBounds(const sim::Drawables& drawables, const gl::Buffer& bounds) {
+    bounds_.grow(drawables, shapes_, bounds);
+  }
   /// Finds those in the light's box (its map is bound), then draws them into the bound shadow map.
   void cullForLight(const sim::Drawables& drawables);
   void castShadows(const sim::Drawables& drawables);
@@ -47,8 +48,6 @@ class InstancesPass {
   [[nodiscard]] const VisibleList& visibleToSun(std::size_t i) const { return *entries_.at(i).forLight; }
 
  private:
-  /// Who sees the instances.
-  enum class Viewer { camera, sun, lamps };
   /// What belongs to drawables.instances[i].
   struct Entry {
     std::unique_ptr<VisibleList> forCamera, forLight, forLamps;
@@ -57,20 +56,16 @@ class InstancesPass {
 
   Entry& entry(const sim::Instances& instances, std::size_t i);
   const InstanceShape& shape(const sim::Instances& instances) { return shapes_.of(instances); }
-  const CullPrograms& cullPrograms(Viewer viewer, int levels);
-  [[nodiscard]] gl::Defines lightingDefines(const sim::Instances& instances) const;
   /// For all levels of detail but the small ones of sprites.
   const gl::Program& program(const sim::Instances& instances);
   const gl::Program& shadowProgram(const sim::Instances& instances);
   const gl::Program& lampShadowProgram(const sim::Instances& instances);
   const gl::Program& cached(const char* vertexPath, const char* fragmentPath, const gl::Defines& defines);
   void fill(const sim::Instances& instances, std::size_t i, Viewer viewer);
-  /// What glsl/draw/instances/instance.glsl reads, for that viewer.
-  void setInstance(const gl::Program& program, const sim::Instances& instances, Viewer viewer);
-  void setLook(const gl::Program& program, const sim::Instances& instances, const Entry& entry) const;
+  InstanceFields seenBy(Viewer viewer, const sim::Instances& instances);
   void draw(const sim::Drawables& drawables, bool additive);
-  /// The sprites of few pixels, level 0; the kernel's description of the instances is set.
-  void drawSmall(const gl::Program& kernel, SmallSprites::Use use, const sim::Instances& instances,
+  /// Draws the sprites of few pixels, level 0.
+  void drawSmall(const SmallSprites::Kind& kind, const SpriteFields& all, const sim::Instances& instances,
                  const VisibleList& list, glm::ivec2 target);
   void drawLevel(const gl::Program& program, const sim::Instances& instances, const VisibleList& list,
                  std::size_t level);
@@ -83,7 +78,7 @@ class InstancesPass {
   std::vector<glm::vec2> sampleOffsets_;
   std::vector<Entry> entries_;
   InstanceShapes shapes_{SmallSprites::points()};
-  std::map<std::pair<Viewer, int>, CullPrograms> cullPrograms_;
+  CullKernels culling_;
   std::map<std::string, gl::Program> programs_;
   InstanceBounds bounds_;
   SmallSprites small_;

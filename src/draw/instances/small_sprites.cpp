@@ -2,10 +2,31 @@
 
 #include "draw/draw_state.hpp"
 #include "gl/context.hpp"
+#include "gl/element_array.hpp"
 
 #include <algorithm>
 
 namespace simreel::draw {
+
+struct PrepareSprites {
+  static constexpr auto file = "draw/instances/small_sprites.comp";
+  struct Variant {
+    gl::Flag<"GLOW"> glow;
+    gl::Flag<"FOR_LIGHT"> forLight;
+    gl::Flag<"REFLECTIVE"> reflective;
+    gl::Flag<"TRANSLUCENT"> translucent;
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::Ambient<"light"> sunPlace = {};
+  gl::Ambient<"shadowMap"> sunMap = {};
+  gl::Ambient<"LampBlock"> lampBlock = {};
+  gl::Ambient<"lampMembers"> lamps = {};
+  gl::Ambient<"lampCells"> lampCells = {};
+  gl::Ambient<"lampShadows"> lampShadows = {};
+  SpriteFields all;
+  gl::Out<"SpriteBlock"> sprites;
+  gl::Uniform<"invocations", int> invocations;
+};
 
 namespace {
 
@@ -22,16 +43,7 @@ bool SmallSprites::points() {
   return !gl::softwareDriver();
 }
 
-const gl::Program& SmallSprites::kernel(Use use, const gl::Defines& lighting) {
-  gl::Defines defines = definesOf(use);
-  if (use == Use::ball) defines.insert(defines.end(), lighting.begin(), lighting.end());
-  std::string key;
-  for (const auto& [name, value] : defines) key += name + " ";
-  const auto found = kernels_.find(key);
-  if (found != kernels_.end()) return found->second;
-  return kernels_.emplace(key, gl::Program::compute("draw/instances/small_sprites.comp", defines))
-      .first->second;
-}
+SmallSprites::SmallSprites(const gl::Defines& lighting) : unlit_(gl::Defines()), lit_(lighting) {}
 
 const gl::Program& SmallSprites::shader(Use use) {
   const auto found = shaders_.find(use);
@@ -45,7 +57,7 @@ const gl::Program& SmallSprites::shader(Use use) {
       .first->second;
 }
 
-void SmallSprites::prepare(const gl::Program& kernel, int capacity) {
+void SmallSprites::prepare(const Kind& kind, const SpriteFields& all, int capacity) {
   constexpr int maxInvocations = 1 << 20;
   if (capacity > capacity_) {
     view_ = {};
@@ -54,10 +66,14 @@ void SmallSprites::prepare(const gl::Program& kernel, int capacity) {
     capacity_ = capacity;
   }
   const int invocations = std::min(capacity, maxInvocations);
-  kernel.set("invocations", (invocations + 63) / 64 * 64);
-  memory_.bindStorage(spriteBinding);
-  kernel.dispatch(invocations);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  const bool lit = kind.use == Use::ball;
+  (lit ? lit_ : unlit_)
+      .of({.glow = kind.use == Use::glow,
+           .forLight = kind.use == Use::shadow,
+           .reflective = lit && kind.reflective,
+           .translucent = lit && kind.translucent})
+      .dispatch(invocations, {.all = all, .sprites = memory_, .invocations = (invocations + 63) / 64 * 64});
+  gl::barrier();
   view_.bind(spriteUnit);
 }
 

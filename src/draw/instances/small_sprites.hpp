@@ -1,12 +1,23 @@
 #pragma once
+#include "draw/instances/instance_values.hpp"
 #include "gl/buffer.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 
 #include <map>
-#include <string>
 
 namespace simreel::draw {
+
+/// A level of sprites: fields of draw/instances/small_sprites.comp.
+struct SpriteFields {
+  InstanceFields instance;
+  InstanceLook look = {};        ///< of balls and glows
+  MaterialFields material = {};  ///< of balls
+  ListFields listed;
+};
+
+struct PrepareSprites;
 
 /// Sprites of few pixels: a kernel makes four words of each visible one, from which points or squares are
 /// drawn. One memory for all instances and for both eye and light, 16 bytes a sprite: it is filled right
@@ -17,15 +28,18 @@ class SmallSprites {
   [[nodiscard]] static bool points();
 
   enum class Use { ball, glow, shadow };
+  struct Kind {
+    Use use = Use::ball;
+    bool reflective = false, translucent = false;  ///< balls of such a material
+  };
   /// `lighting`: defines of draw/surface/lighting.glsl, for balls.
-  const gl::Program& kernel(Use use, const gl::Defines& lighting);
+  explicit SmallSprites(const gl::Defines& lighting);
   const gl::Program& shader(Use use);
-  /// Runs a kernel of kernel() whose other uniforms and inputs are set, for up to `capacity` sprites, and
-  /// binds what shader() reads.
-  void prepare(const gl::Program& kernel, int capacity);
+  /// Makes up to `capacity` sprites, and binds what shader() reads.
+  void prepare(const Kind& kind, const SpriteFields& all, int capacity);
 
  private:
-  std::map<std::string, gl::Program> kernels_;
+  gl::Kernels<PrepareSprites> unlit_, lit_;
   std::map<Use, gl::Program> shaders_;
   gl::Buffer memory_;
   gl::Texture view_;

@@ -1,31 +1,75 @@
 #include "draw/instances/visible_list.hpp"
 
-#include "draw/draw_state.hpp"
+#include "gl/element_array.hpp"
 
 #include <algorithm>
-#include <string>
+#include <vector>
 
 namespace simreel::draw {
+
+namespace {
+
+constexpr int mostLevels = 5;
+
+}  // namespace
+
+struct CullInstances {
+  static constexpr auto file = "draw/instances/cull_instances.comp";
+  struct Variant {
+    gl::Flag<"FOR_LIGHT"> forLight;
+    gl::Flag<"FOR_LAMPS"> forLamps;
+    gl::Range<"LEVELS", 1, mostLevels> levels;
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::Ambient<"light"> sunPlace = {};
+  gl::Ambient<"LampBlock"> lampBlock = {};
+  gl::Ambient<"lampMembers"> lamps = {};
+  SightFields sight;
+  gl::Out<"MaskBlock"> masks;
+  gl::Uniform<"capacity", int> capacity;
+  gl::Uniform<"words", int> words;
+};
+
+struct CountVisible {
+  static constexpr auto file = "draw/instances/count_visible.comp";
+  gl::In<"masks"> masks;
+  gl::Out<"BeforeBlock"> before;
+  gl::Out<"BlockBlock"> blockCount;
+  gl::Uniform<"blocks", int> blocks;
+};
+
+struct TotalVisible {
+  static constexpr auto file = "draw/instances/total_visible.comp";
+  struct Variant {
+    gl::Range<"LEVELS", 1, mostLevels> levels;
+  };
+  gl::In<"blockCount"> blockCount;
+  gl::Out<"FirstBlock"> blockFirst;
+  gl::Out<"ArgumentBlock"> arguments;
+  gl::Uniform<"blocks", int> blocks;
+  gl::Uniforms<"indices", glm::ivec2, mostLevels> indices;
+  gl::Uniforms<"batch", int, mostLevels> batch;
+};
+
+struct ListVisible {
+  static constexpr auto file = "draw/instances/list_visible.comp";
+  gl::In<"masks"> masks;
+  gl::In<"before"> before;
+  gl::In<"blockFirst"> blockFirst;
+  gl::Out<"ListBlock"> list;
+  gl::Uniform<"allWords", int> allWords;
+  gl::Uniform<"words", int> words;
+};
 
 namespace {
 
 constexpr int slotsPerWord = 32;
 constexpr int wordsPerBlock = 64;
 
-void barrier() {
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-}
-
 }  // namespace
 
-CullPrograms::CullPrograms(const gl::Defines& sight, int levels) {
-  gl::Defines defines = {{"LEVELS", std::to_string(levels)}};
-  total = gl::Program::compute("draw/instances/total_visible.comp", defines);
-  defines.insert(defines.end(), sight.begin(), sight.end());
-  cull = gl::Program::compute("draw/instances/cull_instances.comp", defines);
-  count = gl::Program::compute("draw/instances/count_visible.comp");
-  list = gl::Program::compute("draw/instances/list_visible.comp");
-}
+CullKernels::CullKernels(const gl::Defines& lampDefines)
+    : cull(lampDefines), count(gl::Defines()), list(gl::Defines()) {}
 
 VisibleList::Words::Words(const char* label, int count)
     : buffer(label, static_cast<std::size_t>(count) * 4),
@@ -43,45 +87,43 @@ VisibleList::VisibleList(int capacity, int levels)
       list_("visible instances", std::max(capacity, 1)),
       arguments_("instance arguments", levels * argumentBytes / 4) {}
 
-void VisibleList::fill(const CullPrograms& programs, const InstanceShape& shape) const {
+void VisibleList::fill(CullKernels& kernels, Viewer viewer, const SightFields& sight,
+                       const InstanceShape& shape) const {
   const int allWords = levels_ * words_;
   const int blocks = allWords / wordsPerBlock;
-  programs.cull.set("capacity", capacity_);
-  programs.cull.set("words", words_);
-  masks_.buffer.bindStorage(maskBinding);
-  programs.cull.dispatch(words_);
-  barrier();
-  programs.count.set("blocks", blocks);
-  masks_.view.bind(maskUnit);
-  before_.buffer.bindStorage(beforeBinding);
-  blockCount_.buffer.bindStorage(blockCountBinding);
-  programs.count.dispatch(blocks);
-  barrier();
-  programs.total.set("blocks", blocks);
-  for (int level = 0; level < levels_; ++level) {
-    const auto& part = shape.levels()[static_cast<std::size_t>(level)];
-    const std::string at = "[" + std::to_string(level) + "]";
-    programs.total.set(("indices" + at).c_str(), glm::ivec2(part.firstIndex, part.indexCount));
-    programs.total.set(("batch" + at).c_str(), part.batch);
+  kernels.cull
+      .of({.forLight = viewer == Viewer::sun, .forLamps = viewer == Viewer::lamps, .levels = levels_})
+      .dispatch(words_, {.sight = sight, .masks = masks_.buffer, .capacity = capacity_, .words = words_});
+  kernels.count.dispatch(
+      blocks,
+      {.masks = masks_.view, .before = before_.buffer, .blockCount = blockCount_.buffer, .blocks = blocks});
+  std::vector<glm::ivec2> indices;
+  std::vector<int> batches;
+  for (const InstanceShape::Level& level : shape.levels()) {
+    indices.emplace_back(level.firstIndex, level.indexCount);
+    batches.push_back(level.batch);
   }
-  blockCount_.view.bind(blockCountUnit);
-  blockFirst_.buffer.bindStorage(blockFirstBinding);
-  arguments_.buffer.bindStorage(argumentBinding);
-  programs.total.dispatch(1);
-  barrier();
-  programs.list.set("allWords", allWords);
-  programs.list.set("words", words_);
-  masks_.view.bind(maskUnit);
-  before_.view.bind(beforeUnit);
-  blockFirst_.view.bind(blockFirstUnit);
-  list_.buffer.bindStorage(listBinding);
-  programs.list.dispatch(allWords);
-  barrier();
+  kernels.total.of({.levels = levels_})
+      .dispatch(1, {.blockCount = blockCount_.view,
+                    .blockFirst = blockFirst_.buffer,
+                    .arguments = arguments_.buffer,
+                    .blocks = blocks,
+                    .indices = indices,
+                    .batch = batches});
+  kernels.list.dispatch(allWords, {.masks = masks_.view,
+                                   .before = before_.view,
+                                   .blockFirst = blockFirst_.view,
+                                   .list = list_.buffer,
+                                   .allWords = allWords,
+                                   .words = words_});
+  gl::barrier(GL_COMMAND_BARRIER_BIT);
+}
+
+ListFields VisibleList::fields(int level) const {
+  return {.list = list_.view, .arguments = arguments_.view, .level = level};
 }
 
 void VisibleList::bind() const {
-  list_.view.bind(listUnit);
-  arguments_.view.bind(argumentUnit);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, arguments_.buffer.name());
 }
 

@@ -1,16 +1,35 @@
 #pragma once
 #include "draw/instances/instance_shape.hpp"
+#include "draw/instances/instance_values.hpp"
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 
 namespace simreel::draw {
 
-/// Kernels that pick the visible instances, for shapes with one level of detail or several.
-struct CullPrograms {
-  /// `sight`: defines that say who sees them (cull_instances.comp).
-  CullPrograms(const gl::Defines& sight, int levels);
-  gl::Program cull, count, total, list;
+/// Who sees the instances.
+enum class Viewer { camera, sun, lamps };
+
+/// How they are seen: fields of draw/instances/cull_instances.comp.
+struct SightFields {
+  InstanceFields instance;
+  gl::Uniform<"pointPixels", float> pointPixels;
+  gl::Uniform<"levelError", float> levelError;
+};
+
+struct CullInstances;
+struct CountVisible;
+struct TotalVisible;
+struct ListVisible;
+
+/// Kernels that pick the visible instances.
+struct CullKernels {
+  /// `lampDefines`: Lamps::shadowDefines().
+  explicit CullKernels(const gl::Defines& lampDefines);
+  gl::Kernels<CullInstances> cull;
+  gl::Kernels<TotalVisible> total;
+  gl::Kernel<CountVisible> count;
+  gl::Kernel<ListVisible> list;
 };
 
 /// The visible ones of up to `capacity` instances, in the order of their slots within each level of
@@ -19,9 +38,9 @@ class VisibleList {
  public:
   VisibleList(int capacity, int levels);
 
-  /// Fills list and arguments. The uniforms of programs.cull that describe the instances are set, and
-  /// their texel views bound.
-  void fill(const CullPrograms& programs, const InstanceShape& shape) const;
+  /// Fills list and arguments. The frame's values and the viewer's maps are bound.
+  void fill(CullKernels& kernels, Viewer viewer, const SightFields& sight,
+            const InstanceShape& shape) const;
   [[nodiscard]] int capacity() const { return capacity_; }
   [[nodiscard]] int levels() const { return levels_; }
 
@@ -31,8 +50,8 @@ class VisibleList {
   /// list, number visible, 0.
   [[nodiscard]] const gl::Buffer& arguments() const { return arguments_.buffer; }
   static constexpr int argumentBytes = 32;
-  /// For a program that draws instances (draw/instances/instance.glsl); the arguments for the indirect draw
-  /// too.
+  [[nodiscard]] ListFields fields(int level) const;
+  /// Binds the arguments for an indirect draw.
   void bind() const;
 
  private:

@@ -1,7 +1,9 @@
 #include "draw/lights/lamp_shadows.hpp"
 
 #include "base/error.hpp"
+#include "draw/surface_fields.hpp"
 #include "gl/context.hpp"
+#include "gl/kernel/give.hpp"
 #include "gl/limits.hpp"
 #include "sim/grid/sheet_mesh.hpp"
 
@@ -62,9 +64,7 @@ void LampShadows::draw(const sim::Drawables& drawables, const std::function<void
     const sim::Surface& surface = drawables.surfaces[i];
     if (!castsShadow(surface)) continue;
     const gl::Program& shader = programOf(surface);
-    shader.set("model", surface.model);
-    bindPositions(surface, shader);
-    bindDeformation(surface);
+    gl::give(shader, placed(surface));
     vertices_.bind(surface.rowIndices > 0 ? allIndices(surface.grid) : *surface.indices);
     cells_->draw(shader, i);
   }

@@ -1,24 +1,45 @@
 #include "draw/lights/surface_cells.hpp"
 
 #include "draw/draw_state.hpp"
+#include "draw/surface_fields.hpp"
+#include "gl/element_array.hpp"
 
 #include <algorithm>
 #include <span>
 
 namespace simreel::draw {
 
+struct SurfaceBox {
+  static constexpr auto file = "draw/lights/surface_box.comp";
+  struct Variant {
+    gl::Flag<"DEFORMED"> deformed;
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  PlacedSurface placed;
+  gl::Uniform<"surface", int> surface;
+  gl::Uniform<"vertexCount", int> vertexCount;
+  gl::Uniform<"invocations", int> invocations;
+  gl::Shared<"BoxBlock"> boxes;
+};
+
+struct ListCells {
+  static constexpr auto file = "draw/lights/surface_cells.comp";
+  gl::Ambient<"LampBlock"> lampBlock = {};
+  gl::Ambient<"lampMembers"> lamps = {};
+  gl::InOut<"BoxBlock"> boxes;
+  gl::Out<"CellBlock"> cells;
+  gl::InOut<"ArgumentBlock"> arguments;
+  gl::Uniform<"surfaces", int> surfaces;
+};
+
 namespace {
 
-constexpr const char* boxPath = "draw/lights/surface_box.comp";
 constexpr std::size_t boxWords = 6;
 constexpr std::size_t argumentWords = 5;  // of glDrawElementsIndirect
 
 }  // namespace
 
-SurfaceCells::SurfaceCells(int cells, const gl::Defines& lampDefines)
-    : cells_(cells),
-      box_(gl::Program::compute(boxPath)),
-      list_(gl::Program::compute("draw/lights/surface_cells.comp", lampDefines)) {}
+SurfaceCells::SurfaceCells(int cells, const gl::Defines& lampDefines) : cells_(cells), list_(lampDefines) {}
 
 void SurfaceCells::resize(std::size_t surfaces) {
   if (surfaces <= capacity_) return;
@@ -36,17 +57,14 @@ void SurfaceCells::resize(std::size_t surfaces) {
 void SurfaceCells::growBox(const sim::Surface& surface, int number) {
   constexpr int maxInvocations = 1 << 14;
   constexpr int verticesEach = 32;
-  gl::Program& program = surface.deform == nullptr ? box_ : deformedBox_;
-  if (!program) program = gl::Program::compute(boxPath, {{"DEFORMED", "1"}});
   const int invocations =
       std::clamp((surface.vertexCount + verticesEach - 1) / verticesEach, 1, maxInvocations);
-  program.set("surface", number);
-  program.set("vertexCount", surface.vertexCount);
-  program.set("invocations", invocations);
-  program.set("model", surface.model);
-  bindPositions(surface, program);
-  bindDeformation(surface);
-  program.dispatch(invocations);
+  box_.of({.deformed = surface.deform != nullptr})
+      .dispatch(invocations, {.placed = placed(surface),
+                              .surface = number,
+                              .vertexCount = surface.vertexCount,
+                              .invocations = invocations,
+                              .boxes = boxes_});
 }
 
 /// How many indices there are is known to the GPU alone where it emitted them.
@@ -67,14 +85,11 @@ void SurfaceCells::find(const std::vector<sim::Surface>& surfaces) {
     arguments.insert(arguments.end(), {static_cast<unsigned>(surface.indexCount), 0, 0, 0, 0});
   arguments_.write(0, std::as_bytes(std::span(arguments)));
   copyCounts(surfaces);
-  boxes_.bindStorage(boxBinding);
   for (std::size_t i = 0; i < surfaces.size(); ++i) growBox(surfaces[i], static_cast<int>(i));
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  cellNumbers_.bindStorage(cellBinding);
-  arguments_.bindStorage(cellArgumentBinding);
-  list_.set("surfaces", static_cast<int>(surfaces.size()));
-  list_.dispatch(static_cast<int>(surfaces.size()));
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+  const int count = static_cast<int>(surfaces.size());
+  list_.dispatch(count,
+                 {.boxes = boxes_, .cells = cellNumbers_, .arguments = arguments_, .surfaces = count});
+  gl::barrier(GL_COMMAND_BARRIER_BIT);
 }
 
 void SurfaceCells::draw(const gl::Program& program, std::size_t i) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include "gl/buffer.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
@@ -7,6 +8,9 @@
 #include <vector>
 
 namespace simreel::draw {
+
+struct SurfaceBox;
+struct ListCells;
 
 /// Which of the lamps' shadow maps each surface reaches into, found on the GPU by the box around its
 /// vertices: software drivers transform vertices on one thread, and most surfaces reach into one or two
@@ -28,7 +32,8 @@ class SurfaceCells {
   void growBox(const sim::Surface& surface, int number);
 
   int cells_;
-  gl::Program box_, deformedBox_, list_;
+  gl::Kernels<SurfaceBox> box_;
+  gl::Kernel<ListCells> list_;
   std::size_t capacity_ = 0;  ///< surfaces
   gl::Buffer boxes_, cellNumbers_, arguments_;
   gl::Texture cellView_;

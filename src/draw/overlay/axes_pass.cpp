@@ -131,9 +131,7 @@ void AxesPass::draw(const sim::Drawables& drawables, double seconds, const gl::T
   SIMREEL_CHECK(exact_);
   const std::vector<glm::vec4> boxes = boxesOf(drawables, seconds);
   if (boxes.empty()) return;
-  if (!program_) program_ = BoxList::kernel();
-  imageBarrier();
-  list_.paint(program_, boxes, picture);
+  list_.paint(boxes, picture);
   imageBarrier();
 }
 

@@ -1,6 +1,6 @@
 #include "draw/overlay/box_kernel.hpp"
 
-#include "draw/draw_state.hpp"
+#include "gl/element_array.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,6 +8,14 @@
 #include <glm/common.hpp>
 
 namespace simreel::draw {
+
+struct PaintBoxes {
+  static constexpr auto file = "draw/overlay/boxes.comp";
+  gl::In<"boxes"> boxes;
+  gl::Out<"target"> target;
+  gl::Uniform<"first", int> first;
+  gl::Uniform<"count", int> count;
+};
 
 namespace {
 
@@ -59,12 +67,8 @@ BoxLayers boxLayers(const std::vector<glm::vec4>& boxes, glm::ivec2 picture) {
   return result;
 }
 
-gl::Program BoxList::kernel() {
-  return gl::Program::compute("draw/overlay/boxes.comp");
-}
-
-void BoxList::paint(const gl::Program& program, const std::vector<glm::vec4>& boxes,
-                    const gl::Texture& target) {
+void BoxList::paint(const std::vector<glm::vec4>& boxes, const gl::Texture& target) {
+  if (!kernel_) kernel_ = gl::Kernel<PaintBoxes>(gl::Defines());
   if (boxes != present_) {
     layers_ = boxLayers(boxes, {target.width(), target.height()});
     present_ = boxes;
@@ -73,21 +77,16 @@ void BoxList::paint(const gl::Program& program, const std::vector<glm::vec4>& bo
     view_ = gl::Texture::view("boxes", GL_RGBA32F, buffer_);
   }
   if (layers_.boxes.empty()) return;
-  view_.bind(boxUnit);
-  target.bindImage(targetImage, GL_WRITE_ONLY);
   int first = 0;
   for (const int end : layers_.ends) {
-    if (first > 0) imageBarrier();
-    program.set("first", first);
-    program.set("count", end - first);
-    program.dispatch(end - first);
+    const int count = end - first;
+    kernel_.dispatch(count, {.boxes = view_, .target = target, .first = first, .count = count});
     first = end;
   }
 }
 
 void imageBarrier() {
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                  GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  gl::barrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
 }  // namespace simreel::draw

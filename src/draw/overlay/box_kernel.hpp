@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 
 #include <vector>
@@ -19,22 +19,23 @@ struct BoxLayers {
 /// colour. In pieces of at most 16 x 16 pixels, within the picture.
 [[nodiscard]] BoxLayers boxLayers(const std::vector<glm::vec4>& boxes, glm::ivec2 picture);
 
+struct PaintBoxes;
+
 /// Rectangles as a kernel paints them over the finished picture; kept until others come.
 class BoxList {
  public:
   /// `target`: RGBA8, its first row the picture's top one. Leaves the image to a barrier of the caller.
-  void paint(const gl::Program& program, const std::vector<glm::vec4>& boxes, const gl::Texture& target);
-  /// What `paint` takes.
-  [[nodiscard]] static gl::Program kernel();
+  void paint(const std::vector<glm::vec4>& boxes, const gl::Texture& target);
 
  private:
+  gl::Kernel<PaintBoxes> kernel_;   ///< made when first needed
   std::vector<glm::vec4> present_;  ///< what the buffer was made of
   BoxLayers layers_;
   gl::Buffer buffer_;
   gl::Texture view_;
 };
 
-/// What others wrote to an image is seen by a kernel that lays something over it, and the other way round.
+/// Makes what kernels wrote to an image visible to drawing and to copies.
 void imageBarrier();
 
 }  // namespace simreel::draw

@@ -3,6 +3,8 @@
 #include "base/error.hpp"
 #include "draw/overlay/text_boxes.hpp"
 #include "draw/picture_code.hpp"
+#include "gl/element_array.hpp"
+#include "gl/kernel/give.hpp"
 
 #include <algorithm>
 #include <span>
@@ -14,6 +16,42 @@ namespace simreel::draw {
 
 namespace {
 
+/// Fields of draw/overlay/chart_inputs.glsl.
+struct ChartFields {
+  gl::In<"counts"> counts;
+  gl::In<"columns"> columns;
+  gl::Uniform<"steps", int> steps;
+  gl::Uniform<"perTop", float> perTop;
+  gl::Uniform<"panel", glm::vec4> panel;
+  gl::Uniform<"plot", glm::vec4> plot;
+  gl::Uniform<"unit", float> unit;
+  gl::Uniform<"curves", int> curves;
+  gl::Uniforms<"colors", glm::vec3, 4> colors;
+  gl::Uniform<"zero", float> zero;
+  gl::Uniform<"end", float> end;
+};
+
+}  // namespace
+
+struct CondenseChart {
+  static constexpr auto file = "draw/overlay/chart_columns.comp";
+  gl::In<"counts"> counts;
+  gl::Uniform<"steps", int> steps;
+  gl::Uniform<"perTop", float> perTop;
+  gl::Out<"condensed"> columns;
+  gl::Uniform<"columnCount", int> columnCount;
+  gl::Uniform<"perColumn", float> perColumn;
+};
+
+struct DrawChart {
+  static constexpr auto file = "draw/overlay/chart.comp";
+  ChartFields chart;
+  gl::InOut<"target"> target;
+  gl::Uniform<"part", glm::ivec4> part;
+};
+
+namespace {
+
 int curveCount(const sim::Chart& chart) {
   return static_cast<int>(std::min<std::size_t>({chart.names.size(), chart.colors.size(), 4}));
 }
@@ -22,9 +60,25 @@ float perTop(const sim::Chart& chart) {
   return 1.0F / static_cast<float>(std::max(chart.max, 1U));
 }
 
-/// As the picture has it: the kernels' own approximation.
-glm::vec3 encoded(glm::vec3 linear) {
-  return shader::encoded(glm::clamp(linear, 0.0F, 1.0F));
+ChartFields chartFields(const sim::Chart& chart, const ChartLayout& layout, const gl::Texture& columns) {
+  const float fraction =
+      static_cast<float>(std::max(chart.steps - 1, 0)) / static_cast<float>(std::max(chart.width - 1, 1));
+  const int curves = curveCount(chart);
+  std::vector<glm::vec3> colors(4, glm::vec3(0));
+  // As the picture has them: the kernels' own approximation.
+  std::transform(chart.colors.begin(), chart.colors.begin() + curves, colors.begin(),
+                 [](glm::vec3 linear) { return shader::encoded(glm::clamp(linear, 0.0F, 1.0F)); });
+  return {.counts = *chart.counts,
+          .columns = columns,
+          .steps = chart.steps,
+          .perTop = perTop(chart),
+          .panel = glm::vec4(layout.panel),
+          .plot = glm::vec4(layout.plot),
+          .unit = static_cast<float>(layout.unit),
+          .curves = curves,
+          .colors = colors,
+          .zero = chart.zero,
+          .end = fraction * static_cast<float>(layout.plot.z - layout.plot.x)};
 }
 
 }  // namespace
@@ -48,9 +102,11 @@ ChartLayout chartLayout(const sim::Chart& chart, glm::ivec2 picture) {
 
 void ChartPass::compile() {
   if (columns_) return;
-  columns_ = gl::Program::compute("draw/overlay/chart_columns.comp");
-  curves_ = exact_ ? gl::Program::compute("draw/overlay/chart.comp")
-                   : gl::Program::graphics("draw/overlay/chart.vert", "draw/overlay/chart.frag");
+  columns_ = gl::Kernel<CondenseChart>(gl::Defines());
+  if (exact_)
+    exactCurves_ = gl::Kernel<DrawChart>(gl::Defines());
+  else
+    curves_ = gl::Program::graphics("draw/overlay/chart.vert", "draw/overlay/chart.frag");
 }
 
 void ChartPass::draw(const sim::Drawables& drawables) {
@@ -88,13 +144,9 @@ bool ChartPass::prepare(const sim::Drawables& drawables) {
 void ChartPass::drawExactly(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept,
                             const gl::Texture& picture) const {
   const glm::ivec4 part = glm::clamp(layout.panel, glm::ivec4(0), glm::ivec4(picture_, picture_));
-  // Nor is an image bound that no kernel uses: NVIDIA's driver 580 crashes when it reads the texture then.
-  if (part.z <= part.x || part.w <= part.y) return;
-  setChart(chart, layout, kept);
-  curves_.set("part", part);
-  picture.bindImage(targetImage, GL_READ_WRITE);
-  imageBarrier();
-  curves_.dispatch(part.z - part.x, part.w - part.y);
+  exactCurves_.dispatch(
+      glm::ivec2(part.z - part.x, part.w - part.y),
+      {.chart = chartFields(chart, layout, kept.columns), .target = picture, .part = part});
   imageBarrier();
 }
 
@@ -103,36 +155,18 @@ void ChartPass::condense(const sim::Chart& chart, const ChartLayout& layout, Kep
   if (kept.columns.width() != width)
     kept.columns = gl::Texture::image("chart columns", GL_RGBA32F, width, 4);
   if (chart.steps < 1) return;
-  columns_.set("columnCount", width);
-  columns_.set("steps", chart.steps);
-  columns_.set("perColumn", static_cast<float>(std::max(chart.width - 1, 1)) / static_cast<float>(width));
-  columns_.set("perTop", perTop(chart));
-  chart.counts->bind(countUnit);
-  kept.columns.bindImage(targetImage, GL_WRITE_ONLY);
-  columns_.dispatch(width);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-}
-
-void ChartPass::setChart(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const {
-  constexpr const char* colorNames[] = {"colors[0]", "colors[1]", "colors[2]", "colors[3]"};
-  const float fraction =
-      static_cast<float>(std::max(chart.steps - 1, 0)) / static_cast<float>(std::max(chart.width - 1, 1));
-  curves_.set("panel", glm::vec4(layout.panel));
-  curves_.set("plot", glm::vec4(layout.plot));
-  curves_.set("unit", static_cast<float>(layout.unit));
-  curves_.set("curves", curveCount(chart));
-  for (int i = 0; i < curveCount(chart); ++i)
-    curves_.set(colorNames[i], encoded(chart.colors[static_cast<std::size_t>(i)]));
-  curves_.set("steps", chart.steps);
-  curves_.set("end", fraction * static_cast<float>(layout.plot.z - layout.plot.x));
-  curves_.set("perTop", perTop(chart));
-  curves_.set("zero", chart.zero);
-  chart.counts->bind(countUnit);
-  kept.columns.bind(columnUnit);
+  const float perColumn = static_cast<float>(std::max(chart.width - 1, 1)) / static_cast<float>(width);
+  columns_.dispatch(width, {.counts = *chart.counts,
+                            .steps = chart.steps,
+                            .perTop = perTop(chart),
+                            .columns = kept.columns,
+                            .columnCount = width,
+                            .perColumn = perColumn});
 }
 
 void ChartPass::drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const {
-  setChart(chart, layout, kept);
+  gl::barrier();
+  gl::give(curves_, chartFields(chart, layout, kept.columns));
   curves_.set("picture", glm::vec2(picture_));
   curves_.use();
   vertices_.bind();

@@ -2,6 +2,7 @@
 #include "draw/draw_state.hpp"
 #include "draw/overlay/box_kernel.hpp"
 #include "draw/rasterizer.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
@@ -22,6 +23,9 @@ struct ChartLayout {
   bool hasLetters = false;  ///< whether there is room for them (ChartLabels)
 };
 [[nodiscard]] ChartLayout chartLayout(const sim::Chart& chart, glm::ivec2 picture);
+
+struct CondenseChart;
+struct DrawChart;
 
 /// Draws curves of counts over the finished picture, without letters. A kernel condenses the steps to
 /// columns of pixels, so a frame costs the same after a million steps.
@@ -46,12 +50,12 @@ class ChartPass {
 
   void drawExactly(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept,
                    const gl::Texture& picture) const;
-  /// What is set alike for both rasterizers.
-  void setChart(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const;
 
   glm::ivec2 picture_;
   bool exact_;
-  gl::Program columns_, curves_;
+  gl::Kernel<CondenseChart> columns_;
+  gl::Kernel<DrawChart> exactCurves_;
+  gl::Program curves_;
   std::vector<Kept> kept_;
   VertexArray vertices_;
 };

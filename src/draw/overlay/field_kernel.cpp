@@ -1,8 +1,8 @@
 #include "draw/overlay/field_kernel.hpp"
 
 #include "base/error.hpp"
-#include "draw/draw_state.hpp"
 #include "draw/overlay/field_view.hpp"
+#include "gl/element_array.hpp"
 
 #include <span>
 #include <string>
@@ -12,6 +12,14 @@
 #include <glm/vector_relational.hpp>
 
 namespace simreel::draw {
+
+struct AverageField {
+  static constexpr auto file = "draw/overlay/field_texture.comp";
+  using Variant = FieldVariant;
+  FieldInputs field;
+  gl::Out<"texels"> texels;
+  gl::Uniform<"size", glm::ivec2> size;
+};
 
 void FieldColors::update(const std::vector<glm::vec3>& wanted) {
   SIMREEL_CHECK(!wanted.empty());
@@ -31,23 +39,20 @@ void FieldColors::update(const std::vector<glm::vec3>& wanted) {
   present_ = wanted;
 }
 
-gl::Defines fieldDefines(const sim::Field& field, bool colored) {
-  gl::Defines defines = {{"CELLS", std::to_string(static_cast<int>(field.cells))}};
-  if (field.categories) defines.emplace_back("CATEGORIES", "1");
-  if (colored) defines.emplace_back("COLORED", "1");
-  return defines;
+FieldVariant fieldVariant(const sim::Field& field, bool colored) {
+  return {.cells = field.cells, .categories = field.categories, .colored = colored};
 }
 
-void setField(const gl::Program& program, const sim::Field& field, const FieldColors& colors) {
-  program.set("cells", field.size);
-  program.set("rowWords", field.rowWords);
-  program.set("firstWord", field.firstWord);
-  program.set("cellWords", field.cellWords);
-  program.set("stopCount", colors.stopCount);
-  program.set("rangeLow", field.range.x);
-  program.set("rangeFactor", rangeFactor(field.range));
-  field.words->bind(wordUnit);
-  colors.stops.bind(colorUnit);
+FieldInputs fieldInputs(const sim::Field& field, const FieldColors& colors) {
+  return {.words = *field.words,
+          .stops = colors.stops,
+          .cells = field.size,
+          .rowWords = field.rowWords,
+          .firstWord = field.firstWord,
+          .cellWords = field.cellWords,
+          .stopCount = colors.stopCount,
+          .rangeLow = field.range.x,
+          .rangeFactor = rangeFactor(field.range)};
 }
 
 gl::Texture FieldKernel::texture(const sim::Field& field, int reduction, bool colored, int levels) {
@@ -60,21 +65,10 @@ gl::Texture FieldKernel::texture(const sim::Field& field, int reduction, bool co
 
 void FieldKernel::average(const sim::Field& field, const FieldColors& colors, const gl::Texture& texture,
                           bool colored) {
-  const int variant = static_cast<int>(field.cells) + (field.categories ? 4 : 0) + (colored ? 8 : 0);
-  auto found = programs_.find(variant);
-  if (found == programs_.end())
-    found = programs_
-                .emplace(variant, gl::Program::compute("draw/overlay/field_texture.comp",
-                                                       fieldDefines(field, colored)))
-                .first;
-  const gl::Program& program = found->second;
-  setField(program, field, colors);
   const glm::ivec2 size(texture.width(), texture.height());
-  program.set("size", size);
-  texture.bindImage(targetImage, GL_WRITE_ONLY);
-  program.dispatch(size.x, size.y);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
-                  GL_FRAMEBUFFER_BARRIER_BIT);
+  kernels_.of(fieldVariant(field, colored))
+      .dispatch(size, {.field = fieldInputs(field, colors), .texels = texture, .size = size});
+  gl::barrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
 }  // namespace simreel::draw

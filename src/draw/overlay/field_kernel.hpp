@@ -1,10 +1,9 @@
 #pragma once
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
 
-#include <map>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -25,10 +24,27 @@ class FieldColors {
   std::vector<glm::vec3> present_;
 };
 
-/// What is defined for a shader that reads this kind of field.
-[[nodiscard]] gl::Defines fieldDefines(const sim::Field& field, bool colored);
-/// Sets uniforms and texture units (0 and 1) of a shader that reads this field.
-void setField(const gl::Program& program, const sim::Field& field, const FieldColors& colors);
+/// Fields of glsl/draw/overlay/field_inputs.glsl.
+struct FieldInputs {
+  gl::In<"words"> words;
+  gl::In<"stops"> stops;
+  gl::Uniform<"cells", glm::ivec2> cells;
+  gl::Uniform<"rowWords", int> rowWords;
+  gl::Uniform<"firstWord", int> firstWord;
+  gl::Uniform<"cellWords", int> cellWords;
+  gl::Uniform<"stopCount", int> stopCount;
+  gl::Uniform<"rangeLow", float> rangeLow;
+  gl::Uniform<"rangeFactor", float> rangeFactor;
+};
+[[nodiscard]] FieldInputs fieldInputs(const sim::Field& field, const FieldColors& colors);
+struct FieldVariant {
+  gl::Choice<"CELLS", 0, 1, 2, 3> cells;  ///< sim::Field::Cells
+  gl::Flag<"CATEGORIES"> categories;
+  gl::Flag<"COLORED"> colored;
+};
+[[nodiscard]] FieldVariant fieldVariant(const sim::Field& field, bool colored);
+
+struct AverageField;
 
 /// Averages a whole field into a texture of any smaller or equal size: values (R32F), or linear light
 /// (RGBA16F, the value's place in the range in alpha). The same bits on every device. A texel sums up at
@@ -45,7 +61,7 @@ class FieldKernel {
                                            int levels);
 
  private:
-  std::map<int, gl::Program> programs_;
+  gl::Kernels<AverageField> kernels_;
 };
 
 }  // namespace simreel::draw

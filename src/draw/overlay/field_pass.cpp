@@ -3,15 +3,24 @@
 #include "base/error.hpp"
 #include "draw/overlay/box_kernel.hpp"
 #include "draw/rows_at_once.hpp"
+#include "gl/kernel/give.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
 namespace simreel::draw {
+
+struct DrawField {
+  static constexpr auto file = "draw/overlay/field.comp";
+  using Variant = FieldDrawVariant;
+  ShownField shown;
+  gl::InOut<"target"> target;
+  gl::Uniform<"part", glm::ivec4> part;
+  gl::Uniform<"lastRow", int> lastRow;
+};
 
 namespace {
 
@@ -88,58 +97,48 @@ void FieldPass::draw(const sim::Drawables& drawables, FieldLayer layer, double s
   }
 }
 
-const gl::Program& FieldPass::program(const sim::Field& field, const Kept& kept, double seconds) {
-  const bool reduced = kept.reduction > 1;
+FieldDrawVariant FieldPass::variant(const sim::Field& field, const Kept& kept, double seconds) const {
   const bool over = field.display->layer == FieldLayer::over;
-  const bool magnified = isMagnified(field, kept.reduction, picture_, seconds);
-  // Software drivers would read what nobody sees: they run both sides of a branch.
-  const bool opaque = exact_ && over && field.display->opacity.at(seconds) >= 1;
-  const int variant = static_cast<int>(field.cells) + (field.categories ? 4 : 0) + (kept.colored ? 8 : 0) +
-                      (reduced ? 16 : 0) + (over ? 32 : 0) + (hasRelief(field) ? 64 : 0) +
-                      (field.display->tiled ? 128 : 0) + (hasSmoothColors(field) ? 256 : 0) +
-                      (opaque ? 512 : 0) + (magnified ? 1024 : 0);
-  const auto found = programs_.find(variant);
-  if (found != programs_.end()) return found->second;
-  gl::Defines defines = fieldDefines(field, kept.colored);
-  if (reduced) defines.emplace_back("REDUCED", "1");
-  if (over) defines.emplace_back("OVER", "1");
-  if (opaque) defines.emplace_back("OPAQUE", "1");
-  if (magnified) defines.emplace_back("MAGNIFIED", "1");
-  if (exact_) defines.emplace_back("ROWS", std::to_string(rowsFor(field)));
-  if (hasSmoothColors(field)) defines.emplace_back("SMOOTH_COLORS", "1");
-  if (field.display->tiled) defines.emplace_back("TILED", "1");
-  if (hasRelief(field)) defines.emplace_back("RELIEF", "1");
-  return programs_
-      .emplace(variant, exact_ ? gl::Program::compute("draw/overlay/field.comp", defines)
-                               : gl::Program::graphics("draw/overlay/field.vert", "draw/overlay/field.frag",
-                                                       defines))
-      .first->second;
+  FieldDrawVariant all{.field = fieldVariant(field, kept.colored),
+                       .reduced = kept.reduction > 1,
+                       .over = over,
+                       // Software drivers would read what nobody sees: they run both sides of a branch.
+                       .opaque = exact_ && over && field.display->opacity.at(seconds) >= 1,
+                       .magnified = isMagnified(field, kept.reduction, picture_, seconds),
+                       .smoothColors = hasSmoothColors(field),
+                       .tiled = field.display->tiled,
+                       .relief = hasRelief(field)};
+  if (exact_) all.rows = rowsFor(field);
+  return all;
 }
 
-void FieldPass::setPlace(const gl::Program& shader, const sim::Field& field, const Kept& kept,
-                         const FieldView& view, double seconds) const {
+ShownField FieldPass::shownAs(const sim::Field& field, const Kept& kept, const FieldView& view,
+                              double seconds) {
   const sim::FieldDisplay& display = *field.display;
   const bool reduced = kept.reduction > 1;
   const FieldPlace place = fieldPlace(
       field, view, reduced ? glm::ivec2(kept.reduced.width(), kept.reduced.height()) : field.size);
-  setField(shader, field, kept.colors);
-  if (reduced) kept.reduced.bind(reducedUnit);
-  shader.set("size", place.size);
-  shader.set("base", place.base);
-  shader.set("start", place.start);
-  shader.set("perPixel", place.perPixel);
-  shader.set("slope", place.slope);
-  shader.set("border", display.border);
-  shader.set("opacity", display.opacity.at(seconds));
+  return {.field = fieldInputs(field, kept.colors),
+          .reduced = reduced ? gl::Resource(kept.reduced) : gl::Resource(),
+          .size = place.size,
+          .base = place.base,
+          .start = place.start,
+          .perPixel = place.perPixel,
+          .slope = place.slope,
+          .border = display.border,
+          .opacity = display.opacity.at(seconds)};
 }
 
 void FieldPass::drawOne(const sim::Field& field, const Kept& kept, double seconds) {
   const FieldView view = fieldView(*field.display, field.size, picture_, seconds);
-  const gl::Program& shader = program(field, kept, seconds);
+  const gl::Defines defines = gl::with({}, variant(field, kept, seconds));
+  gl::Program& shader = programs_[defines];
+  if (!shader)
+    shader = gl::Program::graphics("draw/overlay/field.vert", "draw/overlay/field.frag", defines);
   DrawState{.depthTest = false}.set();
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  setPlace(shader, field, kept, view, seconds);
+  gl::give(shader, shownAs(field, kept, view, seconds));
   shader.set("part", glm::vec4(view.part));
   shader.set("picture", glm::vec2(picture_));
   shader.set("topFirst", static_cast<int>(field.display->layer == FieldLayer::over));
@@ -173,14 +172,13 @@ void FieldPass::drawOneExactly(const sim::Field& field, const Kept& kept, double
   const FieldView view = fieldView(*field.display, field.size, picture_, seconds);
   const glm::ivec4 part(
       glm::clamp(view.part, glm::dvec4(0), glm::dvec4(picture_.x, picture_.y, picture_.x, picture_.y)));
-  const gl::Program& shader = program(field, kept, seconds);
-  setPlace(shader, field, kept, view, seconds);
-  shader.set("part", part);
-  shader.set("lastRow", lastRow);
-  target.bindImage(targetImage, GL_READ_WRITE);
-  imageBarrier();
   const int rows = rowsFor(field);
-  shader.dispatch(part.z - part.x, (part.w - part.y + rows - 1) / rows);
+  kernels_.of(variant(field, kept, seconds))
+      .dispatch(glm::ivec2(part.z - part.x, (part.w - part.y + rows - 1) / rows),
+                {.shown = shownAs(field, kept, view, seconds),
+                 .target = target,
+                 .part = part,
+                 .lastRow = lastRow});
   imageBarrier();
 }
 

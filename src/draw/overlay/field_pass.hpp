@@ -3,6 +3,7 @@
 #include "draw/overlay/field_kernel.hpp"
 #include "draw/overlay/field_view.hpp"
 #include "draw/rasterizer.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
@@ -14,6 +15,32 @@
 #include <glm/vec2.hpp>
 
 namespace simreel::draw {
+
+/// A field and its place on the picture: fields of glsl/draw/overlay/field_view.glsl, too.
+struct ShownField {
+  FieldInputs field;
+  gl::In<"reduced"> reduced;
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"base", glm::ivec2> base;
+  gl::Uniform<"start", glm::vec2> start;
+  gl::Uniform<"perPixel", glm::vec2> perPixel;
+  gl::Uniform<"slope", glm::vec2> slope;
+  gl::Uniform<"border", glm::vec3> border;
+  gl::Uniform<"opacity", float> opacity;
+};
+struct FieldDrawVariant {
+  FieldVariant field;
+  gl::Flag<"REDUCED"> reduced;
+  gl::Flag<"OVER"> over;
+  gl::Flag<"OPAQUE"> opaque;
+  gl::Flag<"MAGNIFIED"> magnified;
+  gl::Flag<"SMOOTH_COLORS"> smoothColors;
+  gl::Flag<"TILED"> tiled;
+  gl::Flag<"RELIEF"> relief;
+  gl::Range<"ROWS", 1, 8> rows = {};  ///< of the exact rasterizer
+};
+
+struct DrawField;
 
 /// Lays fields over the picture, or behind everything drawn. Cells are read straight from the simulation's
 /// memory; where four or more lie under a pixel, a kernel averages blocks of them first.
@@ -51,16 +78,17 @@ class FieldPass {
   void drawOne(const sim::Field& field, const Kept& kept, double seconds);
   void drawOneExactly(const sim::Field& field, const Kept& kept, double seconds, const gl::Texture& target,
                       int lastRow);
-  /// What is set alike for both rasterizers.
-  void setPlace(const gl::Program& shader, const sim::Field& field, const Kept& kept, const FieldView& view,
-                double seconds) const;
-  const gl::Program& program(const sim::Field& field, const Kept& kept, double seconds);
+  /// What both rasterizers read.
+  static ShownField shownAs(const sim::Field& field, const Kept& kept, const FieldView& view,
+                            double seconds);
+  [[nodiscard]] FieldDrawVariant variant(const sim::Field& field, const Kept& kept, double seconds) const;
 
   glm::ivec2 picture_;
   bool exact_;
   FieldKernel kernel_;
   std::vector<Kept> kept_;
-  std::map<int, gl::Program> programs_;
+  gl::Kernels<DrawField> kernels_;
+  std::map<gl::Defines, gl::Program> programs_;  ///< driver: by variant
   VertexArray vertices_;
 };
 

@@ -1,6 +1,5 @@
 #include "draw/overlay/writing_pass.hpp"
 
-#include "draw/draw_state.hpp"
 #include "draw/overlay/box_kernel.hpp"
 #include "draw/picture_code.hpp"
 
@@ -14,6 +13,17 @@
 #include <glm/vec4.hpp>
 
 namespace simreel::draw {
+
+struct WritingKernel {
+  static constexpr auto file = "draw/overlay/writing.comp";
+  gl::In<"shares"> shares;
+  gl::InOut<"target"> target;
+  gl::Uniform<"panel", glm::ivec4> panel;
+  gl::Uniform<"box", glm::ivec4> box;
+  gl::Uniform<"color", glm::vec3> color;
+  gl::Uniform<"opacity", float> opacity;
+  gl::Uniform<"backdrop", float> backdrop;
+};
 
 void WritingPass::cover(const sim::Writing& writing, Kept& kept) const {
   const glm::dvec2 size(picture_);
@@ -35,7 +45,7 @@ void WritingPass::cover(const sim::Writing& writing, Kept& kept) const {
 
 void WritingPass::draw(const sim::Drawables& drawables, const gl::Texture& picture) {
   if (drawables.writings.empty()) return;
-  if (!program_) program_ = gl::Program::compute("draw/overlay/writing.comp");
+  if (!kernel_) kernel_ = gl::Kernel<WritingKernel>(gl::Defines());
   kept_.resize(drawables.writings.size());
   for (std::size_t i = 0; i < kept_.size(); ++i) {
     const sim::Writing& writing = drawables.writings[i];
@@ -43,21 +53,19 @@ void WritingPass::draw(const sim::Drawables& drawables, const gl::Texture& pictu
     cover(writing, kept);
     const Coverage& coverage = kept.coverage;
     if (coverage.share.empty() || !(writing.opacity > 0)) continue;
-    imageBarrier();
     // The panel reaches half a capital's height beyond the letters.
     const auto margin =
         static_cast<int>(std::lround(0.5F * writing.height * static_cast<float>(picture_.y)));
     const int around = writing.backdrop > 0 ? margin : 0;
     const glm::ivec2 from = glm::max(coverage.corner - around, glm::ivec2(0));
     const glm::ivec2 end = glm::min(coverage.corner + coverage.size + around, picture_);
-    kept.view.bind(boxUnit);
-    picture.bindImage(targetImage, GL_READ_WRITE);
-    program_.set("panel", glm::ivec4(from, end));
-    program_.set("box", glm::ivec4(coverage.corner, coverage.corner + coverage.size));
-    program_.set("color", shader::encoded(glm::clamp(writing.color, 0.0F, 1.0F)));
-    program_.set("opacity", writing.opacity);
-    program_.set("backdrop", writing.backdrop);
-    program_.dispatch(end.x - from.x, end.y - from.y);
+    kernel_.dispatch(end - from, {.shares = kept.view,
+                                  .target = picture,
+                                  .panel = glm::ivec4(from, end),
+                                  .box = glm::ivec4(coverage.corner, coverage.corner + coverage.size),
+                                  .color = shader::encoded(glm::clamp(writing.color, 0.0F, 1.0F)),
+                                  .opacity = writing.opacity,
+                                  .backdrop = writing.backdrop});
   }
   imageBarrier();
 }

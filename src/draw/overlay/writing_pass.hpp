@@ -1,7 +1,7 @@
 #pragma once
 #include "draw/overlay/coverage.hpp"
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
 
@@ -10,6 +10,8 @@
 #include <glm/vec2.hpp>
 
 namespace simreel::draw {
+
+struct WritingKernel;
 
 /// Draws text over the finished picture: how much letters cover of each pixel is found on the CPU when it
 /// changes, which is exact and the same on every machine, and a kernel lays it over.
@@ -29,7 +31,7 @@ class WritingPass {
   void cover(const sim::Writing& writing, Kept& kept) const;
 
   glm::ivec2 picture_;
-  gl::Program program_;
+  gl::Kernel<WritingKernel> kernel_;
   std::vector<Kept> kept_;
 };
 

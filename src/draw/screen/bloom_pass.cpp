@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include <glm/common.hpp>
 
@@ -13,8 +12,11 @@ namespace simreel::draw {
 namespace {
 
 constexpr float maxLevels = 9.0F;
-
 constexpr const char* layout = "rgba16f";
+
+glm::vec2 texelOf(const gl::Texture& texture) {
+  return 1.0F / glm::vec2(static_cast<float>(texture.width()), static_cast<float>(texture.height()));
+}
 
 }  // namespace
 
@@ -25,9 +27,9 @@ BloomPass::BloomPass(const scene::Bloom& bloom, glm::ivec2 size, int samples)
       reach_(std::clamp(static_cast<float>(ieee::log2(static_cast<double>(bloom.radius) * size.y)), 1.0F,
                         maxLevels)) {
   if (!on_) return;
-  first_ = ScreenProgram("draw/screen/bloom_first.glsl", layout, {{"SAMPLES", std::to_string(samples)}});
-  down_ = ScreenProgram("draw/screen/bloom_down.glsl", layout);
-  up_ = ScreenProgram("draw/screen/bloom_up.glsl", layout);
+  first_ = ScreenProgram<BrightLight>(layout, {.samples = samples});
+  down_ = ScreenProgram<BrightLightDown>(layout);
+  up_ = ScreenProgram<BrightLightUp>(layout);
   for (int i = 0; i < static_cast<int>(std::ceil(reach_)); ++i) {
     size = (size + 1) / 2;
     levels_.push_back(
@@ -37,17 +39,11 @@ BloomPass::BloomPass(const scene::Bloom& bloom, glm::ivec2 size, int samples)
 }
 
 const gl::Texture& BloomPass::draw(const gl::Texture& light) const {
-  const auto texel = [](const gl::Texture& t) {
-    return 1.0F / glm::vec2(static_cast<float>(t.width()), static_cast<float>(t.height()));
-  };
-  first_.program().set("size", glm::ivec2(light.width(), light.height()));
-  first_.program().set("threshold", threshold_);
-  light.bind(sceneUnit);
-  first_.fill(levels_[0].down);
+  first_.fill(levels_[0].down,
+              {.light = light, .size = glm::ivec2(light.width(), light.height()), .threshold = threshold_});
   for (std::size_t i = 1; i < levels_.size(); ++i) {
-    down_.program().set("texel", texel(levels_[i - 1].down.texture));
-    levels_[i - 1].down.texture.bind(sceneUnit);
-    down_.fill(levels_[i].down);
+    const gl::Texture& fine = levels_[i - 1].down.texture;
+    down_.fill(levels_[i].down, {.source = fine, .texel = texelOf(fine)});
   }
   // Each level has the same share, the last what is left of `reach_`.
   const float whole = std::min(reach_, static_cast<float>(levels_.size()));
@@ -55,11 +51,10 @@ const gl::Texture& BloomPass::draw(const gl::Texture& light) const {
   float coarseFraction = whole - static_cast<float>(levels_.size() - 1);
   for (std::size_t i = levels_.size() - 1; i-- > 0;) {
     const float sum = 1.0F + coarseFraction;
-    up_.program().set("coarseTexel", texel(*coarse));
-    up_.program().set("fraction", glm::vec2(1.0F, coarseFraction) / sum);
-    coarse->bind(sceneUnit);
-    levels_[i].down.texture.bind(bloomUnit);
-    up_.fill(levels_[i].up);
+    up_.fill(levels_[i].up, {.coarse = *coarse,
+                             .fine = levels_[i].down.texture,
+                             .coarseTexel = texelOf(*coarse),
+                             .fraction = glm::vec2(1.0F, coarseFraction) / sum});
     coarse = &levels_[i].up.texture;
     coarseFraction = sum;
   }

@@ -8,6 +8,40 @@
 
 namespace simreel::draw {
 
+struct BrightLight {
+  static constexpr auto file = "draw/screen/bloom_first.glsl";
+  struct Variant {
+    ScreenVariant screen = {};
+    gl::Range<"SAMPLES", 1, 64> samples;
+  };
+  ScreenFields screen = {};
+  gl::In<"scene"> light;
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"threshold", float> threshold;
+};
+
+struct BrightLightDown {
+  static constexpr auto file = "draw/screen/bloom_down.glsl";
+  struct Variant {
+    ScreenVariant screen = {};
+  };
+  ScreenFields screen = {};
+  gl::In<"source"> source;
+  gl::Uniform<"texel", glm::vec2> texel;
+};
+
+struct BrightLightUp {
+  static constexpr auto file = "draw/screen/bloom_up.glsl";
+  struct Variant {
+    ScreenVariant screen = {};
+  };
+  ScreenFields screen = {};
+  gl::In<"coarse"> coarse;
+  gl::In<"fine"> fine;
+  gl::Uniform<"coarseTexel", glm::vec2> coarseTexel;
+  gl::Uniform<"fraction", glm::vec2> fraction;
+};
+
 /// Light that lenses scatter around what is bright: the scene's light above a threshold through a chain of
 /// ever smaller pictures, then up again. Nothing is made and nothing runs when the scene has no bloom.
 class BloomPass {
@@ -25,7 +59,9 @@ class BloomPass {
   bool on_;
   float threshold_;
   float reach_;  ///< levels that share the light, the last one in part
-  ScreenProgram first_, down_, up_;
+  ScreenProgram<BrightLight> first_;
+  ScreenProgram<BrightLightDown> down_;
+  ScreenProgram<BrightLightUp> up_;
   std::vector<Level> levels_;
 };
 

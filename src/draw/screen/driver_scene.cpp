@@ -103,7 +103,7 @@ void DriverScene::draw(double seconds, const sim::Drawables& all, const Watch& w
   const bool instances = !drawables.instances.empty();
   s.skins.update(s.fieldTextures);
   if (s.shadow.on()) {
-    s.shadow.fit(drawables, [&] { s.instances.growBounds(drawables); });
+    s.shadow.fit(drawables, [&](const gl::Buffer& bounds) { s.instances.growBounds(drawables, bounds); });
     s.instances.cullForLight(drawables);
     s.shadow.draw(drawables, [&] { s.instances.castShadows(drawables); });
     issued("shadow");

@@ -3,6 +3,7 @@
 #include "base/hash.hpp"
 #include "draw/draw_state.hpp"
 #include "draw/surface/mip_levels.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/limits.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
@@ -20,6 +21,17 @@
 #include <glm/vec4.hpp>
 
 namespace simreel::draw {
+
+struct ReadSamples {
+  static constexpr auto file = "probe/samples.comp";
+  struct Variant {
+    gl::Range<"SAMPLES", 1, 64> samples;
+  };
+  gl::In<"light"> light;
+  gl::In<"depth"> depth;
+  gl::Out<"SampleBlock"> words;
+  gl::Uniform<"size", glm::ivec2> size;
+};
 
 namespace {
 
@@ -159,12 +171,8 @@ std::string probePictures() {
   drawTriangles(target);
   const int count = size.x * size.y * samples;
   const gl::Buffer out("probe samples", 5 * sizeof(std::uint32_t) * static_cast<std::size_t>(count));
-  const auto reader = gl::Program::compute("probe/samples.comp", defines);
-  light.bind(sceneUnit);
-  depth.bind(depthUnit);
-  out.bindStorage(sampleBinding);
-  reader.set("size", size);
-  reader.dispatch(count);
+  const gl::Kernel<ReadSamples> reader({}, {.samples = samples});
+  reader.dispatch(count, {.light = light, .depth = depth, .words = out, .size = size});
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<std::uint32_t> words = out.readAll<std::uint32_t>();
   const auto pixels = finish(light, defines);

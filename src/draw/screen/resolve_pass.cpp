@@ -1,17 +1,28 @@
 #include "draw/screen/resolve_pass.hpp"
 
-#include "draw/draw_state.hpp"
 #include "gl/context.hpp"
 #include "sim/grid/field_display.hpp"
 
 #include <algorithm>
-#include <string>
 
 namespace simreel::draw {
 
+struct Resolve {
+  static constexpr auto file = "draw/screen/resolve.comp";
+  struct Variant {
+    gl::Range<"SAMPLES", 1, 64> samples;
+    gl::Flag<"GLOWS"> glows;
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::In<"scene"> light;
+  gl::In<"sceneDepth"> depth;
+  gl::InOut<"GlowBlock"> glows;
+  gl::Out<"resolved"> resolved;
+  gl::Uniform<"cleared", int> cleared;
+};
+
 ResolvePass::ResolvePass(glm::ivec2 size, int samples) : size_(size), samples_(samples) {
   if (gl::memoryPath() == gl::MemoryPath::texel) return;
-  program_ = gl::Program::compute("draw/screen/resolve.comp", {{"SAMPLES", std::to_string(samples)}});
   resolved_ = gl::Texture::image("resolved light", GL_RGBA16F, size.x, size.y);
 }
 
@@ -29,27 +40,18 @@ bool ResolvePass::needsClearedLight(const sim::Drawables& drawables) const {
 const GlowSums* ResolvePass::glows(const sim::Drawables& drawables) {
   const auto& all = drawables.instances;
   if (std::none_of(all.begin(), all.end(), GlowSums::takes)) return nullptr;
-  if (!glows_) {
-    glows_ = std::make_unique<GlowSums>(size_, samples_);
-    glowProgram_ = gl::Program::compute("draw/screen/resolve.comp",
-                                        {{"SAMPLES", std::to_string(samples_)}, {"GLOWS", "1"}});
-  }
+  if (!glows_) glows_ = std::make_unique<GlowSums>(size_, samples_);
   return glows_.get();
 }
 
 const gl::Texture& ResolvePass::draw(const Targets& targets, const GlowSums* glows, bool cleared) {
   if (!on()) return targets.light;
-  const gl::Program& program = glows != nullptr ? glowProgram_ : program_;
-  if (glows != nullptr) {
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    glows->bind();
-  }
-  program.set("cleared", static_cast<int>(cleared));
-  targets.light.bind(sceneUnit);
-  targets.depth.bind(depthUnit);
-  resolved_.bindImage(targetImage, GL_WRITE_ONLY);
-  program.dispatch(size_.x, size_.y);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  kernels_.of({.samples = samples_, .glows = glows != nullptr})
+      .dispatch(size_, {.light = targets.light,
+                        .depth = targets.depth,
+                        .glows = glows != nullptr ? gl::Resource(glows->sums()) : gl::Resource(),
+                        .resolved = resolved_,
+                        .cleared = static_cast<int>(cleared)});
   return resolved_;
 }
 

@@ -1,9 +1,29 @@
 #pragma once
+#include "draw/frame_values.hpp"
 #include "draw/screen/screen_program.hpp"
 #include "draw/screen/targets.hpp"
 #include "scene/scene.hpp"
 
 namespace simreel::draw {
+
+/// The frame's values, as large as the C++ struct.
+struct FrameBlock : gl::Ambient<"FrameBlock"> {
+  static constexpr std::size_t blockBytes = sizeof(shader::Frame);
+};
+
+struct ToneMap {
+  static constexpr auto file = "draw/screen/tone_map.glsl";
+  struct Variant {
+    ScreenVariant screen = {};
+    gl::Range<"SAMPLES", 1, 64> samples;
+    gl::Flag<"BLOOM"> bloom;
+  };
+  ScreenFields screen = {};
+  FrameBlock frame = {};
+  gl::In<"scene"> light;
+  gl::In<"scattered"> scattered;
+  gl::Uniform<"bloomStrength", float> bloomStrength;
+};
 
 /// Averages the samples, lays them over the sky, applies exposure, vignette and film curve, and encodes
 /// sRGB.
@@ -16,7 +36,7 @@ class ToneMapPass {
             float strength) const;
 
  private:
-  ScreenProgram program_;
+  ScreenProgram<ToneMap> program_;
 };
 
 }  // namespace simreel::draw

@@ -1,32 +1,38 @@
 #include "draw/surface/number_mips.hpp"
 
 #include "base/error.hpp"
-#include "draw/draw_state.hpp"
+#include "gl/element_array.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace simreel::draw {
 
+struct MipKernel {
+  static constexpr auto file = "draw/surface/mip_level.comp";
+  struct Variant {
+    gl::Code<"FORMAT", "rgba16f"> format;
+  };
+  gl::In<"above"> above;
+  gl::Out<"below"> below;
+  gl::Uniform<"aboveSize", glm::ivec2> aboveSize;
+};
+
 void NumberMips::make(const gl::Texture& texture, GLenum format) {
   SIMREEL_CHECK(format == GL_RGBA16F || format == GL_R16F);
-  auto found = programs_.find(format);
-  if (found == programs_.end())
-    found = programs_
-                .emplace(format, gl::Program::compute("draw/surface/mip_level.comp",
-                                                      {{"FORMAT", format == GL_R16F ? "r16f" : "rgba16f"}}))
-                .first;
-  const gl::Program& program = found->second;
+  gl::Kernel<MipKernel>& kernel = format == GL_R16F ? ones_ : fours_;
+  if (!kernel)
+    kernel = gl::Kernel<MipKernel>(gl::Defines(),
+                                   {.format = std::string(format == GL_R16F ? "r16f" : "rgba16f")});
   glm::ivec2 above(texture.width(), texture.height());
   for (int level = 1; above != glm::ivec2(1, 1); ++level) {
     const glm::ivec2 size = glm::max(above / 2, glm::ivec2(1));
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    texture.bindImage(fieldImage, level - 1, GL_READ_ONLY, format);
-    texture.bindImage(reliefImage, level, GL_WRITE_ONLY, format);
-    program.set("aboveSize", above);
-    program.dispatch(size.x, size.y);
+    kernel.dispatch(size, {.above = gl::Resource(texture, level - 1, format),
+                           .below = gl::Resource(texture, level, format),
+                           .aboveSize = above});
     above = size;
   }
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  gl::barrier();
 }
 
 }  // namespace simreel::draw

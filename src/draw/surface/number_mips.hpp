@@ -1,10 +1,10 @@
 #pragma once
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 
-#include <map>
-
 namespace simreel::draw {
+
+struct MipKernel;
 
 /// Mip levels of textures of half floats by a kernel in exact arithmetic
 /// (glsl/draw/surface/mip_level.comp): what drivers make of glGenerateTextureMipmap differs. mip_levels.hpp
@@ -16,7 +16,7 @@ class NumberMips {
   void make(const gl::Texture& texture, GLenum format);
 
  private:
-  std::map<GLenum, gl::Program> programs_;
+  gl::Kernel<MipKernel> fours_, ones_;
 };
 
 }  // namespace simreel::draw

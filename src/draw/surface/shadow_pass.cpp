@@ -1,6 +1,9 @@
 #include "draw/surface/shadow_pass.hpp"
 
 #include "base/error.hpp"
+#include "draw/surface_fields.hpp"
+#include "gl/element_array.hpp"
+#include "gl/kernel/give.hpp"
 #include "gl/limits.hpp"
 
 #include <algorithm>
@@ -9,6 +12,25 @@
 #include <glm/vec4.hpp>
 
 namespace simreel::draw {
+
+struct SurfaceBounds {
+  static constexpr auto file = "draw/surface/shadow_bounds.comp";
+  struct Variant {
+    gl::Flag<"DEFORMED"> deformed;
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  PlacedSurface surface;
+  gl::Uniform<"vertexCount", int> vertexCount;
+  gl::Uniform<"invocations", int> invocations;
+  gl::Shared<"BoundsBlock"> bounds;
+};
+
+struct ShadowFit {
+  static constexpr auto file = "draw/surface/shadow_fit.comp";
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::InOut<"BoundsBlock"> bounds;
+  gl::Out<"LightBlock"> light;
+};
 
 namespace {
 
@@ -36,8 +58,7 @@ ShadowPass::ShadowPass(const scene::Sun& sun) : on_(sun.shadow), softness_(sun.s
   if (!on_) return;
   defines_ = {{"SHADOW", "1"}, {"SHADOW_TAPS", softness_ <= 2.0F ? "4" : "16"}};
   if (sun.diameter > 0) defines_.emplace_back("SUN_DISC", "1");
-  bounds_ = gl::Program::compute("draw/surface/shadow_bounds.comp");
-  fit_ = gl::Program::compute("draw/surface/shadow_fit.comp");
+  fit_ = gl::Kernel<ShadowFit>(gl::Defines());
   draw_ = gl::Program::graphics("draw/surface/shadow.vert", "draw/surface/shadow.frag");
   std::array<GLuint, 2 * axes> empty{};
   std::fill_n(empty.begin(), axes, 0xffffffffU);
@@ -48,27 +69,22 @@ ShadowPass::ShadowPass(const scene::Sun& sun) : on_(sun.shadow), softness_(sun.s
   target_ = gl::Framebuffer("shadow map", nullptr, &map_);
 }
 
-void ShadowPass::fit(const sim::Drawables& drawables, const std::function<void()>& growMore) const {
+void ShadowPass::fit(const sim::Drawables& drawables, const GrowMore& growMore) {
   constexpr int maxInvocations = 1 << 14;
   constexpr int verticesEach = 32;
-  boundKeys_.bindStorage(boundsBinding);
-  light_.bindStorage(lightBinding);
   for (const sim::Surface& surface : drawables.surfaces) {
     if (!castsShadow(surface)) continue;
     const int invocations =
         std::clamp((surface.vertexCount + verticesEach - 1) / verticesEach, 1, maxInvocations);
-    const gl::Program& bounds = boundsOf(surface);
-    bounds.set("vertexCount", surface.vertexCount);
-    bounds.set("invocations", invocations);
-    bounds.set("model", surface.model);
-    bindPositions(surface, bounds);
-    bindDeformation(surface);
-    bounds.dispatch(invocations);
+    bounds_.of({.deformed = surface.deform != nullptr})
+        .dispatch(invocations, {.surface = placed(surface),
+                                .vertexCount = surface.vertexCount,
+                                .invocations = invocations,
+                                .bounds = boundKeys_});
   }
-  growMore();
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  fit_.dispatch(1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  growMore(boundKeys_);
+  fit_.dispatch(1, {.bounds = boundKeys_, .light = light_});
+  gl::barrier();
   lightView_.bind(lightUnit);  // instances are culled by it next; simulations bind other things there
 }
 
@@ -83,21 +99,12 @@ void ShadowPass::draw(const sim::Drawables& drawables, const std::function<void(
   for (const sim::Surface& surface : drawables.surfaces) {
     if (!castsShadow(surface)) continue;
     const gl::Program& shader = drawOf(surface);
-    shader.set("model", surface.model);
-    bindPositions(surface, shader);
-    bindDeformation(surface);
+    gl::give(shader, placed(surface));
     shader.use();
     vertices_.bind(*surface.indices);
     drawTriangles(surface);
   }
   drawMore();
-}
-
-const gl::Program& ShadowPass::boundsOf(const sim::Surface& surface) const {
-  if (surface.deform == nullptr) return bounds_;
-  if (!deformedBounds_)
-    deformedBounds_ = gl::Program::compute("draw/surface/shadow_bounds.comp", {{"DEFORMED", "1"}});
-  return deformedBounds_;
 }
 
 const gl::Program& ShadowPass::drawOf(const sim::Surface& surface) const {

@@ -3,6 +3,7 @@
 #include "draw/draw_state.hpp"
 #include "draw/surface/skin_look.hpp"
 #include "gl/context.hpp"
+#include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 
 #include <algorithm>
@@ -10,10 +11,34 @@
 
 namespace simreel::draw {
 
-namespace {
+struct SkinRelief {
+  static constexpr auto file = "draw/surface/skin_relief.comp";
+  struct Variant {
+    gl::Flag<"COLORED"> colored;
+  };
+  gl::In<"field"> field;
+  gl::Out<"relief"> relief;
+  gl::Out<"around"> around;
+  gl::Uniform<"texels", glm::ivec2> texels;
+  gl::Uniform<"rangeLow", float> rangeLow;
+  gl::Uniform<"rangeFactor", float> rangeFactor;
+  gl::Uniform<"threshold", float> threshold;
+  gl::Uniform<"texelCells", float> texelCells;
+};
 
-constexpr const char* reliefPath = "draw/surface/skin_relief.comp";
-constexpr const char* colorsPath = "draw/surface/skin_colors.comp";
+struct SkinColors {
+  static constexpr auto file = "draw/surface/skin_colors.comp";
+  using Variant = SkinRelief::Variant;
+  gl::In<"field"> field;
+  gl::In<"stops"> stops;
+  gl::Uniform<"stopCount", int> stopCount;
+  gl::Out<"colors"> colors;
+  gl::Uniform<"texels", glm::ivec2> texels;
+  gl::Uniform<"rangeLow", float> rangeLow;
+  gl::Uniform<"rangeFactor", float> rangeFactor;
+};
+
+namespace {
 
 gl::Texture emptyTexture(const std::string& label, GLenum format, int width, int height) {
   gl::Texture texture = gl::Texture::image(label, format, width, height, 0);
@@ -26,13 +51,7 @@ gl::Texture emptyTexture(const std::string& label, GLenum format, int width, int
 
 }  // namespace
 
-SkinTextures::SkinTextures(const scene::Scene& scene) : scene_(scene) {
-  for (const scene::Object& object : scene.objects) {
-    if (!object.material.skin) continue;
-    kernel(reliefPath, false);
-    if (object.material.skin->look == scene::Skin::Look::map) kernel(colorsPath, false);
-  }
-}
+SkinTextures::SkinTextures(const scene::Scene& scene) : scene_(scene) {}
 
 void SkinTextures::update(const FieldTextures& fields) {
   for (const scene::Object& object : scene_.objects) {
@@ -54,31 +73,33 @@ void SkinTextures::update(const scene::Skin& skin, const FieldTextures::Entry& f
   }
   entry.threshold = thresholdFraction(skin, field.range);
   entry.cells = field.cells;
-  run(reliefPath, field, entry);
-  if (own) run(colorsPath, field, entry);
-}
-
-void SkinTextures::run(const char* path, const FieldTextures::Entry& field, const Entry& entry) {
   const glm::vec2 range = field.colored ? glm::vec2(0, 1) : field.range;
-  const bool ownColors = path == colorsPath;
-  const gl::Texture& result = ownColors ? entry.colors : entry.relief;
-  const gl::Program& program = kernel(path, field.colored);
-  field.texture.bindImage(fieldImage, GL_READ_ONLY);
-  result.bindImage(ownColors ? skinColorImage : reliefImage, GL_WRITE_ONLY);
-  if (!ownColors) entry.surroundings.bindImage(surroundingsImage, GL_WRITE_ONLY);
-  if (ownColors && !field.colored) field.stops.bind(stopUnit);
-  program.set("texels", glm::ivec2(result.width(), result.height()));
-  program.set("rangeLow", range.x);
-  program.set("rangeFactor", 1.0F / (range.y == range.x ? 1.0F : range.y - range.x));
-  program.set("threshold", entry.threshold);
-  program.set("texelCells", static_cast<float>(std::max(field.reduction, 1)));
-  program.set("stopCount", field.stopCount);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-  program.dispatch(result.width(), result.height());
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
-                  GL_FRAMEBUFFER_BARRIER_BIT);
-  mips_.make(result, GL_RGBA16F);
-  if (!ownColors) mips_.make(entry.surroundings, GL_R16F);
+  const float factor = 1.0F / (range.y == range.x ? 1.0F : range.y - range.x);
+  const glm::ivec2 texels(width, height);
+  gl::barrier();  // what has written the field
+  relief_.of({.colored = field.colored})
+      .dispatch(texels, {.field = field.texture,
+                         .relief = entry.relief,
+                         .around = entry.surroundings,
+                         .texels = texels,
+                         .rangeLow = range.x,
+                         .rangeFactor = factor,
+                         .threshold = entry.threshold,
+                         .texelCells = static_cast<float>(std::max(field.reduction, 1))});
+  mips_.make(entry.relief, GL_RGBA16F);
+  mips_.make(entry.surroundings, GL_R16F);
+  if (own) {
+    colors_.of({.colored = field.colored})
+        .dispatch(texels, {.field = field.texture,
+                           .stops = field.stops,
+                           .stopCount = field.stopCount,
+                           .colors = entry.colors,
+                           .texels = texels,
+                           .rangeLow = range.x,
+                           .rangeFactor = factor});
+    mips_.make(entry.colors, GL_RGBA16F);
+  }
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
 int SkinTextures::Entry::levels() const {
@@ -94,29 +115,19 @@ void SkinTextures::bind(const Entry& entry, const scene::Skin& skin, const gl::P
   entry.relief.bind(reliefUnit);
   entry.surroundings.bind(surroundingsUnit);
   if (entry.colors) entry.colors.bind(skinColorUnit);
-  set(entry, skin, program);
+  gl::give(program, values(entry, skin));
 }
 
-void SkinTextures::set(const Entry& entry, const scene::Skin& skin, const gl::Program& program) {
+SkinValues SkinTextures::values(const Entry& entry, const scene::Skin& skin) {
   const SkinLook look = lookOf(skin);
-  program.set("skinThreshold", entry.threshold);
-  program.set("skinLow", look.low);
-  program.set("skinHigh", look.high);
-  program.set("skinRoughness", look.roughness);
-  program.set("skinDepth", look.depth);
-  const glm::ivec2 size(entry.relief.width(), entry.relief.height());
-  program.set("reliefSize", size);
-  program.set("reliefLevels", entry.levels());
-  program.set("skinCells", glm::vec2(entry.cells));
-}
-
-const gl::Program& SkinTextures::kernel(const char* path, bool colored) {
-  const std::pair<std::string, bool> key{path, colored};
-  const auto found = kernels_.find(key);
-  if (found != kernels_.end()) return found->second;
-  gl::Defines defines;
-  if (colored) defines.emplace_back("COLORED", "1");
-  return kernels_.emplace(key, gl::Program::compute(path, defines)).first->second;
+  return {.threshold = entry.threshold,
+          .low = look.low,
+          .high = look.high,
+          .roughness = look.roughness,
+          .depth = look.depth,
+          .reliefSize = glm::ivec2(entry.relief.width(), entry.relief.height()),
+          .reliefLevels = entry.levels(),
+          .cells = glm::vec2(entry.cells)};
 }
 
 }  // namespace simreel::draw

@@ -1,6 +1,8 @@
 #pragma once
 #include "draw/overlay/field_textures.hpp"
 #include "draw/surface/number_mips.hpp"
+#include "gl/kernel/give.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 #include "scene/scene.hpp"
@@ -11,6 +13,21 @@
 #include <tuple>
 
 namespace simreel::draw {
+
+struct SkinRelief;
+struct SkinColors;
+
+/// Numbers of glsl/draw/surface/skin_values.glsl, and of a skin's relief.
+struct SkinValues {
+  gl::Uniform<"skinThreshold", float> threshold;
+  gl::Uniform<"skinLow", glm::vec3> low;
+  gl::Uniform<"skinHigh", glm::vec3> high;
+  gl::Uniform<"skinRoughness", float> roughness;
+  gl::Uniform<"skinDepth", float> depth;
+  gl::Uniform<"reliefSize", glm::ivec2> reliefSize;
+  gl::Uniform<"reliefLevels", int> reliefLevels;
+  gl::Uniform<"skinCells", glm::vec2> cells;
+};
 
 /// What skins read of their fields, one set for all surfaces with the same field, look and threshold.
 class SkinTextures {
@@ -35,17 +52,15 @@ class SkinTextures {
 
   /// Binds what glsl/draw/surface/skin.glsl reads and sets its uniforms.
   static void bind(const Entry& entry, const scene::Skin& skin, const gl::Program& program);
-  /// Sets its uniforms only.
-  static void set(const Entry& entry, const scene::Skin& skin, const gl::Program& program);
+  [[nodiscard]] static SkinValues values(const Entry& entry, const scene::Skin& skin);
 
  private:
   using Key = std::tuple<std::string, scene::Skin::Look, std::optional<double>>;
   static Key keyOf(const scene::Skin& skin) { return {skin.field, skin.look, skin.threshold}; }
-  const gl::Program& kernel(const char* path, bool colored);
-  void run(const char* path, const FieldTextures::Entry& field, const Entry& entry);
 
   const scene::Scene& scene_;
-  std::map<std::pair<std::string, bool>, gl::Program> kernels_;
+  gl::Kernels<SkinRelief> relief_;
+  gl::Kernels<SkinColors> colors_;
   std::map<Key, Entry> entries_;
   NumberMips mips_;
 };

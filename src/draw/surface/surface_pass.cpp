@@ -2,6 +2,8 @@
 
 #include "draw/frame_values.hpp"
 #include "draw/surface/skin_look.hpp"
+#include "draw/surface_fields.hpp"
+#include "gl/kernel/give.hpp"
 
 #include <iterator>
 
@@ -102,19 +104,11 @@ void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
               (surface.palette != nullptr && skin == nullptr ? palette : 0U) |
               (surface.colors != nullptr && skin == nullptr ? vertexColors : 0U));
   DrawState{.depthTest = true, .cullBack = !surface.doubleSided, .depthOffset = false}.set();
-  shader.set("model", surface.model);
-  shader.set("metallic", material.metallic);
-  shader.set("translucency", material.translucency);
-  bindPositions(surface, shader);
-  bindDeformation(surface);
+  gl::give(shader, worldVertices(surface));
+  gl::give(shader, materialFields(material));
   if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
   if (surface.colors != nullptr) surface.colors->bind(paletteUnit);
-  if (isGrid) {
-    shader.set("grid", surface.grid);
-  } else {
-    surface.normals->bind(normalUnit);
-    if (surface.uvs != nullptr) surface.uvs->bind(uvUnit);
-  }
+  if (surface.uvs != nullptr) surface.uvs->bind(uvUnit);
   if (skin != nullptr)
     setSkin(*skin, *material.skin, shader);
   else
@@ -126,7 +120,6 @@ void SurfacePass::draw(const sim::Surface& surface, const SkinTextures& skins) {
 
 void SurfacePass::setPlain(const scene::Material& material, bool isGrid, const gl::Program& shader) {
   shader.set("color", material.color);
-  shader.set("roughness", material.roughness);
   shader.set("textureScale", glm::vec2(material.textureScale));
   shader.set("perMetre", glm::vec2(material.textureScale));
   shader.set("bump", material.bump);

@@ -8,6 +8,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <tuple>
@@ -27,10 +28,10 @@ struct Name {
   char text[size] = {};
 };
 
-/// A uniform's value that a dispatch is given, or nothing.
+/// A uniform's value that a dispatch is given, where the interface has it; or nothing.
 struct GivenNumber {
-  UniformSlot::Value value;
-  bool given = false;
+  const void* value;
+  bool given;
 };
 
 template <class T>
@@ -49,14 +50,16 @@ consteval GLenum uniformType() {
 
 /// A uniform outside blocks: "a", a member "a.b", an element "a[1]".
 template <Name label, class T>
-struct Uniform : GivenNumber {
+struct Uniform {
   using Field = void;
+  using Value = std::conditional_t<std::same_as<T, bool>, int, T>;
   static constexpr const char* name = label.text;
   static constexpr GLenum type = uniformType<T>();
   Uniform() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): a dispatch is given the value itself.
-  Uniform(const T& now)
-      : GivenNumber{UniformSlot::Value(std::conditional_t<std::same_as<T, bool>, int, T>(now)), true} {}
+  Uniform(const T& now) : value(now), given(true) {}
+  Value value{};
+  bool given = false;
 };
 
 template <Name label, std::size_t index>
@@ -95,7 +98,7 @@ struct UniformsOf<label, T, std::index_sequence<indices...>> {
 template <Name label, class T, std::size_t most>
 using Uniforms = typename UniformsOf<label, T, std::make_index_sequence<most>>::Type;
 
-enum class Access { read, write, both };
+enum class Access { read, write, both, together };
 
 /// A storage block (by its name or a member's), a uniform block, a sampler or an image; or an array that
 /// glsl/common/memory.glsl or words.glsl declare, whatever it is on the current memory path.
@@ -105,6 +108,7 @@ struct ResourceField : Resource {
   static constexpr const char* name = label.text;
   static constexpr Access access = wanted;
   static constexpr std::size_t blockBytes = 0;
+  static constexpr bool ambient = false;
   using Resource::Resource;
   ResourceField() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): what a function returns
@@ -117,6 +121,24 @@ using Out = ResourceField<label, Access::write>;
 template <Name label>
 using InOut = ResourceField<label, Access::both>;
 
+/// A resource that dispatches read and write together: by atomics whose results commute, or each at places
+/// of its own. They do not wait for each other, only for others that read or write it.
+template <Name label>
+using Shared = ResourceField<label, Access::together>;
+
+/// A block, sampler or image that may stay bound for many kernels at the number that GLSL gives it, such as
+/// the values of a frame: a dispatch that is not given it finds what is bound. The code that binds it makes
+/// the barriers around it.
+template <Name label>
+struct Ambient : In<label> {
+  static constexpr bool ambient = true;
+  using Base = In<label>;
+  using Base::Base;
+  Ambient() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): what a function returns
+  Ambient(const Resource& resource) : In<label>(resource) {}
+};
+
 /// A uniform block, which has to be as large as the C++ struct of its contents.
 template <Name label, class Contents>
 struct Block : In<label> {
@@ -128,19 +150,24 @@ struct Block : In<label> {
   Block(const Resource& resource) : In<label>(resource) {}
 };
 
-/// Members of a Variant become #defines. `defines` lists the defines of each value that tools compile.
+/// Members of a Variant become #defines. `all` lists the defines of each value that tools compile, `key` is
+/// another number for each value, less than `keys`.
 
-/// Defined as 1, or not at all.
-template <Name label>
+/// Defined as 1, with extensions that the shader then requires, or not at all.
+template <Name label, Name... extensions>
 struct Flag {
   using Field = void;
   static constexpr const char* name = label.text;
   Flag() = default;
   Flag(bool now) : on(now) {}  // NOLINT(google-explicit-constructor): a variant is given the value itself.
   void addTo(Defines& defines) const {
-    if (on) defines.emplace_back(name, "1");
+    if (!on) return;
+    defines.emplace_back(name, "1");
+    (defines.emplace_back(extensionDefine, extensions.text), ...);
   }
-  static std::vector<Defines> all() { return {{}, {{name, "1"}}}; }
+  static std::vector<Defines> all() { return {{}, {{name, "1"}, {extensionDefine, extensions.text}...}}; }
+  static constexpr std::uint64_t keys = 2;
+  [[nodiscard]] std::uint64_t key() const { return on ? 1 : 0; }
   bool on = false;
 };
 
@@ -159,6 +186,12 @@ struct Choice {
     defines.emplace_back(name, std::to_string(value));
   }
   static std::vector<Defines> all() { return {{{name, std::to_string(values)}}...}; }
+  static constexpr std::uint64_t keys = sizeof...(values) + 1;  ///< the last: of a value that is not listed
+  [[nodiscard]] std::uint64_t key() const {
+    std::uint64_t index = 0;
+    static_cast<void>(((value == values || (++index, false)) || ...));
+    return index;
+  }
   int value = std::array{values...}[0];
 };
 /// Defined as 0 or 1.
@@ -180,6 +213,12 @@ struct Range {
   }
   static std::vector<Defines> all() {
     return {{{name, std::to_string(least)}}, {{name, std::to_string(most)}}};
+  }
+  /// The first: not defined. The last: beyond the ends.
+  static constexpr std::uint64_t keys = most - least + 3;
+  [[nodiscard]] std::uint64_t key() const {
+    if (!defined) return 0;
+    return value < least || value > most ? keys - 1 : static_cast<std::uint64_t>(value - least) + 1;
   }
   int value = 0;
   bool defined = false;

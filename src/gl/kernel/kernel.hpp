@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -27,6 +29,13 @@ template <class Interface>
 struct VariantOf<Interface> {
   using Type = typename Interface::Variant;
 };
+
+/// Adds the defines of a variant.
+template <class Variant>
+Defines with(Defines defines, const Variant& variant) {
+  visitFields(variant, [&](const auto& field) { field.addTo(defines); });
+  return defines;
+}
 
 /// Defines of every set of values that a Variant can have.
 template <class Variant>
@@ -54,9 +63,9 @@ const KernelNames& namesOf() {
     visitFields(given, [&](const auto& field) {
       using Field = std::remove_cvref_t<decltype(field)>;
       if constexpr (std::is_base_of_v<Resource, Field>)
-        all.memories.push_back({Field::name, Field::access, Field::blockBytes});
+        all.memories.push_back({Field::name, Field::access, Field::blockBytes, Field::ambient});
       else
-        all.numbers.push_back({Field::name, Field::type});
+        all.numbers.push_back({Field::name, Field::type, typename Field::Value{}});
     });
     using Variant = typename VariantOf<Interface>::Type;
     const Variant variant{};
@@ -80,9 +89,9 @@ inline const bool listedKernel = (kernelInterfaces().push_back(&namesOf<Interfac
 ///         gl::Choice<"RADIUS", 1, 2, 4> radius;
 ///       };
 ///       gl::Uniform<"size", glm::ivec2> size;
-///       gl::In<"cells"> cells;                  // the name of a block, a block's member, a sampler or an
-///       image gl::Out<"nextCells"> next; gl::In<"weights"> weights = {};         // may be left out, where
-///       the variant does not read it
+///       gl::In<"cells"> cells;  // the name of a block, a block's member, a sampler or an image
+///       gl::Out<"nextCells"> next;
+///       gl::In<"weights"> weights = {};  // may be left out where the variant does not read it
 ///     };
 ///     gl::Kernel<BlurKernel> blur(gl::kernelDefines(fast), {.down = true, .radius = 2});
 ///     blur.dispatch(size, {.size = size, .cells = now, .next = next});
@@ -144,28 +153,57 @@ class Kernel {
   }
 
  private:
-  template <class Variant>
-  static Defines with(Defines defines, const Variant& variant) {
-    visitFields(variant, [&](const auto& field) { field.addTo(defines); });
-    return defines;
-  }
-
   template <class Run>
   static void run(const Interface& given, const Run& dispatch) {
     constexpr std::size_t most = 128;
-    std::array<const GivenNumber*, most> numbers;  // NOLINT(*-member-init): filled as far as it is read
-    std::array<const Resource*, most> memories;    // NOLINT(*-member-init)
+    std::array<GivenNumber, most> numbers;       // NOLINT(*-member-init): filled as far as it is read
+    std::array<const Resource*, most> memories;  // NOLINT(*-member-init)
     std::size_t numberCount = 0, memoryCount = 0;
     visitFields(given, [&](const auto& field) {
       if constexpr (std::is_base_of_v<Resource, std::remove_cvref_t<decltype(field)>>)
         memories.at(memoryCount++) = &field;
       else
-        numbers.at(numberCount++) = &field;
+        numbers.at(numberCount++) = {&field.value, field.given};
     });
     dispatch({{numbers.data(), numberCount}, {memories.data(), memoryCount}});
   }
 
   std::unique_ptr<KernelBase> base_;
+};
+
+/// True where a number of 64 bits tells all values of a variant apart.
+template <class Variant>
+consteval bool distinctKeys(const Variant& variant) {
+  std::uint64_t keys = 1;
+  bool distinct = true;
+  visitFields(variant, [&](const auto& field) {
+    constexpr std::uint64_t most = ~std::uint64_t{0}, more = std::remove_cvref_t<decltype(field)>::keys;
+    distinct = distinct && keys <= most / more;
+    keys *= more;
+  });
+  return distinct;
+}
+
+/// The kernels of one interface, one for each variant, made when first needed.
+template <class Interface>
+class Kernels {
+ public:
+  explicit Kernels(Defines common = {}) : common_(std::move(common)) {}
+  template <class I = Interface>
+  const Kernel<I>& of(const typename VariantOf<I>::Type& variant) {
+    static_assert(distinctKeys(typename VariantOf<I>::Type{}));
+    std::uint64_t key = 0;
+    visitFields(variant, [&](const auto& field) {
+      key = key * std::remove_cvref_t<decltype(field)>::keys + field.key();
+    });
+    const auto found = made_.find(key);
+    if (found != made_.end()) return found->second;
+    return made_.emplace(key, Kernel<Interface>(common_, variant)).first->second;
+  }
+
+ private:
+  Defines common_;
+  std::map<std::uint64_t, Kernel<Interface>> made_;
 };
 
 }  // namespace simreel::gl

@@ -1,6 +1,5 @@
 #include "gl/kernel/kernel_base.hpp"
 
-#include "gl/access_log.hpp"
 #include "gl/context.hpp"
 #include "gl/kernel/declared.hpp"
 #include "gl/limits.hpp"
@@ -18,14 +17,15 @@ namespace simreel::gl {
 
 namespace {
 
-/// -0 is not 0, and a NaN is itself.
-bool sameBits(const UniformSlot::Value& a, const UniformSlot::Value& b) {
-  if (a.index() != b.index()) return false;
+/// Makes `value` what is at `now`, of the same type. False where it was that: -0 is not 0, a NaN is itself.
+bool change(UniformSlot::Value& value, const void* now) {
   return std::visit(
-      [&](const auto& one) {
-        return std::memcmp(&one, &std::get<std::remove_cvref_t<decltype(one)>>(b), sizeof one) == 0;
+      [&](auto& one) {
+        if (std::memcmp(&one, now, sizeof one) == 0) return false;
+        std::memcpy(&one, now, sizeof one);
+        return true;
       },
-      a);
+      value);
 }
 
 /// "a" of "a", "a.b" and "a[1]".
@@ -94,7 +94,7 @@ KernelBase::KernelBase(const KernelNames& names, const Defines& defines, const c
   linked_ = LinkedProgram::of(names.file, {{GL_COMPUTE_SHADER, names.file,
                                             text_.empty() ? loadShader(names.file, defines)
                                                           : loadShaderText(names.file, text_, defines)}});
-  for (const KernelNames::Number& number : names.numbers) numbers_.push_back({number.name, 0});
+  for (const KernelNames::Number& number : names.numbers) numbers_.push_back({number.name, number.zero});
 }
 
 void KernelBase::missing(const char* what, const std::string& name) const {
@@ -163,6 +163,7 @@ void KernelBase::resolve() {
 bool KernelBase::rehearsed(const Given& given) const {
   if (!Rehearsal::now()) return false;
   BoundViews views;
+  if (std::ranges::any_of(names_.memories, &KernelNames::Memory::ambient)) views = Rehearsal::bound();
   for (std::size_t i = 0; i < given.memories.size(); ++i) {
     const Resource& resource = *given.memories[i];
     if (const Texture* texture = resource.texture())
@@ -175,19 +176,21 @@ bool KernelBase::rehearsed(const Given& given) const {
 
 void KernelBase::setNumbers(const Given& given) {
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    const GivenNumber& now = *given.numbers[i];
     if (numbers_[i].location < 0) continue;
-    if (!now.given) missing("uniform", numbers_[i].name);
-    if (sameBits(numbers_[i].value, now.value)) continue;
-    numbers_[i].value = now.value;
-    if (linked_->user() == this) numbers_[i].putInto(linked_->name());
+    if (!given.numbers[i].given) missing("uniform", numbers_[i].name);
+    if (change(numbers_[i].value, given.numbers[i].value) && linked_->user() == this)
+      numbers_[i].putInto(linked_->name());
   }
   if (linked_->user() != this) linked_->giveTo(this, numbers_);
 }
 
-bool KernelBase::writes(const Slot& slot, const Resource& resource) const {
-  if (names_.memories[slot.memory].access == Access::read) return false;
-  return slot.kind == Slot::Kind::storage || (slot.kind == Slot::Kind::image && resource.buffer() == 0);
+AccessLog::Way KernelBase::wayOf(const Slot& slot, const Resource& resource) const {
+  using enum AccessLog::Way;
+  const Access access = names_.memories[slot.memory].access;
+  if (access == Access::together) return together;
+  const bool stores =
+      slot.kind == Slot::Kind::storage || (slot.kind == Slot::Kind::image && resource.buffer() == 0);
+  return access != Access::read && stores ? write : read;
 }
 
 void KernelBase::bind(const Slot& slot, const Resource& resource) const {
@@ -216,21 +219,26 @@ void KernelBase::bind(const Slot& slot, const Resource& resource) const {
 void KernelBase::prepare(const Given& given, GLbitfield more) {
   using enum Slot::Kind;
   GLbitfield barriers = more;
+  const auto staysBound = [&](const Slot& slot) {
+    return names_.memories[slot.memory].ambient && given.memories[slot.memory]->empty();
+  };
   for (const Slot& slot : slots_) {
+    if (staysBound(slot)) continue;
     const Resource& resource = *given.memories[slot.memory];
     const bool view = slot.kind == texture || slot.kind == image;
     if (view ? resource.texture() == nullptr : resource.buffer() == 0)
       missing(view ? "image or sampler" : "block", names_.memories[slot.memory].name);
     barriers |= AccessLog::needed(
         memoryOf(resource), barrierOf(slot.kind == storage, slot.kind == uniformBlock, slot.kind == image),
-        writes(slot, resource));
+        wayOf(slot, resource));
   }
   setNumbers(given);
   if (barriers != 0) AccessLog::barrier(barriers);
   for (const Slot& slot : slots_) {
+    if (staysBound(slot)) continue;
     const Resource& resource = *given.memories[slot.memory];
     bind(slot, resource);
-    AccessLog::note(memoryOf(resource), writes(slot, resource));
+    AccessLog::note(memoryOf(resource), wayOf(slot, resource));
   }
   glUseProgram(linked_->name());
 }
@@ -262,8 +270,8 @@ void KernelBase::dispatchIndirect(const Buffer& commands, std::size_t offset, co
   }
   resolve();
   const AccessLog::Memory memory{commands.name(), false};
-  prepare(given, AccessLog::needed(memory, GL_COMMAND_BARRIER_BIT, false));
-  AccessLog::note(memory, false);
+  prepare(given, AccessLog::needed(memory, GL_COMMAND_BARRIER_BIT, AccessLog::Way::read));
+  AccessLog::note(memory, AccessLog::Way::read);
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, commands.name());
   linked_->dispatch([&] { glDispatchComputeIndirect(static_cast<GLintptr>(offset)); });
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "gl/access_log.hpp"
 #include "gl/kernel/fields.hpp"
 #include "gl/linked_program.hpp"
 #include "gl/shader_source.hpp"
@@ -16,11 +17,13 @@ struct KernelNames {
   struct Number {
     const char* name;
     GLenum type;
+    UniformSlot::Value zero;  ///< of that type
   };
   struct Memory {
     const char* name;
     Access access;
     std::size_t blockBytes;  ///< of a uniform block; 0: unknown
+    bool ambient;            ///< may stay bound
   };
   const char* file = "";
   std::vector<Number> numbers;
@@ -39,7 +42,7 @@ class KernelBase {
  public:
   /// Values of one dispatch, in the order of the names.
   struct Given {
-    std::span<const GivenNumber* const> numbers;
+    std::span<const GivenNumber> numbers;
     std::span<const Resource* const> memories;
   };
 
@@ -76,7 +79,7 @@ class KernelBase {
   void prepare(const Given& given, GLbitfield more);
   void setNumbers(const Given& given);
   void bind(const Slot& slot, const Resource& resource) const;
-  [[nodiscard]] bool writes(const Slot& slot, const Resource& resource) const;
+  [[nodiscard]] AccessLog::Way wayOf(const Slot& slot, const Resource& resource) const;
   [[noreturn]] void missing(const char* what, const std::string& name) const;
 
   const KernelNames& names_;

@@ -35,6 +35,7 @@ class Resource {
   Resource(const Texture& texture, GLint level, GLenum format)
       : texture_(&texture), level_(level), format_(format) {}
 
+  [[nodiscard]] bool empty() const { return buffer_ == 0 && texture() == nullptr; }
   /// The driver's name of the buffer; 0 for none.
   [[nodiscard]] GLuint buffer() const { return buffer_; }
   [[nodiscard]] std::size_t offset() const { return offset_; }

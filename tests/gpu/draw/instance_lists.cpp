@@ -225,7 +225,7 @@ TEST_CASE("instances: the sun's map has who reaches into it, small ones as squar
   instances.boundsMin = glm::vec3(-2.1F, -1.8F, -1.9F);  // smaller than the true bounds
   instances.boundsMax = glm::vec3(2, 2, 2);
   const sim::Drawables drawables{{}, {instances}};
-  stage.shadow.fit(drawables, [&] { stage.pass.growBounds(drawables); });
+  stage.shadow.fit(drawables, [&](const gl::Buffer& bounds) { stage.pass.growBounds(drawables, bounds); });
   stage.pass.cullForLight(drawables);
   gl::barrier();
   const auto light = wordsAt<glm::vec4>(draw::lightUnit, 4);
@@ -250,12 +250,11 @@ TEST_CASE("instances: the sun's map has who reaches into it, small ones as squar
   };
   compareLevels(levelsOf(stage.pass.visibleToSun(0)), 2, expected);
 
-  draw::SmallSprites small;
-  const gl::Program& kernel = small.kernel(draw::SmallSprites::Use::shadow, {});
-  draw::setInstance(kernel, instances, 0.5F, 0);
-  kernel.set("level", 0);
-  stage.pass.visibleToSun(0).bind();
-  small.prepare(kernel, instances.capacity);
+  draw::SmallSprites small({});
+  small.prepare({.use = draw::SmallSprites::Use::shadow},
+                {.instance = draw::instanceFields(instances, 0.5F, 0),
+                 .listed = stage.pass.visibleToSun(0).fields(0)},
+                instances.capacity);
   const auto arguments = stage.pass.visibleToSun(0).arguments().readAll<unsigned>();
   const auto list = stage.pass.visibleToSun(0).list().readAll<unsigned>();
   const auto made = squares(arguments[6]);
@@ -289,19 +288,15 @@ TEST_CASE(
     stage.pass.cull({{}, {instances}});
     const auto arguments = stage.pass.visible(0).arguments().readAll<unsigned>();
     const auto list = stage.pass.visible(0).list().readAll<unsigned>();
-    draw::SmallSprites small;
-    const auto use = glows ? draw::SmallSprites::Use::glow : draw::SmallSprites::Use::ball;
-    const gl::Program& kernel = small.kernel(use, {});
-    draw::setInstance(kernel, instances, 0.5F, draw::minPixelsOf(instances));
+    draw::SmallSprites small({});
     draw::InstanceColors colors;
     colors.update(instances);
-    colors.set(kernel, instances);
-    kernel.set("roughness", 1.0F);
-    kernel.set("metallic", 0.0F);
-    kernel.set("translucency", 0.0F);
-    kernel.set("level", 0);
-    stage.pass.visible(0).bind();
-    small.prepare(kernel, instances.capacity);
+    small.prepare({.use = glows ? draw::SmallSprites::Use::glow : draw::SmallSprites::Use::ball},
+                  {.instance = draw::instanceFields(instances, 0.5F, draw::minPixelsOf(instances)),
+                   .look = colors.look(instances),
+                   .material = {.roughness = 1.0F, .metallic = 0.0F, .translucency = 0.0F},
+                   .listed = stage.pass.visible(0).fields(0)},
+                  instances.capacity);
     const auto made = squares(arguments[6]);
     REQUIRE(made.size() > 100);
     const Eye eye(stage.values);

@@ -12,8 +12,8 @@ uniform int firstLarge;
 uniform int smallPixels;
 #ifdef LARGE
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = largeUnit) uniform usamplerBuffer large;
-layout(binding = counterUnit) uniform usamplerBuffer counters;
+layout(binding = largeUnit) uniform usamplerBuffer largeList;
+layout(binding = counterUnit) uniform usamplerBuffer largeCounts;
 #else
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
@@ -54,9 +54,9 @@ void drawLarge(int number) {
 }
 
 void main() {
-  uint count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  uint count = texelFetch(largeCounts, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
   for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
-    drawLarge(int(texelFetch(large, firstLarge + int(entry)).x));
+    drawLarge(int(texelFetch(largeList, firstLarge + int(entry)).x));
 }
 #else
 void main() {

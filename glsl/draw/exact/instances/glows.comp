@@ -13,8 +13,8 @@ uniform int draws;
 #endif
 #ifdef LARGE
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = largeUnit) uniform usamplerBuffer large;
-layout(binding = counterUnit) uniform usamplerBuffer counters;
+layout(binding = largeUnit) uniform usamplerBuffer largeList;
+layout(binding = counterUnit) uniform usamplerBuffer largeCounts;
 #else
 layout(local_size_x = 64) in;
 layout(std430, binding = largeBinding) restrict buffer LargeBlock { uint large[]; };
@@ -50,9 +50,9 @@ void addMedium(int number) {
 }
 
 void addMediums() {
-  uint count = texelFetch(counters, draws + draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.z;
+  uint count = texelFetch(largeCounts, draws + draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.z;
   for (uint entry = gl_WorkGroupID.z * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
-    addMedium(int(texelFetch(large, firstLarge + capacity - 1 - int(entry)).x));
+    addMedium(int(texelFetch(largeList, firstLarge + capacity - 1 - int(entry)).x));
 }
 #endif
 
@@ -60,9 +60,9 @@ void main() {
 #ifdef MEDIUM
   addMediums();
 #endif
-  uint count = texelFetch(counters, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  uint count = texelFetch(largeCounts, draw_).x, groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
   for (uint entry = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; entry < count; entry += groups)
-    addLarge(int(texelFetch(large, firstLarge + int(entry)).x));
+    addLarge(int(texelFetch(largeList, firstLarge + int(entry)).x));
 }
 #else
 void main() {

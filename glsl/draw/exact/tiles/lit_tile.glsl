@@ -4,6 +4,11 @@
 // primitives. Therefore an invocation handles one primitive after the other of all its pixels, so it is rarely idle.
 // REFLECTED: the change by reflections is computed once for the four pixels of a half pixel and each part of the
 // object, at the first sample that shows the part. uint partOfThing(number) returns the part of a primitive.
+#if defined REFLECTED && !defined GROUND_BELOW
+// Only the ground that mirrors show is lit here, and it needs neither shadow maps nor lamps.
+#undef SHADOW
+#undef LAMPS
+#endif
 #include "draw/exact/tiles/shaded_tile.glsl"
 
 vec4 lightOf(ivec2 pixel, uint number, int firstSample);

@@ -90,13 +90,13 @@ float shareOf(ivec2 pixel, int samples, float alpha) {
   return share;
 }
 #elif defined BEHIND
-layout(binding = throughUnit) uniform samplerBuffer through;
+layout(binding = throughUnit) uniform samplerBuffer layersLeave;
 
 float shareOf(ivec2 pixel, int samples, float alpha) {
   int first = firstSample(pixel);
   precise float sum = 0.0f;
   for (int s = 0; s < SAMPLES; ++s)
-    if ((samples >> s & 1) != 0) sum = sum + texelFetch(through, first + s).x;
+    if ((samples >> s & 1) != 0) sum = sum + texelFetch(layersLeave, first + s).x;
   precise float share = sum * perSamples();
   return share;
 }

@@ -17,7 +17,7 @@
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
 layout(binding = firstIdUnit) uniform usamplerBuffer firstIds;
 #ifdef PAIRED
-layout(std430, binding = nearBinding) writeonly restrict buffer PairBlock { uint words[]; };
+layout(std430, binding = nearBinding) writeonly restrict buffer NearBlock { uint words[]; };
 #define PUT_ID(at, id) words[2 * (at)] = id
 #define PUT_KEY(at, key) words[2 * (at) + 1] = key
 #else

@@ -3,13 +3,13 @@
 #include "draw/exact/bindings.glsl"
 uniform bool firstLayer;
 #ifdef PAIRED
-layout(binding = layerNearUnit) uniform usamplerBuffer layerPairs;
-layout(binding = behindUnit) uniform usamplerBuffer opaquePairs;
+layout(binding = layerNearUnit) uniform usamplerBuffer layerKeys;
+layout(binding = behindUnit) uniform usamplerBuffer opaqueKeys;
 uvec2 layerBefore(int at) {
-  return texelFetch(layerPairs, at).yx;
+  return texelFetch(layerKeys, at).yx;
 }
 uint opaqueKey(int at) {
-  return texelFetch(opaquePairs, at).y;
+  return texelFetch(opaqueKeys, at).y;
 }
 #else
 layout(binding = layerNearUnit) uniform usamplerBuffer layerKeys;

@@ -1,12 +1,63 @@
 #include "draw/exact/instances/ball_raster.hpp"
 
-#include "draw/exact/bindings.hpp"
+#include "draw/exact/instances/instance_source.hpp"
 #include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
-#include "draw/instances/instance_values.hpp"
 #include "gl/element_array.hpp"
 
 namespace simreel::draw {
+
+struct BallSource {
+  SampleTarget into;
+  InstanceSource source;
+  gl::Uniform<"draw_", int> draw;
+  gl::Uniform<"firstLarge", int> firstLarge;
+};
+
+struct SmallBalls {
+  static constexpr auto file = "draw/exact/instances/balls.comp";
+  struct Variant {
+    TargetVariant target;
+    gl::Flag<"PARALLEL"> parallel;
+    gl::Flag<"MEDIUM"> medium;
+    ListVariant list;
+  };
+  BallSource balls;
+  gl::Uniform<"smallPixels", int> smallPixels;
+  gl::Uniform<"mediumPixels", int> mediumPixels;
+  gl::Uniform<"draws", int> draws;
+  gl::Shared<"LargeBlock"> large;
+  gl::Shared<"CounterBlock"> counters;
+};
+
+struct LargeBalls {
+  static constexpr auto file = "draw/exact/instances/large_balls.comp";
+  struct Variant {
+    TargetVariant target;
+    gl::Flag<"PARALLEL"> parallel;
+    gl::Flag<"MEDIUM"> medium;
+  };
+  BallSource balls;
+  gl::Uniform<"draws", int> draws;
+  gl::In<"large"> large;
+  gl::In<"counters"> counters;
+};
+
+struct BallShadows {
+  static constexpr auto file = "draw/exact/instances/ball_shadows.comp";
+  struct Variant {
+    TargetVariant target;
+    gl::Flag<"LARGE"> large;
+    ListVariant list;
+  };
+  gl::Ambient<"light"> light = {};
+  BallSource balls;
+  gl::Uniform<"smallPixels", int> smallPixels;
+  gl::Shared<"LargeBlock"> large;
+  gl::Shared<"CounterBlock"> counters;
+  gl::In<"largeList"> largeList;
+  gl::In<"largeCounts"> largeCounts;
+};
 
 namespace {
 
@@ -16,25 +67,6 @@ constexpr float ballRadius = 0.5F;  // of sprites and spheres at size 1
 
 BallRaster::BallRaster(Into into, int samples, int smallPixels, int mediumPixels)
     : into_(into), samples_(samples), smallPixels_(smallPixels), mediumPixels_(mediumPixels) {}
-
-const gl::Program& BallRaster::program(bool large, int pass, SampleKind layout) {
-  const std::tuple<bool, int, SampleKind> key{large, pass, layout};
-  const auto found = programs_.find(key);
-  if (found != programs_.end()) return found->second;
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(pass)}};
-  for (const auto& define : definesOf(layout)) defines.push_back(define);
-  if (!large)
-    for (const auto& define : laneDefines()) defines.push_back(define);
-  const bool map = into_ == Into::sunMap;
-  if (map) defines.emplace_back("SUN_MAP", "1");
-  if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
-  if (anyMedium()) defines.emplace_back("MEDIUM", "1");
-  if (map && large) defines.emplace_back("LARGE", "1");
-  const char* path = map     ? "draw/exact/instances/ball_shadows.comp"
-                     : large ? "draw/exact/instances/large_balls.comp"
-                             : "draw/exact/instances/balls.comp";
-  return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
-}
 
 void BallRaster::prepare() {
   constexpr GLuint zero = 0;
@@ -49,32 +81,48 @@ void BallRaster::prepare() {
 }
 
 void BallRaster::run(bool large, int pass, const Visibility& into, const MapPart& part) {
-  into.bind();
-  large_.bindStorage(largeBinding);
-  largeView_.bind(largeUnit);
-  counters_.bindStorage(counterBinding);
-  counterView_.bind(counterUnit);
-  const gl::Program& kernel = program(large, pass, into.layout());
+  const TargetVariant target = into.variant(into_, pass);
+  const bool parallel = into.layout().parallel;
+  const unsigned parts = partsFor(into.size(), samples_);
+  const int draws = static_cast<int>(balls_.size());
   int firstLarge = 0;
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     const sim::Instances& balls = *balls_[i];
-    setInstance(kernel, balls, ballRadius, into_ == Into::picture ? minPixelsOf(balls) : 0.0F);
-    kernel.set("capacity", balls.capacity);
-    kernel.set("firstId", firstIds_[i]);
-    kernel.set("draw_", static_cast<int>(i));
-    kernel.set("firstLarge", firstLarge);
-    kernel.set("smallPixels", smallPixels_);
-    kernel.set("mediumPixels", mediumPixels_);
-    kernel.set("draws", static_cast<int>(balls_.size()));
-    kernel.set("mapTexels", into.size().x);
-    part.set(kernel);
+    const float minPixels = into_ == Into::picture ? minPixelsOf(balls) : 0.0F;
+    const BallSource source{.into = into.target(part),
+                            .source = instanceSource(balls, ballRadius, minPixels, firstIds_[i]),
+                            .draw = static_cast<int>(i),
+                            .firstLarge = firstLarge};
     firstLarge += balls.capacity;
-    if (large && anyMedium())
-      GroupCounts::dispatchFixed(kernel, partsFor(into.size(), samples_));
-    else if (large)
-      GroupCounts::dispatchList(kernel, largeGroups_, i, partsFor(into.size(), samples_));
-    else
-      dispatchRows(kernel, balls.capacity);
+    if (into_ == Into::sunMap) {
+      const auto& kernel = shadows_.of({.target = target, .large = large, .list = listVariant()});
+      const BallShadows given{.balls = source,
+                              .smallPixels = smallPixels_,
+                              .large = large_,
+                              .counters = counters_,
+                              .largeList = largeView_,
+                              .largeCounts = counterView_};
+      if (large)
+        GroupCounts::dispatchList(kernel, largeGroups_, i, parts, given);
+      else
+        kernel.dispatch(inRows(balls.capacity), given);
+    } else if (large) {
+      const auto& kernel = largeBalls_.of({.target = target, .parallel = parallel, .medium = anyMedium()});
+      const LargeBalls given{
+          .balls = source, .draws = draws, .large = largeView_, .counters = counterView_};
+      if (anyMedium())
+        GroupCounts::dispatchFixed(kernel, parts, given);
+      else
+        GroupCounts::dispatchList(kernel, largeGroups_, i, parts, given);
+    } else {
+      smallBalls_.of({.target = target, .parallel = parallel, .medium = anyMedium(), .list = listVariant()})
+          .dispatch(inRows(balls.capacity), {.balls = source,
+                                             .smallPixels = smallPixels_,
+                                             .mediumPixels = mediumPixels_,
+                                             .draws = draws,
+                                             .large = large_,
+                                             .counters = counters_});
+    }
   }
 }
 

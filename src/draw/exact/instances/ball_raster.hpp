@@ -3,18 +3,19 @@
 #include "draw/exact/visibility.hpp"
 #include "sim/core/drawable.hpp"
 
-#include <map>
-#include <string>
-#include <tuple>
 #include <vector>
 
 namespace simreel::draw {
+
+struct SmallBalls;
+struct LargeBalls;
+struct BallShadows;
 
 /// Finds where balls are nearest: sprites and spheres, by ray at every sample; or their discs on the sun's
 /// map. The result does not depend on the order in which the device works.
 class BallRaster {
  public:
-  enum class Into { picture, sunMap, lampMap };
+  using Into = Target;
   /// Balls whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
   /// others those of at most `mediumPixels` (to 64) by a group, the rest by many, tile by tile: the same
   /// either way. Into the sun's map there are none of medium size.
@@ -29,7 +30,6 @@ class BallRaster {
 
  private:
   [[nodiscard]] bool anyMedium() const { return into_ != Into::sunMap && mediumPixels_ > smallPixels_; }
-  const gl::Program& program(bool large, int pass, SampleKind layout);
   void prepare();
   void run(bool large, int pass, const Visibility& into, const MapPart& part = {});
 
@@ -39,7 +39,9 @@ class BallRaster {
   int mediumPixels_;
   std::vector<const sim::Instances*> balls_;
   std::vector<unsigned> firstIds_;
-  std::map<std::tuple<bool, int, SampleKind>, gl::Program> programs_;
+  gl::Kernels<SmallBalls> smallBalls_;
+  gl::Kernels<LargeBalls> largeBalls_;
+  gl::Kernels<BallShadows> shadows_;
   GroupCounts groups_;
   gl::Buffer large_, counters_, largeGroups_;
   gl::Texture largeView_, counterView_;

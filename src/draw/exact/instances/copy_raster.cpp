@@ -1,21 +1,89 @@
 #include "draw/exact/instances/copy_raster.hpp"
 
-#include "draw/exact/bindings.hpp"
 #include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>
-#include <string>
 
 namespace simreel::draw {
 
+struct CullCopies {
+  static constexpr auto file = "draw/exact/copies/cull_copies.comp";
+  struct Variant {
+    ListVariant list;
+    gl::Flag<"PARALLEL"> parallel;
+    gl::Flag<"SUN_MAP"> sunMap;
+  };
+  gl::Ambient<"ViewBlock"> view = {};
+  gl::Ambient<"light"> light = {};
+  InstanceSource source;
+  gl::Uniform<"draw_", int> draw;
+  gl::Uniform<"firstListed", int> firstListed;
+  gl::Uniform<"mapTexels", int> mapTexels;
+  gl::Shared<"ListBlock"> listed;
+  gl::Shared<"CounterBlock"> counters;
+};
+
+/// glsl/draw/exact/copies/raster_copy.glsl.
+struct RasterCopies {
+  gl::Ambient<"light"> light = {};
+  CopySource source;
+  SampleTarget into;
+  InstanceLook look;
+  gl::Shared<"GlowBlock"> glows;
+  gl::Uniform<"firstListed", int> firstListed;
+  gl::Uniform<"skipped", int> skipped;
+  gl::Uniform<"doubleSided", bool> doubleSided;
+  gl::Uniform<"slopeOffset", float> slopeOffset;
+  gl::In<"listedCopies"> listedCopies;
+  gl::Uniform<"part", int> part;
+};
+struct CopyVariant {
+  TargetVariant target;
+  gl::Flag<"PARALLEL"> parallel;
+  gl::Flag<"ADDS"> adds;
+};
+
+struct SmallCopies {
+  static constexpr auto file = "draw/exact/copies/copies.comp";
+  struct Variant {
+    CopyVariant copies;
+    LaneVariant lanes;
+  };
+  RasterCopies copies;
+  gl::Uniform<"draw_", int> draw;
+  gl::Uniform<"mostCopies", int> mostCopies;
+  gl::Uniform<"parts", int> parts;
+  gl::Uniform<"listRoom", int> listRoom;
+  gl::Uniform<"smallPixels", int> smallPixels;
+  gl::Uniform<"mediumPixels", int> mediumPixels;
+  gl::In<"listedCounts"> listedCounts;
+  gl::Shared<"LargeBlock"> large;
+  gl::Shared<"CounterBlock"> counters;
+};
+
+struct MediumCopies {
+  static constexpr auto file = "draw/exact/copies/medium_copies.comp";
+  using Variant = CopyVariant;
+  RasterCopies copies;
+  gl::Uniform<"parts", int> parts;
+  gl::Uniform<"listRoom", int> listRoom;
+  gl::In<"large"> large;
+  gl::In<"counters"> counters;
+};
+
+struct LargeCopies {
+  static constexpr auto file = "draw/exact/copies/large_copies.comp";
+  using Variant = CopyVariant;
+  RasterCopies copies;
+  gl::In<"large"> large;
+  gl::In<"counters"> counters;
+};
+
 namespace {
 
-constexpr const char* copiesPath = "draw/exact/copies/copies.comp";
-constexpr const char* mediumCopiesPath = "draw/exact/copies/medium_copies.comp";
-constexpr const char* largeCopiesPath = "draw/exact/copies/large_copies.comp";
 constexpr unsigned groupPairs = 64;
 
 void clear(const gl::Buffer& counts) {
@@ -23,13 +91,14 @@ void clear(const gl::Buffer& counts) {
   glClearNamedBufferData(counts.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
 }
 
-gl::Defines cullDefines(CopyRaster::Into into) {
-  gl::Defines defines = laneDefines();
-  if (into == CopyRaster::Into::sunMap) defines.emplace_back("SUN_MAP", "1");
-  return defines;
-}
-
 }  // namespace
+
+CopyRaster::CopyRaster(Into into, int samples, int smallPixels, unsigned pairs, int mediumPixels)
+    : into_(into),
+      samples_(samples),
+      smallPixels_(smallPixels),
+      mediumPixels_(mediumPixels),
+      pairs_(pairs) {}
 
 unsigned CopyRaster::pairsAtOnce() {
   return 1U << (gl::softwareDriver() ? 22U : 25U);
@@ -40,31 +109,14 @@ unsigned CopyRaster::Copies::triangles() const {
   return static_cast<unsigned>(level.indexCount / level.batch / 3);
 }
 
-const gl::Program& CopyRaster::program(const char* path, Pass pass, SampleKind layout) {
-  const std::tuple<std::string, Pass, SampleKind> key{path, pass, layout};
-  const auto found = programs_.find(key);
-  if (found != programs_.end()) return found->second;
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)},
-                         {"PASS", pass == Pass::nearest ? "0" : "1"}};
-  for (const auto& define : definesOf(layout)) defines.push_back(define);
-  if (path == copiesPath)
-    for (const auto& define : laneDefines()) defines.push_back(define);
-  if (pass == Pass::light) defines.emplace_back("ADDS", "1");
-  if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
-  if (into_ == Into::lampMap) defines.emplace_back("LAMP_MAP", "1");
-  return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
-}
-
-void CopyRaster::set(const gl::Program& program, const Copies& copies, unsigned firstId) {
-  setInstance(program, *copies.instances, copies.shape->radius(), 0);
+CopySource CopyRaster::source(const Copies& copies, unsigned firstId) {
   gl::Texture& indices = indices_[copies.shape];
   if (!indices) indices = gl::Texture::view("indices", GL_R32UI, copies.shape->indices(), sizeof(GLuint));
-  indices.bind(indexUnit);
-  copies.shape->vertices().bind(shapeUnit);
-  program.set("alongVelocity", static_cast<int>(copies.instances->alongVelocity));
-  program.set("triangles", copies.triangles());
-  program.set("capacity", copies.instances->capacity);
-  program.set("firstId", firstId);
+  return {.source = instanceSource(*copies.instances, copies.shape->radius(), 0, firstId),
+          .indices = indices,
+          .shape = copies.shape->vertices(),
+          .alongVelocity = copies.instances->alongVelocity,
+          .triangles = copies.triangles()};
 }
 
 void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into) {
@@ -90,19 +142,19 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
   reserve(largeCounts_, largeCountView_, "counts of large triangles", words(2 * parts), GL_R32UI, 4);
   reserve(smallGroups_, "groups for copies", parts * GroupCounts::bytes);
   reserve(largeGroups_, "groups for large triangles", parts * GroupCounts::bytes);
-  if (!cull_) cull_ = gl::Program::compute("draw/exact/copies/cull_copies.comp", cullDefines(into_));
+  if (!cull_)
+    cull_ = gl::Kernel<CullCopies>(
+        gl::Defines(),
+        {.list = listVariant(), .parallel = into.layout().parallel, .sunMap = into_ == Into::sunMap});
   clear(counts_);
   gl::barrier();
-  listed_.bindStorage(largeBinding);
-  counts_.bindStorage(counterBinding);
-  for (std::size_t i = 0; i < copies_.size(); ++i) {
-    set(cull_, copies_[i], 0);
-    cull_.set("draw_", static_cast<int>(i));
-    cull_.set("firstListed", firstListed_[i]);
-    cull_.set("mapTexels", into.size().x);
-    dispatchRows(cull_, copies_[i].instances->capacity);
-  }
-  gl::barrier();
+  for (std::size_t i = 0; i < copies_.size(); ++i)
+    cull_.dispatch(inRows(copies_[i].instances->capacity), {.source = source(copies_[i], 0).source,
+                                                            .draw = static_cast<int>(i),
+                                                            .firstListed = firstListed_[i],
+                                                            .mapTexels = into.size().x,
+                                                            .listed = listed_,
+                                                            .counters = counts_});
   for (std::size_t part = 0; part < parts; ++part)
     groups_.fill(counts_,
                  {.first = static_cast<int>(part),
@@ -112,54 +164,57 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
                   .times = copies_[parts_[part].draw].triangles(),
                   .each = groupPairs},
                  smallGroups_);
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
 }
 
 void CopyRaster::runPart(std::size_t number, Pass pass, const Visibility& into, const MapPart& map) {
   const Part& part = parts_[number];
   const Copies& copies = copies_[part.draw];
-  const auto start = [&](const char* path) -> const gl::Program& {
-    const gl::Program& kernel = program(path, pass, into.layout());
-    set(kernel, copies, firstIds_[part.draw]);
-    if (pass == Pass::light) colors_[part.draw].set(kernel, *copies.instances);
-    kernel.set("firstListed", firstListed_[part.draw]);
-    kernel.set("skipped", part.skipped);
-    kernel.set("mostCopies", part.most);
-    kernel.set("draw_", static_cast<int>(part.draw));
-    kernel.set("part", static_cast<int>(number));
-    kernel.set("parts", static_cast<int>(parts_.size()));
-    kernel.set("listRoom", static_cast<int>(listRoom_));
-    kernel.set("smallPixels", smallPixels_);
-    kernel.set("mediumPixels", mediumPixels_);
-    kernel.set("doubleSided", 1);
-    kernel.set("mapTexels", into.size().x);
-    map.set(kernel);
-    return kernel;
-  };
-  large_.bindStorage(largeBinding);
-  largeCounts_.bindStorage(counterBinding);
-  countView_.bind(counterUnit);
-  GroupCounts::dispatch(start(copiesPath), smallGroups_, number);
   const unsigned shares = partsFor(into.size(), samples_);
+  const CopyVariant variant{.target = into.variant(into_, pass == Pass::numbers ? 1 : 0),
+                            .parallel = into.layout().parallel,
+                            .adds = pass == Pass::light};
+  const RasterCopies raster{
+      .source = source(copies, firstIds_[part.draw]),
+      .into = into.target(map),
+      .look = pass == Pass::light ? colors_[part.draw].look(*copies.instances) : InstanceLook(),
+      .glows = pass == Pass::light ? gl::Resource(*glows_) : gl::Resource(),
+      .firstListed = firstListed_[part.draw],
+      .skipped = part.skipped,
+      .doubleSided = true,
+      .slopeOffset = map.slopeOffset,
+      .listedCopies = listedView_,
+      .part = static_cast<int>(number)};
+  GroupCounts::dispatch(copyKernels_.of({.copies = variant, .lanes = laneVariant()}), smallGroups_, number,
+                        {.copies = raster,
+                         .draw = static_cast<int>(part.draw),
+                         .mostCopies = part.most,
+                         .parts = static_cast<int>(parts_.size()),
+                         .listRoom = static_cast<int>(listRoom_),
+                         .smallPixels = smallPixels_,
+                         .mediumPixels = mediumPixels_,
+                         .listedCounts = countView_,
+                         .large = large_,
+                         .counters = largeCounts_});
   groups_.prepareLists(
       largeCounts_,
       {.first = static_cast<int>(number), .firstCount = static_cast<int>(number), .parts = shares},
       largeGroups_);
-  largeView_.bind(largeUnit);
-  largeCountView_.bind(counterUnit);
-  if (mediumPixels_ > smallPixels_) GroupCounts::dispatchFixed(start(mediumCopiesPath));
-  GroupCounts::dispatchList(start(largeCopiesPath), largeGroups_, number, shares);
-  gl::barrier();
+  if (mediumPixels_ > smallPixels_)
+    GroupCounts::dispatchFixed(mediumKernels_.of(variant), 1,
+                               {.copies = raster,
+                                .parts = static_cast<int>(parts_.size()),
+                                .listRoom = static_cast<int>(listRoom_),
+                                .large = largeView_,
+                                .counters = largeCountView_});
+  GroupCounts::dispatchList(largeKernels_.of(variant), largeGroups_, number, shares,
+                            {.copies = raster, .large = largeView_, .counters = largeCountView_});
 }
 
 void CopyRaster::run(Pass pass, const Visibility& into, const MapPart& map) {
   clear(largeCounts_);
   gl::barrier();
-  if (pass != Pass::light) into.bind();
-  into.nearKeys().bind(nearUnit);
-  listedView_.bind(listUnit);
   for (std::size_t part = 0; part < parts_.size(); ++part) runPart(part, pass, into, map);
+  gl::barrier();
 }
 
 void CopyRaster::drawNearest(const std::vector<Copies>& copies, const std::vector<unsigned>& firstIds,
@@ -176,8 +231,10 @@ void CopyRaster::drawNumbers(const Visibility& into) {
   if (!copies_.empty() && into.layout() != SampleLayout::wholes) run(Pass::numbers, into, {});
 }
 
-void CopyRaster::addLight(const std::vector<Copies>& copies, const Visibility& into) {
+void CopyRaster::addLight(const std::vector<Copies>& copies, const Visibility& into,
+                          const gl::Buffer& sums) {
   if (copies.empty()) return;
+  glows_ = &sums;
   colors_.resize(std::max(colors_.size(), copies.size()));
   for (std::size_t i = 0; i < copies.size(); ++i) colors_[i].update(*copies[i].instances);
   firstIds_.assign(copies.size(), 0U);

@@ -1,31 +1,30 @@
 #pragma once
 #include "draw/exact/group_counts.hpp"
+#include "draw/exact/instances/instance_source.hpp"
 #include "draw/exact/visibility.hpp"
-#include "draw/instances/instance_values.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
 
 #include <map>
-#include <tuple>
 #include <vector>
 
 namespace simreel::draw {
+
+struct CullCopies;
+struct SmallCopies;
+struct MediumCopies;
+struct LargeCopies;
 
 /// Finds where copies of a mesh are nearest, by kernels: those in sight are listed, then an invocation
 /// takes one triangle of one copy. The result does not depend on the order in which the device works.
 class CopyRaster {
  public:
-  enum class Into { picture, sunMap, lampMap };
+  using Into = Target;
   /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
   /// others those of at most `mediumPixels` (to 64) by sixteen, the rest by groups, tile by tile; `pairs`:
   /// so many triangles of copies at once. The same either way.
   CopyRaster(Into into, int samples, int smallPixels = smallCopyTriangle(), unsigned pairs = pairsAtOnce(),
-             int mediumPixels = mediumTriangle())
-      : into_(into),
-        samples_(samples),
-        smallPixels_(smallPixels),
-        mediumPixels_(mediumPixels),
-        pairs_(pairs) {}
+             int mediumPixels = mediumTriangle());
 
   /// How many suit the device: each needs a word.
   [[nodiscard]] static unsigned pairsAtOnce();
@@ -43,11 +42,10 @@ class CopyRaster {
                    const Visibility& into, const MapPart& map = {});
   /// The numbers of those that are nearest when all is drawn.
   void drawNumbers(const Visibility& into);
-  /// Adds light to the bound sums of GlowRaster, before what is visible.
-  void addLight(const std::vector<Copies>& copies, const Visibility& into);
+  /// Adds light to the sums of GlowRaster, before what is visible.
+  void addLight(const std::vector<Copies>& copies, const Visibility& into, const gl::Buffer& sums);
 
-  /// Sets and binds what glsl/draw/exact/copies/copy_source.glsl reads.
-  void set(const gl::Program& program, const Copies& copies, unsigned firstId);
+  [[nodiscard]] CopySource source(const Copies& copies, unsigned firstId);
 
  private:
   enum class Pass { nearest, numbers, light };
@@ -57,7 +55,6 @@ class CopyRaster {
     int skipped;
     int most;
   };
-  const gl::Program& program(const char* path, Pass pass, SampleKind layout);
   void list(const std::vector<Copies>& copies, const Visibility& into);
   void run(Pass pass, const Visibility& into, const MapPart& map);
   void runPart(std::size_t part, Pass pass, const Visibility& into, const MapPart& map);
@@ -72,9 +69,12 @@ class CopyRaster {
   std::vector<int> firstListed_;
   std::vector<Part> parts_;
   std::vector<InstanceColors> colors_;
-  std::map<std::tuple<std::string, Pass, SampleKind>, gl::Program> programs_;
   std::map<const InstanceShape*, gl::Texture> indices_;
-  gl::Program cull_;
+  const gl::Buffer* glows_ = nullptr;  ///< sums that addLight() adds to
+  gl::Kernel<CullCopies> cull_;
+  gl::Kernels<SmallCopies> copyKernels_;
+  gl::Kernels<MediumCopies> mediumKernels_;
+  gl::Kernels<LargeCopies> largeKernels_;
   GroupCounts groups_;
   gl::Buffer listed_, counts_, large_, largeCounts_, smallGroups_, largeGroups_;
   gl::Texture listedView_, countView_, largeView_, largeCountView_;

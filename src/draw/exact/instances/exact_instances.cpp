@@ -1,13 +1,42 @@
 #include "draw/exact/instances/exact_instances.hpp"
 
 #include "base/error.hpp"
-#include "draw/exact/shown.hpp"
 #include "draw/surface/surface_pass.hpp"
 
 #include <algorithm>
 #include <cstdint>
 
 namespace simreel::draw {
+
+/// Material and colours of instances.
+struct ThingLook {
+  InstanceLook colors;
+  gl::Uniform<"material", glm::vec3> material;  ///< roughness, metallic, translucency
+};
+struct InstanceVariant {
+  ThingVariant thing;
+  gl::Flag<"REFLECTIVE"> reflective;
+  gl::Flag<"TRANSLUCENT"> translucent;
+};
+
+struct ShadeBalls {
+  static constexpr auto file = "draw/exact/instances/shade_balls.comp";
+  using Variant = InstanceVariant;
+  TileFields tile;
+  SceneLight light;
+  InstanceSource source;
+  ThingLook look;
+  gl::Uniform<"squarePixels", float> squarePixels;
+};
+
+struct ShadeCopies {
+  static constexpr auto file = "draw/exact/copies/shade_copies.comp";
+  using Variant = InstanceVariant;
+  TileFields tile;
+  SceneLight light;
+  CopySource source;
+  ThingLook look;
+};
 
 namespace {
 
@@ -31,6 +60,9 @@ unsigned after(unsigned firstId, std::uint64_t count) {
 }
 
 }  // namespace
+
+ExactInstances::ExactInstances(int samples, Lighting lighting)
+    : samples_(samples), lighting_(std::move(lighting)) {}
 
 void ExactInstances::cast(const sim::Drawables& drawables, BallRaster& balls, CopyRaster& copies,
                           const Visibility& map, const MapPart& part) {
@@ -107,29 +139,18 @@ void ExactInstances::describe(std::vector<DrawnThing>& things) const {
                       all[i].firstId, all[i].each});
 }
 
-const gl::Program& ExactInstances::shading(const char* path, const sim::Instances& instances) {
-  const bool reflective = isReflective(*instances.material);
-  const bool translucent = instances.material->translucency > 0;
-  const bool ground = mirrorsGround(lighting_) && mirrorsScene(instances.material->roughness);
-  const std::string key = std::string(path) + (reflective ? " r" : "") + (translucent ? " t" : "") +
-                          (ground ? " g" : "") + (shown_ != 0 ? std::to_string(shown_) : "");
-  const auto found = programs_.find(key);
-  if (found != programs_.end()) return found->second;
-  gl::Defines defines = showing(lighting_, shown_);
-  if (!ground) withoutGround(defines);
-  if (reflective) defines.emplace_back("REFLECTIVE", "1");
-  if (translucent) defines.emplace_back("TRANSLUCENT", "1");
-  return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
-}
-
-void ExactInstances::setLook(const gl::Program& shader, const sim::Instances& instances,
-                             std::size_t number) {
+ThingLook ExactInstances::look(const sim::Instances& instances, std::size_t number) {
   const scene::Material& material = *instances.material;
   if (colors_.size() <= number) colors_.resize(number + 1);
   colors_[number].update(instances);
-  colors_[number].set(shader, instances);
-  shader.set("material", glm::vec3(material.roughness, material.metallic, material.translucency));
-  shader.set("mirrorReach", mirrorReach_);
+  return {.colors = colors_[number].look(instances),
+          .material = glm::vec3(material.roughness, material.metallic, material.translucency)};
+}
+
+InstanceVariant ExactInstances::variant(const sim::Instances& instances) const {
+  return {.thing = showing(lighting_.variant, shown_, mirrorsScene(instances.material->roughness)),
+          .reflective = isReflective(*instances.material),
+          .translucent = instances.material->translucency > 0};
 }
 
 bool ExactInstances::shades(const sim::Instances& instances) const {
@@ -143,25 +164,26 @@ bool ExactInstances::anyMirrors(const sim::Drawables& drawables) {
                      });
 }
 
-void ExactInstances::shade(const ShadedTiles& tiles, int firstThing) {
+void ExactInstances::shade(const ShadedTiles& tiles, int firstThing, const SceneLight& light) {
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     const sim::Instances& balls = *balls_[i];
     if (!shades(balls)) continue;
-    const gl::Program& shader = shading("draw/exact/instances/shade_balls.comp", balls);
-    setInstance(shader, balls, shapes_.of(balls).radius(), minPixelsOf(balls));
-    setLook(shader, balls, i);
-    shader.set("capacity", balls.capacity);
-    shader.set("firstId", ballIds_[i]);
-    shader.set("squarePixels", isSprite(balls) ? squarePixels : 0.0F);
-    tiles.shade(firstThing + static_cast<int>(i), shader);
+    const float radius = shapes_.of(balls).radius();
+    tiles.shade(firstThing + static_cast<int>(i), ballShading_.of(variant(balls)),
+                ShadeBalls{.tile = {},
+                           .light = light,
+                           .source = instanceSource(balls, radius, minPixelsOf(balls), ballIds_[i]),
+                           .look = look(balls, i),
+                           .squarePixels = isSprite(balls) ? squarePixels : 0.0F});
   }
   for (std::size_t i = 0; i < copies_.size(); ++i) {
-    const CopyRaster::Copies& copies = copies_[i];
-    if (!shades(*copies.instances)) continue;
-    const gl::Program& shader = shading("draw/exact/copies/shade_copies.comp", *copies.instances);
-    copyRaster_.set(shader, copies, copyIds_[i]);
-    setLook(shader, *copies.instances, balls_.size() + i);
-    tiles.shade(firstThing + static_cast<int>(balls_.size() + i), shader);
+    const sim::Instances& copies = *copies_[i].instances;
+    if (!shades(copies)) continue;
+    tiles.shade(firstThing + static_cast<int>(balls_.size() + i), copyShading_.of(variant(copies)),
+                ShadeCopies{.tile = {},
+                            .light = light,
+                            .source = copyRaster_.source(copies_[i], copyIds_[i]),
+                            .look = look(copies, balls_.size() + i)});
   }
 }
 
@@ -170,7 +192,8 @@ bool ExactInstances::anyAdd(const sim::Drawables& drawables) {
                      [](const sim::Instances& instances) { return instances.additive; });
 }
 
-void ExactInstances::addLight(const sim::Drawables& drawables, const Visibility& picture) {
+void ExactInstances::addLight(const sim::Drawables& drawables, const Visibility& picture,
+                              const gl::Texture& light) {
   if (!anyAdd(drawables)) return;
   std::vector<const sim::Instances*> glows;
   std::vector<CopyRaster::Copies> copies;
@@ -183,9 +206,8 @@ void ExactInstances::addLight(const sim::Drawables& drawables, const Visibility&
   }
   glowRaster_.prepare(picture.size());
   glowRaster_.draw(glows, picture);
-  glowRaster_.bindSums();
-  copyGlows_.addLight(copies, picture);
-  glowRaster_.addTo(picture.size());
+  copyGlows_.addLight(copies, picture, glowRaster_.sums());
+  glowRaster_.addTo(picture.size(), light);
 }
 
 }  // namespace simreel::draw

@@ -7,31 +7,31 @@
 #include "draw/instances/instance_values.hpp"
 #include "sim/core/drawable.hpp"
 
-#include <map>
-#include <string>
 #include <vector>
 
 namespace simreel::draw {
+
+struct ThingLook;
+struct InstanceVariant;
+struct ShadeBalls;
+struct ShadeCopies;
 
 /// Draws instances by kernels in exact arithmetic. What is opaque has numbers of its own after those of the
 /// surfaces: first of the draw + instance.
 class ExactInstances {
  public:
-  /// `lighting`: SAMPLES and those of the lights.
-  ExactInstances(int samples, gl::Defines lighting) : samples_(samples), lighting_(std::move(lighting)) {}
+  ExactInstances(int samples, Lighting lighting);
 
-  /// From now on what shades has these.
-  void define(gl::Defines lighting) {
-    lighting_ = std::move(lighting);
-    programs_.clear();
-  }
+  /// From now on things are lit like that, by the same lights.
+  void light(const ThingVariant& variant) { lighting_.variant = variant; }
   /// As SurfaceShading::show.
   void show(int layer) { shown_ = layer; }
-  void mirrorWithin(glm::vec2 reach) { mirrorReach_ = reach; }
   /// Whether some of what is opaque mirror the scene.
   [[nodiscard]] static bool anyMirrors(const sim::Drawables& drawables);
   /// Grows the sun's bounds; see ShadowPass::fit.
-  void growBounds(const sim::Drawables& drawables) { bounds_.grow(drawables, shapes_); }
+  void growBounds(const sim::Drawables& drawables, const gl::Buffer& bounds) {
+    bounds_.grow(drawables, shapes_, bounds);
+  }
   /// Into the sun's map, where other things may be drawn already. The light's place is bound.
   void castShadows(const sim::Drawables& drawables, const Visibility& map, const MapPart& part);
   /// Into one of a lamp's maps, whose view is bound.
@@ -51,27 +51,25 @@ class ExactInstances {
   };
   [[nodiscard]] std::vector<Numbered> numbered() const;
   /// Adds the light of what is opaque, whose draws are things of the tiles from `firstThing` on.
-  void shade(const ShadedTiles& tiles, int firstThing);
+  void shade(const ShadedTiles& tiles, int firstThing, const SceneLight& light);
   /// Whether some add light: then the ground lies in the picture's keys, too.
   [[nodiscard]] static bool anyAdd(const sim::Drawables& drawables);
-  /// Adds the light of those that add it, before what is visible, to the bound sums.
-  void addLight(const sim::Drawables& drawables, const Visibility& picture);
+  /// Adds to `light` that of those that add it, before what is visible.
+  void addLight(const sim::Drawables& drawables, const Visibility& picture, const gl::Texture& light);
 
  private:
   void cast(const sim::Drawables& drawables, BallRaster& balls, CopyRaster& copies, const Visibility& map,
             const MapPart& part);
   [[nodiscard]] bool shades(const sim::Instances& instances) const;
-  const gl::Program& shading(const char* path, const sim::Instances& instances);
+  [[nodiscard]] InstanceVariant variant(const sim::Instances& instances) const;
   [[nodiscard]] CopyRaster::Copies copiesOf(const sim::Instances& instances) {
     return {&instances, &shapes_.of(instances)};
   }
-  /// What both kinds read for their shading.
-  void setLook(const gl::Program& shader, const sim::Instances& instances, std::size_t number);
+  [[nodiscard]] ThingLook look(const sim::Instances& instances, std::size_t number);
 
   int samples_;
-  gl::Defines lighting_;
+  Lighting lighting_;
   int shown_ = 0;
-  glm::vec2 mirrorReach_{0};
   InstanceShapes shapes_{false};
   InstanceBounds bounds_;
   std::vector<const sim::Instances*> balls_;
@@ -87,7 +85,8 @@ class ExactInstances {
   CopyRaster copyGlows_{CopyRaster::Into::picture, samples_};
   GlowRaster glowRaster_{samples_};
   std::vector<InstanceColors> colors_;
-  std::map<std::string, gl::Program> programs_;
+  gl::Kernels<ShadeBalls> ballShading_{lighting_.lights};
+  gl::Kernels<ShadeCopies> copyShading_{lighting_.lights};
 };
 
 }  // namespace simreel::draw

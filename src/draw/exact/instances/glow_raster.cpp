@@ -1,7 +1,7 @@
 #include "draw/exact/instances/glow_raster.hpp"
 
 #include "base/error.hpp"
-#include "draw/exact/bindings.hpp"
+#include "draw/exact/instances/instance_source.hpp"
 #include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/element_array.hpp"
@@ -11,12 +11,50 @@
 
 namespace simreel::draw {
 
+struct GlowKernel {
+  static constexpr auto file = "draw/exact/instances/glows.comp";
+  struct Variant {
+    SampleVariant samples;
+    gl::Flag<"PARALLEL"> parallel;
+    gl::Flag<"LARGE"> large;
+    gl::Flag<"MEDIUM"> medium;
+    gl::Flag<"BALL"> ball;
+    ListVariant list;
+  };
+  gl::Ambient<"ViewBlock"> view = {};
+  SamplesRead samples;
+  InstanceSource source;
+  InstanceLook look;
+  gl::Uniform<"draw_", int> draw;
+  gl::Uniform<"firstLarge", int> firstLarge;
+  gl::Uniform<"smallPixels", int> smallPixels;
+  gl::Uniform<"mediumPixels", int> mediumPixels;
+  gl::Uniform<"draws", int> draws;
+  gl::Uniform<"roundPixels", float> roundPixels;
+  gl::Shared<"GlowBlock"> sums;
+  gl::Shared<"LargeBlock"> large;
+  gl::Shared<"CounterBlock"> counters;
+  gl::In<"largeList"> largeList;
+  gl::In<"largeCounts"> largeCounts;
+};
+
+struct AddGlows {
+  static constexpr auto file = "draw/exact/instances/add_glows.comp";
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::Ambient<"ViewBlock"> view = {};
+  gl::InOut<"sums"> light;
+  gl::InOut<"GlowBlock"> sums;
+};
+
 namespace {
 
 constexpr float glowRadius = 0.5F;    // of sprites and spheres at size 1
 constexpr float roundPixels = 64.0F;  // as the driver's points
 
 }  // namespace
+
+GlowRaster::GlowRaster(int samples, int smallPixels, int mediumPixels)
+    : samples_(samples), smallPixels_(smallPixels), mediumPixels_(mediumPixels) {}
 
 void GlowRaster::prepare(glm::ivec2 size) {
   constexpr GLuint zero = 0;
@@ -28,51 +66,41 @@ void GlowRaster::prepare(glm::ivec2 size) {
          size.x, size.y, bytes, gl::limits().storageBlockBytes);
   if (!reserve(sums_, "glow sums", static_cast<std::size_t>(bytes))) return;
   glClearNamedBufferData(sums_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
-  add_ = gl::Program::compute("draw/exact/instances/add_glows.comp");
-}
-
-const gl::Program& GlowRaster::program(bool large, bool ball, SampleKind layout) {
-  const std::tuple<bool, bool, SampleKind> key{large, ball, layout};
-  const auto found = programs_.find(key);
-  if (found != programs_.end()) return found->second;
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}};
-  for (const auto& define : definesOf(layout)) defines.push_back(define);
-  if (!large)
-    for (const auto& define : laneDefines()) defines.push_back(define);
-  if (large) defines.emplace_back("LARGE", "1");
-  if (anyMedium()) defines.emplace_back("MEDIUM", "1");
-  if (ball) defines.emplace_back("BALL", "1");
-  return programs_.emplace(key, gl::Program::compute("draw/exact/instances/glows.comp", defines))
-      .first->second;
+  add_ = gl::Kernel<AddGlows>(gl::Defines());
 }
 
 void GlowRaster::run(bool large, const Visibility& picture) {
-  picture.bind();
-  bindSums();
-  large_.bindStorage(largeBinding);
-  largeView_.bind(largeUnit);
-  counters_.bindStorage(counterBinding);
-  counterView_.bind(counterUnit);
+  const unsigned parts = partsFor(picture.size(), picture.samples());
   int firstLarge = 0;
   for (std::size_t i = 0; i < glows_.size(); ++i) {
     const sim::Instances& glows = *glows_[i];
-    const gl::Program& kernel = program(large, !isSprite(glows), picture.layout());
-    setInstance(kernel, glows, glowRadius, minPixelsOf(glows));
-    colors_[i].set(kernel, glows);
-    kernel.set("capacity", glows.capacity);
-    kernel.set("draw_", static_cast<int>(i));
-    kernel.set("firstLarge", firstLarge);
-    kernel.set("smallPixels", smallPixels_);
-    kernel.set("mediumPixels", mediumPixels_);
-    kernel.set("draws", static_cast<int>(glows_.size()));
-    kernel.set("roundPixels", glows.discs ? 0.0F : roundPixels);
+    const gl::Kernel<GlowKernel>& kernel = kernels_.of({.samples = picture.variant(),
+                                                        .parallel = picture.layout().parallel,
+                                                        .large = large,
+                                                        .medium = anyMedium(),
+                                                        .ball = !isSprite(glows),
+                                                        .list = listVariant()});
+    const GlowKernel given{.samples = picture.read(),
+                           .source = instanceSource(glows, glowRadius, minPixelsOf(glows), 0),
+                           .look = colors_[i].look(glows),
+                           .draw = static_cast<int>(i),
+                           .firstLarge = firstLarge,
+                           .smallPixels = smallPixels_,
+                           .mediumPixels = mediumPixels_,
+                           .draws = static_cast<int>(glows_.size()),
+                           .roundPixels = glows.discs ? 0.0F : roundPixels,
+                           .sums = sums_,
+                           .large = large_,
+                           .counters = counters_,
+                           .largeList = largeView_,
+                           .largeCounts = counterView_};
     firstLarge += glows.capacity;
     if (large && anyMedium())
-      GroupCounts::dispatchFixed(kernel, partsFor(picture.size(), picture.samples()));
+      GroupCounts::dispatchFixed(kernel, parts, given);
     else if (large)
-      GroupCounts::dispatchList(kernel, largeGroups_, i, partsFor(picture.size(), picture.samples()));
+      GroupCounts::dispatchList(kernel, largeGroups_, i, parts, given);
     else
-      dispatchRows(kernel, glows.capacity);
+      kernel.dispatch(inRows(glows.capacity), given);
   }
 }
 
@@ -98,17 +126,10 @@ void GlowRaster::draw(const std::vector<const sim::Instances*>& glows, const Vis
       counters_, {.counts = static_cast<int>(count), .parts = partsFor(picture.size(), picture.samples())},
       largeGroups_);
   run(true, picture);
-  gl::barrier();
 }
 
-void GlowRaster::bindSums() const {
-  sums_.bindStorage(glowBinding);
-}
-
-void GlowRaster::addTo(glm::ivec2 size) const {
-  bindSums();
-  add_.dispatch(size.x, size.y);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+void GlowRaster::addTo(glm::ivec2 size, const gl::Texture& light) const {
+  add_.dispatch(size, {.light = light, .sums = sums_});
 }
 
 }  // namespace simreel::draw

@@ -1,11 +1,10 @@
 #include "draw/exact/motion/motion.hpp"
 
 #include "base/error.hpp"
-#include "draw/draw_state.hpp"
-#include "draw/exact/bindings.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/triangles/triangle_raster.hpp"
 #include "draw/exact/visibility.hpp"
+#include "draw/surface_fields.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>
@@ -16,50 +15,86 @@
 
 namespace simreel::draw {
 
+struct WorldVertexKernel {
+  static constexpr auto file = "draw/exact/motion/world_vertices.comp";
+  struct Variant {
+    WorldVariant surface;
+    gl::Flag<"PALETTE"> palette;
+  };
+  WorldVertices surface;
+  gl::Uniform<"vertexCount", int> vertexCount;
+  gl::Out<"PlaceBlock"> places;
+  gl::Out<"NormalBlock"> directions;
+};
+
+struct CopyElements {
+  static constexpr auto file = "draw/exact/motion/keep_elements.comp";
+  gl::In<"positions"> positions;
+  gl::In<"velocities"> velocities;
+  gl::Uniform<"elementCount", int> elementCount;
+  gl::Out<"PlaceBlock"> places;
+  gl::Out<"VelocityBlock"> velocitiesOut;
+};
+
+struct BetweenVertices {
+  static constexpr auto file = "draw/exact/motion/between_vertices.comp";
+  gl::In<"placesBefore"> placesBefore;
+  gl::In<"normalsBefore"> normalsBefore;
+  gl::In<"placesNow"> placesNow;
+  gl::In<"normalsNow"> normalsNow;
+  gl::Uniform<"part", float> part;
+  gl::Uniform<"vertexCount", int> vertexCount;
+  gl::Out<"PlaceBlock"> places;
+  gl::Out<"NormalBlock"> directions;
+};
+
+struct BetweenElements {
+  static constexpr auto file = "draw/exact/motion/between_elements.comp";
+  gl::In<"placesBefore"> placesBefore;
+  gl::In<"velocitiesBefore"> velocitiesBefore;
+  gl::In<"placesNow"> placesNow;
+  gl::In<"velocitiesNow"> velocitiesNow;
+  gl::Uniform<"part", float> part;
+  gl::Uniform<"seconds", float> seconds;
+  gl::Uniform<"elementCount", int> elementCount;
+  gl::Out<"PlaceBlock"> places;
+  gl::Out<"VelocityBlock"> velocities;
+};
+
+namespace {
+
+gl::Defines arithmetic(bool fast) {
+  return fast ? gl::Defines{{"FAST_NUMERICS", "1"}} : gl::Defines();
+}
+
+}  // namespace
+
+Motion::Motion(bool fast)
+    : worldVertices_(arithmetic(fast)),
+      copy_(gl::Defines()),
+      betweenVertices_(arithmetic(fast)),
+      betweenElements_(arithmetic(fast)) {}
+
 void Motion::Elements::makeRoom(int count) {
   const std::size_t bytes = static_cast<std::size_t>(count) * sizeof(glm::vec4);
   reserve(first, firstView, "places between frames", bytes, GL_RGBA32F, sizeof(glm::vec4));
   reserve(second, secondView, "directions between frames", bytes, GL_RGBA32F, sizeof(glm::vec4));
 }
 
-void Motion::Elements::bindOutput() const {
-  first.bindStorage(outVertexBinding);
-  second.bindStorage(outNormalBinding);
-}
-
-const gl::Program& Motion::program(const std::string& name, const gl::Defines& defines) {
-  std::string key = name;
-  for (const auto& define : defines) key += " " + define.first;
-  const auto found = programs_.find(key);
-  if (found != programs_.end()) return found->second;
-  gl::Defines all = defines;
-  if (fast_) all.emplace_back("FAST_NUMERICS", "1");
-  return programs_.emplace(key, gl::Program::compute("draw/exact/motion/" + name, all)).first->second;
-}
-
 void Motion::toWorld(const sim::Surface& surface, const Elements& into) {
-  gl::Defines defines;
-  if (surface.normals == nullptr) defines.emplace_back("GRID", "1");
-  if (surface.deform != nullptr) defines.emplace_back("DEFORMED", "1");
-  if (surface.palette != nullptr) defines.emplace_back("PALETTE", "1");
-  const gl::Program& kernel = program("world_vertices.comp", defines);
-  bindPositions(surface, kernel);
-  if (surface.normals != nullptr) surface.normals->bind(normalUnit);
-  bindDeformation(surface);
-  into.bindOutput();
-  kernel.set("model", surface.model);
-  kernel.set("grid", surface.grid);
-  kernel.set("vertexCount", verticesOf(surface));
-  dispatchRows(kernel, verticesOf(surface));
+  worldVertices_.of({.surface = worldVariant(surface), .palette = surface.palette != nullptr})
+      .dispatch(inRows(verticesOf(surface)), {.surface = worldVertices(surface),
+                                              .vertexCount = verticesOf(surface),
+                                              .places = into.first,
+                                              .directions = into.second});
 }
 
 void Motion::copy(const sim::Instances& instances, const Elements& into) {
-  const gl::Program& kernel = program("keep_elements.comp");
-  instances.positions->bind(positionUnit);
-  instances.velocities->bind(velocityUnit);
-  into.bindOutput();
-  kernel.set("elementCount", instances.capacity);
-  dispatchRows(kernel, instances.capacity);
+  copy_.dispatch(inRows(instances.capacity), {.positions = *instances.positions,
+                                              .velocities = *instances.velocities,
+                                              .elementCount = instances.capacity,
+                                              .places = into.first,
+                                              .velocitiesOut = into.second});
 }
 
 void Motion::keep(const sim::Drawables& before) {
@@ -129,15 +164,14 @@ void Motion::begin(const sim::Drawables& now, double seconds, double at) {
 }
 
 void Motion::place(sim::Surface& surface, Moving& moving, float part) {
-  const gl::Program& kernel = program("between_vertices.comp");
-  moving.before.firstView.bind(positionUnit);
-  moving.before.secondView.bind(normalUnit);
-  moving.now.firstView.bind(vertexUnit);
-  moving.now.secondView.bind(ownerUnit);
-  moving.shown.bindOutput();
-  kernel.set("part", part);
-  kernel.set("vertexCount", moving.count);
-  dispatchRows(kernel, moving.count);
+  betweenVertices_.dispatch(inRows(moving.count), {.placesBefore = moving.before.firstView,
+                                                   .normalsBefore = moving.before.secondView,
+                                                   .placesNow = moving.now.firstView,
+                                                   .normalsNow = moving.now.secondView,
+                                                   .part = part,
+                                                   .vertexCount = moving.count,
+                                                   .places = moving.shown.first,
+                                                   .directions = moving.shown.second});
   surface.positions = &moving.shown.firstView;
   if (surface.normals != nullptr) surface.normals = &moving.shown.secondView;
   surface.heights = nullptr;
@@ -148,16 +182,15 @@ void Motion::place(sim::Surface& surface, Moving& moving, float part) {
 }
 
 void Motion::place(sim::Instances& instances, Moving& moving, float part) {
-  const gl::Program& kernel = program("between_elements.comp");
-  moving.before.firstView.bind(positionUnit);
-  moving.before.secondView.bind(velocityUnit);
-  instances.positions->bind(vertexUnit);
-  instances.velocities->bind(ownerUnit);
-  moving.shown.bindOutput();
-  kernel.set("part", part);
-  kernel.set("seconds", static_cast<float>(seconds_));
-  kernel.set("elementCount", moving.count);
-  dispatchRows(kernel, moving.count);
+  betweenElements_.dispatch(inRows(moving.count), {.placesBefore = moving.before.firstView,
+                                                   .velocitiesBefore = moving.before.secondView,
+                                                   .placesNow = *instances.positions,
+                                                   .velocitiesNow = *instances.velocities,
+                                                   .part = part,
+                                                   .seconds = static_cast<float>(seconds_),
+                                                   .elementCount = moving.count,
+                                                   .places = moving.shown.first,
+                                                   .velocities = moving.shown.second});
   instances.positions = &moving.shown.firstView;
   instances.velocities = &moving.shown.secondView;
 }

@@ -1,11 +1,10 @@
 #pragma once
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +14,11 @@
 
 namespace simreel::draw {
 
+struct WorldVertexKernel;
+struct CopyElements;
+struct BetweenVertices;
+struct BetweenElements;
+
 /// Moments between two frames: vertices and instances go straight from where they were to where they are,
 /// as of two motion steps of a path tracer. What jumped along its keyframes meanwhile stays where it was
 /// until then, and stands where it is from then on. Surfaces whose triangles the GPU makes anew (those with
@@ -22,7 +26,7 @@ namespace simreel::draw {
 class Motion {
  public:
   /// `fast`: built-in arithmetic.
-  explicit Motion(bool fast) : fast_(fast) {}
+  explicit Motion(bool fast);
 
   /// What was drawn, or would have been, of the frame before.
   void keep(const sim::Drawables& before);
@@ -52,7 +56,6 @@ class Motion {
     gl::Buffer first, second;
     gl::Texture firstView, secondView;
     void makeRoom(int count);
-    void bindOutput() const;
   };
   struct Moving {
     std::string object;
@@ -66,7 +69,6 @@ class Motion {
     Elements before, now, shown;
   };
 
-  const gl::Program& program(const std::string& name, const gl::Defines& defines = {});
   /// The part of the way at which what jumped last at these times (s) does so between the frames.
   [[nodiscard]] std::optional<float> jumpAt(double before, double now) const;
   void toWorld(const sim::Surface& surface, const Elements& into);
@@ -74,9 +76,11 @@ class Motion {
   void place(sim::Surface& surface, Moving& moving, float part);
   void place(sim::Instances& instances, Moving& moving, float part);
 
-  bool fast_;
   double seconds_ = 0, at_ = 0;
-  std::map<std::string, gl::Program> programs_;
+  gl::Kernels<WorldVertexKernel> worldVertices_;
+  gl::Kernel<CopyElements> copy_;
+  gl::Kernel<BetweenVertices> betweenVertices_;
+  gl::Kernel<BetweenElements> betweenElements_;
   std::vector<Moving> surfaces_, instances_;
   std::vector<sim::Place> places_;  ///< of the frame before, and the next
   std::vector<glm::vec3> lagging_;

@@ -1,10 +1,7 @@
 #include "draw/exact/occlusion/occlusion.hpp"
 
-#include "draw/exact/bindings.hpp"
 #include "draw/rows_at_once.hpp"
 #include "gl/element_array.hpp"
-
-#include <string>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -12,17 +9,55 @@
 
 namespace simreel::draw {
 
+/// Of kernels that see the picture, ROWS of its pixels an invocation.
+struct SeenVariant {
+  gl::Flag<"PARALLEL"> parallel;
+  gl::Range<"ROWS", 1, 8> rows;
+};
+
+struct HalfNearness {
+  static constexpr auto file = "draw/exact/occlusion/half_nearness.comp";
+  struct Variant {
+    SampleVariant samples;
+    SeenVariant seen;
+    gl::Flag<"GROUND"> ground;
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::Ambient<"ViewBlock"> view = {};
+  SamplesRead samples;
+  gl::Out<"NearnessBlock"> nearness;
+};
+
+struct Horizons {
+  static constexpr auto file = "draw/exact/occlusion/horizons.comp";
+  struct Variant {
+    SeenVariant seen;
+    gl::Range<"SLICES", 1, 8> slices;
+    gl::Range<"STEPS", 1, 16> steps;
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::Ambient<"ViewBlock"> view = {};
+  gl::Uniform<"reach", glm::vec3> reach;
+  gl::In<"nearness"> nearness;
+  gl::Out<"ArcBlock"> arcs;
+};
+
+struct SmoothArcs {
+  static constexpr auto file = "draw/exact/occlusion/smooth_arcs.comp";
+  struct Variant {
+    SeenVariant seen;
+    gl::Flag<"DOWN"> down;
+  };
+  gl::Ambient<"ViewBlock"> view = {};
+  gl::In<"nearness"> nearness;
+  gl::In<"arcs"> arcs;
+  gl::Out<"SmoothBlock"> smooth = {};
+  gl::Out<"OpennessBlock"> openness = {};
+};
+
 Occlusion::Kept::Kept(const std::string& label, GLenum format, std::size_t bytes, glm::ivec2 size)
     : buffer(label, static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * bytes),
       view(gl::Texture::view(label, format, buffer, bytes)) {}
-
-void Occlusion::run(const gl::Program& program, const Kept& result, glm::ivec2 size,
-                    glm::ivec2 each) const {
-  result.buffer.bindStorage(halfPixelBinding);
-  const glm::ivec2 invocations = (size + each - 1) / each;
-  program.dispatch(invocations.x, invocations.y);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-}
 
 glm::vec3 reachOnPicture(const shader::ExactView& view, float radius) {
   // Of the picture's height a third, whatever its size: larger ones show the same.
@@ -31,21 +66,16 @@ glm::vec3 reachOnPicture(const shader::ExactView& view, float radius) {
 }
 
 Occlusion::Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground) : half_((size + 1) / 2) {
-  const std::pair<const char*, std::string> rows = {"ROWS", std::to_string(rowsAtOnce())};
-  gl::Defines nearest = definesOf(visibility.layout());
-  nearest.emplace_back("SAMPLES", std::to_string(visibility.samples()));
-  nearest.push_back(rows);
-  if (ground) nearest.emplace_back("GROUND", "1");
-  nearest_ = gl::Program::compute("draw/exact/occlusion/half_nearness.comp", nearest);
-  gl::Defines along = {rows};
-  if (visibility.layout().parallel) along.emplace_back("PARALLEL", "1");
-  gl::Defines around = along, down = along;
-  around.emplace_back("SLICES", std::to_string(slices));
-  around.emplace_back("STEPS", std::to_string(steps));
-  down.emplace_back("DOWN", "1");
-  horizons_ = gl::Program::compute("draw/exact/occlusion/horizons.comp", around);
-  across_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", along);
-  down_ = gl::Program::compute("draw/exact/occlusion/smooth_arcs.comp", down);
+  const int rows = rowsAtOnce();
+  const bool parallel = visibility.layout().parallel;
+  const gl::Defines none;
+  nearest_ = gl::Kernel<HalfNearness>(
+      none,
+      {.samples = visibility.variant(), .seen = {.parallel = parallel, .rows = rows}, .ground = ground});
+  horizons_ = gl::Kernel<Horizons>(
+      none, {.seen = {.parallel = parallel, .rows = rows}, .slices = slices, .steps = steps});
+  across_ = gl::Kernel<SmoothArcs>(none, {.seen = {.parallel = parallel, .rows = rows}, .down = false});
+  down_ = gl::Kernel<SmoothArcs>(none, {.seen = {.parallel = parallel, .rows = rows}, .down = true});
   nearness_ = Kept("nearness", GL_R32F, sizeof(float), half_);
   arcs_ = Kept("light that is lost", GL_RG32F, sizeof(glm::vec2), half_);
   smooth_ = Kept("light that is lost, along rows", GL_RG32F, sizeof(glm::vec2), half_);
@@ -54,22 +84,22 @@ Occlusion::Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground)
 
 void Occlusion::add(const Visibility& visibility, const shader::ExactView& view) const {
   gl::barrier();
-  visibility.bind();
-  run(nearest_, nearness_, {half_.x, (view.rows.y - view.rows.x + 1) / 2}, {1, rowsAtOnce()});
+  const int rows = (view.rows.y - view.rows.x + 1) / 2;
+  nearest_.dispatch({half_.x, (rows + rowsAtOnce() - 1) / rowsAtOnce()},
+                    {.samples = visibility.read(), .nearness = nearness_.buffer});
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 void Occlusion::find(const shader::ExactView& view, float radius) const {
-  nearness_.view.bindImage(nearnessImage, GL_READ_ONLY);
-  horizons_.set("reach", reachOnPicture(view, radius));
-  run(horizons_, arcs_, half_, {1, rowsAtOnce()});
-  arcs_.view.bindImage(arcImage, GL_READ_ONLY);
-  run(across_, smooth_, half_, {rowsAtOnce(), 1});
-  smooth_.view.bindImage(arcImage, GL_READ_ONLY);
-  run(down_, openness_, half_, {1, rowsAtOnce()});
-}
-
-void Occlusion::bind() const {
-  openness_.view.bindImage(opennessImage, GL_READ_ONLY);
+  const int each = rowsAtOnce();
+  const glm::ivec2 inColumns = {half_.x, (half_.y + each - 1) / each};
+  horizons_.dispatch(
+      inColumns, {.reach = reachOnPicture(view, radius), .nearness = nearness_.view, .arcs = arcs_.buffer});
+  across_.dispatch({(half_.x + each - 1) / each, half_.y},
+                   {.nearness = nearness_.view, .arcs = arcs_.view, .smooth = smooth_.buffer});
+  down_.dispatch(inColumns,
+                 {.nearness = nearness_.view, .arcs = smooth_.view, .openness = openness_.buffer});
+  gl::barrier(GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 }  // namespace simreel::draw

@@ -2,7 +2,7 @@
 #include "draw/exact/exact_view.hpp"
 #include "draw/exact/visibility.hpp"
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 
 #include <cstddef>
@@ -13,6 +13,10 @@
 #include <glm/vec3.hpp>
 
 namespace simreel::draw {
+
+struct HalfNearness;
+struct Horizons;
+struct SmoothArcs;
 
 /// How much of the surroundings' light gets to what a picture shows, by what the picture shows around it
 /// (glsl/draw/exact/occlusion/horizons.glsl): at half its size.
@@ -31,8 +35,8 @@ class Occlusion {
   void add(const Visibility& visibility, const shader::ExactView& view) const;
   /// Once all of the picture is there. `radius`: how far away what counts may be (m).
   void find(const shader::ExactView& view, float radius) const;
-  /// For kernels that include draw/exact/occlusion/openness_read.glsl.
-  void bind() const;
+  /// Openness and nearness of half pixels, row by row.
+  [[nodiscard]] const gl::Texture& openness() const { return openness_.view; }
   [[nodiscard]] glm::ivec2 size() const { return half_; }
   /// Of half pixels (1/m), row by row; 0 where nothing is.
   [[nodiscard]] const gl::Texture& nearness() const { return nearness_.view; }
@@ -48,11 +52,10 @@ class Occlusion {
     gl::Buffer buffer;
     gl::Texture view;
   };
-  /// Of `size` half pixels, `each` of them an invocation.
-  void run(const gl::Program& program, const Kept& result, glm::ivec2 size, glm::ivec2 each) const;
-
   glm::ivec2 half_{0};
-  gl::Program nearest_, horizons_, across_, down_;
+  gl::Kernel<HalfNearness> nearest_;
+  gl::Kernel<Horizons> horizons_;
+  gl::Kernel<SmoothArcs> across_, down_;
   Kept nearness_, arcs_, smooth_, openness_;
 };
 

@@ -1,15 +1,36 @@
-#include "draw/exact/bindings.hpp"
 #include "draw/exact/scene/exact_frame.hpp"
 #include "draw/exact/screen/bloom.hpp"
 #include "draw/exact/screen/light_pictures.hpp"
 #include "draw/frame_values.hpp"
 #include "draw/rows_at_once.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "sim/grid/field_display.hpp"
 
 #include <algorithm>
 #include <string>
 
 namespace simreel::draw {
+
+struct FilmKernel {
+  static constexpr auto file = "draw/exact/screen/picture.comp";
+  struct Variant {
+    gl::Flag<"PARALLEL"> parallel;
+    gl::Flag<"TRANSPARENT"> transparent;
+    gl::Flag<"BLOOM"> bloom;
+    gl::Flag<"FAST_NUMERICS"> fast;
+    gl::Range<"ROWS", 1, 8> rows;
+    gl::Flag<"LINEAR"> linear = {};  ///< light before the film; DEEP: as the film shows it
+    gl::Flag<"DEEP"> deep = {};
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::Ambient<"ViewBlock"> view = {};
+  gl::Ambient<"environment"> environment = {};
+  gl::Uniform<"perSize", glm::vec2> perSize;
+  gl::Uniform<"bloomStrength", float> bloomStrength;
+  gl::In<"sums"> light;
+  gl::In<"scattered"> scattered;
+  gl::Out<"picture"> picture;
+};
 
 namespace {
 
@@ -45,32 +66,37 @@ class ScatterPass final : public FramePass {
 /// Makes the picture; and, if somebody asked for it, the light before the film or as the film shows it.
 class FilmPass final : public FramePass {
  public:
-  explicit FilmPass(ExactFrame& frame)
-      : FramePass(frame), picture_(gl::Program::compute("draw/exact/screen/picture.comp", defines())) {}
+  explicit FilmPass(ExactFrame& frame) : FramePass(frame), picture_(defines(), variant()) {}
   void asked() override {
-    gl::Defines more = defines();
-    more.emplace_back(f.wanted->filmed ? "DEEP" : "LINEAR", "1");
-    linear_ = gl::Program::compute("draw/exact/screen/picture.comp", more);
+    FilmKernel::Variant deeper = variant();
+    deeper.linear = !f.wanted->filmed;
+    deeper.deep = f.wanted->filmed;
+    linear_ = gl::Kernel<FilmKernel>(defines(), deeper);
     light_ = gl::Texture::image("light before the film", GL_RGBA32F, f.size.x, f.size.y);
   }
   void run() override {
-    if (f.scattered != nullptr) bindLight(*f.scattered, bloomUnit, scatteredImage);
-    bindLight(f.light, sceneUnit, lightImage);
     expose(picture_, *f.asked.picture);
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                    GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
+    gl::barrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT);
     if (f.passes != nullptr) f.passes->keepBytes("picture", "film", *f.asked.picture);
     if (f.wanted) keepLight();
   }
 
  private:
   [[nodiscard]] gl::Defines defines() const;
-  void expose(const gl::Program& program, const gl::Texture& into) const {
-    if (f.scattered != nullptr)
-      program.set("bloomStrength", f.scene.render.bloom.strength.at(f.asked.frame.seconds));
-    into.bindImage(pictureImage, GL_WRITE_ONLY);
-    program.set("perSize", 2.0F / glm::vec2(f.size));
-    program.dispatch(f.size.x, (f.size.y + rowsAtOnce() - 1) / rowsAtOnce());
+  [[nodiscard]] FilmKernel::Variant variant() const {
+    return {.parallel = isParallel(f.scene.camera),
+            .transparent = f.scene.render.transparent,
+            .bloom = Bloom::on(f.scene.render.bloom),
+            .fast = f.scene.numerics == scene::Numerics::fast,
+            .rows = rowsAtOnce()};
+  }
+  void expose(const gl::Kernel<FilmKernel>& kernel, const gl::Texture& into) const {
+    kernel.dispatch({f.size.x, (f.size.y + rowsAtOnce() - 1) / rowsAtOnce()},
+                    {.perSize = 2.0F / glm::vec2(f.size),
+                     .bloomStrength = f.scene.render.bloom.strength.at(f.asked.frame.seconds),
+                     .light = f.light,
+                     .scattered = f.scattered != nullptr ? *f.scattered : f.light,
+                     .picture = into});
   }
   void keepLight() {
     expose(linear_, light_);
@@ -86,19 +112,14 @@ class FilmPass final : public FramePass {
     for (float& value : layers.light) value += 0.0F;
   }
 
-  gl::Program picture_, linear_;
+  gl::Kernel<FilmKernel> picture_, linear_;
   gl::Texture light_;
 };
 
 gl::Defines FilmPass::defines() const {
   gl::Defines defines = lightDefines();
-  if (isParallel(f.scene.camera)) defines.emplace_back("PARALLEL", "1");
   for (auto& define : f.aroundDefines()) defines.push_back(std::move(define));
   for (auto& define : filmDefines(f.scene.render)) defines.push_back(std::move(define));
-  if (f.scene.render.transparent) defines.emplace_back("TRANSPARENT", "1");
-  defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
-  if (Bloom::on(f.scene.render.bloom)) defines.emplace_back("BLOOM", "1");
-  if (f.scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
   return defines;
 }
 

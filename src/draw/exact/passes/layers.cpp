@@ -1,4 +1,3 @@
-#include "draw/exact/bindings.hpp"
 #include "draw/exact/motion/velocities.hpp"
 #include "draw/exact/scene/exact_frame.hpp"
 #include "draw/exact/scene/share_keeper.hpp"
@@ -35,17 +34,12 @@ class LayersPass final : public FramePass {
   std::optional<LayerKeeper> visible_;
   std::optional<ShareKeeper> shares_;
   std::array<gl::Texture, shownLayers.size()> shown_;
-  std::array<gl::Program, shownLayers.size()> ground_;
 };
 
 void LayersPass::asked() {
-  for (std::size_t i = 0; i < shownLayers.size(); ++i) {
-    if (!wants(shownLayers[i])) continue;
-    shown_[i] = gl::Texture::image("a layer of the picture", GL_RGBA32F, f.size.x, f.size.y);
-    if (f.ground)
-      ground_[i] = gl::Program::compute("draw/exact/tiles/shade_ground.comp",
-                                        showing(f.lighting(), static_cast<int>(i) + 1));
-  }
+  for (std::size_t i = 0; i < shownLayers.size(); ++i)
+    if (wants(shownLayers[i]))
+      shown_[i] = gl::Texture::image("a layer of the picture", GL_RGBA32F, f.size.x, f.size.y);
 }
 
 void LayersPass::run() {
@@ -81,14 +75,16 @@ void LayersPass::keepVisible(const std::vector<DrawnThing>& things) {
 void LayersPass::shade() {
   for (std::size_t i = 0; i < shown_.size(); ++i) {
     if (!shown_[i]) continue;
-    shown_[i].bindImage(sumImage, GL_READ_WRITE);
-    f.show(static_cast<int>(i) + 1);
-    f.shadeThings();
+    const int layer = static_cast<int>(i) + 1;
+    f.show(layer);
+    f.shadeThings(shown_[i]);
     if (!f.ground) continue;
-    f.tiles->shade(f.tiles->things(), ground_[i]);
-    if (f.shadow.on()) f.tiles->shade(f.tiles->things() + 1, ground_[i]);
+    const ShadeGround::Variant ground{.shade = showing(f.lit(), layer, true).shade, .shadowed = false};
+    f.shadeGround(0, ground, shown_[i]);
+    if (f.shadow.on()) f.shadeGround(1, ground, shown_[i]);
   }
   f.show(0);
+  gl::barrier();
 }
 
 void LayersPass::keepShown() {

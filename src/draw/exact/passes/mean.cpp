@@ -1,7 +1,17 @@
-#include "draw/exact/bindings.hpp"
 #include "draw/exact/scene/exact_frame.hpp"
+#include "gl/kernel/kernel.hpp"
 
 namespace simreel::draw {
+
+struct LensSumKernel {
+  static constexpr auto file = "draw/exact/screen/lens_sum.comp";
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::Ambient<"ViewBlock"> view = {};
+  gl::Uniform<"first", int> first;
+  gl::Uniform<"share", float> share;
+  gl::InOut<"sums"> light;
+  gl::InOut<"total"> total;
+};
 
 namespace {
 
@@ -10,19 +20,17 @@ class MeanPass final : public FramePass {
  public:
   explicit MeanPass(ExactFrame& frame) : FramePass(frame) {
     if (!frame.scene.camera.lens && !frame.scene.camera.shutter) return;
-    sum_ = gl::Program::compute("draw/exact/screen/lens_sum.comp", {});
+    sum_ = gl::Kernel<LensSumKernel>(gl::Defines());
     total_ = gl::Texture::image("light through the lens", GL_RGBA32F, frame.size.x, frame.size.y);
   }
   [[nodiscard]] bool on() const override { return f.views > 1; }
   void run() override {
     const bool last = f.number + 1 == f.views;
-    f.bindLight();
-    total_.bindImage(lightImage, GL_READ_WRITE);
-    sum_.set("first", f.number == 0 ? 1 : 0);
-    sum_.set("share", last ? 1.0F / static_cast<float>(f.views) : 0.0F);
-    sum_.dispatch(f.size.x, f.size.y);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
-                    GL_TEXTURE_UPDATE_BARRIER_BIT);
+    sum_.dispatch(f.size, {.first = f.number == 0 ? 1 : 0,
+                           .share = last ? 1.0F / static_cast<float>(f.views) : 0.0F,
+                           .light = f.light,
+                           .total = total_});
+    gl::barrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     if (f.number == 0) middle_ = exactView(f.seen, f.scene.camera, f.size);
     if (!last) return;
     f.values = middle_;  // the sky is seen through the middle
@@ -31,7 +39,7 @@ class MeanPass final : public FramePass {
   }
 
  private:
-  gl::Program sum_;
+  gl::Kernel<LensSumKernel> sum_;
   gl::Texture total_;           ///< light of the views so far
   shader::ExactView middle_{};  ///< the first moment through the middle of the lens
 };

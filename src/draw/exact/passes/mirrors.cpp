@@ -1,6 +1,7 @@
 #include "draw/exact/scene/exact_frame.hpp"
 #include "draw/exact/shown.hpp"
 #include "draw/surface/surface_pass.hpp"
+#include "gl/element_array.hpp"
 
 #include <algorithm>
 
@@ -13,7 +14,7 @@ bool groundMirrors(const ExactFrame& frame) {
   return frame.ground && frame.occludes() && mirrorsScene(frame.scene.ground->roughness);
 }
 
-/// Finds if something mirrors the scene, and tells shaders how far mirrors reach.
+/// Finds if something mirrors the scene.
 class MirrorsPass final : public FramePass {
  public:
   using FramePass::FramePass;
@@ -29,9 +30,6 @@ class MirrorsPass final : public FramePass {
                 any(f.apart.cut());
     if (!f.mirrors) return;
     if (!f.reflections) f.reflections.emplace(f.size, f.ground, isParallel(f.scene.camera));
-    const glm::vec2 reach = Reflections::reachOf(f.away());
-    f.surfaces.mirrorWithin(reach);
-    f.instances.mirrorWithin(reach);
   }
 };
 
@@ -45,31 +43,18 @@ class MirroredPass final : public FramePass {
 /// Adds to the band's light the difference that reflections make.
 class ReflectedPass final : public FramePass {
  public:
-  explicit ReflectedPass(ExactFrame& frame) : FramePass(frame) { makeGround(); }
+  using FramePass::FramePass;
   [[nodiscard]] bool on() const override { return f.mirrors; }
   void run() override {
-    if (layered_ != f.layered) makeGround();
-    f.bindLight();
-    f.occlusion.bind();
-    f.reflections->bind();
     f.show(shownReflections);
-    f.shadeThings();
+    f.shadeThings(f.light);
     f.show(0);
-    if (!ground_) return;
-    ground_.set("mirrorReach", Reflections::reachOf(f.away()));
-    for (int i = 0; i < (f.shadow.on() ? 2 : 1); ++i) f.tiles->shade(f.tiles->things() + i, ground_);
-  }
-
- private:
-  void makeGround() {
-    layered_ = f.layered;
     if (groundMirrors(f))
-      ground_ = gl::Program::compute("draw/exact/tiles/shade_ground.comp",
-                                     showing(f.lighting(), shownReflections));
+      for (int i = 0; i < (f.shadow.on() ? 2 : 1); ++i)
+        f.shadeGround(i, {.shade = showing(f.lit(), shownReflections, true).shade, .shadowed = false},
+                      f.light);
+    gl::barrier();
   }
-
-  bool layered_ = false;
-  gl::Program ground_;
 };
 
 }  // namespace

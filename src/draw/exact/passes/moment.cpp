@@ -37,12 +37,12 @@ class ThingsPass final : public FramePass {
   }
 
  private:
-  /// Shading programs are made anew for scenes with blended surfaces, so that others do not pay for them.
+  /// Kernels shade otherwise in scenes with blended surfaces, so that others do not pay for them.
   void beginLayers() {
     if (f.layered) return;
     f.layered = true;
-    f.surfaces.define(f.lighting());
-    f.instances.define(f.lighting());
+    f.surfaces.light(f.lit());
+    f.instances.light(f.lit());
   }
   /// Warns once about each object whose material is not drawn in full.
   void sayFinishes() {

@@ -36,10 +36,9 @@ class SunMapPass final : public FramePass {
       if (castsShadow(surface)) casting.push_back(&surface);
     sim::Drawables bounding = drawables;
     bounding.surfaces.insert(bounding.surfaces.end(), f.apart.casting().begin(), f.apart.casting().end());
-    f.shadow.fit(bounding, [&] { f.instances.growBounds(drawables); });
+    f.shadow.fit(bounding, [&](const gl::Buffer& bounds) { f.instances.growBounds(drawables, bounds); });
     f.shadow.bind();
     f.sunMap->clear();
-    gl::barrier();
     // A filter of r texels reads depths up to r + 1 texels of slope away.
     const MapPart part{.slopeOffset = 1.5F + f.scene.sun.shadowSoftness};
     casters_->number(casting);

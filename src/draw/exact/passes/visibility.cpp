@@ -13,7 +13,6 @@ class VisibilityPass final : public FramePass {
     number();
     gl::barrier();  // another band may still be read
     f.visibility.clear();
-    gl::barrier();
     f.instances.drawNearest(f.visibility);  // before triangles draw numbers
     f.apart.drawNearest(f.visibility);
     if (f.joins)
@@ -67,8 +66,7 @@ class TilesPass final : public FramePass {
 
  private:
   void list(ShadedTiles& tiles, bool groundKeys) {
-    f.bindLight();
-    tiles.list(f.firstIds, f.visibility, f.groundPlace(), groundKeys);
+    tiles.list(f.firstIds, f.visibility, f.light, f.groundPlace(), groundKeys);
     f.tiles = &tiles;
   }
 

@@ -1,14 +1,68 @@
 #include "draw/exact/rays/hierarchy.hpp"
 
-#include "draw/exact/rays/bindings.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/visibility.hpp"
+#include "draw/surface_fields.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>
 #include <bit>
 
 namespace simreel::draw {
+
+/// draw/exact/rays/solids.glsl.
+struct SolidPlaces {
+  gl::In<"places"> places;
+  gl::In<"corners"> corners;
+};
+
+struct SolidBounds {
+  static constexpr auto file = "draw/exact/rays/bounds.comp";
+  struct Variant {
+    gl::Flag<"BALLS"> balls;
+  };
+  SolidPlaces solids;
+  gl::Shared<"BoundsBlock"> bounds;
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"invocations", int> invocations;
+};
+
+struct SolidKeys {
+  static constexpr auto file = "draw/exact/rays/keys.comp";
+  using Variant = SolidBounds::Variant;
+  SolidPlaces solids;
+  gl::In<"BoundsBlock"> bounds;
+  gl::Uniform<"count", int> count;
+  gl::Out<"records"> records;
+};
+
+struct SolidOrder {
+  static constexpr auto file = "draw/exact/rays/order.comp";
+  using Variant = SolidBounds::Variant;
+  gl::In<"records"> records;
+  SolidPlaces solids;
+  gl::In<"BoundsBlock"> bounds;
+  gl::In<"vertexWords"> words;
+  gl::In<"ballLooks"> ballLooks;
+  gl::In<"looks"> looks;
+  gl::Uniform<"count", int> count;
+  gl::Out<"SortedBlock"> sorted;
+  gl::Out<"IdBlock"> ids;
+};
+
+struct SolidNodes {
+  static constexpr auto file = "draw/exact/rays/nodes.comp";
+  struct Variant {
+    gl::Flag<"BALLS"> balls;
+    gl::Flag<"LEAVES"> leaves;
+  };
+  gl::In<"sorted"> sorted;
+  gl::In<"children"> children;
+  gl::Uniform<"count", int> count;
+  gl::Uniform<"leaves", int> leaves;
+  gl::Uniform<"width", int> width;
+  gl::Out<"NodeBlock"> nodes;
+};
 
 namespace {
 
@@ -18,46 +72,36 @@ constexpr int boundsInvocations = 4096;
 /// Of a key that sorting looks at: keys.comp.
 constexpr int lowKeyBits = 12, highKeyBits = 24;
 
+SolidPlaces placesOf(const Hierarchy::Solids& solids) {
+  return {.places = *solids.places, .corners = orNone(solids.corners)};
+}
+
 }  // namespace
 
-gl::Program Hierarchy::made(const char* path, bool leaves) const {
-  gl::Defines defines = gl::kernelDefines(false);
-  if (of_ == Of::balls) defines.emplace_back("BALLS", "1");
-  if (leaves) defines.emplace_back("LEAVES", "1");
-  return gl::Program::compute(path, defines);
-}
-
-void Hierarchy::makePrograms() {
+void Hierarchy::makeKernels() {
   if (bounds_) return;
-  bounds_ = made("draw/exact/rays/bounds.comp");
-  keys_ = made("draw/exact/rays/keys.comp");
-  order_ = made("draw/exact/rays/order.comp");
-  leafNodes_ = made("draw/exact/rays/nodes.comp", true);
-  nodes_ = made("draw/exact/rays/nodes.comp");
-}
-
-void Hierarchy::bindSolids(const Solids& solids) const {
-  solids.places->bind(solidPlaceUnit);
-  if (solids.corners != nullptr) solids.corners->bind(solidCornerUnit);
-  if (solids.words != nullptr) solids.words->bind(solidWordUnit);
-  if (solids.ballLooks != nullptr) solids.ballLooks->bind(ballLookUnit);
-  solids.looks->bind(rayLookUnit);
+  const gl::Defines defines = gl::kernelDefines(false);
+  const bool balls = of_ == Of::balls;
+  bounds_ = gl::Kernel<SolidBounds>(defines, {.balls = balls});
+  keys_ = gl::Kernel<SolidKeys>(defines, {.balls = balls});
+  order_ = gl::Kernel<SolidOrder>(defines, {.balls = balls});
+  leafNodes_ = gl::Kernel<SolidNodes>(defines, {.balls = balls, .leaves = true});
+  nodes_ = gl::Kernel<SolidNodes>(defines, {.balls = balls, .leaves = false});
 }
 
 void Hierarchy::growBounds(const Solids& solids, const gl::Buffer& bounds) {
   if (solids.count == 0) return;
-  makePrograms();
-  bindSolids(solids);
-  bounds.bindStorage(rayBoundsBinding);
-  bounds_.set("count", solids.count);
-  bounds_.set("invocations", boundsInvocations);
-  bounds_.dispatch(std::min(solids.count, boundsInvocations));
+  makeKernels();
+  bounds_.dispatch(std::min(solids.count, boundsInvocations), {.solids = placesOf(solids),
+                                                               .bounds = bounds,
+                                                               .count = solids.count,
+                                                               .invocations = boundsInvocations});
 }
 
 void Hierarchy::build(const Solids& solids, const gl::Buffer& bounds) {
   count_ = solids.count;
   if (count_ == 0) return;
-  makePrograms();
+  makeKernels();
   const auto count = static_cast<std::size_t>(count_);
   leaves_ = static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(count_ / leastOfLeaf, 1))));
   if (room_ < count_) {
@@ -69,44 +113,27 @@ void Hierarchy::build(const Solids& solids, const gl::Buffer& bounds) {
   reserve(nodeBoxes_, nodeView_, "boxes of what rays meet", 2 * static_cast<std::size_t>(leaves_) * 16,
           GL_RGBA32UI, 16);
   reserve(ids_, idView_, "numbers of what rays meet", count * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
-  bindSolids(solids);
-  bounds.bindStorage(rayBoundsBinding);
-  sort_->records().bindState(outRecordBinding);
-  keys_.set("count", count_);
-  dispatchRows(keys_, count_);
+  keys_.dispatch(
+      inRows(count_),
+      {.solids = placesOf(solids), .bounds = bounds, .count = count_, .records = sort_->records()});
   sort_->sort(count_, lowKeyBits, highKeyBits);
-
-  bindSolids(solids);
-  bounds.bindStorage(rayBoundsBinding);
-  sort_->records().bindInput(recordUnit);
-  sorted_.bindStorage(outRecordBinding);
-  ids_.bindStorage(outIdBinding);
-  order_.set("count", count_);
-  dispatchRows(order_, count_);
-  gl::barrier();
-
-  sortedView_.bind(solidUnit);
-  nodeView_.bind(solidNodeUnit);
-  nodeBoxes_.bindStorage(outNodeBinding);
-  for (int width = leaves_; width >= 1; width /= 2) {
-    const gl::Program& program = width == leaves_ ? leafNodes_ : nodes_;
-    program.set("count", count_);
-    program.set("leaves", leaves_);
-    program.set("width", width);
-    dispatchRows(program, width);
-    gl::barrier();
-  }
-}
-
-void Hierarchy::bind(const gl::Program& program) const {
-  const bool balls = of_ == Of::balls;
-  if (count_ > 0) {
-    sortedView_.bind(balls ? ballUnit : solidUnit);
-    nodeView_.bind(balls ? ballNodeUnit : solidNodeUnit);
-    if (!balls) idView_.bind(solidIdUnit);
-  }
-  program.set(balls ? "ballCount" : "solidCount", count_);
-  program.set(balls ? "ballLeaves" : "solidLeaves", leaves_);
+  order_.dispatch(inRows(count_), {.records = sort_->records(),
+                                   .solids = placesOf(solids),
+                                   .bounds = bounds,
+                                   .words = orNone(solids.words),
+                                   .ballLooks = orNone(solids.ballLooks),
+                                   .looks = orNone(solids.looks),
+                                   .count = count_,
+                                   .sorted = sorted_,
+                                   .ids = ids_});
+  for (int width = leaves_; width >= 1; width /= 2)
+    (width == leaves_ ? leafNodes_ : nodes_)
+        .dispatch(inRows(width), {.sorted = sortedView_,
+                                  .children = nodeView_,
+                                  .count = count_,
+                                  .leaves = leaves_,
+                                  .width = width,
+                                  .nodes = nodeBoxes_});
 }
 
 }  // namespace simreel::draw

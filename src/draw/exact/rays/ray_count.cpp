@@ -1,6 +1,5 @@
 #include "draw/exact/rays/ray_count.hpp"
 
-#include "draw/exact/rays/bindings.hpp"
 #include "draw/exact/visibility.hpp"
 
 #include <array>
@@ -8,14 +7,21 @@
 
 namespace simreel::draw {
 
+struct CountRays {
+  static constexpr auto file = "draw/exact/rays/count_rays.comp";
+  gl::In<"rays"> rays;
+  gl::Uniform<"firstRay", int> firstRay;
+  gl::Uniform<"rayCount", int> rayCount;
+  gl::InOut<"CountBlock"> total;
+};
+
 namespace {
 
 RayCount* living = nullptr;
 
 }  // namespace
 
-RayCount::RayCount()
-    : total_("count of rays", 16), kernel_(gl::Program::compute("draw/exact/rays/count_rays.comp", {})) {
+RayCount::RayCount() : total_("count of rays", 16), kernel_(gl::Defines()) {
   living = this;
 }
 
@@ -30,11 +36,7 @@ RayCount* RayCount::current() {
 void RayCount::add(const gl::Texture& rays, int first, int count) {
   constexpr GLuint zero = 0;
   glClearNamedBufferData(total_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
-  rays.bind(rayUnit);
-  total_.bindStorage(outCountBinding);
-  kernel_.set("firstRay", first);
-  kernel_.set("rayCount", count);
-  dispatchRows(kernel_, count);
+  kernel_.dispatch(inRows(count), {.rays = rays, .firstRay = first, .rayCount = count, .total = total_});
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::array<GLuint, 1> counted{};
   total_.read(0, std::as_writable_bytes(std::span(counted)));

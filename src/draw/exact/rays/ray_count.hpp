@@ -1,11 +1,13 @@
 #pragma once
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 
 #include <cstdint>
 
 namespace simreel::draw {
+
+struct CountRays;
 
 /// While one lives, rays of pictures of quality "high" are counted, which makes the CPU wait for each step
 /// of them: for `simreel bench`, after its times. One at a time, of the current context.
@@ -31,7 +33,7 @@ class RayCount {
  private:
   std::uint64_t rays_ = 0;
   gl::Buffer total_;
-  gl::Program kernel_;
+  gl::Kernel<CountRays> kernel_;
 };
 
 }  // namespace simreel::draw

@@ -1,6 +1,5 @@
 #include "draw/exact/rays/ray_emitters.hpp"
 
-#include "draw/exact/rays/bindings.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/element_array.hpp"
 
@@ -58,10 +57,11 @@ void RayEmitters::finish() {
   buffer_.write(0, std::as_bytes(std::span(texels)));
 }
 
-void RayEmitters::bind(const gl::Program& program) const {
-  if (view_) view_.bind(rayEmitterUnit);
-  program.set("emitterCount", static_cast<int>(parts_.size()));
-  program.set("perEmission", all_ > 0 ? static_cast<float>(1 / all_) : 0.0F);
+EmitterFields RayEmitters::fields(const gl::Texture& places) const {
+  return {.emitters = view_,
+          .places = places,
+          .count = static_cast<int>(parts_.size()),
+          .perEmission = all_ > 0 ? static_cast<float>(1 / all_) : 0.0F};
 }
 
 }  // namespace simreel::draw

@@ -1,6 +1,6 @@
 #pragma once
+#include "draw/exact/rays/ray_kernels.hpp"
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
 #include "gl/texture.hpp"
 
 #include <cstdint>
@@ -18,7 +18,8 @@ class RayEmitters {
   /// `places` and `corners`: of all triangles, as glsl/draw/exact/rays/gather.comp leaves them.
   void add(const gl::Buffer& places, const gl::Buffer& corners, int first, int count, double brightness);
   void finish();
-  void bind(const gl::Program& program) const;
+  /// `places`: as add() had them, as texels.
+  [[nodiscard]] EmitterFields fields(const gl::Texture& places) const;
 
  private:
   struct Part {

@@ -1,6 +1,5 @@
 #include "draw/exact/rays/ray_light.hpp"
 
-#include "draw/exact/rays/bindings.hpp"
 #include "draw/exact/rays/ray_count.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/context.hpp"
@@ -13,6 +12,138 @@
 #include <utility>
 
 namespace simreel::draw {
+
+/// spot_read.glsl and path_rays.glsl.
+struct RayPaths {
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::Ambient<"ViewBlock"> view = {};
+  gl::In<"spots"> spots;
+  gl::In<"spotList"> spotList;
+  gl::Uniform<"firstSpot", int> firstSpot;
+  gl::Uniform<"spotCount", int> spotCount;
+  gl::Uniform<"firstRaySample", int> firstRaySample;
+  gl::Uniform<"sampleMask", unsigned> sampleMask;
+  gl::Uniform<"samplesBefore", unsigned> samplesBefore;
+  gl::InOut<"RayBlock"> rays;
+  gl::InOut<"RayLightBlock"> light;
+  gl::InOut<"RayListBlock"> listed;
+  gl::InOut<"RayListCountBlock"> counters;
+  gl::Uniform<"paths", int> paths;
+};
+struct PathVariant {
+  gl::Choice<"SAMPLES", 1, 2, 4, 8, 16> samples;
+  gl::Flag<"PARALLEL"> parallel;
+  gl::Flag<"FAST_NUMERICS"> fast;
+  ListVariant list;
+  gl::Flag<"LAID"> laid;
+  gl::Flag<"FINISHED"> finished;
+  gl::Flag<"EMITTERS"> emitters;
+};
+/// Lamps and the surroundings.
+struct PathLight {
+  gl::Ambient<"environment"> environment;
+  gl::Ambient<"LampBlock"> lampBlock;
+  gl::Ambient<"lampMembers"> lamps;
+  gl::Ambient<"lampCells"> lampCells;
+};
+
+struct ListSpots {
+  static constexpr auto file = "draw/exact/rays/list_spots.comp";
+  using Variant = SampleVariant;
+  gl::Ambient<"ViewBlock"> view = {};
+  SamplesRead samples;
+  gl::Out<"ListBlock"> list;
+  gl::InOut<"CountBlock"> count;
+  gl::Out<"SpotLightBlock"> spotLight;
+  gl::Uniform<"raySamples", int> raySamples;
+};
+
+struct StartPaths {
+  static constexpr auto file = "draw/exact/rays/start.comp";
+  struct Variant {
+    PathVariant path;
+    gl::Flag<"OPEN_SUN"> openSun;
+  };
+  RayPaths paths;
+  PathLight light;
+  RayLookFields looks;
+  EmitterFields emitters;
+};
+
+struct GoOnPaths {
+  static constexpr auto file = "draw/exact/rays/go_on.comp";
+  struct Variant {
+    PathVariant path;
+    gl::Flag<"TRIANGLES"> triangles;
+    gl::Flag<"BALLS"> balls;
+    gl::Flag<"SKINS"> skins;
+    gl::Flag<"RAISED"> raised;
+    gl::Flag<"GOES_ON"> goesOn;
+  };
+  RayPaths paths;
+  RayLookFields looks;
+  SortedSolids solids;
+  FoundFields found;
+  gl::In<"rayHits"> hits;
+  gl::In<"goingOn"> goingOn;
+  gl::Out<"NextBlock"> next;
+  gl::InOut<"CountBlock"> count;
+  gl::Uniform<"going", int> going;
+  gl::Uniform<"round_", int> round;
+};
+
+struct BouncePaths {
+  static constexpr auto file = "draw/exact/rays/bounce.comp";
+  struct Variant {
+    PathVariant path;
+    gl::Flag<"OPEN_SUN"> openSun;
+    gl::Flag<"TRIANGLES"> triangles;
+    gl::Flag<"BALLS"> balls;
+    gl::Flag<"GROUND"> ground;
+    gl::Flag<"SKINS"> skins;
+    gl::Flag<"RAISED"> raised;
+  };
+  RayPaths paths;
+  PathLight light;
+  RayLookFields looks;
+  SortedSolids solids;
+  FoundFields found;
+  EmitterFields emitters;
+  gl::In<"rays"> rays;
+  gl::In<"rayHits"> hits;
+  gl::In<"onwardLight"> onwardLight;
+};
+
+struct SumPaths {
+  static constexpr auto file = "draw/exact/rays/sum.comp";
+  struct Variant {
+    gl::Flag<"FAST_NUMERICS"> fast;
+    gl::Flag<"PASSAGES"> passages;
+  };
+  gl::In<"spotList"> spotList;
+  gl::In<"light"> light;
+  gl::In<"rayHits"> hits;
+  gl::InOut<"SpotLightBlock"> spotLight;
+  gl::Uniform<"paths", int> paths;
+  gl::Uniform<"firstSpot", int> firstSpot;
+  gl::Uniform<"spotCount", int> spotCount;
+  gl::Uniform<"sampleCount", int> sampleCount;
+  gl::Uniform<"most", float> most;
+};
+
+struct ResolveSpots {
+  static constexpr auto file = "draw/exact/rays/resolve.comp";
+  struct Variant {
+    SampleVariant samples;
+    gl::Flag<"FAST_NUMERICS"> fast;
+  };
+  gl::Ambient<"ViewBlock"> view = {};
+  SamplesRead samples;
+  gl::In<"spots"> spots;
+  gl::In<"spotLight"> spotLight;
+  gl::InOut<"sums"> sums;
+  gl::Uniform<"raySamples", int> raySamples;
+};
 
 namespace {
 
@@ -30,12 +161,13 @@ int pathsAtOnce() {
 
 }  // namespace
 
-RayLight::RayLight(const Options& options, gl::Defines defines, std::size_t samples, RayLooks looks)
+RayLight::RayLight(const Options& options, const Lighting& lighting, std::size_t samples, RayLooks looks)
     : options_(options),
-      defines_(std::move(defines)),
+      shade_(lighting.variant.shade),
+      start_(lighting.lights),
+      bounce_(lighting.lights),
       scene_(options.ground, std::move(looks)),
       raySamples_(options.raySamples) {
-  if (options.openSun) defines_.emplace_back("OPEN_SUN", "1");
   reserve(spots_, spotView_, "places to be lit", 64 * samples, GL_RGBA32UI, 16);
   reserve(spotLight_, spotLightView_, "light of places", 16 * samples, GL_RGBA32F, 16);
   reserve(list_, listView_, "list of places to be lit", 8 * samples, GL_RG32UI, 8);
@@ -50,26 +182,11 @@ RayLight::RayLight(const Options& options, gl::Defines defines, std::size_t samp
   seeThrough(0, 1);
 }
 
-void RayLight::bind() const {
-  spots_.bindStorage(outSpotBinding);
-}
-
 void RayLight::seeThrough(int point, int points) {
   raySamples_ = std::max(options_.raySamples / points, 1);
   const auto all = static_cast<unsigned>(raySamples_ * points);
   sampleMask_ = std::min(std::bit_ceil(all), 1024U) - 1U;
   samplesBefore_ = static_cast<unsigned>(point * raySamples_);
-}
-
-const gl::Program& RayLight::program(const char* path, bool listed) {
-  const std::string key = path + std::to_string(scene_.features() << 1U | (listed ? 1U : 0U));
-  const auto found = programs_.find(key);
-  if (found != programs_.end()) return found->second;
-  gl::Defines defines = defines_;
-  for (auto& define : scene_.defines()) defines.push_back(std::move(define));
-  if (listed) defines.emplace_back("GOES_ON", "1");
-  addBallot(defines);
-  return programs_.emplace(key, gl::Program::compute(path, defines)).first->second;
 }
 
 /// Of what the kernel before has listed.
@@ -81,40 +198,46 @@ void RayLight::clearCounts() {
 
 int RayLight::listSpots(const Visibility& visibility, int rows) {
   clearCounts();
-  visibility.bind();
-  list_.bindStorage(outListBinding);
-  count_.bindStorage(outCountBinding);
-  spotLight_.bindStorage(outSpotLightBinding);
-  const gl::Program& kernel = program("draw/exact/rays/list_spots.comp");
-  kernel.set("raySamples", raySamples_);
-  kernel.dispatch(visibility.size().x, rows);
-  gl::barrier();
+  listSpots_.of(visibility.variant())
+      .dispatch({visibility.size().x, rows}, {.samples = visibility.read(),
+                                              .list = list_,
+                                              .count = count_,
+                                              .spotLight = spotLight_,
+                                              .raySamples = raySamples_});
+  return counted();
+}
+
+/// Waits for the device.
+int RayLight::counted() const {
   std::array<GLuint, 1> listed{};
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   count_.read(0, std::as_writable_bytes(std::span(listed)));
   return static_cast<int>(listed[0]);
 }
 
-const gl::Program& RayLight::prepared(const char* path, bool listed, int firstSpot, int spots,
-                                      int firstSample, int paths) {
-  const gl::Program& kernel = program(path, listed);
-  scene_.bind(kernel);
-  spotView_.bind(spotUnit);
-  listView_.bind(spotListUnit);
-  rayView_.bind(rayUnit);
-  hitView_.bind(rayHitUnit);
-  lightView_.bind(rayLightUnit);
-  rays_.bindStorage(outRayBinding);
-  light_.bindStorage(outRayLightBinding);
-  lightRays_.bindStorage(outListBinding);
-  count_.bindStorage(outCountBinding);
-  kernel.set("paths", paths);
-  kernel.set("firstSpot", firstSpot);
-  kernel.set("spotCount", spots);
-  kernel.set("firstRaySample", firstSample);
-  kernel.set("sampleMask", sampleMask_);
-  kernel.set("samplesBefore", samplesBefore_);
-  return kernel;
+PathVariant RayLight::pathVariant(const RayFeatures& all) const {
+  return {.samples = shade_.samples.samples,
+          .parallel = shade_.parallel,
+          .fast = shade_.fast,
+          .list = listVariant(),
+          .laid = all.laid,
+          .finished = all.finished,
+          .emitters = all.emitters};
+}
+
+RayPaths RayLight::pathsOf(int firstSpot, int spots, int firstSample, int paths) const {
+  return {.spots = spotView_,
+          .spotList = listView_,
+          .firstSpot = firstSpot,
+          .spotCount = spots,
+          .firstRaySample = firstSample,
+          .sampleMask = sampleMask_,
+          .samplesBefore = samplesBefore_,
+          .rays = rays_,
+          .light = light_,
+          .listed = lightRays_,
+          .counters = count_,
+          .paths = paths};
 }
 
 /// The ways onwards of paths that meet clear surfaces, until they meet something else. In which order paths
@@ -126,22 +249,27 @@ void RayLight::goOn(int firstSpot, int spots, int firstSample, int paths) {
     reserve(goingOn_[now], goingOnView_[now], "paths that go on",
             static_cast<std::size_t>(pathsAtOnce()) * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
     clearCounts();
-    const gl::Program& kernel =
-        prepared("draw/exact/rays/go_on.comp", round > 0, firstSpot, spots, firstSample, paths);
-    if (round > 0) goingOnView_[1 - now].bind(rayListUnit);
-    goingOn_[now].bindStorage(outListBinding);
-    count_.bindStorage(outCountBinding);
-    kernel.set("going", going);
-    kernel.set("round_", round);
-    dispatchRows(kernel, going);
-    gl::barrier();
-    std::array<GLuint, 1> listed{};
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    count_.read(0, std::as_writable_bytes(std::span(listed)));
-    going = static_cast<int>(listed[0]);
+    const RayFeatures all = scene_.features();
+    goOn_
+        .of({.path = pathVariant(all),
+             .triangles = all.triangles,
+             .balls = all.balls,
+             .skins = all.skins,
+             .raised = all.raised,
+             .goesOn = round > 0})
+        .dispatch(inRows(going), {.paths = pathsOf(firstSpot, spots, firstSample, paths),
+                                  .looks = scene_.lookFields(),
+                                  .solids = scene_.sorted(),
+                                  .found = scene_.found(),
+                                  .hits = hitView_,
+                                  .goingOn = goingOnView_[1 - now],
+                                  .next = goingOn_[now],
+                                  .count = count_,
+                                  .going = going,
+                                  .round = round});
+    going = counted();
     if (going == 0) break;
     scene_.traceListed(rayView_, hits_, onwardRays * paths, goingOnView_[now], going);
-    gl::barrier();
   }
 }
 
@@ -153,31 +281,44 @@ void RayLight::traceLight(int firstKind, int paths) {
 
 void RayLight::follow(int firstSpot, int spots, int firstSample, int samples, float white) {
   const int paths = spots * samples;
-  const auto run = [&](const char* path) {
-    clearCounts();
-    dispatchRows(prepared(path, false, firstSpot, spots, firstSample, paths), paths);
-    gl::barrier();
-  };
-  run("draw/exact/rays/start.comp");
+  const RayFeatures all = scene_.features();
+  const RayPaths here = pathsOf(firstSpot, spots, firstSample, paths);
+  clearCounts();
+  start_.of({.path = pathVariant(all), .openSun = options_.openSun})
+      .dispatch(inRows(paths),
+                {.paths = here, .light = {}, .looks = scene_.lookFields(), .emitters = scene_.emitters()});
   traceLight(0, paths);
   scene_.trace(rayView_, hits_, onwardRays * paths, paths);
-  gl::barrier();
   if (looks().anyGlass()) goOn(firstSpot, spots, firstSample, paths);
-  run("draw/exact/rays/bounce.comp");
+  clearCounts();
+  bounce_
+      .of({.path = pathVariant(all),
+           .openSun = options_.openSun,
+           .triangles = all.triangles,
+           .balls = all.balls,
+           .ground = all.ground,
+           .skins = all.skins,
+           .raised = all.raised})
+      .dispatch(inRows(paths), {.paths = here,
+                                .light = {},
+                                .looks = scene_.lookFields(),
+                                .solids = scene_.sorted(),
+                                .found = scene_.found(),
+                                .emitters = scene_.emitters(),
+                                .rays = rayView_,
+                                .hits = hitView_,
+                                .onwardLight = lightView_});
   traceLight(nextRays, paths);
-  gl::barrier();
-  const gl::Program& kernel = program("draw/exact/rays/sum.comp");
-  listView_.bind(spotListUnit);
-  hitView_.bind(rayHitUnit);
-  lightView_.bind(rayLightUnit);
-  spotLight_.bindStorage(outSpotLightBinding);
-  kernel.set("paths", paths);
-  kernel.set("firstSpot", firstSpot);
-  kernel.set("spotCount", spots);
-  kernel.set("sampleCount", samples);
-  kernel.set("most", mostOnward * white);
-  dispatchRows(kernel, spots);
-  gl::barrier();
+  sum_.of({.fast = shade_.fast, .passages = all.passages})
+      .dispatch(inRows(spots), {.spotList = listView_,
+                                .light = lightView_,
+                                .hits = hitView_,
+                                .spotLight = spotLight_,
+                                .paths = paths,
+                                .firstSpot = firstSpot,
+                                .spotCount = spots,
+                                .sampleCount = samples,
+                                .most = mostOnward * white});
   if (gl::softwareDriver()) glFinish();
 }
 
@@ -191,14 +332,13 @@ void RayLight::add(const Visibility& visibility, const gl::Texture& sums, int ro
     for (int sample = 0; sample < raySamples_; sample += together)
       follow(first, count, sample, std::min(together, raySamples_ - sample), white);
   }
-  visibility.bind();
-  spotView_.bind(spotUnit);
-  spotLightView_.bind(spotLightUnit);
-  sums.bindImage(sumImage, GL_READ_WRITE);
-  const gl::Program& kernel = program("draw/exact/rays/resolve.comp");
-  kernel.set("raySamples", raySamples_);
-  kernel.dispatch(visibility.size().x, rows);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+  resolve_.of({.samples = visibility.variant(), .fast = shade_.fast})
+      .dispatch({visibility.size().x, rows}, {.samples = visibility.read(),
+                                              .spots = spotView_,
+                                              .spotLight = spotLightView_,
+                                              .sums = sums,
+                                              .raySamples = raySamples_});
+  gl::barrier();
 }
 
 }  // namespace simreel::draw

@@ -1,14 +1,12 @@
 #include "draw/exact/rays/ray_looks.hpp"
 
 #include "base/ieee.hpp"
-#include "draw/exact/rays/bindings.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/surface/surface_shading.hpp"
 #include "draw/surface/skin_look.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <span>
@@ -184,24 +182,13 @@ void RayLooks::finish() {
   gatherSkins();
 }
 
-unsigned RayLooks::features() const {
-  return (laid_ ? 1U : 0U) | (skinned_ ? 2U : 0U) | (emits_ ? 4U : 0U) | (finished_ ? 8U : 0U) |
-         (glass_ || holes_ ? 16U : 0U) | (raised_ ? 32U : 0U);
-}
-
-gl::Defines RayLooks::defines() const {
-  static constexpr std::array<const char*, 6> names = {"LAID",     "SKINS",    "EMITTERS",
-                                                       "FINISHED", "PASSAGES", "RAISED"};
-  gl::Defines defines;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if ((features() >> i & 1U) != 0) defines.emplace_back(names[i], "1");
-  return defines;
-}
-
-void RayLooks::bind() const {
-  view_.bind(rayLookUnit);
-  if (skinned_) skinView_.bind(raySkinUnit);
-  maps_.bind();
+void RayLooks::addTo(RayFeatures& features) const {
+  features.laid = laid_;
+  features.skins = skinned_;
+  features.emitters = emits_;
+  features.finished = finished_;
+  features.passages = glass_ || holes_;
+  features.raised = raised_;
 }
 
 }  // namespace simreel::draw

@@ -1,9 +1,9 @@
 #pragma once
+#include "draw/exact/rays/ray_kernels.hpp"
 #include "draw/exact/surface/map_texels.hpp"
 #include "draw/exact/surface/skin_texels.hpp"
 #include "draw/surface/skin_textures.hpp"
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
 
@@ -35,13 +35,11 @@ class RayLooks {
   [[nodiscard]] static bool isLaid(const sim::Surface& surface);
   [[nodiscard]] static bool fromThreeSides(const sim::Surface& surface);
   [[nodiscard]] static float scaleOf(const sim::Surface& surface);
-  /// What of all this there is, for kernels; and the same as bits.
-  [[nodiscard]] gl::Defines defines() const;
-  [[nodiscard]] unsigned features() const;
-  [[nodiscard]] bool anyLaid() const { return laid_; }
+  void addTo(RayFeatures& features) const;
   [[nodiscard]] bool anyEmit() const { return emits_; }
   [[nodiscard]] bool anyGlass() const { return glass_; }
-  void bind() const;
+  [[nodiscard]] const gl::Texture& skinTexels() const { return skinView_; }
+  [[nodiscard]] const gl::Texture& mapTexels() const { return maps_.texels(); }
   [[nodiscard]] const gl::Texture& view() const { return view_; }
 
  private:

@@ -2,10 +2,10 @@
 
 #include "base/error.hpp"
 #include "draw/draw_state.hpp"
-#include "draw/exact/rays/bindings.hpp"
 #include "draw/exact/rays/ray_count.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/triangles/triangle_raster.hpp"
+#include "draw/surface_fields.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>
@@ -14,12 +14,75 @@
 
 namespace simreel::draw {
 
+struct GatherSurface {
+  static constexpr auto file = "draw/exact/rays/gather.comp";
+  struct Variant {
+    WorldVariant surface;
+    gl::Flag<"COUNTED"> counted;
+    gl::Flag<"PALETTE"> palette;
+    gl::Flag<"VERTEX_COLORS"> tinted;
+    gl::Flag<"LAID"> laid;
+    gl::Flag<"TRIPLANAR"> sides;
+  };
+  WorldVertices surface;
+  gl::In<"indices"> indices;
+  gl::In<"DrawArgumentBlock"> arguments;
+  gl::In<"palette"> palette;
+  gl::In<"vertexTints"> tints;
+  gl::In<"uvs"> uvs;
+  gl::Uniform<"perGrid", glm::vec2> perGrid;
+  gl::Uniform<"modelScale", float> modelScale;
+  gl::Uniform<"vertexCount", int> vertexCount;
+  gl::Uniform<"firstVertex", int> firstVertex;
+  gl::Uniform<"triangleCount", int> triangleCount;
+  gl::Uniform<"firstTriangle", int> firstTriangle;
+  gl::Uniform<"rowOf", glm::ivec2> rowOf;
+  gl::Uniform<"owner", unsigned> owner;
+  gl::Uniform<"color", glm::vec3> color;
+  gl::Shared<"PlaceBlock"> places;
+  gl::Shared<"WordBlock"> words;
+  gl::Shared<"CornerBlock"> corners;
+  gl::Shared<"LayBlock"> lays;
+};
+
+struct GatherCopies {
+  static constexpr auto file = "draw/exact/rays/gather_copies.comp";
+  CopySource source;
+  InstanceLook look;
+  gl::Uniform<"firstVertex", int> firstVertex;
+  gl::Uniform<"firstTriangle", int> firstTriangle;
+  gl::Uniform<"owner", unsigned> owner;
+  gl::Shared<"PlaceBlock"> places;
+  gl::Shared<"WordBlock"> words;
+  gl::Shared<"CornerBlock"> corners;
+};
+
+struct GatherBalls {
+  static constexpr auto file = "draw/exact/rays/gather_balls.comp";
+  InstanceSource source;
+  InstanceLook look;
+  gl::Uniform<"firstBall", int> firstBall;
+  gl::Uniform<"owner", float> owner;
+  gl::Shared<"PlaceBlock"> places;
+  gl::Shared<"LookBlock"> looks;
+};
+
 namespace {
 
 constexpr float ballShapeRadius = 0.5F;  // of sprites and spheres at size 1
 
 bool isCopies(const sim::Instances& instances) {
   return instances.shape == sim::Instances::Shape::mesh;
+}
+
+TraceRays raysOf(const gl::Texture& rays, const gl::Buffer& hits, int first, int count) {
+  return {.solids = {},
+          .trees = {},
+          .bounds = {},
+          .rays = rays,
+          .firstRay = first,
+          .rayCount = count,
+          .hits = hits};
 }
 
 }  // namespace
@@ -63,82 +126,64 @@ void RayScene::count(const sim::Drawables& drawables) {
           16);
 }
 
-const gl::Program& RayScene::gatherProgram(const sim::Surface& surface) {
-  const bool grid = surface.normals == nullptr, deformed = surface.deform != nullptr;
-  const bool counted = surface.arguments != nullptr, colored = surface.palette != nullptr;
-  const bool laid = RayLooks::isLaid(surface), sides = laid && RayLooks::fromThreeSides(surface);
-  const bool tinted = surface.colors != nullptr;
-  const unsigned key = (tinted ? 64U : 0U) | (grid ? 1U : 0U) | (deformed ? 2U : 0U) | (counted ? 4U : 0U) |
-                       (colored ? 8U : 0U) | (laid ? 16U : 0U) | (sides ? 32U : 0U);
-  gl::Program& kernel = gatherPrograms_[key];
-  if (!kernel) {
-    gl::Defines defines;
-    if (grid) defines.emplace_back("GRID", "1");
-    if (deformed) defines.emplace_back("DEFORMED", "1");
-    if (counted) defines.emplace_back("COUNTED", "1");
-    if (colored) defines.emplace_back("PALETTE", "1");
-    if (tinted) defines.emplace_back("VERTEX_COLORS", "1");
-    if (laid) defines.emplace_back("LAID", "1");
-    if (sides) defines.emplace_back("TRIPLANAR", "1");
-    kernel = gl::Program::compute("draw/exact/rays/gather.comp", defines);
-  }
-  return kernel;
-}
-
 void RayScene::gatherSurface(const sim::Surface& surface, int firstVertex, int firstTriangle,
                              unsigned owner) {
-  const bool grid = surface.normals == nullptr, counted = surface.arguments != nullptr;
-  const gl::Program& kernel = gatherProgram(surface);
-  if (RayLooks::isLaid(surface)) {
-    lays_.bindStorage(outLayBinding);
-    if (!grid && surface.uvs != nullptr) surface.uvs->bind(uvUnit);
-    kernel.set("modelScale", RayLooks::scaleOf(surface));
-    if (grid) kernel.set("perGrid", 1.0F / glm::vec2(surface.grid - 1));
-  }
+  const bool grid = surface.normals == nullptr, laid = RayLooks::isLaid(surface);
   const gl::Texture indices = gl::Texture::view("indices", GL_R32UI, *surface.indices, sizeof(GLuint));
-  bindPositions(surface, kernel);
-  if (!grid) surface.normals->bind(normalUnit);
-  bindDeformation(surface);
-  indices.bind(indexUnit);
-  if (counted) surface.arguments->bindStorage(drawArgumentBinding);
-  if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
-  if (surface.colors != nullptr) surface.colors->bind(paletteUnit);
-  kernel.set("model", surface.model);
-  kernel.set("grid", surface.grid);
-  kernel.set("vertexCount", verticesOf(surface));
-  kernel.set("firstVertex", firstVertex);
-  kernel.set("triangleCount", maxTrianglesOf(surface));
-  kernel.set("firstTriangle", firstTriangle);
-  kernel.set("rowOf", rowOf(surface));
-  kernel.set("owner", owner);
-  kernel.set("color", surface.material->color);
-  dispatchRows(kernel, std::max(verticesOf(surface), maxTrianglesOf(surface)));
+  gather_
+      .of({.surface = worldVariant(surface),
+           .counted = surface.arguments != nullptr,
+           .palette = surface.palette != nullptr,
+           .tinted = surface.colors != nullptr,
+           .laid = laid,
+           .sides = laid && RayLooks::fromThreeSides(surface)})
+      .dispatch(inRows(std::max(verticesOf(surface), maxTrianglesOf(surface))),
+                {.surface = worldVertices(surface),
+                 .indices = indices,
+                 .arguments = orNone(surface.arguments),
+                 .palette = orNone(surface.palette),
+                 .tints = orNone(surface.colors),
+                 .uvs = orNone(surface.uvs),
+                 .perGrid = grid ? 1.0F / glm::vec2(surface.grid - 1) : glm::vec2(0),
+                 .modelScale = RayLooks::scaleOf(surface),
+                 .vertexCount = verticesOf(surface),
+                 .firstVertex = firstVertex,
+                 .triangleCount = maxTrianglesOf(surface),
+                 .firstTriangle = firstTriangle,
+                 .rowOf = rowOf(surface),
+                 .owner = owner,
+                 .color = surface.material->color,
+                 .places = places_,
+                 .words = words_,
+                 .corners = corners_,
+                 .lays = lays_});
 }
 
 void RayScene::gatherCopies(const CopyRaster::Copies& copies, InstanceColors& colors, int firstVertex,
                             int firstTriangle, unsigned owner) {
-  if (!copyProgram_) copyProgram_ = gl::Program::compute("draw/exact/rays/gather_copies.comp");
-  copyRaster_.set(copyProgram_, copies, 0);
+  if (!gatherCopies_) gatherCopies_ = gl::Kernel<GatherCopies>(gl::Defines());
   colors.update(*copies.instances);
-  colors.set(copyProgram_, *copies.instances);
-  copyProgram_.set("firstVertex", firstVertex);
-  copyProgram_.set("firstTriangle", firstTriangle);
-  copyProgram_.set("owner", owner);
-  dispatchRows(copyProgram_, copies.instances->capacity * static_cast<int>(copies.triangles()));
+  gatherCopies_.dispatch(inRows(copies.instances->capacity * static_cast<int>(copies.triangles())),
+                         {.source = copyRaster_.source(copies, 0),
+                          .look = colors.look(*copies.instances),
+                          .firstVertex = firstVertex,
+                          .firstTriangle = firstTriangle,
+                          .owner = owner,
+                          .places = places_,
+                          .words = words_,
+                          .corners = corners_});
 }
 
 void RayScene::gatherBalls(const sim::Instances& balls, InstanceColors& colors, int firstBall,
                            unsigned owner) {
-  if (!ballProgram_) ballProgram_ = gl::Program::compute("draw/exact/rays/gather_balls.comp");
-  setInstance(ballProgram_, balls, ballShapeRadius, 0);
+  if (!gatherBalls_) gatherBalls_ = gl::Kernel<GatherBalls>(gl::Defines());
   colors.update(balls);
-  colors.set(ballProgram_, balls);
-  ballProgram_.set("capacity", balls.capacity);
-  ballProgram_.set("firstBall", firstBall);
-  ballProgram_.set("owner", static_cast<float>(owner));
-  ballPlaces_.bindStorage(outPlaceBinding);
-  ballLookBuffer_.bindStorage(outWordBinding);
-  dispatchRows(ballProgram_, balls.capacity);
+  gatherBalls_.dispatch(inRows(balls.capacity), {.source = instanceSource(balls, ballShapeRadius, 0, 0),
+                                                 .look = colors.look(balls),
+                                                 .firstBall = firstBall,
+                                                 .owner = static_cast<float>(owner),
+                                                 .places = ballPlaces_,
+                                                 .looks = ballLookBuffer_});
 }
 
 /// Those of surfaces whose light of their own is the material's.
@@ -163,9 +208,6 @@ void RayScene::build(const sim::Drawables& drawables) {
   count(drawables);
   looks_.begin();
   if (colors_.size() < drawables.instances.size()) colors_.resize(drawables.instances.size());
-  places_.bindStorage(outPlaceBinding);
-  words_.bindStorage(outWordBinding);
-  corners_.bindStorage(outCornerBinding);
   int vertex = 0, triangle = 0, ball = 0;
   for (const sim::Surface& surface : drawables.surfaces) {
     gatherSurface(surface, vertex, triangle, looks_.add(surface));
@@ -202,81 +244,74 @@ void RayScene::build(const sim::Drawables& drawables) {
       .count = ballCount_, .places = &ballPlaceView_, .ballLooks = &ballLookView_, .looks = &looks_.view()};
   triangles_.growBounds(triangles, bounds_);
   balls_.growBounds(balls, bounds_);
-  gl::barrier();
   triangles_.build(triangles, bounds_);
   balls_.build(balls, bounds_);
 }
 
-gl::Defines RayScene::defines() const {
-  gl::Defines defines;
-  if ((features() & 1U) != 0) defines.emplace_back("TRIANGLES", "1");
-  if ((features() & 2U) != 0) defines.emplace_back("BALLS", "1");
-  if ((features() & 4U) != 0) defines.emplace_back("GROUND", "1");
-  for (auto& define : looks_.defines()) defines.push_back(std::move(define));
-  return defines;
+RayFeatures RayScene::features() const {
+  RayFeatures all{.triangles = triangles_.count() > 0, .balls = balls_.count() > 0, .ground = ground_};
+  looks_.addTo(all);
+  return all;
 }
 
-void RayScene::bind(const gl::Program& program) const {
-  triangles_.bind(program);
-  balls_.bind(program);
-  bounds_.bindStorage(rayBoundsBinding);
-  cornerView_.bind(solidCornerUnit);
-  wordView_.bind(solidWordUnit);
-  looks_.bind();
-  if (looks_.anyEmit()) {
-    emitters_.bind(program);
-    placeView_.bind(solidPlaceUnit);
-  }
-  if (looks_.anyLaid()) layView_.bind(rayLayUnit);
-  ballLookView_.bind(ballLookUnit);
+RayLookFields RayScene::lookFields() const {
+  return {.looks = looks_.view(),
+          .corners = cornerView_,
+          .words = wordView_,
+          .lays = layView_,
+          .maps = looks_.mapTexels()};
 }
 
-gl::Program& RayScene::tracer(Way way) {
-  gl::Program& kernel = tracePrograms_[features() << 2U | static_cast<unsigned>(way)];
-  if (!kernel) {
-    gl::Defines found = defines();
-    if (way == Way::nearestListed) found.emplace_back("GOES_ON", "1");
-    if (way == Way::light) {
-      found.emplace_back("ANY_HIT", "1");
-      found.emplace_back("LISTED", "1");
-    }
-    kernel = gl::Program::compute("draw/exact/rays/trace.comp", found);
-  }
-  bind(kernel);
-  return kernel;
+SortedSolids RayScene::sorted() const {
+  return {.solids = triangles_.sortedTexels(), .ids = triangles_.ids(), .balls = balls_.sortedTexels()};
+}
+
+FoundFields RayScene::found() const {
+  return {.ballLooks = ballLookView_, .skinTexels = looks_.skinTexels()};
+}
+
+EmitterFields RayScene::emitters() const {
+  return emitters_.fields(placeView_);
+}
+
+void RayScene::trace(TraceRays::Variant variant, TraceRays given, int count) {
+  const RayFeatures all = features();
+  variant.triangles = all.triangles;
+  variant.balls = all.balls;
+  variant.ground = all.ground;
+  variant.laid = all.laid;
+  variant.passages = all.passages;
+  given.solids = sorted();
+  given.trees = {.solidNodes = triangles_.nodeTexels(),
+                 .ballNodes = balls_.nodeTexels(),
+                 .solidCount = triangles_.count(),
+                 .solidLeaves = triangles_.leaves(),
+                 .ballCount = balls_.count(),
+                 .ballLeaves = balls_.leaves()};
+  given.looks = lookFields();
+  given.bounds = bounds_;
+  trace_.of(variant).dispatch(inRows(count), given);
 }
 
 void RayScene::traceListed(const gl::Texture& rays, const gl::Buffer& hits, int first,
                            const gl::Texture& list, int count) {
   if (RayCount* counted = RayCount::current()) counted->add(count);
-  const gl::Program& kernel = tracer(Way::nearestListed);
-  rays.bind(rayUnit);
-  list.bind(rayListUnit);
-  hits.bindStorage(outHitBinding);
-  kernel.set("firstRay", first);
-  kernel.set("rayCount", count);
-  dispatchRows(kernel, count);
+  TraceRays given = raysOf(rays, hits, first, count);
+  given.list = list;
+  trace({.triangles = {}, .balls = {}, .goesOn = true}, given, count);
 }
 
 void RayScene::traceLight(const gl::Texture& rays, const gl::Buffer& hits, const gl::Texture& lists,
                           const gl::Buffer& counters, int most) {
-  const gl::Program& kernel = tracer(Way::light);
-  rays.bind(rayUnit);
-  lists.bind(rayListUnit);
-  counters.bindStorage(outCountBinding);
-  hits.bindStorage(outHitBinding);
-  kernel.set("firstRay", most);
-  dispatchRows(kernel, 2 * most);
+  TraceRays given = raysOf(rays, hits, most, 0);
+  given.list = lists;
+  given.counts = counters;
+  trace({.triangles = {}, .balls = {}, .anyHit = true, .listed = true}, given, 2 * most);
 }
 
 void RayScene::trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count) {
   if (RayCount* counted = RayCount::current()) counted->add(rays, first, count);
-  const gl::Program& kernel = tracer(Way::nearest);
-  rays.bind(rayUnit);
-  hits.bindStorage(outHitBinding);
-  kernel.set("firstRay", first);
-  kernel.set("rayCount", count);
-  dispatchRows(kernel, count);
+  trace({.triangles = {}, .balls = {}}, raysOf(rays, hits, first, count), count);
 }
 
 }  // namespace simreel::draw

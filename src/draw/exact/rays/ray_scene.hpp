@@ -6,11 +6,14 @@
 #include "draw/instances/instance_values.hpp"
 #include "sim/core/drawable.hpp"
 
-#include <map>
 #include <utility>
 #include <vector>
 
 namespace simreel::draw {
+
+struct GatherSurface;
+struct GatherCopies;
+struct GatherBalls;
 
 /// What rays meet of a picture's scene: triangles of all surfaces and of copies of meshes, balls, and the
 /// ground. What adds light is not among it.
@@ -32,14 +35,12 @@ class RayScene {
   /// The nearest of those behind `first` whose numbers are in a list.
   void traceListed(const gl::Texture& rays, const gl::Buffer& hits, int first, const gl::Texture& list,
                    int count);
-  /// What kernels need that find out what has been met.
-  [[nodiscard]] gl::Defines defines() const;
-  void bind(const gl::Program& program) const;
-  /// A bit each: triangles, balls, ground; then those of looks.
-  [[nodiscard]] unsigned features() const {
-    return (triangles_.count() > 0 ? 1U : 0U) | (balls_.count() > 0 ? 2U : 0U) | (ground_ ? 4U : 0U) |
-           looks_.features() << 3U;
-  }
+  // For kernels that find out what has been met.
+  [[nodiscard]] RayFeatures features() const;
+  [[nodiscard]] RayLookFields lookFields() const;
+  [[nodiscard]] SortedSolids sorted() const;
+  [[nodiscard]] FoundFields found() const;
+  [[nodiscard]] EmitterFields emitters() const;
   [[nodiscard]] const RayLooks& looks() const { return looks_; }
 
  private:
@@ -47,10 +48,8 @@ class RayScene {
   void gatherSurface(const sim::Surface& surface, int firstVertex, int firstTriangle, unsigned owner);
   void gatherCopies(const CopyRaster::Copies& copies, InstanceColors& colors, int firstVertex,
                     int firstTriangle, unsigned owner);
-  const gl::Program& gatherProgram(const sim::Surface& surface);
   void findEmitters(const sim::Drawables& drawables);
-  enum class Way { nearest, nearestListed, light };
-  gl::Program& tracer(Way way);
+  void trace(TraceRays::Variant variant, TraceRays given, int count);
   void gatherBalls(const sim::Instances& balls, InstanceColors& colors, int firstBall, unsigned owner);
   [[nodiscard]] CopyRaster::Copies copiesOf(const sim::Instances& instances) {
     return {&instances, &shapes_.of(instances)};
@@ -63,8 +62,10 @@ class RayScene {
   std::vector<InstanceColors> colors_;
   CopyRaster copyRaster_{CopyRaster::Into::picture, 1};
   Hierarchy triangles_{Hierarchy::Of::triangles}, balls_{Hierarchy::Of::balls};
-  std::map<unsigned, gl::Program> gatherPrograms_, tracePrograms_;
-  gl::Program copyProgram_, ballProgram_;
+  gl::Kernels<GatherSurface> gather_;
+  gl::Kernel<GatherCopies> gatherCopies_;
+  gl::Kernel<GatherBalls> gatherBalls_;
+  gl::Kernels<TraceRays> trace_;
   gl::Buffer bounds_, places_, words_, corners_, lays_, ballPlaces_, ballLookBuffer_;
   gl::Texture placeView_, wordView_, cornerView_, layView_, ballPlaceView_, ballLookView_;
   int triangleCount_ = 0, vertexCount_ = 0, ballCount_ = 0;

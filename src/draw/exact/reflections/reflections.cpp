@@ -1,17 +1,35 @@
 #include "draw/exact/reflections/reflections.hpp"
 
 #include "base/error.hpp"
-#include "draw/exact/bindings.hpp"
 #include "draw/rows_at_once.hpp"
+#include "gl/element_array.hpp"
 #include "gl/limits.hpp"
 #include "glsl/common/cpp.hpp"
 
 #include <cstddef>
-#include <string>
 
 #include <glm/vec4.hpp>
 
 namespace simreel::draw {
+
+struct LevelKernel {
+  static constexpr auto file = "draw/exact/reflections/levels.comp";
+  struct Variant {
+    gl::Range<"ROWS", 1, 8> rows;
+    gl::Flag<"FIRST"> first;
+    gl::Flag<"GROUND"> ground;
+    gl::Flag<"PARALLEL"> parallel;
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::Ambient<"ViewBlock"> view = {};
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"level", int> level;
+  gl::In<"nearestBefore"> nearestBefore;
+  gl::In<"sums"> light;
+  gl::In<"litBefore"> litBefore;
+  gl::Out<"LitBlock"> lit;
+  gl::Out<"NearestBlock"> nearest;
+};
 
 namespace {
 
@@ -46,34 +64,27 @@ Reflections::Reflections(glm::ivec2 size, bool ground, bool parallel)
     : size_(size),
       light_("light that is mirrored", GL_RGBA32F, sizeof(glm::vec4), (size + 1) / 2),
       nearest_("nearness, in levels", GL_R32F, sizeof(float), (size + 1) / 2) {
-  const gl::Defines rows = {{"ROWS", std::to_string(rowsAtOnce())}};
-  next_ = gl::Program::compute("draw/exact/reflections/levels.comp", rows);
-  gl::Defines first = rows;
-  first.emplace_back("FIRST", "1");
-  if (ground) first.emplace_back("GROUND", "1");
-  if (parallel) first.emplace_back("PARALLEL", "1");
-  first_ = gl::Program::compute("draw/exact/reflections/levels.comp", first);
+  const gl::Defines none;
+  next_ = gl::Kernel<LevelKernel>(
+      none, {.rows = rowsAtOnce(), .first = false, .ground = false, .parallel = false});
+  first_ = gl::Kernel<LevelKernel>(
+      none, {.rows = rowsAtOnce(), .first = true, .ground = ground, .parallel = parallel});
 }
 
 void Reflections::see(const gl::Texture& light, const gl::Texture& nearness) const {
-  light.bindImage(sumImage, GL_READ_ONLY);
-  nearness.bindImage(nearnessImage, GL_READ_ONLY);
-  light_.buffer.bindStorage(litBinding);
-  nearest_.buffer.bindStorage(halfPixelBinding);
   for (int level = 0; level <= levels::lastLevel; ++level) {
     const glm::ivec2 cells = levels::levelSize((size_ + 1) / 2, level);
-    const gl::Program& kernel = level == 0 ? first_ : next_;
-    kernel.set("size", size_);
-    kernel.set("level", level);
-    kernel.dispatch(cells.x, (cells.y + rowsAtOnce() - 1) / rowsAtOnce());
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-    bind();
+    (level == 0 ? first_ : next_)
+        .dispatch({cells.x, (cells.y + rowsAtOnce() - 1) / rowsAtOnce()},
+                  {.size = size_,
+                   .level = level,
+                   .nearestBefore = level == 0 ? nearness : nearest_.view,
+                   .light = light,
+                   .litBefore = light_.view,
+                   .lit = light_.buffer,
+                   .nearest = nearest_.buffer});
   }
-}
-
-void Reflections::bind() const {
-  light_.view.bindImage(litImage, GL_READ_ONLY);
-  nearest_.view.bindImage(nearnessImage, GL_READ_ONLY);
+  gl::barrier();
 }
 
 }  // namespace simreel::draw

@@ -1,6 +1,6 @@
 #pragma once
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 
 #include <cstddef>
@@ -8,6 +8,8 @@
 #include <glm/vec2.hpp>
 
 namespace simreel::draw {
+
+struct LevelKernel;
 
 /// What mirrors show of the picture that they are seen in, beside the surroundings
 /// (glsl/draw/exact/reflections/mirrored_way.glsl): its light as it is shaded without that, and how near
@@ -20,8 +22,9 @@ class Reflections {
 
   /// Takes over the light of a whole picture, and Occlusion::nearness().
   void see(const gl::Texture& light, const gl::Texture& nearness) const;
-  /// For kernels that include draw/exact/reflections/reflections_read.glsl.
-  void bind() const;
+  /// For kernels that include draw/exact/reflections/reflections_read.glsl: light and nearness, in levels.
+  [[nodiscard]] const gl::Texture& light() const { return light_.view; }
+  [[nodiscard]] const gl::Texture& nearest() const { return nearest_.view; }
   /// What those are told: how far away what is mirrored may be, and how thick it is (m), where the camera
   /// looks at something `away` (m).
   [[nodiscard]] static glm::vec2 reachOf(float away) { return {away, away / 24.0F}; }
@@ -36,7 +39,7 @@ class Reflections {
 
   glm::ivec2 size_;
   Levels light_, nearest_;
-  gl::Program first_, next_;
+  gl::Kernel<LevelKernel> first_, next_;
 };
 
 }  // namespace simreel::draw

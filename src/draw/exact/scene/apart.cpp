@@ -1,6 +1,5 @@
 #include "draw/exact/scene/apart.hpp"
 
-#include "draw/exact/bindings.hpp"
 #include "gl/element_array.hpp"
 
 #include <cstddef>
@@ -27,9 +26,8 @@ ApartSurfaces::ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shadi
       shading_(shading),
       cut_(TriangleRaster::ofFragments(TriangleRaster::Into::picture, samples)),
       layer_(TriangleRaster::ofFragments(TriangleRaster::Into::picture, samples)) {
-  cut_.tellFragments({.cut = SurfaceShading::hasHoles,
-                      .tell = [this](const sim::Surface& surface, const gl::Program& kernel) {
-                        shading_.setHoles(surface, leastOf(surface, false), kernel);
+  cut_.tellFragments({.cut = SurfaceShading::hasHoles, .holes = [this](const sim::Surface& surface) {
+                        return shading_.holes(surface, leastOf(surface, false));
                       }});
 }
 
@@ -39,12 +37,11 @@ float ApartSurfaces::leastOf(const sim::Surface& surface, bool shadow) {
 }
 
 TriangleRaster::Fragments ApartSurfaces::holesOf(const sim::Surface* only) {
-  return {.cut = SurfaceShading::hasHoles,
-          .tell =
-              [this](const sim::Surface& surface, const gl::Program& kernel) {
-                shading_.setHoles(surface, leastOf(surface, true), kernel);
-              },
-          .only = only};
+  return {
+      .cut = SurfaceShading::hasHoles,
+      .holes =
+          [this](const sim::Surface& surface) { return shading_.holes(surface, leastOf(surface, true)); },
+      .only = only};
 }
 
 void ApartSurfaces::take(std::vector<sim::Surface>& surfaces) {
@@ -93,13 +90,10 @@ void ApartSurfaces::describe(std::vector<DrawnThing>& things) const {
     things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
 }
 
-void ApartSurfaces::shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing) {
+void ApartSurfaces::shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing,
+                          const SceneLight& light) {
   for (const TriangleRaster::Drawn& drawn : cut_.drawn())
-    shading_.shade(cut_, drawn, skins, tiles, firstThing++);
-}
-
-void ApartSurfaces::bind() const {
-  throughView_.bind(throughUnit);
+    shading_.shade(cut_, drawn, skins, tiles, firstThing++, light);
 }
 
 void ApartSurfaces::makeRoom() {
@@ -113,9 +107,12 @@ void ApartSurfaces::makeRoom() {
 }
 
 void ApartSurfaces::addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins,
+                              SceneLight light, const gl::Texture& sums,
                               const std::function<void(const Visibility&)>& trace) {
   constexpr float all = 1;
   makeRoom();
+  light.through = through_;
+  light.sums = sums;
   gl::barrier();
   glClearNamedBufferData(through_.name(), GL_R32F, GL_RED, GL_FLOAT, &all);
   layer_.number(pointersTo(blended_), firstId);
@@ -124,29 +121,23 @@ void ApartSurfaces::addLayers(const Visibility& picture, unsigned firstId, const
   for (int i = 0; i < most; ++i) {
     const Visibility& layer = *layers_[static_cast<std::size_t>(i % 2)];
     layer_.tellFragments({.cut = SurfaceShading::hasHoles,
-                          .tell =
-                              [this](const sim::Surface& surface, const gl::Program& kernel) {
-                                shading_.setHoles(surface, leastOf(surface, false), kernel);
+                          .holes =
+                              [this](const sim::Surface& surface) {
+                                return shading_.holes(surface, leastOf(surface, false));
                               },
                           .layers = true,
                           .before = i == 0 ? nullptr : &*layers_[static_cast<std::size_t>((i + 1) % 2)],
                           .behind = &picture});
     gl::barrier();
     layer.clear();
-    gl::barrier();
     layer_.draw(layer);
-    tiles_->list(firstIds, layer, {});
+    tiles_->list(firstIds, layer, sums, {});
     if (!tiles_->any()) break;
-    through_.bindStorage(throughBinding);
     int thing = 0;
-    for (const TriangleRaster::Drawn& drawn : layer_.drawn()) {
-      shading_.shade(layer_, drawn, skins, *tiles_, thing++);
-      gl::barrier();
-    }
+    for (const TriangleRaster::Drawn& drawn : layer_.drawn())
+      shading_.shade(layer_, drawn, skins, *tiles_, thing++, light);
     if (trace) trace(layer);
   }
-  gl::barrier();
-  picture.bind();
 }
 
 }  // namespace simreel::draw

@@ -48,18 +48,18 @@ class ApartSurfaces {
   void describe(std::vector<DrawnThing>& things) const;
   [[nodiscard]] const std::vector<TriangleRaster::Drawn>& drawn() const { return cut_.drawn(); }
   [[nodiscard]] int things() const { return static_cast<int>(cutSurfaces_.size()); }
-  void shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing);
+  void shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing, const SceneLight& light);
 
   /// Those that have been taken: with holes, and blended ones.
   [[nodiscard]] const std::vector<sim::Surface>& cut() const { return cutSurfaces_; }
   [[nodiscard]] const std::vector<sim::Surface>& blended() const { return blended_; }
 
-  /// Adds the light of the layers before what is visible to the bound sums. Numbers have to lie beyond
-  /// `firstId`. `trace`, if there is one: lights the places that have been kept of a layer.
-  void addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins,
-                 const std::function<void(const Visibility&)>& trace);
-  /// Makes readable what they let through.
-  void bind() const;
+  /// Adds the light of the layers before what is visible to `sums`. Numbers have to lie beyond `firstId`.
+  /// `trace`, if there is one: lights the places that have been kept of a layer.
+  void addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins, SceneLight light,
+                 const gl::Texture& sums, const std::function<void(const Visibility&)>& trace);
+  /// What they let through, of each sample.
+  [[nodiscard]] const gl::Texture& leave() const { return throughView_; }
 
  private:
   void makeRoom();

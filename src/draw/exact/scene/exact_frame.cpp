@@ -4,7 +4,6 @@
 #include "draw/surface/surface_pass.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include <glm/geometric.hpp>
 
@@ -39,45 +38,79 @@ ExactFrame::ExactFrame(const scene::Scene& shown, const Environment* around, glm
       view("view", sizeof(shader::ExactView)),
       visibility("the picture", {pixels.x, rows}, count, true, isParallel(shown.camera)),
       triangles(TriangleRaster::Into::picture, count),
-      surfaces(shown, lighting()),
+      surfaces(shown, {lit(), lights()}),
       apart({pixels.x, rows}, count, surfaces, isParallel(shown.camera)),
-      instances(count, lighting()),
+      instances(count, {lit(), lights()}),
+      groundShading(lights()),
       light(gl::Texture::image("light", GL_RGBA32F, pixels.x, pixels.y)) {
   if (occludes()) occlusion = Occlusion(pixels, visibility, ground);
   if (lamps.order().shadowed > 0 && !traces()) lampMaps.emplace(lamps);
   if (shadow.on()) sunMap.emplace("the shadow map", shadow.size(), 1, false);
   if (!traces()) return;
-  gl::Defines rayLighting = lighting();
-  append(rayLighting, lamps.defines());
-  append(rayLighting, aroundDefines());
+  gl::Defines rayLights;
+  append(rayLights, lamps.defines());
+  append(rayLights, aroundDefines());
   const std::size_t held =
       static_cast<std::size_t>(pixels.x) * static_cast<std::size_t>(rows) * static_cast<std::size_t>(count);
   rays.emplace(
       RayLight::Options{
           .raySamples = shown.render.raySamples, .ground = ground, .openSun = !shown.sun.shadow},
-      rayLighting, held, RayLooks(surfaces.maps(), skins, surfaces.skinTexels()));
+      Lighting{lit(), rayLights}, held, RayLooks(surfaces.maps(), skins, surfaces.skinTexels()));
   surfaces.ownBy([this](const scene::Material& material) { return rays->looks().ownerOf(material); });
 }
 
-gl::Defines ExactFrame::lighting() const {
-  gl::Defines defines = definesOf(visibility.layout());
-  if (scene.numerics == scene::Numerics::fast) defines.emplace_back("FAST_NUMERICS", "1");
-  defines.emplace_back("SAMPLES", std::to_string(samples));
-  defines.emplace_back("ROWS", std::to_string(rowsAtOnce()));
-  if (occludes()) defines.emplace_back("OCCLUSION", "1");
-  if (occludes() && ground) {
-    defines.emplace_back("GROUND_BELOW", "1");
-    if (ground && isReflective(*scene.ground)) defines.emplace_back("GROUND_REFLECTIVE", "1");
-  }
-  if (layered) defines.emplace_back("BEHIND", "1");
-  if (traces()) {
-    defines.emplace_back("RAYS", "1");
-    return defines;
-  }
+ThingVariant ExactFrame::lit() const {
+  return {.shade = {.samples = visibility.variant(),
+                    .parallel = isParallel(scene.camera),
+                    .fast = scene.numerics == scene::Numerics::fast,
+                    .rows = rowsAtOnce(),
+                    .occlusion = occludes(),
+                    .behind = layered,
+                    .rays = traces(),
+                    .groundReflective = occludes() && ground && isReflective(*scene.ground),
+                    .reflected = false,
+                    .shown = {}},
+          .groundBelow = occludes() && ground};
+}
+
+gl::Defines ExactFrame::lights() const {
+  gl::Defines defines;
+  if (traces()) return defines;
   append(defines, shadow.defines());
   append(defines, lamps.defines());
   append(defines, aroundDefines());
   return defines;
+}
+
+SceneLight ExactFrame::sceneLight(const gl::Texture& into) const {
+  SceneLight all{.environment = {},
+                 .lampBlock = {},
+                 .lamps = {},
+                 .lampCells = {},
+                 .lampShadows = {},
+                 .sunPlace = {},
+                 .lampKeys = {},
+                 .sunMap = {},
+                 .openness = {},
+                 .nearestLevels = {},
+                 .litLevels = {},
+                 .mirrorReach = Reflections::reachOf(away()),
+                 .layersLeave = apart.leave(),
+                 .through = {},
+                 .spots = {},
+                 .sums = into};
+  if (lampMaps && lampMaps->on()) all.lampKeys = lampMaps->keys().nearKeys();
+  if (sunMap) all.sunMap = sunMap->nearKeys();
+  if (occlusion.on()) all.openness = occlusion.openness();
+  if (reflections) all.nearestLevels = reflections->nearest();
+  if (reflections) all.litLevels = reflections->light();
+  if (rays) all.spots = rays->spots();
+  return all;
+}
+
+void ExactFrame::shadeGround(int which, const ShadeGround::Variant& variant, const gl::Texture& into) {
+  tiles->shade(tiles->things() + which, groundShading.of(variant),
+               ShadeGround{.tile = {}, .light = sceneLight(into)});
 }
 
 gl::Defines ExactFrame::aroundDefines() const {
@@ -104,19 +137,15 @@ std::vector<DrawnThing> ExactFrame::thingsDrawn() const {
   return things;
 }
 
-void ExactFrame::bindShadows() const {
-  if (sunMap) sunMap->nearKeys().bind(mapUnit);
-  if (lampMaps) lampMaps->bind();
-}
-
-void ExactFrame::shadeThings() {
+void ExactFrame::shadeThings(const gl::Texture& into) {
+  const SceneLight all = sceneLight(into);
   for (std::size_t i = 0; i < gathered.size(); ++i)
     if (gathered[i].size() == 1)
-      surfaces.shade(triangles, gathered[i].front(), skins, *tiles, static_cast<int>(i));
+      surfaces.shade(triangles, gathered[i].front(), skins, *tiles, static_cast<int>(i), all);
     else
-      surfaces.shadeJoined(joined, triangles, gathered[i], *tiles, static_cast<int>(i));
-  apart.shade(skins, *tiles, static_cast<int>(gathered.size()));
-  instances.shade(*tiles, static_cast<int>(gathered.size()) + apart.things());
+      surfaces.shadeJoined(joined, triangles, gathered[i], *tiles, static_cast<int>(i), all);
+  apart.shade(skins, *tiles, static_cast<int>(gathered.size()), all);
+  instances.shade(*tiles, static_cast<int>(gathered.size()) + apart.things(), all);
 }
 
 }  // namespace simreel::draw

@@ -35,8 +35,10 @@ struct AskedPicture {
 struct ExactFrame {
   ExactFrame(const scene::Scene& shown, const Environment* around, glm::ivec2 pixels, int count, int rows);
 
-  /// Defines for kernels that shade.
-  [[nodiscard]] gl::Defines lighting() const;
+  /// How kernels shade.
+  [[nodiscard]] ThingVariant lit() const;
+  /// Defines of the lights and the shadows.
+  [[nodiscard]] gl::Defines lights() const;
   [[nodiscard]] gl::Defines aroundDefines() const;
   [[nodiscard]] bool traces() const { return scene.render.quality == scene::Quality::high; }
   [[nodiscard]] bool occludes() const { return scene.render.quality == scene::Quality::standard; }
@@ -48,12 +50,13 @@ struct ExactFrame {
   [[nodiscard]] GroundPlace groundPlace() const;
   /// The things that have numbers in the band.
   [[nodiscard]] std::vector<DrawnThing> thingsDrawn() const;
-  /// For kernels that add light.
-  void bindLight() const { light.bindImage(sumImage, GL_READ_WRITE); }
-  void bindShadows() const;
+  /// For kernels that add light to `into`.
+  [[nodiscard]] SceneLight sceneLight(const gl::Texture& into) const;
   void tellView() { view.write(0, std::as_bytes(std::span(&values, 1))); }
   /// Adds the light of all opaque things, without the ground.
-  void shadeThings();
+  void shadeThings(const gl::Texture& into);
+  /// Adds the light of the ground where no shadow reaches it (0), or elsewhere (1).
+  void shadeGround(int which, const ShadeGround::Variant& variant, const gl::Texture& into);
   /// Shades a layer of the picture instead (SurfaceShading::show).
   void show(int layer) {
     surfaces.show(layer);
@@ -114,6 +117,7 @@ struct ExactFrame {
   SurfaceShading surfaces;
   ApartSurfaces apart;
   ExactInstances instances;
+  gl::Kernels<ShadeGround> groundShading;
   std::optional<RayLight> rays;
   gl::Texture light;  ///< RGB of each pixel; alpha: how much of the pixel is covered
 };

@@ -1,6 +1,5 @@
 #include "draw/exact/scene/face_lists.hpp"
 
-#include "draw/exact/bindings.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
@@ -13,11 +12,24 @@
 
 namespace simreel::draw {
 
+struct FaceListKernel {
+  static constexpr auto file = "draw/exact/shadows/face_lists.comp";
+  using Variant = ListVariant;
+  gl::Ambient<"LampBlock"> lampBlock = {};
+  gl::Ambient<"lampMembers"> lamps = {};
+  gl::In<"places"> places;
+  gl::In<"indices"> indices;
+  gl::In<"drawArguments"> arguments;
+  gl::Uniform<"room", int> room;
+  gl::Uniform<"firstFace", int> firstFace;
+  gl::Uniform<"faces", int> faces;
+  gl::Out<"lists"> lists;
+  gl::InOut<"counters"> counters;
+};
+
 FaceLists::FaceLists(const gl::Defines& lampDefines) {
   if (lampDefines.empty()) return;
-  gl::Defines defines = lampDefines;
-  for (const auto& define : laneDefines()) defines.push_back(define);
-  program_ = gl::Program::compute("draw/exact/shadows/face_lists.comp", defines);
+  kernel_ = gl::Kernel<FaceListKernel>(lampDefines, listVariant());
 }
 
 int FaceLists::facesAtOnce(int triangles) {
@@ -40,16 +52,14 @@ const TriangleLists& FaceLists::find(const MergedMesh& mesh, int first, int face
   constexpr GLuint zero = 0;
   makeRoom(mesh, faces);
   glClearNamedBufferData(counts_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
-  numbers_.bindStorage(largeBinding);
-  counts_.bindStorage(counterBinding);
-  mesh.count().bindStorage(drawArgumentBinding);
-  mesh.places().bind(vertexUnit);
-  mesh.indexView().bind(indexUnit);
-  program_.set("room", mesh.maxTriangles());
-  program_.set("firstFace", first);
-  program_.set("faces", faces);
-  dispatchRows(program_, mesh.maxTriangles());
-  gl::barrier();
+  kernel_.dispatch(inRows(mesh.maxTriangles()), {.places = mesh.places(),
+                                                 .indices = mesh.indexView(),
+                                                 .arguments = mesh.count(),
+                                                 .room = mesh.maxTriangles(),
+                                                 .firstFace = first,
+                                                 .faces = faces,
+                                                 .lists = numbers_,
+                                                 .counters = counts_});
   return lists_;
 }
 

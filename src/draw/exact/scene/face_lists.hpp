@@ -2,10 +2,12 @@
 #include "draw/exact/scene/merged_mesh.hpp"
 #include "draw/exact/triangles/triangle_raster.hpp"
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 
 namespace simreel::draw {
+
+struct FaceListKernel;
 
 /// Which of a mesh's triangles each of some lamps' shadow maps may show: few are seen by more than two of
 /// the six faces around a lamp.
@@ -25,7 +27,7 @@ class FaceLists {
  private:
   void makeRoom(const MergedMesh& mesh, int faces);
 
-  gl::Program program_;
+  gl::Kernel<FaceListKernel> kernel_;
   gl::Buffer numbers_, counts_;
   gl::Texture numberView_;
   TriangleLists lists_;

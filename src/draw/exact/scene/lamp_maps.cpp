@@ -85,7 +85,6 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
   views_.write(0, bytes);
   allViews_.write(0, std::as_bytes(std::span(views)));
   keys_->clear();
-  gl::barrier();
   const int all = count_ * shader::lampFaces;
   std::vector<MapFace> faces;
   for (int i = 0; i < all; ++i) {
@@ -129,10 +128,6 @@ void LampMaps::drawMesh(TriangleRaster& raster, const std::vector<const sim::Sur
       raster.number(lists, shown);
     raster.draw(*keys_);
   }
-}
-
-void LampMaps::bind() const {
-  if (on()) keys_->nearKeys().bind(lampMapUnit);
 }
 
 }  // namespace simreel::draw

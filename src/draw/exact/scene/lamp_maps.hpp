@@ -30,8 +30,6 @@ class LampMaps {
             ApartSurfaces* apart = nullptr);
   /// All of the maps, as they lie in memory.
   [[nodiscard]] const Visibility& keys() const { return *keys_; }
-  /// Makes them readable by shaders.
-  void bind() const;
 
  private:
   void drawMesh(TriangleRaster& raster, const std::vector<const sim::Surface*>& casting,

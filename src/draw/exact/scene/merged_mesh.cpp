@@ -2,9 +2,9 @@
 
 #include "base/error.hpp"
 #include "draw/draw_state.hpp"
-#include "draw/exact/bindings.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/triangles/triangle_raster.hpp"
+#include "draw/surface_fields.hpp"
 #include "gl/element_array.hpp"
 
 #include <algorithm>
@@ -12,18 +12,25 @@
 
 namespace simreel::draw {
 
-MergedMesh::MergedMesh() : count_("merged indices", 4 * sizeof(GLuint)) {}
+struct MergeKernel {
+  static constexpr auto file = "draw/exact/shadows/merge_mesh.comp";
+  struct Variant {
+    gl::Flag<"DEFORMED"> deformed;
+    gl::Flag<"COUNTED"> counted;
+  };
+  WorldVertices surface;
+  gl::In<"indices"> indices;
+  gl::In<"DrawArgumentBlock"> arguments;
+  gl::Uniform<"vertexCount", int> vertexCount;
+  gl::Uniform<"firstVertex", int> firstVertex;
+  gl::Uniform<"triangleCount", int> triangleCount;
+  gl::Uniform<"rowOf", glm::ivec2> rowOf;
+  gl::Shared<"VertexBlock"> places;
+  gl::Shared<"IndexBlock"> merged;
+  gl::Shared<"CountBlock"> count;
+};
 
-const gl::Program& MergedMesh::program(bool deformed, bool counted) {
-  const std::pair<bool, bool> key{deformed, counted};
-  const auto found = programs_.find(key);
-  if (found != programs_.end()) return found->second;
-  gl::Defines defines;
-  if (deformed) defines.emplace_back("DEFORMED", "1");
-  if (counted) defines.emplace_back("COUNTED", "1");
-  return programs_.emplace(key, gl::Program::compute("draw/exact/shadows/merge_mesh.comp", defines))
-      .first->second;
-}
+MergedMesh::MergedMesh() : count_("merged indices", 4 * sizeof(GLuint)) {}
 
 void MergedMesh::merge(const std::vector<const sim::Surface*>& surfaces) {
   constexpr GLuint zero = 0;
@@ -44,26 +51,22 @@ void MergedMesh::merge(const std::vector<const sim::Surface*>& surfaces) {
           sizeof(GLuint));
   maxTriangles_ = static_cast<int>(triangles);
   glClearNamedBufferData(count_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
-  places_.bindStorage(outVertexBinding);
-  indices_.bindStorage(largeBinding);
-  count_.bindStorage(counterBinding);
   int firstVertex = 0;
   for (const sim::Surface* surface : surfaces) {
-    const gl::Program& kernel = program(surface->deform != nullptr, surface->arguments != nullptr);
     const gl::Texture corners = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
-    bindPositions(*surface, kernel);
-    if (surface->normals != nullptr) surface->normals->bind(normalUnit);
-    bindDeformation(*surface);
-    corners.bind(indexUnit);
-    if (surface->arguments != nullptr) surface->arguments->bindStorage(drawArgumentBinding);
     const int room = verticesOf(*surface);
     const int most = maxTrianglesOf(*surface);
-    kernel.set("model", surface->model);
-    kernel.set("vertexCount", room);
-    kernel.set("firstVertex", firstVertex);
-    kernel.set("triangleCount", most);
-    kernel.set("rowOf", rowOf(*surface));
-    dispatchRows(kernel, std::max(room, most));
+    kernels_.of({.deformed = surface->deform != nullptr, .counted = surface->arguments != nullptr})
+        .dispatch(inRows(std::max(room, most)), {.surface = worldVertices(*surface),
+                                                 .indices = corners,
+                                                 .arguments = orNone(surface->arguments),
+                                                 .vertexCount = room,
+                                                 .firstVertex = firstVertex,
+                                                 .triangleCount = most,
+                                                 .rowOf = rowOf(*surface),
+                                                 .places = places_,
+                                                 .merged = indices_,
+                                                 .count = count_});
     firstVertex += room;
   }
   gl::barrier();

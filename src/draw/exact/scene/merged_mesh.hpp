@@ -1,14 +1,14 @@
 #pragma once
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
 
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace simreel::draw {
+
+struct MergeKernel;
 
 /// Surfaces as one in world space, for what draws them many times: a dispatch for each of many small ones
 /// costs software drivers more than their triangles.
@@ -26,9 +26,7 @@ class MergedMesh {
   [[nodiscard]] int maxTriangles() const { return maxTriangles_; }
 
  private:
-  const gl::Program& program(bool deformed, bool counted);
-
-  std::map<std::pair<bool, bool>, gl::Program> programs_;
+  gl::Kernels<MergeKernel> kernels_;
   gl::Buffer places_, indices_, count_;
   gl::Texture placesView_, indicesView_;
   int maxTriangles_ = 0;

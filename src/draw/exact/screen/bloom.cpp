@@ -2,7 +2,6 @@
 
 #include "base/ieee.hpp"
 #include "draw/exact/screen/light_pictures.hpp"
-#include "gl/element_array.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +10,34 @@
 
 namespace simreel::draw {
 
+struct BloomFirst {
+  static constexpr auto file = "draw/exact/screen/bloom_first.comp";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"threshold", float> threshold;
+  gl::In<"scene"> light;
+  gl::Out<"half_"> half;
+};
+
+struct BloomDown {
+  static constexpr auto file = "draw/exact/screen/bloom_down.comp";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::In<"fine"> fine;
+  gl::Out<"coarse"> coarse;
+};
+
+struct BloomUp {
+  static constexpr auto file = "draw/exact/screen/bloom_up.comp";
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::Uniform<"coarseSize", glm::ivec2> coarseSize;
+  gl::Uniform<"fraction", glm::vec2> fraction;
+  gl::In<"coarse"> coarse;
+  gl::In<"fine"> fine;
+  gl::Out<"sum_"> sum;
+};
+
 namespace {
 
 constexpr float maxLevels = 9.0F;
-
-void run(const gl::Program& program, const gl::Texture& result) {
-  result.bindImage(sumImage, GL_WRITE_ONLY);
-  program.dispatch(result.width(), result.height());
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-}
 
 glm::ivec2 sizeOf(const gl::Texture& texture) {
   return {texture.width(), texture.height()};
@@ -33,9 +51,9 @@ Bloom::Bloom(const scene::Bloom& bloom, glm::ivec2 size)
       reach_(std::clamp(static_cast<float>(ieee::log2(static_cast<double>(bloom.radius) * size.y)), 1.0F,
                         maxLevels)) {
   if (!on(bloom)) return;
-  first_ = gl::Program::compute("draw/exact/screen/bloom_first.comp", lightDefines());
-  down_ = gl::Program::compute("draw/exact/screen/bloom_down.comp", lightDefines());
-  up_ = gl::Program::compute("draw/exact/screen/bloom_up.comp", lightDefines());
+  first_ = gl::Kernel<BloomFirst>(lightDefines());
+  down_ = gl::Kernel<BloomDown>(lightDefines());
+  up_ = gl::Kernel<BloomUp>(lightDefines());
   for (int i = 0; i < static_cast<int>(std::ceil(reach_)); ++i) {
     size = (size + 1) / 2;
     const auto level = [&](const char* label) {
@@ -47,14 +65,13 @@ Bloom::Bloom(const scene::Bloom& bloom, glm::ivec2 size)
 }
 
 const gl::Texture& Bloom::draw(const gl::Texture& light) const {
-  first_.set("size", sizeOf(light));
-  first_.set("threshold", threshold_);
-  bindLight(light, sceneUnit, lightImage);
-  run(first_, levels_[0].down);
+  first_.dispatch(
+      sizeOf(levels_[0].down),
+      {.size = sizeOf(light), .threshold = threshold_, .light = light, .half = levels_[0].down});
   for (std::size_t i = 1; i < levels_.size(); ++i) {
-    down_.set("size", sizeOf(levels_[i - 1].down));
-    bindLight(levels_[i - 1].down, sceneUnit, lightImage);
-    run(down_, levels_[i].down);
+    const gl::Texture& fine = levels_[i - 1].down;
+    down_.dispatch(sizeOf(levels_[i].down),
+                   {.size = sizeOf(fine), .fine = fine, .coarse = levels_[i].down});
   }
   // Each level has the same share, the last what is left of `reach_`.
   const float whole = std::min(reach_, static_cast<float>(levels_.size()));
@@ -62,12 +79,12 @@ const gl::Texture& Bloom::draw(const gl::Texture& light) const {
   float coarseFraction = whole - static_cast<float>(levels_.size() - 1);
   for (std::size_t i = levels_.size() - 1; i-- > 0;) {
     const float sum = 1.0F + coarseFraction;
-    up_.set("size", sizeOf(levels_[i].up));
-    up_.set("coarseSize", sizeOf(*coarse));
-    up_.set("fraction", glm::vec2(1.0F, coarseFraction) / sum);
-    bindLight(*coarse, sceneUnit, lightImage);
-    bindLight(levels_[i].down, bloomUnit, scatteredImage);
-    run(up_, levels_[i].up);
+    up_.dispatch(sizeOf(levels_[i].up), {.size = sizeOf(levels_[i].up),
+                                         .coarseSize = sizeOf(*coarse),
+                                         .fraction = glm::vec2(1.0F, coarseFraction) / sum,
+                                         .coarse = *coarse,
+                                         .fine = levels_[i].down,
+                                         .sum = levels_[i].up});
     coarse = &levels_[i].up;
     coarseFraction = sum;
   }

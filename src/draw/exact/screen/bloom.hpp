@@ -1,5 +1,5 @@
 #pragma once
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 #include "scene/scene.hpp"
 
@@ -8,6 +8,10 @@
 #include <glm/vec2.hpp>
 
 namespace simreel::draw {
+
+struct BloomFirst;
+struct BloomDown;
+struct BloomUp;
 
 /// Light scattered around what is bright, in exact arithmetic: as BloomPass does with the driver's filters.
 class Bloom {
@@ -28,7 +32,9 @@ class Bloom {
   float threshold_;
   float reach_;
   std::vector<Level> levels_;
-  gl::Program first_, down_, up_;
+  gl::Kernel<BloomFirst> first_;
+  gl::Kernel<BloomDown> down_;
+  gl::Kernel<BloomUp> up_;
 };
 
 }  // namespace simreel::draw

@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "draw/exact/bindings.hpp"
 #include "draw/surface/mip_levels.hpp"
 #include "gl/limits.hpp"
 #include "sim/grid/picture_file.hpp"
@@ -117,14 +116,14 @@ glm::ivec4 MapTexels::place(const scene::Map& map, Holds holds) {
   return place;
 }
 
-void MapTexels::bind() {
+const gl::Texture& MapTexels::texels() {
   if (texels_.size() > uploaded_) {
     view_ = {};
     buffer_ = gl::Buffer::ofTexels<Texel>("maps of materials", texels_);
     view_ = gl::Texture::view("maps of materials", GL_RG32UI, buffer_, sizeof(Texel));
     uploaded_ = texels_.size();
   }
-  if (uploaded_ > 0) view_.bind(mapTexelUnit);
+  return view_;
 }
 
 }  // namespace simreel::draw

@@ -23,8 +23,8 @@ class MapTexels {
   /// level, then texels of 16 bits a channel. Of no map 0. Throws UserError as loadPicture() does, but for
   /// transparent pixels; device where all of them are more than the device holds.
   glm::ivec4 place(const scene::Map& map, Holds holds);
-  /// Makes them readable.
-  void bind();
+  /// All that have been placed, RG32UI.
+  [[nodiscard]] const gl::Texture& texels();
 
  private:
   using Texel = std::array<std::uint32_t, 2>;  ///< r + 2^16 g, b + 2^16 a

@@ -1,12 +1,14 @@
 #pragma once
 #include "draw/surface/skin_textures.hpp"
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 
 #include <map>
 
 namespace simreel::draw {
+
+struct SkinTexelKernel;
 
 /// The textures of skins as lists of texels, all that there is of one together: software drivers find those
 /// of a buffer several times as fast as those of a 2-D texture.
@@ -31,7 +33,7 @@ class SkinTexels {
     int count = 0;
   };
   std::map<const SkinTextures::Entry*, List> lists_;
-  gl::Program program_;
+  gl::Kernel<SkinTexelKernel> kernel_;
 };
 
 }  // namespace simreel::draw

@@ -1,33 +1,113 @@
 #include "draw/exact/surface/surface_shading.hpp"
 
-#include "draw/draw_state.hpp"
-#include "draw/exact/shown.hpp"
 #include "draw/surface/skin_look.hpp"
 #include "draw/surface/surface_pass.hpp"
-#include "gl/context.hpp"
+#include "draw/surface_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 namespace simreel::draw {
 
+struct SurfaceVariant {
+  gl::Flag<"DOUBLE_SIDED"> doubleSided;
+  gl::Flag<"TRANSLUCENT"> translucent;
+  gl::Flag<"REFLECTIVE"> reflective;
+  gl::Flag<"PALETTE"> palette;
+  gl::Flag<"COUNTED"> counted;
+  gl::Flag<"TEXTURED"> textured;
+  gl::Flag<"GRID"> grid;
+  gl::Flag<"TRIPLANAR"> triplanar;
+  gl::Flag<"BUMPED"> bumped;
+  gl::Flag<"SKIN"> skin;
+  gl::Flag<"JOINED"> joined;
+  gl::Flag<"BASE_MAP"> baseMap;
+  gl::Flag<"NORMAL_MAP"> normalMap;
+  gl::Flag<"METAL_ROUGH_MAP"> metalRoughMap;
+  gl::Flag<"OCCLUSION_MAP"> occlusionMap;
+  gl::Flag<"EMISSION"> emission;
+  gl::Flag<"EMISSION_MAP"> emissionMap;
+  gl::Flag<"COAT"> coat;
+  gl::Flag<"SHEEN"> sheen;
+  gl::Flag<"BLENDED"> blended;
+  gl::Flag<"VERTEX_COLORS"> vertexColors;
+  gl::Flag<"LOOK_LEATHER"> leather;
+  gl::Flag<"LOOK_SPOTS"> spots;
+  gl::Flag<"LOOK_CRACKS"> cracks;
+  gl::Flag<"LOOK_MAP"> map;
+};
+
+/// draw/exact/surface/surface_seen.glsl.
+struct SurfaceSeen {
+  VertexUv uv;
+  gl::Uniform<"textureScale", glm::vec2> textureScale;
+  gl::Uniform<"model", glm::mat4> model;
+  gl::Uniform<"modelScale", float> modelScale;
+};
+
+/// draw/exact/surface/surface_maps.glsl.
+struct SurfaceMaps {
+  gl::Uniform<"colorMap", glm::ivec4> color;
+  gl::Uniform<"normalMap", glm::ivec4> normal;
+  gl::Uniform<"metalRoughMap", glm::ivec4> metalRough;
+  gl::Uniform<"occlusionMap", glm::ivec4> occlusion;
+  gl::Uniform<"emissionMap", glm::ivec4> emission;
+  gl::Uniform<"normalStrength", float> normalStrength;
+  gl::Uniform<"occlusionStrength", float> occlusionStrength;
+  gl::In<"texelsOfMaps"> texels;
+};
+
+/// The numbers of a scene::Finish.
+struct FinishValues {
+  gl::Uniform<"emission", glm::vec3> emission;
+  gl::Uniform<"coat", glm::vec2> coat;
+  gl::Uniform<"sheen", glm::vec3> sheen;
+  gl::Uniform<"sheenRoughness", float> sheenRoughness;
+  gl::Uniform<"opacity", float> opacity;
+};
+
+/// draw/exact/surface/surface_texture.glsl.
+struct SurfaceTexture {
+  gl::In<"albedo"> albedo;
+  gl::Uniform<"albedoSize", glm::ivec2> size;
+  gl::Uniform<"albedoLevels", int> levels;
+  gl::Uniform<"albedoRepeats", bool> repeats;
+  gl::Uniform<"bump", float> bump;
+};
+
+struct ShadeSurface {
+  static constexpr auto file = "draw/exact/surface/shade_surface.comp";
+  struct Variant {
+    ThingVariant thing;
+    SurfaceVariant surface;
+  };
+  TileFields tile = {};
+  SceneLight light;
+  TriangleSource triangles;
+  gl::Uniform<"firstId", unsigned> firstId;
+  gl::Uniform<"color", glm::vec3> color;
+  gl::Uniform<"material", glm::vec3> material;  ///< roughness, metallic, translucency
+  VertexTexels texels;
+  gl::In<"palette"> palette;
+  gl::In<"vertexTints"> tints;
+  gl::In<"owners"> owners = {};  ///< of joined surfaces,
+  gl::In<"looks"> looks = {};    ///< and what they are made of
+  gl::Uniform<"owner", unsigned> owner = {};
+  gl::Uniform<"clear", bool> clear = {};
+  SurfaceSeen seen = {};
+  SurfaceMaps maps = {};
+  FinishValues finish = {};
+  SurfaceTexture texture = {};
+  SkinValues skin = {};
+  gl::In<"skinTexels"> skinTexels = {};
+};
+
 namespace {
 
-constexpr unsigned triplanar = 1U << 7U;
-constexpr unsigned skinned = 1U << 9U;
-constexpr unsigned joinedOnes = 1U << 10U;
-constexpr const char* featureNames[] = {
-    "DOUBLE_SIDED",  "TRANSLUCENT", "REFLECTIVE",   "PALETTE", "COUNTED",  "TEXTURED",   "GRID",
-    "TRIPLANAR",     "BUMPED",      "SKIN",         "JOINED",  "BASE_MAP", "NORMAL_MAP", "METAL_ROUGH_MAP",
-    "OCCLUSION_MAP", "EMISSION",    "EMISSION_MAP", "COAT",    "SHEEN",    "BLENDED",    "VERTEX_COLORS"};
-constexpr unsigned blendedLayer = 1U << 19U;
-constexpr unsigned smooth = 1U << 21U;  // what mirrors the ground
-
-unsigned featuresOf(const sim::Surface& surface, bool skin) {
+SurfaceVariant variantOf(const sim::Surface& surface, bool skin) {
   const scene::Material& material = *surface.material;
   scene::Material shown = material;
   if (skin) shown.roughness = lookOf(*material.skin).roughness;
@@ -43,45 +123,49 @@ unsigned featuresOf(const sim::Surface& surface, bool skin) {
   const bool byUv = (grid || surface.uvs != nullptr) &&
                     !(skin && material.skin->projection != scene::Skin::Projection::uv);
   const bool laidOn = skin || textured || mapped;
-  const bool wanted[] = {
-      surface.doubleSided,
-      material.translucency > 0,
-      isReflective(shown) || (finished && (finish.coat > 0 || !finish.metalRough.empty())),
-      !skin && surface.palette != nullptr,
-      surface.arguments != nullptr,
-      textured,
-      laidOn && byUv && grid,
-      laidOn && !byUv,
-      textured && material.bump != 0,
-      skin,
-      false,
-      colored,
-      finished && !finish.normals.empty(),
-      finished && !finish.metalRough.empty(),
-      finished && !finish.occlusion.empty(),
-      emits,
-      glowMap,
-      finished && finish.coat > 0,
-      finished && finish.sheen != glm::vec3(0),
-      finished && finish.alpha == scene::Alpha::blend,
-      !skin && surface.colors != nullptr};
-  unsigned features = 0;
-  for (std::size_t i = 0; i < std::size(wanted); ++i) features |= wanted[i] ? 1U << i : 0U;
-  return features;
+  const auto looks = [&](scene::Skin::Look look) { return skin && material.skin->look == look; };
+  return {
+      .doubleSided = surface.doubleSided,
+      .translucent = material.translucency > 0,
+      .reflective = isReflective(shown) || (finished && (finish.coat > 0 || !finish.metalRough.empty())),
+      .palette = !skin && surface.palette != nullptr,
+      .counted = surface.arguments != nullptr,
+      .textured = textured,
+      .grid = laidOn && byUv && grid,
+      .triplanar = laidOn && !byUv,
+      .bumped = textured && material.bump != 0,
+      .skin = skin,
+      .joined = false,
+      .baseMap = colored,
+      .normalMap = finished && !finish.normals.empty(),
+      .metalRoughMap = finished && !finish.metalRough.empty(),
+      .occlusionMap = finished && !finish.occlusion.empty(),
+      .emission = emits,
+      .emissionMap = glowMap,
+      .coat = finished && finish.coat > 0,
+      .sheen = finished && finish.sheen != glm::vec3(0),
+      .blended = finished && finish.alpha == scene::Alpha::blend,
+      .vertexColors = !skin && surface.colors != nullptr,
+      .leather = looks(scene::Skin::Look::leather),
+      .spots = looks(scene::Skin::Look::spots),
+      .cracks = looks(scene::Skin::Look::cracks),
+      .map = looks(scene::Skin::Look::map)};
 }
 
-/// What shaders that lay something over a surface read of it, and of how often it is repeated.
-void setSeen(const sim::Surface& surface, glm::vec2 repeats, const gl::Program& shader) {
-  shader.set("textureScale", repeats);
-  shader.set("model", surface.model);
-  shader.set("modelScale", std::sqrt(std::max(glm::dot(surface.model[0], surface.model[0]), 1e-30F)));
-  if (surface.normals == nullptr) {
-    shader.set("grid", surface.grid);
-    shader.set("perGrid", 1.0F / glm::vec2(surface.grid - 1));
-    shader.set("perRow", 1.0F / static_cast<float>(surface.grid.x));
-  } else if (surface.uvs != nullptr) {
-    surface.uvs->bind(uvUnit);
-  }
+VertexUv uvOf(const sim::Surface& surface) {
+  VertexUv uv{.grid = surface.grid, .perGrid = {}, .perRow = {}, .uvs = orNone(surface.uvs)};
+  if (surface.normals != nullptr) return uv;
+  uv.perGrid = 1.0F / glm::vec2(surface.grid - 1);
+  uv.perRow = 1.0F / static_cast<float>(surface.grid.x);
+  return uv;
+}
+
+/// Fields of shaders that lay something over a surface that often.
+SurfaceSeen seenOf(const sim::Surface& surface, glm::vec2 repeats) {
+  return {.uv = uvOf(surface),
+          .textureScale = repeats,
+          .model = surface.model,
+          .modelScale = std::sqrt(std::max(glm::dot(surface.model[0], surface.model[0]), 1e-30F))};
 }
 
 }  // namespace
@@ -95,32 +179,19 @@ scene::Map SurfaceShading::colorMapOf(const scene::Material& material) {
   return {material.texture, nullptr, true};
 }
 
-SurfaceShading::SurfaceShading(const scene::Scene& scene, gl::Defines defines)
-    : scene_(scene), defines_(std::move(defines)) {
+SurfaceShading::SurfaceShading(const scene::Scene& scene, Lighting lighting)
+    : scene_(scene), lighting_(std::move(lighting)), kernels_(lighting_.lights) {
   for (const scene::Object& object : scene.objects)
     if (!object.material.finish.used()) textures_.load(object.material.texture);
 }
 
-const gl::Program& SurfaceShading::program(unsigned features, int look) {
-  const auto found = programs_.find({features, look, shown_});
-  if (found != programs_.end()) return found->second;
-  gl::Defines defines = showing(defines_, shown_);
-  if ((features & blendedLayer) != 0)  // they are before what keeps light out, and nothing is behind them
-    std::erase_if(defines, [](const auto& define) {
-      return define.first == "OCCLUSION" || define.first == "BEHIND";
-    });
-  if ((features & smooth) == 0) withoutGround(defines);
-  for (std::size_t i = 0; i < std::size(featureNames); ++i)
-    if ((features >> i & 1U) != 0) defines.emplace_back(featureNames[i], "1");
-  if (look >= 0) {
-    scene::Skin skin;
-    skin.look = static_cast<scene::Skin::Look>(look);
-    defines.emplace_back(lookOf(skin).define, "1");
+const gl::Kernel<ShadeSurface>& SurfaceShading::kernel(const SurfaceVariant& surface, bool smooth) {
+  ThingVariant thing = showing(lighting_.variant, shown_, smooth);
+  if (surface.blended.on) {  // before what keeps light out, and nothing is behind it
+    thing.shade.occlusion = false;
+    thing.shade.behind = false;
   }
-  return programs_
-      .emplace(std::tuple(features, look, shown_),
-               gl::Program::compute("draw/exact/surface/shade_surface.comp", defines))
-      .first->second;
+  return kernels_.of({.thing = thing, .surface = surface});
 }
 
 void SurfaceShading::prepare(const SkinTextures& skins) {
@@ -130,32 +201,32 @@ void SurfaceShading::prepare(const SkinTextures& skins) {
 }
 
 void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn,
-                           const SkinTextures& skins, const ShadedTiles& tiles, int thing) {
+                           const SkinTextures& skins, const ShadedTiles& tiles, int thing,
+                           const SceneLight& light) {
   const sim::Surface& surface = *drawn.surface;
   const scene::Material& material = *surface.material;
-  if (shown_ == shownReflections && !mirrorsScene(surface, skins)) return;
+  const bool smooth = mirrorsScene(surface, skins);
+  if (shown_ == shownReflections && !smooth) return;
   const SkinTextures::Entry* skin = material.skin ? skins.find(*material.skin) : nullptr;
-  const unsigned ground = mirrorsGround(defines_) && mirrorsScene(surface, skins) ? smooth : 0U;
-  const gl::Program& shader = program(featuresOf(surface, skin != nullptr) | ground,
-                                      skin != nullptr ? static_cast<int>(material.skin->look) : -1);
-  raster.bind(drawn, shader);
-  shader.set("color", material.color);
-  shader.set("material", glm::vec3(material.roughness, material.metallic, material.translucency));
+  ShadeSurface given{.light = light,
+                     .triangles = raster.source(drawn),
+                     .firstId = drawn.firstId,
+                     .color = material.color,
+                     .material = glm::vec3(material.roughness, material.metallic, material.translucency),
+                     .texels = vertexTexels(surface),
+                     .palette = orNone(surface.palette),
+                     .tints = orNone(surface.colors)};
   if (owner_) {
-    shader.set("owner", owner_(material));
-    shader.set("clear", static_cast<int>(!material.skin && material.finish.transmission > 0));
+    given.owner = owner_(material);
+    given.clear = !material.skin && material.finish.transmission > 0;
   }
-  shader.set("mirrorReach", mirrorReach_);
-  bindPositions(surface, shader);
-  if (surface.palette != nullptr) surface.palette->bind(paletteUnit);
-  if (surface.colors != nullptr) surface.colors->bind(paletteUnit);
   if (skin != nullptr)
-    setSkin(surface, *skin, shader);
+    laySkin(surface, *skin, given);
   else if (material.finish.used())
-    setFinish(surface, shader);
+    layFinish(surface, given);
   else if (const TexelLists::List* albedo = textures_.load(material.texture))
-    setTexture(surface, *albedo, shader);
-  tiles.shade(thing, shader);
+    layTexture(surface, *albedo, given);
+  tiles.shade(thing, kernel(variantOf(surface, skin != nullptr), smooth), given);
 }
 
 bool SurfaceShading::mirrorsScene(const sim::Surface& surface, const SkinTextures& skins) {
@@ -176,79 +247,90 @@ bool SurfaceShading::isPlain(const sim::Surface& surface, const SkinTextures& sk
 
 void SurfaceShading::shadeJoined(const JoinedSurfaces& joined, const TriangleRaster& raster,
                                  std::span<const TriangleRaster::Drawn> drawn, const ShadedTiles& tiles,
-                                 int thing) {
+                                 int thing, const SceneLight& light) {
   const bool mirror = std::any_of(drawn.begin(), drawn.end(), [](const auto& one) {
     return draw::mirrorsScene(one.surface->material->roughness);
   });
   if (shown_ == shownReflections && !mirror) return;
-  unsigned features = joinedOnes | (mirror && mirrorsGround(defines_) ? smooth : 0U);
+  SurfaceVariant all = variantOf(*drawn.front().surface, false);
   int triangles = 0;
   for (const TriangleRaster::Drawn& one : drawn) {
-    features |= featuresOf(*one.surface, false);
+    const SurfaceVariant own = variantOf(*one.surface, false);
+    all.doubleSided = all.doubleSided.on || own.doubleSided.on;
+    all.translucent = all.translucent.on || own.translucent.on;
+    all.reflective = all.reflective.on || own.reflective.on;
     triangles += one.maxTriangles;
   }
-  const gl::Program& shader = program(features, -1);
-  raster.bindWhole(shader);
-  joined.bind();
-  shader.set("mirrorReach", mirrorReach_);
-  shader.set("firstId", drawn.front().firstId);
-  shader.set("triangleCount", triangles);
-  tiles.shade(thing, shader);
+  all.joined = true;
+  ShadeSurface given{.light = light,
+                     .triangles = raster.wholeSource(),
+                     .firstId = drawn.front().firstId,
+                     .color = {},
+                     .material = {},
+                     .texels = {},
+                     .palette = {},
+                     .tints = {},
+                     .owners = joined.owners(),
+                     .looks = joined.looks()};
+  given.triangles.triangleCount = triangles;
+  tiles.shade(thing, kernel(all, mirror), given);
 }
 
-void SurfaceShading::setFinish(const sim::Surface& surface, const gl::Program& shader) {
+void SurfaceShading::layFinish(const sim::Surface& surface, ShadeSurface& given) {
   using Holds = MapTexels::Holds;
   const scene::Material& material = *surface.material;
   const scene::Finish& finish = material.finish;
-  setSeen(surface, glm::vec2(material.textureScale), shader);
-  shader.set("colorMap", maps_.place(colorMapOf(material), Holds::color));
-  shader.set("normalMap", maps_.place(finish.normals, Holds::numbers));
-  shader.set("normalStrength", finish.normalStrength);
-  shader.set("metalRoughMap", maps_.place(finish.metalRough, Holds::numbers));
-  shader.set("occlusionMap", maps_.place(finish.occlusion, Holds::numbers));
-  shader.set("occlusionStrength", finish.occlusionStrength);
-  shader.set("emission", finish.emission * finish.emissionStrength);
-  shader.set("emissionMap", maps_.place(finish.emissionMap, Holds::color));
-  shader.set("coat", glm::vec2(finish.coat, finish.coatRoughness));
-  shader.set("sheen", finish.sheen);
-  shader.set("sheenRoughness", finish.sheenRoughness);
-  shader.set("opacity", finish.opacity);
-  maps_.bind();
+  given.seen = seenOf(surface, glm::vec2(material.textureScale));
+  given.maps = {.color = maps_.place(colorMapOf(material), Holds::color),
+                .normal = maps_.place(finish.normals, Holds::numbers),
+                .metalRough = maps_.place(finish.metalRough, Holds::numbers),
+                .occlusion = maps_.place(finish.occlusion, Holds::numbers),
+                .emission = maps_.place(finish.emissionMap, Holds::color),
+                .normalStrength = finish.normalStrength,
+                .occlusionStrength = finish.occlusionStrength,
+                .texels = maps_.texels()};
+  given.finish = {.emission = finish.emission * finish.emissionStrength,
+                  .coat = glm::vec2(finish.coat, finish.coatRoughness),
+                  .sheen = finish.sheen,
+                  .sheenRoughness = finish.sheenRoughness,
+                  .opacity = finish.opacity};
 }
 
 bool SurfaceShading::hasHoles(const sim::Surface& surface) {
   return surface.material->finish.alpha != scene::Alpha::opaque && !colorMapOf(*surface.material).empty();
 }
 
-void SurfaceShading::setHoles(const sim::Surface& surface, float least, const gl::Program& kernel) {
+Cutout SurfaceShading::holes(const sim::Surface& surface, float least) {
   const scene::Material& material = *surface.material;
-  setSeen(surface, glm::vec2(material.textureScale), kernel);
-  kernel.set("colorMap", maps_.place(colorMapOf(material), MapTexels::Holds::color));
-  kernel.set("opacityLimit", glm::vec2(material.finish.opacity, least));
-  maps_.bind();
+  const glm::ivec4 map = maps_.place(colorMapOf(material), MapTexels::Holds::color);
+  return {.uv = uvOf(surface),
+          .textureScale = glm::vec2(material.textureScale),
+          .colorMap = map,
+          .opacityLimit = glm::vec2(material.finish.opacity, least),
+          .texels = maps_.texels()};
 }
 
-void SurfaceShading::setSkin(const sim::Surface& surface, const SkinTextures::Entry& entry,
-                             const gl::Program& shader) const {
+void SurfaceShading::laySkin(const sim::Surface& surface, const SkinTextures::Entry& entry,
+                             ShadeSurface& given) const {
   const scene::Skin& skin = *surface.material->skin;
   const bool byUv = (surface.normals == nullptr || surface.uvs != nullptr) &&
                     skin.projection == scene::Skin::Projection::uv;
   // From three sides, cells are squares whatever the field's shape.
   const float shape = static_cast<float>(entry.cells.x) / static_cast<float>(entry.cells.y);
-  setSeen(surface, {skin.repeats, byUv ? skin.repeats : skin.repeats * shape}, shader);
-  SkinTextures::set(entry, skin, shader);
-  skinTexels_.find(entry).bind(reliefUnit);
+  given.seen = seenOf(surface, {skin.repeats, byUv ? skin.repeats : skin.repeats * shape});
+  given.skin = SkinTextures::values(entry, skin);
+  given.skinTexels = skinTexels_.find(entry);
 }
 
-void SurfaceShading::setTexture(const sim::Surface& surface, const TexelLists::List& albedo,
-                                const gl::Program& shader) {
+void SurfaceShading::layTexture(const sim::Surface& surface, const TexelLists::List& albedo,
+                                ShadeSurface& given) {
   const scene::Material& material = *surface.material;
-  setSeen(surface, glm::vec2(material.textureScale), shader);
-  shader.set("albedoSize", albedo.size);
-  shader.set("albedoLevels", albedo.levels);
-  shader.set("albedoRepeats", static_cast<int>(textureRepeats(surface)));
-  shader.set("bump", material.bump);
-  albedo.view.bind(albedoUnit);
+  given.seen = seenOf(surface, glm::vec2(material.textureScale));
+  given.texture = {.albedo = albedo.view,
+                   .size = albedo.size,
+                   .levels = albedo.levels,
+                   .repeats = textureRepeats(surface),
+                   .bump = material.bump};
 }
 
 }  // namespace simreel::draw

@@ -4,46 +4,45 @@
 #include "draw/exact/surface/texel_lists.hpp"
 #include "draw/exact/tiles/shaded_tiles.hpp"
 #include "draw/exact/triangles/joined_surfaces.hpp"
+#include "draw/exact/triangles/laid_fields.hpp"
 #include "draw/exact/triangles/triangle_raster.hpp"
 #include "draw/surface/skin_textures.hpp"
 #include "scene/scene.hpp"
 
 #include <functional>
-#include <map>
 #include <span>
-#include <tuple>
 #include <utility>
 
 namespace simreel::draw {
+
+struct SurfaceVariant;
+struct ShadeSurface;
 
 /// Shades surfaces where they are visible. A program per combination of features that materials use:
 /// software drivers run both sides of a branch.
 class SurfaceShading {
  public:
-  /// Loads the textures of the materials of the scene, which must outlive it. `defines`: SAMPLES and those
-  /// of the lights.
-  SurfaceShading(const scene::Scene& scene, gl::Defines defines);
+  /// Loads the textures of the materials of the scene, which must outlive it.
+  SurfaceShading(const scene::Scene& scene, Lighting lighting);
   /// Makes what surfaces read of the skins, which are up to date.
   void prepare(const SkinTextures& skins);
-  /// Adds the light of `drawn`, thing number `thing` of the tiles, to the bound sums. A skin whose field is
-  /// not there leaves the material as it is without one.
+  /// Adds the light of `drawn`, thing number `thing` of the tiles. A skin whose field is not there leaves
+  /// the material as it is without one.
   void shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn, const SkinTextures& skins,
-             const ShadedTiles& tiles, int thing);
+             const ShadedTiles& tiles, int thing, const SceneLight& light);
   /// Whether nothing is laid over the surface, so that it may be shaded together with others.
   [[nodiscard]] static bool isPlain(const sim::Surface& surface, const SkinTextures& skins);
   /// The same of such ones, neighbours among joined surfaces.
   void shadeJoined(const JoinedSurfaces& joined, const TriangleRaster& raster,
-                   std::span<const TriangleRaster::Drawn> drawn, const ShadedTiles& tiles, int thing);
+                   std::span<const TriangleRaster::Drawn> drawn, const ShadedTiles& tiles, int thing,
+                   const SceneLight& light);
 
-  /// Whether a surface's opacity is different from place to place; what then kernels that draw it read
-  /// (glsl/draw/exact/triangles/cutout.glsl), which leave out what has less than `least`.
+  /// Whether a surface's opacity is different from place to place; what then kernels that draw it read,
+  /// which leave out what has less than `least`.
   [[nodiscard]] static bool hasHoles(const sim::Surface& surface);
-  void setHoles(const sim::Surface& surface, float least, const gl::Program& kernel);
-  /// From now on programs have these defines.
-  void define(gl::Defines defines) {
-    defines_ = std::move(defines);
-    programs_.clear();
-  }
+  [[nodiscard]] Cutout holes(const sim::Surface& surface, float least);
+  /// From now on things are lit like that, by the same lights.
+  void light(const ThingVariant& variant) { lighting_.variant = variant; }
   /// The map of a material's colour: its finish's own, or its texture.
   [[nodiscard]] static scene::Map colorMapOf(const scene::Material& material);
   /// Whether a texture alone goes on beyond its border; on a sheet that shows the picture once it must not
@@ -56,26 +55,20 @@ class SurfaceShading {
   /// From now on one of `shownLayers` is shaded instead of light, counted from 1; 0: light;
   /// shownReflections: what those change, of surfaces that mirror the scene alone.
   void show(int layer) { shown_ = layer; }
-  /// How far away what those show may be, and how thick it is (m).
-  void mirrorWithin(glm::vec2 reach) { mirrorReach_ = reach; }
   /// Whether the surface is smooth somewhere.
   [[nodiscard]] static bool mirrorsScene(const sim::Surface& surface, const SkinTextures& skins);
 
  private:
-  /// A look's number is -1 without a skin.
-  const gl::Program& program(unsigned features, int look);
-  static void setTexture(const sim::Surface& surface, const TexelLists::List& albedo,
-                         const gl::Program& shader);
-
-  void setFinish(const sim::Surface& surface, const gl::Program& shader);
-  void setSkin(const sim::Surface& surface, const SkinTextures::Entry& entry,
-               const gl::Program& shader) const;
+  const gl::Kernel<ShadeSurface>& kernel(const SurfaceVariant& surface, bool smooth);
+  // Give what is laid over the surface.
+  static void layTexture(const sim::Surface& surface, const TexelLists::List& albedo, ShadeSurface& given);
+  void layFinish(const sim::Surface& surface, ShadeSurface& given);
+  void laySkin(const sim::Surface& surface, const SkinTextures::Entry& entry, ShadeSurface& given) const;
 
   const scene::Scene& scene_;
-  gl::Defines defines_;
+  Lighting lighting_;
   int shown_ = 0;
-  glm::vec2 mirrorReach_{0};
-  std::map<std::tuple<unsigned, int, int>, gl::Program> programs_;  ///< the last: shown_
+  gl::Kernels<ShadeSurface> kernels_;
   TexelLists textures_;
   SkinTexels skinTexels_;
   MapTexels maps_;

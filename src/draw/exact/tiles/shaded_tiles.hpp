@@ -1,8 +1,10 @@
 #pragma once
-#include "draw/exact/triangles/triangle_raster.hpp"
+#include "draw/exact/group_counts.hpp"
+#include "draw/exact/shown.hpp"
+#include "draw/exact/visibility.hpp"
+#include "gl/element_array.hpp"
 #include "gl/texture.hpp"
 
-#include <map>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -10,6 +12,8 @@
 #include <glm/vec4.hpp>
 
 namespace simreel::draw {
+
+struct TileKernel;
 
 /// Where on the picture the ground may be.
 struct GroundPlace {
@@ -31,23 +35,26 @@ class ShadedTiles {
   /// Whether list() empties the light of its pixels on this device: cards for computing clear textures in
   /// ten times the time that it takes there.
   [[nodiscard]] static bool emptiesLight();
-  /// Lays the ground under what is visible and makes the lists; the sums of light are bound. `firstIds`: of
-  /// the things, ascending. `groundKeys`: the ground is among what is nearest afterwards.
-  void list(const std::vector<unsigned>& firstIds, const Visibility& visibility, const GroundPlace& place,
-            bool groundKeys = false);
-  /// Runs a shading kernel over the tiles of a thing. `program` includes draw/exact/tiles/shaded_tile.glsl.
-  void shade(int thing, const gl::Program& program) const;
+  /// Lays the ground under what is visible and makes the lists. `firstIds`: of the things, ascending.
+  /// `sums`: the light. `groundKeys`: the ground is among what is nearest afterwards.
+  void list(const std::vector<unsigned>& firstIds, const Visibility& visibility, const gl::Texture& sums,
+            const GroundPlace& place, bool groundKeys = false);
+  /// Runs a shading kernel over the tiles of a thing; sets its `tile`.
+  template <class Interface>
+  void shade(int thing, const gl::Kernel<Interface>& kernel, Interface given) const {
+    given.tile = tile(thing);
+    GroupCounts::dispatch(kernel, dispatches_, static_cast<std::size_t>(thing), given);
+  }
   [[nodiscard]] int things() const { return things_; }  ///< but for the ground
 
  private:
-  /// A bit each: the ground, its keys, few things, and how many fours of them.
-  const gl::Program& program(unsigned features);
+  [[nodiscard]] TileFields tile(int thing) const;
 
   glm::ivec2 size_, tiles_;
   int things_ = 0;
-  gl::Defines defines_;
-  bool ground_;
-  std::map<unsigned, gl::Program> programs_;
+  bool ground_, shadow_, empties_;
+  const Visibility* visibility_ = nullptr;  ///< whose tiles are listed
+  gl::Kernels<TileKernel> kernels_;
   GroupCounts groups_;
   gl::Buffer firstIds_, lists_, counters_, dispatches_;
   gl::Texture firstIdView_, listView_, counterView_;

@@ -1,10 +1,11 @@
 #include "draw/exact/triangles/joined_surfaces.hpp"
 
 #include "base/error.hpp"
-#include "draw/exact/bindings.hpp"
+#include "draw/draw_state.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/triangles/triangle_raster.hpp"
 #include "draw/surface/surface_pass.hpp"
+#include "draw/surface_fields.hpp"
 #include "gl/context.hpp"
 #include "gl/element_array.hpp"
 
@@ -15,6 +16,23 @@
 #include <string>
 
 namespace simreel::draw {
+
+struct JoinKernel {
+  static constexpr auto file = "draw/exact/triangles/join.comp";
+  using Variant = WorldVariant;
+  WorldVertices surface;
+  gl::In<"indices"> indices;
+  gl::Uniform<"vertexCount", int> vertexCount;
+  gl::Uniform<"firstVertex", int> firstVertex;
+  gl::Uniform<"triangleCount", int> triangleCount;
+  gl::Uniform<"firstTriangle", int> firstTriangle;
+  gl::Uniform<"rowOf", glm::ivec2> rowOf;
+  gl::Uniform<"owner", unsigned> owner;
+  gl::Shared<"PlaceBlock"> places;
+  gl::Shared<"NormalBlock"> normals;
+  gl::Shared<"IndexBlock"> joined;
+  gl::Shared<"OwnerBlock"> owners;
+};
 
 namespace {
 
@@ -49,17 +67,6 @@ bool JoinedSurfaces::suits(const std::vector<sim::Surface>& surfaces) {
   return vertices <= mostVertices && moving <= mostMoving && triangles <= mostVertices;
 }
 
-const gl::Program& JoinedSurfaces::program(bool grid, bool deformed) {
-  const std::pair<bool, bool> key{grid, deformed};
-  const auto found = programs_.find(key);
-  if (found != programs_.end()) return found->second;
-  gl::Defines defines;
-  if (grid) defines.emplace_back("GRID", "1");
-  if (deformed) defines.emplace_back("DEFORMED", "1");
-  return programs_.emplace(key, gl::Program::compute("draw/exact/triangles/join.comp", defines))
-      .first->second;
-}
-
 void JoinedSurfaces::makeRoom(std::size_t vertices, std::size_t triangles, std::size_t surfaces) {
   constexpr std::size_t texel = sizeof(glm::vec4);
   bool lost = reserve(places_, placeView_, "joined places", vertices * texel, GL_RGBA32F, texel);
@@ -73,22 +80,22 @@ void JoinedSurfaces::makeRoom(std::size_t vertices, std::size_t triangles, std::
 }
 
 void JoinedSurfaces::put(const sim::Surface& surface, const Part& part, int number) {
-  const gl::Program& kernel = program(surface.normals == nullptr, surface.deform != nullptr);
   const gl::Texture corners = gl::Texture::view("indices", GL_R32UI, *surface.indices, sizeof(GLuint));
   const int triangles = maxTrianglesOf(surface);
-  bindPositions(surface, kernel);
-  if (surface.normals != nullptr) surface.normals->bind(normalUnit);
-  bindDeformation(surface);
-  corners.bind(indexUnit);
-  kernel.set("model", surface.model);
-  kernel.set("grid", surface.grid);
-  kernel.set("vertexCount", surface.vertexCount);
-  kernel.set("firstVertex", part.firstVertex);
-  kernel.set("triangleCount", triangles);
-  kernel.set("firstTriangle", part.firstTriangle);
-  kernel.set("rowOf", rowOf(surface));
-  kernel.set("owner", 2U * static_cast<unsigned>(number) + (surface.doubleSided ? 1U : 0U));
-  dispatchRows(kernel, std::max(surface.vertexCount, triangles));
+  kernels_.of(worldVariant(surface))
+      .dispatch(inRows(std::max(surface.vertexCount, triangles)),
+                {.surface = worldVertices(surface),
+                 .indices = corners,
+                 .vertexCount = surface.vertexCount,
+                 .firstVertex = part.firstVertex,
+                 .triangleCount = triangles,
+                 .firstTriangle = part.firstTriangle,
+                 .rowOf = rowOf(surface),
+                 .owner = 2U * static_cast<unsigned>(number) + (surface.doubleSided ? 1U : 0U),
+                 .places = places_,
+                 .normals = normals_,
+                 .joined = indices_,
+                 .owners = owners_});
 }
 
 void JoinedSurfaces::tellLooks(const std::vector<sim::Surface>& surfaces) {
@@ -116,10 +123,6 @@ bool JoinedSurfaces::join(const std::vector<sim::Surface>& surfaces) {
   makeRoom(static_cast<std::size_t>(vertices), static_cast<std::size_t>(triangles), surfaces.size());
   tellLooks(surfaces);
   parts_.resize(parts.size());
-  places_.bindStorage(outVertexBinding);
-  normals_.bindStorage(outNormalBinding);
-  indices_.bindStorage(largeBinding);
-  owners_.bindStorage(counterBinding);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].still != 0 && parts[i] == parts_[i]) continue;
     put(surfaces[i], parts[i], static_cast<int>(i));
@@ -134,11 +137,6 @@ bool JoinedSurfaces::join(const std::vector<sim::Surface>& surfaces) {
   surface_.indexCount = 3 * triangles;
   surface_.material = surfaces.front().material;
   return true;
-}
-
-void JoinedSurfaces::bind() const {
-  ownerView_.bind(ownerUnit);
-  lookView_.bind(lookUnit);
 }
 
 }  // namespace simreel::draw

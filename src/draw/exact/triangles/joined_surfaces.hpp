@@ -1,11 +1,9 @@
 #pragma once
 #include "gl/buffer.hpp"
-#include "gl/program.hpp"
+#include "gl/kernel/kernel.hpp"
 #include "gl/texture.hpp"
 #include "sim/core/drawable.hpp"
 
-#include <map>
-#include <utility>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -17,6 +15,8 @@ namespace simreel::draw {
 /// SIMREEL_JOIN_SURFACES says, "yes" or "no". Throws UserError(usage) for another word.
 [[nodiscard]] bool joinsSurfaces();
 
+struct JoinKernel;
+
 /// All surfaces of a picture as one in world space, their triangles in the order that their numbers have:
 /// cards take some microseconds for each dispatch, whatever its size, and else there are five a surface.
 /// The picture is the same.
@@ -26,9 +26,10 @@ class JoinedSurfaces {
   bool join(const std::vector<sim::Surface>& surfaces);
   /// As join() has made it. It casts shadows if they do, all or none.
   [[nodiscard]] const sim::Surface& surface() const { return surface_; }
-  /// Makes readable by shaders whose each triangle is and which sides it shows, and what surfaces are made
-  /// of.
-  void bind() const;
+  /// Of each triangle whose it is and which sides it shows.
+  [[nodiscard]] const gl::Texture& owners() const { return ownerView_; }
+  /// What surfaces are made of.
+  [[nodiscard]] const gl::Texture& looks() const { return lookView_; }
 
  private:
   /// What the GPU holds of a surface.
@@ -43,9 +44,8 @@ class JoinedSurfaces {
   void makeRoom(std::size_t vertices, std::size_t triangles, std::size_t surfaces);
   void put(const sim::Surface& surface, const Part& part, int number);
   void tellLooks(const std::vector<sim::Surface>& surfaces);
-  const gl::Program& program(bool grid, bool deformed);
 
-  std::map<std::pair<bool, bool>, gl::Program> programs_;
+  gl::Kernels<JoinKernel> kernels_;
   std::vector<Part> parts_;
   std::vector<glm::vec4> looks_;
   gl::Buffer places_, normals_, indices_, owners_, lookBuffer_;

@@ -1,16 +1,34 @@
 #include "draw/exact/triangles/triangle_bins.hpp"
 
-#include "draw/exact/bindings.hpp"
 #include "draw/exact/reserve.hpp"
 #include "gl/context.hpp"
-#include "gl/element_array.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
-#include <utility>
 
 namespace simreel::draw {
+
+struct BinnedTriangles {
+  static constexpr auto file = "draw/exact/triangles/binned.comp";
+  struct Variant {
+    SampleVariant samples;
+    gl::Flag<"SUN_MAP"> sunMap;
+    gl::Flag<"LAMP_MAP"> lampMap;
+  };
+  gl::Ambient<"ViewBlock"> view;
+  SamplesRead samples;
+  gl::InOut<"NearBlock"> nearest;
+  gl::InOut<"IdBlock"> ids;
+  gl::Uniform<"mapTexels", int> mapTexels;
+  gl::Uniform<"firstKey", int> firstKey;
+  gl::Uniform<"keyStride", int> keyStride;
+  gl::In<"binned"> corners;
+  gl::In<"nodes"> nodes;
+  gl::In<"bins"> bins;
+  gl::Uniform<"binTiles", int> tiles;
+  gl::Uniform<"rounds", int> rounds;
+  gl::Uniform<"round_", int> round;
+};
 
 namespace {
 
@@ -32,10 +50,6 @@ int roundsOf(int triangles) {
 
 int binnedTriangles() {
   return gl::softwareDriver() ? maxTriangles : 0;
-}
-
-TriangleBins::TriangleBins(gl::Defines defines, int samples) : defines_(std::move(defines)) {
-  defines_.emplace_back("SAMPLES", std::to_string(samples));
 }
 
 bool TriangleBins::holds(int triangles, int faces) {
@@ -66,38 +80,43 @@ void TriangleBins::begin(glm::ivec2 size, int triangles, int room, int faces) {
                             GL_UNSIGNED_INT, &zero);
 }
 
-void TriangleBins::bind(const gl::Program& program, int face) const {
-  bins_.bindStorage(binBinding);
-  nodes_.bindStorage(nodeBinding);
-  corners_.bindStorage(cornerBinding);
-  program.set("binTiles", tiles_);
-  program.set("rounds", rounds_);
-  program.set("face", face);
-  program.set("faceRounds", faceRounds_);
-  program.set("roundTriangles", roundTriangles);
-  program.set("cornerRoom", room_);
-  program.set("sharedNodes", sharedNodes_);
-  program.set("firstSharedNode", static_cast<unsigned>(ownNodes * room_));
+BinFields TriangleBins::fields(int face) const {
+  return {.bins = bins_,
+          .nodes = nodes_,
+          .corners = corners_,
+          .tiles = tiles_,
+          .roundTriangles = roundTriangles,
+          .face = face,
+          .faceRounds = faceRounds_,
+          .rounds = rounds_,
+          .cornerRoom = room_,
+          .sharedNodes = sharedNodes_,
+          .firstSharedNode = static_cast<unsigned>(ownNodes * room_)};
 }
 
-void TriangleBins::draw(const Visibility& into,
-                        const std::function<void(int face, const gl::Program& program)>& bindFace) {
-  if (!program_) program_ = gl::Program::compute("draw/exact/triangles/binned.comp", defines_);
+void TriangleBins::draw(Target target, const Visibility& into,
+                        const std::function<const MapFace&(int face)>& faceOf) {
+  const gl::Kernel<BinnedTriangles>& kernel = kernels_.of({.samples = into.variant(),
+                                                           .sunMap = target == Target::sunMap,
+                                                           .lampMap = target == Target::lampMap});
   counts_.fill(bins_, {.firstCount = firstTileCount, .counts = rounds_}, groups_);
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  into.bind();
-  cornerView_.bind(vertexUnit);
-  nodeView_.bind(indexUnit);
-  binView_.bind(tileListUnit);
-  program_.set("binTiles", tiles_);
-  program_.set("rounds", rounds_);
-  program_.set("mapTexels", into.size().x);
+  const gl::Buffer& ids = into.idBuffer().name() != 0 ? into.idBuffer() : into.nearestBuffer();
   for (int round = 0; round < rounds_; ++round) {
-    if (bindFace && round % faceRounds_ == 0) bindFace(round / faceRounds_, program_);
-    program_.set("round_", round);
-    GroupCounts::dispatch(program_, groups_, static_cast<std::size_t>(round));
-    gl::barrier();
+    const MapFace face = faceOf ? faceOf(round / faceRounds_) : MapFace();
+    GroupCounts::dispatch(kernel, groups_, static_cast<std::size_t>(round),
+                          {.view = viewOf(face),
+                           .samples = into.read(),
+                           .nearest = into.nearestBuffer(),
+                           .ids = ids,
+                           .mapTexels = into.size().x,
+                           .firstKey = face.part.firstKey,
+                           .keyStride = face.part.keyStride,
+                           .corners = cornerView_,
+                           .nodes = nodeView_,
+                           .bins = binView_,
+                           .tiles = tiles_,
+                           .rounds = rounds_,
+                           .round = round});
   }
 }
 

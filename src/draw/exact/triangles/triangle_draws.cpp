@@ -1,5 +1,4 @@
 // What a TriangleRaster runs, pass by pass.
-#include "draw/exact/bindings.hpp"
 #include "draw/exact/parts.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/triangles/joined_surfaces.hpp"
@@ -26,109 +25,137 @@ glm::ivec2 sizeOf(const Visibility& into, const MapPart& part) {
 
 void TriangleRaster::clipLarge(const Visibility& into) {
   if (into_ == Into::sunMap || fanRoom_ == 0) return;
-  gl::barrier();
-  if (faceViews_ == nullptr) {
+  if (faceViews_ == nullptr)
     groups_.fill(counters_, {.counts = static_cast<int>(asked_.size()), .each = groupTriangles},
                  clipGroups_);
-    gl::barrier();
-    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  }
-  fans_.bindStorage(fanBinding);
-  run(clipPath, 0, into);
+  run(Step::clip, 0, into);
 }
 
-void TriangleRaster::tell(const gl::Program& kernel, const Visibility& into, const MapPart& part) const {
-  kernel.set("draws", static_cast<int>(asked_.size()));
-  kernel.set("smallPixels", smallPixels_);
-  kernel.set("mediumPixels", mediumPixels_);
-  kernel.set("mapTexels", into.size().x);
-  part.set(kernel);
+RasterTriangles TriangleRaster::raster(const Drawn& drawn, const Visibility& into) const {
+  const bool map = into_ == Into::lampMap;
+  return {.into = into.target(drawn.face.part, viewOf(drawn.face)),
+          .source = source(drawn),
+          .firstId = drawn.firstId,
+          .slopeOffset = drawn.face.part.slopeOffset,
+          .doubleSided = map || drawn.surface->doubleSided,
+          .draw = static_cast<int>(&drawn - asked_.data()),
+          .draws = static_cast<int>(asked_.size())};
 }
 
-void TriangleRaster::run(const char* path, int pass, const Visibility& into, bool clips) {
-  into.bind();
+RasterVariant TriangleRaster::variant(const Visibility& into, int pass) const {
+  return {.target = into.variant(into_, pass),
+          .parallel = into.layout().parallel,
+          .counted = into_ == Into::lampMap,
+          .joined = joined_ != nullptr,
+          .faces = {},
+          .cut = false,
+          .grid = false,
+          .layer = false};
+}
+
+template <class Dispatch>
+void TriangleRaster::runKernel(Step step, bool clips, const RasterVariant& variant,
+                               const RasterTriangles& raster, const Drawn& drawn,
+                               const Dispatch& dispatch) {
   const bool ofLeft = binned_ && into_ != Into::sunMap;
-  (ofLeft && path == clipPath ? left_ : large_).bindStorage(largeBinding);
-  (ofLeft && path == largePath ? leftView_ : largeView_).bind(largeUnit);
-  counters_.bindStorage(counterBinding);
-  counterView_.bind(counterUnit);
-  if (into_ != Into::sunMap) fanView_.bind(fanUnit);
-  const bool small = path == trianglesPath;
-  const gl::Buffer& groups = small ? surfaceGroups_ : path == clipPath ? clipGroups_ : largeGroups_;
-  if (joined_ != nullptr) joined_->bind();
-  if (faceViews_ != nullptr) return runFaces(path, pass, into, clips);
+  const FanFields fan{.fanRoom = drawn.fans, .firstFan = drawn.firstFan};
+  const BinFields bins = binned_ ? bins_.fields(drawn.list) : BinFields();
+  switch (step) {
+    case Step::small:
+      return dispatch(small_.of({.raster = variant, .lanes = laneVariant(), .bins = binned_}),
+                      SmallTriangles{.raster = raster,
+                                     .bins = bins,
+                                     .smallPixels = smallPixels_,
+                                     .mediumPixels = mediumPixels_,
+                                     .large = large_,
+                                     .counters = counters_});
+    case Step::medium:
+      return dispatch(medium_.of(variant),
+                      MediumTriangles{.raster = raster, .large = largeView_, .counters = counterView_});
+    case Step::clip:
+      return dispatch(clip_.of({.raster = variant, .bins = binned_}),
+                      ClipTriangles{.raster = raster,
+                                    .bins = bins,
+                                    .fan = fan,
+                                    .fans = fans_,
+                                    .large = largeView_,
+                                    .counters = counterView_,
+                                    .left = left_,
+                                    .leftCounts = counters_});
+    case Step::large:
+      return dispatch(largeOnes_.of({.raster = variant, .bins = binned_, .clips = clips}),
+                      LargeTriangles{.raster = raster,
+                                     .fan = fan,
+                                     .fans = fanView_,
+                                     .large = ofLeft ? leftView_ : largeView_,
+                                     .counters = counterView_});
+  }
+}
+
+void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips) {
+  if (faceViews_ != nullptr) return runFaces(step, pass, into, clips);
   for (std::size_t i = 0; i < asked_.size(); ++i) {
     const Drawn& drawn = asked_[i];
     if (clips && drawn.fans == drawn.maxTriangles) continue;
-    const MapPart& part = drawn.face.part;
-    const bool counted = into_ == Into::lampMap || drawn.surface->arguments != nullptr;
-    const bool doubleSided = into_ == Into::lampMap || drawn.surface->doubleSided;
-    const bool bins = binned_ && path != mediumPath;
     const sim::Surface* const own = into_ == Into::lampMap ? fragments_.only : drawn.surface;
-    const bool cuts = path == largePath && own != nullptr && fragments_.cut && fragments_.cut(*own);
+    const bool cuts = step == Step::large && own != nullptr && fragments_.cut && fragments_.cut(*own);
     // Few plain triangles are large or cut by the near plane, and those kernels are dear to compile.
-    if (gl::Rehearsal::now() && path != trianglesPath && !cuts && !fragments_.layers) continue;
-    const gl::Program& kernel = program({.path = path,
-                                         .pass = pass,
-                                         .layout = into.layout(),
-                                         .counted = counted,
-                                         .clips = clips,
-                                         .bins = bins,
-                                         .joined = joined_ != nullptr,
-                                         .cut = cuts,
-                                         .grid = cuts && own->normals == nullptr,
-                                         .layer = path == largePath && fragments_.layers});
-    bind(drawn, kernel);
-    if (cuts) fragments_.tell(*own, kernel);
-    if (fragments_.layers && path == largePath) tellLayers(kernel);
-    if (bins) bins_.bind(kernel, drawn.list);
-    kernel.set("doubleSided", static_cast<int>(doubleSided));
-    kernel.set("draw_", static_cast<int>(i));
-    tell(kernel, into, part);
-    if (small && !counted) {
-      dispatchRows(kernel, drawn.maxTriangles);
-      continue;
+    if (gl::Rehearsal::now() && step != Step::small && !cuts && !fragments_.layers) continue;
+    RasterVariant kind = variant(into, pass);
+    RasterTriangles triangles = raster(drawn, into);
+    if (into_ != Into::lampMap) kind.counted = drawn.surface->arguments != nullptr;
+    if (joined_ != nullptr) triangles.owners = joined_->owners();
+    if (cuts) {
+      kind.cut = true;
+      kind.grid = own->normals == nullptr;
+      triangles.cutout = fragments_.holes(*own);
     }
-    if (path == mediumPath) {
-      GroupCounts::dispatchFixed(kernel);
-    } else if (path == largePath) {
-      GroupCounts::dispatchList(kernel, clips ? roomlessGroups_ : largeGroups_, i,
-                                partsFor(sizeOf(into, part), samples_));
-    } else {
-      GroupCounts::dispatch(kernel, groups, i);
+    if (fragments_.layers && step == Step::large) {
+      const Visibility& before = fragments_.before != nullptr ? *fragments_.before : *fragments_.behind;
+      kind.layer = true;
+      triangles.firstLayer = fragments_.before == nullptr;
+      triangles.layerKeys = before.nearKeys();
+      triangles.layerIds = before.numbers();
+      triangles.opaqueKeys = fragments_.behind->nearKeys();
     }
+    runKernel(step, clips, kind, triangles, drawn, [&](const auto& kernel, const auto& given) {
+      if (step == Step::small && !kind.counted.on)
+        kernel.dispatch(inRows(drawn.maxTriangles), given);
+      else if (step == Step::medium)
+        GroupCounts::dispatchFixed(kernel, 1, given);
+      else if (step == Step::large)
+        GroupCounts::dispatchList(kernel, clips ? roomlessGroups_ : largeGroups_, i,
+                                  partsFor(sizeOf(into, drawn.face.part), samples_), given);
+      else
+        GroupCounts::dispatch(kernel, step == Step::small ? surfaceGroups_ : clipGroups_, i, given);
+    });
   }
 }
 
-void TriangleRaster::runFaces(const char* path, int pass, const Visibility& into, bool clips) {
+void TriangleRaster::runFaces(Step step, int pass, const Visibility& into, bool clips) {
   // A card's processors hold some thousands at a time; faces differ much in what they show, and many groups
   // find nothing.
   constexpr unsigned groups = 24576;
   constexpr unsigned fewParts = 16;  // of a large triangle: most are small among those
   const Drawn& first = asked_.front();
   if (clips && first.fans == first.maxTriangles) return;
-  const gl::Program& kernel = program({.path = path,
-                                       .pass = pass,
-                                       .layout = into.layout(),
-                                       .counted = true,
-                                       .clips = clips,
-                                       .faces = true});
-  bind(first, kernel);
-  faceViews_->bindUniform(viewBinding, 0, faceViews_->bytes());
-  kernel.set("firstView", firstView_);
-  kernel.set("doubleSided", 1);
-  tell(kernel, into, first.face.part);
+  RasterVariant kind = variant(into, pass);
+  kind.faces = step == Step::large ? 1 : 2;
+  RasterTriangles triangles = raster(first, into);
+  triangles.into.view = *faceViews_;
+  triangles.firstView = firstView_;
   const auto faces = static_cast<GLuint>(asked_.size());
   const GLuint each = std::max(groups / faces, 1U);
   glm::ivec2 largest(0);
   for (const Drawn& drawn : asked_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
-  if (path == largePath) {
-    const unsigned parts = std::max(fewParts, leastParts(largest, samples_));
-    kernel.dispatchGroups(std::max(each / parts, 1U), faces, parts);
-  } else {
-    const auto needed = static_cast<GLuint>(first.maxTriangles) / groupTriangles + 1;
-    kernel.dispatchGroups(std::min(each, needed), 1, faces);
-  }
+  const unsigned parts = std::max(fewParts, leastParts(largest, samples_));
+  const auto needed = static_cast<GLuint>(first.maxTriangles) / groupTriangles + 1;
+  runKernel(step, clips, kind, triangles, first, [&](const auto& kernel, const auto& given) {
+    if (step == Step::large)
+      kernel.dispatchGroups({std::max(each / parts, 1U), faces, parts}, given);
+    else
+      kernel.dispatchGroups({std::min(each, needed), 1U, faces}, given);
+  });
 }
 
 void TriangleRaster::prepareLarge(glm::ivec2 size) {
@@ -152,9 +179,9 @@ void TriangleRaster::prepareLarge(glm::ivec2 size) {
 }
 
 void TriangleRaster::runLists(int pass, const Visibility& into) {
-  if (mediumPixels_ > smallPixels_) run(mediumPath, pass, into);
-  if (into_ == Into::sunMap || fanRoom_ > 0) run(largePath, pass, into);
-  if (into_ != Into::sunMap) run(largePath, pass, into, true);
+  if (mediumPixels_ > smallPixels_) run(Step::medium, pass, into);
+  if (into_ == Into::sunMap || fanRoom_ > 0) run(Step::large, pass, into);
+  if (into_ != Into::sunMap) run(Step::large, pass, into, true);
 }
 
 void TriangleRaster::fillGroups() {
@@ -173,12 +200,9 @@ void TriangleRaster::fillGroups() {
 }
 
 void TriangleRaster::drawBinned(const Visibility& into) {
-  if (into_ != Into::lampMap) return bins_.draw(into);
-  bins_.draw(into, [&](int face, const gl::Program& program) {
-    const MapFace& map = asked_[static_cast<std::size_t>(face)].face;
-    map.views->bindUniform(viewBinding, map.view, viewBytes);
-    map.part.set(program);
-  });
+  if (into_ != Into::lampMap) return bins_.draw(into_, into);
+  bins_.draw(into_, into,
+             [&](int face) -> const MapFace& { return asked_[static_cast<std::size_t>(face)].face; });
 }
 
 void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
@@ -200,14 +224,6 @@ void TriangleRaster::drawJoined(const Visibility& into, const JoinedSurfaces& jo
   asked_ = {&whole_, 1};
   joined_ = &joined;
   drawAsked(into, {});
-}
-
-void TriangleRaster::tellLayers(const gl::Program& kernel) const {
-  kernel.set("firstLayer", static_cast<int>(fragments_.before == nullptr));
-  const Visibility& before = fragments_.before != nullptr ? *fragments_.before : *fragments_.behind;
-  before.nearKeys().bind(layerNearUnit);
-  if (before.layout() == SampleLayout::apart) before.numbers().bind(layerIdUnit);
-  fragments_.behind->nearKeys().bind(behindUnit);
 }
 
 void TriangleRaster::drawNearest(const Visibility& into) {
@@ -245,9 +261,7 @@ void TriangleRaster::drawNearestAsked(const Visibility& into, const MapPart& par
     reserve(left_, leftView_, "large triangles left", large_.bytes(), GL_R32UI, sizeof(GLuint));
   if (binned_) bins_.begin(largest, triangles, binRoom_, faces);
   fillGroups();
-  gl::barrier();
-  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-  run(trianglesPath, 0, into);
+  run(Step::small, 0, into);
   clipLarge(into);
   prepareLarge(largest);
   runLists(0, into);
@@ -257,7 +271,7 @@ void TriangleRaster::drawNearestAsked(const Visibility& into, const MapPart& par
 
 void TriangleRaster::drawNumbersAsked(const Visibility& into) {
   if (into_ != Into::picture || into.layout() == SampleLayout::wholes) return;
-  if (!binned_) run(trianglesPath, 1, into);
+  if (!binned_) run(Step::small, 1, into);
   runLists(1, into);
   gl::barrier();
 }

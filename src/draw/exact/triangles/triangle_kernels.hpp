@@ -1,16 +1,115 @@
 #pragma once
-#include "draw/exact/exact_view.hpp"
-
-#include <cstddef>
-
-namespace simreel::draw {
+#include "draw/exact/triangles/laid_fields.hpp"
+#include "draw/exact/triangles/triangle_raster.hpp"
+#include "draw/exact/visibility.hpp"
+#include "draw/surface_fields.hpp"
+#include "gl/kernel/kernel.hpp"
 
 // The kernels that TriangleRaster runs.
-inline constexpr const char* trianglesPath = "draw/exact/triangles/triangles.comp";
-inline constexpr const char* mediumPath = "draw/exact/triangles/medium.comp";
-inline constexpr const char* largePath = "draw/exact/triangles/large.comp";
-inline constexpr const char* clipPath = "draw/exact/triangles/clip_large.comp";
+namespace simreel::draw {
 
-inline constexpr std::size_t viewBytes = sizeof(shader::ExactView);
+struct VertexKernel {
+  static constexpr auto file = "draw/exact/triangles/vertices.comp";
+  struct Variant {
+    WorldVariant surface;
+    gl::Flag<"PARALLEL"> parallel;
+    gl::Flag<"SUN_MAP"> sunMap;
+  };
+  gl::Ambient<"ViewBlock"> view = {};
+  gl::Ambient<"light"> light = {};
+  WorldVertices surface;
+  gl::Uniform<"vertexCount", int> vertexCount;
+  gl::Uniform<"firstVertex", int> firstVertex;
+  gl::Uniform<"mapTexels", float> mapTexels;
+  gl::Shared<"VertexBlock"> vertices;
+};
+
+/// draw/exact/triangles/raster.glsl.
+struct RasterTriangles {
+  gl::Ambient<"FrameBlock"> frame = {};
+  SampleTarget into;
+  TriangleSource source;
+  gl::Uniform<"firstId", unsigned> firstId;
+  gl::Uniform<"slopeOffset", float> slopeOffset;
+  gl::Uniform<"doubleSided", bool> doubleSided;
+  gl::Uniform<"firstView", int> firstView = {};
+  gl::In<"owners"> owners = {};
+  Cutout cutout = {};
+  gl::Uniform<"firstLayer", bool> firstLayer = {};
+  gl::In<"layerKeys"> layerKeys = {};  ///< of the layer before
+  gl::In<"layerIds"> layerIds = {};
+  gl::In<"opaqueKeys"> opaqueKeys = {};
+  gl::Uniform<"draw_", int> draw;
+  gl::Uniform<"draws", int> draws;
+};
+struct RasterVariant {
+  TargetVariant target;
+  gl::Flag<"PARALLEL"> parallel;
+  gl::Flag<"COUNTED"> counted;     ///< a surface says itself how many triangles it has
+  gl::Flag<"JOINED"> joined;       ///< surfaces are
+  gl::Range<"FACES", 1, 2> faces;  ///< of lamps' maps, all in one go: the coordinate of a group
+  gl::Flag<"CUTOUT"> cut;          ///< the surface has holes
+  gl::Flag<"GRID"> grid;           ///< and is a grid
+  gl::Flag<"LAYER"> layer;         ///< it is blended
+};
+
+struct SmallTriangles {
+  static constexpr auto file = "draw/exact/triangles/triangles.comp";
+  struct Variant {
+    RasterVariant raster;
+    LaneVariant lanes;
+    gl::Flag<"BINS"> bins;
+  };
+  RasterTriangles raster;
+  BinFields bins;
+  gl::Uniform<"smallPixels", int> smallPixels;
+  gl::Uniform<"mediumPixels", int> mediumPixels;
+  gl::Shared<"LargeBlock"> large;
+  gl::Shared<"CounterBlock"> counters;
+};
+
+struct MediumTriangles {
+  static constexpr auto file = "draw/exact/triangles/medium.comp";
+  using Variant = RasterVariant;
+  RasterTriangles raster;
+  gl::In<"large"> large;
+  gl::In<"counters"> counters;
+};
+
+/// draw/exact/triangles/fans.glsl.
+struct FanFields {
+  gl::Uniform<"fanRoom", int> fanRoom;
+  gl::Uniform<"firstFan", int> firstFan;
+};
+
+struct LargeTriangles {
+  static constexpr auto file = "draw/exact/triangles/large.comp";
+  struct Variant {
+    RasterVariant raster;
+    gl::Flag<"BINS"> bins;
+    gl::Flag<"CLIPS"> clips;  ///< those are drawn that are not clipped yet
+  };
+  RasterTriangles raster;
+  FanFields fan;
+  gl::In<"fans"> fans;
+  gl::In<"large"> large;
+  gl::In<"counters"> counters;
+};
+
+struct ClipTriangles {
+  static constexpr auto file = "draw/exact/triangles/clip_large.comp";
+  struct Variant {
+    RasterVariant raster;
+    gl::Flag<"BINS"> bins;
+  };
+  RasterTriangles raster;
+  BinFields bins;
+  FanFields fan;
+  gl::Shared<"FanBlock"> fans;
+  gl::In<"large"> large;
+  gl::In<"counters"> counters;
+  gl::Shared<"LargeBlock"> left;
+  gl::Shared<"CounterBlock"> leftCounts;
+};
 
 }  // namespace simreel::draw

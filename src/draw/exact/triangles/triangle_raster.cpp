@@ -1,17 +1,12 @@
 #include "draw/exact/triangles/triangle_raster.hpp"
 
 #include "base/error.hpp"
-#include "draw/exact/bindings.hpp"
+#include "draw/draw_state.hpp"
 #include "draw/exact/reserve.hpp"
-#include "draw/exact/triangles/joined_surfaces.hpp"
 #include "draw/exact/triangles/triangle_kernels.hpp"
-#include "gl/context.hpp"
-#include "gl/element_array.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <string>
-#include <utility>
 
 namespace simreel::draw {
 
@@ -28,8 +23,7 @@ TriangleRaster::TriangleRaster(Into into, int samples, int smallPixels, int fanR
       smallPixels_(smallPixels),
       fanRoom_(fanRoom),
       mediumPixels_(mediumPixels),
-      binRoom_(binRoom),
-      bins_(intoDefines(), samples) {}
+      binRoom_(binRoom) {}
 
 void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces, unsigned firstId) {
   std::int64_t vertices = 0;
@@ -104,81 +98,33 @@ void TriangleRaster::reserveLists(std::size_t draws, std::int64_t triangles, int
   reserve(fans_, fanView_, "clipped triangles", static_cast<std::size_t>(fans) * 128, GL_RGBA32UI, 16);
 }
 
-const gl::Program& TriangleRaster::vertexProgram(const sim::Surface& surface, bool parallel) {
-  const std::array<bool, 3> key{surface.normals == nullptr, surface.deform != nullptr, parallel};
-  const auto found = vertexPrograms_.find(key);
-  if (found != vertexPrograms_.end()) return found->second;
-  gl::Defines defines;
-  if (key[0]) defines.emplace_back("GRID", "1");
-  if (key[1]) defines.emplace_back("DEFORMED", "1");
-  if (parallel) defines.emplace_back("PARALLEL", "1");
-  if (into_ == Into::sunMap) defines.emplace_back("SUN_MAP", "1");
-  return vertexPrograms_.emplace(key, gl::Program::compute("draw/exact/triangles/vertices.comp", defines))
-      .first->second;
-}
-
-gl::Defines TriangleRaster::intoDefines() const {
-  if (into_ == Into::picture) return {};
-  return {{into_ == Into::sunMap ? "SUN_MAP" : "LAMP_MAP", "1"}};
-}
-
-const gl::Program& TriangleRaster::program(const Variant& variant) {
-  const auto found = programs_.find(variant);
-  if (found != programs_.end()) return found->second;
-  gl::Defines defines = {{"SAMPLES", std::to_string(samples_)}, {"PASS", std::to_string(variant.pass)}};
-  for (const auto& define : definesOf(variant.layout)) defines.push_back(define);
-  if (variant.path == trianglesPath)
-    for (const auto& define : laneDefines()) defines.push_back(define);
-  if (variant.counted) defines.emplace_back("COUNTED", "1");
-  if (variant.clips) defines.emplace_back("CLIPS", "1");
-  if (variant.bins) defines.emplace_back("BINS", "1");
-  if (variant.joined) defines.emplace_back("JOINED", "1");
-  if (variant.faces)
-    defines.emplace_back("FACES", variant.path == largePath ? "gl_WorkGroupID.y" : "gl_WorkGroupID.z");
-  if (variant.cut) defines.emplace_back("CUTOUT", "1");
-  if (variant.cut && variant.grid) defines.emplace_back("GRID", "1");
-  if (variant.layer) defines.emplace_back("LAYER", "1");
-  for (const auto& define : intoDefines()) defines.push_back(define);
-  return programs_.emplace(variant, gl::Program::compute(variant.path, defines)).first->second;
-}
-
 void TriangleRaster::makeVertices(const Visibility& into) {
-  vertices_.bindStorage(outVertexBinding);
   for (const Drawn& drawn : asked_) {
     const sim::Surface& surface = *drawn.surface;
-    const gl::Program& program = vertexProgram(surface, into.layout().parallel);
-    program.set("model", surface.model);
-    program.set("grid", surface.grid);
-    program.set("vertexCount", verticesOf(surface));
-    program.set("firstVertex", drawn.firstVertex);
-    program.set("mapTexels", static_cast<float>(into.size().x));
-    bindPositions(surface, program);
-    if (surface.normals != nullptr) surface.normals->bind(normalUnit);
-    bindDeformation(surface);
-    dispatchRows(program, verticesOf(surface));
+    vertexKernels_
+        .of({.surface = worldVariant(surface),
+             .parallel = into.layout().parallel,
+             .sunMap = into_ == Into::sunMap})
+        .dispatch(inRows(verticesOf(surface)), {.surface = worldVertices(surface),
+                                                .vertexCount = verticesOf(surface),
+                                                .firstVertex = drawn.firstVertex,
+                                                .mapTexels = static_cast<float>(into.size().x),
+                                                .vertices = vertices_});
   }
 }
 
-void TriangleRaster::bind(const Drawn& drawn, const gl::Program& program) const {
-  if (into_ == Into::lampMap) {
-    lists_.places->bind(vertexUnit);
-    lists_.indices->bind(indexUnit);
-    lists_.numbers->bind(tileListUnit);
-    lists_.counts->bindStorage(drawArgumentBinding);
-    drawn.face.views->bindUniform(viewBinding, drawn.face.view, viewBytes);
-    program.set("list", drawn.list);
-  } else {
-    vertexView_.bind(vertexUnit);
-    drawn.indices.bind(indexUnit);
-    if (drawn.surface->arguments != nullptr) drawn.surface->arguments->bindStorage(drawArgumentBinding);
-  }
-  program.set("rowOf", into_ == Into::lampMap ? glm::ivec2(0) : rowOf(*drawn.surface));
-  program.set("firstVertex", drawn.firstVertex);
-  program.set("firstIndex", drawn.firstIndex);
-  program.set("triangleCount", drawn.maxTriangles);
-  program.set("firstId", drawn.firstId);
-  program.set("firstFan", drawn.firstFan);
-  program.set("fanRoom", drawn.fans);
+TriangleSource TriangleRaster::source(const Drawn& drawn) const {
+  const bool map = into_ == Into::lampMap;
+  return {.vertices = vertexView_,
+          .places = orNone(lists_.places),
+          .indices = map ? *lists_.indices : drawn.indices,
+          .firstVertex = drawn.firstVertex,
+          .triangleCount = drawn.maxTriangles,
+          .firstIndex = drawn.firstIndex,
+          .counts = orNone(map ? lists_.counts : drawn.surface->arguments),
+          .lists = orNone(lists_.numbers),
+          .list = drawn.list,
+          .rowOf = map ? glm::ivec2(0) : rowOf(*drawn.surface)};
 }
 
 }  // namespace simreel::draw

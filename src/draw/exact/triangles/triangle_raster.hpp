@@ -5,14 +5,10 @@
 #include "sim/core/drawable.hpp"
 
 #include <algorithm>
-#include <array>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,18 +35,34 @@ struct TriangleLists {
   int room = 0;                          ///< of each
 };
 
-/// A lamp's shadow map to draw, seen as a picture is.
-struct MapFace {
-  const gl::Buffer* views = nullptr;
-  std::size_t view = 0;  ///< where its shader::ExactView is (bytes)
-  MapPart part;
+/// Fields of glsl/draw/exact/triangles/surface_triangle.glsl.
+struct TriangleSource {
+  gl::In<"vertices"> vertices;
+  gl::In<"places"> places;  ///< of a merged mesh, instead
+  gl::In<"indices"> indices;
+  gl::Uniform<"firstVertex", int> firstVertex;
+  gl::Uniform<"triangleCount", int> triangleCount;
+  gl::Uniform<"firstIndex", int> firstIndex;
+  gl::In<"DrawArgumentBlock"> counts;
+  gl::In<"lists"> lists;
+  gl::Uniform<"list", int> list;
+  gl::Uniform<"rowOf", glm::ivec2> rowOf;
 };
+
+struct Cutout;
+struct RasterTriangles;
+struct RasterVariant;
+struct VertexKernel;
+struct SmallTriangles;
+struct MediumTriangles;
+struct LargeTriangles;
+struct ClipTriangles;
 
 /// Finds what of surfaces is nearest at each sample, by kernels: coverage in whole numbers, ties by number.
 /// The result does not depend on the order in which the device works.
 class TriangleRaster {
  public:
-  enum class Into { picture, sunMap, lampMap };
+  using Into = Target;
   /// Triangles whose box has no side above `smallPixels` (0 to 64) are drawn by an invocation each, of the
   /// others those of at most `mediumPixels` (to 64) by sixteen, the rest by groups, tile by tile: the same
   /// either way. Of those `fanRoom` are clipped once, for all invocations that draw them; 128 bytes each.
@@ -75,9 +87,9 @@ class TriangleRaster {
 
   /// What cuts holes into surfaces and tells layers of blended ones apart; all must outlive what draws.
   struct Fragments {
-    /// Whether a surface has holes, and then what glsl/draw/exact/triangles/cutout.glsl reads.
+    /// Whether a surface has holes, and then what says where.
     std::function<bool(const sim::Surface&)> cut = {};
-    std::function<void(const sim::Surface&, const gl::Program&)> tell = {};
+    std::function<Cutout(const sim::Surface&)> holes = {};
     const sim::Surface* only = nullptr;  ///< of which a lamp's lists of triangles are
     bool layers = false;                 ///< what is behind `before` (null: all) is drawn,
     const Visibility* before = nullptr;
@@ -107,44 +119,30 @@ class TriangleRaster {
   /// The same surfaces, joined, in one go.
   void drawJoined(const Visibility& into, const JoinedSurfaces& joined);
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
-  /// Binds vertices and indices of one of drawn() and says where they are.
-  void bind(const Drawn& drawn, const gl::Program& program) const;
+  /// For kernels that read the triangles of one of drawn().
+  [[nodiscard]] TriangleSource source(const Drawn& drawn) const;
   /// The same of joined surfaces, which were drawn last.
-  void bindWhole(const gl::Program& program) const { bind(whole_, program); }
+  [[nodiscard]] TriangleSource wholeSource() const { return source(whole_); }
 
  private:
-  const gl::Program& vertexProgram(const sim::Surface& surface, bool parallel);
-  /// What suits a program.
-  struct Variant {
-    std::string path;
-    int pass = 0;
-    SampleKind layout;
-    bool counted = false;  ///< a surface says itself how many triangles it has
-    bool clips = false;    ///< those are drawn that are not clipped yet
-    bool bins = false;     ///< small ones are binned
-    bool joined = false;   ///< surfaces are
-    bool faces = false;    ///< of lamps' maps, all in one go
-    bool cut = false;      ///< the surface has holes
-    bool grid = false;     ///< and is a grid
-    bool layer = false;    ///< it is blended
-    // NOLINTNEXTLINE(modernize-use-nullptr): none is written
-    auto operator<=>(const Variant&) const = default;
-  };
-  const gl::Program& program(const Variant& variant);
+  enum class Step { small, medium, clip, large };
   void drawAsked(const Visibility& into, const MapPart& part);
   void drawNearestAsked(const Visibility& into, const MapPart& part);
   void drawNumbersAsked(const Visibility& into);
-  void tellLayers(const gl::Program& kernel) const;
   void makeVertices(const Visibility& into);
   void clipLarge(const Visibility& into);
   void prepareLarge(glm::ivec2 size);
   void reserveLists(std::size_t draws, std::int64_t triangles, int fans);
-  void tell(const gl::Program& kernel, const Visibility& into, const MapPart& part) const;
-  void runFaces(const char* path, int pass, const Visibility& into, bool clips);
+  [[nodiscard]] RasterTriangles raster(const Drawn& drawn, const Visibility& into) const;
+  [[nodiscard]] RasterVariant variant(const Visibility& into, int pass) const;
+  /// Runs a step's kernel by `dispatch`, a function of it and of what it is given.
+  template <class Dispatch>
+  void runKernel(Step step, bool clips, const RasterVariant& variant, const RasterTriangles& raster,
+                 const Drawn& drawn, const Dispatch& dispatch);
+  void runFaces(Step step, int pass, const Visibility& into, bool clips);
   void fillGroups();
   void drawBinned(const Visibility& into);
-  [[nodiscard]] gl::Defines intoDefines() const;
-  void run(const char* path, int pass, const Visibility& into, bool clips = false);
+  void run(Step step, int pass, const Visibility& into, bool clips = false);
   void runLists(int pass, const Visibility& into);
 
   Into into_;
@@ -155,8 +153,11 @@ class TriangleRaster {
   int mediumPixels_;
   int binRoom_;
   bool binned_ = false;  ///< those that are being drawn
-  std::map<std::array<bool, 3>, gl::Program> vertexPrograms_;
-  std::map<Variant, gl::Program> programs_;
+  gl::Kernels<VertexKernel> vertexKernels_;
+  gl::Kernels<SmallTriangles> small_;
+  gl::Kernels<MediumTriangles> medium_;
+  gl::Kernels<ClipTriangles> clip_;
+  gl::Kernels<LargeTriangles> largeOnes_;
   GroupCounts groups_;
   TriangleBins bins_;
   TriangleLists lists_;                    ///< that lamps' maps show

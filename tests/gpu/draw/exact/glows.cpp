@@ -59,8 +59,7 @@ std::vector<glm::vec4> lightOf(ExactStage& stage, draw::GlowRaster& raster, cons
   glClearTexImage(light.name(), 0, GL_RGBA, GL_FLOAT, none.data());
   raster.prepare(stage.size);
   raster.draw({&glows}, stage.target);
-  light.bindImage(draw::sumImage, GL_READ_WRITE);
-  raster.addTo(stage.size);
+  raster.addTo(stage.size, light);
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
   std::vector<glm::vec4> found(static_cast<std::size_t>(stage.size.x * stage.size.y));
   glGetTextureImage(light.name(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(found.size() * 16),

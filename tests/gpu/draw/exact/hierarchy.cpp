@@ -1,7 +1,7 @@
 // Rays through a hierarchy: what they meet is what a loop over everything finds, to the bit.
 #include "draw/exact/rays/hierarchy.hpp"
 
-#include "draw/exact/rays/bindings.hpp"
+#include "draw/exact/rays/ray_kernels.hpp"
 #include "draw/exact/visibility.hpp"
 #include "gl/element_array.hpp"
 #include "gpu/context.hpp"
@@ -80,16 +80,22 @@ class HierarchyStage {
     const gl::Buffer from = gl::Buffer::of<glm::vec4>("rays", texels);
     const gl::Texture view = gl::Texture::view("rays", GL_RGBA32F, from);
     const gl::Buffer hits("hits", 16 * rays.size());
-    gl::Defines defines = {{balls_ ? "BALLS" : "TRIANGLES", "1"}};
-    if (any) defines.emplace_back("ANY_HIT", "1");
-    const gl::Program kernel = gl::Program::compute("draw/exact/rays/trace.comp", defines);
-    hierarchy_.bind(kernel);
-    bounds_.bindStorage(draw::rayBoundsBinding);
-    view.bind(draw::rayUnit);
-    hits.bindStorage(draw::outHitBinding);
-    kernel.set("firstRay", 0);
-    kernel.set("rayCount", static_cast<int>(rays.size()));
-    draw::dispatchRows(kernel, static_cast<int>(rays.size()));
+    const int count = static_cast<int>(rays.size());
+    const gl::Kernel<draw::TraceRays> kernel(gl::Defines(),
+                                             {.triangles = !balls_, .balls = balls_, .anyHit = any});
+    const gl::Resource sorted = hierarchy_.sortedTexels(), nodes = hierarchy_.nodeTexels();
+    kernel.dispatch(draw::inRows(count), {.solids = {.solids = sorted, .ids = {}, .balls = sorted},
+                                          .trees = {.solidNodes = nodes,
+                                                    .ballNodes = nodes,
+                                                    .solidCount = hierarchy_.count(),
+                                                    .solidLeaves = hierarchy_.leaves(),
+                                                    .ballCount = hierarchy_.count(),
+                                                    .ballLeaves = hierarchy_.leaves()},
+                                          .bounds = bounds_,
+                                          .rays = view,
+                                          .firstRay = 0,
+                                          .rayCount = count,
+                                          .hits = hits});
     gl::barrier();
     std::vector<RayTwin::Hit> found;
     for (const glm::uvec4& words : hits.readAll<glm::uvec4>())

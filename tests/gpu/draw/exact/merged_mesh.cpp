@@ -129,7 +129,7 @@ TEST_CASE("exact: lists of what faces of lamps may show leave out nothing that t
   drawables.surfaces.push_back(mesh.surface);
   draw::Lamps lamps(scene, draw::Rasterizer::exact);
   lamps.update(0, drawables);
-  draw::ExactInstances instances(1, lamps.defines());
+  draw::ExactInstances instances(1, {{}, lamps.defines()});
   const auto mapsOf = [&](bool sparing, bool together = false) {
     draw::LampMaps maps(lamps, sparing, together);
     maps.draw(drawables, lamps, instances);

@@ -277,7 +277,8 @@ TEST_CASE("exact: reflections are the twin's, bit for bit") {
     glTextureSubImage2D(sums.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, light.data());
     const draw::Reflections reflections(size);
     reflections.see(sums, nearView);
-    reflections.bind();
+    reflections.light().bindImage(draw::litImage, GL_READ_ONLY);
+    reflections.nearest().bindImage(draw::nearnessImage, GL_READ_ONLY);
     const gl::Buffer block = gl::Buffer::of<shader::ExactView>("view", std::vector{view});
     block.bindUniform(draw::viewBinding, 0, sizeof view);
     const gl::Program kernel = gl::Program::computeText("rays from mirrors", R"(

@@ -1,0 +1,29 @@
+#pragma once
+#include "gl/kernel/fields.hpp"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+// What kernels of the exact rasterizer read that lay something over a surface, a group of fields for each
+// file that they include.
+namespace simreel::draw {
+
+/// draw/exact/surface/vertex_uv.glsl.
+struct VertexUv {
+  gl::Uniform<"grid", glm::ivec2> grid;
+  gl::Uniform<"perGrid", glm::vec2> perGrid;
+  gl::Uniform<"perRow", float> perRow;
+  gl::In<"uvs"> uvs;
+};
+
+/// draw/exact/triangles/cutout.glsl.
+struct Cutout {
+  VertexUv uv;
+  gl::Uniform<"textureScale", glm::vec2> textureScale;
+  gl::Uniform<"colorMap", glm::ivec4> colorMap;
+  gl::Uniform<"opacityLimit", glm::vec2> opacityLimit;
+  gl::In<"texelsOfMaps"> texels;
+};
+
+}  // namespace simreel::draw

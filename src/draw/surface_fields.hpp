@@ -1,0 +1,59 @@
+#pragma once
+#include "gl/kernel/fields.hpp"
+#include "sim/core/drawable.hpp"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+/// What shaders read of a sim::Surface: a group of fields for each of the files that they include.
+namespace simreel::draw {
+
+/// A resource, or none where it is null.
+template <class Kind>
+[[nodiscard]] gl::Resource orNone(const Kind* resource) {
+  return resource != nullptr ? gl::Resource(*resource) : gl::Resource();
+}
+
+/// draw/surface/vertex_texel.glsl.
+struct VertexTexels {
+  gl::In<"positions"> positions;
+  gl::Uniform<"heightShape", glm::ivec4> heightShape;
+  gl::Uniform<"heightGrid", glm::vec4> heightGrid;
+  gl::Uniform<"heightRim", float> heightRim;
+  gl::In<"vertexColors"> colors;  ///< numbers in the palette
+  gl::Uniform<"colorComponent", int> colorComponent;
+};
+[[nodiscard]] VertexTexels vertexTexels(const sim::Surface& surface);
+
+/// The same, draw/surface/deformed_vertex.glsl, and the way into the world.
+struct PlacedSurface {
+  VertexTexels texels;
+  gl::In<"DeformBlock"> deform;
+  gl::In<"trail"> trail;
+  gl::Uniform<"model", glm::mat4> model;
+};
+[[nodiscard]] PlacedSurface placed(const sim::Surface& surface);
+
+/// draw/exact/triangles/world_vertex.glsl.
+struct WorldVertices {
+  PlacedSurface placed;
+  gl::Uniform<"grid", glm::ivec2> grid;
+  gl::In<"normals"> normals;
+};
+struct WorldVariant {
+  gl::Flag<"GRID"> grid;
+  gl::Flag<"DEFORMED"> deformed;
+};
+[[nodiscard]] WorldVertices worldVertices(const sim::Surface& surface);
+[[nodiscard]] WorldVariant worldVariant(const sim::Surface& surface);
+
+/// draw/surface/material.glsl.
+struct MaterialFields {
+  gl::Uniform<"roughness", float> roughness;
+  gl::Uniform<"metallic", float> metallic;
+  gl::Uniform<"translucency", float> translucency;
+};
+[[nodiscard]] MaterialFields materialFields(const scene::Material& material);
+
+}  // namespace simreel::draw
