@@ -15,7 +15,7 @@ using namespace simreel;
 namespace {
 
 /// Returns the volume by the divergence theorem; positive if the triangles face outwards.
-double volumeOf(const sim::Mesh& mesh) {
+double enclosedVolume(const sim::Mesh& mesh) {
   double volume = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const glm::dvec3 a(mesh.positions[mesh.indices[i]]), b(mesh.positions[mesh.indices[i + 1]]),
@@ -27,7 +27,7 @@ double volumeOf(const sim::Mesh& mesh) {
 
 /// True if each edge, by the positions of its ends, belongs to two triangles that run along it in opposite
 /// directions.
-bool isClosed(const sim::Mesh& mesh) {
+bool isWatertight(const sim::Mesh& mesh) {
   using Point = std::tuple<float, float, float>;
   std::map<std::pair<Point, Point>, int> edges;
   const auto point = [&](std::size_t i) {
@@ -47,7 +47,7 @@ bool isClosed(const sim::Mesh& mesh) {
 }
 
 /// Returns the least cosine between a triangle and the normals of its corners.
-double agreement(const sim::Mesh& mesh) {
+double normalAgreement(const sim::Mesh& mesh) {
   double least = 1;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const glm::vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
@@ -67,21 +67,22 @@ const double polygon = 32 * std::sin(std::numbers::pi / 32);
 }  // namespace
 
 TEST_CASE("solids: volumes are those of the polyhedra, and faces look outwards") {
-  CHECK(volumeOf(sim::boxMesh({2, 3, 0.5F})) == doctest::Approx(3).epsilon(1e-6));
-  CHECK(volumeOf(sim::cylinderMesh(0.7F, 0.7F, 2)) == doctest::Approx(polygon * 0.49 * 2).epsilon(1e-6));
-  CHECK(volumeOf(sim::cylinderMesh(0, 0.7F, 3)) == doctest::Approx(polygon * 0.49).epsilon(1e-6));
+  CHECK(enclosedVolume(sim::boxMesh({2, 3, 0.5F})) == doctest::Approx(3).epsilon(1e-6));
+  CHECK(enclosedVolume(sim::cylinderMesh(0.7F, 0.7F, 2)) ==
+        doctest::Approx(polygon * 0.49 * 2).epsilon(1e-6));
+  CHECK(enclosedVolume(sim::cylinderMesh(0, 0.7F, 3)) == doctest::Approx(polygon * 0.49).epsilon(1e-6));
   // A frustum: h / 3 (A + B + sqrt(A B)).
-  CHECK(volumeOf(sim::cylinderMesh(1, 2, 3)) == doctest::Approx(polygon * 7).epsilon(1e-6));
+  CHECK(enclosedVolume(sim::cylinderMesh(1, 2, 3)) == doctest::Approx(polygon * 7).epsilon(1e-6));
   for (const sim::Mesh& mesh : {sim::boxMesh({2, 3, 0.5F}), sim::cylinderMesh(0.7F, 0.7F, 2),
                                 sim::cylinderMesh(0, 0.7F, 3), sim::discMesh(2)})
-    CHECK(agreement(mesh) > 0.99);
+    CHECK(normalAgreement(mesh) > 0.99);
 }
 
 TEST_CASE("solids: boxes, cylinders and cones are closed, and a disc is not") {
-  CHECK(isClosed(sim::boxMesh({1, 2, 3})));
-  CHECK(isClosed(sim::cylinderMesh(1, 1, 1)));
-  CHECK(isClosed(sim::cylinderMesh(0, 1, 1)));
-  CHECK_FALSE(isClosed(sim::discMesh(1)));
+  CHECK(isWatertight(sim::boxMesh({1, 2, 3})));
+  CHECK(isWatertight(sim::cylinderMesh(1, 1, 1)));
+  CHECK(isWatertight(sim::cylinderMesh(0, 1, 1)));
+  CHECK_FALSE(isWatertight(sim::discMesh(1)));
 }
 
 TEST_CASE("solids: each kind has parameters of its own and bounds around the origin") {
