@@ -20,7 +20,7 @@ class MeshFiles(Case):
         self.write("m.json", json.dumps({"version": 1, "objects": {"m": thing}}))
         return self.good("validate", "m.json").err
 
-    def test_a_mesh_as_a_scene_is_answered_with_the_scene_that_draws_it(self):
+    def test_rendering_a_mesh_file_suggests_a_scene_for_it(self):
         for name in ("a model.obj", "m.ply", "m.gltf", "m.GLB"):
             self.write(name, "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n")
             said = self.bad(2, [f"{name} is a mesh, not a scene; this scene, saved beside it, draws it: "], "render", name, "-o", "out/").err
@@ -32,12 +32,12 @@ class MeshFiles(Case):
         self.write("m.stl", "solid\n")
         self.bad(2, ["m.stl is a mesh, not a scene, and of a format that is not read"], "render", "m.stl", "-o", "out/")
 
-    def test_lines_and_points_are_said_not_to_be_drawn_whatever_the_material(self):
+    def test_lines_and_points_are_reported_as_not_drawn_for_any_material(self):
         for material in (None, {"color": [1, 0, 0]}):
             self.assertIn("not drawn: lines (1); points (1)", self.said(SQUARE.replace("usemtl m\n", "") + "l 1 2\np 3\n", material))
         self.assertIn("not drawn: usemtl \"m\" (no material library has that name)", self.said(SQUARE))
 
-    def test_libraries_pictures_and_comments_as_other_programs_write_them(self):
+    def test_libraries_pictures_and_comments_of_other_programs_are_read(self):
         library = "newmtl m # red\nKd 1 1 1 # white\nmap_Kd maps\\red.bmp\n"
         (self.folder / "maps").mkdir()
         (self.folder / "maps/red.bmp").write_bytes(BMP)
