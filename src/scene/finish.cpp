@@ -14,8 +14,8 @@ void Finish::describe(Fields& fields) {
   fields.asset("occlusionMap", occlusion.file,
                "Picture whose red channel is the fraction of ambient light that reaches the surface.");
   fields.number("occlusionStrength", occlusionStrength, fraction, "", "Strength of the occlusion map.");
-  fields.vector("emission", emission, notNegative, "",
-                "Light that the surface emits, linear RGB; with quality high it lights other things, too.");
+  fields.color("emission", emission, notNegative,
+               "Light that the surface emits, linear RGB; with quality high it lights other things, too.");
   fields.number("emissionStrength", emissionStrength, notNegative, "", "Factor on \"emission\".");
   fields.asset("emissionMap", emissionMap.file, "sRGB picture, a factor on \"emission\".");
   fields.choice(
@@ -28,7 +28,7 @@ void Finish::describe(Fields& fields) {
   fields.boolean("doubleSided", doubleSided, "Draws backs, too; false: as the object itself says.");
   fields.number("clearCoat", coat, fraction, "", "Strength of a clear coat over it, such as lacquer.");
   fields.number("clearCoatRoughness", coatRoughness, fraction, "", "0 mirrors, 1 is matt.");
-  fields.vector("sheen", sheen, fraction, "", "Colour of fibres that stand up from cloth, linear RGB.");
+  fields.color("sheen", sheen, fraction, "Colour of fibres that stand up from cloth, linear RGB.");
   fields.number("sheenRoughness", sheenRoughness, {0.07, 1}, "",
                 "Low: seen along the edges alone; high: all over.");
   fields.number("transmission", transmission, fraction, "",
@@ -39,8 +39,8 @@ void Finish::describe(Fields& fields) {
   fields.boolean("thinWalled", thin,
                  "Makes it a thin sheet that light goes straight through; false: the surface of a solid, "
                  "which bends light where it enters and leaves.");
-  fields.vector("attenuationColor", attenuation, {1e-6, 1}, "",
-                "Colour that white light has after \"attenuationDistance\" in the solid, linear RGB.");
+  fields.color("attenuationColor", attenuation, {1e-6, 1},
+               "Colour that white light has after \"attenuationDistance\" in the solid, linear RGB.");
   fields.number("attenuationDistance", attenuationDistance, positive, "m",
                 "Distance in the solid after which white light has \"attenuationColor\".");
   const auto needs = [&](const char* name, bool there, const char* what) {

@@ -74,7 +74,7 @@ void Light::describe(Fields& fields) {
       position.at(0) == area.target.at(0))
     fields.error(isRectangle ? "area" : "position",
                  "the light stands where its \"area\" faces, so it faces nowhere; move \"target\"");
-  fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
+  fields.color("color", color, notNegative, "Colour of its light, linear RGB.");
   describeTemperature(fields, temperature);
   fields.choice(
       "unit", unit, {"cd", "lm", "W"},

@@ -76,7 +76,7 @@ void remarkSun(Fields& fields, const Scene& scene) {
 }  // namespace
 
 void Material::describe(Fields& fields) {
-  fields.vector("color", color, notNegative, "", "Base colour, linear RGB.");
+  fields.color("color", color, notNegative, "Base colour, linear RGB.");
   fields.leftOut("color", "the stage's, else [0.8, 0.7, 0.6]");
   fields.asset("texture", texture, "sRGB image multiplied with the colour.");
   fields.vector("textureScale", textureScale, anyNumber, "",
@@ -122,8 +122,8 @@ void Skin::describe(Fields& fields) {
                 "for meshes without uv.");
   fields.number("repeats", repeats, positive, "", "Copies of the field along u and v, or in a metre.");
   fields.optionalNumber("threshold", threshold, anyNumber, "", "Value where low and high meet.");
-  fields.vector("low", low, {-1, 1e9}, "", "Colour where the field is low, linear RGB.");
-  fields.vector("high", high, {-1, 1e9}, "", "Colour where the field is high, linear RGB.");
+  fields.color("low", low, {-1, 1e9}, "Colour where the field is low, linear RGB.");
+  fields.color("high", high, {-1, 1e9}, "Colour where the field is high, linear RGB.");
   fields.number("bump", bump, {-100, 100}, "", "Factor on the height of the relief.");
   fields.optionalNumber("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");
   fields.idleUnless(look != Look::map, "look", {"threshold", "low", "high"},
@@ -199,7 +199,7 @@ void Time::describe(Fields& fields) {
 
 void Sun::describe(Fields& fields) {
   fields.vector("direction", direction, anyNumber, "", "Towards the sun; its length does not matter.");
-  fields.vector("color", color, notNegative, "", "Colour of its light, linear RGB.");
+  fields.color("color", color, notNegative, "Colour of its light, linear RGB.");
   describeTemperature(fields, temperature);
   fields.number("intensity", intensity, notNegative, "lx",
                 "Illuminance of a surface that faces it, for the colour 1.");
@@ -232,9 +232,9 @@ void Sky::describe(Fields& fields) {
   for (const char* name : {"strength", "turn"})
     if (picture.empty() && fields.given(name))
       fields.error(name, fmt::format("\"{}\" is for a sky with a \"picture\"", name));
-  fields.vector("zenith", zenith, notNegative, "", "Colour overhead, linear RGB.");
-  fields.vector("horizon", horizon, notNegative, "", "Colour at the horizon, linear RGB.");
-  fields.vector("ground", ground, notNegative, "", "Colour below the horizon, linear RGB.");
+  fields.color("zenith", zenith, notNegative, "Colour overhead, linear RGB.");
+  fields.color("horizon", horizon, notNegative, "Colour at the horizon, linear RGB.");
+  fields.color("ground", ground, notNegative, "Colour below the horizon, linear RGB.");
   fields.number("ambient", ambient, notNegative, "", "Factor on the light that the sky gives.");
 }
 
@@ -244,7 +244,7 @@ void Ground::describe(Fields& fields) {
                         "Coulomb's coefficient for sliding objects; left out, they lose speed at 25.3 1/s, "
                         "which keeps 0.9 of it in 1/240 s.");
   fields.boolean("visible", visible, "Draws it; objects collide with it in any case.");
-  fields.vector("color", color, notNegative, "", "Base colour, linear RGB.");
+  fields.color("color", color, notNegative, "Base colour, linear RGB.");
   fields.number("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");
   fields.number("fadeStart", fadeStart, notNegative, "m",
                 "Distance from the camera's target where it begins to dissolve into the sky.");

@@ -70,7 +70,7 @@ void Stage::describe(Fields& fields) {
   fields.choice("palette", palette, {"preset", "vivid", "earth", "pastel", "grey", "ocean", "neon"},
                 "Colours of objects without a \"color\". preset: as the preset has it.");
   fields.onlyGiven("backdrop", backdrop, glm::vec3(0.5F), [&](glm::vec3& color) {
-    fields.vector("backdrop", color, notNegative, "", "Colour of floor and background, linear RGB.");
+    fields.color("backdrop", color, notNegative, "Colour of floor and background, linear RGB.");
   });
   fields.leftOut("backdrop", "the preset's");
 }

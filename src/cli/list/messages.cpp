@@ -16,9 +16,9 @@ std::span<const Message> messages() {
        "there is no scene {} here, and none is shipped under that name; {}",
        "Type the name that the message suggests. `simreel list` and the folder `scenes` of the assets have "
        "the names."},
-      {"2", "NAME is a mesh, not a scene; this scene, saved beside it, draws it",
-       "is a mesh, not a scene; this scene, saved beside it, draws it: ",
-       "Copy the scene from the message into a file, and render that."},
+      {"2", "NAME is a mesh, not a scene, and of a format that is not read; export it as glTF (.glb)",
+       "is a mesh, not a scene, and of a format that is not read; export it as glTF (.glb)",
+       "Export the mesh as .glb, .obj or .ply, and render that file."},
       {"2", "FILE:LINE:COLUMN: error: unknown key KEY; did you mean KEY?", "unknown key {}; {}",
        "Correct the key. `simreel list KIND` names all keys of a kind of object."},
       {"2", "FILE:LINE:COLUMN: error: unknown kind of object KIND", "unknown kind of object {}; {}",

@@ -62,6 +62,11 @@ void SceneOptions::addOptional(CLI::App& command) {
   command.add_option("--seed", seed, "Seed of all random numbers");
   command.add_option("--size", size, "Picture size in pixels, for example 1280x720")->type_name("WxH");
   command.add_option("--fps", fps, "Frames per second of scene time");
+  command
+      .add_option(
+          "--turn", turn,
+          "Turntable: the camera goes once round the scene in this many seconds, which become its length")
+      ->type_name("SECONDS");
   command.add_option("--samples", samples, "Samples per pixel");
   command
       .add_option("--rasterizer", rasterizer,
@@ -76,6 +81,11 @@ std::vector<scene::Override> SceneOptions::changes() const {
   if (seed) all.push_back({"seed", std::to_string(*seed)});
   if (size) all.push_back({"render.size", sizeValue(*size)});
   if (fps) all.push_back({"time.fps", fmt::format("{}", *fps)});
+  if (turn) {
+    if (!(*turn > 0)) fail(ExitCode::usage, "--turn takes seconds above 0, not {}", *turn);
+    all.push_back({"time.duration", fmt::format("{}", *turn)});
+    all.push_back({"camera.orbit.turn", fmt::format(R"({{"keys": [[0, 0], [{}, 360]]}})", *turn)});
+  }
   if (samples) all.push_back({"render.samples", std::to_string(*samples)});
   if (rasterizer) all.push_back({"render.rasterizer", *rasterizer});
   return all;
@@ -93,6 +103,7 @@ std::vector<std::string> SceneOptions::arguments() const {
   if (seed) words.push_back(fmt::format("--seed={}", *seed));
   if (size) words.push_back(fmt::format("--size={}", *size));
   if (fps) words.push_back(fmt::format("--fps={}", *fps));
+  if (turn) words.push_back(fmt::format("--turn={}", *turn));
   if (samples) words.push_back(fmt::format("--samples={}", *samples));
   if (rasterizer) words.push_back("--rasterizer=" + *rasterizer);
   for (const std::string& folder : assets) words.push_back("--assets=" + folder);

@@ -20,6 +20,7 @@ struct SceneOptions {
   std::optional<int> seed;
   std::optional<std::string> size;  ///< value of --size, "WxH"
   std::optional<double> fps;
+  std::optional<double> turn;  ///< seconds in which the camera goes once round the scene
   std::optional<int> samples;
   std::optional<std::string> rasterizer;
   std::vector<std::string> assets;  ///< further folders that the scene may read from

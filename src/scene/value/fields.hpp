@@ -46,6 +46,7 @@ struct Spec {
   Range range = {};       ///< allowed range; it applies to each number of a vector
   std::span<const char* const> words = {};
   const char* none = nullptr;  ///< word in scenes for the empty value of a std::optional<int>
+  bool color = false;          ///< true: a vector is a linear RGB colour and may be given as text (colorOf)
 
   /// True if the first two words are "false" and "true".
   [[nodiscard]] bool isSwitch() const {
@@ -129,6 +130,14 @@ class Fields {
   template <class Vector>
   void vector(const char* name, Vector& value, Range range, const char* unit, const char* doc) {
     field(name, &value, {doc, unit, range});
+  }
+  /// Declares a colour of three numbers (linear RGB), which may move if `Vector` is Animated. A scene may
+  /// also give it as "#rrggbb" or by its name.
+  template <class Vector>
+  void color(const char* name, Vector& value, Range range, const char* doc) {
+    Spec spec{doc, "", range};
+    spec.color = true;
+    field(name, &value, spec);
   }
   /// Declares two integers, for example a grid's [width, height].
   void pair(const char* name, glm::ivec2& value, Range range, const char* unit, const char* doc) {

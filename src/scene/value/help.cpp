@@ -60,7 +60,8 @@ void HelpWriter::add(const std::string& name, std::string standard, std::string 
 void HelpWriter::field(const char* name, Member member, const Spec& spec) {
   const auto standard = written(member, spec);
   add(name, standard ? standard->dump() : "off", rangeOf(member, spec), spec.unit,
-      fmt::format("{}{}", spec.doc, mayMove(member) ? " May move along keyframes." : ""));
+      fmt::format("{}{}{}", spec.doc, spec.color ? " Or \"#rrggbb\", or a colour's name." : "",
+                  mayMove(member) ? " May move along keyframes." : ""));
 }
 
 void HelpWriter::section(const char* name, bool* present, const char* doc,

@@ -53,7 +53,7 @@ class MemberReader {
   void operator()(float* value) const { set(value, one_.number(node_)); }
   void operator()(double* value) const { set(value, one_.number(node_)); }
   void operator()(std::string* value) const { set(value, one_.text(node_)); }
-  void operator()(glm::vec3* value) const { set(value, one_.vector(node_)); }
+  void operator()(glm::vec3* value) const { set(value, vector(node_)); }
   void operator()(glm::ivec2* value) const { set(value, one_.pair(node_)); }
   void operator()(std::optional<double>* value) const { set(value, one_.number(node_)); }
 
@@ -61,7 +61,7 @@ class MemberReader {
     animated(*value, [&](const Node& part) { return one_.number(part); });
   }
   void operator()(Animated<glm::vec3>* value) const {
-    animated(*value, [&](const Node& part) { return one_.vector(part); });
+    animated(*value, [&](const Node& part) { return vector(part); });
   }
 
   void operator()(std::filesystem::path* value) const {
@@ -174,6 +174,9 @@ class MemberReader {
     return numbers;
   }
 
+  [[nodiscard]] std::optional<glm::vec3> vector(const Node& node) const {
+    return spec_.color ? one_.color(node) : one_.vector(node);
+  }
   [[nodiscard]] std::optional<int> whole(const Node& node) const {
     return spec_.words.empty() ? one_.integer(node) : one_.oneOf(node, spec_.words);
   }

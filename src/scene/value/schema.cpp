@@ -49,6 +49,8 @@ Json animatedSchema(const Json& plain) {
   return {{"anyOf", Json::array({plain, keyframes})}};
 }
 
+constexpr const char* colorText = "\"#rrggbb\" (sRGB) or the name of a CSS colour.";
+
 /// Returns the JSON Schema of each type of member.
 class Types {
  public:
@@ -62,7 +64,11 @@ class Types {
   Json operator()(const double*) const { return numberSchema("number", spec_.range); }
   Json operator()(const std::string*) const { return {{"type", "string"}}; }
   Json operator()(const std::filesystem::path*) const { return {{"type", "string"}}; }
-  Json operator()(const glm::vec3*) const { return tuple(numberSchema("number", spec_.range), 3); }
+  Json operator()(const glm::vec3*) const {
+    Json numbers = tuple(numberSchema("number", spec_.range), 3);
+    if (!spec_.color) return numbers;
+    return {{"anyOf", Json::array({std::move(numbers), {{"type", "string"}, {"description", colorText}}})}};
+  }
   Json operator()(const glm::ivec2*) const { return tuple(numberSchema("integer", spec_.range), 2); }
   Json operator()(const std::optional<int>*) const {
     return {{"anyOf", Json::array({numberSchema("integer", spec_.range), {{"const", spec_.none}}})}};

@@ -1,11 +1,13 @@
 #include "scene/value/value_reader.hpp"
 
 #include "scene/json/words.hpp"
+#include "scene/value/color_text.hpp"
 
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 namespace simreel::scene {
 
@@ -97,6 +99,20 @@ std::optional<glm::vec3> ValueReader::vector(const Node& node) const {
     value[i] = static_cast<float>(part.value_or(0.0));
   }
   return good ? std::optional(value) : std::nullopt;
+}
+
+std::optional<glm::vec3> ValueReader::color(const Node& node) const {
+  if (node.kind != Node::Kind::text) return vector(node);
+  const std::optional<glm::vec3> value = colorOf(node.text);
+  if (!value) {
+    diagnostics_.add(node.place(), node.text.starts_with('#')
+                                       ? fmt::format("expected \"#rrggbb\" in hexadecimal digits, found {}",
+                                                     inQuotes(node.text))
+                                       : fmt::format("unknown colour {}; {}", inQuotes(node.text),
+                                                     suggestion(node.text, colorNames())));
+    return std::nullopt;
+  }
+  return glm::clamp(*value, static_cast<float>(range_.min), static_cast<float>(range_.max));
 }
 
 std::optional<glm::ivec2> ValueReader::pair(const Node& node) const {

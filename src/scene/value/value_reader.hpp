@@ -28,6 +28,8 @@ class ValueReader {
   [[nodiscard]] std::optional<int> integer(const Node& node) const;
   [[nodiscard]] std::optional<std::string> text(const Node& node) const;
   [[nodiscard]] std::optional<glm::vec3> vector(const Node& node) const;
+  /// Reads a list of three numbers, or the text of a colour (colorOf).
+  [[nodiscard]] std::optional<glm::vec3> color(const Node& node) const;
   [[nodiscard]] std::optional<glm::ivec2> pair(const Node& node) const;
   [[nodiscard]] std::optional<int> oneOf(const Node& node, std::span<const char* const> names) const;
 

@@ -46,9 +46,9 @@ void CaveParameters::describe(scene::Fields& f) {
   f.number("base", base, scene::positive, "m", "Rock below the floor.");
   f.boolean("ceiling", ceiling, "Closes the cave above; the sun no longer gets in.");
   f.number("roof", roof, scene::positive, "m", "Rock above a ceiling.");
-  f.vector("floor", floor, scene::notNegative, "", "Colour of the floor, linear RGB.");
-  f.vector("wall", wall, scene::notNegative, "", "Colour of the walls, linear RGB.");
-  f.vector("rock", rock, scene::notNegative, "", "Colour of the rock above them, linear RGB.");
+  f.color("floor", floor, scene::notNegative, "Colour of the floor, linear RGB.");
+  f.color("wall", wall, scene::notNegative, "Colour of the walls, linear RGB.");
+  f.color("rock", rock, scene::notNegative, "Colour of the rock above them, linear RGB.");
   f.number("grip", grip, {0, 1e6}, "1/s",
            "Rate at which sliding cloth and particles with \"walls\" lose speed.");
   f.boolean("visible", visible, "Draws it as a solid.");

@@ -32,7 +32,7 @@ void ChartParameters::describe(scene::Fields& f) {
         c.leftOut("label", "the quantity");
         c.number("per", curve.per, {1e-12, 1e12}, "", "Value that the chart shows as 1.");
         glm::vec3 color = curve.color.value_or(glm::vec3(0));
-        c.vector("color", color, scene::fraction, "linear RGB", "Colour of the curve.");
+        c.color("color", color, scene::fraction, "Colour of the curve, linear RGB.");
         c.leftOut("color", "orange, blue, green, violet");
         if (c.given("color")) curve.color = color;
         const std::size_t point = curve.of.rfind('.');

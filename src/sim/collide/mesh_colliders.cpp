@@ -31,15 +31,17 @@ MeshColliderPlan::MeshColliderPlan(const scene::Scene& scene, double reach) {
   for (const scene::Object& object : scene.objects) {
     const auto* mesh = dynamic_cast<const MeshParameters*>(object.parameters.get());
     if (mesh == nullptr || !mesh->collidesRigidly()) continue;
-    if (parts_.size() == shader::maxMeshColliders)
+    if (parts_.size() == shader::maxMeshColliders) {
+      if (reach < 0) return;
       fail(ExitCode::usage,
            "more than {} meshes collide; set \"collides\": false on some, or join files into one",
            shader::maxMeshColliders);
+    }
     const int first = cellCount();
-    parts_.push_back(
-        {object.name, *mesh,
-         DistancePlan(object.name, mesh->make(scene.seed), mesh->scale.at(0), mesh->distanceCells, reach),
-         first});
+    parts_.push_back({object.name, *mesh,
+                      DistancePlan(object.name, mesh->make(scene.seed), mesh->scale.at(0),
+                                   mesh->distanceCells, std::max(0.0, reach)),
+                      first});
   }
 }
 

@@ -161,7 +161,7 @@ void FluidParameters::describe(scene::Fields& f) {
       },
       shader::maxSolids);
   f.boolean("obstaclesSlip", obstaclesSlip, "Lets the fluid slip along obstacles; else it sticks to them.");
-  f.vector("obstacleColor", obstacleColor, {0, 1e4}, "", "Colour of obstacles, linear RGB.");
+  f.color("obstacleColor", obstacleColor, {0, 1e4}, "Colour of obstacles, linear RGB.");
   if (!f.given("strokes")) strokes = standardStrokes(size);
   f.list("strokes", strokes, "Timed strokes that set velocity, temperature or dye, or push.",
          describeStroke);
@@ -184,7 +184,7 @@ void FluidParameters::describe(scene::Fields& f) {
            "around hot, glowing gas.");
   f.number("brightness", brightness, {0, 1e4}, "", "Brightness of dye.");
   if (look == Look::ink) paper = glm::vec3(0.94F, 0.9F, 0.82F);
-  f.vector("paper", paper, scene::fraction, "linear RGB", "Where there is no dye.");
+  f.color("paper", paper, scene::fraction, "Colour where there is no dye, linear RGB.");
   f.leftOut("paper", "dark for \"light\" and \"fire\", a warm white for \"ink\"");
   f.integer("lineDetail", lineDetail, {1, 16}, "", "Places a cell on a side in which lines are drawn.");
   f.number("lineRate", lineRate, {0, 1e3}, "1/s", "Ripples that run along the lines, with the flow.");

@@ -47,7 +47,7 @@ void TracerParameters::describe(scene::Fields& f) {
   f.integer("count", count, {1, 1e7}, "", "Number of tracers at any time.");
   f.number("seconds", seconds, {1e-2, 1e6}, "s", "Mean lifetime; then a tracer begins again elsewhere.");
   f.number("streak", streak, {1e-3, 1e6}, "s", "Time in which their streaks fade to 1/e.");
-  f.vector("color", color, {0, 1e4}, "", "Linear RGB.");
+  f.color("color", color, {0, 1e4}, "Linear RGB.");
   f.number("brightness", brightness, {0, 1e4}, "",
            "How strongly a streak covers what is below it; 0 hides it.");
 }

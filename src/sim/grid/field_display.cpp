@@ -23,7 +23,7 @@ void FieldDisplay::describe(scene::Fields& fields) {
   fields.number("opacity", opacity, {0, 1}, "", "Opacity; 0 hides it.");
   fields.boolean("smooth", smooth, "Linear between cells; else each cell is a square.");
   fields.boolean("tiled", tiled, "Repeated beyond its border.");
-  fields.vector("border", border, scene::notNegative, "", "Colour beyond its border, linear RGB.");
+  fields.color("border", border, scene::notNegative, "Colour beyond its border, linear RGB.");
   fields.number("relief", relief, {-100, 100}, "",
                 "Shaded as if lit from the top left: height of the whole range, 1 being 7 cells.");
   const std::vector<std::string>& names = colorMapNames();
@@ -41,7 +41,7 @@ void FieldDisplay::describe(scene::Fields& fields) {
   std::vector<Stop> given;
   for (const glm::vec3& color : stops) given.push_back({color});
   fields.list("stops", given, "Evenly spaced colours instead of a map.", [](scene::Fields& f, Stop& stop) {
-    f.vector("color", stop.color, scene::notNegative, "", "Linear RGB.");
+    f.color("color", stop.color, scene::notNegative, "Linear RGB.");
   });
   if (fields.given("stops")) {
     stops.clear();

@@ -134,7 +134,8 @@ std::unique_ptr<Simulation> makeMesh(const scene::Object& object, const Setting&
   return std::make_unique<RigidMesh>(object, parameters, mesh, setting);
 }
 
-/// Rejects a mesh file given in place of a scene; the message contains a scene that draws it.
+/// Returns a scene of one frame that draws a mesh file; empty for other files. Throws UserError(usage) for
+/// mesh formats that are not read.
 std::string sceneAroundMesh(const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 4> read = {".obj", ".ply", ".gltf", ".glb"};
   constexpr std::array<std::string_view, 8> others = {".stl", ".fbx",  ".dae", ".3ds",
@@ -149,12 +150,13 @@ std::string sceneAroundMesh(const std::filesystem::path& file) {
          "{} is a mesh, not a scene, and of a format that is not read; export it as glTF (.glb)",
          file.string());
   if (!isOneOf(read)) return {};
-  const std::string name = nlohmann::json(file.filename().string())
-                               .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  fail(ExitCode::usage,
-       "{} is a mesh, not a scene; this scene, saved beside it, draws it: "
-       "{{\"version\": 1, \"objects\": {{\"model\": {{\"mesh\": {{\"file\": {}}}}}}}}}",
-       file.string(), name);
+  using Json = nlohmann::ordered_json;
+  const std::string name = file.filename().string();
+  const Json scene = {{"version", 1},
+                      {"title", name},
+                      {"time", {{"fps", 30}, {"duration", 0.03}}},  // one frame
+                      {"objects", {{"model", {{"mesh", {{"file", name}}}}}}}};
+  return scene.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace

@@ -32,14 +32,18 @@ glm::ivec2 minResolution(MeshShape shape) {
 }  // namespace
 
 void MeshParameters::describe(scene::Fields& f) {
-  f.choice("shape", shape, {"plane", "sphere", "torus", "grass", "file"},
+  f.choice("shape", shape, {"plane", "sphere", "torus", "grass", "file", "box", "cylinder", "cone", "disc"},
            "Shape that is generated, or \"file\": read from a file.");
   f.asset("file", file, "OBJ, PLY, glTF or GLB, in m, for the shape \"file\".");
   scene::implyShape(f, shape, MeshShape::file, "file", file, "file", "plane");
-  f.vector("size", size, {0, 1e4}, "m", "Width and depth of a plane or of a field of grass (x and z).");
-  f.number("radius", radius, {1e-4, 1e4}, "m",
-           "Radius of a sphere; of a torus, the distance to the middle of its tube.");
+  f.vector(
+      "size", size, {0, 1e4}, "m",
+      "Width, height and depth of a box; width and depth of a plane or of a field of grass (x and z).");
+  f.number(
+      "radius", radius, {1e-4, 1e4}, "m",
+      "Radius of a sphere, cylinder, cone or disc; of a torus, the distance to the middle of its tube.");
   f.number("tube", tube, {1e-4, 1e4}, "m", "Radius of a torus' tube.");
+  f.number("height", height, {1e-4, 1e4}, "m", "Height of a cylinder or cone.");
   f.pair("resolution", resolution, {2, 16384}, "vertices",
          "Vertices along u and v: along x and z of a plane; around and from pole to pole of a sphere; "
          "along and around the tube of a torus.");
@@ -47,13 +51,7 @@ void MeshParameters::describe(scene::Fields& f) {
             "Blades of grass, scattered over its field by the scene's seed.");
   f.number("bladeHeight", bladeHeight, {1e-4, 1e3}, "m", "Height of the tallest blades of grass.");
   f.number("bladeWidth", bladeWidth, {1e-5, 1e2}, "m", "Width of a blade of grass at its root.");
-  f.vector("position", position, scene::anyNumber, "m", "Place of the mesh's origin.");
-  f.vector("rotation", rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
-  f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the mesh's coordinates.");
-  f.choice(
-      "sides", sides, {"auto", "one", "both"},
-      "Which sides of the triangles are drawn; \"auto\": both of a plane and of grass, else the front.");
-  f.boolean("visible", visible, "Draws it.");
+  describePlace(f);
   deform.describe(f);
   describeCollision(f);
   remarkShape(f);
@@ -69,12 +67,26 @@ void MeshParameters::describe(scene::Fields& f) {
     f.error("tube", fmt::format("a tube of {} m closes the hole of a torus of {} m", tube, radius));
 }
 
+void MeshParameters::describePlace(scene::Fields& f) {
+  f.vector("position", position, scene::anyNumber, "m", "Place of the mesh's origin.");
+  f.vector("rotation", rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
+  f.number("scale", scale, {1e-6, 1e6}, "", "Factor on the mesh's coordinates.");
+  f.choice("sides", sides, {"auto", "one", "both"},
+           "Which sides of the triangles are drawn; \"auto\": both of a plane, a disc and grass, else the "
+           "front.");
+  f.boolean("visible", visible, "Draws it.");
+}
+
 void MeshParameters::remarkShape(scene::Fields& f) const {
   const char* const ruler = f.given("shape") ? "shape" : "file";
   const bool plane = shape == MeshShape::plane, grass = shape == MeshShape::grass;
   const bool sphere = shape == MeshShape::sphere, torus = shape == MeshShape::torus;
-  f.idleUnless(plane || grass, ruler, {"size"}, "a \"plane\" or \"grass\"");
-  f.idleUnless(sphere || torus, ruler, {"radius"}, "a \"sphere\" or a \"torus\"");
+  const bool box = shape == MeshShape::box, disc = shape == MeshShape::disc;
+  const bool upright = shape == MeshShape::cylinder || shape == MeshShape::cone;
+  f.idleUnless(plane || grass || box, ruler, {"size"}, "a \"box\", a \"plane\" or \"grass\"");
+  f.idleUnless(sphere || torus || disc || upright, ruler, {"radius"},
+               "a \"sphere\", \"torus\", \"cylinder\", \"cone\" or \"disc\"");
+  f.idleUnless(upright, ruler, {"height"}, "a \"cylinder\" or a \"cone\"");
   f.idleUnless(torus, ruler, {"tube"}, "a \"torus\"");
   f.idleUnless(plane || sphere || torus, ruler, {"resolution"}, "a \"plane\", \"sphere\" or \"torus\"");
   f.idleUnless(grass, ruler, {"blades", "bladeHeight", "bladeWidth"}, "\"grass\"");
@@ -109,7 +121,7 @@ void MeshParameters::describeCollision(scene::Fields& f) {
 }
 
 void MeshParameters::checkSolid(scene::Fields& f) const {
-  if (shape == MeshShape::plane || shape == MeshShape::grass)
+  if (shape == MeshShape::plane || shape == MeshShape::grass || shape == MeshShape::disc)
     f.error("shape",
             "a mesh that collides is closed all around, or a plane that \"deform\" moves; use a \"plane\" "
             "object");
@@ -138,7 +150,8 @@ void MeshParameters::checkHeights(scene::Fields& f) const {
 
 bool MeshParameters::doubleSided() const {
   return sides == MeshSides::both ||
-         (sides == MeshSides::fitting && (shape == MeshShape::plane || shape == MeshShape::grass));
+         (sides == MeshSides::fitting &&
+          (shape == MeshShape::plane || shape == MeshShape::disc || shape == MeshShape::grass));
 }
 
 glm::mat4 MeshParameters::model(double time) const {
@@ -209,6 +222,14 @@ Mesh MeshParameters::make(int seed) const {
       return torusMesh(radius, tube, resolution);
     case MeshShape::grass:
       return grassMesh(size, blades, bladeHeight, bladeWidth, seed);
+    case MeshShape::box:
+      return boxMesh(size);
+    case MeshShape::cylinder:
+      return cylinderMesh(radius, radius, height);
+    case MeshShape::cone:
+      return cylinderMesh(0, radius, height);
+    case MeshShape::disc:
+      return discMesh(radius);
     case MeshShape::file:
       break;
   }

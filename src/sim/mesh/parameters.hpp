@@ -15,16 +15,17 @@
 
 namespace simreel::sim {
 
-enum class MeshShape { plane, sphere, torus, grass, file };
+enum class MeshShape { plane, sphere, torus, grass, file, box, cylinder, cone, disc };
 enum class MeshSides { fitting, one, both };
 
 /// Parameters of the object kind "mesh".
 struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   MeshShape shape = MeshShape::plane;
   std::filesystem::path file;
-  glm::vec3 size{4, 0, 4};         ///< width and depth of a plane in metres
+  glm::vec3 size{4, 0, 4};         ///< width, height and depth in metres
   float radius = 1.0F;             ///< radius in metres
   float tube = 0.35F;              ///< radius of a torus' tube in metres
+  float height = 2.0F;             ///< height of a cylinder or cone in metres
   glm::ivec2 resolution{101, 65};  ///< number of vertices along u and v
   MeshSides sides = MeshSides::fitting;
   bool visible = true;
@@ -65,13 +66,17 @@ struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
   /// Generates or reads the mesh. Throws the errors of loadMesh().
   [[nodiscard]] Mesh make(int seed) const;
 
+ protected:
+  void describeCollision(scene::Fields& fields);
+  /// Describes position, rotation, scale, sides and visibility.
+  void describePlace(scene::Fields& fields);
+
  private:
   /// Returns the maximum vertical displacement in metres by the deformation.
   [[nodiscard]] float swell() const;
   /// Returns the vertices at every position key; empty if the file cannot be read.
   [[nodiscard]] std::vector<glm::vec3> placesAtRest() const;
   void remarkShape(scene::Fields& fields) const;
-  void describeCollision(scene::Fields& fields);
   void checkSolid(scene::Fields& fields) const;
   void checkHeights(scene::Fields& fields) const;
 };

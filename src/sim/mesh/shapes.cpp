@@ -63,6 +63,30 @@ Mesh roundMesh(float radius, float length, unsigned rows, unsigned columns) {
   return mesh;
 }
 
+constexpr unsigned roundColumns = 64;
+
+/// Returns the horizontal unit vector of a column; column 0 and the last one, at the seam, are equal.
+glm::vec3 outwards(unsigned column) {
+  const double angle = fullTurn * (column % roundColumns) / roundColumns;
+  return {static_cast<float>(ieee::sin(angle)), 0, static_cast<float>(ieee::cos(angle))};
+}
+
+/// Adds a disc at height y around the y axis. `side`: +1 faces up, -1 faces down.
+void addDisc(Mesh& mesh, float radius, float y, float side) {
+  const auto middle = static_cast<unsigned>(mesh.positions.size());
+  const auto add = [&](const glm::vec3& at) {
+    mesh.positions.push_back(at * radius + glm::vec3(0, y, 0));
+    mesh.normals.emplace_back(0, side, 0);
+    mesh.uvs.emplace_back(0.5F + 0.5F * at.x, 0.5F + 0.5F * side * at.z);
+  };
+  add(glm::vec3(0));
+  for (unsigned column = 0; column < roundColumns; ++column) add(outwards(column));
+  for (unsigned column = 0; column < roundColumns; ++column) {
+    const unsigned a = middle + 1 + column, b = middle + 1 + (column + 1) % roundColumns;
+    mesh.indices.insert(mesh.indices.end(), {middle, side > 0 ? a : b, side > 0 ? b : a});
+  }
+}
+
 }  // namespace
 
 Mesh planeMesh(const glm::vec3& size, glm::ivec2 vertices) {
@@ -156,6 +180,49 @@ Mesh torusMesh(float radius, float tube, glm::ivec2 vertices) {
     }
   }
   connectRows(mesh, rows, columns);
+  return mesh;
+}
+
+Mesh boxMesh(const glm::vec3& size) {
+  Mesh mesh;
+  const auto face = [&](const glm::vec3& normal, const glm::vec3& right, const glm::vec3& down) {
+    const auto first = static_cast<unsigned>(mesh.positions.size());
+    for (const float v : {0.0F, 1.0F})
+      for (const float u : {0.0F, 1.0F}) {
+        mesh.positions.push_back(0.5F * size * (normal + (2 * u - 1) * right + (2 * v - 1) * down));
+        mesh.normals.push_back(normal);
+        mesh.uvs.emplace_back(u, v);
+      }
+    mesh.indices.insert(mesh.indices.end(), {first, first + 2, first + 1, first + 1, first + 2, first + 3});
+  };
+  for (const float side : {1.0F, -1.0F}) {
+    face({0, 0, side}, {side, 0, 0}, {0, -1, 0});
+    face({side, 0, 0}, {0, 0, -side}, {0, -1, 0});
+    face({0, side, 0}, {1, 0, 0}, {0, 0, side});
+  }
+  return mesh;
+}
+
+Mesh cylinderMesh(float topRadius, float bottomRadius, float height) {
+  Mesh mesh;
+  const glm::vec2 slope = glm::normalize(glm::vec2(height, bottomRadius - topRadius));
+  for (const bool bottom : {false, true})
+    for (unsigned column = 0; column <= roundColumns; ++column) {
+      const glm::vec3 out = outwards(column);
+      mesh.positions.push_back((bottom ? bottomRadius : topRadius) * out +
+                               glm::vec3(0, (bottom ? -0.5F : 0.5F) * height, 0));
+      mesh.normals.push_back(slope.x * out + glm::vec3(0, slope.y, 0));
+      mesh.uvs.emplace_back(static_cast<float>(column) / roundColumns, bottom ? 1.0F : 0.0F);
+    }
+  connectRows(mesh, 1, roundColumns);
+  if (topRadius > 0) addDisc(mesh, topRadius, 0.5F * height, 1);
+  addDisc(mesh, bottomRadius, -0.5F * height, -1);
+  return mesh;
+}
+
+Mesh discMesh(float radius) {
+  Mesh mesh;
+  addDisc(mesh, radius, 0, 1);
   return mesh;
 }
 

@@ -26,6 +26,17 @@ namespace simreel::sim {
 /// radius. `vertices` along the ring and around the tube; seams count twice (at least 4x4).
 [[nodiscard]] Mesh torusMesh(float radius, float tube, glm::ivec2 vertices);
 
+/// Returns a box of size.x by size.y by size.z metres around the origin. Each face has four vertices and uv
+/// 0 to 1.
+[[nodiscard]] Mesh boxMesh(const glm::vec3& size);
+
+/// Returns a closed cylinder along y around the origin, or a cone or frustum if the radii differ; 64
+/// columns. The edges of the ends are sharp.
+[[nodiscard]] Mesh cylinderMesh(float topRadius, float bottomRadius, float height);
+
+/// Returns a disc in the xz plane that faces +y; 64 columns.
+[[nodiscard]] Mesh discMesh(float radius);
+
 /// Returns blades of grass scattered over size.x by size.z metres of the xz plane. Each blade is a curved
 /// strip of four quads; the tallest is `height` metres high, and `width` is the width at the root. u is a
 /// random number of the blade (nearly constant across it) and v is 1 at the root and 0 at the tip, so that

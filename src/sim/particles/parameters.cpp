@@ -215,7 +215,7 @@ void ParticleParameters::describeLook(scene::Fields& l) {
   l.list(
       "colorStops", stops, "A colour map of one's own instead: colours at even distances.",
       [](scene::Fields& s, ColorStop& stop) {
-        s.vector("color", stop.color, {0, 1e3}, "", "Linear red, green, blue.");
+        s.color("color", stop.color, {0, 1e3}, "Linear red, green, blue.");
       },
       64);
   l.boolean("additive", additive, "Light that adds up and casts no shadow, for sparks and stars.");

@@ -33,7 +33,7 @@ void ScreenText::describe(scene::Fields& f) {
            "Place of its anchor as a fraction of the picture's height, from the top.");
   f.number("height", height, {0.001, 10}, "",
            "Height of capital letters, as a fraction of the picture's height.");
-  f.vector("color", color, scene::notNegative, "", "Linear RGB; it is not tone mapped.");
+  f.color("color", color, scene::notNegative, "Linear RGB; it is not tone mapped.");
   f.number("opacity", opacity, scene::fraction, "", "0: not to be seen.");
   f.number("backdrop", backdrop, scene::fraction, "", "Opacity of a dark panel behind it.");
 }

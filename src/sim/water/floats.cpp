@@ -66,9 +66,9 @@ void WaterFloat::describe(scene::Fields& f) {
     t.number("pull", of.pull, {1e-2, 50}, "1/s",
              "Rate at which it follows: the tow is a critically damped spring.");
   });
-  f.vector(
-      "color", material.color, scene::fraction, "linear RGB",
-      "Colour of the body. If neither this nor a parameter below is given, a file's own materials show.");
+  f.color("color", material.color, scene::fraction,
+          "Colour of the body, linear RGB. If neither this nor a parameter below is given, a file's own "
+          "materials show.");
   f.asset("texture", material.texture, "Picture laid over it by its uv, multiplied with the colour.");
   f.number("roughness", material.roughness, scene::fraction, "", "0 mirrors, 1 is matt.");
   f.number("translucency", material.translucency, scene::fraction, "",

@@ -119,7 +119,7 @@ void WaterParameters::describeStart(scene::Fields& f) {
       if (terrain.empty() && t.given(name))
         t.error(name, fmt::format("\"{}\" is of an image; give \"image\"", name));
     if (!terrain.empty() && t.given("bed")) t.error("bed", "an image gives the heights; leave out \"bed\"");
-    t.vector("color", ground, scene::fraction, "linear RGB", "Colour of the ground.");
+    t.color("color", ground, scene::fraction, "Colour of the ground, linear RGB.");
     t.number("roughness", groundRoughness, scene::fraction, "",
              "Roughness of the ground; 0 mirrors, 1 is matt.");
     t.asset("texture", groundTexture, "Picture laid over the ground, multiplied with its colour.");
@@ -216,10 +216,10 @@ void WaterParameters::describeLook(scene::Fields& f) {
   if (!collides && f.given("grip")) f.error("grip", "\"grip\" is for water with \"collides\": true");
   f.boolean("visible", visible, "Draws water and ground.");
   f.group("look", "The water's colours, instead of the material's.", [&](scene::Fields& l) {
-    l.vector("deep", deep, scene::fraction, "linear RGB", "Colour of deep water.");
+    l.color("deep", deep, scene::fraction, "Colour of deep water, linear RGB.");
     l.number("roughness", roughness, scene::fraction, "", "Roughness of its surface.");
-    l.vector("shallow", shallow, scene::fraction, "linear RGB",
-             "Colour of the ground seen through thin water.");
+    l.color("shallow", shallow, scene::fraction,
+            "Colour of the ground seen through thin water, linear RGB.");
     l.number("clarity", clarity, {1e-4, 1e4}, "m",
              "Depth in which all but 1/e of the ground's light is lost.");
     l.number("foam", foam, {0, 1e3}, "", "White for each unit of slope beyond 0.1.");

@@ -13,6 +13,7 @@
 #include "sim/lenia/lenia.hpp"
 #include "sim/life/life.hpp"
 #include "sim/mesh/mesh.hpp"
+#include "sim/mesh/solids.hpp"
 #include "sim/nodes/camera_shot.hpp"
 #include "sim/particles/particles.hpp"
 #include "sim/reaction/reaction.hpp"
@@ -24,17 +25,27 @@
 #include "sim/world/port_check.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 #include <vector>
 
 namespace simreel::sim {
 
 std::span<const SimulationKind> simulations() {
-  static const std::vector<SimulationKind> list = {
-      clothKind(),    particlesKind(), lifeKind(),   leniaKind(),   grayScottKind(), reactionKind(),
-      epidemicKind(), wildfireKind(),  fluidKind(),  waterKind(),   caveKind(),      contourKind(),
-      meshKind(),     bodyKind(),      sphereKind(), capsuleKind(), planeKind(),     textKind(),
-      chartKind(),    kernelsKind(),   imageKind(),
-  };
+  static const std::vector<SimulationKind> list = [] {
+    std::vector<SimulationKind> all = {
+        clothKind(),    particlesKind(), lifeKind(),   leniaKind(),   grayScottKind(), reactionKind(),
+        epidemicKind(), wildfireKind(),  fluidKind(),  waterKind(),   caveKind(),      contourKind(),
+        meshKind(),     bodyKind(),      sphereKind(), capsuleKind(), planeKind(),     textKind(),
+        chartKind(),    kernelsKind(),   imageKind(),
+    };
+    std::vector<SimulationKind> solids = solidKinds();
+    const auto shapes = std::find_if(all.begin(), all.end(), [](const SimulationKind& one) {
+      return one.kind.name == std::string_view("plane");
+    });
+    all.insert(shapes, std::make_move_iterator(solids.begin()), std::make_move_iterator(solids.end()));
+    return all;
+  }();
   return list;
 }
 

@@ -106,7 +106,7 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
   if (const auto& sky = scene.sky.picture; !sky.empty())
     attempt([&] { checkSurroundings(readSurroundings(sky), surroundingsLabel(sky)); });
   const std::size_t others = problems.size();
-  attempt([&] { static_cast<void>(MeshColliderPlan(scene, std::max(0.0, meshReach(scene)))); });
+  attempt([&] { static_cast<void>(MeshColliderPlan(scene, meshReach(scene))); });
   // An unreadable file is already reported for its object.
   if (others > 0 && problems.size() > others && isReported(problems)) problems.pop_back();
   return problems;

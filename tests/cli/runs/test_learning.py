@@ -81,9 +81,7 @@ class Shipped(Case):
     def test_a_shipped_scene_is_not_edited_in_place(self):
         self.bad(2, "--edit would change the shipped scene; copy it first: cp ", "serve", "flag", "--edit")
 
-    def test_meshes_and_pictures_are_not_scenes(self):
-        self.write("model.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n")
-        self.bad(2, ["model.obj is a mesh, not a scene", '"mesh": {"file": "model.obj"}'], "render", "model.obj", "-o", "x.png")
+    def test_pictures_are_not_scenes(self):
         self.bad(2, ["a.png is a picture, not a scene"], "render", "a.png", "-o", "x.png")
 
 
